@@ -1,17 +1,16 @@
-# Makes a build from scratch faster. Most of the time to compile goes into the headers of ROS, Qt and GoogleTest: a
-# target reads them once (precompiled header). Where it still goes into them, sources are compiled together (unity
-# build), but only so many that a build after a change of one file is not slower than without all this.
+# Makes a build from scratch faster. Most compile time goes into the headers of ROS, Qt and GoogleTest, so a target
+# reads them once (precompiled header). Where that is not enough, sources are compiled together (unity build), but only
+# so many that a build after a change of one file does not become slower.
 option(AIBO_FAST_BUILD "Precompile headers, and compile several sources together" ON)
 if(AIBO_SANITIZE)
-  set(AIBO_FAST_BUILD OFF)  # some sources have other sanitizers than their headers would
+  set(AIBO_FAST_BUILD OFF)  # some sources have other sanitizers than their headers
 endif()
 
 if(AIBO_FAST_BUILD)
-  # Targets can only share a precompiled header if all are position independent in the same way, and if they define the
-  # same names: SDL's users define _REENTRANT.
-  # Functions of a program can still be inlined: nobody replaces one of them.
+  # Targets can share a precompiled header only if they are position independent in the same way and define the same
+  # names (SDL's users define _REENTRANT). Functions of a program can still be inlined: nobody replaces one of them.
   add_compile_options(-fPIC -fno-semantic-interposition)
-  # GCC forgets that a template in a precompiled header is the system's, and warns of Boost's functions.
+  # GCC forgets that a template in a precompiled header is a system one, and warns about Boost's functions.
   add_compile_options(-Wno-maybe-uninitialized)
   add_compile_definitions(_REENTRANT)
 endif()
@@ -23,7 +22,7 @@ function(aibo_precompile_headers target)
   endif()
 endfunction()
 
-# aibo_reuse_headers(OWNER TARGET...): the targets use the precompiled header of the owner, with the same options.
+# aibo_reuse_headers(OWNER TARGET...): the targets use the owner's precompiled header and its options.
 function(aibo_reuse_headers owner)
   if(AIBO_FAST_BUILD)
     foreach(target ${ARGN})
@@ -32,7 +31,7 @@ function(aibo_reuse_headers owner)
   endif()
 endfunction()
 
-# With ROS or Qt, three sources together take about as long as one of them without the precompiled header. Names in
+# With ROS or Qt, three sources together compile about as fast as one of them without the precompiled header. Names in
 # anonymous namespaces have to be unique in such a target.
 function(aibo_compile_together)
   if(AIBO_FAST_BUILD)

@@ -14,7 +14,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 
 #include "client/file_descriptor.h"
@@ -23,13 +22,16 @@
 #include "text/plain_text.h"
 
 namespace aibo_driver::files {
+
+using aibo_client::FileDescriptor;
+
 namespace {
 
 namespace fs = std::filesystem;
 
 constexpr const char* kNotRegular = "it is not a regular file";  // reading anything else could block
 
-/// Callers of a service may be at another computer than the driver.
+/// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
   std::array<char, 256> name{};
   return ::gethostname(name.data(), name.size() - 1) == 0 ? std::string("the computer ") + name.data()
@@ -40,8 +42,8 @@ std::string thisComputer() {
   throw FileException("cannot read '" + path + "': " + why);
 }
 
-/// A zero byte would end the path for the system, after the end of the name was checked; other control characters would
-/// spoil the terminals and logs in which the name is shown.
+/// Checks a path for control characters. A zero byte would end the path for the system, after the end of the name was
+/// checked. Other control characters would spoil the terminals and logs that show the name.
 void checkPath(const std::string& path, const char* verb) {
   if (const std::string shown = text::plainLine(path, PATH_MAX); shown != path) {
     throw FileException(std::string("cannot ") + verb + " '" + shown +
@@ -58,18 +60,19 @@ bool isJpegName(const fs::path& path) {
   return ::strcasecmp(extension.c_str(), ".jpg") == 0 || ::strcasecmp(extension.c_str(), ".jpeg") == 0;
 }
 
-/// Whether an existing file begins as a JPEG.
-bool isJpeg(const fs::path& path) {
+/// Whether an existing file begins as a JPEG. It may be anything else by now, also a pipe without a writer.
+bool isJpeg(const FileDescriptor& folder, const fs::path& name) {
   std::array<char, 3> begin{};
-  std::ifstream(path, std::ios::binary).read(begin.data(), begin.size());
-  return begin == std::array<char, 3>{'\xff', '\xd8', '\xff'};
+  const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
+  return file.valid() && ::read(file.get(), begin.data(), begin.size()) == static_cast<ssize_t>(begin.size()) &&
+         begin == std::array<char, 3>{'\xff', '\xd8', '\xff'};
 }
 
 bool isWithin(const fs::path& folder, const fs::path& target) {
   return std::mismatch(folder.begin(), folder.end(), target.begin(), target.end()).first == folder.end();
 }
 
-/// The folder without links in it.
+/// The path of a folder without links in it.
 fs::path canonicalFolder(const std::string& folder) {
   std::error_code error;
   const fs::path canonical = fs::canonical(folder, error);
@@ -80,23 +83,34 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
-void checkTarget(const fs::path& target) {
+/// Opens the folder of a file. Whoever may write into the folder for pictures may replace a folder there by a link to
+/// somewhere else after the path was checked; what is opened stays what it is.
+FileDescriptor openFolderOf(const fs::path& target) {
   std::error_code error;
-  if (!fs::is_directory(target.parent_path(), error)) {
+  FileDescriptor folder(::open(target.parent_path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  if (!folder.valid()) {
     throw FileException("cannot write " + target.string() + ": the folder " + target.parent_path().string() +
                         " does not exist on " + thisComputer() + " or may not be entered; make it first");
   }
+  if (fs::read_symlink("/proc/self/fd/" + std::to_string(folder.get()), error) != target.parent_path()) {
+    throw FileException("cannot write " + target.string() + ": its folder was moved or replaced meanwhile");
+  }
+  return folder;
+}
+
+void checkTarget(const FileDescriptor& folder, const fs::path& target) {
+  std::error_code error;
   if (fs::exists(target, error) && !fs::is_regular_file(target, error)) {
     throw FileException("cannot write " + target.string() + ": it exists and is not a regular file");
   }
-  if (fs::exists(target, error) && !isJpeg(target)) {
+  if (fs::exists(target, error) && !isJpeg(folder, target.filename())) {
     throw FileException("cannot write " + target.string() +
                         ": it exists and is not a JPEG, or cannot be read; give another name, or remove it");
   }
 }
 
-/// Whether a segment belongs to the image.
-/// @param segment without its marker: two bytes for its size, then its content
+/// Whether a segment belongs to the image itself.
+/// @param segment the segment without its marker: two bytes for its size, then its content
 bool isOfImage(std::uint8_t marker, const std::uint8_t* segment, std::size_t size) {
   constexpr std::uint8_t kComment = 0xFE;
   constexpr std::uint8_t kApplication0 = 0xE0;
@@ -109,7 +123,7 @@ bool isOfImage(std::uint8_t marker, const std::uint8_t* segment, std::size_t siz
 }
 
 std::string fileNameOnRobot(const std::string& name, const std::string& ending) {
-  std::string file = name;
+  std::string file = text::plainLine(name);
   if (!file.empty() && file.find('.') == std::string::npos) {
     file += ending;
   }
@@ -117,15 +131,14 @@ std::string fileNameOnRobot(const std::string& name, const std::string& ending) 
   return file;
 }
 
-/// A file with a name of its own, which is deleted unless it is renamed.
+/// A file with a unique name. It is deleted unless it is renamed.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const fs::path& target) {
+  TemporaryFile(const FileDescriptor& folder, const fs::path& target) : folder_(folder.get()) {
     static std::atomic<unsigned> counter{0};
-    path_ = target.parent_path() /
-            ("." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(counter++));
+    name_ = "." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(counter++);
     // 0666 less the umask, as any file that a program writes for its user.
-    descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    descriptor_ = ::openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0) {
       fail("create a file in " + target.parent_path().string());
     }
@@ -133,8 +146,8 @@ class TemporaryFile {
 
   ~TemporaryFile() {
     close();
-    if (!path_.empty()) {
-      ::unlink(path_.c_str());
+    if (!name_.empty()) {
+      ::unlinkat(folder_, name_.c_str(), 0);
     }
   }
 
@@ -146,17 +159,18 @@ class TemporaryFile {
     while (written < bytes.size()) {
       const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
       if (count < 0 && errno != EINTR) {
-        fail("write " + path_.string());
+        fail("write " + name_);
       }
       written += count > 0 ? static_cast<std::size_t>(count) : 0;
     }
   }
 
   void renameTo(const fs::path& target) {
-    if (::fsync(descriptor_) != 0 || close() != 0 || ::rename(path_.c_str(), target.c_str()) != 0) {
+    if (::fsync(descriptor_) != 0 || close() != 0 ||
+        ::renameat(folder_, name_.c_str(), folder_, target.filename().c_str()) != 0) {
       fail("write " + target.string());
     }
-    path_.clear();
+    name_.clear();
   }
 
  private:
@@ -170,13 +184,14 @@ class TemporaryFile {
     throw FileException("cannot " + what + ": " + std::strerror(errno));
   }
 
-  fs::path path_;
+  const int folder_;
+  std::string name_;
   int descriptor_ = -1;
 };
 
 }  // namespace
 
-std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {
+FileDescriptor openToRead(const std::string& path) {
   checkPath(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
@@ -186,8 +201,8 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   if (!fs::is_regular_file(path, error)) {
     failToRead(path, kNotRegular);
   }
-  // Without waiting for the writer of a pipe that has come meanwhile.
-  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  // If the path has become a pipe meanwhile, opening it must not wait for a writer.
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
   struct stat properties {};
   if (!file.valid() || ::fstat(file.get(), &properties) != 0) {
     failToRead(path, std::strerror(errno));
@@ -195,11 +210,20 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
   if (!S_ISREG(properties.st_mode)) {
     failToRead(path, kNotRegular);
   }
+  return file;
+}
+
+std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {
+  const FileDescriptor file = openToRead(path);
+  struct stat properties {};
+  if (::fstat(file.get(), &properties) != 0) {
+    failToRead(path, std::strerror(errno));
+  }
   const auto size = static_cast<std::size_t>(properties.st_size);
   if (size > longest) {
     failToRead(path, "it has more than the " + std::to_string(longest) + " bytes allowed");
   }
-  // Files of the kernel, which have no size, may block their readers, and end at different places each time.
+  // Files of the kernel have no size. They may block their readers, and end at a different place each time.
   std::vector<std::uint8_t> bytes(size);
   std::size_t read = 0;
   for (ssize_t count = 1; count > 0 && read < size; read += static_cast<std::size_t>(std::max<ssize_t>(count, 0))) {
@@ -235,7 +259,7 @@ std::string pictureFolder(const std::string& chosen) {
 }
 
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg) {
-  constexpr std::size_t kStart = 2;  // the marker SOI
+  constexpr std::size_t kStart = 2;  // the size of the marker SOI
   constexpr std::uint8_t kStartOfScan = 0xDA;
   std::vector<std::uint8_t> kept(jpeg.begin(),
                                  jpeg.begin() + static_cast<std::ptrdiff_t>(std::min(kStart, jpeg.size())));
@@ -268,7 +292,7 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   checkPath(path, "write");
   const fs::path allowed = canonicalFolder(folder);
   std::error_code error;
-  // Follows links: the file that a link points to has to be in the folder, and is replaced, not the link.
+  // Links are followed. The file that a link points to has to be in the folder, and is replaced instead of the link.
   const fs::path target = fs::weakly_canonical(allowed / path, error);
   if (error || target.filename().empty() || path.back() == '/' || fs::is_directory(target, error)) {
     throw FileException("cannot write '" + path + "': that does not name a file" +
@@ -285,9 +309,10 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
     throw FileException("cannot write " + target.string() + ": it is not in the folder for pictures, " +
                         allowed.string() + "; ~picture_folder sets another one");
   }
-  checkTarget(target);
+  const FileDescriptor parent = openFolderOf(target);
+  checkTarget(parent, target);
   const std::vector<std::uint8_t> content = withoutComments(jpeg);
-  TemporaryFile file(target);
+  TemporaryFile file(parent, target);
   file.write(content);
   file.renameTo(target);
   return target.string();

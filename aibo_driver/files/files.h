@@ -1,6 +1,6 @@
 /// @file files.h
-/// Files that users name in service calls, for which it is the driver's machine, or on a command line: on this
-/// computer, where `~` is not expanded, and on the robot's memory stick.
+/// Files that users name in service calls or on a command line. They are on this computer, which for service calls is
+/// the driver's machine, or on the robot's memory stick. `~` is not expanded.
 #ifndef AIBO_DRIVER_FILES_FILES_H
 #define AIBO_DRIVER_FILES_FILES_H
 
@@ -9,56 +9,62 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
+#include "client/file_descriptor.h"
 
 namespace aibo_driver::files {
 
-/// A file could not be read or written; the message says why, and what to do.
-class FileException : public Exception {
+/// Thrown if a file could not be read or written. The message says why, and what to do.
+class FileException : public aibo_client::Exception {
  public:
   using Exception::Exception;
 };
 
+/// Opens a file to read it.
+/// @param path an absolute path, or a path relative to the working directory of the process
+/// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
+///   characters; ...
+aibo_client::FileDescriptor openToRead(const std::string& path);
+
 /// Reads a whole file.
-/// @param path absolute, or relative to the working directory of the process
-/// @param longest the most bytes that it may have
-/// @throw FileException it does not exist, may not be read, is not a regular file, is longer, the path holds control
-///   characters, ...
+/// @param path for openToRead()
+/// @param longest the largest number of bytes that the file may have
+/// @throw FileException it cannot be opened, or is longer; ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
-/// Where pictures are saved.
-/// @param chosen by the user; empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
+/// The folder in which pictures are saved.
+/// @param chosen the user's choice; if empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
 std::string pictureFolder(const std::string& chosen);
 
-/// Reads a motion. Whoever may ask for an upload may name any file, and the robot's place may be taken by somebody
-/// else: so nothing but motions leaves this computer.
+/// Reads a motion. Anybody who may ask for an upload may name any file, and somebody else may have taken the robot's
+/// place. So only motions may leave this computer.
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why
 std::vector<std::uint8_t> loadMotion(const std::string& path);
 
-/// Writes a picture to a file, without its comments and application data (withoutComments()). On any error it leaves
-/// what was there before; nobody ever sees half a file.
+/// Writes a picture to a file, without its comments and application data (withoutComments()). On any error the old file
+/// stays as it was. Nobody ever sees half a file.
 ///
-/// Anybody who reaches the ROS master may call take_picture, and whoever plays the robot chooses the picture. So it
-/// gets only into the folder for pictures, and replaces nothing but JPEGs.
-/// @param folder for pictures; "/" allows all
-/// @param path in this folder, absolute or relative to it; ends in .jpg or .jpeg, in upper or lower case: programs go
-///   by the name, and the robot's pictures are JPEGs
+/// Anybody who reaches the ROS master may call take_picture, and whoever plays the robot chooses the picture. So
+/// pictures only go into the folder for pictures, and only replace JPEGs.
+/// @param folder the folder for pictures; "/" allows all folders
+/// @param path an absolute path in this folder, or a path relative to it. It ends in .jpg or .jpeg, in upper or lower
+///   case, because programs go by the name, and the robot's pictures are JPEGs
 /// @return the absolute path of the file
 /// @throw FileException the path holds control characters, the file is not in the folder, the name is not that of a
-/// JPEG, the file exists and is not a
-///   JPEG, its folder does not exist, permission is missing, the disk is full, ...
+///   JPEG, the file exists and is not a JPEG, its folder does not exist, permission is missing, the disk is full, ...
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
 
-/// The picture without the segments that programs ignore and in which anything could be hidden: comments, and
+/// The picture without the segments that programs ignore and in which anything could be hidden. These are comments, and
 /// application data other than a JFIF header without a thumbnail. Everything that makes up the image stays as it is.
 /// @throw FileException the bytes before the image data are not segments of a JPEG
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
 
 /// The name of a motion's file on the robot's memory stick: "nod", "NOD.MTN" and "nod.mtn" all mean NOD.MTN. The empty
-/// name stays empty. The client checks whether the robot allows such a name.
+/// name stays empty, and a name that is not plain text gets a '?', which no file's name may have: it is quoted in many
+/// places. The client checks whether the robot allows such a name.
 std::string motionFileName(const std::string& name);
 
-/// The same for a picture: "aibo0001" means AIBO0001.JPG.
+/// The name of a picture's file on the robot's memory stick: "aibo0001" means AIBO0001.JPG.
 std::string pictureFileName(const std::string& name);
 
 }  // namespace aibo_driver::files

@@ -6,13 +6,14 @@
 namespace aibo_driver::movement {
 namespace {
 
-// Added to the time of an approach: the command has to reach the robot, and the joint speeds up and brakes.
+// This is added to the time of an approach, because the command has to reach the robot and the joint speeds up and
+// brakes.
 constexpr std::chrono::milliseconds kMargin{500};
 
-// A joint this near to its target has followed it, and will not jump to the next one.
+// A joint that is this near to its target has followed it. It will not jump to its next target.
 constexpr double kNear = 0.1;  // rad
 
-// On the wire a speed is a small whole number, so there is a lowest one.
+// On the wire a speed is a small whole number, so there is a lowest speed.
 constexpr double kLowestSpeed = 0.001;  // rad/s
 
 std::chrono::nanoseconds timeFor(double way, double speed) {

@@ -14,21 +14,20 @@
 
 namespace aibo_driver::movement {
 
-/// The approach speed unless the user sets another one, in rad/s.
+/// The approach speed in rad/s, unless the user sets another one.
 constexpr double kUsualApproachSpeed = 0.5;
 
-/// The guard rails between users and joints.
+/// Protects the joints from harmful commands.
 ///
-/// - A command whose arrays do not fit together is refused. A joint that the robot does not have, or whose position or
-///   velocity is not a finite number, is left out, and the others move. If a joint is named twice, the last position
-///   counts.
+/// - A command whose arrays do not fit together is refused. If a joint is not one of the robot's, or if its position or
+///   velocity is not a finite number, only this joint is left out. If a joint is named twice, its last position counts.
 /// - Positions are clamped to the joint's limits. Limits that depend on other joints are left to the robot.
-/// - No joint moves faster than its speed limit, or than the velocity given.
-/// - Approach: the first command to a joint may come from a program that does not know the robot's posture, such as
-///   joint_state_publisher_gui, which begins by commanding every joint to 0 or to its middle. So the joint moves there
-///   at the approach speed. The approach ends after the time that this way takes, or when a new target comes while the
-///   joint is measured near the old one; from then on only the speed limit holds. A target that changes meanwhile makes
-///   the approach longer, but not longer than the joint's longest way takes.
+/// - No joint moves faster than its speed limit or the given velocity.
+/// - Approach: the first command to a joint may come from a program that does not know the robot's posture. For
+///   example, joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves
+///   there at the approach speed. The approach ends after the time that this way takes, or when a new target comes
+///   while the measured joint is near the old one. From then on only the speed limit holds. A new target in the
+///   meantime makes the approach longer, but not longer than the joint's longest way takes.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -37,19 +36,19 @@ class JointCommandFilter {
   /// @param approach_speed rad/s
   JointCommandFilter(const JointTable& table, const MeasuredJoints& measured, double approach_speed);
 
-  /// Filters one command, whose arrays are those of sensor_msgs/JointState.
+  /// Filters one command. Its arrays are those of sensor_msgs/JointState.
   /// @param positions rad, one for each name
   /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
   /// @param[in,out] orders gets an order for each joint that may move, in place of an earlier order to that joint
-  /// @return what was left out and why, a sentence each, without numbers that vary
+  /// @return what was left out and why, in one sentence for each joint, without numbers that vary
   std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
                                   const std::vector<double>& velocities, SteadyTime now, JointOrders* orders);
 
-  /// From now on the posture may be any, as after a new connection: all joints are approached again.
+  /// From now on the robot may have any posture, for example after a new connection. All joints are approached again.
   void startApproach();
 
  private:
-  /// A joint's way to the first target that it was given.
+  /// The way of a joint to the first target that it was given.
   struct Approach {
     double target = 0;
     SteadyTime end;
@@ -64,7 +63,7 @@ class JointCommandFilter {
   const JointTable& table_;
   const MeasuredJoints& measured_;
   const double approach_speed_;
-  std::vector<std::optional<Approach>> approaches_;  ///< by index
+  std::vector<std::optional<Approach>> approaches_;  ///< the joint's index is the position
 };
 
 }  // namespace aibo_driver::movement

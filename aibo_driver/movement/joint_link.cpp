@@ -1,23 +1,27 @@
 #include "movement/joint_link.h"
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
 
-void requireDesign(const RcServerClient& client, const std::string& design) {
+using aibo_client::JointSpeedLimit;
+
+void requireDesign(const aibo_client::RcServerClient& client, const std::string& design) {
   const std::string said = client.status().robot.design;
   if (!design.empty() && !said.empty() && said != design) {
-    throw CommandException("the robot says that it is an " + said + ", but the driver's parameter robot is " + design +
-                           ": start the driver with the right one.");
+    throw aibo_client::CommandException("the robot says that it is an " + said +
+                                        ", but the driver's parameter robot is " + design +
+                                        ": start the driver with the right one.");
   }
 }
 
-void JointLink::send(const JointOrders& orders, std::chrono::milliseconds duration, const OrderTerms& terms) {
+void JointLink::send(const JointOrders& orders, std::chrono::milliseconds duration,
+                     const aibo_client::OrderTerms& terms) {
   if (orders.empty()) {
     return;
   }
   std::vector<JointSpeedLimit> limits;
-  std::vector<JointTarget> targets;
+  std::vector<aibo_client::JointTarget> targets;
   for (const auto& [id, order] : orders) {
     limits.push_back({id, order.speed});
     targets.push_back({id, order.position});

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-// Until a joint that should have arrived really has: the command has to reach the robot, and the joint brakes.
+// A joint arrives this much later than planned, because the command has to reach the robot and the joint brakes.
 constexpr double kSettling = 0.1;  // s
 
 // A command that was sent this long ago may still wait for the link.
@@ -35,7 +35,7 @@ std::string number(double value) {
   return text;
 }
 
-// How far a joint is from where it was sent, in words that follow its name; empty if it is there.
+// Says how far a joint is from its target, in words that follow the joint's name. The text is empty if it has arrived.
 std::string describeDistance(const MeasuredJoint& measured, double target, const Tolerance& tolerance) {
   const double way = std::abs(measured.position - target);
   if (!(way <= tolerance.position)) {
@@ -110,7 +110,8 @@ void JointPlan::command(MovementId id, const JointOrders& orders, SteadyTime now
 double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
                       SteadyTime now, milliseconds oldest) {
   Job job{id, request, arrival, start, oldest, std::nullopt};
-  const double stretch = plan(job, now).stretch();  // also refuses now what could only be refused later
+  // This also refuses at once a request that could otherwise be refused only later.
+  const double stretch = plan(job, now).stretch();
   takeFromWaiting(job);
   jobs_.push_back(std::move(job));
   return stretch;
@@ -157,7 +158,7 @@ JointOrders JointPlan::holdingOrders(SteadyTime now, std::optional<MovementId> o
   return orders;
 }
 
-void JointPlan::end(MovementId id, MovementEnd how, const std::string& reason) {
+void JointPlan::end(MovementId id, EndedHow how, const std::string& reason) {
   for (Job& job : jobs_) {
     if (job.id == id) {
       noteEnd(&job, how, reason);
@@ -167,7 +168,7 @@ void JointPlan::end(MovementId id, MovementEnd how, const std::string& reason) {
   endCommand(id, how, reason);
 }
 
-void JointPlan::endAll(MovementEnd how, const std::string& reason) {
+void JointPlan::endAll(EndedHow how, const std::string& reason) {
   endTrajectories(how, reason);
   for (const std::optional<Command>& command : commands_) {
     if (command) {
@@ -177,7 +178,7 @@ void JointPlan::endAll(MovementEnd how, const std::string& reason) {
   commands_.assign(table_.size(), std::nullopt);
 }
 
-void JointPlan::endTrajectories(MovementEnd how, const std::string& reason) {
+void JointPlan::endTrajectories(EndedHow how, const std::string& reason) {
   for (Job& job : jobs_) {
     noteEnd(&job, how, reason);
   }
@@ -188,7 +189,7 @@ void JointPlan::replace(const std::vector<std::string>& joints, const std::strin
   for (const std::string& joint : joints) {
     for (Job& job : jobs_) {
       if (job.placeOf(joint)) {
-        noteEnd(&job, MovementEnd::kReplaced, reason);
+        noteEnd(&job, EndedHow::kReplaced, reason);
       }
     }
     replaceCommand(*table_.findByName(joint), reason);
@@ -257,7 +258,7 @@ const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
   return job == jobs_.end() ? nullptr : &*job;
 }
 
-// Where a joint should be some time from now, if anything moves it then.
+// Where a joint should be `ahead` from now, if anything moves it then.
 std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTime now, double ahead) const {
   for (auto job = jobs_.rbegin(); job != jobs_.rend(); ++job) {
     const bool moves_now = job->run && !job->run->over;
@@ -313,12 +314,12 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
                     "was last measured %.1f s ago, and a trajectory needs to know where it is: "
                     "allowed is %.1f s. Does joint_states still come?",
                     seconds(now - measured->arrival), seconds(job.oldest));
-      throw InvalidArgumentException(name + " " + text);
+      throw aibo_client::InvalidArgumentException(name + " " + text);
     }
   }
 }
 
-// Of trajectories that would begin later, a newer one takes its joints.
+// A newer trajectory takes its joints from those that would begin later.
 void JointPlan::takeFromWaiting(const Job& newer) {
   for (Job& job : jobs_) {
     if (job.run || job.start < newer.start) {
@@ -330,7 +331,7 @@ void JointPlan::takeFromWaiting(const Job& newer) {
       }
     }
     if (job.request.joints.empty()) {
-      noteEnd(&job, MovementEnd::kReplaced, kNewer);
+      noteEnd(&job, EndedHow::kReplaced, kNewer);
     }
   }
   removeEnded();
@@ -339,21 +340,21 @@ void JointPlan::takeFromWaiting(const Job& newer) {
 void JointPlan::endTrajectoriesThatMove(std::size_t joint) {
   for (Job& job : jobs_) {
     if (job.placeOf(table_[joint].name)) {
-      noteEnd(&job, MovementEnd::kReplaced, table_[joint].name + " was commanded to go elsewhere");
+      noteEnd(&job, EndedHow::kReplaced, table_[joint].name + " was commanded to go elsewhere");
     }
   }
   removeEnded();
 }
 
-// The movement that the joint was commanded by goes on for its other joints, if there are any.
+// The movement that commanded this joint goes on for its other joints, if there are any.
 void JointPlan::replaceCommand(std::size_t joint, const std::string& reason) {
   const std::optional<Command> older = std::exchange(commands_[joint], std::nullopt);
   if (older && older->is_open && jointsOf(older->id).empty()) {
-    ended_.push_back({older->id, MovementEnd::kReplaced, reason, {}});
+    ended_.push_back({older->id, EndedHow::kReplaced, reason, {}});
   }
 }
 
-// As early as their first positions have to be sent.
+// A trajectory begins as early as its first positions have to be sent.
 void JointPlan::beginDue(SteadyTime now) {
   const auto is_due = [now](const Job& job) { return !job.run && job.start <= now + kLookahead; };
   for (auto due = jobs_.begin(); (due = std::find_if(jobs_.begin(), jobs_.end(), is_due)) != jobs_.end();) {
@@ -367,13 +368,13 @@ void JointPlan::beginDue(SteadyTime now) {
                     false,
                     std::nullopt};
       jobs_.push_back(std::move(job));
-    } catch (const InvalidArgumentException& error) {
-      noteEnd(&job, MovementEnd::kRefused, error.what());
+    } catch (const aibo_client::InvalidArgumentException& error) {
+      noteEnd(&job, EndedHow::kRefused, error.what());
     }
   }
 }
 
-// Those that have begun take their joints from older ones.
+// Trajectories that have begun take their joints from older ones.
 void JointPlan::handOver(SteadyTime now) {
   for (std::size_t newer = 0; newer < jobs_.size(); ++newer) {
     if (!jobs_[newer].run || jobs_[newer].run->clock.at(now) < 0) {
@@ -396,7 +397,7 @@ void JointPlan::takeJoints(const Job& newer, Job* older) {
     older->run->moves[i] = older->moves(i) && !newer.placeOf(older->request.joints[i]);
   }
   if (older->names().empty()) {
-    noteEnd(older, MovementEnd::kReplaced, kNewer);
+    noteEnd(older, EndedHow::kReplaced, kNewer);
   }
 }
 
@@ -474,7 +475,7 @@ std::vector<JointPlan::Aim> JointPlan::aimsOf(const Job& job) const {
   return aims;
 }
 
-// How a movement ends, if its joints have arrived, or should have.
+// Decides how a movement ends whose joints have arrived or should have arrived.
 std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<Aim>& aims, milliseconds grace,
                                                SteadyTime now) const {
   std::vector<std::string> away;
@@ -492,26 +493,26 @@ std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<
     }
   }
   if (away.empty() && unmeasured.empty()) {
-    return End{id, MovementEnd::kDone, "", {}};
+    return End{id, EndedHow::kDone, "", {}};
   }
   if (now < last_due + (away.empty() ? std::max(grace, kLongestSilence) : grace)) {
     return std::nullopt;
   }
-  return away.empty() ? End{id, MovementEnd::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}
-                      : End{id, MovementEnd::kNotReached, listOf(away), {}};
+  return away.empty() ? End{id, EndedHow::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}
+                      : End{id, EndedHow::kNotReached, listOf(away), {}};
 }
 
 void JointPlan::removeEnded() {
   jobs_.erase(std::remove_if(jobs_.begin(), jobs_.end(), [](const Job& job) { return job.has_ended; }), jobs_.end());
 }
 
-void JointPlan::noteEnd(Job* job, MovementEnd how, const std::string& reason) {
+void JointPlan::noteEnd(Job* job, EndedHow how, const std::string& reason) {
   if (!std::exchange(job->has_ended, true)) {
     ended_.push_back({job->id, how, reason, job->names()});
   }
 }
 
-void JointPlan::endCommand(MovementId id, MovementEnd how, const std::string& reason) {
+void JointPlan::endCommand(MovementId id, EndedHow how, const std::string& reason) {
   std::vector<std::string> joints;
   for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
     std::optional<Command>& command = commands_[joint];

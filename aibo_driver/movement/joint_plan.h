@@ -19,19 +19,21 @@
 
 namespace aibo_driver::movement {
 
-/// The number of a movement: each has its own.
+using aibo_client::EndedHow;
+
+/// The number of a movement. Each movement has another one.
 using MovementId = std::uint64_t;
 
-/// How near a joint has to be where it was sent, to have arrived.
+/// How near a joint has to be to its target to have arrived.
 struct Tolerance {
   double position = 0.05;         ///< rad
-  std::optional<double> speed{};  ///< rad/s; none: any
+  std::optional<double> speed{};  ///< rad/s; empty means any speed
 };
 
-/// When the joints of a trajectory have arrived.
+/// When the joints of a trajectory count as arrived.
 struct Arrival {
-  std::map<std::string, Tolerance> tolerances;  ///< of the joints that have another one than the usual
-  std::chrono::milliseconds grace{2000};        ///< that they may be late
+  std::map<std::string, Tolerance> tolerances;  ///< only of joints whose tolerance is not the usual one
+  std::chrono::milliseconds grace{2000};        ///< how late the joints may be
 };
 
 /// Orders that go to the robot together.
@@ -41,24 +43,25 @@ struct JointStep {
   std::chrono::milliseconds duration{0};
 };
 
-/// What is planned for the joints: commands that are on their way and trajectories, and with them the place where each
-/// joint should be at a time.
+/// The plan for the joints. It contains commands that are on their way, and trajectories. From these it computes where
+/// each joint should be at a time.
 ///
-/// Trajectories replace each other as in ros_control's joint_trajectory_controller with partial goals: a new one takes
-/// over its joints at its start time, from the position and velocity that are planned for that time. Joints that it
-/// does not name go on as before. Until its start time, everything goes on as before.
+/// Trajectories replace each other as in ros_control's joint_trajectory_controller with partial goals. A new trajectory
+/// takes over its joints at its start time, from the position and velocity planned for that time. Joints that it does
+/// not name go on as before. Until its start time, everything goes on as before.
 ///
-/// A command ends the trajectories that name one of its joints. Of other commands and of trajectories that were
-/// replaced in part, what is left goes on.
+/// A command ends the trajectories that name one of its joints. If only some joints of another command or trajectory
+/// are replaced, its other joints go on.
 ///
-/// A movement is done when all its joints are measured where they were sent, after the time that this takes. If one has
-/// not arrived after some grace, it is not reached; and how it ended is unknown if a joint is not measured any more.
+/// A movement is done when all its joints have been measured at their targets, after the planned time. If a joint has
+/// not arrived after the grace time, the movement ends as not reached. If a joint is not measured any more, its end is
+/// unknown.
 ///
-/// Every kPeriod the robot has to be told where the joints should be kLookahead later, to arrive by then. So the robot
-/// always knows what comes next, and a message that is late by less than that does not make it falter. If the caller is
-/// held up for longer than TrajectoryClock::kLongestGap, trajectories resume where they were.
+/// Every kPeriod the robot is told where the joints should be kLookahead later. So the robot always knows what comes
+/// next, and a message that is late by less than kLookahead does not make it falter. If the caller is held up for
+/// longer than TrajectoryClock::kLongestGap, trajectories resume where they were.
 ///
-/// It sends nothing and reads no clock. From one thread at a time.
+/// It sends nothing and reads no clock. Only one thread at a time may use it.
 class JointPlan {
  public:
   static constexpr std::chrono::milliseconds kPeriod{32};
@@ -67,75 +70,75 @@ class JointPlan {
   /// How a movement of the plan has ended.
   struct End {
     MovementId id = 0;
-    MovementEnd how = MovementEnd::kDone;
+    EndedHow how = EndedHow::kDone;
     std::string reason;               ///< as EndedMovement::reason
     std::vector<std::string> joints;  ///< that it moved last; empty if they were all taken from it
   };
 
   /// @param table, measured must outlive the plan
-  /// @param slow_down as for Trajectory
+  /// @param slow_down see Trajectory
   JointPlan(const JointTable& table, const MeasuredJoints& measured, bool slow_down)
       : table_(table), measured_(measured), slow_down_(slow_down), commands_(table.size()) {}
 
-  /// Notes orders that are sent now.
-  /// @param id of a movement; if it goes on already, its joints get new targets
+  /// Notes orders that are being sent now.
+  /// @param id the movement; if it goes on already, its joints get new targets
   void command(MovementId id, const JointOrders& orders, SteadyTime now);
 
   /// Plans a trajectory.
-  /// @param start when it begins; if this is over, the points that are over are left out
-  /// @param oldest how long ago its joints may have been measured
-  /// @return as Trajectory::stretch()
-  /// @throw InvalidArgumentException it is refused; the message says why
+  /// @param start when it begins; if this time has passed, the points that have passed are left out
+  /// @param oldest how old the measurements of its joints may be
+  /// @return the value of Trajectory::stretch()
+  /// @throw InvalidArgumentException the trajectory is refused; the message says why
   double add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
              std::chrono::milliseconds oldest);
 
-  /// Moves everything on. To be called every kPeriod, and after add().
-  /// @return what has to be sent now
+  /// Moves everything on. Call this every kPeriod, and after add().
+  /// @return the orders that have to be sent now
   std::vector<JointStep> advance(SteadyTime now);
 
-  /// The place of each joint that may be moving, as orders that make it stay there without turning back, for a robot
-  /// that cannot be told to hold. On its way to a command's target, that is where it should be by now; in a trajectory,
-  /// where it was last sent.
-  /// @param only joints of this trajectory; none: all
+  /// Orders that make each joint that may be moving stay where it is, without turning back. They are for a robot that
+  /// cannot be told to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays where
+  /// it was last sent.
+  /// @param only the joints of this trajectory; empty means all joints
   JointOrders holdingOrders(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
 
   /// Ends a movement, if it has not ended yet.
   /// @param reason in words that follow a colon
-  void end(MovementId id, MovementEnd how, const std::string& reason);
+  void end(MovementId id, EndedHow how, const std::string& reason);
 
   /// Ends everything.
-  void endAll(MovementEnd how, const std::string& reason);
+  void endAll(EndedHow how, const std::string& reason);
 
   /// Ends all trajectories, and leaves commands as they are.
-  void endTrajectories(MovementEnd how, const std::string& reason);
+  void endTrajectories(EndedHow how, const std::string& reason);
 
-  /// Something else moves these joints: ends the trajectories that move one of them, or will. Of commands, what is left
-  /// goes on.
+  /// Call this when something else moves these joints. It ends the trajectories that move one of them, now or later.
+  /// The other joints of commands go on.
   void replace(const std::vector<std::string>& joints, const std::string& reason);
 
-  /// The joints that a movement moves, or will move when it begins; none if it has ended.
+  /// The joints that a movement moves, or will move when it begins. There are none if it has ended.
   std::vector<std::string> jointsOf(MovementId id) const;
 
-  /// The identifiers of those that a trajectory moves; none before its beginning.
+  /// The identifiers of the joints that a trajectory moves. There are none before its beginning.
   std::vector<int> identifiersOf(MovementId trajectory) const;
 
-  /// When a trajectory will be over; nothing before its beginning.
+  /// When a trajectory will be over. It is empty before the trajectory's beginning.
   std::optional<SteadyTime> endOf(MovementId trajectory, SteadyTime now) const;
 
   /// Where a trajectory wants its joints to be, in its own order of joints.
-  /// @return empty before its beginning and after its end
+  /// @return empty before the trajectory's beginning and after its end
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime now) const;
 
   /// True if nothing moves or waits for its time to move.
   bool empty() const;
 
-  /// What has ended since the last call, in order.
+  /// Returns the movements that have ended since the last call, in order.
   std::vector<End> takeEnded() { return std::exchange(ended_, {}); }
 
  private:
   struct Command {
     MovementId id = 0;
-    bool is_open = true;  // its end has not been noted
+    bool is_open = true;  // its end has not been noted yet
     double from = 0;      // rad
     double target = 0;    // rad
     double speed = 0;     // rad/s
@@ -149,10 +152,10 @@ class JointPlan {
   struct Run {
     Trajectory trajectory;
     TrajectoryClock clock;
-    std::vector<bool> moves;   // by place in the request: false once something newer moves this joint
-    std::vector<double> sent;  // where they were last sent, in rad; empty at first
+    std::vector<bool> moves;   // by place in the request; false if something newer moves this joint
+    std::vector<double> sent;  // rad, where the joints were last sent; empty at first
     bool end_sent = false;
-    std::optional<SteadyTime> over;  // since then its joints should be where they were sent
+    std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
   };
 
   struct Job {
@@ -161,7 +164,7 @@ class JointPlan {
     Arrival arrival;
     SteadyTime start;
     std::chrono::milliseconds oldest{0};
-    std::optional<Run> run;  // none while it waits for its time
+    std::optional<Run> run;  // empty while the trajectory waits for its time
     bool has_ended = false;
 
     bool moves(std::size_t place) const { return !run || run->moves[place]; }
@@ -169,7 +172,7 @@ class JointPlan {
     std::vector<std::string> names() const;
   };
 
-  /// Where a joint should be from a time on.
+  /// Where a joint should be from a certain time on.
   struct Aim {
     std::size_t joint = 0;
     double target = 0;  // rad
@@ -197,14 +200,14 @@ class JointPlan {
                            SteadyTime now) const;
   std::vector<Aim> aimsOf(const Job& job) const;
   void removeEnded();
-  void noteEnd(Job* job, MovementEnd how, const std::string& reason);
-  void endCommand(MovementId id, MovementEnd how, const std::string& reason);
+  void noteEnd(Job* job, EndedHow how, const std::string& reason);
+  void endCommand(MovementId id, EndedHow how, const std::string& reason);
 
   const JointTable& table_;
   const MeasuredJoints& measured_;
   const bool slow_down_;
-  std::vector<std::optional<Command>> commands_;  // by index; the last one of each joint
-  std::vector<Job> jobs_;                         // those that took over later come later
+  std::vector<std::optional<Command>> commands_;  // the last command to each joint; the joint's index is the position
+  std::vector<Job> jobs_;                         // a job that took over its joints later comes later
   std::vector<End> ended_;
 };
 

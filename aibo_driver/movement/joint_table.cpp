@@ -2,11 +2,14 @@
 
 #include <algorithm>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_driver::movement {
+
+using aibo_client::JointSpeedLimit;
+
 namespace {
 
 double radian(int microradian) {
@@ -22,7 +25,7 @@ std::optional<std::size_t> findIndex(const std::vector<JointProperties>& joints,
   return static_cast<std::size_t>(found - joints.begin());
 }
 
-/// All robots give the joints of their legs the same identifiers.
+/// All robots use the same identifiers for the joints of their legs.
 bool isOfLeg(int id) {
   for (const auto leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
                          robot_model::RIGHT_HIND_LEG}) {
@@ -40,7 +43,7 @@ bool isOfLeg(int id) {
 JointTable::JointTable(const std::string& design, double speed_limit) : design_(design) {
   const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
   if (model == nullptr) {
-    throw InvalidArgumentException("There is no table of a robot named '" + design + "'.");
+    throw aibo_client::InvalidArgumentException("There is no table of a robot named '" + design + "'.");
   }
   for (int i = 0; i < model->number_of_joints; ++i) {
     const robot_model::Joint& joint = model->joints[i];

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/joints.h"
+#include "aibo_client/joints.h"
 
 namespace aibo_driver::movement {
 
-/// The speed limit of joints unless the user sets another one, in rad/s.
+/// The speed limit of joints in rad/s, unless the user sets another one.
 constexpr double kUsualSpeedLimit = 3.0;
 
 /// The properties of a joint.
@@ -22,7 +22,7 @@ struct JointProperties {
   double lowest = 0;         ///< rad
   double highest = 0;        ///< rad
   double highest_speed = 0;  ///< rad/s; JointTable::speedLimit() has the limit in force
-  double own_speed = 0;      ///< rad/s, which it can do by itself
+  double own_speed = 0;      ///< rad/s, the highest speed that the joint itself can reach
   bool is_of_leg = false;
 };
 
@@ -31,7 +31,7 @@ class JointTable {
  public:
   /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
   /// @param speed_limit rad/s, for every joint; a joint that is slower by itself keeps its own highest speed
-  /// @throw InvalidArgumentException there is no table of this design
+  /// @throw InvalidArgumentException there is no table for this design
   JointTable(const std::string& design, double speed_limit);
 
   const std::string& design() const { return design_; }
@@ -39,19 +39,19 @@ class JointTable {
   std::size_t size() const { return joints_.size(); }
   const JointProperties& operator[](std::size_t index) const { return joints_[index]; }
 
-  /// The speed limit in force, in rad/s. From any thread.
+  /// The speed limit in force, in rad/s. Any thread may call it.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
 
-  /// The speed limits of all joints. From any thread.
-  std::vector<JointSpeedLimit> speedLimits() const;
+  /// The speed limits of all joints. Any thread may call it.
+  std::vector<aibo_client::JointSpeedLimit> speedLimits() const;
 
   /// The joints of the legs.
   std::vector<std::string> namesOfLegs() const;
 
-  /// How fast the joints of the legs can move by themselves, whatever the speed limits are.
-  std::vector<JointSpeedLimit> ownSpeedsOfLegs() const;
+  /// How fast the joints of the legs can move by themselves, without speed limits.
+  std::vector<aibo_client::JointSpeedLimit> ownSpeedsOfLegs() const;
 
-  /// Scales the speed limits of all joints. From any thread.
+  /// Scales the speed limits of all joints. Any thread may call it.
   /// @param scale above 0, at most 1; initially 1
   void setSpeedScale(double scale) { speed_scale_ = scale; }
 

@@ -4,10 +4,10 @@ namespace aibo_driver::movement {
 
 MeasuredJoints::MeasuredJoints(const JointTable& table) : table_(table), entries_(table.size()) {}
 
-std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
+std::vector<MeasuredJoint> MeasuredJoints::update(const aibo_client::Telemetry& telemetry) {
   const std::lock_guard<std::mutex> lock(mutex_);
   std::vector<MeasuredJoint> updated;
-  for (const JointReading& reading : telemetry.joints) {
+  for (const aibo_client::JointReading& reading : telemetry.joints) {
     const std::optional<std::size_t> index = table_.findById(reading.id);
     if (!index) {
       continue;
@@ -15,7 +15,7 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const Telemetry& telemetry) {
     std::optional<Entry>& entry = entries_[*index];
     double velocity = 0;
     if (entry) {
-      const double seconds = secondsBetween(entry->frame_number, entry->joint.arrival, telemetry);
+      const double seconds = aibo_client::secondsBetween(entry->frame_number, entry->joint.arrival, telemetry);
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
     entry = Entry{{*index, reading.position, velocity, telemetry.arrival, reading.duty}, telemetry.frame_number};

@@ -9,35 +9,35 @@
 #include <optional>
 #include <vector>
 
-#include "aibo_driver/telemetry.h"
+#include "aibo_client/telemetry.h"
 #include "movement/joint_table.h"
 
 namespace aibo_driver::movement {
 
-/// Where a joint was last measured.
+/// The last measurement of a joint.
 struct MeasuredJoint {
-  std::size_t index = 0;                          ///< in the JointTable
+  std::size_t index = 0;                          ///< the joint's index in the JointTable
   double position = 0;                            ///< rad
   double velocity = 0;                            ///< rad/s; 0 until the second measurement
-  std::chrono::steady_clock::time_point arrival;  ///< of the measurement
-  std::optional<double> duty = std::nullopt;      ///< of its motor, -1..1; empty if the robot does not report it
+  std::chrono::steady_clock::time_point arrival;  ///< when the measurement arrived
+  std::optional<double> duty = std::nullopt;  ///< the duty of its motor, -1..1; empty if the robot does not report it
 };
 
-/// The last measured position and velocity of each joint. From any thread.
+/// The last measured position and velocity of each joint. Any thread may use it.
 class MeasuredJoints {
  public:
   /// @param table must outlive the object
   explicit MeasuredJoints(const JointTable& table);
 
-  /// Computes velocities from two positions and the robot's own time, or the time of arrival if the telemetry has no
-  /// frame number. Joints that are not in the table are left out.
+  /// Computes velocities from two positions and the robot's own time. If the telemetry has no frame number, it uses the
+  /// time of arrival instead. It ignores joints that are not in the table.
   /// @return the joints of this telemetry
-  std::vector<MeasuredJoint> update(const Telemetry& telemetry);
+  std::vector<MeasuredJoint> update(const aibo_client::Telemetry& telemetry);
 
-  /// Forgets everything, for when the connection is lost.
+  /// Forgets everything. Call this when the connection is lost.
   void clear();
 
-  /// Empty if the joint has not been measured yet.
+  /// The last measurement of a joint. It is empty if the joint has not been measured yet.
   std::optional<MeasuredJoint> find(std::size_t index) const;
 
  private:
@@ -48,7 +48,7 @@ class MeasuredJoints {
 
   const JointTable& table_;
   mutable std::mutex mutex_;
-  std::vector<std::optional<Entry>> entries_;  ///< by index
+  std::vector<std::optional<Entry>> entries_;  ///< the joint's index is the position
 };
 
 }  // namespace aibo_driver::movement

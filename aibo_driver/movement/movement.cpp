@@ -5,7 +5,7 @@
 namespace aibo_driver::movement {
 namespace {
 
-// Of a sentence about a joint that was left out.
+// The longest sentence about a joint that was left out.
 constexpr std::size_t kLongest = 200;  // bytes
 
 }  // namespace

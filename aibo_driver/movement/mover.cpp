@@ -4,40 +4,35 @@
 #include <cmath>
 #include <cstddef>
 #include <type_traits>
+#include <utility>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::movement {
+
+using aibo_client::CommandException;
+using aibo_client::EndedHow;
+using aibo_client::EndedKind;
+using aibo_client::Exception;
+using aibo_client::MotorState;
+using aibo_client::NetworkException;
+using aibo_client::Posture;
+using aibo_client::RefusalCause;
+using aibo_client::WalkVelocity;
+
 namespace {
 
 using Lock = std::lock_guard<std::mutex>;
 using Kind = Movement::Kind;
 using std::chrono::milliseconds;
 
-// Orders that are repeated with shorter breaks are one to their user.
+// Orders that are repeated after shorter breaks are one order to their user.
 constexpr milliseconds kRepeatedWithin{500};
 
 constexpr const char* kConnectionLost = "the connection to the robot was lost; it will not be resumed";
 
-MovementEnd movementEnd(EndedHow how) {
-  switch (how) {
-    case EndedHow::kDone:
-      return MovementEnd::kDone;
-    case EndedHow::kReplaced:
-      return MovementEnd::kReplaced;
-    case EndedHow::kStopped:
-      return MovementEnd::kStopped;
-    case EndedHow::kRefused:
-      return MovementEnd::kRefused;
-    case EndedHow::kFell:
-      return MovementEnd::kFell;
-    case EndedHow::kUnknown:
-      break;
-  }
-  return MovementEnd::kUnknown;
-}
-
-bool isEndOf(const Movement& movement, const MotionEnd& end) {
+bool isEndOf(const Movement& movement, const aibo_client::MotionEnd& end) {
   switch (movement.kind) {
     case Kind::kMotion:
       return end.kind == EndedKind::kMotion && movement.name == end.name;
@@ -77,7 +72,7 @@ std::vector<std::string> namesOf(const JointOrders& orders, const JointTable& ta
   return names;
 }
 
-// A sentence as a reason that follows a colon.
+// Turns a sentence into a reason that follows a colon.
 std::string reasonOf(std::string sentence) {
   if (!sentence.empty() && sentence.back() == '.') {
     sentence.pop_back();
@@ -89,10 +84,16 @@ std::string reasonOf(const std::exception& error) {
   return reasonOf(std::string(error.what()));
 }
 
+// Whoever gave the order chose a part of the reason. It is published, remembered, and answered to others.
+EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) {
+  constexpr std::size_t kLongest = 1000;
+  return {std::move(movement), how, text::plainLine(reason, kLongest)};
+}
+
 }  // namespace
 
-Mover::Mover(const JointTable& table, const MeasuredJoints& measured, RcServerClient& client, double approach_speed,
-             bool slow_down, std::function<bool()> telemetry_wanted, Clock clock)
+Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
+             double approach_speed, bool slow_down, std::function<bool()> telemetry_wanted, Clock clock)
     : table_(table),
       client_(client),
       telemetry_wanted_(std::move(telemetry_wanted)),
@@ -101,7 +102,7 @@ Mover::Mover(const JointTable& table, const MeasuredJoints& measured, RcServerCl
       filter_(table, measured, approach_speed),
       plan_(table, measured, slow_down) {}
 
-// Does something with the lock, and then tells the listener without it.
+// Does some work with the lock, and then calls the listener without it.
 template <typename Work>
 auto Mover::change(const Work& work) {
   const auto locked = [&] {
@@ -220,15 +221,17 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
-    plan_.endTrajectories(MovementEnd::kReplaced, order.source + " plays " + name);
+    plan_.endTrajectories(EndedHow::kReplaced, order.source + " plays " + name);
     takeEndsOfPlan();
     try {
-      link_.limitSpeeds(table_.speedLimits());  // the robot would keep to lower limits of earlier commands
+      // Otherwise the robot would keep lower limits of earlier commands.
+      link_.limitSpeeds(table_.speedLimits());
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
     motions_connection_ = link_.connection();
-    return begin(std::move(movement));  // now, because its end may be reported before the robot's answer
+    // The movement begins now, because its end may be reported before the robot's answer.
+    return begin(std::move(movement));
   });
   return askRobot(
       begun, [&] { return client_.playMotion(name, repetitions, kTimeout, termsOf(order, begun.id)); },
@@ -265,39 +268,40 @@ Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std:
   return change([&] { return refuse({kind, "", order.source, known(names), std::nullopt}, reasonOf(reason)); });
 }
 
-// Waits for the robot's answer to a request that begins something. If everything was stopped meanwhile, so is this.
+// Waits for the robot's answer to a request that begins something. If everything is stopped meanwhile, the new movement
+// is stopped, too.
 template <typename Ask, typename Undo>
 Mover::Begun Mover::askRobot(Begun begun, const Ask& ask, const Undo& undo) {
   if (begun.ended() != nullptr) {
     return begun;
   }
-  const auto end_as = [&](MovementEnd how, const std::string& reason) {
+  const auto end_as = [&](EndedHow how, const std::string& reason) {
     change([&] { end(begun.id, how, reason); });
     return begun;
   };
   try {
     begun.remark = ask();
-  } catch (const TimeoutException& error) {
+  } catch (const aibo_client::TimeoutException& error) {
     if (!error.wasSent()) {
-      return end_as(MovementEnd::kRefused, reasonOf(error));
+      return end_as(EndedHow::kRefused, reasonOf(error));
     }
     begun.is_uncertain = true;
     begun.remark = reasonOf(error);
     return begun;
   } catch (const NetworkException& error) {
-    return end_as(error.wasSent() ? MovementEnd::kLost : MovementEnd::kRefused, reasonOf(error));
+    return end_as(error.wasSent() ? EndedHow::kLost : EndedHow::kRefused, reasonOf(error));
   } catch (const Exception& error) {
-    return end_as(MovementEnd::kRefused, reasonOf(error));
+    return end_as(EndedHow::kRefused, reasonOf(error));
   }
   const EndedMovement* const ended = begun.ended();
-  if (ended != nullptr && ended->how == MovementEnd::kStopped) {
+  if (ended != nullptr && ended->how == EndedHow::kStopped) {
     try {
       undo();
     } catch (const Exception& error) {
       change([&] { news_.warnings.push_back(describe(ended->movement) + " may go on: " + error.what()); });
     }
   } else if (!client_.status().robot.hasCapability("I")) {
-    return end_as(MovementEnd::kUnknown, "this robot does not say when a motion ends");
+    return end_as(EndedHow::kUnknown, "this robot does not say when a motion ends");
   }
   return begun;
 }
@@ -330,7 +334,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
   Record* record = findWalk();
   if (record != nullptr && record->movement.source != order.source &&
       !streams_.goesOn(record->movement.source, clock_())) {
-    end(record->id, MovementEnd::kReplaced, order.source + " steers now");
+    end(record->id, EndedHow::kReplaced, order.source + " steers now");
     record = nullptr;
   }
   try {
@@ -363,7 +367,7 @@ void Mover::letGo(const std::string& reason) {
     is_told_to_walk_ = false;
     walk_stop_reason_ = reason;
   } catch (const Exception&) {
-    return;  // without a connection it stops by itself
+    return;  // without a connection the robot stops by itself
   }
 }
 
@@ -398,7 +402,7 @@ void Mover::cancel(MovementId trajectory, const std::string& reason) {
   const std::vector<int> joints = change([&] {
     std::vector<int> moving = plan_.identifiersOf(trajectory);
     if (moving.empty()) {
-      end(trajectory, MovementEnd::kStopped, reason);
+      end(trajectory, EndedHow::kStopped, reason);
     }
     return moving;
   });
@@ -413,7 +417,7 @@ void Mover::stopMotion(const Order& by, const std::string& name) {
     for (const MovementId id : idsOf([&](const Movement& movement) {
            return movement.kind == Kind::kMotion && (name.empty() || movement.name == name);
          })) {
-      end(id, MovementEnd::kStopped, by.source + " stopped it");
+      end(id, EndedHow::kStopped, by.source + " stopped it");
     }
   });
 }
@@ -445,7 +449,7 @@ bool Mover::setMotors(const Order& order, bool on) {
 }
 
 // Nothing that was asked for before counts any more.
-// @return what moves the robot
+// @return the movements that move the robot
 std::vector<MovementId> Mover::overruleAll(const Order& by, const std::string& reason) {
   return change([&] {
     gate_.overrule(by.received, reason);
@@ -461,10 +465,9 @@ void Mover::halt(const std::vector<MovementId>& movements, const std::string& re
     ++halts_;
     halt_reason_ = reason;
   });
-  const auto end_as = [&](MovementEnd how, const std::string& why) {
+  const auto end_as = [&](EndedHow how, const std::string& why) {
     change([&] {
       --halts_;
-      is_told_to_walk_ = false;
       for (const MovementId id : movements) {
         end(id, how, why);
       }
@@ -472,21 +475,21 @@ void Mover::halt(const std::vector<MovementId>& movements, const std::string& re
   };
   try {
     tell_robot();
-  } catch (const TimeoutException& error) {
-    end_as(MovementEnd::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
+  } catch (const aibo_client::TimeoutException& error) {
+    end_as(EndedHow::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
     throw;
   } catch (const NetworkException& error) {
-    end_as(MovementEnd::kLost, reasonOf(error));
+    end_as(EndedHow::kLost, reasonOf(error));
     throw;
   } catch (const Exception& error) {
-    end_as(MovementEnd::kUnknown, reason + ", but " + reasonOf(error));
+    end_as(EndedHow::kUnknown, reason + ", but " + reasonOf(error));
     throw;
   }
-  end_as(MovementEnd::kStopped, reason);
+  end_as(EndedHow::kStopped, reason);
 }
 
-// A server that cannot hold gets the places where the joints should be. It is told to end its motions if one was
-// played.
+// A server that cannot hold gets the places where the joints should be. If a motion was played, the server is told to
+// end its motions.
 void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too) {
   try {
     client_.hold(joints, kTimeout);
@@ -501,66 +504,70 @@ void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId>
   }
 }
 
-void Mover::steered(const WalkVelocity& in_force) {
+void Mover::steered(const WalkVelocity& in_force, std::uint64_t order) {
   change([&] {
-    Record* const record = findWalk();
-    if (record == nullptr) {
+    Record* const record = find(order);
+    if (record == nullptr || record->movement.kind != Kind::kWalk) {
       return;
     }
-    record->has_begun = record->has_begun || !in_force.isZero();
+    record->has_begun = record->has_begun || is_told_to_walk_ || !in_force.isZero();
     if (!record->has_begun && !is_told_to_walk_) {
-      end(record->id, MovementEnd::kStopped, "it was let go before the robot walked");
+      end(record->id, EndedHow::kStopped, "it was let go before the robot walked");
     }
   });
 }
 
-void Mover::ended(const MotionEnd& end) {
+void Mover::ended(const aibo_client::MotionEnd& end) {
   change([&] {
     const auto found = std::find_if(records_.begin(), records_.end(),
                                     [&end](const Record& record) { return isEndOf(record.movement, end); });
     if (found == records_.end()) {
       return;
     }
-    MovementEnd how = movementEnd(end.how);
+    EndedHow how = end.how;
     std::string reason = end.reason;
-    if (how == MovementEnd::kStopped && halts_ > 0) {
+    if (how == EndedHow::kStopped && halts_ > 0) {
       reason = halt_reason_;
     }
     const Kind kind = found->movement.kind;
     if (kind == Kind::kWalk) {
-      if (how == MovementEnd::kDone && !walk_stop_reason_.empty()) {
-        how = MovementEnd::kStopped;
+      if (how == EndedHow::kDone && !walk_stop_reason_.empty()) {
+        how = EndedHow::kStopped;
         reason = walk_stop_reason_;
-      } else if (how == MovementEnd::kReplaced || how == MovementEnd::kFell || how == MovementEnd::kRefused) {
+      } else if (how == EndedHow::kReplaced || how == EndedHow::kFell || how == EndedHow::kRefused) {
         streams_.overrule(reason);
       }
-      is_told_to_walk_ = false;
     }
     if (kind != Kind::kMotion) {
-      filter_.startApproach();  // the legs may be anywhere, and after "rest" in somebody's hands
+      // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
+      filter_.startApproach();
     }
-    this->end(found->id, how, reason);
+    const bool is_of_older_walk = kind == Kind::kWalk && !found->has_begun;
+    if (!is_of_older_walk) {
+      this->end(found->id, how, reason);
+    }
   });
 }
 
-void Mover::refused(const Refusal& refusal) {
+void Mover::refused(const aibo_client::Refusal& refusal) {
   change([&] {
     if (refusal.cause == RefusalCause::kStopped && halts_ > 0) {
-      return;  // it ends with the halt
+      return;  // the movement ends with the halt
     }
-    const MovementEnd how = refusal.cause == RefusalCause::kReplaced ? MovementEnd::kReplaced : MovementEnd::kRefused;
+    const EndedHow how = refusal.cause == RefusalCause::kReplaced ? EndedHow::kReplaced : EndedHow::kRefused;
     if (refusal.cause == RefusalCause::kJointFault) {
       for (const MovementId id : commandersOf(refusal)) {
-        find(id)->trouble = refusal.reason;  // its other joints go on
+        find(id)->trouble = refusal.reason;  // the movement's other joints go on
       }
-    } else if (refusal.request == RefusedRequest::kJoints) {
+    } else if (refusal.request == aibo_client::RefusedRequest::kJoints) {
       for (const MovementId id : commandersOf(refusal)) {
         end(id, how, refusal.reason);
       }
       filter_.startApproach();
-    } else if (refusal.request == RefusedRequest::kWalk) {
+    } else if (refusal.request == aibo_client::RefusedRequest::kWalk) {
       const Record* const record = findWalk();
-      if (record != nullptr && !record->has_begun) {
+      const bool is_about_it = record != nullptr && (refusal.order == 0 || refusal.order == record->id);
+      if (is_about_it && !record->has_begun) {
         end(record->id, how, refusal.reason);
       }
       if (refusal.cause != RefusalCause::kTooOld) {
@@ -570,28 +577,28 @@ void Mover::refused(const Refusal& refusal) {
   });
 }
 
-void Mover::answeredLate(const LateAnswer& answer) {
+void Mover::answeredLate(const aibo_client::LateAnswer& answer) {
   change([&] {
     if (!answer.accepted) {
-      end(answer.order, MovementEnd::kRefused, reasonOf(answer.reason));
+      end(answer.order, EndedHow::kRefused, reasonOf(answer.reason));
     } else if (!client_.status().robot.hasCapability("I")) {
-      end(answer.order, MovementEnd::kUnknown, "this robot does not say when a motion ends");
+      end(answer.order, EndedHow::kUnknown, "this robot does not say when a motion ends");
     }
   });
 }
 
-void Mover::robotChanged(const MotorsAndPosture& state) {
+void Mover::robotChanged(const aibo_client::MotorsAndPosture& state) {
   change([&] {
-    const MotorsAndPosture before = std::exchange(robot_, state);
+    const aibo_client::MotorsAndPosture before = std::exchange(robot_, state);
     if (before.motors == MotorState::kOn && state.motors == MotorState::kOff && halts_ == 0) {
-      plan_.endAll(MovementEnd::kStopped, "the motors are off");
+      plan_.endAll(EndedHow::kStopped, "the motors are off");
       takeEndsOfPlan();
       streams_.overrule("the motors are off");
       filter_.startApproach();
     }
-    if (state.posture == PostureNow::kFallen) {
+    if (state.posture == aibo_client::PostureNow::kFallen) {
       streams_.overrule("the robot has fallen");
-    } else if (state.posture == PostureNow::kCarried) {
+    } else if (state.posture == aibo_client::PostureNow::kCarried) {
       streams_.overrule("the robot was lifted");
     }
   });
@@ -603,7 +610,7 @@ void Mover::connected() {
 
 void Mover::disconnected() {
   change([this] {
-    endAll(MovementEnd::kLost, kConnectionLost);
+    endAll(EndedHow::kLost, kConnectionLost);
     robot_ = {};
   });
 }
@@ -613,7 +620,7 @@ bool Mover::goOn() {
     checkConnection();
     const SteadyTime now = clock_();
     if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
-      plan_.endTrajectories(MovementEnd::kRefused, "the driver was held up");
+      plan_.endTrajectories(EndedHow::kRefused, "the driver was held up");
     }
     if (halts_ == 0) {
       sendSteps(plan_.advance(now));
@@ -657,7 +664,7 @@ Mover::Begun Mover::begin(Movement movement) {
 }
 
 Mover::Begun Mover::refuse(Movement movement, const std::string& reason) {
-  const EndedMovement refused{std::move(movement), MovementEnd::kRefused, reason};
+  const EndedMovement refused = endOf(std::move(movement), EndedHow::kRefused, reason);
   if (!isRepeated(refused)) {
     note(refused);
   }
@@ -693,19 +700,18 @@ void Mover::note(const EndedMovement& ended) {
 }
 
 // Does nothing if it has ended.
-void Mover::end(MovementId id, MovementEnd how, const std::string& reason) {
+void Mover::end(MovementId id, EndedHow how, const std::string& reason) {
   plan_.end(id, how, reason);
   takeEndsOfPlan();
   close(id, how, reason);
 }
 
-void Mover::endAll(MovementEnd how, const std::string& reason) {
+void Mover::endAll(EndedHow how, const std::string& reason) {
   plan_.endAll(how, reason);
   takeEndsOfPlan();
   for (const MovementId id : idsOf([](const Movement&) { return true; })) {
     close(id, how, reason);
   }
-  is_told_to_walk_ = false;
 }
 
 void Mover::takeEndsOfPlan() {
@@ -714,16 +720,16 @@ void Mover::takeEndsOfPlan() {
     if (record != nullptr && !end.joints.empty()) {
       record->movement.joints = std::move(end.joints);
     }
-    const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == MovementEnd::kNotReached;
+    const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == EndedHow::kNotReached;
     close(end.id, end.how, has_trouble ? record->trouble + " (" + end.reason + ")" : end.reason);
   }
 }
 
-void Mover::close(MovementId id, MovementEnd how, const std::string& reason) {
+void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
   const auto record =
       std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
   if (record != records_.end()) {
-    const EndedMovement ended{record->movement, how, reason};
+    const EndedMovement ended = endOf(record->movement, how, reason);
     record->promise.set_value(ended);
     records_.erase(record);
     note(ended);
@@ -741,8 +747,8 @@ std::vector<MovementId> Mover::idsOf(const Condition& condition) const {
   return ids;
 }
 
-// Which movements a refusal to move joints is about.
-std::vector<MovementId> Mover::commandersOf(const Refusal& refusal) const {
+// The movements that a refusal to move joints is about.
+std::vector<MovementId> Mover::commandersOf(const aibo_client::Refusal& refusal) const {
   std::vector<MovementId> ids;
   for (const Record& record : records_) {
     const std::vector<std::string> joints = plan_.jointsOf(record.id);
@@ -769,7 +775,7 @@ Mover::Record* Mover::findWalk() {
   return found == records_.end() ? nullptr : &*found;
 }
 
-// The same movement goes on if a node commands the same joints again.
+// If a node commands the same joints again, the same movement goes on.
 Mover::Record* Mover::findCommand(const Movement& movement) {
   const auto found = std::find_if(records_.begin(), records_.end(), [&](const Record& each) {
     return each.movement.kind == movement.kind && each.movement.source == movement.source &&
@@ -778,7 +784,7 @@ Mover::Record* Mover::findCommand(const Movement& movement) {
   return found == records_.end() ? nullptr : &*found;
 }
 
-// The robot's joints among these names, in its order.
+// The robot's joints among these names, in the robot's order.
 std::vector<std::string> Mover::known(const std::vector<std::string>& names) const {
   std::vector<std::string> joints;
   for (const JointProperties& joint : table_.joints()) {
@@ -789,30 +795,30 @@ std::vector<std::string> Mover::known(const std::vector<std::string>& names) con
   return joints;
 }
 
-OrderTerms Mover::termsOf(const Order& order, MovementId id) {
+aibo_client::OrderTerms Mover::termsOf(const Order& order, MovementId id) {
   return {order.received + OrderGate::kLongestWait, id};
 }
 
-// With a new connection the posture may be any, and the robot has stopped what moved before.
+// After a new connection the robot may have any posture, and it has stopped whatever moved before.
 void Mover::checkConnection() {
   const std::uint64_t present = link_.connection();
   if (connection_ != present) {
     connection_ = present;
     filter_.startApproach();
-    endAll(MovementEnd::kLost, kConnectionLost);
+    endAll(EndedHow::kLost, kConnectionLost);
     gate_.overrule(clock_(), "the robot was connected");
   }
 }
 
 void Mover::checkTelemetry() const {
   if (!telemetry_wanted_()) {
-    throw InvalidArgumentException(
+    throw aibo_client::InvalidArgumentException(
         "telemetry_rate is 0, so it is not known where the joints are. Set it above 0: rosrun dynamic_reconfigure "
         "dynparam set NODE telemetry_rate 31.25");
   }
 }
 
-// Who moves a leg takes it from who walks.
+// An order that moves a leg takes the legs from a walk.
 void Mover::overruleWalk(const Movement& movement) {
   for (const std::string& joint : table_.namesOfLegs()) {
     if (std::find(movement.joints.begin(), movement.joints.end(), joint) != movement.joints.end()) {
@@ -822,8 +828,8 @@ void Mover::overruleWalk(const Movement& movement) {
   }
 }
 
-// What moves the head alone goes on. The robot would keep the legs to lower speed limits of earlier commands; a walk
-// needs what they can do.
+// Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed
+// limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
   link_.requireDesign();
   plan_.replace(table_.namesOfLegs(), reason);
@@ -838,9 +844,9 @@ void Mover::sendSteps(const std::vector<JointStep>& steps) {
     try {
       link_.send(step.orders, step.duration, {clock_() + OrderGate::kLongestWait, step.movement});
     } catch (const NetworkException& error) {
-      end(step.movement, MovementEnd::kLost, reasonOf(error));
+      end(step.movement, EndedHow::kLost, reasonOf(error));
     } catch (const Exception& error) {
-      end(step.movement, MovementEnd::kRefused, reasonOf(error));
+      end(step.movement, EndedHow::kRefused, reasonOf(error));
     }
   }
 }

@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_driver/motion_end.h"
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/motion_end.h"
+#include "aibo_client/rcserver_client.h"
 #include "movement/joint_command_filter.h"
 #include "movement/joint_link.h"
 #include "movement/joint_plan.h"
@@ -27,37 +27,38 @@
 
 namespace aibo_driver::movement {
 
-/// Every order to move enters here, and here its end is decided, from what the robot says and from its measured joints.
+/// Every order to move enters here. Its end is decided here, too, from the robot's reports and from the measured
+/// joints.
 ///
-/// An order never fails. It begins a movement, which has exactly one end; one that is not carried out ends as refused.
-/// The same movement goes on when a node commands the same joints again, or steers on. Of orders of one kind by one
-/// node that are refused for the same reason again and again, without half a second between them, only the first one
+/// An order never fails. It begins a movement, which has exactly one end. A movement that is not carried out ends as
+/// refused. If a node commands the same joints again, or steers on, the same movement goes on. If orders of one kind by
+/// one node are refused again and again for the same reason, with less than half a second between them, only the first
 /// is noted.
 ///
-/// While the robot is stopped, and before an OrderGate lets it pass, no order moves the robot. Nothing is kept while
-/// there is no connection, and nothing goes on over another one.
+/// While the robot is stopped, no order moves it. Every order has to pass an OrderGate. Orders that come without a
+/// connection are lost, and no movement goes on over another connection.
 ///
-/// Every member function may be called from any thread. Those that wait for the robot have a timeout; meanwhile the
-/// others go on.
+/// Any thread may call every member function. The functions that wait for the robot have a timeout. Meanwhile other
+/// threads may call the other functions.
 class Mover {
  public:
-  /// How long it waits for the robot to hold, to switch its motors, and to begin a motion or a posture.
+  /// How long a call waits for the robot to hold, to switch its motors, or to begin a motion or a posture.
   static constexpr std::chrono::milliseconds kTimeout{2000};
-  /// A trajectory begins only if its joints were measured this lately.
+  /// A trajectory begins only if its joints were measured within this time.
   static constexpr std::chrono::milliseconds kFresh{300};
-  /// The same with a version 1 server, which reports one joint after the other, each about once a second.
+  /// The same time with a version 1 server, which reports one joint after the other, each about once a second.
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
-  /// So many ends are remembered.
+  /// How many ends are remembered.
   static constexpr std::size_t kEndsRemembered = 64;
 
-  /// What has become of an order.
+  /// The result of an order.
   struct Begun {
     MovementId id = 0;
-    std::shared_future<EndedMovement> end;  ///< comes when the movement has ended
-    bool is_uncertain = false;  ///< the robot has not answered, and may or may not begin: `end` comes when it says
-    std::string remark;         ///< why that is so; else as RcServerClient::playMotion() returns
+    std::shared_future<EndedMovement> end;  ///< becomes ready when the movement has ended
+    bool is_uncertain = false;              ///< the robot has not said yet whether it begins; `end` comes when it does
+    std::string remark;  ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
 
-    /// Null if it goes on.
+    /// Null if the movement goes on.
     const EndedMovement* ended() const {
       const bool is_over = end.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
       return is_over ? &end.get() : nullptr;
@@ -65,64 +66,65 @@ class Mover {
   };
 
   struct State {
-    std::vector<Movement> movements;        ///< now
-    std::vector<EndedMovement> ended;       ///< the latest, the newest last
+    std::vector<Movement> movements;        ///< those that go on now
+    std::vector<EndedMovement> ended;       ///< the latest ends; the newest is last
     std::size_t ends = 0;                   ///< how many have ended so far
-    MotorsAndPosture robot;                 ///< what it says of itself
-    std::optional<std::string> stopped_by;  ///< the node that has stopped it, if it is stopped
+    aibo_client::MotorsAndPosture robot;    ///< what the robot reports about itself
+    std::optional<std::string> stopped_by;  ///< the node that has stopped the robot; empty unless it is stopped
   };
 
-  /// What it tells others, on the thread of the call that caused it, and without a lock.
+  /// These functions are called on the thread of the call that caused them, without a lock.
   struct Listener {
-    std::function<void()> on_change;                          ///< state() may have changed
-    std::function<void()> on_begin;                           ///< goOn() has to be called from now on
-    std::function<void(const EndedMovement&)> on_ended;       ///< in order
-    std::function<void(const std::string& text)> on_warning;  ///< what was left out of an order
+    std::function<void()> on_change;                          ///< called when state() may have changed
+    std::function<void()> on_begin;                           ///< called when goOn() has to be called from now on
+    std::function<void(const EndedMovement&)> on_ended;       ///< called for each end, in order
+    std::function<void(const std::string& text)> on_warning;  ///< called with what was left out of an order
   };
 
   using Clock = std::function<SteadyTime()>;
 
   /// @param table, measured, client must outlive the mover
-  /// @param approach_speed as for JointCommandFilter
-  /// @param slow_down as for Trajectory
+  /// @param approach_speed see JointCommandFilter
+  /// @param slow_down see Trajectory
   /// @param telemetry_wanted false if the robot is not asked to report its joints
-  Mover(const JointTable& table, const MeasuredJoints& measured, RcServerClient& client, double approach_speed,
-        bool slow_down, std::function<bool()> telemetry_wanted, Clock clock = std::chrono::steady_clock::now);
+  Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
+        double approach_speed, bool slow_down, std::function<bool()> telemetry_wanted,
+        Clock clock = std::chrono::steady_clock::now);
 
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;
 
-  /// To be called before anything moves.
+  /// Call this before anything moves.
   void setListener(Listener listener) { listener_ = std::move(listener); }
 
   /// @name Orders
   /// @{
 
   /// Sends joints to positions, through the JointCommandFilter.
-  /// @param names, positions, velocities as in sensor_msgs/JointState
+  /// @param names, positions, velocities see sensor_msgs/JointState
   /// @param kind kCommand or kLookAt
   Begun command(const Order& order, const std::vector<std::string>& names, const std::vector<double>& positions,
                 const std::vector<double>& velocities, Movement::Kind kind = Movement::Kind::kCommand);
 
-  /// Begins a trajectory. See JointPlan for how trajectories follow each other, and end.
-  /// @param wait until it begins; below 0 if it should have begun before
+  /// Begins a trajectory. JointPlan says how trajectories follow each other and how they end.
+  /// @param wait the time until it begins; below 0 if it should have begun already
   Begun follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                const Arrival& arrival = {});
 
-  /// Plays a motion of the robot's own, at speeds up to the limits of all joints. Ends the trajectories. Waits until
-  /// the robot has begun.
+  /// Plays one of the robot's own motions, at speeds up to the limits of all joints. It ends the trajectories and waits
+  /// until the robot has begun.
   Begun play(const Order& order, const std::string& name, int repetitions);
 
-  /// Lets the robot take a posture. Ends what moves its legs. Waits until the robot has begun. Rest is possible while
-  /// the robot is stopped, too.
-  Begun takePosture(const Order& order, Posture posture);
+  /// Makes the robot take a posture. It ends whatever moves the robot's legs and waits until the robot has begun. Rest
+  /// is possible even if the robot is stopped.
+  Begun takePosture(const Order& order, aibo_client::Posture posture);
 
-  /// Lets the robot walk: see RcServerClient::steer() and SteeringStreams. Ends what moves its legs. A velocity of 0 is
-  /// sent only to a robot that walks: one that sits goes on sitting.
-  void steer(const Order& order, const WalkVelocity& velocity);
+  /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
+  /// velocity of 0 is sent only to a robot that walks, so a robot that sits goes on sitting.
+  void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
   /// Notes that an order is refused.
-  /// @param names of joints
+  /// @param names the names of joints
   Begun refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
                const std::string& reason);
 
@@ -135,52 +137,55 @@ class Mover {
   ///   orders are refused nevertheless
   void stop(const Order& by);
 
+  /// Allows orders again after a stop.
   /// @throw CommandException a stop is still on its way to the robot
   void release(const Order& by);
 
-  /// The same as stop(), but what comes later may move the robot.
-  /// @param reason for the log and the state
-  /// @throw as stop()
+  /// Does the same as stop(), but later orders may move the robot.
+  /// @param reason the reason for the log and the state
+  /// @throw the exceptions of stop()
   void hold(const Order& by, const std::string& reason);
 
-  /// Ends a trajectory, and holds its joints. Does nothing if it has ended.
-  /// @throw as stop()
+  /// Ends a trajectory and holds its joints. It does nothing if the trajectory has ended.
+  /// @throw the exceptions of stop()
   void cancel(MovementId trajectory, const std::string& reason);
 
-  /// Stops a motion of the robot's own.
-  /// @param name empty: all
-  /// @throw as RcServerClient::stopMotion()
+  /// Stops one of the robot's own motions.
+  /// @param name the name of the motion; empty means all motions
+  /// @throw the exceptions of RcServerClient::stopMotion()
   void stopMotion(const Order& by, const std::string& name);
 
-  /// Ends a walk, in an orderly way. Does nothing if the robot does not walk.
-  /// @param reason for the log and the state
+  /// Ends a walk in an orderly way. It does nothing if the robot does not walk.
+  /// @param reason the reason for the log and the state
   void stopWalking(const std::string& reason);
 
-  /// Switches the motors. Off ends everything, and is possible while the robot is stopped, too. On is not, because the
-  /// joints would stiffen in somebody's hands. From then on the posture may be any, so all joints are approached again.
-  /// @return true if they are on now
+  /// Switches the motors. Switching them off ends all movements, and is possible even if the robot is stopped.
+  /// Switching them on is then refused, because the joints would stiffen in somebody's hands. Afterwards the robot may
+  /// have any posture, so all joints are approached again.
+  /// @return true if the motors are on now
   /// @throw CommandException the order to switch them on is refused
-  /// @throw as RcServerClient::setMotors()
+  /// @throw the exceptions of RcServerClient::setMotors()
   bool setMotors(const Order& order, bool on);
 
   /// @}
   /// @name What the client reports
   /// @{
-  void steered(const WalkVelocity& in_force);
-  void ended(const MotionEnd& end);
-  void refused(const Refusal& refusal);
-  void answeredLate(const LateAnswer& answer);
-  void robotChanged(const MotorsAndPosture& state);
+  /// @param order that asked for it: OrderTerms::number
+  void steered(const aibo_client::WalkVelocity& in_force, std::uint64_t order);
+  void ended(const aibo_client::MotionEnd& end);
+  void refused(const aibo_client::Refusal& refusal);
+  void answeredLate(const aibo_client::LateAnswer& answer);
+  void robotChanged(const aibo_client::MotorsAndPosture& state);
   void connected();
   void disconnected();
   /// @}
 
-  /// Moves everything on. To be called every JointPlan::kPeriod from Listener::on_begin on.
-  /// @return false if there is nothing to move on any more
+  /// Moves everything on. After Listener::on_begin, call this every JointPlan::kPeriod.
+  /// @return false if there is nothing left to move
   bool goOn();
 
-  /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints; empty
-  /// before its beginning and after its end.
+  /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints. It is
+  /// empty before the trajectory's beginning and after its end.
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime time) const;
 
   /// The joints that a movement still moves.
@@ -195,17 +200,17 @@ class Mover {
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    bool has_begun = false;  ///< of a walk: the robot has said so
+    bool has_begun = false;  ///< of a walk: the robot has accepted one of its velocities
     std::string trouble;     ///< a joint that does not follow, in words; empty if there is none
   };
 
-  /// What the listener has not been told yet.
+  /// News that the listener has not been told yet.
   struct News {
     std::vector<EndedMovement> ended;
     std::vector<std::string> warnings;
   };
 
-  /// An order that was refused lately.
+  /// An order that was refused recently.
   struct Refused {
     EndedMovement movement;
     SteadyTime last;
@@ -220,24 +225,24 @@ class Mover {
   template <typename Tell>
   void halt(const std::vector<MovementId>& movements, const std::string& reason, const Tell& tell_robot);
   void tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too);
-  void walk(const Order& order, const WalkVelocity& velocity, Movement movement);
+  void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
   void letGo(const std::string& reason);
   Begun begin(Movement movement);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);
   void note(const EndedMovement& ended);
-  void end(MovementId id, MovementEnd how, const std::string& reason);
-  void endAll(MovementEnd how, const std::string& reason);
+  void end(MovementId id, aibo_client::EndedHow how, const std::string& reason);
+  void endAll(aibo_client::EndedHow how, const std::string& reason);
   void takeEndsOfPlan();
-  void close(MovementId id, MovementEnd how, const std::string& reason);
+  void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
   template <typename Condition>
   std::vector<MovementId> idsOf(const Condition& condition) const;
-  std::vector<MovementId> commandersOf(const Refusal& refusal) const;
+  std::vector<MovementId> commandersOf(const aibo_client::Refusal& refusal) const;
   Record* find(MovementId id);
   Record* findWalk();
   Record* findCommand(const Movement& movement);
   std::vector<std::string> known(const std::vector<std::string>& names) const;
-  static OrderTerms termsOf(const Order& order, MovementId id);
+  static aibo_client::OrderTerms termsOf(const Order& order, MovementId id);
   void checkConnection();
   void checkTelemetry() const;
   void overruleWalk(const Movement& movement);
@@ -245,12 +250,12 @@ class Mover {
   void sendSteps(const std::vector<JointStep>& steps);
 
   const JointTable& table_;
-  RcServerClient& client_;
+  aibo_client::RcServerClient& client_;
   const std::function<bool()> telemetry_wanted_;
   const Clock clock_;
   Listener listener_;
 
-  mutable std::mutex mutex_;  ///< of everything below; never held while waiting for the robot
+  mutable std::mutex mutex_;  ///< guards everything below; never held while waiting for the robot
   JointLink link_;
   JointCommandFilter filter_;
   JointPlan plan_;
@@ -260,16 +265,16 @@ class Mover {
   MovementId last_id_ = 0;
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
-  SteadyTime went_on_;  ///< goOn() was called, or a trajectory has begun
+  SteadyTime went_on_;  ///< when goOn() was last called, or when a trajectory has begun since
   std::vector<Refused> refused_;
   News news_;
-  MotorsAndPosture robot_;
-  int halts_ = 0;                         ///< that the robot is being told
-  std::string halt_reason_;               ///< of the latest
+  aibo_client::MotorsAndPosture robot_;
+  int halts_ = 0;                         ///< calls that are telling the robot to halt now
+  std::string halt_reason_;               ///< the reason for the latest halt
   bool is_told_to_walk_ = false;          ///< the last velocity that was sent is not 0
-  std::string walk_stop_reason_;          ///< why it was stopped here, if nobody asked for that
-  std::uint64_t connection_ = 0;          ///< over which everything that moves was begun
-  std::uint64_t motions_connection_ = 0;  ///< over which a motion was played that may still be playing
+  std::string walk_stop_reason_;          ///< why a walk was stopped here without an order
+  std::uint64_t connection_ = 0;          ///< the connection over which all present movements were begun
+  std::uint64_t motions_connection_ = 0;  ///< the connection over which a motion was played that may still be playing
 };
 
 }  // namespace aibo_driver::movement

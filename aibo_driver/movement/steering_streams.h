@@ -10,27 +10,28 @@
 
 namespace aibo_driver::movement {
 
-/// The nodes that steer the robot. What a node sends without a longer pause is a stream. A stream that something has
-/// overruled moves the robot again only after its node has let go: it has sent a velocity of 0, or has paused.
+/// The nodes that steer the robot. The velocities that a node sends without a longer pause are a stream. If something
+/// overrules a stream, its node has to let go before it can move the robot again: it has to send a velocity of 0, or
+/// pause.
 ///
-/// From one thread at a time.
+/// Only one thread at a time may use it.
 class SteeringStreams {
  public:
-  /// Without a velocity for this long, a stream has ended.
+  /// A stream has ended when no velocity has come for this long.
   static constexpr std::chrono::milliseconds kPause{500};
 
   /// Notes a velocity.
-  /// @return what has overruled its stream; empty if it counts
+  /// @return what has overruled the velocity's stream; empty if the velocity counts
   std::string receive(const Order& order, bool is_zero);
 
-  /// All streams that go on now are overruled.
-  /// @param what in words
+  /// Overrules all streams that go on now.
+  /// @param what what overrules them, in words
   void overrule(const std::string& what);
 
-  /// The same for one node's stream.
+  /// Overrules the stream of one node.
   void overrule(const std::string& node, const std::string& what);
 
-  /// True if a node's stream goes on.
+  /// True if the stream of a node goes on.
   bool goesOn(const std::string& node, SteadyTime now) const;
 
  private:

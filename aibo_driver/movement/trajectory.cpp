@@ -6,24 +6,24 @@
 #include <optional>
 #include <utility>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
 namespace {
 
 using Point = TrajectoryRequest::Point;
 
-// Programs round a limit of 88 degrees to 1.536; the robot clamps such a position.
+// Programs round a limit of 88 degrees to 1.536. The robot clamps such a position.
 constexpr double kPositionTolerance = 0.001;  // rad
 
 constexpr double kSpeedTolerance = 1.001;  // for rounding errors
 
-// Planners begin a trajectory where the joints are. What they measured differs a little from what is measured now:
-// encoders waver, and a leg that carries the robot gives way.
+// Planners begin a trajectory where they measured the joints. Later measurements differ a little: encoders waver, and a
+// leg that carries the robot gives way.
 constexpr double kStartTolerance = 0.1;  // rad
 
 [[noreturn]] void refuse(const std::string& reason) {
-  throw InvalidArgumentException(reason + ".");
+  throw aibo_client::InvalidArgumentException(reason + ".");
 }
 
 std::string number(double value) {
@@ -44,7 +44,7 @@ TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age) {
   }
   std::vector<Point> left;
   for (Point& point : request.points) {
-    // A time that is not a number stays, for the trajectory's check.
+    // A time that is not a number is kept. The trajectory's check refuses it.
     if (!(point.time_from_start <= age)) {
       point.time_from_start -= age;
       left.push_back(std::move(point));
@@ -206,7 +206,7 @@ void Trajectory::addSegments(const Point& from, const std::vector<Point>& points
     segments_.push_back(segment);
     last = point;
   }
-  if (segments_.empty()) {  // the request is to stay
+  if (segments_.empty()) {  // the robot should stay where it is
     Segment stay;
     for (const double position : from.positions) {
       stay.joints.push_back({{position, 0, 0, 0}});
@@ -221,7 +221,7 @@ void Trajectory::checkPositions(const JointTable& table) const {
       const JointProperties& joint = table[joints_[i]];
       for (const double time : segment.joints[i].turningPoints(segment.length)) {
         const double position = segment.joints[i].at(time);
-        // A joint that was bent beyond its limits by hand may come back.
+        // A joint that somebody bent beyond its limits may come back.
         const double begin = segment.joints[i].at(0);
         if (position < std::min(joint.lowest, begin) - kPositionTolerance ||
             position > std::max(joint.highest, begin) + kPositionTolerance) {
@@ -285,7 +285,7 @@ double Trajectory::Cubic::highestSpeed(double length) const {
   return highest;
 }
 
-// Where the velocity, c[1] + 2 c[2] t + 3 c[3] t^2, is 0.
+// The times when the velocity, c[1] + 2 c[2] t + 3 c[3] t^2, is 0.
 std::vector<double> Trajectory::Cubic::turningPoints(double length) const {
   std::vector<double> times;
   if (c[3] != 0) {

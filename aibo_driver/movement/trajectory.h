@@ -11,7 +11,7 @@
 
 namespace aibo_driver::movement {
 
-/// What a user asks for, unchecked, as in trajectory_msgs/JointTrajectory.
+/// A user's request as in trajectory_msgs/JointTrajectory. It has not been checked.
 struct TrajectoryRequest {
   struct Point {
     double time_from_start = 0;      ///< s
@@ -23,17 +23,17 @@ struct TrajectoryRequest {
   std::vector<Point> points;
 };
 
-/// Leaves out the points that are over when a trajectory begins late.
+/// Leaves out the points that have passed when a trajectory begins late.
 /// @param age how long ago it should have begun, in seconds; not below 0
-/// @return what is left, in time from now
-/// @throw InvalidArgumentException nothing is left
+/// @return the other points, with times from now
+/// @throw InvalidArgumentException all points have passed
 TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age);
 
-/// A motion of some joints, from where they are now through given points, that keeps their limits.
+/// A motion of some joints, from where they are now through given points. It keeps the joints' limits.
 ///
-/// Between two points with velocities it is a cubic polynomial that has these velocities at both points; otherwise it
-/// is a straight line. A joint that is moving when the trajectory begins keeps its velocity: it goes on a cubic to the
-/// first point, and if that has no velocities, arrives with the average velocity of this way.
+/// Between two points that have velocities, it is a cubic polynomial with these velocities at its ends. Otherwise it is
+/// a straight line. A joint that is moving when the trajectory begins keeps its velocity: its way to the first point is
+/// a cubic polynomial. If that point has no velocities, the joint arrives there with the average velocity of this way.
 class Trajectory {
  public:
   /// Where a joint is when the trajectory begins.
@@ -43,23 +43,22 @@ class Trajectory {
     double velocity = 0;    ///< rad/s
   };
 
-  /// @param start of each joint of the request; others are ignored
-  /// @param slow_down stretch the time until all speed limits are kept, instead of refusing. If the first point has
-  /// time
-  ///   0 and is not where the joints are, they then move there as fast as the limits allow, and the rest is delayed
+  /// @param start the state of each joint of the request; other joints are ignored
+  /// @param slow_down true: stretch the time until all speed limits are kept, instead of refusing. If the first point
+  ///   has time 0 and is not where the joints are, they move there as fast as the limits allow, and the rest is delayed
   /// @throw InvalidArgumentException a joint is unknown, is named twice, or has no start; a point's arrays have the
   ///   wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at a point
   ///   or between two. The message names the joint and the limit.
   Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
              bool slow_down);
 
-  /// In seconds.
+  /// The duration in seconds.
   double duration() const;
 
-  /// How many times slower it is than asked for; 1 means as asked for.
+  /// The factor by which it is slower than requested; 1 means as requested.
   double stretch() const { return stretch_; }
 
-  /// Indices in the table.
+  /// The joints' indices in the table.
   const std::vector<std::size_t>& joints() const { return joints_; }
 
   /// Where the joints should be.
@@ -68,7 +67,7 @@ class Trajectory {
   std::vector<double> sample(double time) const;
 
   /// How fast the joints should move; 0 after the end.
-  /// @param time, return as for sample(), in rad/s
+  /// @param time, return see sample(); the result is in rad/s
   std::vector<double> velocities(double time) const;
 
  private:
@@ -102,7 +101,7 @@ class Trajectory {
   double stretch_ = 1;
 };
 
-/// How far a trajectory has got. If the driver is held up for long, the clock stops: the joints have stopped meanwhile,
+/// How far a trajectory has got. If the driver is held up for long, the clock stops. The joints have stopped meanwhile,
 /// and would have to jump to catch up.
 class TrajectoryClock {
  public:
@@ -111,15 +110,15 @@ class TrajectoryClock {
   /// After a longer gap between two calls of attend(), the trajectory resumes where it was.
   static constexpr std::chrono::milliseconds kLongestGap{200};
 
-  /// @param start when it begins
-  /// @param period between calls of attend(), well below kLongestGap
+  /// @param start when the trajectory begins
+  /// @param period the time between calls of attend(), well below kLongestGap
   TrajectoryClock(SteadyTime start, std::chrono::milliseconds period)
       : start_(start), attended_(start), period_(period) {}
 
   /// Seconds since the beginning; below 0 before it.
   double at(SteadyTime now) const;
 
-  /// The same, to be called whenever the joints are moved on.
+  /// Returns the same as at(). Call this whenever the joints are moved on.
   double attend(SteadyTime now);
 
  private:

@@ -1,6 +1,6 @@
 /// @file plain_text.h
-/// What comes from elsewhere and is shown to a person, in a log, a message or a terminal. A terminal obeys control
-/// characters, so none may reach it; and what a stranger sends may be a million texts, or one of a gigabyte.
+/// Texts that come from elsewhere and are shown to a person, in a log, a message or a terminal. A terminal obeys
+/// control characters, so none may reach it. A stranger may also send a million texts, or a text of a gigabyte.
 #ifndef AIBO_DRIVER_TEXT_PLAIN_TEXT_H
 #define AIBO_DRIVER_TEXT_PLAIN_TEXT_H
 
@@ -10,20 +10,20 @@
 
 namespace aibo_driver::text {
 
-/// Splits a text into those characters that protocol::isPlainText() allows, and the bytes between them, one by one.
+/// Splits a text into the characters that protocol::isPlainText() allows, and the single bytes between them.
 std::vector<std::string> charactersOf(const std::string& text);
 
-/// The text with '?' for each byte that belongs to no plain character, except for newlines.
+/// Puts '?' in the place of each byte that belongs to no plain character. Newlines stay.
 std::string plainText(const std::string& text);
 
-/// The text on one line: newlines become '?', too.
-/// @param most bytes; a longer text is cut, and ends with "..."
+/// Puts the text on one line. Newlines become '?', too.
+/// @param most the most bytes that the line has; a longer text is cut and ends with "..."
 std::string plainLine(const std::string& text, std::size_t most = 80);
 
-/// The first three of any number of things, for a message about all of them. Each is shown by plainLine().
+/// The first three of any number of things, for a message about all of them. plainLine() shows each of them.
 class FirstThree {
  public:
-  /// @param most bytes of each
+  /// @param most the most bytes of each thing
   explicit FirstThree(std::size_t most = 80) : most_(most) {}
 
   void add(const std::string& one);
@@ -31,8 +31,8 @@ class FirstThree {
   bool empty() const { return count_ == 0; }
   std::size_t count() const { return count_; }
 
-  /// "a, b, c and 2 more"
-  /// @param separator between those that are shown
+  /// For example, "a, b, c and 2 more".
+  /// @param separator the text between the things that are shown
   std::string text(const std::string& separator = ", ") const;
 
  private:

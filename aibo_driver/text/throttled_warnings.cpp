@@ -32,13 +32,13 @@ void ThrottledWarnings::warn(const std::string& text) {
 
 void ThrottledWarnings::say(const std::string& text) {
   const std::string line = plainLine(text, kLongest);
-  const RateLimit::Admission admission = limit_.admit(now_(), kPeriod);
+  const aibo_client::RateLimit::Admission admission = limit_.admit(now_(), kPeriod);
   if (admission.is_admitted) {
     log_(admission.left_out == 0 ? line : line + " (" + std::to_string(admission.left_out) + " before it left out)");
   }
 }
 
-// Texts quote what strangers send, so only those are remembered that there may be lines for.
+// Texts quote what strangers send, so we remember only texts for which there may be a line.
 bool ThrottledWarnings::isNew(const std::string& kind, TimePoint now) {
   constexpr std::size_t kMostRemembered = kBurst + kRepetitionPeriod / kPeriod;
   const std::lock_guard<std::mutex> lock(mutex_);

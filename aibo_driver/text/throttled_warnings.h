@@ -12,13 +12,13 @@
 
 namespace aibo_driver::text {
 
-/// Logs what is wrong with what others send. It is for the mistake that a program repeats many times a second, and for
-/// the stranger who makes another one each time: neither may flood the log or hide other warnings. From any thread; but
-/// the log may take its time, so never while a lock is held.
+/// Logs what is wrong with data from others. Some programs repeat a mistake many times a second, and a stranger may
+/// make another one each time. Neither may flood the log or hide other warnings. Any thread may use it. The log may
+/// take its time, so never call it while a lock is held.
 ///
-/// Each different warning is logged once in kRepetitionPeriod. Two that differ only in numbers are the same; numbers
-/// within names count. Of all together, kBurst may be logged at once, in the long run one per kPeriod; the next one
-/// says how many were left out. Texts are cut at kLongest bytes and shown by plainLine().
+/// Each different warning is logged once in kRepetitionPeriod. Two warnings that differ only in numbers are the same;
+/// numbers within names count. Of all warnings together, kBurst may be logged at once, and in the long run one per
+/// kPeriod. The next warning says how many were left out. Texts are cut at kLongest bytes and shown by plainLine().
 class ThrottledWarnings {
  public:
   static constexpr std::chrono::seconds kRepetitionPeriod{5};
@@ -35,7 +35,7 @@ class ThrottledWarnings {
 
   void warn(const std::string& text);
 
-  /// The same, also if it was logged a moment ago: for news that others cause.
+  /// Logs a text even if it was logged a moment ago. This is for news that others cause.
   void say(const std::string& text);
 
  private:
@@ -44,8 +44,8 @@ class ThrottledWarnings {
   const std::function<void(const std::string&)> log_;
   const std::function<TimePoint()> now_;
   std::mutex mutex_;
-  std::map<std::string, TimePoint> last_;  ///< when each was logged; texts without numbers. Guarded by mutex_
-  RateLimit limit_{kBurst};
+  std::map<std::string, TimePoint> last_;  ///< when each text was logged; texts without numbers. Guarded by mutex_
+  aibo_client::RateLimit limit_{kBurst};
 };
 
 }  // namespace aibo_driver::text

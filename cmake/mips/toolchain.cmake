@@ -1,13 +1,13 @@
 # Debian's cross compiler for little-endian MIPS, the ERS-7's kind of processor, and QEMU to run the programs.
-#   AIBO_MIPS_SYSROOT   folder with the mipsel libraries that scripts/mips unpacks
+# AIBO_MIPS_SYSROOT is the folder with the mipsel libraries that scripts/mips unpacks.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR mipsel)
 set(CMAKE_C_COMPILER mipsel-linux-gnu-gcc)
 set(CMAKE_CXX_COMPILER mipsel-linux-gnu-g++)
 set(CMAKE_CROSSCOMPILING_EMULATOR qemu-mipsel)
 
-# By default, Debian's compiler uses a newer instruction set than the ERS-7's processor has. Without 64-bit file offsets,
-# readdir() fails on the file systems of a 64-bit host.
+# By default, Debian's compiler uses newer instructions than the ERS-7's. Without 64-bit file offsets, readdir() fails
+# on the file systems of a 64-bit host.
 set(CMAKE_C_FLAGS_INIT "-march=mips2 -D_FILE_OFFSET_BITS=64")
 set(CMAKE_CXX_FLAGS_INIT "-march=mips2 -D_FILE_OFFSET_BITS=64")
 # Static programs run without MIPS libraries on the system.

@@ -1,0 +1,294 @@
+#include "node/aibo_driver.h"
+
+#include <ros/console.h>
+
+#include "node/node.h"
+#include "text/plain_text.h"
+
+namespace aibo_driver::node {
+
+using aibo_client::EndedHow;
+using aibo_client::LogLevel;
+
+namespace {
+
+// This many callers of take_picture may wait at the same time. The next caller waits for one of them.
+constexpr int kPictureThreads = 4;
+
+// Calls of stop and of motors do not wait for each other.
+constexpr int kStopThreads = 2;
+
+// A new posture ends the one before it, so it must not wait until that one has answered.
+constexpr int kPostureThreads = 2;
+
+// The time between two diagnostic messages, as REP 107 says, and between two messages of link_quality. One timer serves
+// both, because each timer wakes two threads several times.
+constexpr double kReportPeriod = 1.0;  // s
+
+void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
+  text::FirstThree names;
+  for (const std::string& name : parameters.unknown) {
+    names.add(name_prefix + "/" + name);
+  }
+  if (!names.empty()) {
+    ROS_WARN_STREAM("The driver has no parameter " << names.text() << ", and ignores "
+                                                   << (names.count() == 1 ? "it: is the name" : "them: are the names")
+                                                   << " misspelt?");
+  }
+}
+
+void warnOfMissingModel(const std::string& design) {
+  if (design != "ERS-7") {
+    ROS_WARN_STREAM("There is no model (URDF) of the "
+                    << design << " here: its links have no tf frames, and rviz does not show it.");
+  }
+}
+
+// actionlib publishes the state of each action, latched, at every change. Unless this parameter says otherwise, it also
+// repeats the state five times a second. These repetitions took a third of an idle driver's wake-ups.
+void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
+  constexpr const char* kParameter = "actionlib_status_frequency";
+  constexpr double kTimesASecond = 1;
+  std::string found;
+  if (!handle.searchParam(kParameter, found)) {
+    handle.setParam(kParameter, kTimesASecond);
+  }
+}
+
+// The messages go to the logger ros.aibo_driver.client.
+void logForClient(LogLevel level, const std::string& message) {
+  switch (level) {
+    case LogLevel::kDebug:
+      ROS_DEBUG_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kInfo:
+      ROS_INFO_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kWarn:
+      ROS_WARN_STREAM_NAMED("client", message);
+      break;
+    case LogLevel::kError:
+      ROS_ERROR_STREAM_NAMED("client", message);
+      break;
+  }
+}
+
+}  // namespace
+
+AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
+    : handle_(inDriverNamespace(handle, "aibo")),
+      only_driver_(handle_),
+      parameters_(readDriverParameters(handle_, private_handle)),
+      model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
+      stop_threads_(handle_, receipts_, kStopThreads),
+      joint_thread_(handle_, receipts_),
+      motion_thread_(handle_, receipts_),
+      body_thread_(handle_, receipts_),
+      posture_threads_(handle_, receipts_, kPostureThreads),
+      sound_thread_(handle_, receipts_),
+      picture_threads_(handle_, receipts_, kPictureThreads),
+      telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
+      joint_table_(parameters_.robot, parameters_.joint_speed_limit),
+      measured_joints_(joint_table_),
+      power_(model_),
+      policy_(parameters_.stream_on_start, parameters_.stream_on_demand),
+      connection_(handle_, parameters_.client),
+      camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
+              [this] { policy_.subscribersChanged(); }),
+      camera_state_(ros::NodeHandle(handle_, "camera")),
+      raw_images_(ros::NodeHandle(handle_, "camera"), "image_raw", [this] { policy_.subscribersChanged(); }),
+      colors_(handle_, parameters_, usedRobotClock()),
+      microphone_(handle_, parameters_, usedRobotClock()),
+      telemetry_(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_),
+      odometry_(handle_, parameters_, telemetry_stamper_),
+      led_states_(handle_, model_),
+      client_(parameters_.client, makeCallbacks()),
+      player_(client_),
+      adapter_(client_),
+      link_quality_(handle_, [this] { return askedEveryNthImage(); }),
+      settings_(private_handle, client_, adapter_, joint_table_),
+      stream_services_(
+          parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
+          [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }),
+      stick_pictures_(parameters_, client_),
+      color_tables_(model_, client_,
+                    [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
+      mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
+             [this] { return settings_.telemetryPeriod() > 0; }),
+      motion_state_(handle_, mover_),
+      joints_(joint_table_, mover_),
+      walk_(parameters_.walk, client_, mover_),
+      postures_(mover_),
+      expression_(model_, client_),
+      robot_services_(client_, mover_),
+      sound_services_(client_, player_),
+      diagnostics_(handle_, private_handle, name,
+                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_,
+                    mover_, microphone_, player_}),
+      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod), [this](const ros::SteadyTimerEvent&) {
+        link_quality_.publish();
+        diagnostics_.publish();
+      })) {
+  if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
+    footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
+  }
+  warnOfUnknown(parameters_, private_handle.getNamespace());
+  mover_.setListener(makeListener());
+  warnOfMissingModel(parameters_.robot);
+  joints_.subscribe(joint_thread_.handle());
+  walk_.subscribe(joint_thread_.handle());
+  postures_.advertise(posture_threads_.handle());
+  repeatStateOfActionsRarely(handle_);
+  motion_action_ = startPlayMotionServer(motion_thread_.handle(), mover_);
+  trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
+  expression_.subscribe(body_thread_.handle());
+  robot_services_.advertise(stop_threads_.handle(), motion_thread_.handle(), body_thread_.handle());
+  stream_services_.advertise(handle_, picture_threads_.handle());
+  stick_pictures_.advertise(body_thread_.handle());
+  sound_services_.advertise(sound_thread_.handle());
+  sound_action_ = startPlaySoundServer(sound_thread_.handle(), player_);
+  color_tables_.loadAtStart(parameters_.color_tables);
+  color_tables_.advertise(handle_);
+  colors_.start([this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); });
+  microphone_.start([this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); });
+  policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
+                [this](bool on) { client_.setStreaming(on); });
+  client_.start();
+  receipts_.start();
+  stop_threads_.start();
+  joint_thread_.start();
+  motion_thread_.start();
+  body_thread_.start();
+  posture_threads_.start();
+  sound_thread_.start();
+  picture_threads_.start();
+}
+
+// In a nodelet manager, subscribers may come and go on other threads until the publishers are gone. The client stops
+// first, because that ends a service that waits for the robot.
+AiboDriver::~AiboDriver() {
+  policy_.stop();
+  colors_.stop();
+  microphone_.stop();
+  client_.stop();
+  player_.finish();
+  stop_threads_.stop();
+  joint_thread_.stop();
+  motion_thread_.stop();
+  body_thread_.stop();
+  posture_threads_.stop();
+  sound_thread_.stop();
+  picture_threads_.stop();
+}
+
+aibo_client::Callbacks AiboDriver::makeCallbacks() {
+  aibo_client::Callbacks callbacks;
+  callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { publishPicture(*picture); };
+  callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) { updateConnection(status); };
+  callbacks.on_streaming = [this](bool streaming) { connection_.publishStreaming(streaming); };
+  callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { publishTelemetry(telemetry); };
+  callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.publish(colors); };
+  callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { microphone_.publish(sound); };
+  callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { player_.ended(end); };
+  callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) { led_states_.accept(leds); };
+  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order) {
+    mover_.steered(in_force, order);
+  };
+  callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
+    odometry_.motionEnded(end);
+    mover_.ended(end);
+  };
+  callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refused(refusal); };
+  callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) { mover_.answeredLate(answer); };
+  callbacks.on_motors_and_posture = [this](const aibo_client::MotorsAndPosture& state) {
+    odometry_.update(state);
+    mover_.robotChanged(state);
+  };
+  callbacks.log = logForClient;
+  return callbacks;
+}
+
+// Refused joints and walking are not logged here, because the end of each movement is logged.
+void AiboDriver::refused(const aibo_client::Refusal& refusal) {
+  mover_.refused(refusal);
+  if (refusal.request != aibo_client::RefusedRequest::kJoints &&
+      refusal.request != aibo_client::RefusedRequest::kWalk) {
+    movement_warnings_.warn("The robot did not do what it was told: " + refusal.reason + ".");
+  }
+}
+
+movement::Mover::Listener AiboDriver::makeListener() {
+  movement::Mover::Listener listener;
+  listener.on_change = [this] { motion_state_.publish(); };
+  listener.on_begin = [this] { joints_.moveOn(); };
+  listener.on_ended = [this](const movement::EndedMovement& ended) { logEnd(ended); };
+  listener.on_warning = [this](const std::string& text) { movement_warnings_.warn(text); };
+  return listener;
+}
+
+// Commands come often. It is normal that they replace and stop each other.
+void AiboDriver::logEnd(const movement::EndedMovement& ended) {
+  using Kind = movement::Movement::Kind;
+  const bool is_command = ended.movement.kind == Kind::kCommand || ended.movement.kind == Kind::kLookAt;
+  const bool is_meant = ended.how == EndedHow::kReplaced || ended.how == EndedHow::kStopped;
+  const bool is_as_ever = ended.how == EndedHow::kUnknown && ended.movement.kind == Kind::kMotion;
+  const std::string name = movement::describe(ended.movement);
+  if (ended.how == EndedHow::kRefused) {
+    movement_warnings_.warn(name + " is refused: " + ended.reason + ".");
+  } else if (ended.how == EndedHow::kDone || is_as_ever || (is_command && is_meant)) {
+    ROS_DEBUG_STREAM_NAMED("joints", name << " has ended. " << ended.reason);
+  } else {
+    movement_warnings_.warn(name + " ends early: " + ended.reason + ".");
+  }
+}
+
+std::optional<int> AiboDriver::askedEveryNthImage() const {
+  return client_.streaming() ? std::optional<int>(client_.streamFormat().every_nth_image) : std::nullopt;
+}
+
+void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
+  const ros::Time stamp = camera_.stamp(picture);
+  const bool is_decoded = raw_images_.hasSubscribers();
+  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture, is_decoded);
+  if (is_decoded) {
+    raw_images_.publish(message);
+  }
+  camera_state_.update(picture, stamp, camera_.frameId());
+  link_quality_.add(picture, stamp);
+  meter_.add(picture.jpeg.size(), picture.first_byte_time);
+  adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
+}
+
+void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
+  // All telemetry tells us the robot's clock, even if nobody listens.
+  telemetry_stamper_.stamp(telemetry);
+  measured_joints_.update(telemetry);
+  telemetry_.publish(telemetry);
+  if (footprint_) {
+    footprint_->publish(telemetry);
+  }
+  odometry_.publish(telemetry);
+  power_.update(telemetry);
+}
+
+void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
+  if (status.state == aibo_client::ConnectionState::kConnected) {
+    // The mover must know this before others can know it and give orders.
+    mover_.connected();
+  }
+  connection_.publish(status);
+  led_states_.update(status);
+  if (status.state != aibo_client::ConnectionState::kConnected) {
+    measured_joints_.clear();
+    mover_.disconnected();
+    power_.clear();
+    return;
+  }
+  if (!status.robot.design.empty() && status.robot.design != parameters_.robot) {
+    // The status changes as often as the robot likes, so the warning is limited.
+    design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
+                          parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
+  }
+}
+
+}  // namespace aibo_driver::node

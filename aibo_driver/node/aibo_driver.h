@@ -1,0 +1,156 @@
+/// @file aibo_driver.h
+#ifndef AIBO_DRIVER_NODE_AIBO_DRIVER_H
+#define AIBO_DRIVER_NODE_AIBO_DRIVER_H
+
+#include <ros/console.h>
+#include <ros/node_handle.h>
+#include <ros/steady_timer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "aibo_client/rcserver_client.h"
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/mover.h"
+#include "node/body/expression_commander.h"
+#include "node/body/footprint_publisher.h"
+#include "node/body/led_state_publisher.h"
+#include "node/body/play_motion_server.h"
+#include "node/body/power_status.h"
+#include "node/body/robot_services.h"
+#include "node/body/telemetry_publishers.h"
+#include "node/callback_threads.h"
+#include "node/camera/camera_publisher.h"
+#include "node/camera/camera_state_publisher.h"
+#include "node/camera/color_publisher.h"
+#include "node/camera/color_table_service.h"
+#include "node/camera/link_quality.h"
+#include "node/camera/raw_image_publisher.h"
+#include "node/camera/stick_picture_services.h"
+#include "node/camera/stream_adapter.h"
+#include "node/camera/stream_meter.h"
+#include "node/camera/stream_policy.h"
+#include "node/camera/stream_services.h"
+#include "node/connection_publisher.h"
+#include "node/driver_diagnostics.h"
+#include "node/driver_parameters.h"
+#include "node/joints/follow_trajectory_server.h"
+#include "node/joints/joint_commander.h"
+#include "node/joints/motion_state_publisher.h"
+#include "node/live_settings.h"
+#include "node/only_driver.h"
+#include "node/robot_stamper.h"
+#include "node/sound/microphone_publisher.h"
+#include "node/sound/sound_services.h"
+#include "node/walk/odometry_publisher.h"
+#include "node/walk/posture_services.h"
+#include "node/walk/walk_commander.h"
+#include "robot_model/robot_model.h"
+#include "robot_time/robot_clock.h"
+#include "sound/player.h"
+#include "text/throttled_warnings.h"
+
+namespace aibo_driver::node {
+
+/// The whole driver. The node and the nodelet wrap it. docs/ros_interface.md describes it from outside.
+///
+/// Services that wait for the robot have callback queues of their own, so they delay nothing else. The queue of the
+/// handle serves everything that does not wait.
+class AiboDriver {
+ public:
+  /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.
+  /// @param handle the driver's namespace; the root namespace means /aibo
+  /// @param private_handle the namespace of the parameters
+  /// @param name of the node or nodelet, with its namespace, for the diagnostics
+  /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
+  /// @throw std::runtime_error another driver has this namespace; the message names its node
+  AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
+
+  /// Ends within a second.
+  ~AiboDriver();
+
+  AiboDriver(const AiboDriver&) = delete;
+  AiboDriver& operator=(const AiboDriver&) = delete;
+
+ private:
+  aibo_client::Callbacks makeCallbacks();
+  void publishPicture(const aibo_client::Picture& picture);
+
+  /// The result is empty while the stream is off.
+  std::optional<int> askedEveryNthImage() const;
+
+  void publishTelemetry(const aibo_client::Telemetry& telemetry);
+  void updateConnection(const aibo_client::ConnectionStatus& status);
+  void refused(const aibo_client::Refusal& refusal);
+  movement::Mover::Listener makeListener();
+  void logEnd(const movement::EndedMovement& ended);
+
+  /// Null if the robot's time is not to be used.
+  robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
+
+  // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
+  ros::NodeHandle handle_;
+  const OnlyDriver only_driver_;
+  const DriverParameters parameters_;
+  const robot_model::RobotModel& model_;
+
+  ReceiptClock receipts_;
+  CallbackThreads stop_threads_;     ///< stop, release and motors: wait for nothing else
+  CallbackThreads joint_thread_;     ///< commands to joints, trajectories and cmd_vel, in order
+  CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
+  CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
+  CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
+  CallbackThreads sound_thread_;     ///< waits for espeak-ng, and until the robot plays
+  CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
+
+  // The client's callbacks need these members.
+  robot_time::RobotClock robot_clock_;
+  RobotStamper telemetry_stamper_;
+  movement::JointTable joint_table_;
+  movement::MeasuredJoints measured_joints_;
+  PowerStatus power_;
+  text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  StreamMeter meter_;
+  StreamPolicy policy_;
+  ConnectionPublisher connection_;
+  CameraPublisher camera_;
+  CameraStatePublisher camera_state_;
+  RawImagePublisher raw_images_;
+  ColorPublisher colors_;
+  MicrophonePublisher microphone_;
+  TelemetryPublishers telemetry_;
+  std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if it is wanted
+  OdometryPublisher odometry_;
+  LedStatePublisher led_states_;
+
+  aibo_client::RcServerClient client_;
+  sound::Player player_;  ///< plays nothing before the client runs
+
+  // These members need the client.
+  StreamAdapter adapter_;
+  LinkQualityPublisher link_quality_;
+  LiveSettings settings_;
+  StreamServices stream_services_;
+  StickPictureServices stick_pictures_;
+  ColorTableService color_tables_;
+  text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
+  movement::Mover mover_;
+  MotionStatePublisher motion_state_;
+  JointCommander joints_;
+  WalkCommander walk_;
+  PostureServices postures_;
+  ExpressionCommander expression_;
+  RobotServices robot_services_;
+  SoundServices sound_services_;
+  std::unique_ptr<PlaySoundServer> sound_action_;
+  std::unique_ptr<PlayMotionServer> motion_action_;
+  std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
+  DriverDiagnostics diagnostics_;
+  ros::SteadyTimer report_timer_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_AIBO_DRIVER_H

@@ -1,0 +1,117 @@
+#include "node/callback_threads.h"
+
+#include <ros/console.h>
+
+#include <boost/make_shared.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <utility>
+
+namespace aibo_driver::node {
+namespace {
+
+using std::chrono::steady_clock;
+
+thread_local std::optional<ReceiptClock::TimePoint> running_since;
+
+/// Wraps another callback and knows when it came.
+class Received : public ros::CallbackInterface {
+ public:
+  Received(ros::CallbackInterfacePtr callback, ReceiptClock::TimePoint time)
+      : callback_(std::move(callback)), time_(time) {}
+
+  bool ready() override { return callback_->ready(); }
+
+  CallResult call() override {
+    running_since = time_;
+    CallResult result = Success;
+    try {
+      result = callback_->call();
+    } catch (const std::exception& error) {
+      ROS_ERROR_STREAM("A message or a call could not be served: " << error.what());
+    }
+    running_since.reset();
+    return result;
+  }
+
+ private:
+  const ros::CallbackInterfacePtr callback_;
+  const ReceiptClock::TimePoint time_;
+};
+
+}  // namespace
+
+void ReceiptClock::start() {
+  expectLife(steady_clock::now());
+  thread_ = std::thread([this] {
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!stopping_.wait_for(lock, kPeriod, [this] { return stops_; })) {
+      noteLife(steady_clock::now());
+    }
+  });
+}
+
+void ReceiptClock::stop() {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stops_ = true;
+  }
+  stopping_.notify_all();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void ReceiptClock::expectLife(TimePoint now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  life_expected_ = true;
+  last_ = now;
+}
+
+ReceiptClock::TimePoint ReceiptClock::receipt(TimePoint now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  noteLife(now);
+  return now < caught_up_ ? before_gap_ : now;
+}
+
+void ReceiptClock::noteLife(TimePoint now) {
+  if (life_expected_ && now - last_ > kLongestGap) {
+    before_gap_ = last_;
+    caught_up_ = now + kCatchingUp;
+  }
+  last_ = std::max(last_, now);
+}
+
+ReceiptClock::TimePoint receivedAt() {
+  return running_since.value_or(steady_clock::now());
+}
+
+void StampedQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+  const ReceiptClock::TimePoint time = clock_.receipt(steady_clock::now());
+  CallbackQueue::addCallback(boost::make_shared<Received>(callback, time), owner);
+}
+
+void CallbackThreads::start() {
+  for (int i = 0; i < count_; ++i) {
+    threads_.emplace_back([this] { run(); });
+  }
+}
+
+void CallbackThreads::stop() {
+  stopping_ = true;
+  queue_.disable();  // wakes the threads
+  for (std::thread& thread : threads_) {
+    thread.join();
+  }
+  threads_.clear();
+}
+
+void CallbackThreads::run() {
+  while (!stopping_) {
+    queue_.callOne(ros::WallDuration(3600));
+  }
+}
+
+}  // namespace aibo_driver::node

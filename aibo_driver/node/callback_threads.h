@@ -1,0 +1,114 @@
+/// @file callback_threads.h
+#ifndef AIBO_DRIVER_NODE_CALLBACK_THREADS_H
+#define AIBO_DRIVER_NODE_CALLBACK_THREADS_H
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace aibo_driver::node {
+
+/// Knows when messages and calls came. If a process was held up, it reads the messages that waited for it only
+/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did.
+class ReceiptClock {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// The time between two signs of life.
+  static constexpr std::chrono::milliseconds kPeriod{200};
+  /// After a longer gap between two signs of life, the process was held up.
+  static constexpr std::chrono::milliseconds kLongestGap{500};
+  /// After such a gap, everything that waited has been read within this time.
+  static constexpr std::chrono::milliseconds kCatchingUp{200};
+
+  ReceiptClock() = default;
+  ~ReceiptClock() { stop(); }
+
+  ReceiptClock(const ReceiptClock&) = delete;
+  ReceiptClock& operator=(const ReceiptClock&) = delete;
+
+  /// Starts a thread that gives the signs of life.
+  void start();
+  void stop();
+
+  /// When something that is read now came. If that is not known, the earliest possible time.
+  /// @param now the time of the steady clock
+  TimePoint receipt(TimePoint now);
+
+  /// From now on, signs of life are expected. Before this call, receipt() returns `now`.
+  void expectLife(TimePoint now);
+
+ private:
+  void noteLife(TimePoint now);
+
+  std::mutex mutex_;
+  std::condition_variable stopping_;
+  bool stops_ = false;
+  bool life_expected_ = false;
+  TimePoint last_;        ///< the last sign of life
+  TimePoint before_gap_;  ///< the last sign of life before the process was held up
+  TimePoint caught_up_;   ///< messages that are read before this time may be old
+  std::thread thread_;
+};
+
+/// When the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it is now.
+ReceiptClock::TimePoint receivedAt();
+
+/// A callback queue that notes when each callback came. It logs exceptions that callbacks throw.
+class StampedQueue : public ros::CallbackQueue {
+ public:
+  /// @param clock must outlive the queue
+  explicit StampedQueue(ReceiptClock& clock) : clock_(clock) {}
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override;
+
+ private:
+  ReceiptClock& clock_;
+};
+
+/// A callback queue with threads of its own. Topics and services of its handle never wait for the callbacks of another
+/// queue. Each callback knows when it came: see receivedAt().
+///
+/// The threads sleep until a callback comes. The threads of ros::AsyncSpinner wake up ten times a second each, which
+/// took half of an idle driver's processor time.
+class CallbackThreads {
+ public:
+  /// @param handle handle() gets its namespace
+  /// @param clock must outlive the queue
+  /// @param count the number of threads; with one thread, callbacks run one after the other
+  explicit CallbackThreads(const ros::NodeHandle& handle, ReceiptClock& clock, int count = 1)
+      : count_(count), queue_(clock), handle_(handle) {
+    handle_.setCallbackQueue(&queue_);
+  }
+  ~CallbackThreads() { stop(); }
+
+  CallbackThreads(const CallbackThreads&) = delete;
+  CallbackThreads& operator=(const CallbackThreads&) = delete;
+
+  const ros::NodeHandle& handle() const { return handle_; }
+
+  /// No callback runs before this call.
+  void start();
+
+  /// Waits for the callbacks that are running. After it returns, no callback runs.
+  void stop();
+
+ private:
+  void run();
+
+  const int count_;
+  StampedQueue queue_;
+  ros::NodeHandle handle_;
+  std::atomic<bool> stopping_{false};
+  std::vector<std::thread> threads_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CALLBACK_THREADS_H

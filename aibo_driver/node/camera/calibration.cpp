@@ -1,0 +1,217 @@
+#include "node/camera/calibration.h"
+
+#include <camera_calibration_parsers/parse.h>
+#include <ros/console.h>
+#include <ros/package.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdlib>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "aibo_client/exceptions.h"
+#include "aibo_client/jpeg_inspector.h"
+#include "node/camera/nominal_calibration.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using sensor_msgs::CameraInfo;
+
+// camera_info_manager has the same default.
+constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml";
+constexpr std::string_view kFileScheme = "file://";
+constexpr std::string_view kPackageScheme = "package://";
+
+constexpr std::size_t kMostCoefficients = 14;  // OpenCV has no model with more
+
+template <typename Numbers>
+bool allFinite(const Numbers& numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+bool isKnownModel(const std::string& model) {
+  return model.empty() || model == "plumb_bob" || model == "rational_polynomial" || model == "equidistant";
+}
+
+std::string sizeOf(std::uint32_t width, std::uint32_t height) {
+  return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::string sizeOf(const CameraInfo& info) {
+  return sizeOf(info.width, info.height);
+}
+
+bool isCalibrated(const CameraInfo& info) {
+  return info.K[0] != 0;  // CameraInfo.msg says that K[0] is 0 if there is no calibration
+}
+
+std::string environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : otherwise;
+}
+
+void replaceAll(const std::string& what, const std::string& with, std::string* text) {
+  for (std::size_t at = text->find(what); at != std::string::npos; at = text->find(what, at + with.size())) {
+    text->replace(at, what.size(), with);
+  }
+}
+
+CameraInfo load(const std::string& file) {
+  CameraInfo info;
+  std::string name;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) {
+    return {};
+  }
+  const bool read = camera_calibration_parsers::readCalibration(file, name, info);
+  const std::string problem = read ? problemOf(info) : "it cannot be read";
+  if (!problem.empty()) {
+    ROS_WARN_STREAM_NAMED("camera", "The calibration in " << file << " is left out: " << problem << ".");
+    return {};
+  }
+  return info;
+}
+
+void logCalibration(const CameraInfo& info, const std::string& file) {
+  if (isCalibrated(info)) {
+    ROS_INFO_STREAM_NAMED(
+        "camera", "The camera's calibration is that in " << file << ", for pictures of " << sizeOf(info) << ".");
+  } else {
+    ROS_INFO_STREAM_NAMED("camera", "There is no calibration in "
+                                        << file
+                                        << ": camera_info holds the nominal one, computed from the field of view that "
+                                           "Sony gives. docs/calibration.md shows how to calibrate the camera.");
+  }
+}
+
+}  // namespace
+
+std::string calibrationFile(const std::string& url, const std::string& camera_name) {
+  const std::string ros_home = environment("ROS_HOME", environment("HOME", "") + "/.ros");
+  const std::string parameter = "Parameter camera_info_url is '" + url + "', ";
+  std::string resolved = url.empty() ? kDefaultUrl : url;
+  replaceAll("${ROS_HOME}", ros_home, &resolved);
+  replaceAll("${NAME}", camera_name, &resolved);
+  const bool in_package = resolved.rfind(kPackageScheme, 0) == 0;
+  const std::size_t begin = in_package ? kPackageScheme.size() : kFileScheme.size();
+  const std::size_t slash = resolved.find('/', begin);
+  const bool is_file = slash != std::string::npos && slash + 1 < resolved.size() && resolved.back() != '/';
+  if (!is_file || resolved.find("${") != std::string::npos) {
+    throw aibo_client::InvalidArgumentException(
+        parameter +
+        "which does not name a file; allowed is file:///FILE.yaml, "
+        "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
+  }
+  if (!in_package) {
+    return resolved.substr(begin);
+  }
+  const std::string package = resolved.substr(begin, slash - begin);
+  const std::string folder = package.empty() ? "" : ros::package::getPath(package);
+  if (folder.empty()) {
+    throw aibo_client::InvalidArgumentException(parameter + "but there is no package '" + package +
+                                                "' here: is its workspace sourced? Or give file:///FILE.yaml.");
+  }
+  return folder + resolved.substr(slash);
+}
+
+std::string problemOf(const sensor_msgs::CameraInfo& info) {
+  if (info.width == 0 || info.height == 0 || info.width > aibo_client::kLargestPictureWidth ||
+      info.height > aibo_client::kLargestPictureHeight) {
+    return "the camera has no pictures of " + std::to_string(info.width) + "x" + std::to_string(info.height);
+  }
+  if (!isKnownModel(info.distortion_model)) {
+    return "the distortion model is not plumb_bob, rational_polynomial or equidistant";
+  }
+  if (info.D.size() > kMostCoefficients) {
+    return "no distortion model has " + std::to_string(info.D.size()) + " coefficients";
+  }
+  if (!allFinite(info.D) || !allFinite(info.K) || !allFinite(info.R) || !allFinite(info.P)) {
+    return "a number in it is not finite";
+  }
+  return {};
+}
+
+Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
+                         const std::string& design)
+    : camera_name_(camera_name), design_(design), file_(calibrationFile(url, camera_name)), stored_(load(file_)) {
+  logCalibration(stored_, file_);
+  service_ = ros::NodeHandle(camera_handle).advertiseService("set_camera_info", &Calibration::set, this);
+}
+
+void Calibration::pictureCame(std::uint32_t width, std::uint32_t height) {
+  if (pictureSize() != std::make_pair(width, height)) {
+    infoFor(width, height);
+  }
+}
+
+CameraInfo Calibration::infoFor(std::uint32_t width, std::uint32_t height) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  picture_width_ = width;
+  picture_height_ = height;
+  if (isCalibrated(stored_)) {
+    if (const std::optional<CameraInfo> scaled = scaleCalibration(stored_, width, height)) {
+      return *scaled;
+    }
+    if (!misfit_reported_) {
+      misfit_reported_ = true;
+      ROS_WARN_STREAM_NAMED("camera", "The calibration in "
+                                          << file_ << " is for pictures of " << sizeOf(stored_)
+                                          << ", but the robot sends " << sizeOf(width, height)
+                                          << ": camera_info holds the nominal one. Calibrate the camera again.");
+    }
+  }
+  return nominalCalibration(design_, width, height);
+}
+
+std::pair<std::uint32_t, std::uint32_t> Calibration::pictureSize() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return {picture_width_, picture_height_};
+}
+
+bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs::SetCameraInfo::Response& response) {
+  const std::string problem = store(request.camera_info);
+  response.success = problem.empty();
+  if (!response.success) {
+    response.status_message = "The calibration stays as it was: " + problem + ".";
+    warnings_.warn("set_camera_info was refused. " + response.status_message);
+    return true;
+  }
+  response.status_message = "The calibration is stored in " + file_ + ".";
+  news_.say("A calibration for pictures of " + sizeOf(request.camera_info) + " is stored in " + file_ +
+            " and used from now on.");
+  return true;
+}
+
+// @return why it was not stored; empty if it was stored
+std::string Calibration::store(const CameraInfo& info) {
+  const std::string problem = problemOf(info);
+  if (!problem.empty()) {
+    return problem;
+  }
+  if (!isCalibrated(info)) {
+    return "it is empty: K[0], the focal length, is 0";
+  }
+  const auto [width, height] = pictureSize();
+  if (width > 0 && !scaleCalibration(info, width, height)) {
+    return "it is for pictures of " + sizeOf(info) + ", but the robot sends " + sizeOf(width, height);
+  }
+  try {
+    if (!camera_calibration_parsers::writeCalibration(file_, camera_name_, info)) {
+      return file_ + " cannot be written";
+    }
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stored_ = info;
+  misfit_reported_ = false;
+  return {};
+}
+
+}  // namespace aibo_driver::node

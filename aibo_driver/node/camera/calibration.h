@@ -1,0 +1,81 @@
+/// @file calibration.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_CALIBRATION_H
+#define AIBO_DRIVER_NODE_CAMERA_CALIBRATION_H
+
+#include <ros/console.h>
+#include <ros/node_handle.h>
+#include <ros/service_server.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/SetCameraInfo.h>
+
+#include <cstdint>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "text/throttled_warnings.h"
+
+namespace aibo_driver::node {
+
+/// The camera's calibration, with the service set_camera_info. The nominal calibration takes its place until there is
+/// one, and while its size does not fit the robot's pictures (nominal_calibration.h).
+///
+/// The files are where camera_info_manager would have them. The service of camera_info_manager accepts and saves
+/// anything. This one refuses a message that cannot be a calibration of the robot's camera, and keeps the old
+/// calibration.
+class Calibration {
+ public:
+  /// @param camera_handle the camera's namespace
+  /// @param camera_name the name in the file
+  /// @param url the URL of the file: see calibrationFile()
+  /// @param design the robot's design: see nominalCalibration()
+  /// @throw InvalidArgumentException calibrationFile() throws it
+  Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
+              const std::string& design);
+
+  /// Call this for each picture, so that a calibration that does not fit is noticed even if nobody asks for it. Any
+  /// thread may call it.
+  void pictureCame(std::uint32_t width, std::uint32_t height);
+
+  /// The calibration for a picture, without a header. It always has the picture's size. Any thread may call it.
+  /// @param width, height the size of the picture, above 0
+  sensor_msgs::CameraInfo infoFor(std::uint32_t width, std::uint32_t height);
+
+ private:
+  bool set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs::SetCameraInfo::Response& response);
+  std::pair<std::uint32_t, std::uint32_t> pictureSize();
+  std::string store(const sensor_msgs::CameraInfo& info);
+
+  const std::string camera_name_;
+  const std::string design_;
+  const std::string file_;
+
+  std::mutex mutex_;
+  sensor_msgs::CameraInfo stored_;    ///< K[0] is 0 if there is none
+  bool misfit_reported_ = false;      ///< reported since stored_ was last changed
+  std::uint32_t picture_width_ = 0;   ///< the width of the latest picture; 0 before the first one
+  std::uint32_t picture_height_ = 0;  ///< the height of the latest picture; 0 before the first one
+
+  text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("camera", text); }};
+  text::ThrottledWarnings news_{[](const std::string& text) { ROS_INFO_STREAM_NAMED("camera", text); }};
+  ros::ServiceServer service_;
+};
+
+/// The file of a calibration. Any thread may call it.
+/// @param url file:///FILE or package://PACKAGE/FILE. ${ROS_HOME} stands for ~/.ros unless the environment has
+///   ROS_HOME. ${NAME} stands for the camera's name. An empty url means file://${ROS_HOME}/camera_info/${NAME}.yaml, as
+///   with camera_info_manager.
+/// @param camera_name the camera's name
+/// @throw InvalidArgumentException the url names no file, or the package does not exist
+std::string calibrationFile(const std::string& url, const std::string& camera_name);
+
+/// Finds out why a message cannot be a calibration of the robot's camera. The reasons are a size that is not between
+/// 1x1 and that of the largest picture (jpeg_inspector.h); a distortion model other than plumb_bob,
+/// rational_polynomial, equidistant and none; more than 14 coefficients; and numbers that are not finite. Any thread
+/// may call it.
+/// @return the problem, for a message to the user; empty if there is none
+std::string problemOf(const sensor_msgs::CameraInfo& info);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_CALIBRATION_H

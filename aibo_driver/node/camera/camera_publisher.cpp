@@ -1,0 +1,70 @@
+#include "node/camera/camera_publisher.h"
+
+#include <image_transport/camera_common.h>
+#include <sensor_msgs/CameraInfo.h>
+
+#include <cstdint>
+
+namespace aibo_driver::node {
+namespace {
+
+// The size of each subscriber's queue. At 30 pictures a second, a slow subscriber is at most 170 ms behind.
+constexpr std::uint32_t kPictureQueueSize = 5;
+
+}  // namespace
+
+CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                                 robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed)
+    : frame_id_(parameters.frame(parameters.frame_id)),
+      stamper_(robot_clock, parameters.time_offset),
+      calibration_(camera_handle, parameters.camera_name, parameters.camera_info_url, parameters.robot) {
+  ros::NodeHandle handle(camera_handle);
+  const std::string image_topic = handle.resolveName("image_raw");
+  const ros::SubscriberStatusCallback on_change = [subscribers_changed](const ros::SingleSubscriberPublisher&) {
+    subscribers_changed();
+  };
+  // The names are built from the resolved base name, so that remapping image_raw remaps these two as well.
+  compressed_publisher_ = handle.advertise<sensor_msgs::CompressedImage>(image_topic + "/compressed", kPictureQueueSize,
+                                                                         on_change, on_change);
+  camera_info_publisher_ = handle.advertise<sensor_msgs::CameraInfo>(image_transport::getCameraInfoTopic(image_topic),
+                                                                     kPictureQueueSize, on_change, on_change);
+}
+
+sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, bool is_wanted) {
+  const bool has_listeners = compressed_publisher_.getNumSubscribers() > 0;
+  sensor_msgs::CompressedImageConstPtr message;
+  if (has_listeners || is_wanted) {
+    message = boost::make_shared<sensor_msgs::CompressedImage>(toMessage(picture));
+  }
+  if (has_listeners) {
+    compressed_publisher_.publish(message);
+  }
+  calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));
+  if (camera_info_publisher_.getNumSubscribers() > 0) {
+    publishCameraInfo(picture);
+  }
+  return message;
+}
+
+sensor_msgs::CompressedImage CameraPublisher::toMessage(const Picture& picture) {
+  sensor_msgs::CompressedImage message;
+  message.header.stamp = stamper_.stamp(picture);
+  message.header.frame_id = frame_id_;
+  message.format = kFormat;
+  message.data = picture.jpeg;
+  return message;
+}
+
+bool CameraPublisher::hasSubscribers() const {
+  return compressed_publisher_.getNumSubscribers() > 0 || camera_info_publisher_.getNumSubscribers() > 0;
+}
+
+void CameraPublisher::publishCameraInfo(const Picture& picture) {
+  const auto message = boost::make_shared<sensor_msgs::CameraInfo>(
+      calibration_.infoFor(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height)));
+  message->header.stamp = stamp(picture);
+  message->header.frame_id = frame_id_;
+  camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
+}
+
+}  // namespace aibo_driver::node

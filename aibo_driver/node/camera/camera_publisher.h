@@ -1,0 +1,67 @@
+/// @file camera_publisher.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_CAMERA_PUBLISHER_H
+#define AIBO_DRIVER_NODE_CAMERA_CAMERA_PUBLISHER_H
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "aibo_client/picture.h"
+#include "node/camera/calibration.h"
+#include "node/driver_parameters.h"
+#include "node/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+using aibo_client::Picture;
+
+/// Publishes each picture as the robot sent it (image_raw/compressed), and a camera_info of its size with the same
+/// header: see Calibration.
+class CameraPublisher {
+ public:
+  /// The format of all pictures. It makes image_transport's decoders deliver the same encoding as our image_raw. A
+  /// plain "jpeg" means bgr8 to some releases of compressed_image_transport and rgb8 to others.
+  static constexpr const char* kFormat = "bgr8; jpeg compressed bgr8";
+
+  /// @param camera_handle the camera's namespace
+  /// @param robot_clock must outlive the publisher; if it is null, the stamp of a picture is its time of arrival
+  /// @param subscribers_changed called from camera_handle's callback queue when a subscriber comes or goes
+  /// @throw InvalidArgumentException camera_info_url is wrong: see Calibration
+  CameraPublisher(const ros::NodeHandle& camera_handle, const DriverParameters& parameters,
+                  robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
+
+  /// Publishes a picture to its subscribers. It never blocks. Only one thread at a time may call it.
+  /// @param is_wanted true if the caller needs the message, too
+  /// @return the message; null if nobody needs it
+  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture, bool is_wanted);
+
+  /// The picture as a message. The same picture gets the same header each time. Any thread may call it.
+  sensor_msgs::CompressedImage toMessage(const Picture& picture);
+
+  /// The stamp of the picture's messages. Call this for each picture, even if nobody listens: all pictures tell us the
+  /// robot's clock. Any thread may call it.
+  ros::Time stamp(const Picture& picture) { return stamper_.stamp(picture); }
+
+  const std::string& frameId() const { return frame_id_; }
+
+  /// See RobotStamper::takenAt(). Any thread may call it.
+  std::optional<RobotStamper::SteadyTime> takenAt(const Picture& picture) { return stamper_.takenAt(picture); }
+
+  bool hasSubscribers() const;
+
+ private:
+  void publishCameraInfo(const Picture& picture);
+
+  const std::string frame_id_;
+  RobotStamper stamper_;
+  Calibration calibration_;
+  ros::Publisher compressed_publisher_;
+  ros::Publisher camera_info_publisher_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_CAMERA_PUBLISHER_H

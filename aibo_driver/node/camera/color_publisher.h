@@ -1,0 +1,55 @@
+/// @file color_publisher.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_COLOR_PUBLISHER_H
+#define AIBO_DRIVER_NODE_CAMERA_COLOR_PUBLISHER_H
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <mutex>
+
+#include "aibo_client/colors.h"
+#include "node/camera/color_messages.h"
+#include "node/driver_parameters.h"
+#include "node/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+/// Publishes what the robot's camera detects: color_regions, and color_mask as an image. The robot detects only while
+/// one of them has a subscriber. It sends the mask only while color_mask has one. Any thread may call every function.
+class ColorPublisher {
+ public:
+  /// @param handle the driver's namespace
+  /// @param robot_clock must outlive the publisher; if it is null, the stamp of a message is its time of arrival
+  ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                 robot_time::RobotClock* robot_clock);
+
+  /// Tells `detect` what the robot should send, now and whenever a subscriber comes or goes.
+  /// @param detect must not block
+  void start(std::function<void(const aibo_client::ColorDetection&)> detect);
+
+  /// After it returns, `detect` is not running and is not called any more.
+  void stop();
+
+  /// Call this when a channel has another table. The channel's pixels in color_mask then get the table's colour.
+  /// @param table null if the channel has none
+  void setTable(int channel, const aibo_client::ColorTablePtr& table);
+
+  /// It never blocks.
+  void publish(const aibo_client::DetectedColors& colors);
+
+ private:
+  void subscribersChanged();
+
+  const std::string frame_id_;
+  const int every_nth_image_;
+  RobotStamper stamper_;
+  std::mutex mutex_;
+  std::function<void(const aibo_client::ColorDetection&)> detect_;  ///< empty unless start() was called
+  ChannelColors channel_colors_;
+  ros::Publisher regions_;
+  ros::Publisher mask_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_COLOR_PUBLISHER_H

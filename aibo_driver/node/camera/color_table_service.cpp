@@ -1,0 +1,79 @@
+#include "node/camera/color_table_service.h"
+
+#include <ros/console.h>
+
+#include <algorithm>
+#include <memory>
+#include <sstream>
+#include <utility>
+
+#include "node/camera/color_table_file.h"
+#include "node/service_answer.h"
+#include "text/plain_text.h"
+
+namespace aibo_driver::node {
+
+using aibo_client::ColorTable;
+using aibo_client::ColorTablePtr;
+
+ColorTableService::ColorTableService(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
+                                     std::function<void(int channel, const ColorTablePtr& table)> loaded)
+    : model_(model), client_(client), loaded_(std::move(loaded)) {}
+
+void ColorTableService::loadAtStart(const std::string& tables) {
+  std::string names = tables;
+  std::replace(names.begin(), names.end(), ',', ' ');
+  std::istringstream words(names);
+  int channel = 0;
+  for (std::string name; words >> name; ++channel) {
+    try {
+      setTable(channel, std::make_shared<ColorTable>(loadColorTable(name)));
+    } catch (const aibo_client::Exception& error) {
+      ROS_ERROR_STREAM("The colour table '"
+                       << text::plainLine(name)
+                       << "' of the parameter color_tables is not loaded: " << text::plainLine(error.what(), 500));
+    }
+  }
+}
+
+void ColorTableService::advertise(const ros::NodeHandle& handle) {
+  service_ = ros::NodeHandle(handle).advertiseService("load_color_table", &ColorTableService::load, this);
+}
+
+bool ColorTableService::load(LoadColorTable::Request& request, LoadColorTable::Response& response) {
+  return answer(response, "No table was loaded", [&] { return carryOut(request); });
+}
+
+std::string ColorTableService::carryOut(const LoadColorTable::Request& request) {
+  if (!request.file.empty() && !request.table.empty()) {
+    throw ColorTableException("file and table are both given; leave one of them empty.");
+  }
+  ColorTablePtr table;
+  if (!request.file.empty()) {
+    table = std::make_shared<ColorTable>(loadColorTable(request.file));
+  } else if (!request.table.empty()) {
+    table = std::make_shared<ColorTable>(parseColorTable(request.table, "table"));
+  }
+  const std::string done = setTable(request.channel, table);
+  const aibo_client::ConnectionStatus status = client_.status();
+  if (status.state != aibo_client::ConnectionState::kConnected) {
+    return done + ". There is no connection now; the robot gets it with the next one.";
+  }
+  if (!status.robot.hasCapability("Z")) {
+    throw ColorTableException("the robot's server detects no colours. It needs a newer RCServer; the table is kept.");
+  }
+  return done + ". The robot gets it while color_regions or color_mask has a subscriber.";
+}
+
+/// @return what the channel detects now
+std::string ColorTableService::setTable(int channel, const ColorTablePtr& table) {
+  if (channel >= model_.number_of_color_channels) {
+    throw ColorTableException("there is no channel " + std::to_string(channel) + ": an " + model_.design +
+                              " has the channels 0 to " + std::to_string(model_.number_of_color_channels - 1) + ".");
+  }
+  client_.setColorTable(channel, table);
+  loaded_(channel, table);
+  return "Channel " + std::to_string(channel) + " detects " + (table ? table->name : "nothing");
+}
+
+}  // namespace aibo_driver::node

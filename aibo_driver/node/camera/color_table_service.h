@@ -1,0 +1,48 @@
+/// @file color_table_service.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_COLOR_TABLE_SERVICE_H
+#define AIBO_DRIVER_NODE_CAMERA_COLOR_TABLE_SERVICE_H
+
+#include <aibo_driver/LoadColorTable.h>
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <string>
+
+#include "aibo_client/rcserver_client.h"
+#include "robot_model/robot_model.h"
+
+namespace aibo_driver::node {
+
+/// The tables of the colour detection: the ones loaded at the start, and the service load_color_table.
+class ColorTableService {
+ public:
+  /// @param model of the robot
+  /// @param model, client must outlive the object
+  /// @param loaded called with each table that a channel gets; with null if the channel has none any more
+  ColorTableService(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
+                    std::function<void(int channel, const aibo_client::ColorTablePtr& table)> loaded);
+
+  /// Loads tables for the channels 0, 1 and so on. If a table cannot be loaded, this is logged and its channel stays
+  /// empty.
+  /// @param tables files or names for loadColorTable(), separated by blanks or commas
+  void loadAtStart(const std::string& tables);
+
+  /// @param handle the driver's namespace
+  void advertise(const ros::NodeHandle& handle);
+
+  /// Carries out a call of the service.
+  bool load(LoadColorTable::Request& request, LoadColorTable::Response& response);
+
+ private:
+  std::string carryOut(const LoadColorTable::Request& request);
+  std::string setTable(int channel, const aibo_client::ColorTablePtr& table);
+
+  const robot_model::RobotModel& model_;
+  aibo_client::RcServerClient& client_;
+  const std::function<void(int channel, const aibo_client::ColorTablePtr& table)> loaded_;
+  ros::ServiceServer service_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_COLOR_TABLE_SERVICE_H

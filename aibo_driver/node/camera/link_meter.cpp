@@ -1,0 +1,59 @@
+#include "node/camera/link_meter.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace aibo_driver::node {
+namespace {
+
+double secondsBetween(LinkMeter::SteadyTime begin, LinkMeter::SteadyTime end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+}  // namespace
+
+void LinkMeter::add(const aibo_client::Picture& picture, double age, int every_nth_image, SteadyTime now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  ++current_.pictures;
+  current_.bytes += picture.jpeg.size();
+  current_.longest_gap = std::max(current_.longest_gap, secondsBetween(last_, now));
+  last_ = now;
+  if (picture.frame_number) {
+    ++aged_;
+    age_sum_ += age;
+    current_.worst_age = std::max(current_.worst_age.value_or(age), age);
+  }
+  if (const std::uint64_t due = imagesDue(picture, every_nth_image); due > 0) {
+    ++counted_;
+    due_ += due;
+  }
+}
+
+// For the first picture of a connection, it is not known how many images were due. The same holds if the count goes
+// back.
+std::uint64_t LinkMeter::imagesDue(const aibo_client::Picture& picture, int every_nth_image) {
+  const std::optional<std::uint32_t> before =
+      picture.connection_number == connection_number_ ? last_image_ : std::nullopt;
+  connection_number_ = picture.connection_number;
+  last_image_ = picture.image_count;
+  if (!before || !picture.image_count || *picture.image_count <= *before) {
+    return 0;
+  }
+  return std::max<std::uint64_t>((*picture.image_count - *before) / static_cast<std::uint32_t>(every_nth_image), 1);
+}
+
+LinkMeter::Reading LinkMeter::read(SteadyTime now) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Reading reading = std::exchange(current_, Reading());
+  reading.seconds = secondsBetween(std::exchange(begin_, now), now);
+  reading.longest_gap = std::max(reading.longest_gap, secondsBetween(last_, now));
+  if (aged_ > 0) {
+    reading.mean_age = std::exchange(age_sum_, 0) / static_cast<double>(std::exchange(aged_, 0));
+  }
+  if (due_ > 0) {
+    reading.loss = 1 - static_cast<double>(std::exchange(counted_, 0)) / static_cast<double>(std::exchange(due_, 0));
+  }
+  return reading;
+}
+
+}  // namespace aibo_driver::node

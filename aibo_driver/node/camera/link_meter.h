@@ -1,0 +1,62 @@
+/// @file link_meter.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_LINK_METER_H
+#define AIBO_DRIVER_NODE_CAMERA_LINK_METER_H
+
+#include <chrono>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+
+#include "aibo_client/picture.h"
+
+namespace aibo_driver::node {
+
+/// Measures a stream of pictures: how many come, how old they are, and how many are missing. Any thread may call every
+/// function.
+class LinkMeter {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  struct Reading {
+    double seconds = 0;
+    std::uint64_t pictures = 0;
+    std::uint64_t bytes = 0;
+    /// s, the average age of a picture. It is empty if there are no pictures, or if the server does not send frame
+    /// numbers (version 1).
+    std::optional<double> mean_age;
+    std::optional<double> worst_age;  ///< s
+    std::optional<double> loss;       ///< 0..1, the part of the requested images that did not come; empty if not known
+    double longest_gap = 0;           ///< s, between two pictures, or since the last one
+
+    double picturesPerSecond() const { return seconds > 0 ? static_cast<double>(pictures) / seconds : 0; }
+    double kilobytesPerSecond() const { return seconds > 0 ? static_cast<double>(bytes) / seconds / 1000 : 0; }
+  };
+
+  explicit LinkMeter(SteadyTime now) : begin_(now), last_(now) {}
+
+  /// Call this for each picture.
+  /// @param age s, from when the picture was taken until now; it counts only if the picture has a frame number
+  /// @param every_nth_image the robot is asked for every nth image of its camera; 1 or more
+  void add(const aibo_client::Picture& picture, double age, int every_nth_image, SteadyTime now);
+
+  /// Returns what was measured since the last call.
+  Reading read(SteadyTime now);
+
+ private:
+  std::uint64_t imagesDue(const aibo_client::Picture& picture, int every_nth_image);
+
+  std::mutex mutex_;
+  SteadyTime begin_;
+  SteadyTime last_;  ///< when the last picture came
+  Reading current_;
+  std::uint64_t aged_ = 0;  ///< pictures of which we know when they were taken
+  double age_sum_ = 0;
+  std::uint64_t counted_ = 0;  ///< pictures of which we know how many were due
+  std::uint64_t due_ = 0;      ///< how many pictures were due, including those that did not come
+  std::uint64_t connection_number_ = 0;
+  std::optional<std::uint32_t> last_image_;  ///< the camera's count of the newest image of this connection
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_LINK_METER_H

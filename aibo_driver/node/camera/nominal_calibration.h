@@ -1,0 +1,37 @@
+/// @file nominal_calibration.h
+/// A calibration for a camera that nobody has calibrated, and the same calibration for other sizes of pictures.
+#ifndef AIBO_DRIVER_NODE_CAMERA_NOMINAL_CALIBRATION_H
+#define AIBO_DRIVER_NODE_CAMERA_NOMINAL_CALIBRATION_H
+
+#include <sensor_msgs/CameraInfo.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace aibo_driver::node {
+
+/// The calibration of an ideal camera that has the field of view given by Sony. It has no distortion, and its optical
+/// axis is in the middle of the picture.
+///
+/// ERS-7: 56.9 x 45.2 degrees (Model Information ERS-7). For pictures of 208x160 this gives fx = 104 / tan(28.45
+/// degrees) = 191.9 and fy = 80 / tan(22.6 degrees) = 192.2. Tekkotsu publishes the calibration of one real ERS-7
+/// (tekkotsu.xml): fx 198.8, fy 200.3, cx 102.7, cy 85.0 and a barrel distortion (k1 -0.147, k2 0.385). We use Sony's
+/// figures because Tekkotsu's are of one robot only; they differ by 4 %. The simulated camera has the same field of
+/// view.
+/// ERS-210: 57.6 x 47.8 degrees (Model Information ERS-210).
+///
+/// Any thread may call it.
+/// @param design the robot's design, "ERS-7" or "ERS-210"
+/// @param width, height the size of the pictures, above 0; every size shows the whole field of view
+sensor_msgs::CameraInfo nominalCalibration(const std::string& design, std::uint32_t width, std::uint32_t height);
+
+/// The same calibration for pictures of another size, which show the same field of view. Any thread may call it.
+/// @param width, height the size of the pictures, above 0
+/// @return empty unless both sides are multiplied, or both are divided, by the same whole number
+std::optional<sensor_msgs::CameraInfo> scaleCalibration(const sensor_msgs::CameraInfo& info, std::uint32_t width,
+                                                        std::uint32_t height);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_NOMINAL_CALIBRATION_H

@@ -1,0 +1,89 @@
+#include "node/camera/stream_adapter.h"
+
+#include <ros/console.h>
+
+#include <cstdio>
+
+#include "node/camera/camera_options.h"
+
+namespace aibo_driver::node {
+namespace {
+
+std::string rateOf(int every_nth_image) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f", frameRateOf(every_nth_image));
+  return text;
+}
+
+int inMilliseconds(double seconds) {
+  return static_cast<int>(1000 * seconds);
+}
+
+}  // namespace
+
+StreamAdapter::StreamAdapter(aibo_client::RcServerClient& client)
+    : client_(client), log_([](const std::string& text) { ROS_INFO_STREAM(text); }) {}
+
+void StreamAdapter::setWish(const Wish& wish) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (wish_ && *wish_ == wish) {
+    return;
+  }
+  wish_ = wish;
+  has_said_why_not_ = false;
+  const AdaptiveStream::Step best{wish.jpeg_quality, wish.format.every_nth_image};
+  stream_.reset();
+  if (wish.adaptive) {
+    const std::chrono::duration<double> max_age(wish.max_picture_age);
+    stream_.emplace(best, std::chrono::duration_cast<AdaptiveStream::Duration>(max_age));
+  }
+  ask(best);
+}
+
+void StreamAdapter::picturePublished(SteadyTime now, std::optional<SteadyTime> taken) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (!stream_) {
+    return;
+  }
+  if (!taken) {
+    if (!has_said_why_not_) {
+      ROS_WARN(
+          "adaptive has no effect: the age of the pictures is not known. It needs a robot that speaks version 2, and "
+          "use_robot_time.");
+      has_said_why_not_ = true;
+    }
+    return;
+  }
+  if (const auto step = stream_->pictureArrived(now, now - *taken)) {
+    ask(*step);
+    const double age = std::chrono::duration<double>(now - *taken).count();
+    log_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, allowed are " +
+              std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms: the stream is " + describeStep() + ".");
+  }
+}
+
+int StreamAdapter::wishedQuality() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return wish_ ? wish_->jpeg_quality : client_.jpegQuality();
+}
+
+std::string StreamAdapter::describe() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return stream_ ? describeStep() : "off";
+}
+
+void StreamAdapter::ask(const AdaptiveStream::Step& step) {
+  client_.setJpegQuality(step.jpeg_quality);
+  client_.setStreamFormat({wish_->format.resolution, step.every_nth_image});
+}
+
+std::string StreamAdapter::describeStep() const {
+  if (!stream_->isLowered()) {
+    return "not lowered";
+  }
+  const AdaptiveStream::Step& step = stream_->inForce();
+  return "lowered to quality " + std::to_string(step.jpeg_quality) + " of " + std::to_string(wish_->jpeg_quality) +
+         " and " + rateOf(step.every_nth_image) + " of " + rateOf(wish_->format.every_nth_image) + " pictures/s";
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,65 @@
+/// @file stream_adapter.h
+#ifndef AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H
+#define AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H
+
+#include <chrono>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "aibo_client/rcserver_client.h"
+#include "node/camera/adaptive_stream.h"
+#include "text/throttled_warnings.h"
+
+namespace aibo_driver::node {
+
+/// Asks the robot for the quality and rate that the user wants. With ~adaptive, it asks for as much of them as the link
+/// carries in time (AdaptiveStream). Any thread may call every function.
+class StreamAdapter {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  struct Wish {
+    int jpeg_quality = 85;  ///< 1..100
+    aibo_client::StreamFormat format;
+    bool adaptive = false;
+    double max_picture_age = 0.15;  ///< s
+
+    bool operator==(const Wish& other) const {
+      return jpeg_quality == other.jpeg_quality && format == other.format && adaptive == other.adaptive &&
+             max_picture_age == other.max_picture_age;
+    }
+  };
+
+  /// @param client must outlive the adapter
+  explicit StreamAdapter(aibo_client::RcServerClient& client);
+
+  /// A new wish takes effect at once. An unchanged wish does nothing.
+  void setWish(const Wish& wish);
+
+  /// Call this when a picture has been published. It may ask the client for another stream, which does not block.
+  /// @param taken when the robot took the picture; empty if that is not known, and then nothing can be adapted
+  void picturePublished(SteadyTime now, std::optional<SteadyTime> taken);
+
+  /// The quality that the user wants. It is also the default of take_picture.
+  int wishedQuality() const;
+
+  /// Says for the diagnostics whether and how the stream is adapted now: "off", "not lowered", "lowered to quality 50
+  /// of 85 and 15.0 of 30.0 pictures/s".
+  std::string describe() const;
+
+ private:
+  void ask(const AdaptiveStream::Step& step);
+  std::string describeStep() const;
+
+  aibo_client::RcServerClient& client_;
+  mutable std::mutex mutex_;  // guards all members below
+  std::optional<Wish> wish_;
+  std::optional<AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
+  bool has_said_why_not_ = false;
+  text::ThrottledWarnings log_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_CAMERA_STREAM_ADAPTER_H

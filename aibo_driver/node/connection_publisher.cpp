@@ -1,0 +1,89 @@
+#include "node/connection_publisher.h"
+
+#include <std_msgs/Bool.h>
+
+#include <cstdint>
+
+namespace aibo_driver::node {
+
+using aibo_client::ClientOptions;
+using aibo_client::ConnectionState;
+using aibo_client::ConnectionStatus;
+
+namespace {
+
+std::uint8_t stateConstant(ConnectionState state) {
+  switch (state) {
+    case ConnectionState::kConnected:
+      return Connection::CONNECTED;
+    case ConnectionState::kConnecting:
+      return Connection::CONNECTING;
+    case ConnectionState::kDisconnected:
+      break;
+  }
+  return Connection::DISCONNECTED;
+}
+
+}  // namespace
+
+std::string robotAddress(const ClientOptions& options) {
+  return options.host + ":" + std::to_string(options.port);
+}
+
+std::string describeConnection(const ConnectionStatus& status, const ClientOptions& options) {
+  std::string text;
+  switch (status.state) {
+    case ConnectionState::kConnected:
+      return "connected to " + robotAddress(options) + ", protocol version " + std::to_string(status.protocol_version);
+    case ConnectionState::kConnecting:
+      text = "connecting to " + robotAddress(options);
+      break;
+    case ConnectionState::kDisconnected:
+      text = "not connected to " + robotAddress(options);
+      break;
+  }
+  if (!status.reason.empty()) {
+    text += ": " + status.reason;
+  }
+  if (!status.advice.empty()) {
+    text += " (" + status.advice + ")";
+  }
+  return text;
+}
+
+ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options)
+    : options_(options) {
+  ros::NodeHandle topics(handle);
+  constexpr bool kLatched = true;
+  connection_ = topics.advertise<Connection>("connection", 1, kLatched);
+  streaming_ = topics.advertise<std_msgs::Bool>("streaming", 1, kLatched);
+  publish(ConnectionStatus());
+  publishStreaming(false);
+}
+
+void ConnectionPublisher::publish(const ConnectionStatus& status) {
+  Connection message;
+  message.state = stateConstant(status.state);
+  message.text = describeConnection(status, options_);
+  message.host = options_.host;
+  message.port = static_cast<std::uint16_t>(options_.port);
+  message.robot = status.robot.design;
+  message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
+  message.reason = status.reason;
+  message.advice = status.advice;
+  if (last_ && *last_ == message) {
+    // The message does not contain what has changed. A robot could change it endlessly.
+    return;
+  }
+  last_ = message;
+  message.header.stamp = ros::Time::now();
+  connection_.publish(message);
+}
+
+void ConnectionPublisher::publishStreaming(bool streaming) {
+  std_msgs::Bool message;
+  message.data = streaming;
+  streaming_.publish(message);
+}
+
+}  // namespace aibo_driver::node

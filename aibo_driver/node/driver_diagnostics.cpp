@@ -1,0 +1,268 @@
+#include "node/driver_diagnostics.h"
+
+#include <diagnostic_msgs/DiagnosticArray.h>
+#include <diagnostic_msgs/DiagnosticStatus.h>
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "node/camera/camera_options.h"
+#include "node/connection_publisher.h"
+
+namespace aibo_driver::node {
+
+using aibo_client::ClientStatistics;
+using aibo_client::ConnectionState;
+using aibo_client::ConnectionStatus;
+
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
+
+std::string oneDecimal(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f", value);
+  return text;
+}
+
+// A stream that has just begun or has a short gap is not faulty.
+constexpr double kSlowTime = 2.0;  // seconds
+
+// If pictures are older than this, it is hard to drive a robot by hand.
+constexpr double kLate = 0.25;  // seconds
+
+void reportDelay(const robot_time::RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
+  if (reading.mean_delay > kLate) {
+    status.mergeSummary(DiagnosticStatus::WARN, "the robot's data is " + oneDecimal(1000 * reading.mean_delay) +
+                                                    " ms late on average: is the radio link weak, or this computer "
+                                                    "busy?");
+  }
+  status.addf("delay beyond the shortest, mean ms", "%.1f", 1000 * reading.mean_delay);
+  status.addf("delay beyond the shortest, longest ms", "%.1f", 1000 * reading.longest_delay);
+  status.addf("drift of the robot's clock, ppm", "%.0f", -1e6 * reading.drift);
+  status.add("timelines begun", reading.timelines);
+}
+
+const char* yesOrNo(bool value) {
+  return value ? "yes" : "no";
+}
+
+}  // namespace
+
+DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
+                                     const std::string& name, const Sources& sources)
+    : sources_(sources),
+      topic_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
+      updater_(std::make_unique<diagnostic_updater::Updater>(handle, private_handle, name)) {
+  updater_->setHardwareID(robotAddress(sources_.parameters.client));
+  updater_->add("connection", this, &DriverDiagnostics::reportConnection);
+  updater_->add("stream", this, &DriverDiagnostics::reportStream);
+  updater_->add("joints", this, &DriverDiagnostics::reportJoints);
+  updater_->add("sound", this, &DriverDiagnostics::reportSound);
+  updater_->add("power", this, &DriverDiagnostics::reportPower);
+}
+
+DriverDiagnostics::~DriverDiagnostics() = default;
+
+// A listener who comes later gets what happened within the last second, not everything since the start.
+void DriverDiagnostics::publish() {
+  period_ = takePeriod();
+  if (topic_.getNumSubscribers() > 0) {
+    updater_->force_update();
+  }
+}
+
+DriverDiagnostics::Period DriverDiagnostics::takePeriod() {
+  const ClientStatistics client = sources_.client.statistics();
+  const ClientStatistics before = std::exchange(client_before_, client);
+  const std::uint64_t undecodable = sources_.raw_images.statistics().decode_errors;
+  const auto now = std::chrono::steady_clock::now();
+  const std::chrono::duration<double> passed = now - std::exchange(period_began_, now);
+  Period period;
+  if (sources_.client.streaming()) {
+    period.asked_rate = frameRateOf(sources_.client.streamFormat().every_nth_image);
+  }
+  period.stream = sources_.meter.read(period.asked_rate);
+  period.delay = sources_.robot_clock.read();
+  period.damaged =
+      client.corrupt_pictures - before.corrupt_pictures + undecodable - std::exchange(undecodable_before_, undecodable);
+  period.measurement_rate = static_cast<double>(client.telemetry - before.telemetry) / passed.count();
+  period.impossible = client.impossible_values - before.impossible_values;
+  period.sound_rate = static_cast<double>(client.sounds - before.sounds) / passed.count();
+  period.sound_gaps = client.sound_gaps - before.sound_gaps;
+  period.thinned = client.thinned_telemetry - before.thinned_telemetry;
+  return period;
+}
+
+void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics statistics = sources_.client.statistics();
+  const bool connected = connection.state == ConnectionState::kConnected;
+  // Until the first attempt has ended, nothing has gone wrong.
+  const bool failed = !connected && !connection.reason.empty();
+  const auto level = connected ? DiagnosticStatus::OK : failed ? DiagnosticStatus::ERROR : DiagnosticStatus::WARN;
+  status.summary(level, describeConnection(connection, sources_.parameters.client));
+  status.add("host", sources_.parameters.client.host);
+  status.add("port", sources_.parameters.client.port);
+  status.add("protocol version", connection.protocol_version);
+  status.add("reason", connection.reason);
+  status.add("what to check", connection.advice);
+  status.add("connections made", statistics.connections);
+  status.add("attempts failed", statistics.failed_attempts);
+  status.add("streams given up for silence", statistics.stalls);
+  status.add("protocol errors", statistics.protocol_errors);
+  status.add("bytes received", statistics.bytes_received);
+}
+
+void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
+  const StreamMeter::Reading& reading = period_.stream;
+  const ClientStatistics client = sources_.client.statistics();
+  const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
+  summarizeStream(status);
+  reportDelay(period_.delay, status);
+  reportTransport(status);
+  status.add("stream wanted", yesOrNo(sources_.policy.wanted()));
+  status.add("streaming", yesOrNo(sources_.client.streaming()));
+  status.add("adaptive", sources_.adapter.describe());
+  status.add("quality asked for", sources_.client.jpegQuality());
+  status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
+  status.add("pictures per second asked for", oneDecimal(period_.asked_rate));
+  status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
+  status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
+  status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
+  status.add("pictures received", client.pictures);
+  status.add("pictures damaged", client.corrupt_pictures);
+  status.add("pictures nobody asked for", client.unexpected_pictures);
+  status.add("pictures dropped for newer ones", client.stale_pictures);
+  status.add("images decoded", raw.published);
+  status.add("images not decodable", raw.decode_errors);
+  status.add("images dropped for newer ones", raw.skipped);
+}
+
+// The stream works even if pictures come by TCP instead, but the user has to know.
+void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics client = sources_.client.statistics();
+  if (!connection.transport_problem.empty()) {
+    status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
+  }
+  status.add("transport", nameOf(connection.transport));
+  status.add("why not udp", connection.transport_problem);
+  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
+    return;
+  }
+  status.add("datagrams received", client.datagrams);
+  status.add("datagrams lost", client.lost_datagrams);
+  status.add("datagrams out of order", client.reordered_datagrams);
+  status.add("datagrams that came twice", client.duplicate_datagrams);
+  status.add("datagrams that are no part of a picture", client.bad_datagrams);
+  status.add("datagrams from strangers", client.foreign_datagrams);
+  status.add("lost datagrams that were repaired", client.repaired_datagrams);
+  status.add("pictures lost with a datagram", client.lost_pictures);
+}
+
+void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
+  const StreamMeter::Reading& reading = period_.stream;
+  if (period_.damaged > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
+                                               " damaged pictures dropped: is the RCServer on the robot the one that "
+                                               "belongs to this driver, and its memory stick in order?");
+  } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
+    status.summary(DiagnosticStatus::WARN, "only " + oneDecimal(reading.picturesPerSecond()) + " of " +
+                                               oneDecimal(period_.asked_rate) +
+                                               " pictures/s: is the radio link weak, or the robot or this computer "
+                                               "busy?");
+  } else if (reading.pictures > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
+                                             oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
+  } else if (!sources_.policy.wanted()) {
+    status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
+  } else if (sources_.policy.waitsForSubscriber()) {
+    status.summary(DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
+  } else if (!sources_.client.streaming()) {
+    status.summary(DiagnosticStatus::WARN, "no pictures: the robot is not connected");
+  } else {
+    status.summary(DiagnosticStatus::WARN, "no pictures although the stream is on: does the robot's camera run?");
+  }
+}
+
+void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
+  const ConnectionStatus connection = sources_.client.status();
+  const ClientStatistics client = sources_.client.statistics();
+  if (connection.state != ConnectionState::kConnected) {
+    status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
+  } else if (!connection.robot.design.empty() && connection.robot.design != sources_.parameters.robot) {
+    status.summary(DiagnosticStatus::ERROR, "commands are refused: the robot says that it is an " +
+                                                connection.robot.design + ", but the parameter robot is " +
+                                                sources_.parameters.robot);
+  } else if (!connection.robot_message.empty()) {
+    status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
+  } else if (period_.impossible > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.impossible) +
+                                               " impossible values dropped, which the log names: is that part of the "
+                                               "robot broken, or does its RCServer not belong to this driver?");
+  } else if (period_.thinned > 0) {
+    status.summary(DiagnosticStatus::WARN, std::to_string(period_.thinned) +
+                                               " measurements dropped: the robot sends more than twice as many as it "
+                                               "was asked for");
+  } else if (sources_.settings.telemetryPeriod() == 0) {
+    status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
+  } else if (period_.measurement_rate > 0) {
+    status.summary(DiagnosticStatus::OK, oneDecimal(period_.measurement_rate) + " measurements/s");
+  } else {
+    status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
+  }
+  reportWhatCannotMove(status);
+  status.add("measurements per second", oneDecimal(period_.measurement_rate));
+  status.add("measurements received", client.telemetry);
+  status.add("measurements dropped for newer ones", client.dropped_telemetry);
+  status.add("measurements dropped, more than asked for", client.thinned_telemetry);
+  status.add("impossible values dropped", client.impossible_values);
+  status.add("requests refused by the robot", client.refusals);
+  status.add("robot", connection.robot.design);
+  status.add("server", connection.robot.server);
+  status.add("said by the robot", connection.robot_message);
+}
+
+void DriverDiagnostics::reportWhatCannotMove(DiagnosticStatusWrapper& status) const {
+  const movement::Mover::State state = sources_.mover.state();
+  if (state.stopped_by) {
+    status.mergeSummary(DiagnosticStatus::WARN, "stopped by " + *state.stopped_by +
+                                                    ": nothing moves the robot until "
+                                                    "release is called");
+  }
+  if (state.robot.motors == aibo_client::MotorState::kOff) {
+    status.mergeSummary(DiagnosticStatus::WARN, "the motors are off: call motors, stand or sit to switch them on");
+  }
+}
+
+void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
+  const ClientStatistics client = sources_.client.statistics();
+  const bool listens = sources_.microphone.hasSubscribers();
+  if (!listens) {
+    status.summary(DiagnosticStatus::OK, "idle: microphone has no subscriber");
+  } else if (period_.sound_rate == 0) {
+    status.summary(DiagnosticStatus::WARN,
+                   "nothing is heard: is the robot connected, and does its RCSERVER.CFG have "
+                   "ALLOW_MICROPHONE=yes?");
+  } else if (period_.sound_gaps > 0) {
+    status.summary(DiagnosticStatus::WARN, "sound is missing: is the radio link too slow for it?");
+  } else {
+    status.summary(DiagnosticStatus::OK, "listening");
+  }
+  status.add("listening", yesOrNo(listens));
+  status.add("playing", yesOrNo(sources_.player.isPlaying()));
+  status.add("messages per second", oneDecimal(period_.sound_rate));
+  status.add("messages", client.sounds);
+  status.add("gaps", client.sound_gaps);
+  status.add("messages dropped, more than asked for", client.thinned_sounds);
+}
+
+void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {
+  const bool connected = sources_.client.status().state == ConnectionState::kConnected;
+  sources_.power.report(connected && sources_.settings.telemetryPeriod() != 0, status);
+}
+
+}  // namespace aibo_driver::node

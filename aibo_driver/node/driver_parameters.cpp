@@ -1,0 +1,294 @@
+#include "node/driver_parameters.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "aibo_client/exceptions.h"
+#include "node/camera/camera_options.h"
+#include "robot_model/robot_model.h"
+#include "text/plain_text.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+constexpr int kFramesOfMeasurement = 4;          // frames of 8 ms; the robot measures every 32 ms
+constexpr double kHighestTelemetryRate = 31.25;  // messages a second
+
+/// Reads parameters one by one. It remembers their names and which values are refused.
+class ParameterReader {
+ public:
+  ParameterReader(const XmlRpcValue& values, const std::string& name_prefix)
+      : values_(values), name_prefix_(name_prefix) {}
+
+  void read(const std::string& name, int minimum, int maximum, int* out) {
+    const std::string allowed = "a whole number, " + std::to_string(minimum) + ".." + std::to_string(maximum);
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    const bool whole = value.getType() == XmlRpcValue::TypeInt;
+    const int number = whole ? static_cast<int>(value) : 0;
+    if (whole && number >= minimum && number <= maximum) {
+      *out = number;
+    } else {
+      refuse(name, value, allowed);
+    }
+  }
+
+  /// @param unit the unit in words, after "a number of"
+  void read(const std::string& name, const std::string& unit, double minimum, double maximum, double* out) {
+    std::ostringstream allowed;
+    allowed << "a number of " << unit << ", " << minimum << ".." << maximum;
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    double number = NAN;
+    if (value.getType() == XmlRpcValue::TypeInt) {
+      number = static_cast<int>(value);
+    } else if (value.getType() == XmlRpcValue::TypeDouble) {
+      number = value;
+    }
+    if (number >= minimum && number <= maximum) {
+      *out = number;
+    } else {
+      refuse(name, value, allowed.str());
+    }
+  }
+
+  /// Reads a time in seconds.
+  template <typename Duration>
+  void read(const std::string& name, double minimum, double maximum, Duration* out) {
+    double seconds = std::chrono::duration<double>(*out).count();
+    read(name, "seconds", minimum, maximum, &seconds);
+    *out = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+  }
+
+  void read(const std::string& name, bool* out) {
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    if (value.getType() == XmlRpcValue::TypeBoolean) {
+      *out = value;
+    } else {
+      refuse(name, value, "true or false");
+    }
+  }
+
+  /// @param acceptable returns whether a text is acceptable; `allowed` describes an acceptable text
+  template <typename Predicate>
+  void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
+    XmlRpcValue value;
+    if (!find(name, &value)) {
+      return;
+    }
+    if (value.getType() == XmlRpcValue::TypeString && acceptable(static_cast<std::string>(value))) {
+      *out = static_cast<std::string>(value);
+    } else {
+      refuse(name, value, allowed);
+    }
+  }
+
+  std::vector<std::string> unknown() {
+    std::vector<std::string> names;
+    if (values_.getType() != XmlRpcValue::TypeStruct) {
+      return names;
+    }
+    for (auto& entry : values_) {
+      // A struct is a namespace below ours. It belongs to somebody else.
+      if (known_.count(entry.first) == 0 && entry.second.getType() != XmlRpcValue::TypeStruct) {
+        names.push_back(entry.first);
+      }
+    }
+    return names;
+  }
+
+  /// @throw InvalidArgumentException values were refused; the message names all of them
+  void checkRefusals() const {
+    if (!refusals_.empty()) {
+      throw aibo_client::InvalidArgumentException(refusals_ +
+                                                  "'rosparam delete NAME' removes a parameter that was set before.");
+    }
+  }
+
+  /// Adds the name of a parameter that is read elsewhere.
+  void addKnown(const std::string& name) { known_.insert(name); }
+
+ private:
+  bool find(const std::string& name, XmlRpcValue* value) {
+    known_.insert(name);
+    if (values_.getType() != XmlRpcValue::TypeStruct || !values_.hasMember(name)) {
+      return false;
+    }
+    *value = values_[name];
+    return true;
+  }
+
+  void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) {
+    std::string given;
+    if (value.getType() == XmlRpcValue::TypeString) {
+      given = "the text '" + text::plainLine(static_cast<std::string>(XmlRpcValue(value))) + "'";
+    } else {
+      std::ostringstream written;
+      value.write(written);
+      given = text::plainLine(written.str());
+    }
+    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; allowed is " + allowed + ". ";
+  }
+
+  XmlRpcValue values_;
+  std::string name_prefix_;
+  std::set<std::string> known_;
+  std::string refusals_;  ///< one sentence for each
+};
+
+bool isWord(const std::string& text) {
+  return !text.empty() && std::none_of(text.begin(), text.end(), [](unsigned char c) { return std::isspace(c); });
+}
+
+bool isAnyText(const std::string& /*text*/) {
+  return true;
+}
+
+bool isRobot(const std::string& text) {
+  return robot_model::findRobotModel(text.c_str()) != nullptr;
+}
+
+bool isResolution(const std::string& text) {
+  return resolutionOf(text).has_value();
+}
+
+bool isTransport(const std::string& text) {
+  return transportOf(text).has_value();
+}
+
+bool isFrame(const std::string& text) {
+  return isWord(text) && text.front() != '/';
+}
+
+bool isFramePrefix(const std::string& text) {
+  return text.empty() || (isFrame(text) && text.back() != '/');
+}
+
+bool isCameraName(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+}
+
+std::string cameraNameIn(const std::string& name_space) {
+  std::string name = name_space.substr(name_space.find_first_not_of('/'));
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+bool isAbsoluteOrEmpty(const std::string& text) {
+  return text.empty() || text.front() == '/';
+}
+
+bool isCameraInfoUrl(const std::string& text) {
+  return text.empty() || text.rfind("file:///", 0) == 0 || text.rfind("file://${ROS_HOME}", 0) == 0 ||
+         text.rfind("package://", 0) == 0;
+}
+
+}  // namespace
+
+int telemetryPeriodOf(double rate) {
+  if (rate == 0) {
+    return 0;
+  }
+  constexpr int kLongest = 65535 / kFramesOfMeasurement;
+  const double measurements = kHighestTelemetryRate / rate;
+  return kFramesOfMeasurement * static_cast<int>(std::lround(std::clamp<double>(measurements, 1, kLongest)));
+}
+
+double telemetryRateOf(int period) {
+  return period == 0 ? 0 : kHighestTelemetryRate * kFramesOfMeasurement / period;
+}
+
+DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::string& name_prefix,
+                                       const std::string& name_space) {
+  DriverParameters parameters;
+  ParameterReader reader(values, name_prefix);
+  reader.read("host", "the robot's name or address, without blanks", isWord, &parameters.client.host);
+  reader.read("port", 1, 65535, &parameters.client.port);
+  reader.read("jpeg_quality", 1, 100, &parameters.client.jpeg_quality);
+  reader.read("connect_timeout", 0.05, 60.0, &parameters.client.connect_timeout);
+  reader.read("read_timeout", 0.05, 60.0, &parameters.client.read_timeout);
+  reader.read("reconnect_wait_max", 0.01, 60.0, &parameters.client.reconnect_wait_max);
+  const double wait_max = std::chrono::duration<double>(parameters.client.reconnect_wait_max).count();
+  parameters.client.reconnect_wait_min =
+      std::min(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
+  reader.read("reconnect_wait_min", 0.01, wait_max, &parameters.client.reconnect_wait_min);
+
+  reader.read("stream_on_start", &parameters.stream_on_start);
+  reader.read("stream_on_demand", &parameters.stream_on_demand);
+  reader.read("resolution", kResolutionNames, isResolution, &parameters.resolution);
+  reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
+  reader.read("transport", kTransportNames, isTransport, &parameters.transport);
+  parameters.client.picture_transport = *transportOf(parameters.transport);
+  reader.read("color_rate", "images a second", kLowestFrameRate, kCameraRate, &parameters.color_rate);
+  reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
+              &parameters.color_tables);
+  reader.read("microphone_channels", 1, 2, &parameters.microphone_channels);
+  reader.read("adaptive", &parameters.adaptive);
+  reader.read("max_picture_age", "seconds", 0.05, 2.0, &parameters.max_picture_age);
+  reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
+  reader.read("gain", 1, 3, &parameters.camera.gain);
+  reader.read("shutter_speed", 1, 3, &parameters.camera.shutter_speed);
+  reader.read("auto_exposure", &parameters.camera.auto_exposure);
+  reader.read("auto_white_balance", &parameters.camera.auto_white_balance);
+  reader.read("take_picture_timeout", 0.1, 60.0, &parameters.take_picture_timeout);
+  reader.read("picture_folder", "the absolute path of a folder, or empty", isAbsoluteOrEmpty,
+              &parameters.picture_folder);
+  reader.read("use_robot_time", &parameters.use_robot_time);
+  reader.read("time_offset", -60.0, 60.0, &parameters.time_offset);
+
+  reader.read("frame_id", "a frame's name, not empty, without blanks, not beginning with '/'", isFrame,
+              &parameters.frame_id);
+  reader.read("frame_prefix", "a prefix for frames without blanks, not beginning or ending with '/', or empty",
+              isFramePrefix, &parameters.frame_prefix);
+  reader.read("camera_name", "a name of letters, digits and underscores, or empty", isCameraName,
+              &parameters.camera_name);
+  if (parameters.camera_name.empty()) {
+    parameters.camera_name = cameraNameIn(name_space);
+  }
+  reader.read("camera_info_url", "file:///FILE.yaml, package://PACKAGE/FILE.yaml or empty", isCameraInfoUrl,
+              &parameters.camera_info_url);
+
+  reader.read("robot", "ERS-7 or ERS-210", isRobot, &parameters.robot);
+  reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &parameters.telemetry_rate);
+  reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
+  reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
+  reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
+  reader.read("slow_down", &parameters.slow_down);
+  reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
+  reader.read("publish_footprint", &parameters.publish_footprint);
+
+  WalkSettings& walk = parameters.walk;
+  reader.read("walk_speed_limit", "m/s", 0.0, 1.0, &walk.speed_limit);
+  reader.read("walk_side_limit", "m/s", 0.0, 1.0, &walk.side_limit);
+  reader.read("walk_turn_limit", "rad/s", 0.0, 10.0, &walk.turn_limit);
+  reader.read("walk_scale", "times", 0.2, 5.0, &walk.scale);
+  reader.read("walk_turn_scale", "times", 0.2, 5.0, &walk.turn_scale);
+  reader.read("walk_direction", "rad", -1.0, 1.0, &walk.direction);
+  reader.read("cmd_vel_timeout", 0.1, 0.5, &walk.timeout);
+  reader.read("publish_odom_tf", &walk.publish_odom_tf);
+
+  reader.checkRefusals();
+  reader.addKnown("diagnostic_period");
+  parameters.unknown = reader.unknown();
+  return parameters;
+}
+
+DriverParameters readDriverParameters(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle) {
+  XmlRpcValue values;
+  private_handle.getParam(private_handle.getNamespace(), values);
+  return parseDriverParameters(values, private_handle.getNamespace() + "/", handle.getNamespace());
+}
+
+}  // namespace aibo_driver::node

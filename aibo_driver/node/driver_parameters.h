@@ -1,0 +1,88 @@
+/// @file driver_parameters.h
+#ifndef AIBO_DRIVER_NODE_DRIVER_PARAMETERS_H
+#define AIBO_DRIVER_NODE_DRIVER_PARAMETERS_H
+
+#include <ros/node_handle.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "aibo_client/rcserver_client.h"
+#include "movement/joint_command_filter.h"
+#include "movement/joint_table.h"
+#include "node/walk/walk_settings.h"
+
+namespace aibo_driver::node {
+
+/// The driver's private parameters. They are read once at the start. Some of them can be changed later: see
+/// LiveSettings. docs/ros_interface.md describes each of them for users.
+struct DriverParameters {
+  /// The host, the port, jpeg_quality, time limits, waits before reconnecting, and what to do about joints that are
+  /// missing in motions.
+  aibo_client::ClientOptions client;
+  bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
+  std::string resolution = "208x160";      ///< the resolution of the stream, for resolutionOf()
+  double frame_rate = 30.0;                ///< pictures per second of the stream, for everyNthImageOf()
+  std::string transport = "tcp";           ///< the transport of the stream's pictures, for transportOf()
+  bool adaptive = false;                   ///< true: lower quality and rate to keep max_picture_age
+  double max_picture_age = 0.15;           ///< s, 0.05..2
+  aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
+  double color_rate = 30.0;                ///< images per second of the colour detection, for everyNthImageOf()
+  std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
+  int microphone_channels = 2;             ///< of the topic microphone, 1..2
+  bool stream_on_demand = false;           ///< stream only while a camera topic has a subscriber
+  std::string frame_id = "camera_optical_frame";
+  std::string camera_name;                  ///< letters, digits and underscores
+  std::string camera_info_url;              ///< may be empty: see calibrationFile()
+  bool use_robot_time = true;               ///< stamp messages by the robot's frame numbers, if it sends them
+  std::chrono::nanoseconds time_offset{0};  ///< added to every stamp; at most 60 s either way
+  std::chrono::milliseconds take_picture_timeout{2000};  ///< 100 ms..60 s
+  std::string picture_folder;  ///< the folder for save_to; may be empty: see files::pictureFolder()
+
+  std::string robot = "ERS-7";    ///< "ERS-7" or "ERS-210"
+  double telemetry_rate = 31.25;  ///< messages a second of joint_states and sensors, 0..31.25; 0 means none
+  double joint_speed_limit = movement::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
+  double speed_scale = 1.0;                               ///< a factor of the speed limits, 0.1..1
+  double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
+  bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it
+
+  WalkSettings walk;
+
+  bool publish_footprint = true;  ///< publish tf from base_footprint to base_link; only for an ERS-7
+  std::string frame_prefix;       ///< put before every frame; see frame()
+
+  std::vector<std::string> unknown;  ///< parameters that the driver does not have; most likely they are misspelt
+
+  /// The full name of one of the robot's frames. robot_state_publisher makes the same name if it has the same
+  /// tf_prefix.
+  std::string frame(const std::string& name) const { return frame_prefix.empty() ? name : frame_prefix + "/" + name; }
+};
+
+/// The nearest period that the robot can keep evenly. It is a multiple of the 4 OPEN-R frames of 8 ms in which the
+/// robot measures, and at most 65535 frames, because a request can hold no more.
+/// @param rate messages a second, 0 or more; 0 means no messages, and so does a period of 0
+int telemetryPeriodOf(double rate);
+
+/// The messages per second that a period gives.
+double telemetryRateOf(int period);
+
+/// Checks the parameters that a user gave. It needs no ROS master.
+/// @param values a struct of parameters, or an invalid value when there are none
+/// @param name_prefix the prefix of parameters' names in messages, such as "/aibo/aibo_driver/"
+/// @param name_space the driver's namespace, not the root. The camera is named after it unless the user names the
+///   camera, so that no two robots share a calibration: "/team/left" names the camera "team_left".
+/// @throw InvalidArgumentException values have the wrong type or are out of range; the message names all of them and
+///   says what is allowed
+DriverParameters parseDriverParameters(const XmlRpc::XmlRpcValue& values, const std::string& name_prefix,
+                                       const std::string& name_space);
+
+/// Reads and checks the parameters in the namespace of `private_handle`.
+/// @param handle the driver's namespace
+/// @throw InvalidArgumentException values were refused: see parseDriverParameters()
+DriverParameters readDriverParameters(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_DRIVER_PARAMETERS_H

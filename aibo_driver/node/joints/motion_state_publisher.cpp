@@ -1,0 +1,153 @@
+#include "node/joints/motion_state_publisher.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace aibo_driver::node {
+namespace {
+
+// The end of a trajectory is computed anew each time from two clocks, so it varies a little.
+constexpr double kSameEnd = 0.05;  // s
+
+std::string kindOf(const Movement& movement) {
+  switch (movement.kind) {
+    case Movement::COMMAND:
+      return "command";
+    case Movement::TRAJECTORY:
+      return "trajectory";
+    case Movement::WALK:
+      return "walk";
+    case Movement::POSTURE:
+      return "posture " + movement.name;
+    case Movement::LOOK_AT:
+      return "look_at";
+    default:
+      return "motion " + movement.name;
+  }
+}
+
+std::string describe(const Movement& movement) {
+  return kindOf(movement) + (movement.joints.empty() ? "" : " of " + movement::listOf(movement.joints));
+}
+
+std::string describe(const MotionState& state) {
+  std::string text;
+  for (const Movement& movement : state.movements) {
+    text += (text.empty() ? "moved by " : " and ") + describe(movement);
+  }
+  text = text.empty() ? "nothing moves the robot" : text;
+  if (state.ended.empty()) {
+    return text;
+  }
+  const EndedMovement& last = state.ended.back();
+  return text + "; last ended: " + describe(last.movement) +
+         (last.how == EndedMovement::DONE ? ", done" : ": " + last.reason);
+}
+
+Movement toMessage(const movement::Movement& movement, movement::SteadyTime steady_now, const ros::Time& now) {
+  Movement message;
+  message.kind = static_cast<std::uint8_t>(movement.kind);
+  message.name = movement.name;
+  message.source = movement.source;
+  message.joints = movement.joints;
+  if (movement.end) {
+    const double left = std::max(0.0, std::chrono::duration<double>(*movement.end - steady_now).count());
+    const double end = now.toSec() + left;
+    // A sum that is too large would throw.
+    message.end = end < ros::TIME_MAX.toSec() ? ros::Time(end) : ros::TIME_MAX;
+  }
+  return message;
+}
+
+bool areSame(const Movement& a, const Movement& b) {
+  const double difference = a.end.toSec() - b.end.toSec();
+  return a.kind == b.kind && a.name == b.name && a.source == b.source && a.joints == b.joints &&
+         difference > -kSameEnd && difference < kSameEnd;
+}
+
+bool areSame(const MotionState& a, const MotionState& b) {
+  const auto same_movement = [](const Movement& x, const Movement& y) { return areSame(x, y); };
+  const auto same_end = [](const EndedMovement& x, const EndedMovement& y) {
+    return areSame(x.movement, y.movement) && x.how == y.how && x.reason == y.reason;
+  };
+  return std::equal(a.movements.begin(), a.movements.end(), b.movements.begin(), b.movements.end(), same_movement) &&
+         std::equal(a.ended.begin(), a.ended.end(), b.ended.begin(), b.ended.end(), same_end);
+}
+
+}  // namespace
+
+std::uint8_t endConstant(aibo_client::EndedHow how) {
+  return static_cast<std::uint8_t>(how);
+}
+
+MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now) {
+  MotionState message;
+  message.header.stamp = now;
+  for (const movement::Movement& movement : state.movements) {
+    message.movements.push_back(toMessage(movement, steady_now, now));
+  }
+  const auto most = static_cast<std::ptrdiff_t>(std::min(state.ended.size(), kEndsInMessage));
+  for (auto each = state.ended.end() - most; each != state.ended.end(); ++each) {
+    EndedMovement ended;
+    ended.movement = toMessage(each->movement, steady_now, now);
+    ended.how = endConstant(each->how);
+    ended.reason = each->reason;
+    message.ended.push_back(ended);
+  }
+  message.text = describe(message);
+  return message;
+}
+
+RobotState toMessage(const movement::Mover::State& state) {
+  RobotState message;
+  message.motors = static_cast<std::uint8_t>(state.robot.motors);
+  message.posture = static_cast<std::uint8_t>(state.robot.posture);
+  message.stopped = static_cast<std::uint8_t>(state.stopped_by.has_value());
+  message.stopped_by = state.stopped_by.value_or("");
+  return message;
+}
+
+MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover)
+    : mover_(mover) {
+  constexpr bool kLatched = true;
+  ros::NodeHandle topics(handle);
+  publisher_ = topics.advertise<MotionState>("motion_state", 10, kLatched);
+  robot_publisher_ = topics.advertise<RobotState>("robot_state", 10, kLatched);
+  last_ = toMessage(mover_.state(), std::chrono::steady_clock::now(), ros::Time::now());
+  last_robot_.header.stamp = last_.header.stamp;
+  publisher_.publish(last_);
+  robot_publisher_.publish(last_robot_);
+}
+
+void MotionStatePublisher::publish() {
+  // The lock ensures that the newest state is published last.
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const movement::Mover::State state = mover_.state();
+  const ros::Time now = ros::Time::now();
+  const auto steady_now = std::chrono::steady_clock::now();
+  // Each message adds as many ends as fit into it. The last message has the newest ends.
+  const std::size_t fresh = std::min(state.ends - std::exchange(ends_, state.ends), state.ended.size());
+  for (std::size_t left = fresh; left > kEndsInMessage; left -= kEndsInMessage) {
+    movement::Mover::State earlier = state;
+    earlier.ended.resize(state.ended.size() - (left - kEndsInMessage));
+    publisher_.publish(toMessage(earlier, steady_now, now));
+  }
+  const MotionState present = toMessage(state, steady_now, now);
+  if (!areSame(present, last_)) {
+    last_ = present;
+    publisher_.publish(present);
+  }
+  RobotState robot = toMessage(state);
+  robot.header = last_robot_.header;
+  if (robot != last_robot_) {
+    robot.header.stamp = now;
+    last_robot_ = robot;
+    robot_publisher_.publish(robot);
+  }
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,52 @@
+/// @file motion_state_publisher.h
+#ifndef AIBO_DRIVER_NODE_JOINTS_MOTION_STATE_PUBLISHER_H
+#define AIBO_DRIVER_NODE_JOINTS_MOTION_STATE_PUBLISHER_H
+
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
+#include <ros/node_handle.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+
+#include "movement/mover.h"
+
+namespace aibo_driver::node {
+
+/// The largest number of ends in a MotionState.
+constexpr std::size_t kEndsInMessage = 8;
+
+/// The constant of EndedMovement.
+std::uint8_t endConstant(aibo_client::EndedHow how);
+
+/// Makes a message with at most kEndsInMessage ends.
+/// @param steady_now, now the same time by two clocks; the stamps are by the second one
+MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now);
+
+/// Makes a message, without a stamp, of what the robot can do now.
+RobotState toMessage(const movement::Mover::State& state);
+
+/// Publishes the topics motion_state and robot_state.
+class MotionStatePublisher {
+ public:
+  /// @param mover must outlive the publisher
+  MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover);
+
+  /// Publishes what moves the robot and what it can do, if that has changed. If more movements have ended since the
+  /// last call than fit into one message, it publishes several messages. Any thread may call it.
+  void publish();
+
+ private:
+  const movement::Mover& mover_;
+  std::mutex mutex_;
+  MotionState last_;
+  std::size_t ends_ = 0;  ///< how many ends have been published
+  RobotState last_robot_;
+  ros::Publisher publisher_;
+  ros::Publisher robot_publisher_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_JOINTS_MOTION_STATE_PUBLISHER_H

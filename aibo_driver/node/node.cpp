@@ -1,0 +1,98 @@
+#include "node/node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/this_node.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+
+#include "node/master_watch.h"
+
+namespace aibo_driver::node {
+namespace {
+
+// Seconds. A master that answers takes less than 1; roslaunch kills after 15.
+constexpr unsigned kTimeToUnregister = 10;
+
+// How late the kernel may wake roscpp's threads when they only look whether there is something to do. Three of them
+// look ten times a second, which was most of what an idle driver cost. Messages, requests and signals wake them at
+// once. Only new publishers and the end of the node wait for the next look, and nobody notices a wait as short as this.
+constexpr std::chrono::nanoseconds kRoscppSlack = std::chrono::milliseconds(200);
+
+/// Starts roscpp. Its threads inherit the timer slack of the thread that starts them.
+ros::NodeHandle startWithSlack() {
+  ::prctl(PR_SET_TIMERSLACK, kRoscppSlack.count());
+  ros::NodeHandle handle;
+  ::prctl(PR_SET_TIMERSLACK, 0);  // 0 restores the usual slack
+  return handle;
+}
+
+// This function does only what a signal handler may do.
+void endAtOnce(int) {
+  constexpr char kReason[] =
+      "This node has not ended within 10 s, most likely because the ROS master does not answer. It ends now, without "
+      "signing off.\n";
+  if (::write(STDERR_FILENO, kReason, sizeof(kReason) - 1) < 0) {
+    // Nobody can read the text, so the failure is ignored.
+  }
+  ::_exit(EXIT_FAILURE);
+}
+
+void end(int) {
+  ros::requestShutdown();
+  ::alarm(kTimeToUnregister);
+}
+
+// roscpp sets its own handler when the first node handle is made, so this has to come after that.
+void endOnInterrupt() {
+  ::signal(SIGALRM, endAtOnce);
+  struct sigaction action = {};
+  action.sa_handler = end;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  ::sigaction(SIGINT, &action, nullptr);
+}
+
+}  // namespace
+
+ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace) {
+  const std::string& name_space = handle.getNamespace();  // empty for a nodelet in the root namespace
+  if (!name_space.empty() && name_space != "/") {
+    return handle;
+  }
+  ROS_INFO_STREAM("Started in the root namespace: topics and services are under /" << default_namespace << ".");
+  return {handle, default_namespace};
+}
+
+double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest) {
+  parameters.getParam(name, number);
+  if (!(number >= 0 && number <= highest)) {
+    throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
+                             "; allowed is 0.." + std::to_string(highest) + ".");
+  }
+  return number;
+}
+
+int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
+  const ros::NodeHandle handle = startWithSlack();  // outlives the try block, because logging ends with the last handle
+  endOnInterrupt();
+  try {
+    const std::shared_ptr<void> node = make();
+    const MasterWatch master_watch(ros::this_node::getName());
+    while (!ros::isShuttingDown()) {  // unlike ros::spin(), this sleeps until there is something to do
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
+    }
+    ros::waitForShutdown();
+  } catch (const std::exception& error) {
+    ROS_FATAL_STREAM("The " << name << " cannot start. " << error.what());
+    return EXIT_FAILURE;
+  }
+  return EXIT_SUCCESS;
+}
+
+}  // namespace aibo_driver::node

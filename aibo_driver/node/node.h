@@ -1,0 +1,41 @@
+/// @file node.h
+/// Functions that the programs of this package need to be ROS nodes.
+#ifndef AIBO_DRIVER_NODE_NODE_H
+#define AIBO_DRIVER_NODE_NODE_H
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+
+namespace aibo_driver::node {
+
+/// Where a node finds its topics and services. A node that rosrun starts in the root namespace uses the same names as
+/// one that is launched. The log says so.
+/// @param handle the namespace that the node was started in
+/// @param default_namespace used instead of the root namespace, such as "aibo"
+ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace);
+
+/// A parameter that is a number.
+/// @param number the value if the parameter is not set
+/// @param highest the largest value that is allowed; the smallest is 0
+/// @throw std::runtime_error the parameter is out of this range; the message names it
+double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest);
+
+/// Runs a node until it is shut down. It serves the global callback queue, and registers the node again with a
+/// restarted ROS master (MasterWatch).
+///
+/// On Ctrl-C (SIGINT) the node ends as roscpp does, but within 10 s: roscpp unregisters each topic and service with the
+/// ROS master and waits for its answers without limit. If that takes longer, the process says so on stderr and ends at
+/// once with EXIT_FAILURE. A second Ctrl-C always ends it at once.
+///
+/// Call this once, from main(), after ros::init(). It takes over the signal SIGALRM.
+/// @param name the name for the log; it completes "The ... cannot start."
+/// @param make makes the objects of the node, which live until the node ends
+/// @return the exit status; EXIT_FAILURE if `make` throws
+int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_NODE_H

@@ -1,0 +1,85 @@
+#include "node/only_driver.h"
+
+#include <aibo_driver/Connection.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "node/xmlrpc_peer.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+[[noreturn]] void refuse(const std::string& name_space, const std::string& holder, const std::string& advice) {
+  throw std::runtime_error("There is a driver in the namespace " + name_space + " already: " + holder + ". " + advice +
+                           " For a second robot, start this one in another namespace.");
+}
+
+// To the master, another nodelet of the same manager is the same node.
+void refuseASecondOneInThisProcess(const ros::NodeHandle& handle) {
+  ros::V_string topics;
+  ros::this_node::getAdvertisedTopics(topics);
+  if (std::count(topics.begin(), topics.end(), handle.resolveName("connection")) > 0) {
+    refuse(handle.getNamespace(), "another nodelet of " + ros::this_node::getName(), "Unload it first.");
+  }
+}
+
+/// The nodes that publish a topic, in the order in which they registered.
+std::vector<std::string> publishersOf(const std::string& topic, const XmlRpcPeer& master) {
+  std::vector<std::string> publishers;
+  auto state = master.call("getSystemState", {});
+  for (int i = 0; state && i < (*state)[0].size(); ++i) {
+    XmlRpcValue& published = (*state)[0][i];  // the topic and its publishers
+    for (int j = 0; published[0] == XmlRpcValue(topic) && j < published[1].size(); ++j) {
+      publishers.push_back(published[1][j]);
+    }
+  }
+  return publishers;
+}
+
+/// @return what to do about a node if it runs, or if that is not certain; empty if it has ended
+std::string adviceAbout(const std::string& node, const XmlRpcPeer& master) {
+  std::string host;
+  std::uint32_t port = 0;
+  auto uri = master.call("lookupNode", {node});
+  if (!uri || !ros::network::splitURI(*uri, host, port)) {
+    return "";
+  }
+  try {
+    XmlRpcPeer(host, port).call("getPid", {});
+    return "End it first, for instance by rosnode kill " + node + ".";
+  } catch (const NoAnswer& none) {
+    return none.is_silent ? "It does not answer. If " + host + " is switched off, let the ROS master forget it by " +
+                                "rosnode cleanup."
+                          : "";
+  }
+}
+
+}  // namespace
+
+OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
+  refuseASecondOneInThisProcess(handle);
+  // The driver's own publisher is latched, too. Programs that record topics adopt what the first publisher says.
+  constexpr bool kLatched = true;
+  claim_ = ros::NodeHandle(handle).advertise<Connection>("connection", 1, kLatched);
+  const XmlRpcPeer master = XmlRpcPeer::master();
+  try {
+    for (const std::string& node : publishersOf(claim_.getTopic(), master)) {
+      if (node == ros::this_node::getName()) {
+        return;
+      }
+      if (const std::string advice = adviceAbout(node, master); !advice.empty()) {
+        refuse(handle.getNamespace(), "the node " + node, advice);
+      }
+    }
+  } catch (const NoAnswer&) {
+    // Without the master nobody can tell, but then nobody can find this driver either.
+  }
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,29 @@
+/// @file only_driver.h
+#ifndef AIBO_DRIVER_NODE_ONLY_DRIVER_H
+#define AIBO_DRIVER_NODE_ONLY_DRIVER_H
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+namespace aibo_driver::node {
+
+/// Ensures that a namespace has only one driver. A second driver would double every topic and take over the services.
+/// When it ended, it would take the services with it.
+///
+/// It registers as a publisher of `connection` before the driver does anything else. The master lists the publishers in
+/// the order in which they came. So if two drivers start at the same time, one finds the other.
+class OnlyDriver {
+ public:
+  /// Asks the ROS master and the nodes that were there before, for up to 2 s each. A node that was killed does not
+  /// count, even if the master still knows it.
+  /// @param handle a handle in the driver's namespace
+  /// @throw std::runtime_error another driver has this namespace; the message names its node and says what to do
+  explicit OnlyDriver(const ros::NodeHandle& handle);
+
+ private:
+  ros::Publisher claim_;  ///< nothing is ever published to it
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_ONLY_DRIVER_H

@@ -1,0 +1,87 @@
+#include "node/robot_stamper.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace aibo_driver::node {
+namespace {
+
+// Reading two clocks takes less time than this, unless the thread is interrupted in between.
+constexpr std::chrono::microseconds kReadingTime{20};
+constexpr int kReadings = 5;
+
+// ros::Time throws if it would become negative or if its seconds would not fit into 32 bits.
+ros::Time fromNanoseconds(std::int64_t nanoseconds) {
+  constexpr std::int64_t kLast = std::int64_t{std::numeric_limits<std::uint32_t>::max()} * 1000000000;
+  ros::Time time;
+  time.fromNSec(static_cast<std::uint64_t>(std::clamp<std::int64_t>(nanoseconds, 0, kLast)));
+  return time;
+}
+
+}  // namespace
+
+RobotStamper::RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+                           std::function<ros::Time()> ros_now, std::function<SteadyTime()> steady_now)
+    : robot_clock_(robot_clock),
+      time_offset_(time_offset),
+      ros_now_(std::move(ros_now)),
+      steady_now_(std::move(steady_now)) {}
+
+ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
+                              SteadyTime arrival) {
+  return find(connection_number, frame_number, arrival).stamp;
+}
+
+std::optional<RobotStamper::SteadyTime> RobotStamper::takenAt(const aibo_client::Picture& picture) {
+  if (robot_clock_ == nullptr || !picture.frame_number) {
+    return std::nullopt;
+  }
+  return find(picture.connection_number, picture.frame_number, picture.first_byte_time).taken;
+}
+
+RobotStamper::Stamped RobotStamper::find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
+                                         SteadyTime arrival) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const std::size_t remembered = std::min(count_, kRemembered);
+  for (std::size_t i = 0; i < remembered; ++i) {
+    if (latest_[i].arrival == arrival && latest_[i].frame_number == frame_number) {
+      return latest_[i];
+    }
+  }
+  const bool by_frame = robot_clock_ != nullptr && frame_number;
+  // If a robot's frame numbers run too fast, they must not move the stamps into the future.
+  const SteadyTime taken =
+      by_frame ? std::min(robot_clock_->timeOf(connection_number, *frame_number, arrival), arrival) : arrival;
+  ros::Time stamp = toRosTime(taken);
+  if (count_ > 0) {
+    const ros::Time last = latest_[(count_ - 1) % kRemembered].stamp;
+    const bool clock_was_set_back = stamp + ros::Duration(kClockStep.count()) < last;
+    if (stamp <= last && !clock_was_set_back) {
+      stamp = last + ros::Duration(0, 1);
+    }
+  }
+  Stamped& newest = latest_[count_ % kRemembered];
+  newest = {arrival, frame_number, taken, stamp};
+  ++count_;
+  return newest;
+}
+
+ros::Time RobotStamper::toRosTime(SteadyTime time) const {
+  std::chrono::nanoseconds shortest = std::chrono::nanoseconds::max();
+  std::chrono::nanoseconds age{0};
+  ros::Time now;
+  for (int i = 0; i < kReadings && shortest > kReadingTime; ++i) {
+    const SteadyTime before = steady_now_();
+    const ros::Time ros_now = ros_now_();
+    const std::chrono::nanoseconds reading_time = steady_now_() - before;
+    if (reading_time < shortest) {
+      shortest = reading_time;
+      age = before + reading_time / 2 - time;
+      now = ros_now;
+    }
+  }
+  return fromNanoseconds(static_cast<std::int64_t>(now.toNSec()) - age.count() + time_offset_.count());
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,99 @@
+/// @file robot_stamper.h
+#ifndef AIBO_DRIVER_NODE_ROBOT_STAMPER_H
+#define AIBO_DRIVER_NODE_ROBOT_STAMPER_H
+
+#include <ros/time.h>
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <optional>
+
+#include "aibo_client/colors.h"
+#include "aibo_client/picture.h"
+#include "aibo_client/sound.h"
+#include "aibo_client/telemetry.h"
+#include "robot_time/robot_clock.h"
+
+namespace aibo_driver::node {
+
+/// Stamps the messages of one stream, either pictures or telemetry. The stamp is the time on ROS' clock when the robot
+/// took the picture or measured. If a message has no frame number, for example because it comes from a version 1
+/// server, its stamp is its time of arrival. No stamp is later than the arrival of its message, whatever the frame
+/// number says. The only exceptions are `time_offset`, and a few nanoseconds that tell messages apart that arrive
+/// together.
+///
+/// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. So when
+/// ROS' clock is set, the stamps follow at once. With a simulated clock, they are as fine as its steps. The stamps of
+/// different messages strictly increase, unless ROS' clock is set back by more than kClockStep. Then they follow the
+/// clock, because otherwise they would stand still until it has caught up. Any thread may call every function.
+class RobotStamper {
+ public:
+  using SteadyTime = std::chrono::steady_clock::time_point;
+
+  /// A smaller step is jitter between the two clocks. A bigger step means that somebody has set ROS' clock.
+  static constexpr std::chrono::seconds kClockStep{1};
+
+  /// @param robot_clock must outlive the stamper; if it is null, the stamp of each message is its time of arrival
+  /// @param time_offset added to every stamp
+  /// @param ros_now, steady_now the clocks
+  RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nanoseconds time_offset,
+               std::function<ros::Time()> ros_now = ros::Time::now,
+               std::function<SteadyTime()> steady_now = std::chrono::steady_clock::now);
+
+  /// The same picture gets the same stamp as long as it is among the kRemembered latest pictures. The stamp is never
+  /// before the epoch, even if a simulated clock has not begun to run.
+  ros::Time stamp(const aibo_client::Picture& picture) {
+    return stamp(picture.connection_number, picture.frame_number, picture.first_byte_time);
+  }
+
+  /// When the robot took the picture, on the steady clock. It is off by the shortest delay of a message (RobotClock).
+  /// It is empty if the picture has no frame number or the robot has no clock.
+  std::optional<SteadyTime> takenAt(const aibo_client::Picture& picture);
+
+  /// The stamp of telemetry.
+  ros::Time stamp(const aibo_client::Telemetry& telemetry) {
+    return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
+  }
+
+  /// The stamp of detected colours.
+  ros::Time stamp(const aibo_client::DetectedColors& colors) {
+    return stamp(colors.connection_number, colors.frame_number, colors.arrival);
+  }
+
+  /// The stamp of the first sample.
+  ros::Time stamp(const aibo_client::HeardSound& sound) {
+    return stamp(sound.connection_number, sound.frame_number, sound.arrival);
+  }
+
+ private:
+  static constexpr std::size_t kRemembered = 16;
+
+  struct Stamped {
+    SteadyTime arrival;
+    std::optional<std::uint32_t> frame_number;  ///< distinguishes messages that arrive together
+    SteadyTime taken;
+    ros::Time stamp;
+  };
+
+  /// Computes the stamp if it is not among the latest ones.
+  Stamped find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
+  ros::Time stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
+  ros::Time toRosTime(SteadyTime time) const;
+
+  robot_time::RobotClock* const robot_clock_;
+  const std::chrono::nanoseconds time_offset_;
+  const std::function<ros::Time()> ros_now_;
+  const std::function<SteadyTime()> steady_now_;
+
+  std::mutex mutex_;
+  std::array<Stamped, kRemembered> latest_;  ///< a ring buffer
+  std::size_t count_ = 0;                    ///< how many stamps have been given so far
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_ROBOT_STAMPER_H

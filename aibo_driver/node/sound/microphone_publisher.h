@@ -1,0 +1,51 @@
+/// @file microphone_publisher.h
+#ifndef AIBO_DRIVER_NODE_SOUND_MICROPHONE_PUBLISHER_H
+#define AIBO_DRIVER_NODE_SOUND_MICROPHONE_PUBLISHER_H
+
+#include <ros/node_handle.h>
+
+#include <functional>
+#include <mutex>
+#include <string>
+
+#include "aibo_client/sound.h"
+#include "node/driver_parameters.h"
+#include "node/robot_stamper.h"
+
+namespace aibo_driver::node {
+
+/// Publishes what the robot hears, as `microphone`. The robot's microphones are on only while the topic has a
+/// subscriber. Any thread may call every function.
+class MicrophonePublisher {
+ public:
+  /// @param handle the driver's namespace
+  /// @param robot_clock must outlive the publisher; if it is null, the stamp of a message is its time of arrival
+  MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
+                      robot_time::RobotClock* robot_clock);
+
+  /// Tells `listen` what the robot should send, now and whenever a subscriber comes or goes.
+  /// @param listen must not block
+  void start(std::function<void(const aibo_client::MicrophoneSettings&)> listen);
+
+  /// After it returns, `listen` is not running and is not called any more.
+  void stop();
+
+  /// It never blocks.
+  void publish(const aibo_client::HeardSound& sound);
+
+  bool hasSubscribers() const { return publisher_.getNumSubscribers() > 0; }
+
+ private:
+  void subscribersChanged();
+
+  const std::string frame_id_;
+  const aibo_client::MicrophoneSettings settings_;  ///< while it is on
+  RobotStamper stamper_;
+  std::mutex mutex_;
+  std::function<void(const aibo_client::MicrophoneSettings&)> listen_;  ///< empty unless start() was called
+  ros::Publisher publisher_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_SOUND_MICROPHONE_PUBLISHER_H

@@ -1,0 +1,61 @@
+/// @file walked_way.h
+#ifndef AIBO_DRIVER_NODE_WALK_WALKED_WAY_H
+#define AIBO_DRIVER_NODE_WALK_WALKED_WAY_H
+
+#include <cstdint>
+#include <optional>
+
+#include "aibo_client/motion_end.h"
+#include "aibo_client/motors_and_posture.h"
+#include "aibo_client/telemetry.h"
+#include "node/walk/odometry.h"
+#include "node/walk/walk_settings.h"
+
+namespace aibo_driver::node {
+
+/// The way that a robot has walked, computed from its telemetry.
+///
+/// It begins at 0, never jumps, and is never reset. If the connection breaks or somebody carries the robot, the robot
+/// keeps its last position. Only the covariance then says that it may be elsewhere.
+///
+/// Only one thread at a time may use it.
+class WalkedWay {
+ public:
+  /// @param settings must outlive the object
+  explicit WalkedWay(const WalkSettings& settings) : settings_(settings) {}
+
+  /// @return false if the telemetry does not say how the robot walks
+  bool update(const aibo_client::Telemetry& telemetry);
+
+  /// Call this when the robot reports that a motion has ended. If the robot fell or was lifted, it may be anywhere. If
+  /// the robot reports its posture, the posture counts instead.
+  void motionEnded(const aibo_client::MotionEnd& end);
+
+  /// Call this when the robot reports its posture. If it has fallen or is lifted, it may be anywhere, even if it
+  /// stands.
+  void update(const aibo_client::MotorsAndPosture& state);
+
+  const Odometry& odometry() const { return odometry_; }
+
+  /// The real velocity when the robot was measured last.
+  aibo_client::WalkVelocity velocity() const { return last_ ? last_->velocity : aibo_client::WalkVelocity(); }
+
+ private:
+  /// The last measurement.
+  struct Sample {
+    aibo_client::WalkVelocity velocity;  ///< the real velocity
+    std::uint64_t connection_number = 0;
+    std::uint32_t frame_number = 0;
+  };
+
+  void advance(const Sample& last, const Sample& sample);
+
+  const WalkSettings& settings_;
+  Odometry odometry_;
+  std::optional<Sample> last_;
+  aibo_client::PostureNow posture_ = aibo_client::PostureNow::kUnknown;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_WALK_WALKED_WAY_H

@@ -1,0 +1,56 @@
+#include "node/xmlrpc_peer.h"
+
+#include <ros/init.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcClient.h>
+#include <xmlrpcpp/XmlRpcDispatch.h>
+
+#include <chrono>
+
+namespace aibo_driver::node {
+namespace {
+
+using XmlRpc::XmlRpcDispatch;
+using XmlRpc::XmlRpcValue;
+
+constexpr std::chrono::seconds kAnswerTimeout{2};
+constexpr double kSlice = 0.05;  // s; how often a call that waits checks whether it has to end
+constexpr int kSuccess = 1;      // the status of an answer, http://wiki.ros.org/ROS/Master_API
+
+}  // namespace
+
+XmlRpcPeer XmlRpcPeer::master(const std::shared_future<void>& ended) {
+  return {ros::master::getHost(), ros::master::getPort(), ended};
+}
+
+std::optional<XmlRpcValue> XmlRpcPeer::call(const char* method, const std::vector<XmlRpcValue>& arguments) const {
+  XmlRpcValue request;
+  request[0] = ros::this_node::getName();
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    request[static_cast<int>(i) + 1] = arguments[i];
+  }
+  XmlRpc::XmlRpcClient client(host_.c_str(), port_, "/");
+  if (isEnding() || !client.executeNonBlock(method, request)) {
+    throw NoAnswer{false};
+  }
+  XmlRpcDispatch dispatch;
+  dispatch.addSource(&client, XmlRpcDispatch::WritableEvent | XmlRpcDispatch::Exception);
+  const auto end = std::chrono::steady_clock::now() + kAnswerTimeout;
+  while (!dispatch._sources.empty() && !isEnding() && std::chrono::steady_clock::now() < end) {
+    dispatch.work(kSlice);
+  }
+  XmlRpcValue answer;  // a call that failed counts as done, but its answer is not valid
+  if (!client.executeCheckDone(answer) || client.isFault() || !answer.valid()) {
+    throw NoAnswer{!dispatch._sources.empty()};
+  }
+  return answer[0] == XmlRpcValue(kSuccess) ? std::optional<XmlRpcValue>(answer[2]) : std::nullopt;
+}
+
+// roscpp unregisters everything while it shuts down, so nothing may be registered again then.
+bool XmlRpcPeer::isEnding() const {
+  const bool has_ended = ended_.valid() && ended_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return has_ended || ros::isShuttingDown();
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,52 @@
+#include "sound/recording.h"
+
+#include <fcntl.h>
+#include <sndfile.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <vector>
+
+#include "client/file_descriptor.h"
+#include "files/files.h"
+
+namespace aibo_driver::sound {
+
+using files::FileException;
+
+Recording::Recording(const std::string& path, const aibo_client::MicrophoneSettings& settings)
+    : path_(path), settings_(settings), file_(nullptr, ::sf_close) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor < 0) {
+    throw FileException("cannot write '" + path + "': " + std::strerror(errno) +
+                        (errno == EEXIST ? "; give another name, or remove it" : ""));
+  }
+  SF_INFO info = {};
+  info.samplerate = settings.samples_per_second;
+  info.channels = settings.channels;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
+  file_.reset(::sf_open_fd(descriptor, SFM_WRITE, &info, SF_TRUE));
+  if (!file_) {
+    throw FileException("cannot write '" + path + "': " + ::sf_strerror(nullptr));
+  }
+}
+
+void Recording::add(const aibo_client::HeardSound& sound) {
+  if (sound.channels != settings_.channels || sound.samples_per_second != settings_.samples_per_second) {
+    return;
+  }
+  const auto channels = static_cast<std::size_t>(settings_.channels);
+  const std::size_t missing = std::min(sound.missing, kMostMissing);
+  write(std::vector<std::int16_t>(missing * channels).data(), missing);
+  write(sound.samples.data(), sound.samples.size() / channels);
+}
+
+void Recording::write(const std::int16_t* samples, std::size_t frames) {
+  if (::sf_writef_short(file_.get(), samples, static_cast<sf_count_t>(frames)) != static_cast<sf_count_t>(frames)) {
+    throw FileException("cannot write '" + path_ + "': " + ::sf_strerror(file_.get()));
+  }
+  frames_ += frames;
+}
+
+}  // namespace aibo_driver::sound

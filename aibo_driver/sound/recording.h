@@ -1,0 +1,45 @@
+/// @file recording.h
+#ifndef AIBO_DRIVER_SOUND_RECORDING_H
+#define AIBO_DRIVER_SOUND_RECORDING_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "aibo_client/sound.h"
+
+struct sf_private_tag;  // SNDFILE of libsndfile
+
+namespace aibo_driver::sound {
+
+/// Writes what the robot hears to a WAV file. Sound that is missing becomes silence, so that all that follows is in
+/// time.
+class Recording {
+ public:
+  /// More is not filled with silence: a robot can say anything.
+  static constexpr std::uint32_t kMostMissing = 10 * 16000;
+
+  /// @param path of a file that does not exist yet; its folder does
+  /// @param settings of the sound
+  /// @throw files::FileException it cannot be written
+  Recording(const std::string& path, const aibo_client::MicrophoneSettings& settings);
+
+  /// Adds what was heard next.
+  /// @throw files::FileException it cannot be written
+  void add(const aibo_client::HeardSound& sound);
+
+  /// The length so far.
+  double seconds() const { return static_cast<double>(frames_) / settings_.samples_per_second; }
+
+ private:
+  void write(const std::int16_t* samples, std::size_t frames);
+
+  const std::string path_;
+  const aibo_client::MicrophoneSettings settings_;
+  std::unique_ptr<sf_private_tag, int (*)(sf_private_tag*)> file_;
+  std::uint64_t frames_ = 0;
+};
+
+}  // namespace aibo_driver::sound
+
+#endif  // AIBO_DRIVER_SOUND_RECORDING_H
