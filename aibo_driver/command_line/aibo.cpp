@@ -1,10 +1,10 @@
-// aibo: a command line for an Aibo, without ROS. docs/command_line.md describes it.
+// aibo is a command line for an Aibo, without ROS. docs/command_line.md describes it.
 
 #include <csignal>
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/command.h"
 #include "command_line/help.h"
 #include "command_line/interruption.h"
@@ -27,7 +27,7 @@ int run(const std::vector<std::string>& words, Output& output) {
   return line.command->run(line.arguments, output);
 }
 
-/// With --json, the error is the document.
+/// With --json, the error is printed as a JSON document.
 int fail(Output& output, const std::string& problem, int status) {
   output.note("aibo: " + problem);
   if (output.json()) {
@@ -42,14 +42,14 @@ int runAndReport(const std::vector<std::string>& words) {
     return run(words, output);
   } catch (const Interrupted& error) {
     return fail(output, error.what(), 128 + interruption());
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     return fail(output, error.what(), kWrongUsage);
   } catch (const boost::program_options::error& error) {
     return fail(output, error.what() + std::string(" (`aibo help` lists commands and options)"), kWrongUsage);
   } catch (const OutputException& error) {
     output.note(std::string("aibo: ") + error.what());
     return kFailed;
-  } catch (const NetworkException& error) {
+  } catch (const aibo_client::NetworkException& error) {
     return fail(output, error.what(), kUnreachable);
   } catch (const std::exception& error) {
     return fail(output, error.what(), kFailed);
@@ -60,7 +60,8 @@ int runAndReport(const std::vector<std::string>& words) {
 }  // namespace aibo_driver::command_line
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_DFL);  // nobody reads on: the end, without a word, as of other programs in a pipe
+  // If nobody reads the output any more, the program ends silently, like other programs in a pipe.
+  std::signal(SIGPIPE, SIG_DFL);
   aibo_driver::command_line::noteInterruptions();
   return aibo_driver::command_line::runAndReport({argv + 1, argv + argc});
 }

@@ -9,11 +9,11 @@ namespace aibo_driver::command_line {
 
 const std::vector<Command>& allCommands() {
   static const std::vector<Command> commands = {
-      doctorCommand(), pictureCommand(), watchCommand(),   snapCommand(),   picturesCommand(),
-      fetchCommand(),  jointsCommand(),  moveCommand(),    walkCommand(),   standCommand(),
-      sitCommand(),    restCommand(),    motionsCommand(), playCommand(),   uploadCommand(),
-      deleteCommand(), sensorsCommand(), batteryCommand(), ledsCommand(),   earsCommand(),
-      motorsCommand(), stopCommand(),    helpCommand(),    manualCommand(), completionCommand()};
+      doctorCommand(),  pictureCommand(),   watchCommand(),  snapCommand(),   picturesCommand(), fetchCommand(),
+      jointsCommand(),  moveCommand(),      walkCommand(),   standCommand(),  sitCommand(),      restCommand(),
+      motionsCommand(), playCommand(),      uploadCommand(), deleteCommand(), sensorsCommand(),  batteryCommand(),
+      listenCommand(),  playSoundCommand(), sayCommand(),    motorsCommand(), stopCommand(),     helpCommand(),
+      manualCommand(),  completionCommand()};
   return commands;
 }
 

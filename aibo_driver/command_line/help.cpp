@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <sstream>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -17,7 +17,8 @@ ExitStatus showHelp(const Arguments& arguments, Output& output) {
   }
   const Command* const command = findCommand(arguments.words.front());
   if (command == nullptr) {
-    throw InvalidArgumentException("there is no command '" + arguments.words.front() + "': `aibo help` lists them");
+    throw aibo_client::InvalidArgumentException("there is no command '" + arguments.words.front() +
+                                                "': `aibo help` lists them");
   }
   output.result(helpOf(*command), Json::object({{"help", helpOf(*command)}}));
   return kDone;

@@ -1,6 +1,5 @@
 /// @file help.h
-/// What the program says about itself. Help, manual and completion are all made from the table of commands, so they
-/// cannot differ.
+/// The program's help, manual and completion. All of them are made from the table of commands, so they cannot differ.
 #ifndef AIBO_DRIVER_COMMAND_LINE_HELP_H
 #define AIBO_DRIVER_COMMAND_LINE_HELP_H
 
@@ -10,13 +9,13 @@
 
 namespace aibo_driver::command_line {
 
-/// The options that all commands have.
+/// The options that are common to all commands.
 boost::program_options::options_description commonOptions();
 
-/// All commands, one line each.
+/// Lists all commands, one in a line.
 std::string generalHelp();
 
-/// Everything about one command.
+/// Describes one command in full.
 std::string helpOf(const Command& command);
 
 Command helpCommand();        ///< help [COMMAND]

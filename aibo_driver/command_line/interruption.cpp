@@ -9,8 +9,8 @@ namespace {
 
 volatile std::sig_atomic_t first_signal = 0;
 
-Event& event() {
-  static Event event;
+aibo_client::Event& event() {
+  static aibo_client::Event event;
   return event;
 }
 
@@ -22,7 +22,7 @@ extern "C" void noteInterruption(int signal) {
 }  // namespace
 
 void noteInterruptions() {
-  event();  // made here, not in the handler
+  event();  // the event is made here, because the handler must not make it
   struct sigaction action = {};
   action.sa_handler = noteInterruption;
   action.sa_flags = static_cast<int>(SA_RESETHAND);

@@ -1,27 +1,27 @@
 /// @file interruption.h
-/// Ctrl-C, and SIGTERM. The first one is noted, so that a command can end in an orderly way: what it has begun is
-/// stopped, and files are whole. The second one ends the program at once; the robot then stops what it does for this
-/// client.
+/// Handles Ctrl-C and SIGTERM. The first signal is only noted, so that a command can end in an orderly way: it stops
+/// what it has begun, and completes its files. The second signal ends the program at once. The robot then stops what it
+/// does for this client.
 #ifndef AIBO_DRIVER_COMMAND_LINE_INTERRUPTION_H
 #define AIBO_DRIVER_COMMAND_LINE_INTERRUPTION_H
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::command_line {
 
-/// A command ends early because of Ctrl-C.
-class Interrupted : public Exception {
+/// Thrown if a command ends early because of Ctrl-C.
+class Interrupted : public aibo_client::Exception {
  public:
   using Exception::Exception;
 };
 
-/// To be called once, before other threads begin.
+/// Call this once, before other threads begin.
 void noteInterruptions();
 
-/// The signal that came first; 0 if none came.
+/// The signal that came first. It is 0 if none came.
 int interruption();
 
-/// Readable by poll() once a signal came.
+/// poll() finds this descriptor readable once a signal has come.
 int interruptionDescriptor();
 
 }  // namespace aibo_driver::command_line

@@ -11,9 +11,9 @@
 
 namespace aibo_driver::command_line {
 
-/// A JSON value (RFC 8259), which this class only writes. Numbers that are not finite and empty optionals are null.
-/// Control characters are escaped, and other bytes that text::plainText() would not show become U+FFFD, so that every
-/// text gives a valid document in one line that a terminal can show.
+/// A JSON value (RFC 8259). This class only writes JSON. Numbers that are not finite and empty optionals become null.
+/// Control characters are escaped. Other bytes that text::plainText() would not show become U+FFFD. So every text gives
+/// a valid document in one line that a terminal can show.
 class Json {
  public:
   Json() : text_("null") {}
@@ -30,10 +30,10 @@ class Json {
 
   static Json array(const std::vector<Json>& values);
 
-  /// @param members each name once
+  /// @param members each name appears once
   static Json object(std::initializer_list<std::pair<std::string, Json>> members);
 
-  /// The document, in one line.
+  /// The document in one line.
   const std::string& text() const { return text_; }
 
  private:

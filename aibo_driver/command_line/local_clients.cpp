@@ -14,9 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The sockets that are connected to this port, as links in /proc name them: "socket:[12345]".
+/// The sockets that are connected to this port, by their names in /proc: "socket:[12345]".
 std::vector<std::string> socketsTo(const in_addr& address, int port) {
-  char wanted[16];  // the address as a number in this computer's byte order, as the kernel prints it
+  // The kernel prints the address as a number in this computer's byte order.
+  char wanted[16];
   std::snprintf(wanted, sizeof wanted, "%08X:%04X", static_cast<unsigned>(address.s_addr), static_cast<unsigned>(port));
   std::vector<std::string> sockets;
   std::ifstream table("/proc/net/tcp");
@@ -24,7 +25,7 @@ std::vector<std::string> socketsTo(const in_addr& address, int port) {
     std::istringstream fields(line);
     std::string number, local, remote, state, queues, timer, retransmits, user, timeout, inode;
     fields >> number >> local >> remote >> state >> queues >> timer >> retransmits >> user >> timeout >> inode;
-    if (remote == wanted && state == "01") {  // established
+    if (remote == wanted && state == "01") {  // the connection is established
       sockets.push_back("socket:[" + inode + "]");
     }
   }
@@ -48,7 +49,7 @@ std::string describe(const fs::path& process) {
   return name + " (process " + process.filename().string() + ")";
 }
 
-/// @return empty if it is this process
+/// @return empty if this process owns the socket
 std::string ownerOf(const std::string& socket) {
   std::error_code error;
   for (fs::directory_iterator process("/proc", error), end; !error && process != end; process.increment(error)) {

@@ -1,4 +1,4 @@
-// The manual page and the completion, made from the table of commands.
+// The manual page and the completion. They are made from the table of commands.
 
 #include <string>
 
@@ -9,7 +9,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-/// A text for roff: no character of it is a request.
+/// Escapes a text for roff, so that none of its characters is a request.
 std::string roff(const std::string& text) {
   std::string escaped;
   for (const char character : text) {
@@ -58,7 +58,7 @@ std::string manual() {
          ".SH ENVIRONMENT\n.TP\n.B AIBO_HOST\nname or address of the robot, unless \\-\\-host is given";
 }
 
-/// What bash offers behind a command: its options and words.
+/// The options and words that bash offers behind a command.
 std::string completionOf(const Command& command) {
   std::string words;
   std::string files;

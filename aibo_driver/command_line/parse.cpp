@@ -3,21 +3,24 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/help.h"
 #include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::InvalidArgumentException;
+
 namespace {
 
 namespace po = boost::program_options;
 
-// Options cannot be shortened: a script would break when another option with the same beginning is added.
+// Options cannot be shortened, because a script would break if another option with the same beginning were added.
 constexpr int kStyle = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
 
 constexpr double kLongestTimeout = 60;  // s
 
-/// @return where the command is; the size if there is none
+/// @return the position of the command; the number of words if there is none
 std::size_t positionOfCommand(const std::vector<std::string>& words) {
   std::size_t at = 0;
   while (at < words.size() && words[at].rfind('-', 0) == 0) {

@@ -9,20 +9,21 @@
 
 namespace aibo_driver::command_line {
 
-/// What was typed.
+/// The parsed command line.
 struct CommandLine {
-  const Command* command = nullptr;  ///< null: none, for --help and --version alone
+  const Command* command = nullptr;  ///< null if there is no command, only --help or --version
   Arguments arguments;
   bool json = false;
   bool help = false;
   bool version = false;
 };
 
-/// True if --json is among the words, also if others among them are wrong: then the error is a document, too.
+/// True if --json is among the words, even if other words are wrong. Then the error is a JSON document, too.
 bool wantsJson(const std::vector<std::string>& words);
 
-/// The first word that is no option is the command. Its options, and those of all commands, may be anywhere behind it.
-/// @param words without the program's name
+/// Parses the words. The first word that is no option is the command. Its options and the common ones may be anywhere
+/// behind it.
+/// @param words the words without the program's name
 /// @throw InvalidArgumentException, boost::program_options::error something is wrong; the message says what
 CommandLine parse(const std::vector<std::string>& words);
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -17,12 +17,12 @@ struct Unit {
   double size;
 };
 
-/// @param allowed what to give instead
+/// @param allowed what to write instead
 [[noreturn]] void refuse(const std::string& what, const std::string& text, const std::string& allowed) {
-  throw InvalidArgumentException(what + " cannot be '" + text + "': give " + allowed);
+  throw aibo_client::InvalidArgumentException(what + " cannot be '" + text + "': give " + allowed);
 }
 
-/// Splits a text into its number and what follows.
+/// Splits a text into its number and the rest.
 double readNumber(const std::string& what, const std::string& text, const std::string& allowed, std::string* rest) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);
@@ -52,7 +52,7 @@ std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, 
   for (const std::string& word : words) {
     const std::size_t equals = word.find('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
-      throw InvalidArgumentException("'" + word + "' has to have the form NAME=VALUE, such as " + example);
+      throw aibo_client::InvalidArgumentException("'" + word + "' has to have the form NAME=VALUE, such as " + example);
     }
     assignments.push_back({word.substr(0, equals), word.substr(equals + 1)});
   }

@@ -1,6 +1,6 @@
 /// @file quantities.h
-/// NAME=VALUE with units, as users type them. Angles and lengths need a unit: 30 meant as degrees and taken as radians
-/// would be a movement to the joint's limit.
+/// NAME=VALUE with units, as users type them. Angles and lengths need a unit: if somebody meant 30 degrees and we took
+/// them for radians, the joint would move to its limit.
 #ifndef AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H
 #define AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H
 
@@ -15,22 +15,22 @@ struct Assignment {
   std::string value;
 };
 
-/// @param example for the message, such as "head_pan=30deg"
+/// @param example an example for the message, such as "head_pan=30deg"
 /// @throw InvalidArgumentException a word has no '=', or nothing on one side of it
 std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, const std::string& example);
 
-// Each of these throws InvalidArgumentException if the text is not such a quantity, or not finite. `what` names it in
-// the message.
+// Each of these functions throws InvalidArgumentException if the text is not such a quantity, or is not finite. `what`
+// names the quantity in the message.
 
-/// @param text such as 30deg, -0.5rad
+/// @param text for example 30deg or -0.5rad
 /// @return rad
 double parseAngle(const std::string& what, const std::string& text);
 
-/// @param text such as 30deg/s, 0.5rad/s
+/// @param text for example 30deg/s or 0.5rad/s
 /// @return rad/s
 double parseAngularSpeed(const std::string& what, const std::string& text);
 
-/// @param text such as 0.1m/s, -5cm/s, 80mm/s
+/// @param text for example 0.1m/s, -5cm/s or 80mm/s
 /// @return m/s
 double parseSpeed(const std::string& what, const std::string& text);
 

@@ -5,10 +5,18 @@
 #include <algorithm>
 #include <optional>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/interruption.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::ClientOptions;
+using aibo_client::ConnectionState;
+using aibo_client::ConnectionStatus;
+using aibo_client::FaultKind;
+using aibo_client::LogLevel;
+using aibo_client::RcServerClient;
+
 namespace {
 
 using std::chrono::milliseconds;
@@ -16,7 +24,7 @@ using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
 constexpr std::size_t kMostWarnings = 64;
-constexpr int kMostTurnsAway = 4;  // with the client's waits between them, about a second
+constexpr int kMostTurnsAway = 4;  // the client waits between them, so this takes about a second
 
 ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
   options.host = address.host;
@@ -25,7 +33,7 @@ ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
   return options;
 }
 
-/// Of what a robot can send without end, the newest are kept.
+/// Limits something that a robot can send endlessly. The newest items are kept.
 template <typename Kept>
 void keep(const Kept& one, std::size_t most, std::deque<Kept>* kept) {
   kept->push_back(one);
@@ -36,8 +44,9 @@ void keep(const Kept& one, std::size_t most, std::deque<Kept>* kept) {
 
 }  // namespace
 
-Robot::Robot(const RobotAddress& address, Output& output, const ClientOptions& base)
-    : address_(address), output_(output) {
+Robot::Robot(const RobotAddress& address, Output& output, const ClientOptions& base,
+             std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended)
+    : address_(address), output_(output), on_sound_ended_(std::move(on_sound_ended)) {
   client_ = std::make_unique<RcServerClient>(optionsFor(address, base), callbacks());
 }
 
@@ -61,10 +70,11 @@ void Robot::connect() {
     return;
   }
   if (!in_time && received.status.reason.empty()) {
-    throw TimeoutException(address_.host + ":" + std::to_string(address_.port) + " did not answer within " +
-                               std::to_string(address_.timeout.count()) +
-                               " ms. Is the robot switched on, is its WLAN " + "up, and is this its address?",
-                           FaultKind::kNoAnswer);
+    throw aibo_client::TimeoutException(address_.host + ":" + std::to_string(address_.port) +
+                                            " did not answer within " + std::to_string(address_.timeout.count()) +
+                                            " ms. Is the robot switched on, is its WLAN " +
+                                            "up, and is this its address?",
+                                        FaultKind::kNoAnswer);
   }
   checkConnection(received);
 }
@@ -73,8 +83,8 @@ const robot_model::RobotModel& Robot::model() const {
   const std::string design = received().status.robot.design;
   const robot_model::RobotModel* const model = robot_model::findRobotModel(design.empty() ? "ERS-7" : design.c_str());
   if (model == nullptr) {
-    throw CommandException("the robot says that it is of the design '" + design +
-                           "', which this program does not know");
+    throw aibo_client::CommandException("the robot says that it is of the design '" + design +
+                                        "', which this program does not know");
   }
   return *model;
 }
@@ -89,6 +99,11 @@ std::vector<ArrivedPicture> Robot::takePictures() {
   std::vector<ArrivedPicture> pictures(received_.pictures.begin(), received_.pictures.end());
   received_.pictures.clear();
   return pictures;
+}
+
+std::deque<aibo_client::HeardSound> Robot::takeSounds() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(received_.sounds, {});
 }
 
 bool Robot::waitUntil(const std::function<bool(const Received&)>& done, nanoseconds timeout, Loss loss) {
@@ -127,24 +142,35 @@ bool Robot::waitUnlessRefused(const std::function<bool(const Received&)>& done, 
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::string why = warnings_.empty() ? "the robot refused" : warnings_.back();
     warnings_.clear();
-    throw CommandException(why);
+    throw aibo_client::CommandException(why);
   }
   return in_time;
 }
 
-RcServerClient::Callbacks Robot::callbacks() {
-  RcServerClient::Callbacks callbacks;
+aibo_client::Callbacks Robot::callbacks() {
+  aibo_client::Callbacks callbacks;
   callbacks.on_status = [this](const ConnectionStatus& status) { noteStatus(status); };
-  callbacks.on_picture = [this](const PicturePtr& picture) { notePicture(picture); };
-  callbacks.on_telemetry = [this](const Telemetry& telemetry) { noteTelemetry(telemetry); };
-  callbacks.on_joints_accepted = [this](const std::vector<JointTarget>& targets) {
+  callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { notePicture(picture); };
+  callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { noteTelemetry(telemetry); };
+  callbacks.on_joints_accepted = [this](const std::vector<aibo_client::JointTarget>& targets) {
     change([&] {
-      for (const JointTarget& target : targets) {
+      for (const aibo_client::JointTarget& target : targets) {
         received_.accepted_joints[target.id] = target.position;
       }
     });
   };
-  callbacks.on_ended = [this](const MotionEnd& end) { change([&] { keep(end, kMostEnds, &received_.ends); }); };
+  callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
+    change([&] { keep(end, kMostEnds, &received_.ends); });
+  };
+  callbacks.on_heard = [this](const aibo_client::HeardSound& sound) {
+    change([&] { keep(sound, kMostSounds, &received_.sounds); });
+  };
+  callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) {
+    if (on_sound_ended_) {
+      on_sound_ended_(end);
+    }
+    changed_.raise();
+  };
   callbacks.log = [this](LogLevel level, const std::string& message) { noteLog(level, message); };
   return callbacks;
 }
@@ -165,9 +191,15 @@ void Robot::noteStatus(const ConnectionStatus& status) {
   });
 }
 
-void Robot::notePicture(const PicturePtr& picture) {
+void Robot::notePicture(const aibo_client::PicturePtr& picture) {
   change([&] {
-    received_.pictures.push_back({picture, steady_clock::now()});
+    ArrivedPicture arrived = {picture, steady_clock::now()};
+    if (picture->frame_number) {
+      const steady_clock::time_point taken =
+          clock_.timeOf(picture->connection_number, *picture->frame_number, picture->first_byte_time);
+      arrived.age = std::max(0.0, std::chrono::duration<double>(arrived.time - taken).count());
+    }
+    received_.pictures.push_back(arrived);
     if (received_.pictures.size() > kMostPictures) {
       received_.pictures.pop_front();
       ++received_.lost_pictures;
@@ -175,18 +207,18 @@ void Robot::notePicture(const PicturePtr& picture) {
   });
 }
 
-void Robot::noteTelemetry(const Telemetry& telemetry) {
+void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   change([&] {
-    for (const JointReading& joint : telemetry.joints) {
+    for (const aibo_client::JointReading& joint : telemetry.joints) {
       received_.joints[joint.id] = joint;
     }
-    for (const SensorReading& sensor : telemetry.sensors) {
+    for (const aibo_client::SensorReading& sensor : telemetry.sensors) {
       received_.sensors[sensor.id] = sensor.value;
     }
   });
 }
 
-// Why there is no connection is said by checkConnection(), and in the statistics of `watch`.
+// The reason for a missing connection is not noted: checkConnection() and the statistics of `watch` show it.
 void Robot::noteLog(LogLevel level, const std::string& message) {
   if (level >= LogLevel::kWarn) {
     change([&] {
@@ -206,7 +238,7 @@ void Robot::checkConnection(const Received& received) const {
   if (!address_.host_is_given && status.fault == FaultKind::kRefused) {
     advice += " To say which robot is meant, give --host NAME or set AIBO_HOST.";
   }
-  throw NetworkException(
+  throw aibo_client::NetworkException(
       (status.reason.empty() ? "there is no connection to the robot" : status.reason) + ". " + advice, status.fault);
 }
 

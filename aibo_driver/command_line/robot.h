@@ -12,116 +12,127 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "client/event.h"
 #include "command_line/output.h"
 #include "robot_model/robot_model.h"
+#include "robot_time/robot_clock.h"
 
 namespace aibo_driver::command_line {
 
-/// How to reach a robot.
+/// The address of a robot.
 struct RobotAddress {
   std::string host = "127.0.0.1";
   bool host_is_given = false;
   int port = 54321;
-  std::chrono::milliseconds timeout{5000};  ///< until it is connected
+  std::chrono::milliseconds timeout{5000};  ///< the longest time until it is connected
 };
 
 /// A picture, and when it was complete.
 struct ArrivedPicture {
-  PicturePtr picture;
+  aibo_client::PicturePtr picture;
   std::chrono::steady_clock::time_point time;
+  double age = 0;  ///< s, at this time; that of the freshest picture counts as 0, and so does one that is not known
 };
 
-/// What a robot has sent so far.
+/// The data that a robot has sent so far.
 struct Received {
-  ConnectionStatus status;
-  int failures = 0;                       ///< attempts and connections that ended, since the beginning
-  std::map<int, JointReading> joints;     ///< the latest, by identifier
-  std::map<int, double> sensors;          ///< the latest, by identifier
-  std::map<int, double> accepted_joints;  ///< rad, by identifier
-  std::deque<MotionEnd> ends;             ///< the newest kMostEnds
-  std::deque<ArrivedPicture> pictures;    ///< that nobody has taken yet; the newest kMostPictures
-  std::uint64_t lost_pictures = 0;        ///< that nobody took in time
+  aibo_client::ConnectionStatus status;
+  int failures = 0;                                 ///< attempts and connections that have ended, since the beginning
+  std::map<int, aibo_client::JointReading> joints;  ///< the latest readings, by identifier
+  std::map<int, double> sensors;                    ///< the latest values, by identifier
+  std::map<int, double> accepted_joints;            ///< rad, by identifier
+  std::deque<aibo_client::MotionEnd> ends;          ///< the newest kMostEnds
+  std::deque<ArrivedPicture> pictures;              ///< the newest kMostPictures that nobody has taken yet
+  std::deque<aibo_client::HeardSound> sounds;       ///< the newest kMostSounds that nobody has taken yet
+  std::uint64_t lost_pictures = 0;                  ///< pictures that nobody took in time
 };
 
-/// The robot that a command is for. Lets a command wait for what the client calls back, and for Ctrl-C.
+/// The robot that a command is for. It lets a command wait for the client's callbacks and for Ctrl-C.
 ///
-/// From one thread.
+/// Only one thread may use it.
 class Robot {
  public:
   static constexpr std::size_t kMostPictures = 64;
   static constexpr std::size_t kMostEnds = 64;
+  static constexpr std::size_t kMostSounds = 256;             ///< about 4 s
   static constexpr int kTelemetryPeriod = 4;                  ///< frames
   static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
-  static constexpr std::chrono::milliseconds kTimeout{2000};  ///< of a request that is answered at once
+  static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for a request that is answered at once
 
-  /// Whether a lost connection ends waiting. It is made again in any case.
+  /// Whether a lost connection ends the waiting. The connection is made again in any case.
   enum class Loss { kFails, kIsTolerated };
 
-  /// @param base options other than the address
-  Robot(const RobotAddress& address, Output& output, const ClientOptions& base = {});
+  /// @param base all options except for the address
+  /// @param on_sound_ended called on the client's thread; may be empty
+  Robot(const RobotAddress& address, Output& output, const aibo_client::ClientOptions& base = {},
+        std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended = {});
   ~Robot();
 
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  /// Waits for the connection. One that is turned away tries for a second, because the client before it may be about to
-  /// go; every other fault is reported at once.
-  /// @throw NetworkException there is none; the message says why and what to check
+  /// Waits for the connection. If the robot turns the client away, it tries again for a second, because the client
+  /// before it may be about to leave. Every other fault is reported at once.
+  /// @throw NetworkException there is no connection; the message says why and what to check
   /// @throw Interrupted
   void connect();
 
-  RcServerClient& client() { return *client_; }
+  aibo_client::RcServerClient& client() { return *client_; }
 
-  /// The robot's design. A version 1 server does not say it: an ERS-7.
+  /// The robot's design. A version 1 server does not report its design, so we assume an ERS-7.
   const robot_model::RobotModel& model() const;
 
-  /// True if it says when something has ended.
+  /// True if the robot reports when something has ended.
   bool reportsEnds() const { return received().status.robot.hasCapability("I"); }
 
   Received received() const;
 
-  /// The pictures that came since the last call.
+  /// Returns the pictures that came since the last call.
   std::vector<ArrivedPicture> takePictures();
 
-  /// Waits until something is true of what was received, or for a time.
+  /// Returns what was heard since the last call.
+  std::deque<aibo_client::HeardSound> takeSounds();
+
+  /// Waits until a condition of the received data is true, but no longer than a certain time.
   /// @return false if the time has passed
-  /// @throw NetworkException the connection is lost, unless that is tolerated
+  /// @throw NetworkException the connection is lost, and `Loss` does not tolerate that
   /// @throw Interrupted
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
-  /// To be called before a request is sent that has no answer of its own. What was refused before, such as a sensor
-  /// that an older robot does not have, is not meant by waitUnlessRefused().
+  /// Call this before sending a request that has no answer of its own. waitUnlessRefused() then ignores older refusals,
+  /// for example of a sensor that an older robot does not have.
   void beginRequest();
 
-  /// waitUntil() after such a request.
+  /// Waits like waitUntil() after such a request.
   /// @throw CommandException the robot has refused a request
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
 
-  /// Tells the user what the client has warned of since the last call. The destructor does so, too.
+  /// Shows the user the client's warnings since the last call. The destructor does so, too.
   void showWarnings();
 
  private:
-  RcServerClient::Callbacks callbacks();
+  aibo_client::Callbacks callbacks();
   template <typename Change>
   void change(const Change& change);
-  void noteStatus(const ConnectionStatus& status);
-  void notePicture(const PicturePtr& picture);
-  void noteTelemetry(const Telemetry& telemetry);
-  void noteLog(LogLevel level, const std::string& message);
+  void noteStatus(const aibo_client::ConnectionStatus& status);
+  void notePicture(const aibo_client::PicturePtr& picture);
+  void noteTelemetry(const aibo_client::Telemetry& telemetry);
+  void noteLog(aibo_client::LogLevel level, const std::string& message);
   void checkConnection(const Received& received) const;
   void waitForEvent(std::chrono::steady_clock::time_point deadline);
 
   const RobotAddress address_;
   Output& output_;
-  Event changed_;
+  const std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended_;
+  aibo_client::Event changed_;
   mutable std::mutex mutex_;
   Received received_;                 // guarded by mutex_
-  std::deque<std::string> warnings_;  // the same; the newest kMostWarnings
+  robot_time::RobotClock clock_;      // guarded by mutex_
+  std::deque<std::string> warnings_;  // the newest kMostWarnings; guarded by mutex_
   std::uint64_t refusals_before_ = 0;
-  std::unique_ptr<RcServerClient> client_;  // last: its thread uses all of the above
+  std::unique_ptr<aibo_client::RcServerClient> client_;  // last, because its thread uses all members above
 };
 
 }  // namespace aibo_driver::command_line

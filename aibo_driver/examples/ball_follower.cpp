@@ -1,10 +1,10 @@
-// Keeps the pink ball in the middle of the camera's picture. The robot itself finds the ball, by colour (topic
-// color_regions), and aibo_look_at turns the head (topic look_at): this program only says where in space the ball is.
+// Keeps the pink ball in the middle of the camera's picture. The robot itself finds the ball by its colour (topic
+// color_regions). aibo_look_at turns the head (topic look_at). So this program only says where in space the ball is.
 //
 //     rosrun aibo_driver ball_follower
 //
-// While no ball is seen it sends nothing, and the head stays where it is. Parameters: ~name of the colour's table
-// (pink_ball), ~fewest_pixels that are taken for a ball (20).
+// While no ball is seen it sends nothing, and the head stays where it is. Parameters: ~name is the name of the colour's
+// table (pink_ball); ~fewest_pixels is the smallest number of pixels that count as a ball (20).
 
 #include <aibo_driver/ColorRegions.h>
 #include <geometry_msgs/PointStamped.h>
@@ -15,7 +15,7 @@
 #include <memory>
 #include <string>
 
-#include "ros/node.h"
+#include "node/node.h"
 
 namespace {
 
@@ -24,9 +24,9 @@ using aibo_driver::ColorRegions;
 using geometry_msgs::PointStamped;
 
 constexpr double kBallRadius = 0.0425;          // m
-constexpr double kFocalLength = 192.0 / 208.0;  // of the ERS-7's camera, in widths of the picture
+constexpr double kFocalLength = 192.0 / 208.0;  // of the ERS-7's camera, as a multiple of the picture's width
 
-// Nearer to the middle than this part of the width, the ball may roll without the head trembling after it.
+// While the ball is this near to the middle, the head does not follow it. The limit is a part of the picture's width.
 constexpr double kQuiet = 0.03;
 
 class BallFollower {
@@ -52,7 +52,7 @@ class BallFollower {
     }
   }
 
-  // The point is where the camera was when it saw the ball; aibo_look_at knows from tf where that is now.
+  // The point is relative to where the camera was when it saw the ball. aibo_look_at knows from tf where that is now.
   void follow(const ColorRegion& ball, const ColorRegions& picture) {
     const double width = picture.width;
     const double right = (ball.x + 0.5 - picture.width / 2.0) / width;

@@ -2,16 +2,15 @@
 //   play_motion HOST NAME.MTN [PORT]
 //   play_motion HOST list [PORT]
 //
-// Built with this package. Elsewhere, with $AIBO the prefix that aibo_driver is installed under:
-//   g++ -std=c++17 play_motion.cpp -I$AIBO/include -L$AIBO/lib -Wl,-rpath,$AIBO/lib -laibo_driver_client -pthread
-#include <aibo_driver/exceptions.h>
-#include <aibo_driver/rcserver_client.h>
+// This package builds this program. To build it elsewhere, let $AIBO be the prefix under which aibo_driver is
+// installed:
+//   g++ -std=c++17 play_motion.cpp -I$AIBO/include -L$AIBO/lib -Wl,-rpath,$AIBO/lib -laibo_client -pthread
+#include <aibo_client/rcserver_client.h>
 
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <string>
-#include <thread>
 
 using namespace std::chrono_literals;
 
@@ -21,14 +20,12 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   try {
-    aibo_driver::ClientOptions options;
+    aibo_client::ClientOptions options;
     options.host = argv[1];
     options.port = argc > 3 ? std::atoi(argv[3]) : options.port;
-    aibo_driver::RcServerClient robot(options, {});
+    aibo_client::RcServerClient robot(options, {});
     robot.start();
-    for (int i = 0; i < 50 && robot.status().state != aibo_driver::ConnectionState::kConnected; ++i) {
-      std::this_thread::sleep_for(100ms);
-    }
+    robot.waitForConnection(5s);  // if there is none, the exception says why
     if (argv[2] == std::string("list")) {
       for (const std::string& name : robot.listMotions(5s)) {
         std::cout << name << '\n';
@@ -41,11 +38,11 @@ int main(int argc, char** argv) {
     std::cout << "Press Enter to end. The robot stops its motions when this program disconnects.\n";
     std::cin.get();
     return EXIT_SUCCESS;
-  } catch (const aibo_driver::NetworkException& error) {
-    const bool off = error.kind() == aibo_driver::FaultKind::kRefused;
+  } catch (const aibo_client::NetworkException& error) {
+    const bool off = error.kind() == aibo_client::FaultKind::kRefused;
     std::cerr << error.what() << (off ? "\nTo try this without a robot: rosrun aibo_driver aibo_rcserver" : "") << '\n';
-  } catch (const aibo_driver::Exception& error) {
-    std::cerr << error.what() << '\n';  // for example: the robot has no such motion
+  } catch (const aibo_client::Exception& error) {
+    std::cerr << error.what() << '\n';  // for example, the robot has no such motion
   }
   return EXIT_FAILURE;
 }

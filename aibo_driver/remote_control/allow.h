@@ -10,8 +10,9 @@
 
 namespace aibo_driver::remote_control {
 
-/// Enables a widget, or disables it and says why in its tooltip. Its own tooltip comes back when it is enabled.
-/// @param why_not empty: enable it
+/// Enables a widget, or disables it and says why in its tooltip. When the widget is enabled, its own tooltip comes
+/// back.
+/// @param why_not the reason; empty enables the widget
 inline void allow(QWidget* widget, const QString& why_not) {
   constexpr const char* kOwnToolTip = "own_tool_tip";
   if (!widget->property(kOwnToolTip).isValid()) {
@@ -21,16 +22,17 @@ inline void allow(QWidget* widget, const QString& why_not) {
   widget->setToolTip(why_not.isEmpty() ? widget->property(kOwnToolTip).toString() : "Not now: " + why_not);
 }
 
-/// What a part of the window needs from the robot.
+/// What a part of the window needs from the robot. Each need includes those above it, but kMotors does not need a
+/// server of version 2.
 enum class Needs {
   kConnection,
-  kVersion2,    ///< and a server of version 2
-  kNotStopped,  ///< and that it is not stopped: it moves the robot, and switches the motors on
-  kMotors,      ///< and that the motors are on, with any server
-  kFeet         ///< and that it stands on its feet
+  kVersion2,    ///< a server of version 2
+  kNotStopped,  ///< the robot must not be stopped: the part moves it or switches the motors on
+  kMotors,      ///< the motors must be on, with any server
+  kFeet         ///< the robot must stand on its feet
 };
 
-/// Why the robot cannot do something now; empty if it can, or if nobody knows.
+/// Why the robot cannot do something now. It is empty if the robot can do it, or if nobody knows.
 QString whyNot(Needs needs, const RobotConnection& connection, const RobotCondition& condition);
 
 }  // namespace aibo_driver::remote_control

@@ -12,7 +12,7 @@ namespace aibo_driver::remote_control {
 
 /// A square in which the mouse chooses two values at once, each -1..1: x to the right, y upwards.
 ///
-/// It counts as held from the press of a mouse button until its release, and never longer than the pad is visible and
+/// The pad counts as held from the press of a mouse button until its release, but only while the pad is visible and
 /// enabled in the active window.
 class AxisPad : public QWidget {
   Q_OBJECT
@@ -20,27 +20,27 @@ class AxisPad : public QWidget {
  public:
   explicit AxisPad(QWidget* parent = nullptr);
 
-  /// What the values at the edges mean.
+  /// Sets the texts at the edges. They say what the values there mean.
   void setTexts(const QString& top, const QString& bottom, const QString& left, const QString& right);
 
-  /// Shows what is measured beside what is chosen; none: nothing is known.
+  /// Shows the measured place beside the chosen one. It is empty if nothing is known.
   void setMeasured(const std::optional<QPointF>& place);
 
-  /// What is measured, as it was set.
+  /// The measured place, as it was set.
   const std::optional<QPointF>& measured() const { return measured_; }
 
   bool isHeld() const { return held_; }
 
-  /// What was chosen last.
+  /// The place that was chosen last.
   QPointF chosen() const { return chosen_; }
 
-  /// The button with which it is held, or was last.
+  /// The button that holds the pad, or that held it last.
   Qt::MouseButton button() const { return button_; }
 
   QSize sizeHint() const override { return {180, 180}; }
 
  Q_SIGNALS:
-  /// The mouse was pressed, or moved while it is held.
+  /// Emitted when the mouse was pressed, or when it moved while the pad is held.
   void moved(const QPointF& place);
   void released();
 

@@ -68,7 +68,7 @@ void CameraPage::showTaken(const QImage& picture, const QString& path) {
   path_->setText(path);
 }
 
-// Not modal: STOP has to work meanwhile.
+// The dialog is not modal, because STOP has to work meanwhile.
 void CameraPage::chooseFolder() {
   if (dialog_ != nullptr) {
     dialog_->raise();
@@ -85,7 +85,7 @@ void CameraPage::chooseFolder() {
   dialog_->show();
 }
 
-// The driver's settings can be changed also while it has no robot.
+// The driver's settings can be changed even while it has no robot.
 void CameraPage::connectionChanged(const RobotConnection& connection) {
   allow(settings_, connection.hasDriver() ? QString() : connection.text);
 }

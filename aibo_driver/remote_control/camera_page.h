@@ -12,26 +12,26 @@
 
 namespace aibo_driver::remote_control {
 
-/// Taking pictures, and the settings of camera and driver.
+/// Takes pictures and changes the settings of the camera and the driver.
 class CameraPage : public Page {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the page
+  /// @param robot must outlive the page
   explicit CameraPage(Robot& robot, QWidget* parent = nullptr);
 
   /// The folder on this machine in which pictures are saved.
   const QString& folder() const { return folder_; }
   void setFolder(const QString& folder);
 
-  /// Takes a picture, and shows it when it comes.
+  /// Takes a picture and shows it when it comes.
   void takePicture();
 
  Q_SIGNALS:
-  /// Somebody has chosen another folder.
+  /// Emitted when somebody has chosen another folder.
   void folderChanged();
 
-  /// Somebody wants to see a picture that was taken.
+  /// Emitted when somebody wants to see a picture that was taken.
   void opened(const QString& path);
 
  private:
@@ -41,11 +41,11 @@ class CameraPage : public Page {
 
   Robot& robot_;
   QString folder_;
-  QString taken_;  ///< path of the newest picture that was taken
+  QString taken_;  ///< the path of the newest picture that was taken
   QPushButton* thumbnail_;
   QLabel* path_;
   QPushButton* folder_button_;
-  QPointer<QFileDialog> dialog_;  ///< where a folder is chosen; null when it is closed
+  QPointer<QFileDialog> dialog_;  ///< the dialog to choose a folder; null when it is closed
   QWidget* settings_;
 };
 

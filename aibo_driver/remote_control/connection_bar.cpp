@@ -12,6 +12,7 @@ QString colourOf(RobotConnection::State state) {
     case RobotConnection::State::kConnected:
       return "#4caf50";
     case RobotConnection::State::kConnecting:
+    case RobotConnection::State::kWaiting:
       return "#ffb300";
     case RobotConnection::State::kDisconnected:
     case RobotConnection::State::kNoDriver:
@@ -76,7 +77,7 @@ void ConnectionBar::showConnection(const RobotConnection& connection) {
   }
 }
 
-// The driver in use is in the list, even if it does not run.
+// The list contains the driver in use, even if it does not run.
 void ConnectionBar::fillChooser() {
   QStringList entries = found_;
   if (!current_.isEmpty() && !entries.contains(current_)) {

@@ -10,7 +10,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// Which driver is used, whether its robot is connected, its battery, and how well pictures come.
+/// Shows which driver is used, whether its robot is connected, the robot's battery, and how well pictures come.
 class ConnectionBar : public QWidget {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class ConnectionBar : public QWidget {
   void showLink(const LinkFigures& figures);
 
  Q_SIGNALS:
-  /// Somebody has chosen another driver.
+  /// Emitted when somebody has chosen another driver.
   void chosen(const QString& name_space);
 
  private:

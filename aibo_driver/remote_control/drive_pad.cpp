@@ -5,14 +5,14 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-// At the edges, as aibo_teleop_joy has them. The driver and the robot have limits of their own.
+// The velocities at the edges. aibo_teleop_joy has the same. The driver and the robot have limits of their own.
 constexpr double kForward = 0.15;  // m/s
 constexpr double kLeft = 0.06;     // m/s
 constexpr double kTurn = 1.0;      // rad/s
 
-constexpr double kDeadZone = 0.1;  // of the half width: so that straight ahead is straight ahead
+constexpr double kDeadZone = 0.1;  // part of the half width, so that it is easy to walk straight ahead
 
-constexpr int kPeriod = 100;  // ms; the robot stops 500 ms after the last one
+constexpr int kPeriod = 100;  // ms; the robot stops 500 ms after the last command
 
 double withoutDeadZone(double deflection) {
   return std::abs(deflection) < kDeadZone ? 0 : deflection;

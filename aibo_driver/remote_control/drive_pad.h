@@ -8,9 +8,9 @@
 
 namespace aibo_driver::remote_control {
 
-/// A pad that lets the robot walk while a mouse button is held on it: forward and backward, and with the left button
-/// turns, with another one steps to the side. Its release is a dead-man's switch: the robot is told to stop once, and
-/// then nothing more.
+/// A pad that makes the robot walk while a mouse button is held on it. Up and down walk forward and backward. With the
+/// left button, the sides turn; with another button, they step sideways. Releasing the button works like a dead-man's
+/// switch: the robot is told once to stop, and then nothing more.
 class DrivePad : public AxisPad {
   Q_OBJECT
 
@@ -18,7 +18,7 @@ class DrivePad : public AxisPad {
   explicit DrivePad(QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// Several times a second while the pad is held, and once with zeros when it is released.
+  /// Emitted several times a second while the pad is held, and once with zeros when it is released.
   /// @param forward m/s
   /// @param left m/s
   /// @param turn rad/s, counterclockwise

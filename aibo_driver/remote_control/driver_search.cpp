@@ -53,7 +53,7 @@ std::optional<MasterState> askMaster() {
   }
   MasterState state;
   for (int i = 0; i < topics->size(); ++i) {
-    XmlRpcValue& topic = (*topics)[i];  // name and type
+    XmlRpcValue& topic = (*topics)[i];  // a name and a type
     state.types[topic[0]] = std::string(topic[1]);
   }
   XmlRpcValue& published = (*system)[0];
@@ -76,8 +76,8 @@ std::vector<std::string> driversIn(const MasterState& state) {
   return found;
 }
 
-// A nodelet manager may have several drivers, each with a name in its own namespace; a node that was started bare has
-// its parameters elsewhere than its topics.
+// A nodelet manager may have several drivers, each with a name in its own namespace. The parameters and topics of a
+// node that was started bare are in different namespaces.
 std::string settingsOf(const std::string& name_space, const MasterState& state) {
   const auto driver = state.publishers.find(name_space + kConnection);
   if (driver == state.publishers.end()) {

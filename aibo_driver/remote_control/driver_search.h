@@ -9,22 +9,23 @@
 
 namespace aibo_driver::remote_control {
 
-/// What the ROS master knows of topics.
+/// What the ROS master knows about topics.
 struct MasterState {
-  std::map<std::string, std::string> types;                    ///< of topics, by name
-  std::map<std::string, std::vector<std::string>> publishers;  ///< nodes, by topic
+  std::map<std::string, std::string> types;                    ///< the types of topics; the key is the topic
+  std::map<std::string, std::vector<std::string>> publishers;  ///< the nodes that publish a topic; the key is the topic
 };
 
-/// Asks the ROS master. Waits for its answer, but not for a master that is not there.
-/// @return empty if it does not answer
+/// Asks the ROS master. It waits for an answer, but not for a master that is not there.
+/// @return empty if the master does not answer
 std::optional<MasterState> askMaster();
 
-/// The namespaces in which there are drivers, such as "/aibo": those with a topic `connection` of ours.
+/// The namespaces in which there are drivers, such as "/aibo". These are the namespaces with a topic `connection` of
+/// our type.
 std::vector<std::string> driversIn(const MasterState& state);
 
-/// Where the driver in a namespace has its settings (dynamic_reconfigure): the namespace of its parameters, such as
-/// "/aibo/aibo_driver". It is found by the node that publishes `connection`.
-/// @return empty if the driver is not known to the master
+/// Where the driver in a namespace has its settings (dynamic_reconfigure). This is the namespace of its parameters,
+/// such as "/aibo/aibo_driver". The node that publishes `connection` leads to it.
+/// @return empty if the master does not know the driver
 std::string settingsOf(const std::string& name_space, const MasterState& state);
 
 }  // namespace aibo_driver::remote_control

@@ -18,22 +18,25 @@
 #include <algorithm>
 #include <utility>
 
+#include "node/camera/jpeg_decoder.h"
 #include "remote_control/ended_movements.h"
+#include "remote_control/from_ros.h"
 #include "remote_control/settings_messages.h"
-#include "ros/camera/jpeg_decoder.h"
 
 namespace aibo_driver::remote_control {
 namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kHeardFor{3};  // the driver says something once a second
+constexpr std::chrono::seconds kHeardFor{3};  // the driver sends something once a second
 
-// Joints of a robot of version 1 come one by one, and a short touch is not to be missed.
+// The joints of a robot of version 1 come one by one, and a short touch must not be missed.
 constexpr std::uint32_t kAllOfThem = 64;
 constexpr std::uint32_t kTheNewest = 1;
 
 constexpr int kLongestName = 200;  // characters
+
+constexpr std::size_t kMostJoints = 100;  // no robot has as many
 
 QImage imageOf(const node::BgrImage& picture) {
   QImage image(picture.width, picture.height, QImage::Format_RGB32);
@@ -92,7 +95,7 @@ RobotCondition toCondition(const RobotState& state) {
                                                        : RobotCondition::Motors::kNotKnown;
   condition.posture = toPosture(state.posture);
   condition.is_stopped = state.stopped != 0;
-  condition.stopped_by = QString::fromStdString(state.stopped_by).left(kLongestName);
+  condition.stopped_by = fromRos(state.stopped_by).left(kLongestName);
   return condition;
 }
 
@@ -135,6 +138,7 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       connection_ = boost::make_shared<const aibo_driver::Connection>(message);
+      last_heard_ = steady_clock::now();
     }
     connection_changed();
   });
@@ -158,7 +162,7 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
   subscribe<MotionState>("motion_state", [this](const MotionState& message) {
     const bool plays = std::any_of(message.movements.begin(), message.movements.end(),
                                    [](const Movement& movement) { return movement.kind == Movement::MOTION; });
-    const QString text = QString::fromStdString(message.text);
+    const QString text = fromRos(message.text);
     post_([text, plays](Robot& robot) { Q_EMIT robot.movementChanged(text, plays); });
     complain(message.ended);
   });
@@ -167,7 +171,7 @@ void DriverTopics::subscribeStates(const std::function<void()>& connection_chang
   });
 }
 
-// What was over before this window listened is no news.
+// Movements that ended before this window listened are no news.
 void DriverTopics::complain(const std::vector<EndedMovement>& ended) {
   const auto before = std::exchange(ended_, ended);
   for (const EndedMovement& each : endedBetween(before.value_or(ended), ended)) {
@@ -182,14 +186,14 @@ void DriverTopics::subscribeAnswers() {
   subscribe<LedStates>("led_states", [this](const LedStates& message) {
     LedIntensities intensities;
     for (std::size_t i = 0; i < std::min(message.names.size(), message.intensities.size()); ++i) {
-      intensities[QString::fromStdString(message.names[i])] = static_cast<double>(message.intensities[i]);
+      intensities[fromRos(message.names[i])] = static_cast<double>(message.intensities[i]);
     }
     post_([intensities](Robot& robot) { Q_EMIT robot.ledsChanged(intensities); });
   });
   subscribe<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
-    if (asked_to_look_.exchange(false)) {  // else it answers somebody else
+    if (asked_to_look_.exchange(false)) {  // otherwise it answers somebody else
       const bool success = message.success != 0;
-      const QString text = "look there: " + QString::fromStdString(message.message);
+      const QString text = "look there: " + fromRos(message.message);
       post_([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
     }
   });
@@ -228,13 +232,9 @@ void DriverTopics::showSensors(bool visible) {
   if (subscribers_.count("touch") > 0) {
     return;
   }
-  subscribeMeasurements<Touch>("touch", kAllOfThem,
-                               [this, last = QStringList("unknown")](const Touch& message) mutable {
-                                 const QStringList places = touchedPlaces(message);
-                                 if (places != std::exchange(last, places)) {
-                                   post_([places](Robot& robot) { Q_EMIT robot.touched(places); });
-                                 }
-                               });
+  subscribeMeasurements<Touch>("touch", kAllOfThem, [this](const Touch& message) {
+    post_([places = touchedPlaces(message)](Robot& robot) { Q_EMIT robot.touched(places); });
+  });
   for (const char* name : {"near", "far", "chest", "head"}) {
     subscribeMeasurements<sensor_msgs::Range>(
         std::string("range/") + name, kTheNewest, [this, name](const sensor_msgs::Range& message) {
@@ -255,7 +255,7 @@ void DriverTopics::hear(const std::function<void()>& connection_changed) {
   }
 }
 
-// The camera's calibration comes with each picture, but is needed once.
+// The camera's calibration comes with each picture, but we need it only once.
 void DriverTopics::showPictures(bool visible) {
   const std::string jpegs = "camera/image_raw/compressed";
   const std::string calibration = "camera/camera_info";
@@ -286,7 +286,7 @@ void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
   try {
     image = imageOf(node::decodeJpeg(message.data.data(), message.data.size()));
   } catch (const node::DecodeException&) {
-    return;  // the driver's diagnostics count them
+    return;  // the driver's diagnostics count these pictures
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -308,8 +308,11 @@ void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
 }
 
 void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
-  for (std::size_t i = 0; i < std::min(message.name.size(), message.position.size()); ++i) {
-    positions_[QString::fromStdString(message.name[i])] = message.position[i];
+  if (positions_.size() > static_cast<int>(kMostJoints)) {
+    positions_.clear();  // somebody makes names up
+  }
+  for (std::size_t i = 0; i < std::min({message.name.size(), message.position.size(), kMostJoints}); ++i) {
+    positions_[fromRos(message.name[i])] = message.position[i];
   }
   positions_are_new_ = true;
 }
@@ -385,7 +388,8 @@ void DriverTopics::publishVelocity(double forward, double left, double turn) con
   velocity_.publish(message);
 }
 
-// A metre before the camera. The lens' distortion does not matter for what gets into the middle.
+// The point is a metre in front of the camera. The lens' distortion does not matter, because the head moves the point
+// to the middle of the picture.
 bool DriverTopics::publishLookAt(const QPointF& place) {
   geometry_msgs::PointStamped message;
   {

@@ -24,35 +24,36 @@
 
 namespace aibo_driver::remote_control {
 
-/// Hands on what is to be done with the robot of the window, on the window's thread.
+/// Runs a function with the window's robot on the window's thread.
 using Post = std::function<void(const std::function<void(Robot&)>&)>;
 
-/// The topics of one driver: turns its messages into signals, and wishes into messages.
+/// The topics of one driver. It turns the driver's messages into signals, and the user's wishes into messages.
 ///
-/// To be made and to be changed by one thread, which may wait for the ROS master. The publishing functions wait for
-/// nothing and may be called from any thread.
+/// One thread must make and change it. That thread may wait for the ROS master. The publishing functions wait for
+/// nothing, and any thread may call them.
 class DriverTopics {
  public:
-  /// @param handle in the driver's namespace; one thread serves its callback queue
+  /// @param handle a handle in the driver's namespace; one thread serves its callback queue
   /// @param post must work until this object is gone
-  /// @param connection_changed is called when connection() or isHeard() may have changed
+  /// @param connection_changed called when connection() or isHeard() may have changed
   DriverTopics(const ros::NodeHandle& handle, const Post& post, const std::function<void()>& connection_changed);
 
-  /// Subscribes to a part while somebody looks at it. To be called every few seconds.
+  /// Subscribes to a part while somebody looks at it. Call this every few seconds.
   void show(Part part, bool visible);
 
-  /// Hands on what has been measured of joints and sensors since the last call. They come up to 31 times a second each,
-  /// which no eye follows, and to wake a thread for each would take more time than all else that they need.
-  /// On one thread, always the same.
+  /// Passes on what has been measured of joints and sensors since the last call. Each of them may come 31 times a
+  /// second, which no eye can follow. Waking a thread for each message would take more time than everything else.
+  /// Always call it on the same thread.
   void takeMeasurements();
 
-  /// Subscribes to the settings that have this owner; does nothing if it has done so. Empty: to none.
+  /// Subscribes to the settings that have this owner, unless it has done so already. An empty owner ends the
+  /// subscription.
   void followSettings(const std::string& owner);
 
-  /// The newest message about the connection; null if there was none.
+  /// The newest message about the connection. It is null if there was none.
   aibo_driver::Connection::ConstPtr connection() const;
 
-  /// Whether the driver was heard in the last seconds. It says something once a second.
+  /// Whether the driver was heard in the last seconds. The driver sends something once a second.
   bool isHeard() const;
 
   std::string settingsOwner() const { return settings_owner_; }
@@ -62,8 +63,8 @@ class DriverTopics {
   void publishJoints(const JointPositions& positions) const;
   void publishVelocity(double forward, double left, double turn) const;
 
-  /// @param place of the newest picture, 0..1 from left to right and from top to bottom
-  /// @return false if no picture, or nothing of its camera, is known
+  /// @param place a place in the newest picture, 0..1 from left to right and from top to bottom
+  /// @return false if there is no picture, or if nothing is known about its camera
   bool publishLookAt(const QPointF& place);
 
  private:
@@ -85,7 +86,7 @@ class DriverTopics {
   void receivePicture(const sensor_msgs::CompressedImage& message);
   void receiveJoints(const sensor_msgs::JointState& message);
 
-  ros::CallbackQueue measurements_;  ///< until takeMeasurements()
+  ros::CallbackQueue measurements_;  ///< they wait until takeMeasurements()
   ros::NodeHandle handle_;
   ros::NodeHandle measurements_handle_;
   const Post post_;
@@ -98,20 +99,20 @@ class DriverTopics {
   mutable std::mutex mutex_;
   aibo_driver::Connection::ConstPtr connection_;
   std::chrono::steady_clock::time_point last_heard_;
-  std::optional<sensor_msgs::CameraInfo> camera_;  ///< its first message; other sizes of pictures have the same view
-  ros::Time picture_stamp_;                        ///< of the newest
+  std::optional<sensor_msgs::CameraInfo> camera_;  ///< the first calibration; it holds for all sizes
+  ros::Time picture_stamp_;                        ///< the stamp of the newest picture
 
   struct Newest {
     std::mutex mutex;
-    QImage picture;  ///< on its way to the window; null if none is
+    QImage picture;  ///< the picture on its way to the window; null if there is none
   };
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
   std::atomic<bool> asked_to_look_{false};
-  std::optional<std::vector<EndedMovement>> ended_;  ///< as the newest motion_state has them
-  JointPositions positions_;                         ///< all that were measured
+  std::optional<std::vector<EndedMovement>> ended_;  ///< as in the newest motion_state
+  JointPositions positions_;                         ///< of all joints that were measured
   bool positions_are_new_ = false;
   std::string settings_owner_;
-  std::map<std::string, ros::Subscriber> subscribers_;  // last: their callbacks use all of the above
+  std::map<std::string, ros::Subscriber> subscribers_;  // last, because their callbacks use all members above
 };
 
 }  // namespace aibo_driver::remote_control

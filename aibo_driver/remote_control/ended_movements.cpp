@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "remote_control/from_ros.h"
+
 namespace aibo_driver::remote_control {
 namespace {
 
@@ -16,13 +18,13 @@ QString nameOf(const Movement& movement) {
     case Movement::LOOK_AT:
       return "look there";
     default:
-      return QString::fromStdString(movement.name);
+      return fromRos(movement.name);
   }
 }
 
 }  // namespace
 
-// The list before has lost some from its beginning and got some at its end.
+// The old list has lost some entries at its beginning and got some at its end.
 std::vector<EndedMovement> endedBetween(const std::vector<EndedMovement>& before,
                                         const std::vector<EndedMovement>& now) {
   for (auto first = before.begin(); first != before.end(); ++first) {
@@ -41,7 +43,7 @@ QString complaintAbout(const EndedMovement& ended) {
     case EndedMovement::STOPPED:
       return "";
     default:
-      return nameOf(ended.movement) + ": " + QString::fromStdString(ended.reason);
+      return nameOf(ended.movement) + ": " + fromRos(ended.reason);
   }
 }
 

@@ -9,12 +9,13 @@
 
 namespace aibo_driver::remote_control {
 
-/// Those that have ended between two messages of motion_state, each of which has the latest, the newest last.
+/// The movements that have ended between two messages of motion_state. Each message lists the latest ones; the newest
+/// is last.
 std::vector<EndedMovement> endedBetween(const std::vector<EndedMovement>& before,
                                         const std::vector<EndedMovement>& now);
 
-/// What a user is told of a movement that did not do what it was to do; empty if there is nothing to tell, because it
-/// did, or because somebody wanted it to end.
+/// What the user is told about a movement that failed. It is empty if the movement did what it should, or if somebody
+/// wanted it to end.
 QString complaintAbout(const EndedMovement& ended);
 
 }  // namespace aibo_driver::remote_control

@@ -1,6 +1,6 @@
 #include "remote_control/head_pad.h"
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -8,7 +8,7 @@ namespace {
 constexpr const char* kPan = "head_pan";
 constexpr const char* kTilt = "head_tilt";
 
-/// -1 at the lowest position, 1 at the highest.
+/// -1 is the lowest position, 1 is the highest.
 double toPad(double position, const movement::JointProperties& joint) {
   return 2 * (position - joint.lowest) / (joint.highest - joint.lowest) - 1;
 }
@@ -24,7 +24,8 @@ HeadPad::HeadPad(QWidget* parent) : AxisPad(parent) {
   setToolTip("Points the head. The green mark is where it is.");
   setTexts("up", "down", "left", "right");
   setDesign("ERS-7");
-  connect(this, &AxisPad::moved, this, [this](const QPointF& place) {  // the left is positive for the robot
+  // The robot counts angles to the left as positive.
+  connect(this, &AxisPad::moved, this, [this](const QPointF& place) {
     Q_EMIT pointed({{kPan, fromPad(-place.x(), pan_)}, {kTilt, fromPad(place.y(), tilt_)}});
   });
 }
@@ -38,7 +39,7 @@ void HeadPad::setDesign(const QString& design) {
       pan_ = table[*pan];
       tilt_ = table[*tilt];
     }
-  } catch (const InvalidArgumentException&) {
+  } catch (const aibo_client::InvalidArgumentException&) {
     // The driver refuses commands to such a robot.
   }
 }

@@ -8,20 +8,21 @@
 
 namespace aibo_driver::remote_control {
 
-/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. Its mark is where the head is.
+/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. Its mark shows where the head
+/// is.
 class HeadPad : public AxisPad {
   Q_OBJECT
 
  public:
   explicit HeadPad(QWidget* parent = nullptr);
 
-  /// Uses the limits of this robot. Does nothing for a robot that is not known.
+  /// Uses the limits of this robot. It does nothing if the robot is not known.
   void setDesign(const QString& design);
 
   void showPositions(const JointPositions& positions);
 
  Q_SIGNALS:
-  /// Somebody points the head there.
+  /// Emitted when somebody points the head to these positions.
   void pointed(const aibo_driver::remote_control::JointPositions& positions);
 
  private:

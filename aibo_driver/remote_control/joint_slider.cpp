@@ -11,7 +11,7 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-constexpr double kSteps = 1000;        // for a radian
+constexpr double kSteps = 1000;        // steps per radian
 constexpr int kArrived = 30;           // mrad
 constexpr qint64 kFollowAgain = 2000;  // ms after the last command
 
@@ -59,7 +59,7 @@ JointSlider::JointSlider(const movement::JointProperties& joint, const QString& 
       text_(new QLabel(this)) {
   setObjectName(joint_);
   slider_->setRange(toSteps(joint.lowest), toSteps(joint.highest));
-  slider_->setEnabled(false);  // until it is known where the joint is
+  slider_->setEnabled(false);  // until we know where the joint is
   slider_->setPageStep(toSteps(0.1));
   slider_->setSingleStep(toSteps(0.02));
   setToolTip(QString::fromUtf8("%1: %2\u00B0 to %3\u00B0. The green mark is where it is measured.")
@@ -97,7 +97,7 @@ bool JointSlider::isBusy(int measured) {
 void JointSlider::measure(double position) {
   const int measured = toSteps(position);
   slider_->setEnabled(true);
-  const bool is_new = !measured_ || std::abs(measured - *measured_) >= 5;  // sensors tremble
+  const bool is_new = !measured_ || std::abs(measured - *measured_) >= 5;  // smaller changes are noise of the sensor
   const bool was_busy = commanded_.has_value();
   if (!isBusy(measured) && (is_new || was_busy)) {
     const QSignalBlocker nobody_moved_it(slider_);
@@ -110,7 +110,7 @@ void JointSlider::measure(double position) {
   }
 }
 
-// While it is on its way, where it is to go, otherwise where it is.
+// While the joint is moving to a target, the text shows the target. Otherwise it shows where the joint is.
 void JointSlider::showText() {
   const QString text = commanded_  ? QString::fromUtf8("\u2192%1\u00B0").arg(degrees(*commanded_))
                        : measured_ ? QString::fromUtf8("%1\u00B0").arg(degrees(*measured_))

@@ -12,15 +12,15 @@
 
 namespace aibo_driver::remote_control {
 
-/// A slider between two limits, with a mark where the joint is measured. The mouse wheel does not move it: somebody who
-/// scrolls does not want to move the robot.
+/// A slider between two limits. A mark shows the measured position of the joint. The mouse wheel does not move the
+/// slider, because somebody who scrolls does not want to move the robot.
 class MarkedSlider : public QSlider {
   Q_OBJECT
 
  public:
   explicit MarkedSlider(QWidget* parent = nullptr) : QSlider(Qt::Horizontal, parent) {}
 
-  /// @param value in the units of the slider
+  /// @param value a value in the units of the slider
   void setMark(int value);
 
  private:
@@ -30,13 +30,14 @@ class MarkedSlider : public QSlider {
   std::optional<int> mark_;
 };
 
-/// One joint: a slider that commands it, its limits, and where it is. A slider follows its joint, except while
-/// somebody holds it, and then until the joint has arrived or some time has passed.
+/// One joint. It has a slider that commands the joint, and shows the joint's limits and position. The slider follows
+/// its joint, unless somebody holds the slider. After that it waits until the joint has arrived or some time has
+/// passed.
 class JointSlider : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param label for people
+  /// @param label the joint's name for people
   JointSlider(const movement::JointProperties& joint, const QString& label, QWidget* parent = nullptr);
 
   const QString& joint() const { return joint_; }
@@ -47,7 +48,7 @@ class JointSlider : public QWidget {
   MarkedSlider* slider() { return slider_; }
 
  Q_SIGNALS:
-  /// Somebody has moved the slider.
+  /// Emitted when somebody has moved the slider.
   /// @param position rad
   void moved(const QString& joint, double position);
 
@@ -60,7 +61,7 @@ class JointSlider : public QWidget {
   MarkedSlider* slider_;
   QLabel* text_;
   std::optional<int> measured_;   ///< mrad
-  std::optional<int> commanded_;  ///< mrad; until the joint has arrived
+  std::optional<int> commanded_;  ///< mrad; empty when the joint has arrived
   QElapsedTimer since_commanded_;
 };
 

@@ -3,12 +3,12 @@
 #include <QGridLayout>
 #include <QGroupBox>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::remote_control {
 namespace {
 
-/// Where a joint is on the page: the title of its group, and its own name there.
+/// Where a joint is on the page: the title of its group and its name in the group.
 struct Place {
   QString group;
   QString label;
@@ -44,8 +44,8 @@ void JointsPage::makeSliders(const QString& design) {
   design_ = design;
   sliders_.clear();
   auto* inside = new QWidget;
-  box_->setWidget(inside);               // instead of the one before
-  inside->setAutoFillBackground(false);  // the page's background
+  box_->setWidget(inside);               // this replaces the previous widget
+  inside->setAutoFillBackground(false);  // it shows the page's background
   auto* grid = new QGridLayout(inside);
   grid->setContentsMargins(2, 2, 2, 2);
   std::map<QString, QVBoxLayout*> groups;
@@ -72,7 +72,7 @@ void JointsPage::makeSliders(const QString& design) {
     for (const auto& [title, rows] : groups) {
       rows->addStretch(1);
     }
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     grid->addWidget(new QLabel(error.what(), inside), 0, 0);
   }
 }

@@ -20,7 +20,7 @@ class JointsPage : public Page {
   void showPositions(const JointPositions& positions);
 
  Q_SIGNALS:
-  /// Somebody has moved a slider.
+  /// Emitted when somebody has moved a slider.
   void moved(const aibo_driver::remote_control::JointPositions& positions);
 
  private:
@@ -28,7 +28,7 @@ class JointsPage : public Page {
   void makeSliders(const QString& design);
 
   QString design_;
-  QScrollArea* const box_;  ///< with the sliders
+  QScrollArea* const box_;  ///< contains the sliders
   std::map<QString, JointSlider*> sliders_;
 };
 

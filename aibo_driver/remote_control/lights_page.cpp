@@ -11,10 +11,10 @@ namespace {
 
 constexpr int kFaceLeds = 14;
 
-/// A way for the face to shine.
+/// A pattern of the face's LEDs.
 struct Pattern {
   const char* name;
-  bool (*has)(int number);  ///< whether it has the LED of this number, 1..14
+  bool (*has)(int number);  ///< whether the LED with this number, 1..14, is part of the pattern
 };
 
 constexpr Pattern kPatterns[] = {{"Even", [](int number) { return number % 2 == 0; }},

@@ -9,13 +9,13 @@
 
 namespace aibo_driver::remote_control {
 
-/// The LEDs, singly, by groups and by patterns of the face, and the ears. How the LEDs shine is shown as far as the
-/// driver says so.
+/// Controls the LEDs, singly, by groups and by patterns of the face, and the ears. It shows how the LEDs shine, as far
+/// as the driver reports it.
 class LightsPage : public Page {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the page
+  /// @param robot must outlive the page
   explicit LightsPage(Robot& robot, QWidget* parent = nullptr);
 
  private:

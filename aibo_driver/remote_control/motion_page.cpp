@@ -53,17 +53,16 @@ void MotionPage::showMotions(const QStringList& names) {
   list_->addItems(names);
 }
 
-// A robot is asked once for each connection.
+// The robot is asked once for each connection.
 void MotionPage::connectionChanged(const RobotConnection& connection) {
+  movement_->setVisible(connection.isConnected());  // it may have come before the connection
   const QString robot = connection.protocol_version == 2 ? connection.name_space + connection.address : QString();
   if (robot == listed_for_) {
     return;
   }
   listed_for_ = robot;
   list_->clear();
-  if (robot.isEmpty()) {
-    movement_->clear();
-  } else {
+  if (!robot.isEmpty()) {
     robot_.listMotions();
   }
 }

@@ -11,12 +11,12 @@
 
 namespace aibo_driver::remote_control {
 
-/// The motions on the robot, and what moves it now.
+/// Shows the motions on the robot, and what moves it now.
 class MotionPage : public Page {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the page
+  /// @param robot must outlive the page
   explicit MotionPage(Robot& robot, QWidget* parent = nullptr);
 
  private:
@@ -29,7 +29,7 @@ class MotionPage : public Page {
   QLineEdit* name_;
   QSpinBox* repetitions_;
   QLabel* movement_;
-  QString listed_for_;  ///< the connection for which the motions were asked
+  QString listed_for_;  ///< the connection for which the motions were requested
 };
 
 }  // namespace aibo_driver::remote_control

@@ -8,12 +8,12 @@
 
 namespace aibo_driver::remote_control {
 
-/// Walking, the head, postures and the motors.
+/// Controls walking, the head, postures and the motors.
 class MovePage : public Page {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the page
+  /// @param robot must outlive the page
   explicit MovePage(Robot& robot, QWidget* parent = nullptr);
 
  private:

@@ -14,7 +14,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// A part of the window, whose widgets can be used while the robot can do what they are for.
+/// A part of the window. Each of its widgets can be used while the robot can do what the widget is for.
 class Page : public QWidget {
   Q_OBJECT
 
@@ -32,7 +32,7 @@ class Page : public QWidget {
   }
 
  protected:
-  /// A widget that can be used only while the robot can do this.
+  /// Adds a widget that can be used only while the robot meets this need.
   template <typename Widget>
   Widget* need(Needs needs, Widget* widget) {
     controls_.push_back({widget, needs});
@@ -40,18 +40,18 @@ class Page : public QWidget {
     return widget;
   }
 
-  /// Shows something that may need more room than the page has.
+  /// Makes an area for something that may need more room than the page has.
   QScrollArea* makeScrollArea(QWidget* content) {
     auto* area = new QScrollArea(this);
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setWidget(content);
-    content->setAutoFillBackground(false);  // the page's background
+    content->setAutoFillBackground(false);  // it shows the page's background
     area->viewport()->setAutoFillBackground(false);
     return area;
   }
 
-  /// Makes a widget for all that the page has. It scrolls where it needs more room.
+  /// Makes a widget for everything on the page. It scrolls if it needs more room.
   QWidget* makeScrolledContent() {
     auto* content = new QWidget;
     auto* whole = new QVBoxLayout(this);

@@ -7,7 +7,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// The live picture, as large as there is room for it.
+/// Shows the live picture as large as there is room for it.
 class PictureView : public QWidget {
   Q_OBJECT
 
@@ -22,11 +22,11 @@ class PictureView : public QWidget {
   QSize sizeHint() const override { return {416, 240}; }
 
  Q_SIGNALS:
-  /// Somebody has clicked into the picture.
+  /// Emitted when somebody has clicked on the picture.
   /// @param place 0..1 from left to right, and from top to bottom
   void clicked(const QPointF& place);
 
-  /// The view has appeared or disappeared.
+  /// Emitted when the view has appeared or disappeared.
   void visibilityChanged();
 
  private:

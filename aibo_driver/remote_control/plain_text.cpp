@@ -14,7 +14,7 @@ PlainText::PlainText(QWidget* window) : QObject(window) {
 }
 
 // A label is polished before it lays out its text. Tooltips are labels, too, but one may still belong to another window
-// that has shown its own: so a text that looks like HTML goes there in a form that does not.
+// that has shown its own tooltip. So if a text looks like HTML, the tooltip gets it in a form that does not.
 bool PlainText::eventFilter(QObject* watched, QEvent* event) {
   if ((event->type() != QEvent::Polish && event->type() != QEvent::ToolTip) || !isInWindow(watched)) {
     return false;
@@ -27,7 +27,7 @@ bool PlainText::eventFilter(QObject* watched, QEvent* event) {
     return false;
   }
   if (qobject_cast<QFileDialog*>(widget->window()) != nullptr) {
-    return true;  // the names of folders, as HTML
+    return true;  // otherwise the tooltip would show the names of folders as HTML
   }
   if (!Qt::mightBeRichText(widget->toolTip())) {
     return false;

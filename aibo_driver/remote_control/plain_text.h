@@ -7,14 +7,14 @@
 
 namespace aibo_driver::remote_control {
 
-/// Has all labels and tooltips in a window, also in its dialogs and in those that come later, show text as it is. Qt
-/// takes what looks like HTML for HTML, and then loads the pictures in it: a robot whose refusal is
-/// `<img src="/dev/stdin">` would stop the window, with the button STOP in it.
+/// Makes all labels and tooltips in a window show text as it is. This includes its dialogs and widgets that are added
+/// later. Qt treats text that looks like HTML as HTML, and then loads the pictures in it. So if a robot's refusal were
+/// `<img src="/dev/stdin">`, it would stop the window together with its button STOP.
 class PlainText : public QObject {
   Q_OBJECT
 
  public:
-  /// @param window to which this will belong. Call it before anything in the window is shown
+  /// @param window owns this object. Construct it before anything in the window is shown
   explicit PlainText(QWidget* window);
 
  private:

@@ -23,8 +23,8 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-constexpr int kLongestAnswer = 1000;  // characters: laying out megabytes would take the time of STOP
-// A frightened hand clicks more than once, and must not release what it has just stopped.
+constexpr int kLongestAnswer = 1000;  // characters; laying out megabytes would delay STOP
+// A frightened user clicks more than once, and must not release what has just been stopped.
 constexpr qint64 kNoReleaseFor = 1000;  // ms
 
 QString nameOf(RobotCondition::Posture posture) {
@@ -74,7 +74,8 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   status_->setObjectName("status");
   status_->setWordWrap(true);
   status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  status_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2);  // a long answer must not move the buttons
+  // A long answer must not move the buttons.
+  status_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2);
   status_->setText("Nothing has been asked of the robot yet.");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
@@ -90,7 +91,8 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   showConnection(unknown);
 }
 
-// Its parts tell it when they are hidden. ~QWidget would hide them too late: the members are gone by then.
+// The parts of the window tell it when they are hidden. ~QWidget would hide them too late, because its members are gone
+// by then.
 RemoteControl::~RemoteControl() {
   hide();
 }
@@ -103,7 +105,7 @@ QLayout* RemoteControl::makeButtons() {
   stream_button_->setObjectName("stream");
   stop_button_ = new QPushButton(this);
   stop_button_->setObjectName("stop");
-  stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // whatever it says
+  stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // the width for either text
   showStopButton();
   condition_text_ = new QLabel(this);
   condition_text_->setObjectName("condition");
@@ -169,7 +171,7 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }
 
-// A text field would take the space bar for itself, and so would the list of a choice, which is a window of its own.
+// A text field would use the space bar itself. So would the list of a combo box, which is a window of its own.
 void RemoteControl::keepSpaceBar() {
   for (QLineEdit* edit : findChildren<QLineEdit*>()) {
     edit->installEventFilter(this);
@@ -188,9 +190,9 @@ bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
     return QWidget::eventFilter(watched, event);
   }
   if (event->type() == QEvent::ShortcutOverride) {
-    event->ignore();  // it is a shortcut
+    event->ignore();  // then it works as a shortcut
   } else if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
-    robot_.stop();  // in another window, where the shortcut does not hold
+    robot_.stop();  // the shortcut does not work in another window
   }
   return true;
 }
@@ -228,7 +230,7 @@ void RemoteControl::showCondition(const RobotCondition& condition) {
   showStopButton();
 }
 
-// What a driver said before it fell silent may not hold any more, and then somebody may want to stop.
+// What a driver said before it fell silent may not be true any more. Somebody may then want to stop the robot.
 bool RemoteControl::isStopped() const {
   return condition_.is_stopped && connection_.hasDriver();
 }

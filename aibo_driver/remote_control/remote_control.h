@@ -16,23 +16,23 @@
 namespace aibo_driver::remote_control {
 
 /// The whole window: the connection, the live picture, buttons, pages and a line with the last answer. It shows only
-/// what the robot says, never what was clicked.
+/// what the robot reports, never what was clicked.
 class RemoteControl : public QWidget {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the window
+  /// @param robot must outlive the window
   explicit RemoteControl(Robot& robot, QWidget* parent = nullptr);
   ~RemoteControl() override;
 
-  /// What is kept from one start to the next. An empty namespace means the first driver that is found.
+  /// These values are kept from one start to the next. An empty namespace means the first driver that is found.
   void useDriver(const QString& name_space);
   QString driver() const { return driver_; }
   void setFolder(const QString& folder) { camera_page_->setFolder(folder); }
   QString folder() const { return camera_page_->folder(); }
 
  Q_SIGNALS:
-  /// What is kept has changed.
+  /// Emitted when a value that is kept has changed.
   void changed();
 
  private:
@@ -53,10 +53,10 @@ class RemoteControl : public QWidget {
   void showAnswer(bool success, const QString& text);
 
   Robot& robot_;
-  QString driver_;  ///< as chosen
+  QString driver_;  ///< as the user has chosen it
   RobotConnection connection_;
   RobotCondition condition_;
-  QElapsedTimer stopped_since_;  ///< runs while the button releases
+  QElapsedTimer stopped_since_;  ///< how long the button has meant Release
   bool streaming_ = false;
 
   ConnectionBar* connection_bar_;

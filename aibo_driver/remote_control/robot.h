@@ -17,42 +17,43 @@ namespace aibo_driver::remote_control {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
-/// rad/s, where a speed has to be given; the driver limits it.
+/// rad/s, for a command that must have a speed. The driver limits it.
 constexpr double kAnySpeed = 20;
 
-/// The way from this window to the robot.
+/// The connection from this window to the robot.
 struct RobotConnection {
   enum class State {
     kNoMaster,      ///< the ROS master does not answer, and no driver is heard
     kNoDriver,      ///< no driver is heard in the namespace
+    kWaiting,       ///< the namespace is new, and nothing has been heard from its driver yet
     kDisconnected,  ///< the driver has no connection to the robot
     kConnecting,
     kConnected
   };
 
   State state = State::kNoDriver;
-  QString name_space;        ///< such as "/aibo"; empty: none is chosen and none was found
-  QString robot;             ///< its design, such as "ERS-7"; empty while unknown
+  QString name_space;        ///< such as "/aibo"; empty if none was chosen and none was found
+  QString robot;             ///< the robot's design, such as "ERS-7"; empty while unknown
   QString address;           ///< host:port; empty while unknown
   int protocol_version = 0;  ///< 0 while not connected
-  QString text;              ///< all of it in one line, for people
+  QString text;              ///< all of this in one line, for people
 
-  bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver; }
+  bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver && state != State::kWaiting; }
   bool isConnected() const { return state == State::kConnected; }
 };
 
-/// What the robot can do now, as far as the driver says.
+/// What the robot can do now, as far as the driver reports it.
 struct RobotCondition {
   enum class Motors { kNotKnown, kOff, kOn };
   enum class Posture { kNotKnown, kStanding, kSitting, kLying, kWalking, kFallen, kCarried };
 
   Motors motors = Motors::kNotKnown;
   Posture posture = Posture::kNotKnown;
-  bool is_stopped = false;  ///< nothing moves it until it is released
+  bool is_stopped = false;  ///< nothing moves the robot until it is released
   QString stopped_by;       ///< the node that called stop
 };
 
-/// How well pictures come; NaN where unknown.
+/// How well pictures come. A value that is not known is NaN.
 struct LinkFigures {
   double pictures_per_second = kUnknown;
   double age = kUnknown;   ///< s
@@ -63,33 +64,33 @@ struct LinkFigures {
 struct Setting {
   enum class Kind { kSwitch, kInteger, kNumber, kChoice };
 
-  QString name;  ///< of the parameter
+  QString name;  ///< the name of the parameter
   QString description;
   Kind kind = Kind::kInteger;
   double lowest = 0;
   double highest = 0;
-  QVector<QPair<QString, QVariant>> choices;  ///< text and value
+  QVector<QPair<QString, QVariant>> choices;  ///< texts and values
 };
 
-/// What a range finder measures.
+/// The measurement of a range finder.
 struct Distance {
   QString name;         ///< near, far or chest
-  double metres = 0;    ///< may be infinite: nothing is within reach, or all is nearer than it can measure
-  double farthest = 1;  ///< m, that it can measure
+  double metres = 0;    ///< may be infinite: nothing is within reach, or something is too near to be measured
+  double farthest = 1;  ///< m, the farthest distance that it can measure
 };
 
-/// What the robot tells only while somebody looks at it, to save processor time.
+/// Parts of the robot's data that are received only while somebody looks at them, to save processor time.
 enum class Part { kPictures, kJoints, kSensors };
 
-using JointPositions = QMap<QString, double>;  ///< rad, by name
+using JointPositions = QMap<QString, double>;  ///< rad, by the joint's name
 using SettingValues = QMap<QString, QVariant>;
-using LedIntensities = QMap<QString, double>;  ///< 0..1, by name of the LED
+using LedIntensities = QMap<QString, double>;  ///< 0..1, by the LED's name
 
-/// The robot, as the window sees it: what is known of it comes as signals, and what somebody wants of it are functions.
+/// The robot, as the window sees it. What is known about the robot comes as signals. Functions tell it what to do.
 ///
-/// No function waits. What a function asked for shows in the signals, and the answer of a service in answered(). All
-/// signals come on the thread of the object, which is the window's. A wish that cannot be fulfilled, for example
-/// because there is no connection, is answered as well.
+/// No function waits. Its effect shows in the signals; the answer of a service comes with answered(). All signals come
+/// on the thread of the object, which is the window's. A wish that cannot be fulfilled, for example because there is no
+/// connection, gets an answer, too.
 class Robot : public QObject {
   Q_OBJECT
 
@@ -97,19 +98,19 @@ class Robot : public QObject {
   using QObject::QObject;
 
   /// Uses the driver in this namespace from now on.
-  /// @param name_space such as "/aibo"; empty: the first one that is found
+  /// @param name_space such as "/aibo"; empty means the first driver that is found
   virtual void useDriver(const QString& name_space) = 0;
 
-  /// Whether somebody looks at a part; at first at none.
+  /// Says whether somebody looks at a part. At first nobody looks at any part.
   virtual void show(Part part, bool visible) = 0;
 
-  /// Holds everything that moves, at once and until release(). Waits for no other call.
+  /// Stops everything that moves, at once and until release(). It waits for no other call.
   virtual void stop() = 0;
 
   /// Lets the robot move again after a stop.
   virtual void release() = 0;
 
-  /// @param folder on this machine in which the picture is saved
+  /// @param folder the picture is saved in this folder on this machine
   virtual void takePicture(const QString& folder) = 0;
   virtual void setStreaming(bool on) = 0;
   virtual void setMotors(bool on) = 0;
@@ -121,7 +122,7 @@ class Robot : public QObject {
   /// @param repetitions 1 or more
   virtual void playMotion(const QString& name, int repetitions) = 0;
 
-  /// Stops all motions that are played.
+  /// Stops all motions that are playing.
   virtual void stopMotions() = 0;
   virtual void changeSetting(const QString& name, const QVariant& value) = 0;
 
@@ -131,13 +132,13 @@ class Robot : public QObject {
   virtual void flickEars(bool left, bool right) = 0;
   virtual void moveJoints(const JointPositions& positions) = 0;
 
-  /// To be repeated several times a second; the robot stops soon after the last one.
+  /// Repeat this several times a second. The robot stops soon after the last call.
   /// @param forward m/s
   /// @param left m/s
   /// @param turn rad/s, counterclockwise
   virtual void walk(double forward, double left, double turn) = 0;
 
-  /// Turns the head so that this place of the newest picture gets into its middle.
+  /// Turns the head so that this place of the newest picture moves to its middle.
   /// @param place 0..1 from left to right, and from top to bottom
   virtual void lookAt(const QPointF& place) = 0;
 
@@ -153,26 +154,26 @@ class Robot : public QObject {
   void pictureArrived(const QImage& picture);
   void streamingChanged(bool on);
 
-  /// @param path of the file in which it was saved
+  /// @param path the path of the file in which the picture was saved
   void pictureTaken(const QImage& picture, const QString& path);
 
-  /// @param text what moves the robot, in a line
-  /// @param motion_plays whether one of them is a motion
+  /// @param text what moves the robot, in one line
+  /// @param motion_plays whether a motion is part of this
   void movementChanged(const QString& text, bool motion_plays);
   void motionsListed(const QStringList& names);
   void settingsDescribed(const QVector<aibo_driver::remote_control::Setting>& settings);
 
-  /// All that are in force.
+  /// The values of all settings that are in force.
   void settingsChanged(const aibo_driver::remote_control::SettingValues& values);
   void jointsMeasured(const aibo_driver::remote_control::JointPositions& positions);
 
-  /// What is touched now, in words of aibo_driver/Touch.
+  /// The places that are touched now, in the words of aibo_driver/Touch.
   void touched(const QStringList& places);
   void distanceMeasured(const aibo_driver::remote_control::Distance& distance);
   void ledsChanged(const aibo_driver::remote_control::LedIntensities& intensities);
 
-  /// A call has ended, or was refused, or something that this window moves did not arrive.
-  /// @param text what was asked and what came of it
+  /// Emitted when a call has ended or was refused, or when something that this window moves did not arrive.
+  /// @param text what was asked, and its result
   void answered(bool success, const QString& text);
 };
 

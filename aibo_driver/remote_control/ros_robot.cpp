@@ -12,10 +12,13 @@
 #include <QDateTime>
 #include <QDir>
 #include <QSaveFile>
+#include <QSemaphore>
+#include <QThread>
 #include <algorithm>
 #include <type_traits>
 #include <utility>
 
+#include "remote_control/from_ros.h"
 #include "remote_control/settings_messages.h"
 
 namespace aibo_driver::remote_control {
@@ -23,12 +26,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
 constexpr std::chrono::milliseconds kJointsPeriod{100};
-constexpr std::chrono::milliseconds kSensorsPeriod{250};  // figures that change more often cannot be read
-constexpr std::chrono::seconds kTimeToSpeak{5};           // a driver says something once a second
+constexpr std::chrono::milliseconds kSensorsPeriod{250};  // nobody can read figures that change more often
+constexpr std::chrono::seconds kTimeToSpeak{5};           // a driver sends something once a second
 
-/// Saves a JPEG under a name with the time.
-/// @return its path
-/// @throw std::runtime_error why it was not saved
+/// Saves a JPEG. The time is part of the file's name.
+/// @return the path of the file
+/// @throw std::runtime_error the picture was not saved; the message says why
 QString savePicture(const std::vector<std::uint8_t>& jpeg, const QString& folder) {
   const QString name = "aibo_" + QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz") + ".jpg";
   QSaveFile file(QDir(folder).filePath(name));
@@ -52,19 +55,18 @@ RosRobot::RosRobot(QObject* parent)
   connection_.text = "no driver has been found yet";
   connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
   callbacks_.start();
-  manager_ = std::thread(&RosRobot::manageTopics, this);  // uses all of the above
+  manager_ = std::thread(&RosRobot::manageTopics, this);  // uses all members above
 }
 
 RosRobot::~RosRobot() {
   calls_.cancel();
   wish([](Wishes& wishes) { wishes.end = true; });
   manager_.join();
-  topics_.reset();  // while their callback queue is there
+  topics_.reset();  // the topics must end before their callback queue
   callbacks_.stop();
 }
 
-// --- The thread that asks the master
-// ----------------------------------------------------------------------------------
+// The following functions run on the thread that asks the master.
 
 void RosRobot::wish(const std::function<void(Wishes&)>& change) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -80,7 +82,7 @@ void RosRobot::manageTopics() {
       search();
       next_search = std::chrono::steady_clock::now() + kSearchPeriod;
     }
-    if (master_answers_) {  // otherwise roscpp would wait until it does
+    if (master_answers_) {  // otherwise roscpp would wait until it answers
       const std::string chosen = wishes.name_space.empty() ? findDriver() : wishes.name_space;
       if (chosen != name_space_) {
         useTopicsOf(chosen);
@@ -103,10 +105,15 @@ void RosRobot::manageTopics() {
   }
 }
 
-// The master may know drivers that are no more, so one that is not heard is given up for the next.
+// A driver that has just been chosen need not have spoken yet.
+bool RosRobot::isNew() const {
+  return std::chrono::steady_clock::now() - used_since_ < kTimeToSpeak;
+}
+
+// The master may know drivers that do not run any more. So a driver that is not heard is given up, and the next is
+// tried.
 std::string RosRobot::findDriver() const {
-  const bool is_new = std::chrono::steady_clock::now() - used_since_ < kTimeToSpeak;
-  if (found_drivers_.empty() || (topics_ && (is_new || topics_->isHeard()))) {
+  if (found_drivers_.empty() || (topics_ && (isNew() || topics_->isHeard()))) {
     return name_space_;
   }
   const auto next = std::upper_bound(found_drivers_.begin(), found_drivers_.end(), name_space_);
@@ -123,7 +130,7 @@ void RosRobot::search() {
   found_drivers_ = driversIn(master_);
   QStringList drivers;
   for (const std::string& driver : found_drivers_) {
-    drivers.append(QString::fromStdString(driver));
+    drivers.append(fromRos(driver));
   }
   if (drivers != std::exchange(reported_drivers_, drivers)) {
     post([drivers](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
@@ -136,15 +143,23 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     const std::lock_guard<std::mutex> lock(mutex_);
     old = std::exchange(topics_, nullptr);
   }
-  old.reset();  // waits for its callbacks
+  old.reset();  // this waits for its callbacks
   post([](Robot& robot) { Q_EMIT robot.conditionChanged({}); });
-  // What is still on its way from the old driver is not to be taken for the new one's.
+  // Messages that are still on their way from the old driver must not be taken for the new driver's.
   const auto is_current = std::make_shared<std::atomic<bool>>(true);
+  // Messages that come faster than the window shows them wait with roscpp, which keeps the newest, and not in front of
+  // what the user does.
+  constexpr int kMostAtOnce = 64;
+  constexpr int kPatience = 100;  // ms: the window may be ending
+  const auto places = std::make_shared<QSemaphore>(kMostAtOnce);
   ros::NodeHandle handle(callbacks_.handle(), name_space);
   auto made = std::shared_ptr<DriverTopics>(new DriverTopics(
                                                 handle,
-                                                [this, is_current](const std::function<void(Robot&)>& work) {
-                                                  post([is_current, work](Robot& robot) {
+                                                [this, is_current, places](const std::function<void(Robot&)>& work) {
+                                                  const bool has_place = QThread::currentThread() != thread() &&
+                                                                         places->tryAcquire(1, kPatience);
+                                                  post([is_current, places, has_place, work](Robot& robot) {
+                                                    places->release(has_place ? 1 : 0);
                                                     if (*is_current) {
                                                       work(robot);
                                                     }
@@ -167,8 +182,13 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
 
 RobotConnection RosRobot::connectionNow() const {
   RobotConnection now;
-  now.name_space = QString::fromStdString(name_space_);
+  now.name_space = fromRos(name_space_);
   const aibo_driver::Connection::ConstPtr message = topics_ ? topics_->connection() : nullptr;
+  if (master_answers_ && topics_ && !message && isNew()) {
+    now.state = RobotConnection::State::kWaiting;
+    now.text = "waiting for the driver in " + now.name_space;
+    return now;
+  }
   if (!topics_ || !topics_->isHeard() || !message) {
     now.state = master_answers_ ? RobotConnection::State::kNoDriver : RobotConnection::State::kNoMaster;
     now.text =
@@ -178,10 +198,10 @@ RobotConnection RosRobot::connectionNow() const {
   now.state = message->state == aibo_driver::Connection::CONNECTED    ? RobotConnection::State::kConnected
               : message->state == aibo_driver::Connection::CONNECTING ? RobotConnection::State::kConnecting
                                                                       : RobotConnection::State::kDisconnected;
-  now.robot = QString::fromStdString(message->robot);
-  now.address = QString::fromStdString(message->host) + ":" + QString::number(message->port);
+  now.robot = fromRos(message->robot);
+  now.address = fromRos(message->host) + ":" + QString::number(message->port);
   now.protocol_version = message->protocol_version;
-  now.text = QString::fromStdString(message->text);
+  now.text = fromRos(message->text);
   return now;
 }
 
@@ -196,8 +216,7 @@ void RosRobot::reportConnection() {
   }
 }
 
-// --- Wishes
-// -----------------------------------------------------------------------------------------------------------
+// The following functions carry out the user's wishes.
 
 void RosRobot::post(const std::function<void(Robot&)>& work) {
   QMetaObject::invokeMethod(
@@ -232,12 +251,11 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
   const std::string name = ros::names::resolve(connection_.name_space.toStdString(), service);
   const auto done = [this, request, name, also](const Response* response) {
     if (response == nullptr) {
-      answer(false,
-             request + ": no answer from the service " + QString::fromStdString(name) + ": is the driver running?");
+      answer(false, request + ": no answer from the service " + fromRos(name) + ": is the driver running?");
     } else if constexpr (std::is_same_v<Service, dynamic_reconfigure::Reconfigure>) {
       also(*response);
     } else {
-      answer(response->success != 0, request + ": " + QString::fromStdString(response->message));
+      answer(response->success != 0, request + ": " + fromRos(response->message));
       if (also) {
         also(*response);
       }
@@ -320,7 +338,7 @@ void RosRobot::listMotions() {
   call<ListMotions>("list motions", "list_motions", {}, [this](const ListMotions::Response& response) {
     QStringList names;
     for (const std::string& name : response.names) {
-      names.append(QString::fromStdString(name));
+      names.append(fromRos(name));
     }
     post([names](Robot& robot) { Q_EMIT robot.motionsListed(names); });
   });
@@ -373,7 +391,7 @@ void RosRobot::moveJoints(const JointPositions& positions) {
   }
 }
 
-// The end of a walk is always sent, and is no news to anybody.
+// The end of a walk is always sent. A failure to send it is not reported.
 void RosRobot::walk(double forward, double left, double turn) {
   const bool is_end = forward == 0 && left == 0 && turn == 0;
   if (const auto used = is_end ? topics() : topicsForCommand("walk")) {

@@ -11,27 +11,27 @@
 #include <string>
 #include <thread>
 
+#include "node/callback_threads.h"
+#include "node/master_watch.h"
 #include "remote_control/driver_search.h"
 #include "remote_control/driver_topics.h"
 #include "remote_control/robot.h"
 #include "remote_control/service_calls.h"
-#include "ros/callback_threads.h"
-#include "ros/master_watch.h"
 
 namespace aibo_driver::remote_control {
 
 /// The robot behind a running driver.
 ///
-/// Whatever may wait for a node or for the ROS master does so on threads of this object: one asks the master and makes
-/// topics, one takes messages, and each call of a service has its own.
+/// Functions that may wait for a node or for the ROS master run on threads of this object. One thread asks the master
+/// and makes topics, one takes messages, and each call of a service has its own thread.
 class RosRobot : public Robot {
   Q_OBJECT
 
  public:
-  /// ros::init() must have been called.
+  /// Call ros::init() before.
   explicit RosRobot(QObject* parent = nullptr);
 
-  /// Ends the calls that are under way.
+  /// Ends the calls that are still running.
   ~RosRobot() override;
 
   void useDriver(const QString& name_space) override;
@@ -53,9 +53,9 @@ class RosRobot : public Robot {
   void lookAt(const QPointF& place) override;
 
  private:
-  /// What the thread that asks the master is to do.
+  /// What the thread that asks the master should do.
   struct Wishes {
-    std::string name_space;  ///< empty: the first that is found
+    std::string name_space;  ///< empty means the first driver that is found
     std::set<Part> visible;
     bool end = false;
     bool operator==(const Wishes& other) const {
@@ -69,14 +69,15 @@ class RosRobot : public Robot {
   std::string findDriver() const;
   void useTopicsOf(const std::string& name_space);
   void reportConnection();
+  bool isNew() const;
   RobotConnection connectionNow() const;
 
   std::shared_ptr<DriverTopics> topicsForCommand(const QString& request);
   std::shared_ptr<DriverTopics> topics() const;
 
-  /// @param request what is asked for, in words
-  /// @param service its name, in the driver's namespace or a full one
-  /// @param also is called with the answer, on a thread of its own, if there is one
+  /// @param request what was asked for, in words
+  /// @param service the service's name, either in the driver's namespace or a full name
+  /// @param also if not empty, it is called with the answer, on a thread of its own
   template <typename Service>
   void call(const QString& request, const std::string& service, const typename Service::Request& arguments,
             const std::function<void(const typename Service::Response&)>& also = {});
@@ -84,7 +85,7 @@ class RosRobot : public Robot {
   void post(const std::function<void(Robot&)>& work);
   void takeMeasurements();
 
-  // Of the window's thread.
+  // The window's thread uses these members.
   RobotConnection connection_;
   ServiceCalls calls_;
   QTimer measurements_timer_;  ///< runs while somebody looks at measurements
@@ -93,19 +94,19 @@ class RosRobot : public Robot {
   std::condition_variable changed_;
   Wishes wishes_;
   bool connection_changed_ = false;
-  std::shared_ptr<DriverTopics> topics_;  ///< null: no driver is known
-  std::string name_space_;                ///< of the topics
+  std::shared_ptr<DriverTopics> topics_;  ///< null if no driver is known
+  std::string name_space_;                ///< the namespace of the topics
   std::string settings_owner_;
 
-  // Of the thread that asks the master.
+  // The thread that asks the master uses these members.
   bool master_answers_ = true;
-  std::chrono::steady_clock::time_point used_since_;  ///< the driver
+  std::chrono::steady_clock::time_point used_since_;  ///< since when the driver has been used
   QStringList reported_drivers_;
   QString reported_connection_;
   std::vector<std::string> found_drivers_;
   MasterState master_;
 
-  node::ReceiptClock receipts_;  ///< is not started: nothing here has an age
+  node::ReceiptClock receipts_;  ///< is not started, because the age of messages does not matter here
   node::CallbackThreads callbacks_;
   node::MasterWatch master_watch_;
   std::thread manager_;

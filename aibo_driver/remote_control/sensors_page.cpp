@@ -8,14 +8,14 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-constexpr double kNear = 0.2;  // m: an obstacle that the robot is about to meet
+constexpr double kNear = 0.2;  // m; the robot is about to meet such an obstacle
 const QColor kNearColor("#e53935");
 
 const char* const kUntouched = "background: palette(base); border: 1px solid palette(mid); border-radius: 4px";
 const char* const kTouched =
     "background: #ffb300; color: black; border: 1px solid palette(mid); border-radius: 4px; font-weight: bold";
 
-/// In the order of the page: as seen from above, with the head at the top.
+/// The places as seen from above, with the head at the top.
 constexpr std::pair<const char*, std::pair<int, int>> kPlaces[] = {
     {"head", {0, 0}},          {"chin", {0, 2}},        {"paw_left_front", {1, 0}},
     {"back_front", {1, 1}},    {"back_middle", {2, 1}}, {"paw_right_front", {1, 2}},

@@ -11,12 +11,12 @@
 
 namespace aibo_driver::remote_control {
 
-/// What touches the robot, and what its range finders measure.
+/// Shows what touches the robot and what its range finders measure.
 class SensorsPage : public Page {
   Q_OBJECT
 
  public:
-  /// @param robot outlives the page
+  /// @param robot must outlive the page
   explicit SensorsPage(Robot& robot, QWidget* parent = nullptr);
 
  private:

@@ -13,28 +13,28 @@
 
 namespace aibo_driver::remote_control {
 
-/// Calls services without waiting for them: each call has a thread of its own, so that none waits for another one.
+/// Calls services without waiting for them. Each call has a thread of its own, so that no call waits for another one.
 ///
-/// A service is called once at a time. A call that its server never answers ends with the server's process, or with
-/// this object. From one thread.
+/// A service has at most one call at a time. If a server never answers a call, the call ends with the server's process
+/// or with this object. Only one thread may use this object.
 class ServiceCalls {
  public:
   ServiceCalls() = default;
 
-  /// Ends the calls that are under way. None of their functions is called from then on.
+  /// Ends the calls that are still running. None of their functions is called from then on.
   ~ServiceCalls() { cancel(); }
 
   ServiceCalls(const ServiceCalls&) = delete;
   ServiceCalls& operator=(const ServiceCalls&) = delete;
 
-  /// @param name of the service, with its namespace
-  /// @param done is called on the call's thread with the answer, or with null if there is none
-  /// @return false if the last call of this service has not been answered; then nothing is done
+  /// @param name the name of the service, with its namespace
+  /// @param done called on the call's thread with the answer, or with null if there is none
+  /// @return false if the last call of this service has not been answered yet; then there is no new call
   template <typename Service>
   bool start(const std::string& name, const typename Service::Request& request,
              const std::function<void(const typename Service::Response*)>& done) {
     return run(name, [this, name, request, done](Call& call) {
-      // Only a connection that persists can be ended from another thread.
+      // Another thread can end only a connection that persists.
       constexpr bool kPersistent = true;
       typename Service::Response response;
       ros::ServiceClient client = handle_.serviceClient<Service>(name, kPersistent);
@@ -45,7 +45,7 @@ class ServiceCalls {
     });
   }
 
-  /// As the destructor.
+  /// Ends the calls as the destructor does.
   void cancel();
 
  private:

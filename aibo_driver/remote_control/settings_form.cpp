@@ -10,7 +10,7 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-/// "jpeg_quality" as "Jpeg quality".
+/// Turns "jpeg_quality" into "Jpeg quality".
 QString labelOf(const QString& name) {
   QString label = QString(name).replace('_', ' ');
   label[0] = label[0].toUpper();
@@ -22,7 +22,7 @@ template <typename Box>
 Box* makeSpinBox(QWidget* parent) {
   auto* box = new Box(parent);
   box->setKeyboardTracking(false);
-  box->setFocusPolicy(Qt::StrongFocus);  // not by the wheel
+  box->setFocusPolicy(Qt::StrongFocus);  // the mouse wheel does not give it the focus
   return box;
 }
 
@@ -37,7 +37,7 @@ QWidget* SettingsForm::makeSwitch(const Setting& setting) {
 
 QWidget* SettingsForm::makeChoice(const Setting& setting) {
   auto* box = new QComboBox(form_);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // long texts are in its list
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // its list shows long texts in full
   for (const auto& [text, value] : setting.choices) {
     box->addItem(text, value);
   }

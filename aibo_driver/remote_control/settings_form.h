@@ -10,8 +10,8 @@
 
 namespace aibo_driver::remote_control {
 
-/// The driver's settings, made from its own description, so that a new one is there as soon as the driver has it. Each
-/// shows the value in force.
+/// The driver's settings. The form is made from the driver's own description, so a new setting of the driver appears
+/// here by itself. The form shows the values in force.
 class SettingsForm : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class SettingsForm : public QWidget {
   void showValues(const SettingValues& values);
 
  Q_SIGNALS:
-  /// Somebody has chosen another value.
+  /// Emitted when somebody has chosen another value.
   void changed(const QString& name, const QVariant& value);
 
  private:
@@ -34,7 +34,7 @@ class SettingsForm : public QWidget {
 
   QWidget* form_ = nullptr;
   SettingValues values_;
-  std::map<QString, std::function<void(const QVariant&)>> show_;  ///< shows a value, by name of the setting
+  std::map<QString, std::function<void(const QVariant&)>> show_;  ///< functions that show a value, by setting
 };
 
 }  // namespace aibo_driver::remote_control

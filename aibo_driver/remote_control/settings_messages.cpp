@@ -20,8 +20,7 @@ QVariant valueOf(const Parameters& parameters, const std::string& name) {
   return found == parameters.end() ? QVariant() : QVariant(found->value);
 }
 
-// dynamic_reconfigure writes choices as a dictionary of Python, in which each entry has a name, a value and, last, a
-// description.
+// dynamic_reconfigure writes choices as a Python dictionary. Each entry has a name, a value and, last, a description.
 QVector<QPair<QString, QVariant>> choicesIn(const QString& edit_method, bool are_texts) {
   static const QRegularExpression pattern(
       "'name': '([^']*)'[^}]*?'value': '?([^',}]*)'?,[^}]*?'description': ['\"](.*?)['\"][,}]");

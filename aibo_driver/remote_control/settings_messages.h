@@ -1,5 +1,5 @@
 /// @file settings_messages.h
-/// The messages of dynamic_reconfigure as settings of the window, and back.
+/// Converts messages of dynamic_reconfigure to settings of the window, and back.
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_SETTINGS_MESSAGES_H
 #define AIBO_DRIVER_REMOTE_CONTROL_SETTINGS_MESSAGES_H
 
@@ -10,14 +10,14 @@
 
 namespace aibo_driver::remote_control {
 
-/// The settings that a driver has, in its order. Texts that are not a choice are left out.
+/// The driver's settings in the driver's order. Texts that are not a choice are left out.
 QVector<Setting> settingsIn(const dynamic_reconfigure::ConfigDescription& description);
 
 /// The values in force.
 SettingValues valuesIn(const dynamic_reconfigure::Config& message);
 
 /// A message that changes one setting.
-/// @param value a bool, int, double or QString, as the setting is
+/// @param value a bool, int, double or QString, depending on the setting
 dynamic_reconfigure::Config changeOf(const QString& name, const QVariant& value);
 
 }  // namespace aibo_driver::remote_control

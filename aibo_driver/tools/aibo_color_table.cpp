@@ -12,20 +12,20 @@
 #include <iostream>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "files/files.h"
-#include "ros/camera/color_table_file.h"
-#include "ros/camera/jpeg_decoder.h"
+#include "node/camera/color_table_file.h"
+#include "node/camera/jpeg_decoder.h"
 #include "tools/color_table/table_maker.h"
 
 namespace {
 
-using aibo_driver::InvalidArgumentException;
+using aibo_client::InvalidArgumentException;
 using aibo_driver::color_table::Region;
 using aibo_driver::node::BgrImage;
 namespace options = boost::program_options;
 
-constexpr double kLongestWait = 10;  // s for a picture
+constexpr double kLongestWait = 10;  // s, to wait for a picture
 constexpr std::size_t kLongestFile = 1 << 20;
 
 Region parseRegion(const std::string& text) {
@@ -83,7 +83,7 @@ int makeTable(const options::variables_map& values, int argc, char** argv) {
   }
   const BgrImage picture = values.count("file") > 0 ? pictureOfFile(values["file"].as<std::string>())
                                                     : pictureOfTopic(values["topic"].as<std::string>(), argc, argv);
-  const aibo_driver::ColorTable table =
+  const aibo_client::ColorTable table =
       aibo_driver::color_table::makeTable(picture, region, values["name"].as<std::string>(), margin);
   const auto coverage = aibo_driver::color_table::coverageOf(table, picture, region);
   std::fprintf(stderr, "The table contains %.1f %% of the region and %.1f %% of the rest of the picture.\n",

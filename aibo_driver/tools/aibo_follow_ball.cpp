@@ -1,6 +1,7 @@
-// Lets the robot walk after a pink ball, like the one that came with it, and around it. It steers by the colours that
-// the robot's camera detects: where the ball is in the picture gives its direction, how large it is its distance. When
-// somebody stops it, lets it take a posture or lifts it, the node needs leave to go on (leave_to_move.h).
+// Makes the robot walk after a pink ball, like the one that came with it, and around the ball. It steers by the colours
+// that the robot's camera detects. The ball's place in the picture gives its direction, and its size gives its
+// distance. When somebody stops or lifts the robot, or makes it take a posture, the node needs permission to go on
+// (leave_to_move.h).
 
 #include <aibo_driver/MotionState.h>
 #include <geometry_msgs/Twist.h>
@@ -11,7 +12,7 @@
 #include <optional>
 #include <string>
 
-#include "ros/node.h"
+#include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/ball/ball_finder.h"
 #include "tools/leave_to_move.h"
@@ -22,7 +23,7 @@ using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using aibo_driver::ball::Ball;
 
-constexpr double kClose = 0.45;  // m; then it walks around the ball
+constexpr double kClose = 0.45;  // m; when it is closer, it walks around the ball
 
 class FollowBall {
  public:
@@ -49,7 +50,7 @@ class FollowBall {
     }
   }
 
-  // Without images there are no commands, so the driver stops the robot.
+  // Without images there are no commands, and then the driver stops the robot.
   void receive(const sensor_msgs::Image::ConstPtr& mask) {
     if (!takes_posture_ && leave_.has()) {
       const std::optional<Ball> ball = aibo_driver::ball::findBall(*mask);
@@ -77,7 +78,7 @@ class FollowBall {
   ros::Subscriber motion_;
   ros::Subscriber mask_;
   bool takes_posture_ = false;
-  int last_seen_on_ = 1;  // -1: on the right
+  int last_seen_on_ = 1;  // -1 means on the right
 };
 
 }  // namespace

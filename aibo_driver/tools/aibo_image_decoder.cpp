@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "ros/camera/image_decoder.h"
-#include "ros/node.h"
+#include "node/camera/image_decoder.h"
+#include "node/node.h"
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_image_decoder");

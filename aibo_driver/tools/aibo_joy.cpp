@@ -1,4 +1,4 @@
-// Reads a joystick or gamepad and publishes it as sensor_msgs/Joy, as joy_node does, which Debian does not have.
+// Reads a joystick or gamepad and publishes it as sensor_msgs/Joy. It replaces joy_node, which Debian does not have.
 
 #include <ros/ros.h>
 #include <sensor_msgs/Joy.h>
@@ -9,25 +9,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "ros/node.h"
+#include "node/node.h"
 #include "tools/joystick/joystick_state.h"
 #include "tools/joystick/sdl_joystick.h"
 
 namespace {
 
-// How often the joystick is read: more often than a hand moves.
+// The joystick is read more often than a hand moves.
 constexpr double kReadPeriod = 0.01;  // s
 
-double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest) {
-  parameters.getParam(name, number);
-  if (!(number >= 0 && number <= highest)) {
-    throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
-                             "; allowed is 0.." + std::to_string(highest) + ".");
-  }
-  return number;
-}
-
-// @return the number in /dev/input/js0
+// @return the number N of /dev/input/jsN, such as 0
 int readDevice(const ros::NodeHandle& parameters) {
   const auto device = parameters.param<std::string>("dev", "/dev/input/js0");
   const std::size_t digits = device.find_last_not_of("0123456789") + 1;
@@ -39,8 +30,8 @@ int readDevice(const ros::NodeHandle& parameters) {
 }
 
 joystick::Reporter makeReporter(const ros::NodeHandle& parameters) {
-  const double dead_zone = readNumber(parameters, "deadzone", 0.05, 0.9);
-  const double rate = readNumber(parameters, "autorepeat_rate", 20.0, 100);
+  const double dead_zone = aibo_driver::node::readNumber(parameters, "deadzone", 0.05, 0.9);
+  const double rate = aibo_driver::node::readNumber(parameters, "autorepeat_rate", 20.0, 100);
   return {dead_zone, std::chrono::nanoseconds(rate > 0 ? std::llround(1e9 / rate) : 0)};
 }
 

@@ -1,5 +1,5 @@
-// Shows in rviz which LEDs shine and what touches the robot, as markers on the links of its model. It listens to the
-// driver only while somebody listens to it.
+// Shows in rviz which LEDs shine and what touches the robot, as markers on the links of its model. It subscribes to the
+// driver only while it has a subscriber itself.
 
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Touch.h>
@@ -9,7 +9,7 @@
 #include <memory>
 #include <string>
 
-#include "ros/node.h"
+#include "node/node.h"
 #include "tools/lights/light_markers.h"
 
 namespace {

@@ -1,5 +1,5 @@
-// Turns the head so that the middle of the camera's picture shows a point, which may be in any frame that tf knows. It
-// is a node of its own, because listening to tf takes more processor time than most of the driver's work.
+// Turns the head so that a point appears in the middle of the camera's picture. The point may be in any frame that tf
+// knows. This is a node of its own because listening to tf takes more processor time than most of the driver's work.
 
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/RobotState.h>
@@ -18,8 +18,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "node/node.h"
 #include "robot_model/head.h"
-#include "ros/node.h"
 #include "text/plain_text.h"
 #include "text/throttled_warnings.h"
 
@@ -29,16 +29,16 @@ using aibo_driver::LookAtResult;
 using aibo_driver::RobotState;
 using geometry_msgs::PointStamped;
 
-// From this error on, a point is not in the middle of the picture: a third of a pixel.
+// With a larger error than this, which is a third of a pixel, a point is not in the middle of the picture.
 constexpr double kMiddle = 0.0015;
 
-// How long to wait for the transform and, after a start, for the driver. Stamps of tf are late by one measurement of
-// the robot, 32 ms, and the radio.
+// How long to wait for the transform and, after a start, for the driver. The stamps of tf are late by one measurement
+// of the robot, which is 32 ms, and by the delay of the radio.
 constexpr double kPatience = 0.5;  // s
 
 constexpr double kDegree = M_PI / 180;
 
-// Waits by the wall clock: ROS' own may stand still. Other threads serve tf and connections meanwhile.
+// Waits by the wall clock, because ROS' own clock may stand still. Other threads serve tf and connections meanwhile.
 template <typename Condition>
 bool waitFor(const Condition& condition) {
   const ros::SteadyTime end = ros::SteadyTime::now() + ros::WallDuration(kPatience);
@@ -65,7 +65,7 @@ visualization_msgs::Marker makeFloor(const std::string& frame) {
   floor.ns = "floor";
   floor.type = visualization_msgs::Marker::CUBE;
   floor.frame_locked = 1u;
-  floor.pose.position.z = -kThickness;  // below the grid
+  floor.pose.position.z = -kThickness;  // this puts it below the grid
   floor.pose.orientation.w = 1;
   floor.scale.x = floor.scale.y = kSize;
   floor.scale.z = kThickness;
@@ -121,7 +121,7 @@ class LookAt {
     const double error = robot_model::findHeadAngles(place, &angles);
     sensor_msgs::JointState command;
     command.header.stamp = ros::Time::now();
-    command.header.frame_id = "look_at";  // so that motion_state can tell it from other commands
+    command.header.frame_id = "look_at";  // motion_state tells it from other commands by this
     command.name = {"neck_tilt", "head_pan", "head_tilt"};
     command.position = {angles.neck_tilt, angles.head_pan, angles.head_tilt};
     joints_.publish(command);
@@ -141,7 +141,7 @@ class LookAt {
   }
 
   // @return the point in the robot's body
-  // @throw std::runtime_error it is not known where that is; the message says why
+  // @throw std::runtime_error the point's place is not known; the message says why
   robot_model::Point findPlace(const PointStamped& point) {
     const Eigen::Vector3d given(point.point.x, point.point.y, point.point.z);
     if (!given.allFinite()) {

@@ -1,14 +1,11 @@
-// Prints the rate and the latency of the pictures once a second, as a subscriber gets them, and whether somebody has
-// stopped the robot.
+// Prints the rate and the latency of the pictures once a second, as a subscriber gets them. It also prints whether
+// somebody has stopped the robot.
 //
-// To be started in the driver's namespace; the root namespace means /aibo.
+// Start it in the driver's namespace. The root namespace means /aibo.
 // Parameters:
 //   ~seconds                how long to run after the first picture; 0, the default: until stopped
 //   ~first_picture_timeout  seconds to wait for the first picture before it gives up and returns 1; 0: for ever.
 //                           The default is ~seconds
-//   ~picture_log            the log that aibo_rcserver --picture-log writes; empty, the default: none.
-//                           With it the latency counts from the camera's image, without it from the moment when the
-//                           first byte of a picture reached the driver.
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/RobotState.h>
@@ -17,17 +14,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "ros/camera/stream_meter.h"
-#include "ros/node.h"
+#include "node/camera/stream_meter.h"
+#include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/node_process.h"
-#include "tools/picture_log_reader.h"
 
 namespace aibo_driver::tools {
 namespace {
@@ -35,7 +30,7 @@ namespace {
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
-constexpr std::size_t kMostArrivals = 1000;  // in a second; more are none of the robot's
+constexpr std::size_t kMostArrivals = 1000;  // in a second; a robot does not send more
 
 nanoseconds sinceEpoch(const ros::Time& time) {
   return nanoseconds(time.toNSec());
@@ -46,10 +41,6 @@ class Monitor {
   explicit Monitor(const ros::NodeHandle& private_handle)
       : seconds_(private_handle.param("seconds", 0.0)),
         first_picture_timeout_(private_handle.param("first_picture_timeout", seconds_)) {
-    const auto picture_log = private_handle.param<std::string>("picture_log", "");
-    if (!picture_log.empty()) {
-      picture_log_ = std::make_unique<PictureLogReader>(picture_log);
-    }
     pictures_ = node_.subscribe("camera/image_raw/compressed", 100, &Monitor::onPicture, this,
                                 ros::TransportHints().tcpNoDelay());
     connection_ = node_.subscribe("connection", 1, &Monitor::onConnection, this);
@@ -81,7 +72,7 @@ class Monitor {
   void onTimer(const ros::SteadyTimerEvent&) {
     const auto now = steady_clock::now();
     if (!first_picture_time_ && !arrivals_.empty()) {
-      first_picture_time_ = now;  // this second is not a whole one
+      first_picture_time_ = now;  // the present second is not a whole one
       arrivals_.clear();
       meter_.read();
       driverLoad(now - last_report_);
@@ -106,14 +97,9 @@ class Monitor {
   }
 
   void report(nanoseconds elapsed) {
-    if (picture_log_) {
-      picture_log_->readNewLines();
-    }
-    bool latency_known = true;
     for (const Arrival& arrival : arrivals_) {
-      const auto picture_latency = latency(arrival);
-      latency_known = latency_known && picture_latency;
-      meter_.add(arrival.picture->data.size(), steady_clock::now() - picture_latency.value_or(nanoseconds(0)));
+      const nanoseconds latency = arrival.time - sinceEpoch(arrival.picture->header.stamp);
+      meter_.add(arrival.picture->data.size(), steady_clock::now() - latency);
     }
     arrivals_.clear();
     const node::StreamMeter::Reading reading = meter_.read();
@@ -121,32 +107,14 @@ class Monitor {
     if (reading.pictures == 0) {
       std::printf("no pictures: %s%s\n", connection_text_.c_str(), stop_text_.c_str());
     } else {
-      std::printf("%5.1f pictures/s %6.1f KB/s   %s to topic: %s   driver: %s of one processor%s\n",
-                  reading.picturesPerSecond(), reading.kilobytesPerSecond(),
-                  picture_log_ ? "camera image" : "robot's first byte",
-                  latency_known ? latencyText(reading).c_str() : "unknown", driver_load.c_str(), stop_text_.c_str());
+      std::printf(
+          "%5.1f pictures/s %6.1f KB/s   stamp to topic: %.1f ms (worst %.1f)   driver: %s of one processor%s\n",
+          reading.picturesPerSecond(), reading.kilobytesPerSecond(), 1e3 * reading.mean_latency,
+          1e3 * reading.max_latency, driver_load.c_str(), stop_text_.c_str());
     }
     if (std::fflush(stdout) != 0) {
       ros::shutdown();  // nobody reads the output any more
     }
-  }
-
-  // How old the picture was when it arrived here; empty if its camera image is not in the log.
-  std::optional<nanoseconds> latency(const Arrival& arrival) const {
-    if (!picture_log_) {
-      return arrival.time - sinceEpoch(arrival.picture->header.stamp);
-    }
-    const auto camera_time = picture_log_->cameraTime(arrival.picture->data, PictureLogReader::Time(arrival.time));
-    if (!camera_time) {
-      return std::nullopt;
-    }
-    return arrival.time - camera_time->time_since_epoch();
-  }
-
-  static std::string latencyText(const node::StreamMeter::Reading& reading) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.1f ms (worst %.1f)", 1e3 * reading.mean_latency, 1e3 * reading.max_latency);
-    return text;
   }
 
   // The share of one processor that the driver has used since the last call.
@@ -170,7 +138,6 @@ class Monitor {
   const double seconds_;
   const double first_picture_timeout_;
   ros::NodeHandle node_ = node::inDriverNamespace(ros::NodeHandle(), "aibo");
-  std::unique_ptr<PictureLogReader> picture_log_;
   ros::Subscriber pictures_;
   ros::Subscriber connection_;
   ros::Subscriber states_;

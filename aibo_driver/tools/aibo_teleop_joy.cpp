@@ -1,6 +1,6 @@
-// Steers the robot by a joystick or gamepad: one stick walks, the other turns the head, buttons stop, take pictures,
-// play motions and take postures. The joystick's messages have to come several times a second, even if nothing changes:
-// if they stop, the robot stops 0.5 s later.
+// Steers the robot by a joystick or gamepad. One stick walks, the other turns the head. Buttons stop the robot, take
+// pictures, play motions and take postures. The joystick's messages have to come several times a second, even if
+// nothing changes. If they stop, the robot stops 0.5 s later.
 
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/RobotState.h>
@@ -20,7 +20,7 @@
 #include <string>
 #include <utility>
 
-#include "ros/node.h"
+#include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
@@ -62,15 +62,6 @@ std::map<std::string, int> readButtons(const ros::NodeHandle& parameters, const 
   return buttons;
 }
 
-double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest) {
-  parameters.getParam(name, number);
-  if (!(number >= 0 && number <= highest)) {
-    throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
-                             "; allowed is 0.." + std::to_string(highest) + ".");
-  }
-  return number;
-}
-
 JoyMapping readMapping(const ros::NodeHandle& parameters) {
   JoyMapping mapping;
   mapping.dead_man_button = readPlace(parameters, "dead_man_button", mapping.dead_man_button, 0);
@@ -84,11 +75,11 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   mapping.picture_button = readPlace(parameters, "picture_button", mapping.picture_button);
   mapping.motions = readButtons(parameters, "motions");
   mapping.postures = readButtons(parameters, "postures");
-  mapping.speeds.forward = readNumber(parameters, "speed", mapping.speeds.forward, 1.0);
-  mapping.speeds.left = readNumber(parameters, "side_speed", mapping.speeds.left, 1.0);
-  mapping.speeds.turn = readNumber(parameters, "turn_speed", mapping.speeds.turn, 10.0);
-  mapping.head_speed = readNumber(parameters, "head_speed", mapping.head_speed, 10.0);
-  mapping.dead_zone = readNumber(parameters, "dead_zone", mapping.dead_zone, 0.9);
+  mapping.speeds.forward = aibo_driver::node::readNumber(parameters, "speed", mapping.speeds.forward, 1.0);
+  mapping.speeds.left = aibo_driver::node::readNumber(parameters, "side_speed", mapping.speeds.left, 1.0);
+  mapping.speeds.turn = aibo_driver::node::readNumber(parameters, "turn_speed", mapping.speeds.turn, 10.0);
+  mapping.head_speed = aibo_driver::node::readNumber(parameters, "head_speed", mapping.head_speed, 10.0);
+  mapping.dead_zone = aibo_driver::node::readNumber(parameters, "dead_zone", mapping.dead_zone, 0.9);
   for (const auto& posture : mapping.postures) {
     if (posture.first != "stand" && posture.first != "sit" && posture.first != "rest") {
       throw std::runtime_error("Parameter " + parameters.resolveName("postures") + " has '" + posture.first +
@@ -172,7 +163,7 @@ class JoyTeleop {
     }
   }
 
-  void walk(const aibo_driver::WalkVelocity& velocity) {
+  void walk(const aibo_client::WalkVelocity& velocity) {
     geometry_msgs::Twist twist;
     twist.linear.x = velocity.forward;
     twist.linear.y = velocity.left;
@@ -181,7 +172,7 @@ class JoyTeleop {
   }
 
   void turnHead(const HeadPosition& position) {
-    constexpr double kReserve = 1.5;  // so that the head keeps up with the positions
+    constexpr double kReserve = 1.5;  // so that the head can keep up with the positions
     const double speed = kReserve * mapping_.head_speed;
     sensor_msgs::JointState command;
     command.name = {"head_pan", "head_tilt"};

@@ -1,4 +1,4 @@
-// Lets the robot walk as keys are pressed in a terminal.
+// Makes the robot walk as the user presses keys in a terminal.
 
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
@@ -18,7 +18,7 @@
 #include <string>
 #include <utility>
 
-#include "ros/node.h"
+#include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/teleop/key_steering.h"
 #include "tools/teleop/service_caller.h"
@@ -30,10 +30,10 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using teleop::KeySteering;
 
-// Well within the 0.5 s after which the robot stops.
+// This is well below the 0.5 s after which the robot stops.
 constexpr milliseconds kPeriod{100};
 
-// Longer than keyboards wait before they repeat a key that is held down.
+// Keyboards wait for less than this before they repeat a key that is held down.
 constexpr double kHold = 0.8;  // s
 
 std::atomic<bool> is_ending{false};
@@ -42,14 +42,14 @@ void end(int) {
   is_ending = true;
 }
 
-// Ends by its own handler, so that the robot is told to stop and the terminal is as before.
+// The program handles the signals itself, so that it can stop the robot and restore the terminal.
 void endOnSignals() {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     std::signal(number, end);
   }
 }
 
-geometry_msgs::Twist toTwist(const aibo_driver::WalkVelocity& velocity) {
+geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity) {
   geometry_msgs::Twist twist;
   twist.linear.x = velocity.forward;
   twist.linear.y = velocity.left;
@@ -62,14 +62,14 @@ void printSpeeds(const teleop::Speeds& speeds) {
   std::fflush(stdout);
 }
 
-/// Tells the user when somebody has stopped the robot, and releases it by a key.
+/// Tells the user when somebody has stopped the robot. A key releases it.
 class StopNotice {
  public:
   explicit StopNotice(ros::NodeHandle handle) : release_(handle) {
     states_ = handle.subscribe("robot_state", 1, &StopNotice::receive, this);
   }
 
-  /// @return false if the key is another one, or there is nothing to release
+  /// @return false if it is another key, or if there is nothing to release
   bool press(char key) {
     if (key != kRelease || stopped_by_.empty()) {
       return false;
@@ -116,7 +116,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_
     } else if (steady_clock::now() < next) {
       continue;
     }
-    const aibo_driver::WalkVelocity velocity = keys->velocity(steady_clock::now());
+    const aibo_client::WalkVelocity velocity = keys->velocity(steady_clock::now());
     if (walks || !velocity.isZero()) {
       publisher.publish(toTwist(velocity));
     }
@@ -125,7 +125,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_
   }
   if (walks) {
     publisher.publish(geometry_msgs::Twist());
-    ros::WallDuration(0.2).sleep();  // until it has been sent
+    ros::WallDuration(0.2).sleep();  // until the message has been sent
   }
 }
 

@@ -7,7 +7,7 @@
 namespace aibo_driver::tools {
 namespace {
 
-// The driver ignores a stream of cmd_vel that was overruled until it has paused for 0.5 s.
+// If a stream of cmd_vel was overruled, the driver ignores it until it has paused for 0.5 s.
 const ros::WallDuration kPause(0.7);
 
 }  // namespace

@@ -1,39 +1,31 @@
 #include "tools/node_process.h"
 
-#include <ros/master.h>
 #include <ros/network.h>
-#include <ros/this_node.h>
-#include <xmlrpcpp/XmlRpcClient.h>
-#include <xmlrpcpp/XmlRpcValue.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <cstdint>
 #include <ctime>
 
+#include "node/xmlrpc_peer.h"
+
 namespace aibo_driver::tools {
 
 std::optional<pid_t> processOfNode(const std::string& node_name) {
-  XmlRpc::XmlRpcValue lookup;
-  lookup[0] = ros::this_node::getName();
-  lookup[1] = node_name;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue node_uri;
-  if (!ros::master::execute("lookupNode", lookup, response, node_uri, false)) {
+  using node::XmlRpcPeer;
+  try {
+    auto uri = XmlRpcPeer::master().call("lookupNode", {node_name});
+    std::string host;
+    std::uint32_t port = 0;
+    if (!uri || !ros::network::splitURI(*uri, host, port) || host != ros::network::getHost()) {
+      return std::nullopt;
+    }
+    auto process = XmlRpcPeer(host, port).call("getPid", {});
+    return process ? std::optional<pid_t>(static_cast<int&>(*process)) : std::nullopt;
+  } catch (const node::NoAnswer&) {
     return std::nullopt;
+  } catch (const XmlRpc::XmlRpcException&) {
+    return std::nullopt;  // an answer of another type
   }
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::network::splitURI(static_cast<std::string&>(node_uri), host, port) || host != ros::network::getHost()) {
-    return std::nullopt;
-  }
-  XmlRpc::XmlRpcClient node(host.c_str(), static_cast<int>(port), "/");
-  XmlRpc::XmlRpcValue caller;
-  caller[0] = ros::this_node::getName();
-  XmlRpc::XmlRpcValue answer;  // status code, status text, process
-  if (!node.execute("getPid", caller, answer) || node.isFault() || answer.getType() != XmlRpc::XmlRpcValue::TypeArray ||
-      answer.size() != 3 || answer[2].getType() != XmlRpc::XmlRpcValue::TypeInt) {
-    return std::nullopt;
-  }
-  return static_cast<pid_t>(static_cast<int&>(answer[2]));
 }
 
 std::optional<std::chrono::nanoseconds> processorTime(pid_t process) {

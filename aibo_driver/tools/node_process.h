@@ -1,5 +1,5 @@
 /// @file node_process.h
-/// The process behind a ROS node on this machine.
+/// Finds the process of a ROS node on this machine.
 #ifndef AIBO_DRIVER_TOOLS_NODE_PROCESS_H
 #define AIBO_DRIVER_TOOLS_NODE_PROCESS_H
 
@@ -11,7 +11,7 @@
 
 namespace aibo_driver::tools {
 
-/// Asks the ROS master and the node itself.
+/// Asks the ROS master and the node itself, and waits for each of them for 2 s at most.
 /// @param node_name its full name, such as "/aibo/aibo_driver"
 /// @return empty if the node does not answer, or runs on another machine
 std::optional<pid_t> processOfNode(const std::string& node_name);

@@ -6,24 +6,31 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
-#include "command_line/link_meter.h"
 #include "command_line/quantities.h"
+#include "command_line/stream_report.h"
 #include "files/files.h"
-#include "ros/camera/camera_options.h"
+#include "node/camera/camera_options.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::CameraSettings;
+using aibo_client::PicturePtr;
+using aibo_client::Resolution;
+
 namespace {
 
 namespace po = boost::program_options;
+using node::LinkMeter;
 using std::chrono::steady_clock;
 
 constexpr double kLongestWatch = 7 * 24 * 3600;  // s
 constexpr std::chrono::milliseconds kPictureTimeout{5000};
 
-/// Options of both commands. The robot resets its camera when its client goes, so there is no command to set it.
+/// Options of both commands. No command sets the camera, because the robot resets its camera when its client
+/// disconnects.
 void addCameraOptions(po::options_description& options) {
   options.add_options()("quality,q", po::value<std::string>()->default_value("85")->value_name("N"),
                         "of the JPEG, 1 to 100")(
@@ -42,13 +49,13 @@ Resolution resolutionIn(const Arguments& arguments) {
   const std::string& name = arguments.get<std::string>("resolution");
   const std::optional<Resolution> resolution = node::resolutionOf(name);
   if (!resolution) {
-    throw InvalidArgumentException("--resolution can be " + std::string(node::kResolutionNames) + ", not '" + name +
-                                   "'");
+    throw aibo_client::InvalidArgumentException("--resolution can be " + std::string(node::kResolutionNames) +
+                                                ", not '" + name + "'");
   }
   return *resolution;
 }
 
-/// @param names of the values 1, 2, ...
+/// @param names the names of the values 1, 2, ...
 int numberOf(const std::string& option, const std::string& name, const std::vector<std::string>& names) {
   std::string allowed;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -57,10 +64,10 @@ int numberOf(const std::string& option, const std::string& name, const std::vect
     }
     allowed += (i == 0 ? "" : ", ") + names[i];
   }
-  throw InvalidArgumentException("--" + option + " can be one of " + allowed + ", not '" + name + "'");
+  throw aibo_client::InvalidArgumentException("--" + option + " can be one of " + allowed + ", not '" + name + "'");
 }
 
-/// @return empty if the camera stays as it is
+/// @return empty if the camera should stay as it is
 std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
   CameraSettings settings;
   if (arguments.has("white-balance")) {
@@ -80,13 +87,13 @@ std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
   return settings == CameraSettings() ? std::nullopt : std::make_optional(settings);
 }
 
-ClientOptions clientOptionsIn(const Arguments& arguments) {
-  ClientOptions options;
+aibo_client::ClientOptions clientOptionsIn(const Arguments& arguments) {
+  aibo_client::ClientOptions options;
   options.jpeg_quality = qualityIn(arguments);
   return options;
 }
 
-/// The time of day in a name, such as 20261122-185601.
+/// The time of day for a name, such as 20261122-185601.
 std::string timeInName() {
   const std::time_t now = std::time(nullptr);
   std::tm local = {};
@@ -96,7 +103,7 @@ std::string timeInName() {
   return text;
 }
 
-/// With settings of the camera: the first picture of a stream that has them.
+/// Takes a picture. If it needs settings of the camera, it is the first picture of a stream that has them.
 PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   const int quality = qualityIn(arguments);
   const Resolution resolution = resolutionIn(arguments);
@@ -105,7 +112,7 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
     return robot.client().takePicture(quality, kPictureTimeout, nullptr, resolution);
   }
   if (!robot.received().status.robot.hasCapability("G")) {
-    throw CommandException(
+    throw aibo_client::CommandException(
         "this server has no request to set its camera; leave --white-balance, --gain, --shutter and "
         "--auto-exposure out");
   }
@@ -139,7 +146,7 @@ ExitStatus picture(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-/// Where the pictures of `watch` go.
+/// The place where the pictures of `watch` go.
 class Album {
  public:
   Album(const Arguments& arguments, Output& output) : output_(output), plays_(arguments.has("play")) {
@@ -155,7 +162,7 @@ class Album {
     }
   }
 
-  void add(const Picture& picture) {
+  void add(const aibo_client::Picture& picture) {
     if (plays_) {
       output_.bytes(picture.jpeg);
     }
@@ -176,12 +183,12 @@ class Album {
   unsigned long long saved_ = 0;
 };
 
-/// Takes pictures until the time.
-void takeUntil(Robot& robot, LinkMeter& meter, Album& album, steady_clock::time_point end) {
+/// Takes pictures until a time.
+void takeUntil(Robot& robot, LinkMeter& meter, int every, Album& album, steady_clock::time_point end) {
   const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
   while (robot.waitUntil(has_pictures, end - steady_clock::now(), Robot::Loss::kIsTolerated)) {
     for (const ArrivedPicture& arrived : robot.takePictures()) {
-      meter.add(*arrived.picture, arrived.time);
+      meter.add(*arrived.picture, arrived.age, every, arrived.time);
       album.add(*arrived.picture);
     }
   }
@@ -189,8 +196,8 @@ void takeUntil(Robot& robot, LinkMeter& meter, Album& album, steady_clock::time_
 
 void reportSecond(const Robot& robot, LinkMeter& meter, Output& output) {
   const LinkMeter::Reading reading = meter.read(steady_clock::now());
-  const ConnectionStatus status = robot.received().status;
-  const bool lost = status.state != ConnectionState::kConnected;
+  const aibo_client::ConnectionStatus status = robot.received().status;
+  const bool lost = status.state != aibo_client::ConnectionState::kConnected;
   const std::string why = lost ? status.reason + ". " + status.advice : "";
   output.result(lost && reading.pictures == 0 ? "no pictures: " + why : wordsOf(reading),
                 Json::object({{"connected", !lost}, {"problem", why}, {"stream", jsonOf(reading)}}));
@@ -199,7 +206,7 @@ void reportSecond(const Robot& robot, LinkMeter& meter, Output& output) {
 ExitStatus watch(const Arguments& arguments, Output& output) {
   const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0, kLongestWatch);
   const int every = parseWholeNumber("--every", arguments.get<std::string>("every"), 1, 65535);
-  const StreamFormat format{resolutionIn(arguments), every};
+  const aibo_client::StreamFormat format{resolutionIn(arguments), every};
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
   Album album(arguments, output);
   Robot robot(arguments.robot, output, clientOptionsIn(arguments));
@@ -209,16 +216,16 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
   }
   robot.connect();
   robot.client().setStreaming(true);
-  LinkMeter meter(every, steady_clock::now());
+  LinkMeter meter(steady_clock::now());
   try {
     const steady_clock::time_point begin = steady_clock::now();
     for (int second = 1; seconds == 0 || second <= seconds + 0.5; ++second) {
-      takeUntil(robot, meter, album, begin + std::chrono::seconds(second));
+      takeUntil(robot, meter, every, album, begin + std::chrono::seconds(second));
       robot.showWarnings();
       reportSecond(robot, meter, output);
     }
   } catch (const Interrupted&) {
-    // This is how it ends.
+    // This is the normal end.
   }
   const std::uint64_t lost = robot.received().lost_pictures;
   if (lost > 0) {

@@ -1,5 +1,5 @@
 /// @file commands.h
-/// Each command that talks to a robot. command.h says what a command is.
+/// The commands that talk to a robot. command.h says what a command is.
 #ifndef AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
 #define AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
 
@@ -35,6 +35,11 @@ Command picturesCommand();
 Command fetchCommand();
 Command deleteCommand();
 
+// sound.cpp
+Command listenCommand();
+Command playSoundCommand();
+Command sayCommand();
+
 // power.cpp
 Command motorsCommand();
 Command stopCommand();
@@ -42,8 +47,6 @@ Command stopCommand();
 // body.cpp
 Command sensorsCommand();
 Command batteryCommand();
-Command ledsCommand();
-Command earsCommand();
 
 }  // namespace aibo_driver::command_line
 

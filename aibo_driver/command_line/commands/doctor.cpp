@@ -10,11 +10,14 @@
 #include "client/fault.h"
 #include "client/tcp_transport.h"
 #include "command_line/commands/commands.h"
-#include "command_line/link_meter.h"
 #include "command_line/local_clients.h"
 #include "command_line/quantities.h"
+#include "command_line/stream_report.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::FaultKind;
+
 namespace {
 
 namespace po = boost::program_options;
@@ -24,10 +27,10 @@ using std::chrono::steady_clock;
 constexpr int kConsolePort = 59000;
 constexpr milliseconds kConsoleTimeout{500};
 constexpr double kLongestTest = 600;  // s
-constexpr double kFewPictures = 20;   // a second, of the camera's 25 or 30
+constexpr double kFewPictures = 20;   // pictures a second, of the camera's 25 or 30
 constexpr double kHighLoss = 0.1;
 constexpr double kLongGap = 0.5;        // s, between two pictures
-constexpr double kLowCharge = 0.2;      // as in the driver's diagnostics
+constexpr double kLowCharge = 0.2;      // the driver's diagnostics have the same limit
 constexpr double kBatteryPatience = 3;  // s
 constexpr char kWlanSwitch[] =
     " A robot that was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
@@ -39,10 +42,10 @@ struct Finding {
   std::string topic;
   bool good = true;
   std::string words;
-  std::string advice;  ///< what to do; empty if it is good
+  std::string advice;  ///< what to do; empty if all is well
 };
 
-/// What a lookup of the robot's name has found. It runs on a thread that may be left behind.
+/// The result of looking up the robot's name. The lookup runs on a thread that may be left behind.
 struct Lookup {
   std::string address;
   double seconds = 0;
@@ -58,14 +61,14 @@ std::string inMilliseconds(double seconds) {
   return text;
 }
 
-std::string numericAddress(const SocketAddress& address) {
+std::string numericAddress(const aibo_client::SocketAddress& address) {
   char host[NI_MAXHOST] = "";
   ::getnameinfo(reinterpret_cast<const sockaddr*>(&address.storage), address.size, host, sizeof host, nullptr, 0,
                 NI_NUMERICHOST);
   return host;
 }
 
-/// Looks at one thing after the other, until one of them makes the next impossible.
+/// Checks one thing after the other, until a problem makes the next check impossible.
 class Doctor {
  public:
   Doctor(const RobotAddress& address, double seconds, Output& output)
@@ -89,12 +92,12 @@ class Doctor {
     }
   }
 
-  /// @return false if nothing listens there
+  /// @return false if no program listens there
   bool checkPort() {
     const auto lookup = std::make_shared<Lookup>();
-    TcpTransport transport([lookup](const std::string& host, int port) {
+    aibo_client::TcpTransport transport([lookup](const std::string& host, int port) {
       const steady_clock::time_point begin = steady_clock::now();
-      NameLookupResult result = resolveWithSystem(host, port);
+      aibo_client::NameLookupResult result = aibo_client::resolveWithSystem(host, port);
       lookup->seconds = secondsSince(begin);
       lookup->address = result.addresses.empty() ? "" : numericAddress(result.addresses.front());
       return result;
@@ -107,7 +110,7 @@ class Doctor {
       findName(*lookup);
       find({"port", true, port + " answers in " + inMilliseconds(seconds - lookup->seconds), ""});
       return true;
-    } catch (const Fault& fault) {
+    } catch (const aibo_client::Fault& fault) {
       if (fault.kind() == FaultKind::kNameNotFound) {
         find({"name", false, fault.what(), fault.advice()});
         return false;
@@ -117,7 +120,7 @@ class Doctor {
       }
       if (fault.kind() == FaultKind::kTurnedAway) {
         find({"port", true, port + " answers", ""});
-        return true;  // checkServer() says more
+        return true;  // checkServer() will find out more
       }
       find({"port", false, fault.what(), adviceFor(fault)});
       return false;
@@ -134,7 +137,7 @@ class Doctor {
     }
   }
 
-  std::string adviceFor(const Fault& fault) {
+  std::string adviceFor(const aibo_client::Fault& fault) {
     if (fault.kind() == FaultKind::kRefused && consoleAnswers()) {
       return "The robot's console (port 59000) answers: the robot is on, but RCServer is not running. The console says "
              "why.";
@@ -146,10 +149,10 @@ class Doctor {
 
   bool consoleAnswers() {
     try {
-      TcpTransport transport;
+      aibo_client::TcpTransport transport;
       transport.connect(address_.host, kConsolePort, steady_clock::now() + kConsoleTimeout);
       return true;
-    } catch (const Fault&) {
+    } catch (const aibo_client::Fault&) {
       return false;
     }
   }
@@ -163,7 +166,7 @@ class Doctor {
       checkBattery(robot);
       checkStream(robot);
       return true;
-    } catch (const NetworkException& error) {
+    } catch (const aibo_client::NetworkException& error) {
       const bool turned_away = error.kind() == FaultKind::kTurnedAway;
       find({"server", false, error.what(), turned_away ? whoIsConnected() : "Is the robot within reach of its WLAN?"});
       return false;
@@ -183,7 +186,7 @@ class Doctor {
   }
 
   void checkVersion(const Robot& robot) {
-    const ConnectionStatus status = robot.received().status;
+    const aibo_client::ConnectionStatus status = robot.received().status;
     if (status.protocol_version == 1) {
       find({"server", true, "speaks version 1 of the protocol, as the RCServer of 2005 and 2006 does", ""});
       return;
@@ -219,12 +222,12 @@ class Doctor {
 
   void checkStream(Robot& robot) {
     robot.client().setStreaming(true);
-    LinkMeter meter(1, steady_clock::now());
+    node::LinkMeter meter(steady_clock::now());
     const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds_);
     const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
     while (robot.waitUntil(has_pictures, end - steady_clock::now())) {
       for (const ArrivedPicture& arrived : robot.takePictures()) {
-        meter.add(*arrived.picture, arrived.time);
+        meter.add(*arrived.picture, arrived.age, 1, arrived.time);
       }
     }
     stream_ = meter.read(steady_clock::now());
@@ -264,7 +267,7 @@ class Doctor {
   std::string numeric_address_;
   std::vector<Json> findings_;
   int problems_ = 0;
-  LinkMeter::Reading stream_;
+  node::LinkMeter::Reading stream_;
 };
 
 ExitStatus diagnose(const Arguments& arguments, Output& output) {

@@ -6,6 +6,9 @@
 #include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::EndedHow;
+
 namespace {
 
 const char* wordsOf(EndedHow how) {
@@ -21,6 +24,8 @@ const char* wordsOf(EndedHow how) {
     case EndedHow::kFell:
       return "ended because the robot fell or was lifted";
     case EndedHow::kUnknown:
+    case EndedHow::kNotReached:
+    case EndedHow::kLost:
       break;
   }
   return "ended in a way that this program does not know";
@@ -28,8 +33,10 @@ const char* wordsOf(EndedHow how) {
 
 }  // namespace
 
-bool waitForEnd(Robot& robot, EndedKind kind, const std::string& name, double seconds) {
-  const auto is_it = [&](const MotionEnd& end) { return end.kind == kind && (name.empty() || end.name == name); };
+bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name, double seconds) {
+  const auto is_it = [&](const aibo_client::MotionEnd& end) {
+    return end.kind == kind && (name.empty() || end.name == name);
+  };
   const auto has_ended = [&](const Received& received) {
     return std::any_of(received.ends.begin(), received.ends.end(), is_it);
   };
@@ -37,7 +44,7 @@ bool waitForEnd(Robot& robot, EndedKind kind, const std::string& name, double se
     return false;
   }
   const Received received = robot.received();
-  const MotionEnd end = *std::find_if(received.ends.begin(), received.ends.end(), is_it);
+  const aibo_client::MotionEnd end = *std::find_if(received.ends.begin(), received.ends.end(), is_it);
   if (end.how != EndedHow::kDone) {
     throw FailedException((name.empty() ? "the movement" : name) + " " + wordsOf(end.how) +
                           (end.reason.empty() ? "" : ": " + end.reason));

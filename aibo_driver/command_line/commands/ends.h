@@ -4,18 +4,18 @@
 
 #include <string>
 
-#include "aibo_driver/motion_end.h"
+#include "aibo_client/motion_end.h"
 #include "command_line/robot.h"
 
 namespace aibo_driver::command_line {
 
-/// Waits until the robot says that it has done something to its end.
-/// @param name as in MotionEnd; empty: any
-/// @param seconds longest time to wait
-/// @return false if it has not ended in this time
+/// Waits until the robot reports that it has finished something.
+/// @param name the name in MotionEnd; empty means any
+/// @param seconds the longest time to wait
+/// @return false if it has not ended within this time
 /// @throw FailedException it ended in another way; the message says so
-/// @throw NetworkException, Interrupted as Robot::waitUntil()
-bool waitForEnd(Robot& robot, EndedKind kind, const std::string& name, double seconds);
+/// @throw NetworkException, Interrupted for the reasons of Robot::waitUntil()
+bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name, double seconds);
 
 }  // namespace aibo_driver::command_line
 

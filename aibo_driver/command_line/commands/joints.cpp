@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
@@ -16,20 +16,23 @@
 #include "movement/measured_joints.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::InvalidArgumentException;
+
 namespace {
 
 namespace po = boost::program_options;
 using std::chrono::steady_clock;
 
-constexpr double kMargin = 3;            // s, beyond the time that a way takes
-constexpr double kMoment = 1.5;          // s, beyond the time that a way takes at full speed
+constexpr double kMargin = 3;            // s, in addition to the time that a way takes
+constexpr double kMoment = 1.5;          // s, in addition to the time that a way takes at full speed
 constexpr double kThere = 0.0087;        // rad, half a degree
 constexpr double kNear = 0.087;          // rad, 5 degrees
 constexpr double kClamped = 0.001;       // rad
 constexpr double kLongestDuration = 60;  // s
 constexpr double kLowestSpeed = 0.01;    // rad/s
 
-/// To a tenth, without a sign before zero.
+/// Rounds to a tenth, and removes the sign of zero.
 double roundedDegrees(double radian) {
   return std::round(10 * degrees(radian)) / 10 + 0.0;
 }
@@ -40,12 +43,12 @@ std::string inDegrees(double radian) {
   return text;
 }
 
-/// Where joints shall go.
+/// The targets of joints.
 struct Move {
   std::vector<std::string> names;
   std::vector<double> positions;  ///< rad, as the user typed them
   double speed = 0;               ///< rad/s
-  double duration = 0;            ///< s; 0: as fast as the speed allows
+  double duration = 0;            ///< s; 0 means as fast as the speed allows
 };
 
 Move parseMove(const Arguments& arguments) {
@@ -67,7 +70,7 @@ Move parseMove(const Arguments& arguments) {
   return move;
 }
 
-/// Moves joints as the driver does: within their limits, by its filter.
+/// Moves joints like the driver: within their limits, and with the driver's filter.
 class Mover {
  public:
   Mover(Robot& robot, Output& output, const Move& move)
@@ -79,7 +82,7 @@ class Mover {
         filter_(table_, measured_, move.speed),
         link_(robot.client(), table_.design()) {}
 
-  /// @throw FailedException a joint does not arrive
+  /// @throw FailedException a joint does not reach its target
   ExitStatus run() {
     requireJoints();
     measure();
@@ -107,7 +110,7 @@ class Mover {
     }
   }
 
-  /// The filter needs to know where the joints are.
+  /// Measures where the joints are, because the filter needs to know that.
   void measure() {
     robot_.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
     const bool measured = robot_.waitUntil(
@@ -115,7 +118,7 @@ class Mover {
     if (!measured) {
       throw FailedException("the robot does not report where its joints are, so none was moved");
     }
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.arrival = steady_clock::now();
     for (const auto& joint : robot_.received().joints) {
       telemetry.joints.push_back(joint.second);
@@ -148,8 +151,8 @@ class Mover {
     }
   }
 
-  /// Waits until the joints are where they were sent, or, a moment after the time for that, near it: under load, a
-  /// servo stays a little beside its target.
+  /// Waits until the joints have arrived at their targets. A moment after the expected time, near is enough: under
+  /// load, a servo stops a little beside its target.
   void waitUntilArrived(const movement::JointOrders& orders) {
     double longest = move_.duration;
     for (const auto& [id, order] : orders) {
@@ -183,7 +186,7 @@ class Mover {
     return late + (message.empty() ? "" : ". The robot says: " + message);
   }
 
-  /// A server that cannot hold gets the places where the joints are.
+  /// A server that cannot hold is told to move the joints to where they are.
   void hold(const movement::JointOrders& orders) {
     std::vector<int> ids;
     movement::JointOrders here;
@@ -195,7 +198,7 @@ class Mover {
       robot_.client().hold(ids, Robot::kTimeout);
     } else {
       link_.send(here, std::chrono::milliseconds(0));
-      robot_.client().stopMotion("", Robot::kTimeout);  // its answer comes after theirs
+      robot_.client().stopMotion("", Robot::kTimeout);  // its answer comes after the answers to the joints
     }
   }
 
@@ -248,7 +251,7 @@ ExitStatus showJoints(const Arguments& arguments, Output& output) {
   robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
   robot.waitUntil([&](const Received& received) { return received.joints.size() >= table.size(); },
                   Robot::kMeasureTimeout);
-  const std::map<int, JointReading> measured = robot.received().joints;
+  const std::map<int, aibo_client::JointReading> measured = robot.received().joints;
   if (measured.empty()) {
     throw FailedException("the robot does not report its joints: does its server support them?");
   }

@@ -2,18 +2,22 @@
 #include <cstdio>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 #include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::Posture;
+using aibo_client::WalkVelocity;
+
 namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last one
+constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last command
 constexpr double kLongestWalk = 60;                        // s
 constexpr double kLongestPosture = 30;                     // s; lying down from standing takes about 5
 
@@ -27,13 +31,13 @@ WalkVelocity velocityOf(const Arguments& arguments) {
     } else if (part.name == "turn") {
       velocity.turn = parseAngularSpeed("turn", part.value);
     } else {
-      throw InvalidArgumentException("a walk has forward, left and turn, not '" + part.name + "'");
+      throw aibo_client::InvalidArgumentException("a walk has forward, left and turn, not '" + part.name + "'");
     }
   }
   return velocity;
 }
 
-/// Steers until the time is over or somebody presses Ctrl-C; then the robot stops in an orderly way.
+/// Steers until the time is over or somebody presses Ctrl-C. Then the robot stops in an orderly way.
 void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   using std::chrono::steady_clock;
   const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds);
@@ -59,12 +63,12 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   const WalkVelocity velocity = velocityOf(arguments);
   const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestWalk);
   if (velocity.isZero()) {
-    throw InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
+    throw aibo_client::InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
   }
   Robot robot(arguments.robot, output);
   robot.connect();
   steer(robot, velocity, seconds);
-  if (!waitForEnd(robot, EndedKind::kWalk, "", kLongestPosture)) {
+  if (!waitForEnd(robot, aibo_client::EndedKind::kWalk, "", kLongestPosture)) {
     throw FailedException("the robot does not say that it stands");
   }
   output.result("The robot has walked and stands.", Json::object({{"walked", true}}));
@@ -76,7 +80,7 @@ ExitStatus takePosture(const Arguments& arguments, Output& output, Posture postu
   Robot robot(arguments.robot, output);
   robot.connect();
   robot.client().takePosture(posture, Robot::kTimeout);
-  if (!waitForEnd(robot, EndedKind::kPosture, name, kLongestPosture)) {
+  if (!waitForEnd(robot, aibo_client::EndedKind::kPosture, name, kLongestPosture)) {
     throw FailedException("the robot did not take the posture in time");
   }
   output.result(words, Json::object({{"posture", name}}));

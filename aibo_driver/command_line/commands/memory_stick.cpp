@@ -12,7 +12,7 @@ namespace {
 
 namespace po = boost::program_options;
 
-constexpr std::chrono::milliseconds kTimeout{15000};  // a stick may be slow, and a picture large
+constexpr std::chrono::milliseconds kTimeout{15000};  // a stick may be slow, and a picture may be large
 constexpr const char* kPictureEnding = ".JPG";
 
 bool endsWith(const std::string& text, const std::string& end) {

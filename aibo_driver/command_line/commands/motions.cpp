@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 #include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
@@ -22,7 +22,7 @@ constexpr std::chrono::milliseconds kPlayTimeout{2000};
 constexpr std::chrono::milliseconds kFileTimeout{5000};
 constexpr std::chrono::milliseconds kUploadTimeout{15000};
 constexpr double kLongestPlay = 3600;  // s
-constexpr double kBlindPlay = 10;      // s, if the server does not report ends
+constexpr double kBlindPlay = 10;      // s, for a server that does not report ends
 
 ExitStatus list(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
@@ -31,13 +31,13 @@ ExitStatus list(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-/// Stops the motion when the time has passed, and at Ctrl-C.
-/// @return true if it has played to its end
+/// Waits while a motion plays. It stops the motion when the time has passed, and at Ctrl-C.
+/// @return true if the motion has played to its end
 bool waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
   bool done = false;
   try {
     if (robot.reportsEnds()) {
-      done = waitForEnd(robot, EndedKind::kMotion, name, seconds);
+      done = waitForEnd(robot, aibo_client::EndedKind::kMotion, name, seconds);
     } else {
       robot.waitUntil([](const Received&) { return false; }, nanosecondsOf(seconds));
     }

@@ -1,7 +1,7 @@
 #include <chrono>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
 
 namespace aibo_driver::command_line {
@@ -10,7 +10,7 @@ namespace {
 ExitStatus switchMotors(const Arguments& arguments, Output& output) {
   const std::string& wish = arguments.words.front();
   if (wish != "on" && wish != "off") {
-    throw InvalidArgumentException("motors can be switched on or off, not '" + wish + "'");
+    throw aibo_client::InvalidArgumentException("motors can be switched on or off, not '" + wish + "'");
   }
   Robot robot(arguments.robot, output);
   robot.connect();

@@ -9,12 +9,12 @@
 namespace aibo_driver::ball {
 namespace {
 
-constexpr double kFocalLength = 192.0 / 208.0;  // of the ERS-7's camera, in widths of the picture
+constexpr double kFocalLength = 192.0 / 208.0;  // of the ERS-7's camera, as a multiple of the picture's width
 
-// A patch of detected pixels: its edges in the picture.
+// A patch of detected pixels. The members are its edges in the picture.
 struct Patch {
   int left;
-  int right;  // the first column beyond it
+  int right;  // the first column beyond the patch
   int top;
   int bottom;
   int pixels = 0;
@@ -22,7 +22,7 @@ struct Patch {
   double width() const { return right - left; }
   double height() const { return bottom - top; }
 
-  // A disc fills 0.79 of the box around it; a ball that touches the bone in the picture does not.
+  // A disc fills 0.79 of the box around it. A ball that touches the bone in the picture does not look like that.
   bool isRound() const {
     return width() < 1.5 * height() && height() < 1.5 * width() && pixels > 0.6 * width() * height();
   }
@@ -42,7 +42,7 @@ class Patches {
     }
   }
 
-  // The largest round patch.
+  // Finds the largest round patch.
   std::optional<Patch> findRound() {
     constexpr int kFewestPixels = 7;
     std::optional<Patch> found;
@@ -58,7 +58,7 @@ class Patches {
   }
 
  private:
-  // The patch with this pixel, which is removed.
+  // Removes and returns the patch that contains this pixel.
   Patch takePatch(std::size_t place) {
     Patch patch{width_, 0, height_, 0};
     std::vector<std::size_t> to_visit;
@@ -104,10 +104,8 @@ std::optional<Ball> findBall(const sensor_msgs::Image& mask) {
     return std::nullopt;
   }
   const double width = mask.width;
-  const double height = mask.height;
   const double focal_length = kFocalLength * width;
   return Ball{(width - (patch->left + patch->right)) / (2 * focal_length),
-              (height - (patch->top + patch->bottom)) / (2 * focal_length),
               kBallRadius * 2 * focal_length / std::max(patch->width(), patch->height())};
 }
 

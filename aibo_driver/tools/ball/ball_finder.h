@@ -9,19 +9,18 @@
 
 namespace aibo_driver::ball {
 
-constexpr double kBallRadius = 0.0425;  ///< m, of the pink ball
+constexpr double kBallRadius = 0.0425;  ///< m, the pink ball's
 
 /// A ball as the camera sees it.
 struct Ball {
   double left;      ///< of the middle of the picture, as the tangent of the angle; negative: on the right
-  double up;        ///< of the middle of the picture, the same
   double distance;  ///< m from the camera, from how large it looks
 };
 
-/// Finds the largest round patch of detected pixels. A ball looks as wide as high; the robot's bone, which is as pink,
-/// does not, and is told from the ball even if both are in the picture.
-/// @param mask of color_mask: rgb8, black where nothing was detected
-/// @return none: there is no ball, or this is not such an image
+/// Finds the largest round patch of detected pixels. A ball looks as wide as high. The robot's bone is just as pink,
+/// but it has another shape. So it is told from the ball even if both are in the picture.
+/// @param mask an image of color_mask: rgb8, black where nothing was detected
+/// @return empty if there is no ball, or if this is no such image
 std::optional<Ball> findBall(const sensor_msgs::Image& mask);
 
 }  // namespace aibo_driver::ball

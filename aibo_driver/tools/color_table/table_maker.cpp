@@ -5,16 +5,19 @@
 #include <cstddef>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::color_table {
+
+using aibo_client::ColorTable;
+
 namespace {
 
-constexpr int kYPerSegment = 256 / kColorSegments;
+constexpr int kYPerSegment = 256 / aibo_client::kColorSegments;
 constexpr int kFewestPixels = 16;
-constexpr double kOutliers = 0.01;  // at each end
+constexpr double kOutliers = 0.01;  // the part of the values that is left out at each end
 
-// As in JPEG files (ITU-R BT.601, full range), which have what the camera measured.
+// The values are those of JPEG files (ITU-R BT.601, full range), because JPEGs contain what the camera measured.
 struct Pixel {
   int y;
   int cr;
@@ -47,19 +50,20 @@ void checkRegion(const node::BgrImage& picture, const Region& region) {
   const bool is_within = region.left >= 0 && region.top >= 0 && region.width >= 1 && region.height >= 1 &&
                          region.left <= picture.width - region.width && region.top <= picture.height - region.height;
   if (!is_within) {
-    throw InvalidArgumentException("the region " + std::to_string(region.left) + "," + std::to_string(region.top) +
-                                   "," + std::to_string(region.width) + "," + std::to_string(region.height) +
-                                   " is not within the picture, which has " + std::to_string(picture.width) + "x" +
-                                   std::to_string(picture.height) + " pixels");
+    throw aibo_client::InvalidArgumentException(
+        "the region " + std::to_string(region.left) + "," + std::to_string(region.top) + "," +
+        std::to_string(region.width) + "," + std::to_string(region.height) + " is not within the picture, which has " +
+        std::to_string(picture.width) + "x" + std::to_string(picture.height) + " pixels");
   }
   if (region.width * region.height < kFewestPixels) {
-    throw InvalidArgumentException("the region has " + std::to_string(region.width * region.height) +
-                                   " pixels; it takes at least " + std::to_string(kFewestPixels));
+    throw aibo_client::InvalidArgumentException("the region has " + std::to_string(region.width * region.height) +
+                                                " pixels; it takes at least " + std::to_string(kFewestPixels));
   }
 }
 
 bool isIn(const ColorTable& table, const Pixel& pixel) {
-  const std::optional<ColorRange>& range = table.segments.at(static_cast<std::size_t>(pixel.y / kYPerSegment));
+  const std::optional<aibo_client::ColorRange>& range =
+      table.segments.at(static_cast<std::size_t>(pixel.y / kYPerSegment));
   return range && range->cr_min <= pixel.cr && pixel.cr <= range->cr_max && range->cb_min <= pixel.cb &&
          pixel.cb <= range->cb_max;
 }
@@ -86,7 +90,7 @@ ColorTable makeTable(const node::BgrImage& picture, const Region& region, const 
   table.name = name;
   for (int segment = luminance.lowest / kYPerSegment; segment <= luminance.highest / kYPerSegment; ++segment) {
     table.segments.at(static_cast<std::size_t>(segment)) =
-        ColorRange{red.lowest, red.highest, blue.lowest, blue.highest};
+        aibo_client::ColorRange{red.lowest, red.highest, blue.lowest, blue.highest};
   }
   return table;
 }

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "aibo_driver/colors.h"
-#include "ros/camera/jpeg_decoder.h"
+#include "aibo_client/colors.h"
+#include "node/camera/jpeg_decoder.h"
 
 namespace aibo_driver::color_table {
 
@@ -20,20 +20,21 @@ struct Region {
   bool contains(int x, int y) const { return x >= left && x < left + width && y >= top && y < top + height; }
 };
 
-/// A table of the colours in a region: the range of Y, in whole segments and one more at each end, and the ranges of Cr
-/// and Cb, widened by a margin. Of each, the lowest and highest hundredth of the values are left out, because the edges
-/// of things have other colours.
+/// Makes a table of the colours in a region. It contains the range of Y, in whole segments and one more at each end,
+/// and the ranges of Cr and Cb, widened by a margin. For each of them, the lowest and the highest hundredth of the
+/// values are left out, because the edges of things have other colours.
 /// @param margin added to both ends of Cr and Cb, 0..127
 /// @throw InvalidArgumentException the region is not within the picture, or has fewer than 16 pixels; the message says
 ///   what is wrong
-ColorTable makeTable(const node::BgrImage& picture, const Region& region, const std::string& name, int margin);
+aibo_client::ColorTable makeTable(const node::BgrImage& picture, const Region& region, const std::string& name,
+                                  int margin);
 
-/// How much of a picture a table contains, as parts of all pixels.
+/// How much of a picture a table contains, as shares of all pixels.
 struct Coverage {
-  double inside;   ///< of the region
-  double outside;  ///< of the rest of the picture; 0 if there is none
+  double inside;   ///< the share of the region
+  double outside;  ///< the share of the rest of the picture; 0 if there is no rest
 };
-Coverage coverageOf(const ColorTable& table, const node::BgrImage& picture, const Region& region);
+Coverage coverageOf(const aibo_client::ColorTable& table, const node::BgrImage& picture, const Region& region);
 
 }  // namespace aibo_driver::color_table
 

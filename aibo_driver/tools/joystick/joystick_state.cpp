@@ -35,7 +35,7 @@ State Reporter::withDeadZone(const State& state) const {
   for (float& axis : result.axes) {
     const double size = std::min(std::abs(static_cast<double>(axis)), 1.0);
     const double beyond = std::max(size - dead_zone_, 0.0) / (1 - dead_zone_);
-    axis = static_cast<float>(std::copysign(beyond, axis)) + 0.0F;  // no negative zero
+    axis = static_cast<float>(std::copysign(beyond, axis)) + 0.0F;  // adding 0 avoids a negative zero
   }
   return result;
 }

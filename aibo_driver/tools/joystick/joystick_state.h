@@ -1,5 +1,5 @@
 /// @file joystick_state.h
-/// How a joystick or gamepad is held, and what is to be reported of it. Without SDL and ROS.
+/// How a joystick or gamepad is held, and what to report about it. This needs neither SDL nor ROS.
 #ifndef AIBO_DRIVER_TOOLS_JOYSTICK_JOYSTICK_STATE_H
 #define AIBO_DRIVER_TOOLS_JOYSTICK_JOYSTICK_STATE_H
 
@@ -9,28 +9,29 @@
 
 namespace joystick {
 
-/// As in sensor_msgs/Joy.
+/// The state of a joystick, as in sensor_msgs/Joy.
 struct State {
-  std::vector<float> axes;   ///< -1..1; positive is to the left and up
+  std::vector<float> axes;   ///< -1..1; positive means to the left and up
   std::vector<int> buttons;  ///< 0 or 1
 };
 
 bool operator==(const State& left, const State& right);
 
-/// Decides what is published of a joystick, and when: each change, and the same again several times a second, so that
-/// a listener notices when the joystick or this program is gone.
+/// Decides what is published about a joystick, and when. It reports each change. It also repeats the state several
+/// times a second, so that a listener notices when the joystick or this program is gone.
 class Reporter {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// @param dead_zone 0..0.9; a smaller deflection of an axis is reported as 0, and beyond it an axis begins at 0
-  /// @param repeat_period after which the same is reported again; 0 = never
+  /// @param dead_zone 0..0.9; a smaller deflection of an axis is reported as 0, and the values begin at 0 at its edge
+  /// @param repeat_period the same state is reported again after this time; 0 means never
   Reporter(double dead_zone, std::chrono::nanoseconds repeat_period)
       : dead_zone_(dead_zone), repeat_period_(repeat_period) {}
 
-  /// To be called often.
-  /// @param state none: there is no joystick
-  /// @return what to publish now, if anything. When the joystick is gone, once, that nothing is pressed or deflected.
+  /// Call this often.
+  /// @param state empty if there is no joystick
+  /// @return what to publish now, if anything. When the joystick is gone, it reports once that nothing is pressed or
+  ///   deflected
   std::optional<State> report(const std::optional<State>& state, TimePoint now);
 
  private:
@@ -38,7 +39,7 @@ class Reporter {
 
   const double dead_zone_;
   const std::chrono::nanoseconds repeat_period_;
-  std::optional<State> last_;  ///< reported, while there is a joystick
+  std::optional<State> last_;  ///< the last state reported; empty while there is no joystick
   TimePoint reported_;
 };
 

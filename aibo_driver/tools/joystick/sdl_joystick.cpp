@@ -22,7 +22,7 @@ float direction(int hat, int positive, int negative) {
 }  // namespace
 
 SdlJoystick::SdlJoystick(int number, std::string name) : number_(number), name_(std::move(name)) {
-  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");                // Ctrl-C is for ROS
+  SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");                // ROS handles Ctrl-C
   SDL_SetHint(SDL_HINT_JOYSTICK_ALLOW_BACKGROUND_EVENTS, "1");  // there is no window
   if (SDL_Init(SDL_INIT_JOYSTICK) != 0) {
     throw std::runtime_error(std::string("SDL cannot read joysticks: ") + SDL_GetError());
@@ -36,7 +36,7 @@ SdlJoystick::~SdlJoystick() {
 
 std::optional<State> SdlJoystick::read() {
   SDL_JoystickUpdate();
-  SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // the state is read instead
+  SDL_FlushEvents(SDL_FIRSTEVENT, SDL_LASTEVENT);  // the events are not needed, because the state is read instead
   if (joystick_ != nullptr && SDL_JoystickGetAttached(joystick_) == SDL_FALSE) {
     close();
   }

@@ -11,14 +11,14 @@
 
 namespace joystick {
 
-/// A joystick or gamepad, read by SDL, which may be plugged in and pulled out at any time. There can be one object of
-/// this class at a time, used by one thread.
+/// A joystick or gamepad that SDL reads. It may be plugged in and pulled out at any time. There can be only one object
+/// of this class at a time, and only one thread may use it.
 ///
-/// Axes and buttons have the places that joy_node gives them: first the axes, then two for each hat, in Linux' order.
+/// Axes and buttons are ordered as joy_node orders them: first the axes, then two for each hat, in Linux' order.
 class SdlJoystick {
  public:
-  /// @param number of the joystick that is wanted, from 0 on; 0 is the first one
-  /// @param name if not empty: a joystick whose name contains this, instead
+  /// @param number the number of the joystick; 0 is the first one
+  /// @param name if not empty: use a joystick whose name contains this instead
   /// @throw std::runtime_error SDL cannot read joysticks; the message says why
   SdlJoystick(int number, std::string name);
   ~SdlJoystick();
@@ -26,11 +26,12 @@ class SdlJoystick {
   SdlJoystick(const SdlJoystick&) = delete;
   SdlJoystick& operator=(const SdlJoystick&) = delete;
 
-  /// Reads it, and looks for it if it is not there. Never waits.
-  /// @return none while it is not there
+  /// Reads the joystick, or looks for it if it is not there. It never waits.
+  /// @return empty while the joystick is not there
   std::optional<State> read();
 
-  /// Its name, and how many axes and buttons it has, for people; empty while it is not there.
+  /// The joystick's name, and how many axes and buttons it has, for people. It is empty while the joystick is not
+  /// there.
   std::string describe() const;
 
  private:

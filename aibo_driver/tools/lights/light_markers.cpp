@@ -23,22 +23,22 @@ constexpr Color kOrange{1.0F, 0.6F, 0.1F};
 constexpr Color kTouched{0.7F, 1.0F, 0.0F};
 constexpr Color kModeB{1.0F, 0.35F, 0.75F};
 
-// An LED that shines at all can be seen.
+// Every LED that shines at all must be visible.
 constexpr float kFaintest = 0.3F;
 constexpr float kTouchOpacity = 0.7F;
 
-// Boxes cover the parts of the model of which they show that they shine or are touched. Metres.
+// A box, in metres. It covers a part of the model and shows that this part shines or is touched.
 struct Place {
   const char* name;
   const char* link;
-  double x, y, z;  // of its centre, in the link
+  double x, y, z;  // the box's centre, in the link
   double length, width, height;
   int shape;
   Color color;
 };
 
-// What is in urdf/ers7.urdf: the strips of light on the back, the pads with the touch sensors, chin and feet. Beside
-// each strip is its white LED.
+// The parts in urdf/ers7.urdf: the strips of light on the back, the pads with the touch sensors, the chin and the feet.
+// Beside each strip is its white LED.
 const Place kPlaces[] = {
     {"back_front_color", "base_link", 0.030, 0, 0.0475, 0.006, 0.016, 0.005, Marker::CUBE, kBlue},
     {"back_front_white", "base_link", 0.038, 0, 0.0470, 0.005, 0.016, 0.004, Marker::CUBE, kWhite},
@@ -63,7 +63,7 @@ const Place kPlaces[] = {
     {"touch paw_right_hind", "right_hind_foot_link", 0, 0, 0, 0.032, 0.032, 0.032, Marker::SPHERE, kTouched},
 };
 
-// Where LEDs of the face are: seen from the middle of the dark ball, in degrees to the left and upwards.
+// Where an LED of the face is, seen from the middle of the dark ball, in degrees to the left and upwards.
 struct FacePlace {
   int number;
   double left;
@@ -93,7 +93,7 @@ Marker makeMarker(const Place& place, const std::string& frame_prefix) {
   return marker;
 }
 
-// On the ball's surface, with its centre in the middle between the two of the model.
+// The places are on the ball's surface. Its centre is in the middle between the two centres in the model.
 Place onFace(const FacePlace& place) {
   constexpr double kRadius = 0.0355;
   constexpr double kSize = 0.009;
@@ -134,7 +134,8 @@ bool LightMarkers::setLeds(const aibo_driver::LedStates& leds) {
   bool has_changed = false;
   const std::size_t count = std::min({leds.names.size(), leds.intensities.size(), leds.modes.size()});
   for (std::size_t i = 0; i < count; ++i) {
-    const float intensity = leds.intensities[i] > 0 ? std::min(leds.intensities[i], 1.0F) : 0;  // or unknown
+    // NaN means unknown.
+    const float intensity = leds.intensities[i] > 0 ? std::min(leds.intensities[i], 1.0F) : 0;
     has_changed |= set(leds.names[i], intensity, leds.modes[i] == aibo_driver::LedStates::MODE_B);
   }
   return has_changed;

@@ -11,28 +11,28 @@
 
 namespace lights {
 
-/// Shows in rviz which LEDs of an ERS-7 shine and what touches it, by markers on the links of its model.
+/// Shows in rviz which LEDs of an ERS-7 shine and what touches it. It uses markers on the links of the robot's model.
 ///
-/// The LEDs of the back and the touch sensors are where urdf/ers7.urdf has them. No source says where each LED of face
-/// and head is, so those are placed by a scheme: in pairs on the face, from below to above; LEDs of the face have
-/// another colour in mode B, which is not the real one.
+/// The LEDs of the back and the touch sensors are where urdf/ers7.urdf has them. No source says where each LED of the
+/// face and the head is, so they are placed by a scheme: in pairs on the face, from bottom to top. LEDs of the face
+/// have another colour in mode B, which is not the real one.
 class LightMarkers {
  public:
-  /// @param frame_prefix put before the frames of the links, such as "left"; may be empty
+  /// @param frame_prefix the prefix of the links' frames, such as "left"; may be empty
   explicit LightMarkers(const std::string& frame_prefix);
 
-  /// @return true if markers() is different now. So does setTouch().
+  /// @return true if markers() has changed; setTouch() returns the same
   bool setLeds(const aibo_driver::LedStates& leds);
   bool setTouch(const aibo_driver::Touch& touch);
 
-  /// All markers, each with an id of its own: those that shine are added, the others removed. They stay on their links
-  /// as these move.
+  /// All markers, each with its own id. Markers that shine are added, the others are removed. The markers move with
+  /// their links.
   visualization_msgs::MarkerArray markers() const;
 
  private:
   struct Light {
     std::string name;
-    visualization_msgs::Marker marker;  ///< as when it shines fully
+    visualization_msgs::Marker marker;  ///< as it looks at full intensity
     float intensity = 0;                ///< 0..1
     bool is_mode_b = false;
   };

@@ -7,10 +7,10 @@
 namespace teleop {
 namespace {
 
-// If messages come less often, the head turns more slowly.
+// If messages come less often than this, the head turns more slowly.
 constexpr double kLongestStep = 0.1;  // s
 
-// A head that is slower, or held, is not told to go further than this.
+// A command is never further ahead of the head than this. The head may be slow, or somebody may hold it.
 constexpr double kFurthestAhead = 0.3;  // rad
 
 double advance(const char* joint, double target, double measured, double way) {

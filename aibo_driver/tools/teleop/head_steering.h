@@ -7,35 +7,35 @@
 
 namespace teleop {
 
-/// How fast the head turns. rad/s.
+/// How fast the head turns, in rad/s.
 struct HeadVelocity {
   double pan = 0;   ///< positive to the left
   double tilt = 0;  ///< positive up
 };
 
-/// Where the head looks. rad.
+/// Where the head looks, in rad.
 struct HeadPosition {
   double pan = 0;   ///< positive to the left
   double tilt = 0;  ///< positive up
 };
 
-/// Turns velocities of the head into positions to command. They begin where the head is measured, end at the limits of
-/// an ERS-7's joints, and never run far ahead of the head.
+/// Turns velocities of the head into positions to command. The positions begin where the head is measured, end at the
+/// limits of an ERS-7's joints, and never run far ahead of the head.
 class HeadSteering {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Where the head is.
+  /// Call this with the measured position of the head.
   void measured(const HeadPosition& position);
 
-  /// To be called several times a second.
-  /// @param velocity none: the head is not steered, and may be moved by others
-  /// @return what to command; none if it is not steered, or has not been measured yet
+  /// Call this several times a second.
+  /// @param velocity empty: the head is not steered, and others may move it
+  /// @return the position to command; empty if the head is not steered, or has not been measured yet
   std::optional<HeadPosition> steer(const std::optional<HeadVelocity>& velocity, TimePoint now);
 
  private:
   std::optional<HeadPosition> measured_;
-  std::optional<HeadPosition> target_;  ///< while it is steered
+  std::optional<HeadPosition> target_;  ///< empty while the head is not steered
   TimePoint last_;
 };
 

@@ -32,7 +32,7 @@ bool JoySteering::isDeadManPressed(const std::vector<float>& axes, const std::ve
   return is_pressed && !is_halted_;
 }
 
-// When it is let go, the robot is told once to stop.
+// When the button is released, the robot is told once to stop.
 void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders) {
   if (is_pressed) {
     orders->walk = {deflection(axes, mapping_.forward_axis) * mapping_.speeds.forward,
@@ -44,7 +44,7 @@ void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, Jo
       orders->head = head;
     }
   } else if (steers_) {
-    orders->walk = aibo_driver::WalkVelocity();
+    orders->walk = aibo_client::WalkVelocity();
   }
   steers_ = is_pressed;
 }
@@ -93,14 +93,14 @@ std::string JoySteering::problem(std::size_t axes, std::size_t buttons) const {
          "/joy.";
 }
 
-// From the edge of the dead zone on, it begins at 0.
+// At the edge of the dead zone, the deflection begins at 0.
 double JoySteering::deflection(const std::vector<float>& axes, int axis) const {
   if (axis == kNoPlace) {
     return 0;
   }
   const double value = axes[static_cast<std::size_t>(axis)];
   const double size = std::min(std::abs(value), 1.0);
-  if (!(size > mapping_.dead_zone)) {  // or not a number
+  if (!(size > mapping_.dead_zone)) {  // the negation also catches a number that is NaN
     return 0;
   }
   return std::copysign((size - mapping_.dead_zone) / (1 - mapping_.dead_zone), value);

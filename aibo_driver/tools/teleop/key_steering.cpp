@@ -28,14 +28,15 @@ bool KeySteering::press(char key, TimePoint now) {
   return false;
 }
 
-aibo_driver::WalkVelocity KeySteering::velocity(TimePoint now) const {
+aibo_client::WalkVelocity KeySteering::velocity(TimePoint now) const {
   if (hold_.count() > 0 && now - pressed_ >= hold_) {
     return {};
   }
   return {direction_.forward * speeds_.forward, direction_.left * speeds_.left, direction_.turn * speeds_.turn};
 }
 
-// Walking backward in a curve, the robot goes where the key is: m to the left and back, so that it turns to the right.
+// When the robot walks backward in a curve, it goes towards the key. For m it goes to the left and back, so it has to
+// turn to the right.
 KeySteering::Direction KeySteering::directionOf(char key) {
   switch (key) {
     case 'i':

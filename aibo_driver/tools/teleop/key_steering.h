@@ -5,20 +5,20 @@
 #include <chrono>
 #include <string>
 
-#include "aibo_driver/walk.h"
+#include "aibo_client/walk.h"
 
 namespace teleop {
 
 /// How fast a robot goes in each direction.
 struct Speeds {
-  double forward = 0.1;  ///< m/s, backward too
+  double forward = 0.1;  ///< m/s, forward and backward
   double left = 0.05;    ///< m/s, to either side
   double turn = 0.5;     ///< rad/s
 };
 
-/// Turns keys into a velocity. The keys are those of ROS' teleop_twist_keyboard, as described in its documentation:
-/// around k like the directions on a keypad; capitals walk sideways; q, z, w, x, e and c change the speeds. Every other
-/// key stops.
+/// Turns keys into a velocity. The keys are those of ROS' teleop_twist_keyboard, as its documentation describes them.
+/// The keys around k are arranged like the directions on a keypad. Capital letters walk sideways; q, z, w, x, e and c
+/// change the speeds. Every other key stops the robot.
 class KeySteering {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -26,19 +26,19 @@ class KeySteering {
   /// What the keys do, in several lines.
   static const char* help();
 
-  /// @param hold for how long a key counts as held down; 0: until another key is pressed
+  /// @param hold for how long a key counts as held down; 0 means until another key is pressed
   KeySteering(const Speeds& speeds, std::chrono::milliseconds hold) : speeds_(speeds), hold_(hold) {}
 
   /// @return true if the key has changed the speeds
   bool press(char key, TimePoint now);
 
-  /// What the robot is to do now.
-  aibo_driver::WalkVelocity velocity(TimePoint now) const;
+  /// What the robot should do now.
+  aibo_client::WalkVelocity velocity(TimePoint now) const;
 
   const Speeds& speeds() const { return speeds_; }
 
  private:
-  /// In parts of the speeds: -1, 0 or 1.
+  /// A direction. Each member is a multiple of the speed: -1, 0 or 1.
   struct Direction {
     int forward;
     int left;

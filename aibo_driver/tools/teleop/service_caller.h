@@ -15,13 +15,13 @@
 
 namespace teleop {
 
-/// Calls one service at a time, in a thread of its own, so that steering goes on, and a stop waits for nothing. The
+/// Calls one service at a time in a thread of its own, so that steering goes on and a stop waits for nothing. The
 /// answers go to the log.
 class ServiceCaller {
  public:
   explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
 
-  /// Does nothing but warn if the call before has not ended yet. From one thread.
+  /// Calls a service. If the previous call has not ended yet, it only warns. Only one thread may call it.
   template <typename Service>
   void call(const std::string& name, const typename Service::Request& request) {
     if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {

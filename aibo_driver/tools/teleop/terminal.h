@@ -9,12 +9,13 @@
 
 namespace teleop {
 
-/// A terminal whose keys are read one by one, without showing them. Ctrl-C still interrupts. When the object ends, the
-/// terminal is as it was before.
+/// A terminal whose keys are read one by one without being shown. Ctrl-C still interrupts. The destructor restores the
+/// terminal.
 class Terminal {
  public:
-  /// @param descriptor of the terminal, usually stdin; stays open
-  /// @throw std::runtime_error it is no terminal, or cannot be switched; the message says what to do
+  /// @param descriptor the terminal's descriptor, usually stdin; it stays open
+  /// @throw std::runtime_error the descriptor is no terminal, or the terminal cannot be switched; the message says what
+  ///   to do
   explicit Terminal(int descriptor);
   ~Terminal();
 
@@ -22,8 +23,8 @@ class Terminal {
   Terminal& operator=(const Terminal&) = delete;
 
   /// Waits for the next key.
-  /// @param timeout longest time to wait; a signal ends it, too
-  /// @return none if no key was pressed in time
+  /// @param timeout the longest time to wait; a signal ends it, too
+  /// @return empty if no key was pressed in time
   /// @throw std::runtime_error the terminal was closed
   std::optional<char> readKey(std::chrono::milliseconds timeout);
 

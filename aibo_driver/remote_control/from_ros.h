@@ -1,0 +1,21 @@
+/// @file from_ros.h
+#ifndef AIBO_DRIVER_REMOTE_CONTROL_FROM_ROS_H
+#define AIBO_DRIVER_REMOTE_CONTROL_FROM_ROS_H
+
+#include <QString>
+#include <string>
+
+#include "text/plain_text.h"
+
+namespace aibo_driver::remote_control {
+
+/// A text of a message, to be shown. Any node may have sent it; to lay out a megabyte would hold up the window, and
+/// STOP.
+inline QString fromRos(const std::string& text) {
+  constexpr std::size_t kLongest = 1000;
+  return QString::fromStdString(text::plainLine(text, kLongest));
+}
+
+}  // namespace aibo_driver::remote_control
+
+#endif  // AIBO_DRIVER_REMOTE_CONTROL_FROM_ROS_H
