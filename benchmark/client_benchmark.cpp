@@ -7,12 +7,12 @@
 #include <memory>
 #include <vector>
 
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/jpeg_inspector.h"
 #include "client/counters.h"
 #include "client/notifier.h"
 #include "client/reply_parser.h"
 #include "client/version1_session.h"
-#include "ros/camera/jpeg_decoder.h"
+#include "node/camera/jpeg_decoder.h"
 #include "support/test_pictures.h"
 
 namespace {
@@ -53,10 +53,10 @@ void reportSize(benchmark::State& state) {
 
 void BM_Parse(benchmark::State& state) {
   const Bytes stream = makeStream();
-  aibo_driver::ReplyParser parser;
+  aibo_client::ReplyParser parser;
   const auto parse = [&parser](const std::uint8_t* data, std::size_t size) {
     for (std::size_t taken = 0; size > 0; data += taken, size -= taken) {
-      if (parser.append(data, size, {}, &taken) == aibo_driver::ReplyParser::Result::kPicture) {
+      if (parser.append(data, size, {}, &taken) == aibo_client::ReplyParser::Result::kPicture) {
         benchmark::DoNotOptimize(parser.takeJpeg().data());
       }
     }
@@ -72,7 +72,7 @@ void BM_Inspect(benchmark::State& state) {
   const std::vector<Bytes> pictures = makePictures();
   while (state.KeepRunningBatch(kPictures)) {
     for (const Bytes& picture : pictures) {
-      benchmark::DoNotOptimize(aibo_driver::inspectJpeg(picture.data(), picture.size()));
+      benchmark::DoNotOptimize(aibo_client::inspectJpeg(picture.data(), picture.size()));
     }
   }
   reportSize(state);
@@ -82,15 +82,15 @@ BENCHMARK(BM_Inspect);
 /// Everything between the socket and the callback: parse, inspect, judge, wrap.
 void BM_Session(benchmark::State& state) {
   const Bytes stream = makeStream();
-  const auto now = aibo_driver::Session::TimePoint() + std::chrono::hours(1);
-  aibo_driver::RcServerClient::Callbacks callbacks;
-  callbacks.on_picture = [](const aibo_driver::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); };
-  const aibo_driver::Notifier notifier(callbacks);
-  aibo_driver::Counters counters;
-  aibo_driver::ServerHabits habits;
-  aibo_driver::Connection connection({"robot", std::chrono::milliseconds(500), notifier, counters}, now);
-  aibo_driver::Version1Session session(connection, habits, aibo_driver::Version1Session::VersionAnswer::kNotAsked, now);
-  aibo_driver::Wish wish;
+  const auto now = aibo_client::Session::TimePoint() + std::chrono::hours(1);
+  aibo_client::Callbacks callbacks;
+  callbacks.on_picture = [](const aibo_client::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); };
+  const aibo_client::Notifier notifier(callbacks);
+  aibo_client::Counters counters;
+  aibo_client::ServerHabits habits;
+  aibo_client::Connection connection({"robot", std::chrono::milliseconds(500), notifier, counters}, now);
+  aibo_client::Version1Session session(connection, habits, aibo_client::Version1Session::VersionAnswer::kNotAsked, now);
+  aibo_client::Wish wish;
   wish.streaming = true;
   session.nextRequest(wish, now);
   while (state.KeepRunningBatch(kPictures)) {

@@ -39,10 +39,10 @@ class MjpegServer {
 
  private:
   void accept();
-  void serve(const aibo_driver::FileDescriptor& client);
+  void serve(const aibo_client::FileDescriptor& client);
 
   const std::chrono::microseconds period_;
-  aibo_driver::FileDescriptor listener_;
+  aibo_client::FileDescriptor listener_;
   int port_ = 0;
   std::atomic<std::uint64_t> number_{0};
   std::atomic<bool> stopping_{false};

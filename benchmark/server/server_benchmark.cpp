@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "figures.h"
 #include "process_cost.h"
 #include "robot_model/robot_model.h"
@@ -86,16 +86,16 @@ class Client {
   }
 
  private:
-  static aibo_driver::ClientOptions optionsFor(int port) {
-    aibo_driver::ClientOptions options;
+  static aibo_client::ClientOptions optionsFor(int port) {
+    aibo_client::ClientOptions options;
     options.host = "127.0.0.1";
     options.port = static_cast<std::uint16_t>(port);
     return options;
   }
 
-  aibo_driver::RcServerClient::Callbacks callbacks() {
-    aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr&) {
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr&) {
       const auto now = std::chrono::nanoseconds(system_clock::now().time_since_epoch());
       const std::lock_guard<std::mutex> lock(mutex_);
       arrivals_.push_back(now.count());
@@ -107,7 +107,7 @@ class Client {
   std::mutex mutex_;
   std::vector<std::int64_t> arrivals_;
   std::atomic<std::uint64_t> pictures_{0};
-  aibo_driver::RcServerClient client_;
+  aibo_client::RcServerClient client_;
 };
 
 /// How another program serves JPEGs.
@@ -234,7 +234,7 @@ class RivalServer {
 
   const Rival rival_;
   test_support::Process process_;
-  aibo_driver::FileDescriptor connection_;
+  aibo_client::FileDescriptor connection_;
   std::atomic<std::uint64_t> pictures_{0};
   std::thread reader_;
 };

@@ -23,7 +23,7 @@
 namespace wlan_benchmark {
 namespace {
 
-using aibo_driver::FileDescriptor;
+using aibo_client::FileDescriptor;
 using fault_bench::NetworkHost;
 using std::chrono::steady_clock;
 

@@ -190,12 +190,6 @@ class OnBothVersions:
         battery = self.json("battery")
         self.assertTrue(0.5 < battery["charge"] <= 1 and 0 < battery["temperature"] < 60, battery)
 
-    def test_lights_leds_and_flicks_ears(self):
-        self.aibo("leds", "face=1", "head_white=0.5", "--mode", "B", "--seconds", "0.2")
-        self.aibo("ears", "left")
-        self.assertIn("no LED", self.aibo("leds", "nose=1", status=WRONG_USAGE).errors)
-        self.aibo("leds", "face=2", status=WRONG_USAGE)
-
     def test_plays_a_motion_for_a_time(self):
         self.assertEqual(self.json("play", "wag", "--times", "50", "--seconds", "1")["to_its_end"], False)
         self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
@@ -532,7 +526,7 @@ class WrongUsage(TestCase):
                       ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
                       ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
                       ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
-                      ["play", "nod", "--seconds", "soon"], ["play", "nod", "--times", "0"], ["ears", "middle"], ["--json", "fly"]):
+                      ["play", "nod", "--seconds", "soon"], ["play", "nod", "--times", "0"], ["--json", "fly"]):
             with self.subTest(words):
                 result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
                                         check=False)

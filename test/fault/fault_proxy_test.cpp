@@ -8,7 +8,6 @@
 #include <memory>
 #include <numeric>
 
-#include "support/proxy/script.h"
 #include "support/raw_client.h"
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
@@ -49,10 +48,10 @@ TEST_F(FaultProxyTest, PassesEveryByteBothWays) {
 }
 
 TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
-  proxy_.add(parseFault("overwrite:0102@picture+10"));
-  proxy_.add(parseFault("flip:ff@picture+20"));
-  proxy_.add(parseFault("drop:3@picture+30"));
-  proxy_.add(parseFault("insert:aabb@picture+40"));
+  proxy_.add({Action::kOverwrite, Place::kPicture, 10, Direction::kToClient, 0, {1, 2}});
+  proxy_.add({Action::kFlip, Place::kPicture, 20, Direction::kToClient, 0, {0xFF}});
+  proxy_.add({Action::kDrop, Place::kPicture, 30, Direction::kToClient, 3});
+  proxy_.add({Action::kInsert, Place::kPicture, 40, Direction::kToClient, 0, {0xAA, 0xBB}});
   Bytes expected;
   for (int picture = 0; picture < 4; ++picture) {
     Bytes changed = reply_;
@@ -73,27 +72,27 @@ TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
 }
 
 TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
-  proxy_.add(parseFault("close@picture+17"));
+  proxy_.add({Action::kClose, Place::kPicture, 17});
   const Bytes received = receivedOf(reply_, reply_.size());
   EXPECT_EQ(received, Bytes(reply_.begin(), reply_.begin() + 17));
   server_end_.waitUntilClosed();
 }
 
 TEST_F(FaultProxyTest, ResetsBothSides) {
-  proxy_.add(parseFault("reset@byte+5"));
+  proxy_.add({Action::kReset, Place::kByte, 5});
   EXPECT_THAT(receivedOf(reply_, reply_.size()).size(), testing::Le(5u));
   EXPECT_FALSE(client_.send("W\x55") && client_.receive(kPatience)->empty() && client_.send("W\x55"));
 }
 
 TEST_F(FaultProxyTest, AHalfCloseLeavesTheOtherDirectionOpen) {
-  proxy_.add(parseFault("halfclose@picture+5"));
+  proxy_.add({Action::kHalfClose, Place::kPicture, 5});
   EXPECT_EQ(receivedOf(reply_, reply_.size()).size(), 5u);
   client_.send("F\x55");
   EXPECT_EQ(server_end_.readCommand().command, 'F');
 }
 
 TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
-  proxy_.add(parseFault("silence@picture+5"));
+  proxy_.add({Action::kSilence, Place::kPicture, 5});
   EXPECT_EQ(receivedOf(reply_, 5).size(), 5u);
   EXPECT_FALSE(client_.receive(milliseconds(100)).has_value());
   proxy_.heal();
@@ -112,11 +111,12 @@ TEST_F(FaultProxyTest, ASlowWayDelaysBytesAndLosesNone) {
 }
 
 TEST_F(FaultProxyTest, APauseDelaysWhatTheServerSends) {
-  Script script(&proxy_);
-  script.carryOut("pause");
+  Conditions conditions;
+  conditions.paused = true;
+  proxy_.setConditions(conditions);
   server_end_.send(reply_);
   EXPECT_FALSE(client_.receive(milliseconds(50)).has_value());
-  script.carryOut("resume");
+  proxy_.setConditions({});
   EXPECT_EQ(client_.read(reply_.size(), kPatience), reply_);
 }
 
@@ -131,15 +131,6 @@ TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
   RawClient served(proxy_.port());
   server_.accept().send(reply_);
   EXPECT_EQ(served.read(reply_.size(), kPatience), reply_);
-}
-
-TEST_F(FaultProxyTest, TheScriptRefusesWhatItDoesNotUnderstand) {
-  Script script(&proxy_);
-  script.carryOut("  # a remark, and an empty line\n");
-  for (const char* line : {"dance", "delay soon", "delay -1", "fault explode", "fault close@picture+x",
-                           "fault insert:0", "fault close@picture>server", "welcome warmly"}) {
-    EXPECT_THROW(script.carryOut(line), ScriptError) << line;
-  }
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ class AStick(Workshop):
         for name, text in mine.items():
             self.assertEqual((self.stick / "OPEN-R" / name).read_text(), text)
         self.assertIn("ESSID=FIRST\r\n", self.wlan_conf())
-        self.assertIn("WLANCONF.TXT is as it was", said)
+        self.assertIn("WLANCONF.TXT was not changed", said)
 
     def test_without_a_network_takes_sonys_and_says_so(self):
         said = self.expect_stick()
@@ -269,7 +269,7 @@ class AnIncompleteSdk(Workshop):
 class ABuild(Workshop):
     def test_needs_libjpeg_6b(self):
         (self.libjpeg / "jpeglib.h").write_text("#define JPEG_LIB_VERSION  80\n")
-        self.expect_failure(self.make_stick(), "is not that of libjpeg 6b", "jpegsrc.v6b.tar.gz")
+        self.expect_failure(self.make_stick(), "is not from libjpeg 6b", "jpegsrc.v6b.tar.gz")
         (self.libjpeg / "jpeglib.h").unlink()
         self.expect_failure(self.make_stick(), "no sources of libjpeg", "jpegsrc.v6b.tar.gz")
 
@@ -358,8 +358,8 @@ class Verification(Workshop):
                 ("APERIOS.GZ", None, "is not there"), ("APERIOS.GZ", b"x", "has 1 bytes, Sony's has 400000"),
                 ("BOOTPARA", None, "is not there"), ("SYSTEM/OBJS/IPSTACK.BIN", None, "is not there"),
                 ("SYSTEM/OBJS/IPSTACK.BIN", b"x", "has 1 bytes, Sony's has 2000 to 200000"),
-                ("SYSTEM/OBJS/IPSTACK.BIN", noise[:-1], "has not the form of Sony's"),
-                ("SYSTEM/OBJS/IPSTACK.BIN", b"<html>Not found" * 800, "has not the form of Sony's")):
+                ("SYSTEM/OBJS/IPSTACK.BIN", noise[:-1], "does not look like Sony's"),
+                ("SYSTEM/OBJS/IPSTACK.BIN", b"<html>Not found" * 800, "does not look like Sony's")):
             self.expect_problem(path, content, f"is not whole: /MS/OPEN-R/{path} {fault}", "write the stick again")
 
     def test_says_which_revision_of_the_system_it_has(self):
@@ -405,7 +405,7 @@ class Verification(Workshop):
         whole = (self.open_r / path).read_text()
         self.expect_problem(path, "".join(line for line in whole.splitlines(True) if "PictureJob" not in line).encode(),
                             "does not connect PictureEncoder.Job.PictureJob.O", "write the stick again")
-        self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line has two services",
+        self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line needs two services",
                             "write the stick again")
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
                             "have different data types", "the same")
@@ -427,7 +427,7 @@ class Verification(Workshop):
                             "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
 
     def test_of_the_size(self):
-        self.expect_problem("MW/DATA/P/BIG.MTN", bytes(8_000_000), "holds as little as 8 MB", "Remove motions")
+        self.expect_problem("MW/DATA/P/BIG.MTN", bytes(8_000_000), "smallest stick holds 8 MB", "Remove motions")
 
 
 class AProgram(unittest.TestCase):
@@ -478,7 +478,7 @@ class AProgram(unittest.TestCase):
     def test_whose_segments_are_elsewhere(self):
         finished = bytearray(self.finished())
         struct.pack_into("<I", finished, 52 + 2 * 32 + 8, 0xe0000000)
-        self.expect("it has to have two segments", bytes(finished))
+        self.expect("it must have two segments", bytes(finished))
 
     def test_whose_sections_are_moved_in_the_file(self):
         finished = bytearray(self.finished())
@@ -508,7 +508,7 @@ class AProgram(unittest.TestCase):
         self.assertIn(".RelEntry counts 6 relocated words, .RelDataEntry has another number", self.faults(count=6))
 
     def test_with_words_that_the_loader_would_spoil(self):
-        words = ".RelDataEntry names words that are no addresses in this program: "
+        words = ".RelDataEntry names words that are not addresses in this program: "
         self.expect(words + "0x10 is outside of all sections", self.finished(fake.RELOCATED + (0x400010,)))
         behind = fake.BSS_AT - fake.BASE
         self.expect(words + f"{behind:#x} is outside", self.finished(fake.RELOCATED + (fake.BSS_AT,)))
@@ -520,7 +520,7 @@ class AProgram(unittest.TestCase):
     def test_with_addresses_that_the_loader_would_leave(self):
         self.expect(f".RelDataEntry leaves out words of .got: {fake.GOT_AT + 8 - fake.BASE:#x}",
                     self.finished(tuple(place for place in fake.RELOCATED if place != fake.GOT_AT + 8)))
-        self.expect(f".ctors has words that are no relocated addresses of functions: {fake.TEXT_AT:#x}",
+        self.expect(f".ctors has words that are not relocated addresses of functions: {fake.TEXT_AT:#x}",
                     self.finished(tuple(place for place in fake.RELOCATED if place != fake.CTORS_AT + 4)))
 
     def test_without_the_marks_around_its_constructors(self):

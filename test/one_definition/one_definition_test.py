@@ -1,12 +1,13 @@
 """The linker takes two types of the same name and namespace for one, and uses the functions of one of them for both. So
-each room of the driver has its own namespace, and no type is defined twice. Types in anonymous namespaces, functions and
-other types do not count."""
+each room of the driver has its own namespace, and no type is defined twice, neither in the sources nor as a message. Types
+in anonymous namespaces and functions do not count. File systems that ignore case take Leds.h and leds.h for one."""
 import collections
 import re
 import unittest
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
+INCLUDE_FOLDERS = ("aibo_driver/client/include", "aibo_driver", "aibo_rcserver", "test")
 NOT_CODE = re.compile(r'''//[^\n]* | /\*.*?\*/ | R"(\w*)\(.*?\)\1" | "(?:\\.|[^"\\\n])*" | (?<!\w)'(?:\\.|[^'\\\n])*'
                           | ^[ ]*\#(?:\\\n|[^\n])* ''', re.DOTALL | re.MULTILINE | re.VERBOSE)
 TEMPLATE = re.compile(r'template\s*<(?:[^<>]|<[^<>]*>)*>')
@@ -38,6 +39,15 @@ def types_in(*folders):
                 yield source.relative_to(PROJECT), namespace, name
 
 
+def messages():
+    """The types of aibo_msgs, each a pair of its source and its name in the namespace aibo_driver."""
+    endings = {".msg": ("",), ".srv": ("", "Request", "Response"),
+               ".action": [a + b for a in ("", "Action") for b in ("Goal", "Result", "Feedback")] + ["Action"]}
+    for source in sorted((PROJECT / "aibo_msgs").rglob("*.*")):
+        for ending in endings.get(source.suffix, ()):
+            yield source.relative_to(PROJECT), source.stem + ending
+
+
 class OneDefinition(unittest.TestCase):
     maxDiff = None
 
@@ -53,6 +63,18 @@ class OneDefinition(unittest.TestCase):
         places = collections.defaultdict(list)
         for source, namespace, name in types_in("aibo_driver", "aibo_rcserver", "test", "benchmark"):
             places[f"{namespace}::{name}"].append(str(source))
+        for source, name in messages():
+            places[f"aibo_driver::{name}"].append(str(source))
+        self.assertIn("aibo_driver::Leds", places)
+        self.assert_one_each(places)
+
+    def test_no_two_headers_differ_in_case_alone(self):
+        places = collections.defaultdict(list)
+        for folder in INCLUDE_FOLDERS:
+            for header in (PROJECT / folder).rglob("*.h"):
+                places[str(header.relative_to(PROJECT / folder)).lower()].append(str(header))
+        for source, name in messages():
+            places[f"aibo_driver/{name}.h".lower()].append(str(source))
         self.assert_one_each(places)
 
     def test_each_room_of_the_driver_has_a_namespace_of_its_own(self):

@@ -1,6 +1,5 @@
 #include "bench.h"
 
-#include <cmath>
 #include <stdexcept>
 
 #include "objects/HostSettings.h"
@@ -17,10 +16,6 @@ constexpr unsigned kFramesBetweenSteering = 12;
 
 /// For the server to boot, and for an answer.
 constexpr unsigned kPatience = 100;
-
-short thousandths(double value) {
-  return static_cast<short>(std::lround(value * 1000));
-}
 
 }  // namespace
 
@@ -59,7 +54,7 @@ void Bench::request(char kind, int id, const std::vector<unsigned char>& payload
   const version2::FrameHeader header = {kind, static_cast<unsigned char>(id), ++last_number_,
                                         static_cast<unsigned>(payload.size())};
   unsigned char bytes[version2::FRAME_HEADER_SIZE];
-  encodeFrameHeader(header, bytes);
+  encode(header, bytes);
   client_->send(std::string(bytes, bytes + sizeof(bytes)) + std::string(payload.begin(), payload.end()));
 }
 
@@ -82,10 +77,8 @@ void Bench::passFrame() {
     request(version2::REQUEST_HELLO, 0, {});
   }
   if (steering_ && clock_.frame() % kFramesBetweenSteering == 0) {
-    std::vector<unsigned char> payload(version2::VELOCITY_SIZE);
-    const version2::Velocity velocity = {thousandths(wanted_.forward), thousandths(wanted_.left),
-                                         thousandths(wanted_.turn)};
-    encodeVelocity(velocity, payload.data());
+    std::vector<unsigned char> payload(version2::encodedSize(wanted_));
+    encode(wanted_, payload.data());
     request(version2::REQUEST_STEER, 0, payload);
   }
   clock_.step();
@@ -105,18 +98,16 @@ void Bench::listen() {
 void Bench::hear(const test_support::Frame& frame) {
   const unsigned char* payload = frame.payload.data();
   const size_t size = frame.payload.size();
-  version2::Velocity velocity = {};
   version2::EndMessage end = {};
   version2::ErrorMessage error = {};
   if (version2::isError(frame.header.kind, size)) {
-    decodeErrorMessage(payload, size, &error);
+    decode(payload, size, &error);
     errors_.emplace_back(error.text, error.text_size);
   } else if (frame.header.kind == version2::replyKind(version2::REQUEST_HELLO)) {
     decodeHello(payload, size, &hello_);
   } else if (frame.header.kind == version2::replyKind(version2::REQUEST_STEER)) {
-    decodeVelocity(payload, size, &velocity);
-    in_force_ = {velocity.forward * 1e-3, velocity.left * 1e-3, velocity.turn * 1e-3};
-  } else if (frame.header.kind == version2::END_PUSH && decodeEndMessage(payload, size, &end) == nullptr) {
+    decode(payload, size, &in_force_);
+  } else if (frame.header.kind == version2::END_PUSH && decode(payload, size, &end) == nullptr) {
     ends_.push_back({end.what, end.how, {end.name, end.name_size}, {end.reason, end.reason_size}});
   } else if (frame.header.kind == version2::TELEMETRY_PUSH && frame.header.request_number == 0) {
     hearTelemetry(frame);
@@ -125,7 +116,7 @@ void Bench::hear(const test_support::Frame& frame) {
 
 void Bench::hearTelemetry(const test_support::Frame& frame) {
   version2::Telemetry telemetry = {};
-  if (decodeTelemetry(frame.payload.data(), frame.payload.size(), &telemetry) != nullptr) {
+  if (decode(frame.payload.data(), frame.payload.size(), &telemetry) != nullptr) {
     throw std::runtime_error("the server sends telemetry that cannot be read");
   }
   for (size_t i = 0; i < telemetry.count; ++i) {

@@ -18,16 +18,11 @@
 
 namespace physics {
 
-/// A velocity in m/s and radian/s: forward, to the left, turning to the left.
-struct Velocity {
-  double forward = 0;
-  double left = 0;
-  double turn = 0;
-};
+using protocol::version2::Velocity;
 
 /// What the robot says about its walk in a frame.
 struct Step {
-  Velocity velocity;
+  Velocity velocity{};
   double phase = 0;  ///< 0..1
   int state = 0;     ///< protocol::version2::WalkState
 };
@@ -97,8 +92,8 @@ class Bench {
   protocol::version2::Hello hello_ = {};
   unsigned short last_number_ = 0;
   bool steering_ = false;
-  Velocity wanted_;
-  Velocity in_force_;
+  Velocity wanted_{};
+  Velocity in_force_{};
   Step step_;
   std::vector<End> ends_;
   std::size_t ends_awaited_ = 0;

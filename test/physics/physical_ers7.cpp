@@ -223,6 +223,7 @@ bool PhysicalErs7::takesCommand(OPrimitiveID id, ODataType type) const {
       return type == odataJOINT_COMMAND4;
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:
+    case PrimitiveKind::kSound:
       break;
   }
   return false;

@@ -195,10 +195,7 @@ Commands always(const Velocity& velocity) {
 }
 
 std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& limits) {
-  const double forward = limits.forward * 1e-3;
-  const double back = limits.back * 1e-3;
-  const double left = limits.left * 1e-3;
-  const double turn = limits.turn * 1e-3;
+  const auto [forward, back, left, turn] = limits;
   return {
       {"forward", {forward, 0, 0}},
       {"back", {-back, 0, 0}},
@@ -224,7 +221,7 @@ Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed) {
   struct State {
     std::minstd_rand random;
     double until = 0;
-    Velocity velocity;
+    Velocity velocity{};
   };
   const auto state = std::make_shared<State>();
   state->random.seed(seed + 1);
@@ -236,10 +233,8 @@ Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed) {
     if (time >= state->until) {
       state->until = time + between(0.5, 3);
       const bool stands = between(0, 1) < 0.15;
-      const double turn = limits.turn * 1e-3;
-      const double left = limits.left * 1e-3;
-      state->velocity = {between(-limits.back * 1e-3, limits.forward * 1e-3), between(-left, left),
-                         between(-turn, turn)};
+      state->velocity = {between(-limits.back, limits.forward), between(-limits.left, limits.left),
+                         between(-limits.turn, limits.turn)};
       state->velocity = stands ? Velocity() : state->velocity;
     }
     return state->velocity;

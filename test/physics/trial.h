@@ -49,7 +49,7 @@ Commands always(const Velocity& velocity);
 /// A velocity and what it is called.
 struct Direction {
   const char* name;
-  Velocity velocity;
+  Velocity velocity{};
 };
 
 /// The directions that are tried: each of the highest velocities, slow ones, and combinations.

@@ -150,14 +150,17 @@ TEST(Camera, ImagesAreDecodedOnlyWhileTheyHaveSubscribers) {
     ImageListener images("/lazy/camera/image_raw");
     ASSERT_GE(images.waitForCount(3).size(), 3u);
   }
-  // The driver learns of the unsubscription a little later than we do, so take two numbers some time apart.
-  pictures.clear();
-  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
-  const std::string after_unsubscription = decoded(diagnostics.waitForNext(stream));
-  EXPECT_NE(after_unsubscription, "0");
-  pictures.clear();
-  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
-  EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), after_unsubscription);
+  // The driver learns of the unsubscription a little later than we do.
+  std::string before;
+  std::string after = "0";
+  for (int i = 0; i < 30 && after != before; ++i) {
+    before = after;
+    pictures.clear();
+    ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
+    after = decoded(diagnostics.waitForNext(stream));
+  }
+  EXPECT_EQ(after, before);
+  EXPECT_NE(after, "0");
 }
 
 TEST(Camera, NobodyElsePublishesJpegsIfImageTransportHasACompressedPlugin) {
@@ -273,12 +276,6 @@ TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
   EXPECT_EQ(info.width, 208u);
   EXPECT_NEAR(info.K[0], 191.9, 0.1);
   EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends 208x160", kTimeToLog));
-}
-
-TEST(Calibration, OfAPackageThatDoesNotExistEndsTheDriverWithTheReason) {
-  DriverProcess driver("/calibration_package", 1, {"_camera_info_url:=package://no_such_package/camera.yaml"});
-  EXPECT_EQ(driver.waitForExit(kTimeToLog), EXIT_FAILURE);
-  EXPECT_THAT(driver.output(), HasSubstr("there is no package 'no_such_package'"));
 }
 
 TEST(Calibration, OfTwoRobotsIsInTwoFiles) {

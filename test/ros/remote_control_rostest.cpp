@@ -1,6 +1,7 @@
 // The window of the remote control with a running driver and a simulated robot, without a display.
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/RobotState.h>
 #include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -15,6 +16,7 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
+#include <QThread>
 #include <QtTest/QTest>
 #include <algorithm>
 #include <functional>
@@ -117,9 +119,6 @@ TEST_F(RemoteControlRosTest, ShowsTheRobotsStateAndPictures) {
     ++pictures;
   });
   EXPECT_TRUE(user_.waitFor([&pictures] { return pictures >= 3; }));
-  user_.open("Sensors");
-  simulated_.type("press chin");
-  EXPECT_TRUE(user_.waitFor([this] { return user_.find<QLabel>("chin")->property("touched").toBool(); }));
 }
 
 TEST_F(RemoteControlRosTest, TakesAPictureAndSavesIt) {
@@ -185,8 +184,11 @@ TEST_F(RemoteControlRosTest, MovesTheHeadAndAJoint) {
                std::chrono::milliseconds(kTimeout)) != nullptr;
   };
   auto* pad = user_.find<AxisPad>("head_pad");
-  QTest::mouseClick(pad, Qt::LeftButton, {},
-                    QPoint(pad->width() / 2 - std::min(pad->width(), pad->height()) / 4, pad->height() / 2));
+  const QPoint left(pad->width() / 2 - std::min(pad->width(), pad->height()) / 4, pad->height() / 2);
+  EXPECT_TRUE(user_.waitFor([&] {  // the driver may not have subscribed to the window's topics yet
+    QTest::mouseClick(pad, Qt::LeftButton, {}, left);
+    return user_.textOf("movement").contains("head_pan");
+  }));
   EXPECT_TRUE(is_at("head_pan", 0.77));
   user_.open("Joints");
   auto* slider = user_.find<JointSlider>("tail_pan")->slider();
@@ -249,11 +251,43 @@ TEST_F(RemoteControlRosTest, ARobotThatIsSwitchedOffIsShown) {
 
 // Whoever is stopped by SIGSTOP answers nobody; the window goes on.
 TEST_F(RemoteControlRosTest, ADriverThatHangsDoesNotHoldUpTheWindow) {
+  const auto is_touched = [this] { return user_.find<QLabel>("chin")->property("touched").toBool(); };
+  user_.open("Sensors");
+  simulated_.type("press chin");
+  EXPECT_TRUE(user_.waitFor(is_touched));
   driver_->signal(SIGSTOP);
   QTest::mouseClick(user_.find<QAbstractButton>("Sit"), Qt::LeftButton);
   EXPECT_TRUE(user_.waitForText("connection", "does not answer"));
+  EXPECT_FALSE(is_touched());
   driver_->signal(SIGCONT);
   EXPECT_TRUE(user_.waitForConnection());
+  EXPECT_TRUE(user_.waitFor(is_touched)) << "the same place as before";
+}
+
+// Another node pretends to be the driver, faster than the window can show it, and with long texts.
+TEST_F(RemoteControlRosTest, AFloodOfMessagesDoesNotHoldUpTheWindow) {
+  constexpr int kFlood = 1000;
+  ros::Publisher liar = ros::NodeHandle().advertise<aibo_driver::RobotState>("/remote/robot_state", 1);
+  ASSERT_TRUE(user_.waitFor([&liar] { return liar.getNumSubscribers() > 0; }));
+  int shown = 0;
+  QObject::connect(&user_.robot, &RosRobot::conditionChanged, [&shown](const auto&) { ++shown; });
+  for (int i = 0; i < kFlood; ++i) {  // meanwhile, the window does something else
+    aibo_driver::RobotState lie;
+    lie.stopped = 1;
+    lie.stopped_by = std::to_string(i) + std::string(10'000, 'x') + "\x1b";
+    liar.publish(lie);
+    QThread::msleep(2);
+  }
+  ASSERT_TRUE(user_.waitForText("condition", "stopped by " + QString::number(kFlood - 1)));
+  EXPECT_LT(shown, kFlood / 3);
+  EXPECT_LT(user_.textOf("condition").size(), 1000);
+  EXPECT_FALSE(user_.textOf("condition").contains("\x1b"));
+}
+
+TEST(RemoteControlRos, WaitsForADriverBeforeItSaysThatNoneAnswers) {
+  User user("/nowhere");
+  EXPECT_TRUE(user.waitForText("connection", "waiting for the driver in /nowhere"));
+  EXPECT_TRUE(user.waitForText("connection", "the driver in /nowhere does not answer"));
 }
 
 // The master may still know drivers that were killed, such as those of the tests above.

@@ -182,14 +182,6 @@ TEST(TakePicture, SavesTheSameBytes) {
   EXPECT_EQ(readFile(file), answer.image.data);
 }
 
-TEST(TakePicture, ThatCannotBeSavedSaysWhyAndStillAnswersThePicture) {
-  ConnectedDriver connected("/unsaved");
-  const TakePicture::Response answer = takePicture("/unsaved", 0, "/no/such/folder/picture.jpg");
-  EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("/no/such/folder/picture.jpg: it is not in the folder for pictures"));
-  EXPECT_THAT(connected.proxy.picturesFromRobot(), Contains(answer.image.data));
-}
-
 TEST(TakePicture, WithTheRobotGoneSaysWhyAndWhatToCheck) {
   ConnectedDriver connected("/gone", {"_take_picture_timeout:=20"});
   connected.connection.clear();

@@ -7,11 +7,13 @@
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <pty.h>
+#include <ros/network.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/Joy.h>
 #include <std_srvs/Trigger.h>
+#include <sys/socket.h>
 #include <trajectory_msgs/JointTrajectory.h>
 #include <unistd.h>
 
@@ -22,6 +24,8 @@
 
 #include "support/process.h"
 #include "support/ros/topic_listener.h"
+#include "support/sockets.h"
+#include "tools/node_process.h"
 
 namespace {
 
@@ -122,13 +126,15 @@ TEST(LookAround, WaitsWhileTheRobotIsStoppedAndGoesOnWhenItIsToldTo) {
   ASSERT_FALSE(glances.waitForCount(1).empty());
   driver.stop("/user");
   node.waitForOutput("/user has stopped the robot.*/looks/aibo_look_around/go_on", kSafetyNet);
+  const std::size_t glances_before = glances.count();
   std::string message;
   EXPECT_FALSE(callGoOn("/looks/aibo_look_around", &message));
   EXPECT_THAT(message, HasSubstr("/user has stopped the robot"));
   driver.release();
-  EXPECT_EQ(glances.waitForCount(2, std::chrono::seconds(5)).size(), 1u) << "a glance comes every 4 s";
+  EXPECT_EQ(glances.waitForCount(glances_before + 2, std::chrono::seconds(5)).size(), glances_before)
+      << "a glance comes every 4 s";
   EXPECT_TRUE(callGoOn("/looks/aibo_look_around", &message)) << message;
-  EXPECT_GE(glances.waitForCount(2).size(), 2u);
+  EXPECT_GT(glances.waitForCount(glances_before + 1).size(), glances_before);
 }
 
 class BallFollower : public ::testing::Test {
@@ -145,6 +151,16 @@ class BallFollower : public ::testing::Test {
     return steps_.waitForCount(1, std::chrono::milliseconds(1500)).empty();
   }
 
+  /// What was sent before may still be on its way.
+  bool becomesSilent() {
+    for (int i = 0; i < 10; ++i) {
+      if (isSilent()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   bool walks() {
     steps_.clear();
     return !steps_.waitForCount(1).empty();
@@ -159,7 +175,7 @@ TEST_F(BallFollower, NeedsLeaveToGoOnAfterAStop) {
   start();
   driver_.stop("/user");
   node_->waitForOutput("/user has stopped the robot", kSafetyNet);
-  EXPECT_TRUE(isSilent());
+  EXPECT_TRUE(becomesSilent());
   driver_.release();
   EXPECT_TRUE(isSilent());
   std::string message;
@@ -172,7 +188,7 @@ TEST_F(BallFollower, NeedsLeaveToGoOnWhenItWasOverruledInAnotherWay) {
   const auto expect_to_need_leave = [this](const std::string& why, const std::function<void(bool)>& overrule) {
     overrule(true);
     node_->waitForOutput(why, kSafetyNet);
-    EXPECT_TRUE(isSilent()) << why;
+    EXPECT_TRUE(becomesSilent()) << why;
     overrule(false);
     EXPECT_TRUE(isSilent()) << why;
     std::string message;
@@ -191,8 +207,7 @@ TEST_F(BallFollower, NeedsLeaveToGoOnWhenItWasOverruledInAnotherWay) {
 TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
   start({"_go_on_after_stop:=true"});
   driver_.stop("/user");
-  while (!isSilent()) {
-  }
+  EXPECT_TRUE(becomesSilent());
   driver_.release();
   EXPECT_TRUE(walks());
 }
@@ -217,20 +232,24 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   ros::Publisher points = ros::NodeHandle("/stares").advertise<geometry_msgs::PointStamped>("look_at", 1, true);
   geometry_msgs::PointStamped point;
   point.header.frame_id = "base_link";
-  points.publish(point);
   const Process node({AIBO_LOOK_AT, "__ns:=/stares"});
-  const auto says = [&results](const std::string& text) {
-    return results.waitFor([&text](const LookAtResult& result) {
-      return !result.success && !result.moves && result.message.find(text) != std::string::npos;
-    }) != nullptr;
+  // Again and again: a point may come before the robot's state, and its result before this listener is known.
+  const auto says = [&](const std::string& text) {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    bool said = false;
+    while (!said && std::chrono::steady_clock::now() < end) {
+      points.publish(point);
+      for (const auto& result : results.waitForCount(1, std::chrono::milliseconds(200))) {
+        said = said || (!result->success && !result->moves && result->message.find(text) != std::string::npos);
+      }
+      results.clear();
+    }
+    return said;
   };
   EXPECT_TRUE(says("/user has stopped the robot; call release"));
   driver.release();
   driver.tell(RobotState::OFF, RobotState::LYING);
-  EXPECT_TRUE(results.waitFor([&](const LookAtResult& result) {
-    points.publish(point);
-    return result.message.find("the motors are off") != std::string::npos;
-  }));
+  EXPECT_TRUE(says("the motors are off"));
 }
 
 TEST(Monitor, SaysWhoHasStoppedTheRobot) {
@@ -238,6 +257,22 @@ TEST(Monitor, SaysWhoHasStoppedTheRobot) {
   driver.stop("/user");
   Process monitor({AIBO_MONITOR, "__ns:=/watched"});
   monitor.waitForOutput("stopped by /user, until release", kSafetyNet);
+}
+
+// A node that takes the connection and says nothing. It would keep a monitor from its next line for ever.
+TEST(Monitor, DoesNotWaitForANodeThatDoesNotAnswer) {
+  const aibo_client::FileDescriptor silent = test_support::bindTo("127.0.0.1", 0);
+  ASSERT_EQ(::listen(silent.get(), 5), 0);
+  XmlRpc::XmlRpcValue node;
+  node[0] = "/silent";
+  node[1] = "/silent/topic";
+  node[2] = "std_msgs/String";
+  node[3] = "http://" + ros::network::getHost() + ":" + std::to_string(test_support::portOf(silent)) + "/";
+  XmlRpc::XmlRpcValue answer;
+  XmlRpc::XmlRpcValue subscribers;
+  ASSERT_TRUE(ros::master::execute("registerPublisher", node, answer, subscribers, false));
+  EXPECT_FALSE(aibo_driver::tools::processOfNode("/silent"));
+  EXPECT_EQ(aibo_driver::tools::processOfNode(ros::this_node::getName()), ::getpid());
 }
 
 TEST(Gamepad, SaysWhoHasStoppedTheRobotAndReleasesIt) {

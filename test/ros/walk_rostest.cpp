@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <filesystem>
 #include <limits>
 #include <map>
 #include <memory>
@@ -28,6 +29,7 @@
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
 #include "support/ros/motion_states.h"
+#include "support/temporary_folder.h"
 
 namespace {
 
@@ -151,7 +153,8 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
 TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
   Walker walker("/zero");
   ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";
-  walker.steer(0);
+  walker.letGo();
+  walker.user.publish("cmd_vel", twist(0));
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_EQ(lastEnd(*end).how, EndedMovement::DONE);
@@ -200,6 +203,16 @@ TEST(Walk, DoesNotGoOnAfterTheConnectionWasLost) {
   EXPECT_TRUE(walker.stands());
   EXPECT_TRUE(walker.user.proxy.requestsFromDriver("S", 1).empty()) << "nothing is repeated";
   EXPECT_GT(walker.odom.waitForNext()->pose.pose.position.x, 0) << "the odometry goes on";
+}
+
+TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
+  JointUser user("/unheard", quickWith("/unheard"));
+  for (int i = 0; i < 100; ++i) {
+    user.publish("cmd_vel", twist(0.1));
+    ASSERT_TRUE(user.joints.messages().waitForNext());
+  }
+  TopicListener<Odometry> odom("/unheard/odom");
+  EXPECT_GT(odom.waitForNext()->pose.pose.position.x, 0.02);
 }
 
 TEST(Walk, KeepsToTheLimitsAndDropsWhatIsNotANumber) {
@@ -349,7 +362,7 @@ TEST(KeyboardTeleop, WalksWhileAKeyIsHeldDownAndLeavesTheTerminalAsItWas) {
   keyboard.type('i');
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return std::abs(each.linear.x - 0.11) < 1e-9; }));
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "the key was let go";
-  EXPECT_GT(commands.count(), 4u) << "meanwhile it is repeated";
+  EXPECT_GT(commands.count(), 2u) << "meanwhile it is repeated";
   commands.clear();
   keyboard.type('j');
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.angular.z == 0.5; }));
@@ -447,7 +460,12 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
   press({4, 5});
   EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
   press({1});
-  EXPECT_TRUE(walker.waitForEnd(Movement::POSTURE)) << "the stop did not wait for the posture";
+  // The head may end with it, and be the last.
+  EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) {
+    return std::any_of(each.ended.begin(), each.ended.end(), [](const EndedMovement& end) {
+      return end.movement.kind == Movement::POSTURE && end.how == EndedMovement::STOPPED;
+    });
+  })) << "the stop did not wait for the posture";
   teleop.waitForOutput("/gamepad/stop: ", kSafetyNet);
 }
 
@@ -459,6 +477,24 @@ TEST(JoystickTeleop, RefusesAWrongMapping) {
   Process flying({AIBO_TELEOP_JOY, "__ns:=/wrong_posture"});
   flying.waitForOutput("the postures are stand, sit and rest", kSafetyNet);
   EXPECT_EQ(flying.waitForExit(kSafetyNet), 1);
+}
+
+TEST(PythonExample, StandsLooksTakesAPictureAndWalks) {
+  Walker walker("/python");
+  const test_support::TemporaryFolder folder;
+  // catkin's environment for tests lacks this path when the build folder is new.
+  const std::string run = "export PYTHONPATH=" PYTHON_MESSAGES "${PYTHONPATH:+:$PYTHONPATH}; cd " +
+                          folder.path().string() + " && exec " LOOK_AND_WALK " __ns:=/python";
+  Process program({"/bin/sh", "-c", run});
+  EXPECT_TRUE(
+      walker.state.waitFor([](const MotionState& each) { return lastEnd(each).movement.kind == Movement::POSTURE; }));
+  EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::WALK); }));
+  program.waitForOutput("look.jpg has [0-9]+ bytes", kSafetyNet);
+  EXPECT_EQ(program.waitForExit(kSafetyNet), 0);
+  const auto end = walker.waitForEnd();
+  ASSERT_TRUE(end);
+  EXPECT_EQ(lastEnd(*end).how, EndedMovement::DONE) << lastEnd(*end).reason;
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "look.jpg"), 1000U);
 }
 
 }  // namespace

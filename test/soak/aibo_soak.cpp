@@ -1,5 +1,6 @@
 /// @file aibo_soak.cpp
-/// Runs the driver's node and the robot's server for a long time, with all kinds of faults between them.
+/// Runs the driver's node and the robot's server for a long time, with all kinds of faults between them; or gives
+/// random orders from five nodes meanwhile.
 
 #include <ros/ros.h>
 #include <signal.h>
@@ -9,6 +10,8 @@
 #include <cstdlib>
 #include <random>
 
+#include "orders/order_soak.h"
+#include "orders/order_user.h"
 #include "soak.h"
 #include "support/program.h"
 
@@ -16,19 +19,13 @@ namespace {
 
 namespace po = boost::program_options;
 
-po::options_description describe(soak::Options* options) {
-  po::options_description description("Options", 110);
-  // clang-format off
-  description.add_options()
-    ("minutes", po::value(&options->minutes)->default_value(60), "how long")
-    ("seed", po::value(&options->seed)->default_value(std::random_device()(), "random"), "seed of all random choices")
-    ("folder", po::value(&options->folder)->default_value("."),
-     "existing folder for resources.csv and driver.log");
-  // clang-format on
-  return description;
-}
+constexpr int kNoUser = -1;
 
-int run(const soak::Options& options) {
+int run(const soak::Options& options, bool orders, int user) {
+  if (user != kNoUser) {
+    soak::runUser(ros::this_node::getNamespace(), static_cast<unsigned>(user), options.seed);
+    return EXIT_SUCCESS;
+  }
   if (!(options.minutes > 0)) {
     throw po::error("option '--minutes' must be above 0");
   }
@@ -37,7 +34,8 @@ int run(const soak::Options& options) {
   const ros::NodeHandle handle;
   ros::AsyncSpinner spinner(2);
   spinner.start();
-  return soak::Soak(options).run() ? EXIT_SUCCESS : EXIT_FAILURE;
+  const bool is_well = orders ? soak::OrderSoak(options).run() : soak::Soak(options).run();
+  return is_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
@@ -45,11 +43,24 @@ int run(const soak::Options& options) {
 int main(int argc, char** argv) {
   ::signal(SIGPIPE, SIG_IGN);
   // Ctrl-C ends this program and all that it has started at once.
-  ros::init(argc, argv, "aibo_soak", ros::init_options::AnonymousName | ros::init_options::NoSigintHandler);
+  ros::init(argc, argv, "aibo_soak", ros::init_options::NoSigintHandler);
   soak::Options options;
+  bool orders = false;
+  int user = kNoUser;
+  options.program = argv[0];
+  po::options_description description("Options", 110);
+  // clang-format off
+  description.add_options()
+    ("orders", po::bool_switch(&orders), "random orders from five nodes, and what becomes of them")
+    ("minutes", po::value(&options.minutes)->default_value(60), "how long")
+    ("seed", po::value(&options.seed)->default_value(std::random_device()(), "random"), "seed of all random choices")
+    ("folder", po::value(&options.folder)->default_value("."), "existing folder for logs")
+    ("user", po::value(&user)->default_value(kNoUser, "none"),
+     "be one of the nodes that give orders, 0 to 4; the program starts them itself");
+  // clang-format on
   return test_support::runProgram(
       argc, argv,
       "Runs driver and simulated robot for a long time, with all kinds of faults between them.\n"
       "Needs a ROS master of its own, which scripts/soak starts.",
-      describe(&options), [&] { return run(options); });
+      description, [&] { return run(options, orders, user); });
 }

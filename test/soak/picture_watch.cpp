@@ -18,13 +18,13 @@ using std::chrono::system_clock;
 // A safety net for what comes within milliseconds.
 constexpr seconds kPatience{2};
 
-aibo_driver::FileDescriptor makePipe(const std::string& path) {
+aibo_client::FileDescriptor makePipe(const std::string& path) {
   ::unlink(path.c_str());
   if (::mkfifo(path.c_str(), 0600) != 0) {
     throw std::system_error(errno, std::generic_category(), path);
   }
   // Opened for writing, too, so that it stays open when the robot is killed.
-  aibo_driver::FileDescriptor pipe(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
+  aibo_client::FileDescriptor pipe(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
   if (!pipe.valid()) {
     throw std::system_error(errno, std::generic_category(), path);
   }

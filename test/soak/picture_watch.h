@@ -52,7 +52,7 @@ class PictureWatch {
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   PictureAudit audit_;
-  aibo_driver::FileDescriptor log_;
+  aibo_client::FileDescriptor log_;
   std::string unfinished_line_;
   ros::Subscriber subscriber_;
 };

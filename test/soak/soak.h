@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mishaps.h"
+#include "options.h"
 #include "picture_watch.h"
 #include "request_tap.h"
 #include "resource_log.h"
@@ -23,12 +24,6 @@
 #include "workload.h"
 
 namespace soak {
-
-struct Options {
-  double minutes = 60;
-  unsigned seed = 1;
-  std::string folder;  ///< existing folder for resources.csv and driver.log
-};
 
 /// Runs the driver's node and the robot's server for a long time, with a proxy between them. Calm periods, in which
 /// users do all that they can, and faults take turns. Needs a running ROS master and a spinner.

@@ -27,7 +27,7 @@ inline std::vector<test_pictures::Bytes> makeDatagrams(const test_pictures::Byte
   const auto add = [&](const test_pictures::Bytes& content) {
     header.sequence = (*sequence)++;
     test_pictures::Bytes datagram(DATAGRAM_HEADER_SIZE);
-    encodePictureDatagram(header, datagram.data());
+    encode(header, datagram.data());
     datagram.insert(datagram.end(), content.begin(), content.end());
     datagrams.push_back(datagram);
   };

@@ -79,9 +79,9 @@ class PictureServer {
 
  private:
   struct Peer {
-    Peer(aibo_driver::FileDescriptor client, std::uint32_t number, bool knows_version2)
+    Peer(aibo_client::FileDescriptor client, std::uint32_t number, bool knows_version2)
         : socket(std::move(client)), connection(number), requests(knows_version2) {}
-    aibo_driver::FileDescriptor socket;
+    aibo_client::FileDescriptor socket;
     std::uint32_t connection;
     RequestScanner requests;
     bool version2 = false;
@@ -111,7 +111,7 @@ class PictureServer {
 
   const int version_;
   const std::chrono::microseconds period_;
-  const aibo_driver::FileDescriptor listener_;
+  const aibo_client::FileDescriptor listener_;
   int port_ = 0;
   TimePoint next_picture_;
   std::list<Peer> peers_;
@@ -126,7 +126,7 @@ class PictureServer {
   std::function<Bytes(Bytes jpeg)> spoil_;
   std::pair<test_pictures::Name, Bytes> spoilt_;
   std::shared_ptr<const Misbehaviour> misbehaviour_ = std::make_shared<Misbehaviour>();
-  aibo_driver::Event wake_up_;
+  aibo_client::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

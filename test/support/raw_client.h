@@ -39,7 +39,7 @@ class RawClient {
   void reset();
 
  private:
-  aibo_driver::FileDescriptor socket_;
+  aibo_client::FileDescriptor socket_;
 };
 
 }  // namespace test_support

@@ -13,7 +13,7 @@
 #include "support/sockets.h"
 #include "support/test_pictures.h"
 
-using aibo_driver::FileDescriptor;
+using aibo_client::FileDescriptor;
 using std::chrono::milliseconds;
 
 namespace test_support {

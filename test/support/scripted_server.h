@@ -21,7 +21,7 @@ class ScriptedPeer {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  explicit ScriptedPeer(aibo_driver::FileDescriptor socket) : socket_(std::move(socket)) {}
+  explicit ScriptedPeer(aibo_client::FileDescriptor socket) : socket_(std::move(socket)) {}
 
   /// Waits for the client's next command.
   protocol::BasicGetCommand readCommand();
@@ -56,7 +56,7 @@ class ScriptedPeer {
   void waitUntilClosed();
 
  private:
-  aibo_driver::FileDescriptor socket_;
+  aibo_client::FileDescriptor socket_;
 };
 
 /// A server on a free port of 127.0.0.1.
@@ -88,7 +88,7 @@ class ScriptedServer {
  private:
   void bind();
 
-  aibo_driver::FileDescriptor socket_;
+  aibo_client::FileDescriptor socket_;
   int port_ = 0;
   bool listening_ = false;
 };

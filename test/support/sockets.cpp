@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
-using aibo_driver::FileDescriptor;
+using aibo_client::FileDescriptor;
 
 namespace test_support {
 namespace {

@@ -12,21 +12,21 @@ namespace test_support {
 /// A socket that is bound to an address of this computer, and does not listen yet.
 /// @param port 0 = any free one
 /// @throw std::system_error, std::invalid_argument
-aibo_driver::FileDescriptor bindTo(const std::string& address, int port);
+aibo_client::FileDescriptor bindTo(const std::string& address, int port);
 
 /// The port that a socket is bound to.
-int portOf(const aibo_driver::FileDescriptor& socket);
+int portOf(const aibo_client::FileDescriptor& socket);
 
 /// A socket that is being connected; it does not block.
 /// @throw std::system_error, std::invalid_argument
-aibo_driver::FileDescriptor beginConnecting(const std::string& address, int port);
+aibo_client::FileDescriptor beginConnecting(const std::string& address, int port);
 
 /// Takes the next client of a listening socket; its socket does not block.
 /// @return no descriptor if there is none
-aibo_driver::FileDescriptor acceptFrom(const aibo_driver::FileDescriptor& listener);
+aibo_client::FileDescriptor acceptFrom(const aibo_client::FileDescriptor& listener);
 
 /// From now on, closing the socket resets the connection.
-void resetWhenClosed(const aibo_driver::FileDescriptor& socket);
+void resetWhenClosed(const aibo_client::FileDescriptor& socket);
 
 /// @throw std::system_error with what errno says, unless `good`
 void check(bool good, const std::string& what);

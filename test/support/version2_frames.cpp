@@ -25,8 +25,7 @@ Bytes makeFrame(char kind, int number, const Bytes& payload) {
   header.kind = kind;
   header.request_number = static_cast<unsigned short>(number);
   header.payload_size = static_cast<unsigned>(payload.size());
-  Bytes frame(version2::FRAME_HEADER_SIZE);
-  version2::encodeFrameHeader(header, frame.data());
+  Bytes frame = encoded(header);
   frame.insert(frame.end(), payload.begin(), payload.end());
   return frame;
 }
@@ -47,8 +46,7 @@ Bytes makePicture(const Bytes& jpeg, unsigned frame_number) {
   header.height = 160;
   header.quality = 85;
   header.layer = version2::LAYER_HIGH;
-  Bytes payload(version2::IMAGE_HEADER_SIZE);
-  version2::encodeImageHeader(header, payload.data());
+  Bytes payload = encoded(header);
   payload.insert(payload.end(), jpeg.begin(), jpeg.end());
   return payload;
 }
@@ -58,30 +56,16 @@ Bytes makeTelemetry(unsigned frame_number, const std::vector<version2::Telemetry
   telemetry.frame_number = frame_number;
   telemetry.count = static_cast<unsigned short>(entries.size());
   std::copy(entries.begin(), entries.end(), telemetry.entries);
-  Bytes payload(version2::MAX_TELEMETRY_SIZE);
-  payload.resize(version2::encodeTelemetry(telemetry, payload.data()));
-  return payload;
-}
-
-Bytes makeTargets(const version2::JointTargets& targets) {
-  Bytes payload(version2::MAX_JOINT_TARGETS_SIZE);
-  payload.resize(version2::encodeJointTargets(targets, payload.data()));
-  return payload;
+  return encoded(telemetry);
 }
 
 Bytes makeError(int code, const std::string& text) {
-  Bytes payload(version2::MAX_ERROR_MESSAGE_SIZE);
-  payload.resize(
-      version2::encodeErrorMessage({static_cast<unsigned short>(code), text.data(), text.size()}, payload.data()));
-  return payload;
+  return encoded(version2::ErrorMessage{static_cast<unsigned short>(code), text.data(), text.size()});
 }
 
 Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason) {
-  Bytes payload(version2::MAX_END_MESSAGE_SIZE);
-  payload.resize(version2::encodeEndMessage({static_cast<unsigned char>(what), static_cast<unsigned char>(how),
-                                             name.data(), name.size(), reason.data(), reason.size()},
-                                            payload.data()));
-  return payload;
+  return encoded(version2::EndMessage{static_cast<unsigned char>(what), static_cast<unsigned char>(how), name.data(),
+                                      name.size(), reason.data(), reason.size()});
 }
 
 }  // namespace version2_frames

@@ -30,6 +30,13 @@ Bytes makeFrame(char kind, int number, const Bytes& payload);
 
 // Payloads.
 
+template <typename Payload>
+Bytes encoded(const Payload& payload) {
+  Bytes bytes(protocol::version2::encodedSize(payload));
+  protocol::version2::encode(payload, bytes.data());
+  return bytes;
+}
+
 /// An ERS-7 with two joints, 1 and 2, served by "a test 1.0".
 /// @param capabilities separated by blanks; with `S`, the robot walks 0.15 m/s forward, 0.1 m/s back, 0.06 m/s sideways
 ///   and turns 1.2 rad/s
@@ -39,8 +46,6 @@ constexpr unsigned kImageCount = 12345;
 Bytes makePicture(const Bytes& jpeg, unsigned frame_number);
 
 Bytes makeTelemetry(unsigned frame_number, const std::vector<protocol::version2::TelemetryEntry>& entries);
-
-Bytes makeTargets(const protocol::version2::JointTargets& targets);
 
 Bytes makeError(int code, const std::string& text);
 

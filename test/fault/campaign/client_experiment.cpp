@@ -8,9 +8,9 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-using aibo_driver::ClientOptions;
-using aibo_driver::NameLookupResult;
-using aibo_driver::TcpTransport;
+using aibo_client::ClientOptions;
+using aibo_client::NameLookupResult;
+using aibo_client::TcpTransport;
 
 namespace fault_bench {
 namespace {
@@ -27,27 +27,30 @@ ClientOptions clientOptions(int port, const std::string& name) {
 
 }  // namespace
 
+ClientExperiment::Client::Client(ClientExperiment& experiment)
+    : RcServerClient(clientOptions(experiment.proxy_.port(), robotName()), experiment.callbacks(),
+                     std::make_unique<TcpTransport>([&experiment](const std::string&, int port) {
+                       if (!experiment.name_known_) {
+                         return NameLookupResult{{}, "the name is not known"};
+                       }
+                       return aibo_client::resolveNumeric("127.0.0." + std::to_string(experiment.address_), port);
+                     })) {}
+
 ClientExperiment::ClientExperiment(unsigned remainder, std::chrono::microseconds period)
     : version_(remainder % 2 == 0 ? 1 : 2),
       mark_(static_cast<int>(remainder) + 1),
       server_(version_, period),
       proxy_(proxyTo(server_.port(), remainder)),
       witness_(server_),
-      client_(clientOptions(proxy_.port(), robotName()), callbacks(),
-              std::make_unique<TcpTransport>([this](const std::string&, int port) {
-                if (!name_known_) {
-                  return NameLookupResult{{}, "the name is not known"};
-                }
-                return aibo_driver::resolveNumeric("127.0.0." + std::to_string(address_), port);
-              })) {
+      client_(*this) {
   client_.setStreaming(true);
   client_.start();
   awaitPictures(3);
 }
 
-aibo_driver::RcServerClient::Callbacks ClientExperiment::callbacks() {
-  aibo_driver::RcServerClient::Callbacks callbacks = witness_.callbacks();
-  callbacks.on_status = [this, tell = callbacks.on_status](const aibo_driver::ConnectionStatus& status) {
+aibo_client::Callbacks ClientExperiment::callbacks() {
+  aibo_client::Callbacks callbacks = witness_.callbacks();
+  callbacks.on_status = [this, tell = callbacks.on_status](const aibo_client::ConnectionStatus& status) {
     interposers::markThisThread(mark_);
     tell(status);
   };

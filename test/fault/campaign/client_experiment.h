@@ -66,7 +66,12 @@ class ClientExperiment : public Experiment {
   /// The connection over which the last picture came.
   std::uint32_t connection() const { return witness_.last().name.connection; }
 
-  aibo_driver::RcServerClient::Callbacks callbacks();
+  aibo_client::Callbacks callbacks();
+
+  /// Looks the robot's name up here, not in the system.
+  struct Client : public aibo_client::RcServerClient {
+    explicit Client(ClientExperiment& experiment);
+  };
 
   static std::string robotName() { return "robot.example"; }
 
@@ -77,7 +82,7 @@ class ClientExperiment : public Experiment {
   Witness witness_;
   std::atomic<bool> name_known_{true};  ///< whether the robot's name can be resolved
   std::atomic<int> address_{1};         ///< the name resolves to 127.0.0.N
-  aibo_driver::RcServerClient client_;
+  Client client_;
 
  private:
   std::string noPicture() const;

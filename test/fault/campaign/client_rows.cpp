@@ -9,7 +9,7 @@
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
-using aibo_driver::ConnectionState;
+using aibo_client::ConnectionState;
 using std::chrono::microseconds;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;

@@ -9,16 +9,16 @@
 #include <stdexcept>
 #include <string>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "campaign/interposers.h"
-#include "campaign/robot_server.h"
 #include "protocol/picture_datagram.h"
+#include "robot_server.h"
 
 namespace fault_bench {
 namespace {
 
-using aibo_driver::PictureTransport;
+using aibo_client::PictureTransport;
 using interposers::DatagramFault;
 
 constexpr std::chrono::seconds kPatience{20};
@@ -101,7 +101,7 @@ class AnyDatagramFault final : public DatagramFault {
       header.part = 0;
       header.jpeg_size = static_cast<unsigned>(bytes->size() - version2::DATAGRAM_HEADER_SIZE);
     }
-    version2::encodePictureDatagram(header, bytes->data());
+    version2::encode(header, bytes->data());
     std::fill(bytes->begin() + version2::DATAGRAM_HEADER_SIZE, bytes->end(), std::uint8_t{0x55});
   }
 
@@ -115,7 +115,7 @@ class AnyDatagramFault final : public DatagramFault {
 class DatagramExperiment : public Experiment {
  public:
   explicit DatagramExperiment(unsigned remainder)
-      : mark_(static_cast<int>(remainder) + 1), robot_(kUnmarkedRobot), client_(options(robot_.port()), callbacks()) {
+      : mark_(static_cast<int>(remainder) + 1), client_(options(robot_.port()), callbacks()) {
     client_.setStreaming(true);
     client_.start();
     await([this] { return pictures_ >= 3 && transport_ == PictureTransport::kUdp; }, "no picture comes by UDP");
@@ -152,28 +152,26 @@ class DatagramExperiment : public Experiment {
   }
 
  private:
-  static constexpr int kUnmarkedRobot = interposers::kUnmarked;
-
-  static aibo_driver::ClientOptions options(int port) {
-    aibo_driver::ClientOptions options;
+  static aibo_client::ClientOptions options(int port) {
+    aibo_client::ClientOptions options;
     options.port = port;
     options.picture_transport = PictureTransport::kUdp;
     return options;
   }
 
-  aibo_driver::RcServerClient::Callbacks callbacks() {
-    aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_status = [this](const aibo_driver::ConnectionStatus& status) {
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) {
       interposers::markThisThread(mark_);
       change([&] { transport_ = status.transport; });
     };
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) { change([&] { judge(*picture); }); };
+    callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { change([&] { judge(*picture); }); };
     return callbacks;
   }
 
-  void judge(const aibo_driver::Picture& picture) {
+  void judge(const aibo_client::Picture& picture) {
     ++pictures_;
-    if (!robot_.hasSent(picture.jpeg)) {
+    if (!robot_.find(picture.jpeg)) {
       violations_.emplace_back("I2: a picture that the robot has not sent");
     }
     if (last_frame_ && picture.connection_number == last_connection_ &&
@@ -206,7 +204,7 @@ class DatagramExperiment : public Experiment {
   }
 
   const int mark_;
-  RobotServer robot_;
+  RobotServer robot_{nullptr};
   std::mutex mutex_;  // guards what follows, down to the client
   std::condition_variable changed_;
   std::uint64_t pictures_ = 0;
@@ -214,7 +212,7 @@ class DatagramExperiment : public Experiment {
   std::optional<std::uint32_t> last_frame_;
   std::uint64_t last_connection_ = 0;
   std::vector<std::string> violations_;
-  aibo_driver::RcServerClient client_;
+  aibo_client::RcServerClient client_;
 };
 
 /// hostile-datagrams: somebody sends others in the robot's name.

@@ -11,7 +11,7 @@
 #include <optional>
 #include <thread>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "campaign/interposers.h"
 #include "hostile/attacks.h"
@@ -52,7 +52,7 @@ class HonestClient {
     return changed_.wait_for(lock, kPatience, [&] { return pictures_ > pictures + 1 && joints_ > joints + 1; });
   }
 
-  aibo_driver::ClientStatistics statistics() const { return client_.statistics(); }
+  aibo_client::ClientStatistics statistics() const { return client_.statistics(); }
 
   /// Where a joint was last measured.
   std::optional<double> position(int joint) const {
@@ -80,28 +80,28 @@ class HonestClient {
  private:
   static constexpr double kFarthest = 4;  // rad; no joint of any robot goes so far
 
-  static aibo_driver::ClientOptions options(int port, int version) {
-    aibo_driver::ClientOptions options;
+  static aibo_client::ClientOptions options(int port, int version) {
+    aibo_client::ClientOptions options;
     options.port = port;
     options.protocol_version = version == 1 ? 1 : 0;
     return options;
   }
 
-  aibo_driver::RcServerClient::Callbacks callbacks(int mark) {
-    aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_status = [mark](const aibo_driver::ConnectionStatus&) { interposers::markThisThread(mark); };
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr&) { count([this] { ++pictures_; }); };
-    callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) {
+  aibo_client::Callbacks callbacks(int mark) {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_status = [mark](const aibo_client::ConnectionStatus&) { interposers::markThisThread(mark); };
+    callbacks.on_picture = [this](const aibo_client::PicturePtr&) { count([this] { ++pictures_; }); };
+    callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
       count([&] {
         joints_ += telemetry.joints.empty() ? 0 : 1;
-        for (const aibo_driver::JointReading& joint : telemetry.joints) {
+        for (const aibo_client::JointReading& joint : telemetry.joints) {
           positions_[joint.id] = joint.position;
           // A joint that is not in the tables may be anywhere.
           farthest_ = joint.id == 99 ? farthest_ : std::max(farthest_, std::abs(joint.position));
         }
       });
     };
-    callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) {
+    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) {
       count([&] {
         ++lines_;
         longest_line_ = std::max(longest_line_, line.size());
@@ -127,7 +127,7 @@ class HonestClient {
   double farthest_ = 0;
   std::size_t lines_ = 0;
   std::size_t longest_line_ = 0;
-  aibo_driver::RcServerClient client_;
+  aibo_client::RcServerClient client_;
 };
 
 /// hostile-robot: a server attacks the driver's client, then behaves well.
@@ -145,7 +145,7 @@ class HostileRobotExperiment : public Experiment {
       return {{}, {"no pictures or joints came before the attack"}};
     }
     interposers::takeLargestAllocation(kMark);
-    const aibo_driver::ClientStatistics before = client.statistics();
+    const aibo_client::ClientStatistics before = client.statistics();
     const std::size_t memory = Resources::of().resident_kilobytes;
     const Milliseconds work = interposers::processorTime(kMark);
     const TimePoint begin = steady_clock::now();
@@ -173,10 +173,10 @@ class HostileRobotExperiment : public Experiment {
   static constexpr Milliseconds kWorkPerKilobyte{0.4};     // received; of processor time
   static constexpr Milliseconds kWork{100};                // for anything else
 
-  static void judge(const HonestClient& client, const aibo_driver::ClientStatistics& before, Milliseconds time,
+  static void judge(const HonestClient& client, const aibo_client::ClientStatistics& before, Milliseconds time,
                     std::size_t memory, Outcome* outcome) {
     outcome->violations = client.complaints();
-    const aibo_driver::ClientStatistics after = client.statistics();
+    const aibo_client::ClientStatistics after = client.statistics();
     // Twice the rate, and a burst for each connection.
     const double seconds = (time + *outcome->recovery).count() / 1000;
     const double most = 2 * 31.25 * seconds + 64 * static_cast<double>(after.connections - before.connections + 1);

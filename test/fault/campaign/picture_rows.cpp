@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "campaign/client_experiment.h"
-#include "ros/camera/jpeg_decoder.h"
+#include "node/camera/jpeg_decoder.h"
 #include "support/test_pictures.h"
 
 namespace fault_bench {

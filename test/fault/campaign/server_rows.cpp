@@ -7,15 +7,15 @@
 #include <stdexcept>
 #include <thread>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "campaign/interposers.h"
-#include "campaign/robot_server.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "robot_server.h"
 #include "support/raw_client.h"
 
-using aibo_driver::PicturePtr;
+using aibo_client::PicturePtr;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
@@ -46,7 +46,8 @@ void awaitCount(const std::atomic<int>& pictures, int count) {
 /// The robot's server, and clients that behave well or not.
 class ServerExperiment : public Experiment {
  public:
-  explicit ServerExperiment(unsigned remainder) : mark_(static_cast<int>(remainder) + 1), server_(mark_) {}
+  explicit ServerExperiment(unsigned remainder)
+      : mark_(static_cast<int>(remainder) + 1), server_([this] { interposers::markThisThread(mark_); }) {}
 
   Outcome run(unsigned trial, Random& random) final {
     try {
@@ -171,12 +172,11 @@ class PauseExperiment : public ServerExperiment {
     }
     const version2::FrameHeader header = version2::decodeFrameHeader(bytes.data());
     const Bytes payload = client->read(header.payload_size, milliseconds(1000));
-    version2::ImageHeader image = {};
-    std::size_t size = 0;
-    if (header.kind != version2::PICTURE || version2::decodePicture(payload.data(), payload.size(), &image, &size)) {
+    version2::PicturePayload picture = {};
+    if (header.kind != version2::PICTURE || version2::decode(payload.data(), payload.size(), &picture)) {
       return {header.kind, milliseconds(0)};
     }
-    return {header.kind, 8 * milliseconds(server_.frame() - image.frame_number)};
+    return {header.kind, 8 * milliseconds(server_.frame() - picture.header.frame_number)};
   }
 };
 
@@ -190,15 +190,15 @@ class HeldUpExperiment : public ServerExperiment {
     std::atomic<int> pictures{0};
     std::atomic<int> stale{0};
     std::atomic<int> pause{0};
-    aibo_driver::ClientOptions options;
+    aibo_client::ClientOptions options;
     options.port = server_.port();
-    aibo_driver::RcServerClient::Callbacks callbacks;
+    aibo_client::Callbacks callbacks;
     callbacks.on_picture = [&](const PicturePtr& picture) {
       ++pictures;
       stale += 8 * milliseconds(server_.frame() - *picture->frame_number) > kStale ? 1 : 0;
       std::this_thread::sleep_for(milliseconds(pause.exchange(0)));
     };
-    aibo_driver::RcServerClient client(options, callbacks);
+    aibo_client::RcServerClient client(options, callbacks);
     client.setStreaming(true);
     client.start();
     awaitCount(pictures, 3);
@@ -361,22 +361,22 @@ class RequestExperiment : public ServerExperiment {
     return {fault.action == Action::kSilence ? std::nullopt : std::optional<Milliseconds>(recovery), {}};
   }
 
-  static aibo_driver::ClientOptions clientOptions(int port, unsigned remainder) {
-    aibo_driver::ClientOptions options;
+  static aibo_client::ClientOptions clientOptions(int port, unsigned remainder) {
+    aibo_client::ClientOptions options;
     options.port = port;
     options.protocol_version = remainder % 2 == 0 ? 1 : 0;
     return options;
   }
 
-  aibo_driver::RcServerClient::Callbacks callbacks() {
-    aibo_driver::RcServerClient::Callbacks callbacks;
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
     callbacks.on_picture = [this](const PicturePtr&) { ++pictures_; };
     return callbacks;
   }
 
   std::atomic<int> pictures_{0};
   FaultProxy proxy_;
-  aibo_driver::RcServerClient client_;
+  aibo_client::RcServerClient client_;
 };
 
 /// F13b: a system call of the server fails.

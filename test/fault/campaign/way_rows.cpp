@@ -2,7 +2,7 @@
 
 #include <thread>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "campaign/client_experiment.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
@@ -106,7 +106,7 @@ class TakePictureExperiment : public ClientExperiment {
   void takePicture() {
     try {
       client_.takePicture(0, kTime);
-    } catch (const aibo_driver::Exception& error) {
+    } catch (const aibo_client::Exception& error) {
       if (std::string(error.what()).empty()) {
         throw std::runtime_error("takePicture() failed without a reason");
       }

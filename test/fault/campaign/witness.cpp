@@ -2,11 +2,11 @@
 
 #include <utility>
 
-using aibo_driver::ConnectionState;
-using aibo_driver::ConnectionStatus;
-using aibo_driver::LogLevel;
-using aibo_driver::Picture;
-using aibo_driver::PicturePtr;
+using aibo_client::ConnectionState;
+using aibo_client::ConnectionStatus;
+using aibo_client::LogLevel;
+using aibo_client::Picture;
+using aibo_client::PicturePtr;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
@@ -19,8 +19,8 @@ constexpr int kMostWarnings = 3;
 
 }  // namespace
 
-aibo_driver::RcServerClient::Callbacks Witness::callbacks() {
-  aibo_driver::RcServerClient::Callbacks callbacks;
+aibo_client::Callbacks Witness::callbacks() {
+  aibo_client::Callbacks callbacks;
   callbacks.on_picture = [this](const PicturePtr& picture) { see(*picture); };
   callbacks.on_status = [this](const ConnectionStatus& status) {
     const std::lock_guard<std::mutex> lock(mutex_);

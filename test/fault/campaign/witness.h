@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "support/picture_server.h"
 
@@ -36,7 +36,7 @@ class Witness {
 
   explicit Witness(const PictureServer& server) : server_(server) {}
 
-  aibo_driver::RcServerClient::Callbacks callbacks();
+  aibo_client::Callbacks callbacks();
 
   /// While gaps are allowed, it does not complain about pictures that are left out over one connection.
   void allowGaps(bool allowed);
@@ -53,7 +53,7 @@ class Witness {
 
   /// Waits until the client is in this state.
   /// @return when it entered the state; nothing if it did not in time
-  std::optional<TimePoint> waitForState(aibo_driver::ConnectionState state, std::chrono::milliseconds timeout);
+  std::optional<TimePoint> waitForState(aibo_client::ConnectionState state, std::chrono::milliseconds timeout);
 
   /// The last warning in the log.
   std::string lastWarning() const;
@@ -65,10 +65,10 @@ class Witness {
   std::vector<std::string> takeViolations();
 
  private:
-  void see(const aibo_driver::Picture& picture);
-  void judge(const aibo_driver::Picture& picture, const Sighting& sighting);
-  void judgeEnd(const aibo_driver::ConnectionStatus& status);
-  void hear(aibo_driver::LogLevel level, const std::string& line);
+  void see(const aibo_client::Picture& picture);
+  void judge(const aibo_client::Picture& picture, const Sighting& sighting);
+  void judgeEnd(const aibo_client::ConnectionStatus& status);
+  void hear(aibo_client::LogLevel level, const std::string& line);
   void complain(const std::string& problem) { violations_.push_back(problem); }
 
   const PictureServer& server_;
@@ -80,7 +80,7 @@ class Witness {
   std::string last_warning_;
   int warnings_ = 0;  // about missing connections, since the last one that worked
   bool gaps_allowed_ = false;
-  aibo_driver::ConnectionState state_ = aibo_driver::ConnectionState::kDisconnected;
+  aibo_client::ConnectionState state_ = aibo_client::ConnectionState::kDisconnected;
   TimePoint state_since_;
   std::vector<std::string> violations_;
 };

@@ -45,13 +45,8 @@ struct ClientAttack {
 const std::vector<ClientAttack>& clientAttacks();
 
 /// The attack with this name.
-/// @throw std::invalid_argument there is none; the message lists all
-const ClientAttack& findClientAttack(const std::string& name);
+/// @throw std::invalid_argument there is none
 const RobotAttack& findRobotAttack(const std::string& name, int version);
-
-/// The programs attack nobody but this computer, and not for ever.
-/// @throw std::invalid_argument the address does not begin with 127., or the time is not 1..600 s
-void checkLimits(const std::string& address, int seconds);
 
 }  // namespace hostile
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 #include <system_error>
 #include <thread>
 
@@ -281,27 +280,6 @@ const std::vector<ClientAttack>& clientAttacks() {
        [](const Target& target, Random&, TimePoint end) { hold(target.console_port, 20, "", end); }},
   };
   return attacks;
-}
-
-const ClientAttack& findClientAttack(const std::string& name) {
-  std::string names;
-  for (const ClientAttack& attack : clientAttacks()) {
-    if (attack.name == name) {
-      return attack;
-    }
-    names += " " + attack.name;
-  }
-  throw std::invalid_argument("there is no attack '" + name + "' of clients, but" + names);
-}
-
-void checkLimits(const std::string& address, int seconds) {
-  if (address.rfind("127.", 0) != 0 || address.find_first_not_of("0123456789.") != std::string::npos) {
-    throw std::invalid_argument("'" + address + "' is not an address of this computer alone (127.0.0.1); others are " +
-                                "not attacked");
-  }
-  if (seconds < 1 || seconds > 600) {
-    throw std::invalid_argument("an attack takes 1 to 600 seconds, not " + std::to_string(seconds));
-  }
 }
 
 }  // namespace hostile

@@ -117,12 +117,11 @@ Bytes impossibleTelemetry(unsigned count) {
 
 // Colours that nobody asked for, of more pixels than there are.
 Bytes impossibleColors(Random& random, unsigned count) {
-  version2::ColorRegions colors = {count, 4 * count, 65535, 65535, 8, random() % 2 == 0, {}};
+  version2::ColorRegions colors = {count, 4 * count, 65535, 65535, 8, random() % 2 == 0, {}, nullptr, 0};
   for (std::uint8_t channel = 0; channel < 8; ++channel) {
     colors.regions[channel] = {channel, 0xFFFFFFFF, 65535, 65535, 65535, 65535, 65535, 65535};
   }
-  Bytes payload(version2::MAX_COLOR_REGIONS_SIZE);
-  payload.resize(version2::encodeColorRegions(colors, payload.data()));
+  Bytes payload = version2_frames::encoded(colors);
   if (colors.has_plane) {
     payload.insert(payload.end(), 3000, 0x81);
   }
@@ -281,17 +280,12 @@ const std::vector<RobotAttack>& robotAttacks() {
 }
 
 const RobotAttack& findRobotAttack(const std::string& name, int version) {
-  std::string names;
   for (const RobotAttack& attack : robotAttacks()) {
-    if (attack.version == version) {
-      if (attack.name == name) {
-        return attack;
-      }
-      names += " " + attack.name;
+    if (attack.version == version && attack.name == name) {
+      return attack;
     }
   }
-  throw std::invalid_argument("there is no attack '" + name + "' of a robot that speaks version " +
-                              std::to_string(version) + ", but" + names);
+  throw std::invalid_argument("there is no attack '" + name + "' in version " + std::to_string(version));
 }
 
 }  // namespace hostile

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <thread>
 
-using aibo_driver::FileDescriptor;
+using aibo_client::FileDescriptor;
 
 namespace fault_bench {
 namespace {

@@ -32,8 +32,8 @@ class NetworkHost {
 
  private:
   const std::string address_;
-  aibo_driver::FileDescriptor name_space_;
-  aibo_driver::FileDescriptor packets_;
+  aibo_client::FileDescriptor name_space_;
+  aibo_client::FileDescriptor packets_;
 };
 
 }  // namespace fault_bench

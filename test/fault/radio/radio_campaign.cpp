@@ -41,24 +41,6 @@ std::vector<Trial> allTrials(std::uint32_t first_seed) {
   return trials;
 }
 
-/// TCP and UDP in turn, over the same links.
-std::vector<Trial> comparedTrials(std::uint32_t seed) {
-  std::vector<Trial> trials;
-  for (const double rate : {11e6, 2e6, 1e6}) {
-    for (const double loss : {0.0, 0.01, 0.05, 0.1}) {
-      const Trial trial = lossTrial(rate, loss, seed, milliseconds(10000));
-      trials.push_back(trial);
-      trials.push_back(byUdp(trial));
-    }
-  }
-  for (const milliseconds outage : {milliseconds(1000), milliseconds(3000)}) {
-    const Trial trial = outageTrial(outage, seed, milliseconds(2000));
-    trials.push_back(trial);
-    trials.push_back(byUdp(trial));
-  }
-  return trials;
-}
-
 /// The same links with and without adaptive quality and rate.
 std::vector<Trial> adaptiveTrials(std::uint32_t first_seed) {
   std::vector<Trial> trials;
@@ -121,18 +103,14 @@ int runAll(const std::vector<Trial>& trials) {
   return all_well ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
-/// Which trials to run. Without a choice, all but those that compare.
+/// Which trials to run. Without a choice, all but the adaptive ones.
 struct Choice {
   bool short_form = false;
-  bool compare = false;
   bool adaptive = false;
 };
 
 std::vector<Trial> chosenTrials(const Choice& choice, std::uint32_t seed) {
-  return choice.compare      ? comparedTrials(seed)
-         : choice.adaptive   ? adaptiveTrials(seed)
-         : choice.short_form ? shortTrials(seed)
-                             : allTrials(seed);
+  return choice.adaptive ? adaptiveTrials(seed) : choice.short_form ? shortTrials(seed) : allTrials(seed);
 }
 
 po::options_description describe(std::uint32_t* seed, Choice* choice) {
@@ -140,8 +118,6 @@ po::options_description describe(std::uint32_t* seed, Choice* choice) {
   // clang-format off
   description.add_options()
     ("seed", po::value(seed)->default_value(1), "seed of loss and jitter; the campaign tries this one and the next two")
-    ("compare", po::bool_switch(&choice->compare),
-     "TCP and UDP over the same links, at 11, 2 and 1 Mbit/s with up to 10 % loss")
     ("adaptive", po::bool_switch(&choice->adaptive), "only weak links with and without adaptive quality and rate")
     ("short", po::bool_switch(&choice->short_form), "a few seconds only, for the test run");
   // clang-format on

@@ -46,7 +46,7 @@ class RadioLink {
   std::uint64_t refused_ = 0;  // packets, by the hosts
   std::atomic<std::uint64_t> carried_{0};
   std::atomic<std::uint64_t> lost_{0};
-  aibo_driver::Event stop_event_;
+  aibo_client::Event stop_event_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

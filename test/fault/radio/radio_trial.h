@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 #include "radio/radio_medium.h"
 
 namespace fault_bench {
@@ -20,7 +20,7 @@ struct Trial {
   std::chrono::milliseconds length{15000};
   /// After an outage, the next picture must come within this time; 0 = no outage.
   std::chrono::milliseconds recovery_mark{0};
-  aibo_driver::PictureTransport transport = aibo_driver::PictureTransport::kTcp;
+  aibo_client::PictureTransport transport = aibo_client::PictureTransport::kTcp;
   bool on_busy_computer = false;         ///< which may hold the client up, so that pictures grow stale
   std::chrono::milliseconds max_age{0};  ///< of a picture; 0 = any. Pictures must not be older for more than a second
   bool is_adaptive = false;              ///< quality and rate are adapted to keep max_age

@@ -42,7 +42,6 @@
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/proxy/recording_proxy.h"
-#include "support/proxy/script.h"
 #include "support/resources.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
@@ -65,6 +64,7 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 using test_support::Action;
 using test_support::DiagnosticsListener;
+using test_support::Direction;
 using test_support::DriverProcess;
 using test_support::FaultProxy;
 using test_support::goodCalibration;
@@ -72,6 +72,7 @@ using test_support::JointListener;
 using test_support::kSafetyNet;
 using test_support::MemoryStick;
 using test_support::PictureServer;
+using test_support::Place;
 using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::Resources;
@@ -151,7 +152,7 @@ TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
     }
     const std::size_t connections = proxy_.connections();
     if (round % 3 == 0) {
-      proxy_.add(test_support::parseFault("overwrite:ff@picture"));
+      proxy_.add({Action::kOverwrite, Place::kPicture, 0, Direction::kToClient, 0, {0xFF}});
     } else {
       proxy_.endConnections(round % 3 == 1 ? Action::kReset : Action::kClose);
     }
@@ -246,7 +247,7 @@ TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
   CompressedListener pictures("/middle/camera/image_raw/compressed");
   DriverProcess driver("/middle", proxy_.port(), {"_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
-  proxy_.add(test_support::parseFault("silence@picture+1000"));
+  proxy_.add({Action::kSilence, Place::kPicture, 1000});
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
   expectEndsSoon(&driver);
 }
@@ -286,7 +287,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   play.request.repetitions = 1;
   UploadMotion upload;
   upload.request.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
-  proxy_.add(test_support::parseFault("pause:600000>server"));
+  proxy_.add({Action::kPause, Place::kHere, 0, Direction::kToServer, 0, {}, std::chrono::minutes(10)});
   // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });

@@ -2,9 +2,17 @@
 // AIBO_WHOLE_CAMPAIGN makes each attack longer, and its limits those of a computer that does nothing else.
 
 #include <actionlib_msgs/GoalID.h>
+#include <aibo_driver/DeleteMotion.h>
+#include <aibo_driver/FetchPicture.h>
 #include <aibo_driver/Leds.h>
+#include <aibo_driver/LoadColorTable.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/PlayMotionActionGoal.h>
+#include <aibo_driver/PlayMotionActionResult.h>
+#include <aibo_driver/TakePicture.h>
 #include <aibo_driver/UploadMotion.h>
+#include <control_msgs/FollowJointTrajectoryActionGoal.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
@@ -16,6 +24,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <functional>
 #include <string>
@@ -63,7 +72,6 @@ class HostileNode : public testing::Test {
   static constexpr std::size_t kMostMemory = 300 * 1024;  // KB more than before: messages of a million names wait
 
   milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 10000 : 1500); }
-  milliseconds longestStop() const { return milliseconds(wholeCampaign() ? 50 : 2000); }
 
   void SetUp() override {
     ASSERT_TRUE(joints_.waitForNext());
@@ -102,8 +110,12 @@ class HostileNode : public testing::Test {
     ASSERT_TRUE(driver_.isRunning()) << driver_.output();
     EXPECT_TRUE(joints_.waitForNext());
     std::sort(times.begin(), times.end());
-    EXPECT_LE(times[times.size() * 9 / 10], longestStop()) << "nine of ten stops, in ms; " << times.size() << " in all";
-    RecordProperty("longest_stop_ms", static_cast<int>(times.back().count()));
+    if (wholeCampaign()) {
+      EXPECT_LE(times[times.size() * 9 / 10], milliseconds(50)) << "nine of ten stops; " << times.size() << " in all";
+    }
+    std::printf("stop took %d ms (median), %d ms (nine of ten), %d ms (worst)\n",
+                static_cast<int>(times[times.size() / 2].count()),
+                static_cast<int>(times[times.size() * 9 / 10].count()), static_cast<int>(times.back().count()));
     const std::string logged = driver_.output().substr(log);
     EXPECT_LT(logged.size(), kMostLog);
     EXPECT_EQ(logged.find("\x1b[2J"), std::string::npos) << "a terminal obeys this";
@@ -121,8 +133,23 @@ class HostileNode : public testing::Test {
     return std::chrono::duration_cast<milliseconds>(steady_clock::now() - begin);
   }
 
+  static void expectPlain(const std::string& text) {
+    EXPECT_EQ(text.find_first_of("\x1b\x07\n"), std::string::npos) << "a terminal obeys this";
+    EXPECT_LT(text.size(), 5000U);
+  }
+
+  /// Calls a service once that answers in words.
+  template <typename Service>
+  void expectPlainAnswer(const std::string& name, const typename Service::Request& request) {
+    Service call;
+    call.request = request;
+    EXPECT_TRUE(node_.serviceClient<Service>(name).call(call)) << name;
+    EXPECT_EQ(call.response.success, 0) << name;
+    expectPlain(call.response.message);
+  }
+
   SimulatedRobot robot_;
-  DriverProcess driver_{"/victim", robot_.port()};
+  DriverProcess driver_{"/victim", robot_.port(), {}, {}, AIBO_DRIVER_NODE_WITH_ACTIONS};
   ros::NodeHandle node_{"/victim"};
   TopicListener<sensor_msgs::JointState> joints_{"/victim/joint_states"};
   ros::ServiceClient stop_ = node_.serviceClient<std_srvs::Trigger>("stop");
@@ -219,6 +246,79 @@ TEST_F(HostileNode, ThatSendsGoalsAsFastAsItCan) {
     cancels.publish(actionlib_msgs::GoalID());
     std::this_thread::sleep_for(std::chrono::microseconds(500));
   });
+}
+
+// Every second goal moves the head, and each of these ends the one before it.
+TEST_F(HostileNode, ThatSendsTrajectoriesAsGoalsAsFastAsItCan) {
+  const ros::Publisher goals = publisher<control_msgs::FollowJointTrajectoryActionGoal>("follow_joint_trajectory/goal");
+  const ros::Publisher cancels = publisher<actionlib_msgs::GoalID>("follow_joint_trajectory/cancel");
+  attack([&] {
+    control_msgs::FollowJointTrajectoryActionGoal goal;
+    goal.goal_id.id = names_.next();
+    goal.goal.trajectory.joint_names = {names_.next()};
+    goal.goal.trajectory.points.resize(1);
+    goal.goal.trajectory.points[0].positions = {0.3};
+    goal.goal.trajectory.points[0].time_from_start = ros::Duration(1.0);
+    goals.publish(goal);
+    goal.goal_id.id = names_.next();
+    goal.goal.trajectory.joint_names = {"head_pan"};
+    goals.publish(goal);
+    cancels.publish(actionlib_msgs::GoalID());
+    std::this_thread::sleep_for(std::chrono::microseconds(500));
+  });
+}
+
+// Goals, orders and calls that quote what others chose, one by one.
+TEST_F(HostileNode, WhoseNamesAreQuotedInAnswersResultsAndStates) {
+  const std::string name = names_.next() + std::string(100'000, 'x');
+  TopicListener<aibo_driver::PlayMotionActionResult> results("/victim/play_motion/result");
+  TopicListener<aibo_driver::MotionState> states("/victim/motion_state");
+  const ros::Publisher goals = publisher<aibo_driver::PlayMotionActionGoal>("play_motion/goal");
+  const ros::Publisher trajectories = publisher<trajectory_msgs::JointTrajectory>("joint_trajectory");
+  trajectory_msgs::JointTrajectory trajectory;
+  trajectory.joint_names = {name};
+  trajectory.points.resize(1);
+  trajectory.points[0].positions = {0};
+  trajectories.publish(trajectory);
+  aibo_driver::PlayMotionActionGoal goal;
+  goal.goal.name = name;
+  goals.publish(goal);
+  const auto result = results.waitForNext();
+  ASSERT_TRUE(result);
+  expectPlain(result->result.message);
+  expectPlain(result->status.text);
+  ASSERT_TRUE(states.waitFor([](const aibo_driver::MotionState& state) { return !state.ended.empty(); }));
+  aibo_driver::PlayMotion::Request play;
+  play.name = name;
+  play.repetitions = 1;
+  expectPlainAnswer<aibo_driver::PlayMotion>("play_motion", play);
+  stopTime();
+  expectPlainAnswer<aibo_driver::PlayMotion>("play_motion", play);
+  ASSERT_TRUE(states.waitFor([](const aibo_driver::MotionState& state) {
+    return !state.ended.empty() && state.ended.back().movement.kind == aibo_driver::Movement::MOTION;
+  }));
+  for (const auto& state : states.waitForCount(0)) {
+    expectPlain(state->text);
+    for (const aibo_driver::EndedMovement& ended : state->ended) {
+      expectPlain(ended.movement.name);
+      expectPlain(ended.reason);
+    }
+  }
+  aibo_driver::TakePicture::Request picture;
+  picture.resolution = name;
+  expectPlainAnswer<aibo_driver::TakePicture>("take_picture", picture);
+  picture.resolution.clear();
+  picture.save_to = name;
+  expectPlainAnswer<aibo_driver::TakePicture>("take_picture", picture);
+  aibo_driver::LoadColorTable::Request table;
+  table.file = name;
+  expectPlainAnswer<aibo_driver::LoadColorTable>("load_color_table", table);
+  aibo_driver::DeleteMotion::Request motion;
+  motion.name = name;
+  expectPlainAnswer<aibo_driver::DeleteMotion>("delete_motion", motion);
+  aibo_driver::FetchPicture::Request fetched;
+  fetched.name = name;
+  expectPlainAnswer<aibo_driver::FetchPicture>("fetch_picture", fetched);
 }
 
 TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {

@@ -108,7 +108,7 @@ class Hostile : public testing::TestWithParam<int> {
   TopicListener<sensor_msgs::Image> images_{name_ + "/camera/image_raw"};
   TopicListener<sensor_msgs::JointState> joints_{name_ + "/joint_states"};
   TopicListener<sensor_msgs::BatteryState> battery_{name_ + "/battery"};
-  DriverProcess driver_{name_, server_.port()};
+  DriverProcess driver_{name_, server_.port(), {"_adaptive:=true"}};
   Resources before_;
 };
 

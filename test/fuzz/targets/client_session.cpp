@@ -5,7 +5,7 @@
 #include <future>
 #include <memory>
 
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
 #include "client/possible_values.h"
 #include "client/version1_session.h"
@@ -13,7 +13,7 @@
 #include "client/version_negotiation.h"
 #include "fuzz_input.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 
 namespace {
@@ -102,7 +102,7 @@ class Client {
         wantPicture();
         break;
       case ROBOT_IS_ASKED:
-        askRobot();
+        add(takeCall());
         break;
       case BODY_IS_COMMANDED:
         commandBody();
@@ -146,25 +146,36 @@ class Client {
     }
   }
 
-  void wantPicture() {
-    Call call;
-    call.letter = 'F';
-    call.number = static_cast<int>(input_.takeByte() % 101);
-    add(std::move(call));
-  }
+  void wantPicture() { add(callForPicture(static_cast<int>(input_.takeByte() % 101), std::nullopt)); }
 
-  void askRobot() {
-    const std::string letters = "ODPUNQRIEMY";
-    Call call;
-    call.letter = letters[input_.takeByte() % letters.size()];
-    call.name = call.letter == 'Y' ? "AIBO0001.JPG" : "NOD.MTN";
-    call.number = static_cast<int>(input_.takeByte() % 2);
-    call.id = call.letter == 'E' || call.letter == 'Y' ? 1 + call.number : 0;
-    call.content.resize(1 + input_.takeByte());
-    if (call.number == 1) {
-      call.joints = {2, 52};
+  Call takeCall() {
+    const unsigned kind = input_.takeByte() % 11;
+    const bool is_first = input_.takeByte() % 2 == 0;
+    const Bytes content(1 + input_.takeByte());
+    switch (kind) {
+      case 0:
+        return callForMotors(!is_first);
+      case 1:
+        return callToDelete("NOD.MTN");
+      case 2:
+        return is_first ? callToStop("NOD.MTN") : callToPlay("NOD.MTN", 1, 0);
+      case 3:
+        return callToStore("NOD.MTN", content, 0);
+      case 4:
+        return callForMotions();
+      case 5:
+        return callToShutDown();
+      case 6:
+        return callToReboot();
+      case 7:
+        return callToHold(is_first ? std::vector<int>() : std::vector<int>{2, 52});
+      case 8:
+        return callForPosture(is_first ? protocol::version2::POSTURE_STAND : protocol::version2::POSTURE_SIT);
+      case 9:
+        return callToSavePicture(is_first ? 0 : 1);
+      default:
+        return is_first ? callForStickPictures() : callToFetchPicture("AIBO0001.JPG");
     }
-    add(std::move(call));
   }
 
   void add(Call call) {
@@ -212,8 +223,8 @@ class Client {
     wish_.color_tables[bits % wish_.color_tables.size()] = (bits & 32U) != 0 ? table_ : nullptr;
   }
 
-  static RcServerClient::Callbacks callbacks() {
-    RcServerClient::Callbacks callbacks;
+  static Callbacks callbacks() {
+    Callbacks callbacks;
     callbacks.on_picture = [](const PicturePtr& picture) {
       require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
     };

@@ -2,17 +2,17 @@
 #include <string>
 
 #include "fuzz_input.h"
+#include "node/camera/color_table_file.h"
 #include "protocol/text.h"
-#include "ros/camera/color_table_file.h"
 
 using namespace aibo_driver;
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {
-    const ColorTable table = node::parseColorTable(FuzzInput(data, size).takeText(size), "any.yaml");
+    const aibo_client::ColorTable table = node::parseColorTable(FuzzInput(data, size).takeText(size), "any.yaml");
     require(!table.name.empty() && protocol::isPlainText(table.name.data(), table.name.size()),
             "a table has a name that can be shown");
-    const ColorTable same = node::parseColorTable(node::toYaml(table), "again.yaml");
+    const aibo_client::ColorTable same = node::parseColorTable(node::toYaml(table), "again.yaml");
     require(same.name == table.name && same.segments == table.segments, "a table that is written is read again");
     node::colorOf(table);
   } catch (const node::ColorTableException& error) {

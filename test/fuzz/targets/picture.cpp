@@ -1,12 +1,12 @@
 // The inspector and the decoder of pictures: any bytes.
 #include <string>
 
-#include "aibo_driver/jpeg_inspector.h"
+#include "aibo_client/jpeg_inspector.h"
 #include "fuzz_input.h"
-#include "ros/camera/jpeg_decoder.h"
+#include "node/camera/jpeg_decoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const aibo_driver::JpegInspection inspection = aibo_driver::inspectJpeg(data, size);
+  const aibo_client::JpegInspection inspection = aibo_client::inspectJpeg(data, size);
   require(!inspection.good() || (inspection.width <= 416 && inspection.height <= 320),
           "a good picture is not larger than a camera makes it");
   try {

@@ -8,7 +8,7 @@
 #include "client/datagram_intake.h"
 #include "fuzz_input.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 namespace version2 = protocol::version2;
 
 namespace {
@@ -61,7 +61,7 @@ class Receiver {
     datagram.image = {
         datagram.picture, 4 * datagram.picture + input_.takeByte() / 128, 208, 160, 85, version2::LAYER_HIGH, {}};
     Bytes bytes(version2::DATAGRAM_HEADER_SIZE);
-    version2::encodePictureDatagram(datagram, bytes.data());
+    version2::encode(datagram, bytes.data());
     const std::size_t first = datagram.part;
     bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, first));
     const std::size_t last =
@@ -85,8 +85,8 @@ class Receiver {
 
   void arrive(const Bytes& bytes) {
     const auto whole = intake_.arrived(bytes.data(), bytes.size(), now_);
-    unsigned picture = 0;
-    require(version2::decodeAcknowledgement(bytes.data(), bytes.size(), &picture) != nullptr || !whole,
+    version2::Acknowledgement acknowledgement = {};
+    require(version2::decode(bytes.data(), bytes.size(), &acknowledgement) != nullptr || !whole,
             "an acknowledgement is no picture");
     intake_.takeAcknowledgement();
     intake_.takeLossReport();
@@ -107,7 +107,7 @@ class Receiver {
   }
 
   FuzzInput& input_;
-  const Notifier notifier_{RcServerClient::Callbacks()};
+  const Notifier notifier_{Callbacks()};
   Counters counters_;
   const ConnectionContext context_{"robot:54321", std::chrono::milliseconds(500), notifier_, counters_};
   DatagramIntake intake_{context_};

@@ -5,9 +5,9 @@
 #include "fuzz_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using Result = aibo_driver::ReplyParser::Result;
+  using Result = aibo_client::ReplyParser::Result;
   PiecewiseInput input(data, size);
-  aibo_driver::ReplyParser parser;
+  aibo_client::ReplyParser parser;
   try {
     while (!input.empty()) {
       const Bytes piece = input.takePiece();
@@ -23,7 +23,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         }
       }
     }
-  } catch (const aibo_driver::ProtocolException&) {
+  } catch (const aibo_client::ProtocolException&) {
   }
   return 0;
 }

@@ -53,7 +53,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(reader.append(piece.data(), piece.size()) == piece.size(), "there is room for the bytes");
     require(takeRequests(reader) <= RequestReader::MAX_REQUESTS, "there are no more requests than fit");
   }
-  static Bytes rest(RequestReader::MAX_WAITING);
-  reader.takeWaiting(rest.data());
   return 0;
 }

@@ -100,12 +100,16 @@ class SlowFiles final : public FileJobs {
   explicit SlowFiles(const HostSettings& host) : files_(host) {}
 
   bool IsThere() const override { return true; }
-  bool IsFree() const override { return !has_job_; }
+  bool isFree() const { return !has_job_; }
   unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                 const unsigned char* content, std::size_t size) override {
-    require(IsFree(), "there is only one job at a time");
+    require(isFree() || is_for_earlier_client_, "there is only one job at a time");
+    if (has_job_) {
+      doJob();
+    }
     require(size <= sizeof(job_.content), "the content fits");
     has_job_ = true;
+    is_for_earlier_client_ = false;
     job_.ticket = ++last_ticket_;
     job_.operation = operation;
     job_.kind = kind;
@@ -114,6 +118,7 @@ class SlowFiles final : public FileJobs {
     std::copy(content, content + size, job_.content);
     return last_ticket_;
   }
+  void ClientGone() override { is_for_earlier_client_ = true; }
 
   const FileResult& doJob() {
     files_.CarryOut(job_, &result_);
@@ -126,6 +131,7 @@ class SlowFiles final : public FileJobs {
   FileJob job_{};
   FileResult result_{};
   bool has_job_ = false;
+  bool is_for_earlier_client_ = false;
   unsigned last_ticket_ = 0;
 };
 
@@ -136,6 +142,7 @@ Settings settingsOf(unsigned bits) {
   settings.allow_shut_down = (bits & 4U) != 0;
   settings.allow_reboot = (bits & 8U) != 0;
   settings.allow_pictures = (bits & 16U) != 0;
+  settings.allow_sound = false;  // the speaker asks OPEN-R, which does not run here
   return settings;
 }
 
@@ -273,7 +280,7 @@ class Server {
   }
 
   void finishFileJob() {
-    if (!files_.IsFree()) {
+    if (!files_.isFree()) {
       const FileResult& result = files_.doJob();
       session_.FileDone(result);
       if (session_.OwesFile()) {
@@ -288,7 +295,7 @@ class Server {
     output_.resize(Outbox::CAPACITY);
     output_.resize(session_.TakeOutput(output_.data()));
     // An empty outbox has room for an answer to a request, so this loop ends.
-    require(!output_.empty() || !files_.IsFree() || session_.IsOver() || session_.WantsInput(),
+    require(!output_.empty() || !files_.isFree() || session_.IsOver() || session_.WantsInput(),
             "a request is answered, or input is wanted");
     if (is_version2) {
       checkFrames();
@@ -320,12 +327,14 @@ class Server {
   LightDriver lights_{kRobot};
   CameraControl camera_;
   ColorTables colors_{camera_, kRobot.number_of_color_channels};
+  Microphone microphone_;
+  Speaker speaker_;
   FreePorts datagrams_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
   HoldUpWatch held_up_;
-  Robot robot_{kRobot.design, joints_,    motors_,      sensors_, lights_, camera_,
-               colors_,       datagrams_, power_order_, files_,   held_up_};
+  Robot robot_{kRobot.design, joints_,  motors_,    sensors_,     lights_, camera_, colors_,
+               microphone_,   speaker_, datagrams_, power_order_, files_,  held_up_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;

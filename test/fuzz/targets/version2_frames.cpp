@@ -7,6 +7,7 @@
 #include "protocol/frame_reader.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
+#include "protocol/sound_requests.h"
 #include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
@@ -19,71 +20,56 @@ namespace {
 constexpr std::size_t kCapacity = 4096;
 
 // An accepted payload has only one form: it is encoded into the same number of bytes, which are accepted, too.
-template <typename Value, typename Argument>
-void decode(const char* (*decode)(const unsigned char*, std::size_t, Value*),
-            std::size_t (*encode)(Argument, unsigned char*), const Bytes& payload) {
-  Value value;
-  if (decode(payload.data(), payload.size(), &value) != nullptr) {
+template <typename Payload>
+void decodeAs(const Bytes& bytes) {
+  Payload payload;
+  if (version2::decode(bytes.data(), bytes.size(), &payload) != nullptr) {
     return;
   }
-  Bytes again(payload.size());
-  require(encode(value, again.data()) == payload.size(), "encoded into the same number of bytes");
-  require(decode(again.data(), again.size(), &value) == nullptr, "an encoded payload is accepted");
+  require(version2::encodedSize(payload) == bytes.size(), "encoded into the same number of bytes");
+  Bytes again(bytes.size());
+  require(version2::encode(payload, again.data()) == bytes.size(), "encodedSize() is right");
+  require(version2::decode(again.data(), again.size(), &payload) == nullptr, "an encoded payload is accepted");
 }
 
-// A struct for a name.
-struct Name {
-  protocol::FileName text;
-};
-
-const char* decodeName(const unsigned char* payload, std::size_t size, Name* name) {
-  return version2::decodeMotionName(payload, size, name->text);
-}
-
-std::size_t encodeName(const Name& name, unsigned char* out) {
-  return version2::encodeMotionName(name.text, out);
-}
-
-const char* decodeStickName(const unsigned char* payload, std::size_t size, Name* name) {
-  return version2::decodePictureName(payload, size, name->text);
-}
-
-std::size_t encodeStickName(const Name& name, unsigned char* out) {
-  return version2::encodePictureName(name.text, out);
+void decodeList(version2::ReadFileName read, const Bytes& bytes) {
+  version2::FileList list;
+  if (version2::decodeFileList(read, bytes.data(), bytes.size(), &list) == nullptr) {
+    Bytes again(bytes.size());
+    require(version2::encodeFileList(list, again.data()) == bytes.size(), "a list has only one form");
+  }
 }
 
 void decodePicture(const Bytes& payload) {
-  version2::ImageHeader header;
-  std::size_t jpeg_size = 0;
-  if (version2::decodePicture(payload.data(), payload.size(), &header, &jpeg_size) == nullptr) {
-    require(version2::IMAGE_HEADER_SIZE + jpeg_size == payload.size() && jpeg_size > 0, "the JPEG is the rest");
-    Bytes again(version2::IMAGE_HEADER_SIZE);
-    version2::encodeImageHeader(header, again.data());
-    require(std::equal(again.begin(), again.end(), payload.begin()), "an accepted header has only one form");
+  version2::PicturePayload picture;
+  if (version2::decode(payload.data(), payload.size(), &picture) == nullptr) {
+    require(version2::IMAGE_HEADER_SIZE + picture.jpeg_size == payload.size(), "the JPEG is the rest");
+    Bytes again(payload.size());
+    version2::encode(picture, again.data());
+    require(again == payload, "an accepted picture has only one form");
   }
 }
 
 void decodeCameraValue(const Bytes& payload) {
   for (int id = 0; id <= version2::NUMBER_OF_CAMERA_SETTINGS + 1; ++id) {
-    unsigned char value = 0xff;
-    const char* const problem = version2::decodeCameraValue(id, payload.data(), payload.size(), &value);
-    require((problem == nullptr) == version2::hasCameraValue(id, value), "only values of the setting are accepted");
+    version2::CameraValue value = {static_cast<unsigned char>(id), 0xff};
+    const char* const problem = version2::decode(payload.data(), payload.size(), &value);
+    require(problem != nullptr || version2::problemOfCameraValue(id, value.value) == nullptr,
+            "only values of the setting are accepted");
   }
 }
 
 // What follows the regions is the plane, which may be packed in many ways.
 void decodeColorRegions(const Bytes& payload) {
   version2::ColorRegions regions;
-  const unsigned char* packed = nullptr;
-  std::size_t packed_size = 0;
-  if (version2::decodeColorRegions(payload.data(), payload.size(), &regions, &packed, &packed_size) != nullptr) {
+  if (version2::decode(payload.data(), payload.size(), &regions) != nullptr) {
     return;
   }
-  Bytes again(payload.size() - packed_size);
-  require(version2::encodeColorRegions(regions, again.data()) == again.size(), "the plane is the rest");
-  require(std::equal(again.begin(), again.end(), payload.begin()), "accepted regions have only one form");
+  Bytes again(payload.size());
+  require(version2::encode(regions, again.data()) == again.size(), "the plane is the rest");
+  require(again == payload, "accepted regions have only one form");
   Bytes plane(std::min<std::size_t>(std::size_t{regions.width} * regions.height, kCapacity));
-  if (version2::unpackColorPlane(packed, packed_size, plane.size(), plane.data()) == nullptr) {
+  if (version2::unpackColorPlane(regions.plane, regions.plane_size, plane.size(), plane.data()) == nullptr) {
     Bytes once_more(version2::packedColorPlaneSize(plane.size()));
     const std::size_t size = version2::packColorPlane(plane.data(), plane.size(), once_more.data());
     require(size <= once_more.size(), "a packed plane is not larger than its maximum");
@@ -96,48 +82,55 @@ void decodeColorRegions(const Bytes& payload) {
 // The encoder truncates long texts.
 void decodeErrorMessage(const Bytes& payload) {
   version2::ErrorMessage message;
-  if (version2::decodeErrorMessage(payload.data(), payload.size(), &message) == nullptr) {
+  if (version2::decode(payload.data(), payload.size(), &message) == nullptr) {
     require(message.text_size + 2 == payload.size(), "the text is the rest");
     Bytes again(std::min(payload.size(), version2::MAX_ERROR_MESSAGE_SIZE));
-    require(version2::encodeErrorMessage(message, again.data()) <= again.size(),
-            "a message is not larger than its maximum");
+    require(version2::encode(message, again.data()) <= again.size(), "a message is not larger than its maximum");
   }
 }
 
 // The same for both of its texts.
 void decodeEndMessage(const Bytes& payload) {
   version2::EndMessage message;
-  if (version2::decodeEndMessage(payload.data(), payload.size(), &message) == nullptr) {
+  if (version2::decode(payload.data(), payload.size(), &message) == nullptr) {
     require(4 + message.name_size + 1 + message.reason_size == payload.size(), "name and reason are the rest");
     Bytes again(std::min(payload.size(), version2::MAX_END_MESSAGE_SIZE));
-    require(version2::encodeEndMessage(message, again.data()) <= again.size(),
-            "a message is not larger than its maximum");
+    require(version2::encode(message, again.data()) <= again.size(), "a message is not larger than its maximum");
   }
 }
 
 void decodeAsEverything(const Bytes& payload) {
-  decode(version2::decodePictureRequest, version2::encodePictureRequest, payload);
-  decode(version2::decodeStreamSettings, version2::encodeStreamSettings, payload);
-  decode(version2::decodeJointTargets, version2::encodeJointTargets, payload);
-  decode(version2::decodeSpeedLimits, version2::encodeSpeedLimits, payload);
-  decode(version2::decodeTelemetryPeriod, version2::encodeTelemetryPeriod, payload);
-  decode(version2::decodeTelemetry, version2::encodeTelemetry, payload);
-  decode(version2::decodeMotorState, version2::encodeMotorState, payload);
-  decode(version2::decodeJointIds, version2::encodeJointIds, payload);
-  decode(version2::decodeLedValues, version2::encodeLedValues, payload);
-  decode(version2::decodeEarPositions, version2::encodeEarPositions, payload);
-  decode(version2::decodeColorSettings, version2::encodeColorSettings, payload);
-  decode(version2::decodeColorTable, version2::encodeColorTable, payload);
-  decode(version2::decodeDatagramPort, version2::encodeDatagramPort, payload);
-  decode(version2::decodeAcknowledgement, version2::encodeAcknowledgement, payload);
-  decode(version2::decodeLossReport, version2::encodeLossReport, payload);
-  decode(version2::decodeVelocity, version2::encodeVelocity, payload);
-  decode(version2::decodeMotionUpload, version2::encodeMotionUpload, payload);
-  decode(decodeName, encodeName, payload);
-  decode(version2::decodeMotionOrder, version2::encodeMotionOrder, payload);
-  decode(version2::decodeMotionList, version2::encodeMotionList, payload);
-  decode(decodeStickName, encodeStickName, payload);
-  decode(version2::decodePictureList, version2::encodePictureList, payload);
+  decodeAs<version2::PictureRequest>(payload);
+  decodeAs<version2::StreamSettings>(payload);
+  decodeAs<version2::JointTargets>(payload);
+  decodeAs<version2::SpeedLimits>(payload);
+  decodeAs<version2::TelemetryPeriod>(payload);
+  decodeAs<version2::Telemetry>(payload);
+  decodeAs<version2::MotorState>(payload);
+  decodeAs<version2::MotorsAndPosture>(payload);
+  decodeAs<version2::JointIds>(payload);
+  decodeAs<version2::LedValues>(payload);
+  decodeAs<version2::EarPositions>(payload);
+  decodeAs<version2::ColorSettings>(payload);
+  decodeAs<version2::ColorTable>(payload);
+  decodeAs<version2::MicrophoneSettings>(payload);
+  decodeAs<version2::HeardSound>(payload);
+  decodeAs<version2::PlayedSound>(payload);
+  decodeAs<version2::SpeakerRoom>(payload);
+  decodeAs<version2::SoundEnd>(payload);
+  decodeAs<version2::Volume>(payload);
+  decodeAs<version2::DatagramPort>(payload);
+  decodeAs<version2::Acknowledgement>(payload);
+  decodeAs<version2::LossReport>(payload);
+  decodeAs<version2::Velocity>(payload);
+  decodeAs<version2::MotionUpload>(payload);
+  decodeAs<version2::MotionToDelete>(payload);
+  decodeAs<version2::MotionOrder>(payload);
+  decodeAs<version2::MotionChanges>(payload);
+  decodeAs<version2::StickPicture>(payload);
+  decodeAs<version2::FetchedPicture>(payload);
+  decodeList(protocol::readMotionName, payload);
+  decodeList(protocol::readPictureName, payload);
   decodePicture(payload);
   decodeCameraValue(payload);
   decodeColorRegions(payload);

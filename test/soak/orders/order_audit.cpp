@@ -108,22 +108,27 @@ bool isLeg(const std::string& joint) {
   return joint.rfind("left_", 0) == 0 || joint.rfind("right_", 0) == 0;
 }
 
-/// Whether this may be the end of that order. Some of its joints may have been replaced before.
+/// Whether this may be the end of that order. Some of its joints may have been replaced before. Commands to one joint
+/// each may have become one movement of several.
 bool canBeTheEndOf(const Order& order, const Ended& end) {
   constexpr double kLongest = 30;  // s; of any way
   const int kind = order.kind == "command" ? Movement::COMMAND : Movement::TRAJECTORY;
   const auto& joints = end.movement.joints;
+  const auto is_sent = [&order](const std::string& joint) { return order.targets.count(joint) > 0; };
+  const bool is_of_one_joint = order.kind == "command" && order.targets.size() == 1;
   return end.movement.user == order.user && end.movement.kind == kind && end.time >= order.time &&
          end.time <= order.time + order.duration + kLongest &&
-         std::all_of(joints.begin(), joints.end(),
-                     [&order](const std::string& joint) { return order.targets.count(joint) > 0; });
+         (is_of_one_joint ? std::any_of(joints.begin(), joints.end(), is_sent)
+                          : std::all_of(joints.begin(), joints.end(), is_sent));
 }
 
 /// Finds an end for each order, and an order for each end, as far as that is possible: a maximum matching, by paths
-/// that augment it. Messages do not say which end belongs to which order.
+/// that augment it. Messages do not say which end belongs to which order. The orders that need one come first, because
+/// an order that has an end once keeps one.
 class Matching {
  public:
-  explicit Matching(const Round& round)
+  /// @param needs_end whether an order must have an end of its own
+  Matching(const Round& round, const std::function<bool(const Order&)>& needs_end)
       : ends_of_(round.orders.size()), order_of_(round.ended.size(), kNone), has_end_(round.orders.size(), false) {
     for (std::size_t order = 0; order < round.orders.size(); ++order) {
       for (std::size_t end = 0; end < round.ended.size(); ++end) {
@@ -132,9 +137,13 @@ class Matching {
         }
       }
     }
-    for (std::size_t order = 0; order < round.orders.size(); ++order) {
-      std::vector<bool> is_seen(round.ended.size(), false);
-      has_end_[order] = findEnd(order, &is_seen);
+    for (const bool needs : {true, false}) {
+      for (std::size_t order = 0; order < round.orders.size(); ++order) {
+        if (needs_end(round.orders[order]) == needs) {
+          std::vector<bool> is_seen(round.ended.size(), false);
+          has_end_[order] = findEnd(order, &is_seen);
+        }
+      }
     }
   }
 
@@ -202,15 +211,25 @@ bool isMovedByTheRobotItself(const Round& round, double begin, double end) {
   return false;
 }
 
+/// The driver sends commands to one joint each together, if they come together, as after it was held up.
+bool areSentTogether(const Order& a, const Order& b, const Round& round) {
+  return a.targets.size() == 1 && b.targets.size() == 1 &&
+         std::any_of(round.faults.begin(), round.faults.end(), [&](const Fault& fault) {
+           const auto is_in_it = [&fault](double time) { return time > fault.begin && time < fault.end; };
+           return fault.kind == Fault::Kind::kDriverFrozen && is_in_it(a.time) && is_in_it(b.time);
+         });
+}
+
 /// If a node commands the same joints again, or those that are left, the same movement goes on; and of orders that are
 /// refused again and again, only the first one is told.
 bool isOneWithAnother(const Order& order, const Round& round) {
   constexpr double kGoesOn = 10;
   constexpr double kRepeated = 3;
-  return std::any_of(round.orders.begin(), round.orders.end(), [&order](const Order& other) {
+  return std::any_of(round.orders.begin(), round.orders.end(), [&](const Order& other) {
     const double later = other.time - order.time;
-    return &other != &order && other.user == order.user && other.kind == order.kind && isPartOfTheOther(order, other) &&
-           later > -kRepeated && later < kGoesOn;
+    return &other != &order && other.user == order.user && other.kind == order.kind &&
+           (isPartOfTheOther(order, other) || areSentTogether(order, other, round)) && later > -kRepeated &&
+           later < kGoesOn;
   });
 }
 
@@ -332,7 +351,8 @@ void OrderAudit::judgeEnds(const Round& round) {
   for (const Ended& end : round.ended) {
     ++ends_[kindOf(end.movement.kind) + " " + howIt(end.how)];
   }
-  const Matching matching(round);
+  const Matching matching(
+      round, [&round](const Order& order) { return !isOneWithAnother(order, round) && !mayBeUnread(order, round); });
   for (std::size_t i = 0; i < round.orders.size(); ++i) {
     const Order& order = round.orders[i];
     if (matching.hasEnd(i)) {
@@ -425,6 +445,9 @@ double OrderAudit::farthest(const Measured& measured, const Order& order,
   double farthest = 0;
   for (const std::string& joint : joints) {
     const auto found = measured.positions.find(joint);
+    if (order.targets.count(joint) == 0) {
+      continue;  // another order's
+    }
     farthest = std::max(farthest, found == measured.positions.end()
                                       ? std::numeric_limits<double>::infinity()
                                       : std::abs(found->second - clamp(joint, order.targets.at(joint))));

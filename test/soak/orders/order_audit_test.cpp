@@ -48,6 +48,14 @@ TEST_F(OrderAuditTest, ARoundInWhichAllIsRightHasNoViolation) {
   EXPECT_THAT(judge(), IsEmpty());
 }
 
+TEST_F(OrderAuditTest, TheEndsGoToTheOrdersThatNeedOne) {
+  round_.orders = {{"/anna", "command", 0.2, 0, {{"head_pan", 0.1}}},
+                   {"/anna", "command", 0.4, 0, {{"head_pan", 0.2}}},  // the same movement goes on
+                   {"/anna", "command", 8, 0, {{"head_pan", kPan}}}};
+  round_.ended = {{0.9, moving_, EndedMovement::REPLACED}, {8.1, moving_, EndedMovement::DONE}};
+  EXPECT_THAT(judge(), IsEmpty());
+}
+
 TEST_F(OrderAuditTest, AfterAStopNoJointMovesUntilRelease) {
   round_.calls = {{"/bert", "stop", 0.9, 1.0, true}, {"/bert", "release", 5, 5.1, true}};
   EXPECT_THAT(judge(), Contains(HasSubstr("head_pan moved by 0.490 rad after the stop of /bert")));

@@ -68,8 +68,9 @@ struct Movements {
 
 /// Where the joints are.
 struct Measured {
-  double time = 0;
+  double time = 0;  ///< by the stamp
   Targets positions{};
+  double came = 0;  ///< when the message came
 };
 
 /// Something is wrong from begin to end.

@@ -1,4 +1,4 @@
-#include "order_soak.h"
+#include "orders/order_soak.h"
 
 #include <aibo_driver/Connection.h>
 #include <ros/ros.h>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "order_user.h"
+#include "orders/order_user.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
 
@@ -125,7 +125,7 @@ void OrderSoak::hear(std::size_t connection, const std::uint8_t* data, std::size
   for (const test_support::Request& request : requests_[connection].feed(data, size)) {
     protocol::version2::JointTargets targets{};
     if (!request.version2 || request.kind != protocol::version2::REQUEST_JOINTS ||
-        protocol::version2::decodeJointTargets(request.payload.data(), request.payload.size(), &targets) != nullptr) {
+        protocol::version2::decode(request.payload.data(), request.payload.size(), &targets) != nullptr) {
       continue;
     }
     for (int i = 0; i < targets.count; ++i) {
@@ -152,6 +152,7 @@ void OrderSoak::receive(const sensor_msgs::JointState& joints) {
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
     measured.positions[joints.name[i]] = joints.position[i];
   }
+  measured.came = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   round_.measured.push_back(measured);
 }
@@ -362,6 +363,22 @@ void OrderSoak::keepLogs(const Round& round) {
       events << ' ' << joint;
     }
     events << '\n';
+  }
+  for (const Movements& each : round.movements) {
+    events << "movements " << each.time;
+    for (const Moving& moving : each.now) {
+      events << ' ' << moving.user << ' ' << moving.kind << ' ' << moving.name;
+    }
+    events << '\n';
+  }
+  std::ofstream measurements(options_.folder + "/measured.log", std::ios::app);
+  measurements << std::fixed;
+  for (const Measured& each : round.measured) {
+    measurements << each.time << ' ' << each.came - each.time;
+    for (const auto& [joint, position] : each.positions) {
+      measurements << ' ' << joint << ' ' << position;
+    }
+    measurements << '\n';
   }
   const std::string log = driver_.output();
   std::ofstream(options_.folder + "/driver.log", std::ios::app) << log.substr(std::min(driver_log_size_, log.size()));

@@ -15,8 +15,9 @@
 #include <string>
 #include <vector>
 
-#include "order_audit.h"
-#include "order_events.h"
+#include "options.h"
+#include "orders/order_audit.h"
+#include "orders/order_events.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/proxy/scanners.h"
 #include "support/ros/driver_process.h"
@@ -30,13 +31,6 @@ namespace soak {
 /// has ended. Then the round is judged. Needs a running ROS master and a spinner.
 class OrderSoak {
  public:
-  struct Options {
-    double minutes = 60;
-    unsigned seed = 1;
-    std::string folder;   ///< existing folder for driver.log and events.log
-    std::string program;  ///< this one, which is started again as each of the users
-  };
-
   explicit OrderSoak(const Options& options);
 
   /// @return true if there was no violation

@@ -99,25 +99,25 @@ class FaultProxy {
   TimePoint prepare(std::vector<pollfd>* polled);
   void serve(const std::vector<pollfd>& polled);
   void acceptClients();
-  void receiveClient(aibo_driver::FileDescriptor client);
+  void receiveClient(aibo_client::FileDescriptor client);
 
   mutable std::mutex mutex_;  // guards what follows, down to the thread
   Options options_;
   std::string address_;
-  aibo_driver::FileDescriptor listener_;
+  aibo_client::FileDescriptor listener_;
   int port_ = 0;
   Welcome welcome_ = Welcome::kServe;
   Conditions conditions_;
   FaultQueue faults_;
   std::list<Link> links_;
   std::size_t polled_links_ = 0;                      // how many of links_ the thread waits for
-  std::vector<aibo_driver::FileDescriptor> held_;     // clients that hear nothing
-  std::vector<aibo_driver::FileDescriptor> fillers_;  // of the queue of clients
+  std::vector<aibo_client::FileDescriptor> held_;     // clients that hear nothing
+  std::vector<aibo_client::FileDescriptor> fillers_;  // of the queue of clients
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
   std::optional<FaultReport> last_fault_;
   std::condition_variable fault_done_;
-  aibo_driver::Event wake_up_;
+  aibo_client::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

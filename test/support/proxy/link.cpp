@@ -15,7 +15,7 @@ constexpr short kGone = POLLHUP | POLLERR | POLLNVAL;
 
 }  // namespace
 
-Link::Link(std::size_t number, aibo_driver::FileDescriptor client, aibo_driver::FileDescriptor server, unsigned seed)
+Link::Link(std::size_t number, aibo_client::FileDescriptor client, aibo_client::FileDescriptor server, unsigned seed)
     : number_(number),
       client_{std::move(client), Pipe(Direction::kToClient, seed)},
       server_{std::move(server), Pipe(Direction::kToServer, seed + 1)} {}

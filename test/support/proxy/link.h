@@ -24,7 +24,7 @@ using Tap =
 class Link {
  public:
   /// @param server a socket that is connected, or being connected
-  Link(std::size_t number, aibo_driver::FileDescriptor client, aibo_driver::FileDescriptor server, unsigned seed);
+  Link(std::size_t number, aibo_client::FileDescriptor client, aibo_client::FileDescriptor server, unsigned seed);
 
   /// What to wait for: an entry for each socket, the client's first; -1 for a socket that need not be waited for.
   std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions);
@@ -47,7 +47,7 @@ class Link {
 
  private:
   struct Side {
-    aibo_driver::FileDescriptor socket;
+    aibo_client::FileDescriptor socket;
     Pipe out;              // towards this side
     bool ended = false;    // this side sends no more
     bool told = false;     // this side has got a FIN

@@ -35,7 +35,7 @@ class JointUser {
         proxy(robot.port()),
         joints(name_space),
         connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), parameters, {}, program),
+        driver(name_space, proxy.port(), patient(parameters), {}, program),
         name_space_(name_space),
         publishers_(name_space) {
     EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
@@ -100,6 +100,12 @@ class JointUser {
   DriverProcess driver;
 
  private:
+  // A busy computer may be silent for longer than a robot.
+  static std::vector<std::string> patient(std::vector<std::string> parameters) {
+    parameters.insert(parameters.begin(), "_read_timeout:=20");
+    return parameters;
+  }
+
   const std::string name_space_;
   TopicPublishers publishers_;
 };

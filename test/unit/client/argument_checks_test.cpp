@@ -5,9 +5,9 @@
 #include <cmath>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/rcserver_client.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using testing::HasSubstr;
 

@@ -7,7 +7,7 @@
 #include "newest_client_fixture.h"
 #include "protocol/motion_requests.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using protocol::version2::LEAVE_OUT_MISSING_JOINTS;
 using protocol::version2::TELL_CHANGES;
 using std::chrono::milliseconds;
@@ -128,13 +128,7 @@ TEST_F(BodyTest, ARefusalIsThrownWithTheRobotsReason) {
       [this] { return complaintOf<CommandException>([this] { client().playMotion("GONE.MTN", 1, seconds(20)); }); });
   const int number = peer.readRequest().header.request_number;
   peer.send(makeFrame('e', number, version2_frames::makeError(1, "there is no GONE.MTN")));
-  EXPECT_THAT(complaint.get(), HasSubstr("refused to play the motion GONE.MTN: there is no GONE.MTN (error code 1)."));
-}
-
-TEST_F(BodyTest, ACallThatIsNotAnsweredInTimeIsATimeout) {
-  ScriptedPeer peer = connectVersion2();
-  EXPECT_THAT(complaintOf<TimeoutException>([this] { client().listMotions(milliseconds(1)); }),
-              HasSubstr("no answer within 1 ms"));
+  EXPECT_THAT(complaint.get(), HasSubstr("refused to play the motion GONE.MTN: there is no GONE.MTN."));
 }
 
 TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWaitingCallersGetAnError) {
@@ -175,34 +169,6 @@ TEST_F(BodyTest, ArgumentsAreCheckedBeforeAnythingIsSent) {
   EXPECT_THROW(client().uploadMotion("NOD.MTN", {}, seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client().deleteMotion("", seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client().listMotions(milliseconds(0)), InvalidArgumentException);
-}
-
-TEST_F(BodyTest, AVersion1ServerStoresAMotionWhileItStreams) {
-  client().setStreaming(true);
-  ScriptedPeer peer = connectVersion1();
-  expectCommand(&peer, 'W', 85);
-  auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", Bytes(65523, 7), seconds(60)); });
-  EXPECT_EQ('U', peer.read(18).front());
-  sendUntilDelivered(client(), [&] { peer.sendPicture(test_pictures::makeNumbered(1)); });
-  EXPECT_EQ(Bytes(65523, 7), peer.read(65523));
-  peer.send({'u', 0, 0, 0});
-  upload.get();
-}
-
-TEST_F(BodyTest, NoVersion1ServerListsItsMotions) {
-  ScriptedPeer peer = connectVersion1();
-  EXPECT_THAT(complaintOf<CommandException>([this] { client().listMotions(seconds(20)); }),
-              HasSubstr("speaks version 1 of the protocol, which cannot list its motions"));
-}
-
-TEST_F(BodyTest, TelemetryHasTheNumberOfItsConnection) {
-  for (const std::uint64_t number : {1u, 2u}) {
-    ScriptedPeer peer = connectVersion2();
-    peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'S', 66, 500000}})));
-    ASSERT_TRUE(recorder_.waitForTelemetry(number));
-    EXPECT_EQ(number, recorder_.telemetry().back().connection_number);
-    EXPECT_DOUBLE_EQ(0.5, recorder_.telemetry().back().sensors.at(0).value);
-  }
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "session_fixture.h"
 #include "support/version2_frames.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::HasSubstr;
@@ -51,11 +51,7 @@ class CameraRequestsTest : public SessionFixture {
   }
 
   std::future<Answer> takePictureOf(std::optional<Resolution> resolution) {
-    Call call;
-    call.letter = 'F';
-    call.number = 70;
-    call.resolution = resolution;
-    return add(std::move(call), milliseconds(2000));
+    return add(callForPicture(70, resolution), milliseconds(2000));
   }
 
   int number_ = 0;  // of the request that was sent last
@@ -214,10 +210,7 @@ TEST_F(CameraRequestsVersion1Test, ASettingChangesNoByteAndTheLogSaysThatItHasNo
 }
 
 TEST_F(CameraRequestsVersion1Test, APictureOfAnotherResolutionIsRefused) {
-  Call call;
-  call.letter = 'F';
-  call.resolution = Resolution::kDouble;
-  auto answer = add(std::move(call), milliseconds(2000));
+  auto answer = add(callForPicture(0, Resolution::kDouble), milliseconds(2000));
   ASSERT_TRUE(done(answer));
   EXPECT_THAT(answer.get().problem, HasSubstr("cannot take a picture of this resolution. It needs an RCServer"));
   EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());

@@ -9,8 +9,8 @@
 #include <string>
 #include <thread>
 
-#include "aibo_driver/exceptions.h"
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/exceptions.h"
+#include "aibo_client/rcserver_client.h"
 #include "recorder.h"
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
@@ -21,8 +21,8 @@ using test_support::ScriptedServer;
 /// A client and the server it talks to in version 1, over loopback.
 class ClientFixture : public testing::Test {
  protected:
-  static aibo_driver::ClientOptions optionsFor(const ScriptedServer& server) {
-    aibo_driver::ClientOptions options;
+  static aibo_client::ClientOptions optionsFor(const ScriptedServer& server) {
+    aibo_client::ClientOptions options;
     options.port = server.port();
     options.connect_timeout = std::chrono::seconds(10);
     options.read_timeout = std::chrono::seconds(10);
@@ -88,7 +88,7 @@ class ClientFixture : public testing::Test {
   /// Lets `send` send one picture of the stream, again and again until it is delivered. If this computer is too busy to
   /// read a picture at once, it is stale and dropped.
   template <typename Send>
-  static void sendUntilDelivered(const aibo_driver::RcServerClient& client, const Send& send) {
+  static void sendUntilDelivered(const aibo_client::RcServerClient& client, const Send& send) {
     const std::uint64_t before = client.statistics().pictures;
     const auto handled = [&] { return client.statistics().pictures + client.statistics().stale_pictures; };
     EXPECT_TRUE(eventually([&] {
@@ -105,7 +105,7 @@ class ClientFixture : public testing::Test {
 
   ScriptedServer server_;
   Recorder recorder_;
-  aibo_driver::RcServerClient client_{optionsFor(server_), recorder_.callbacks()};
+  aibo_client::RcServerClient client_{optionsFor(server_), recorder_.callbacks()};
 };
 
 #endif  // TEST_UNIT_CLIENT_CLIENT_FIXTURE_H

@@ -12,13 +12,12 @@
 #include "session_fixture.h"
 #include "support/version2_frames.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::ElementsAre;
 using testing::IsEmpty;
 using testing::SizeIs;
-using testing::StartsWith;
 using version2_frames::makeFrame;
 
 namespace version2 = protocol::version2;
@@ -33,7 +32,7 @@ ColorTablePtr tableNamed(const std::string& name) {
 }
 
 version2::ColorRegions regionsOf(const std::vector<version2::ColorRegion>& regions) {
-  version2::ColorRegions colors = {7, 400, 104, 80, static_cast<unsigned char>(regions.size()), false, {}};
+  version2::ColorRegions colors = {7, 400, 104, 80, static_cast<unsigned char>(regions.size()), false, {}, nullptr, 0};
   std::copy(regions.begin(), regions.end(), colors.regions);
   return colors;
 }
@@ -41,8 +40,7 @@ version2::ColorRegions regionsOf(const std::vector<version2::ColorRegion>& regio
 const version2::ColorRegion kBall = {0, 100, 64 * 50, 64 * 40 + 32, 45, 36, 11, 10};
 
 Bytes payloadOf(const version2::ColorRegions& colors, const Bytes& packed_plane = {}) {
-  Bytes payload(version2::MAX_COLOR_REGIONS_SIZE);
-  payload.resize(version2::encodeColorRegions(colors, payload.data()));
+  Bytes payload = encoded(colors);
   payload.insert(payload.end(), packed_plane.begin(), packed_plane.end());
   return payload;
 }
@@ -93,7 +91,7 @@ TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
   EXPECT_EQ("", request()) << "nobody wants to know";
   wish_.colors = {true, 2, false};
   EXPECT_EQ("Z 2 0 0 0 0", request());
-  ASSERT_THAT(payload_, SizeIs(version2::COLOR_TABLE_SIZE));
+  ASSERT_THAT(payload_, SizeIs(4 + 4 * version2::COLOR_SEGMENTS));
   EXPECT_THAT(Bytes(payload_.begin() + 4, payload_.begin() + 12), ElementsAre(128, 128, 128, 128, 1, 2, 3, 4));
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ("Z 1 0 2 0 0", request());
@@ -224,15 +222,6 @@ TEST_F(ColorsTest, AServerThatDetectsNoColoursIsNotAskedAndTheLogSaysSoOnce) {
   EXPECT_EQ("", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(logged("has no request to detect colours"), 1);
-}
-
-TEST_F(ColorsTest, AVersion1ServerIsNotAskedEither) {
-  ServerHabits habits;
-  Version1Session session(connection_, habits, Version1Session::VersionAnswer::kRefused, now_);
-  wish_.colors.on = true;
-  wish_.color_tables[0] = tableNamed("ball");
-  EXPECT_THAT(session.nextRequest(wish_, now_), IsEmpty());
-  EXPECT_EQ(logged("speaks version 1 of the protocol, which has no request to detect colours"), 1);
 }
 
 }  // namespace

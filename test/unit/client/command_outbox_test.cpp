@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 
 namespace {

@@ -7,7 +7,7 @@
 
 #include "client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 
@@ -142,15 +142,6 @@ TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherO
   EXPECT_EQ(1, recorder_.logged("Is another client connected?"));
 }
 
-TEST_F(ConnectionFaultsTest, ACloseBetweenPicturesIsRecoveredFrom) {
-  ScriptedPeer peer = startStream();
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  peer.close();
-  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
-  const ScriptedPeer next = acceptStream();
-  EXPECT_TRUE(recorder_.waitForStreaming({true, false, true}));
-}
-
 TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTheCutPictureNeverDelivered) {
   const Bytes reply = test_pictures::makeReply(test_pictures::make());
   client_.setStreaming(true);
@@ -171,30 +162,9 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
   EXPECT_EQ(15u, client_.statistics().connections);
 }
 
-TEST_F(ConnectionFaultsTest, AWrongLetterIsAProtocolError) {
-  expectProtocolError({'y' + 1}, "does not speak the RCServer's protocol: a reply that begins with byte 122");
-}
-
-TEST_F(ConnectionFaultsTest, APictureOfSizeZeroIsAProtocolError) {
-  expectProtocolError({'f', 0, 0, 0, 0}, "a picture of 0 bytes");
-}
-
-TEST_F(ConnectionFaultsTest, APictureOfFourGigabytesIsAProtocolError) {
-  expectProtocolError({'f', 0xFF, 0xFF, 0xFF, 0xFF}, "a picture of 4294967295 bytes");
-}
-
 TEST_F(ConnectionFaultsTest, AWebServerIsNotTakenForAnRcServer) {
   const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
   expectProtocolError(Bytes(answer.begin(), answer.end()), "does not speak the RCServer's protocol");
-}
-
-TEST_F(ConnectionFaultsTest, GarbageInsteadOfAJpegIsDroppedAndTheConnectionKept) {
-  ScriptedPeer peer = startStream();
-  peer.sendPicture(Bytes(5000, 0x55));
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  EXPECT_EQ(1u, client_.statistics().corrupt_pictures);
-  EXPECT_EQ(1u, client_.statistics().connections);
-  EXPECT_EQ(1, recorder_.logged("damaged picture"));
 }
 
 TEST_F(ConnectionFaultsTest, AnAnswerToNoRequestIsLoggedAndTheConnectionKept) {
@@ -203,65 +173,6 @@ TEST_F(ConnectionFaultsTest, AnAnswerToNoRequestIsLoggedAndTheConnectionKept) {
   sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   EXPECT_EQ(1u, client_.statistics().connections);
   EXPECT_EQ(1, recorder_.logged("an answer to no request: 'j'"));
-}
-
-TEST_F(ConnectionFaultsTest, ARefusedStreamIsReportedWithTheRobotsCode) {
-  ScriptedPeer peer = startStream();
-  peer.send({'e', 0, 0, 0});
-  expectRecovery(&peer, "refused to stream pictures: error code 0");
-}
-
-class SilenceTest : public ConnectionFaultsTest {
- protected:
-  static ClientOptions impatient(const ScriptedServer& server) {
-    ClientOptions options = optionsFor(server);
-    options.read_timeout = milliseconds(150);
-    return options;
-  }
-
-  Recorder impatient_recorder_;
-  RcServerClient impatient_client_{impatient(server_), impatient_recorder_.callbacks()};
-};
-
-TEST_F(SilenceTest, ASilentStreamIsGivenUpAndAskedForAgain) {
-  impatient_client_.setStreaming(true);
-  impatient_client_.start();
-  ScriptedPeer peer = acceptStream();
-  peer.waitUntilClosed();
-  EXPECT_TRUE(impatient_recorder_.waitForReason("sent nothing for 150 ms while a picture was due"));
-  EXPECT_LE(1u, impatient_client_.statistics().stalls);  // more, if this thread was held up
-  acceptStream();
-}
-
-TEST_F(SilenceTest, ASilentServerIsLeftAloneWhileNothingIsDue) {
-  impatient_client_.start();
-  ScriptedPeer peer = accept();
-  ASSERT_TRUE(impatient_recorder_.waitForLog("Connected to"));
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(300)));
-  EXPECT_EQ(1u, impatient_client_.statistics().connections);
-}
-
-// A process that is stopped: its system accepts connections.
-TEST_F(SilenceTest, AServerThatNeverAnswersIsNotConnectedTo) {
-  impatient_client_.start();
-  for (int i = 0; i < 2; ++i) {
-    ScriptedPeer peer = server_.accept();
-    peer.waitUntilClosed();
-  }
-  EXPECT_TRUE(impatient_recorder_.waitForReason("sent nothing for 150 ms while a picture was due"));
-  EXPECT_EQ(0, impatient_recorder_.logged("Connected to"));
-  EXPECT_THROW(impatient_client_.commandJoints({{1, 0}}, milliseconds(0)), NetworkException);
-}
-
-TEST_F(SilenceTest, AServerThatStopsWithinAPictureIsGivenUp) {
-  impatient_client_.setStreaming(true);
-  impatient_client_.start();
-  ScriptedPeer peer = acceptStream();
-  const Bytes reply = test_pictures::makeReply(test_pictures::make());
-  peer.send(Bytes(reply.begin(), reply.begin() + 1000));
-  peer.waitUntilClosed();
-  acceptStream();
-  EXPECT_EQ(0u, impatient_client_.statistics().pictures);
 }
 
 TEST_F(ConnectionFaultsTest, ManyReconnectsLeaveNoDescriptorBehind) {

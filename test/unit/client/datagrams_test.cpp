@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -15,7 +14,7 @@
 #include "support/udp_socket.h"
 #include "support/version2_frames.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::ElementsAre;
@@ -703,14 +702,6 @@ TEST_F(DatagramClientTest, AServerWithoutTheRequestSendsByTcpAndTheReasonIsTold)
   EXPECT_TRUE(eventually([&] { return !client().status().transport_problem.empty(); }));
   EXPECT_THAT(client().status().transport_problem, HasSubstr("no request for it"));
   EXPECT_EQ(1, recorder_.logged("by TCP, not by UDP"));
-}
-
-TEST_F(DatagramClientTest, AServerOfVersion1SeesNoChange) {
-  client().setPictureTransport(PictureTransport::kUdp);
-  client().setStreaming(true);
-  ScriptedPeer peer = connectVersion1();
-  expectCommand(&peer, 'W', 85);
-  EXPECT_TRUE(eventually([&] { return !client().status().transport_problem.empty(); }));
 }
 
 TEST_F(DatagramClientTest, WhereNoDatagramEverCameUdpIsTriedAgainOnlyIfAskedFor) {

@@ -4,10 +4,9 @@
 
 #include "newest_client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using test_pictures::Bytes;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using version2_frames::makeFrame;
@@ -46,17 +45,6 @@ TEST_F(JointsTest, AServerThatRefusesVersion2IsSpokenToInVersion1) {
   EXPECT_FALSE(recorder_.pictures()[0]->frame_number);
 }
 
-TEST_F(JointsTest, AServerThatIsSilentToTheQuestionIsSpokenToInVersion1) {
-  client().setStreaming(true);
-  client().start();
-  ScriptedPeer peer = server_.accept();
-  expectCommand(&peer, 'X', 2);
-  expectCommand(&peer, 'W', 85);
-  EXPECT_EQ(0, client().status().protocol_version);
-  peer.sendPicture(test_pictures::make());
-  EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 1; }));
-}
-
 TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
   client().start();
   ScriptedPeer peer = server_.accept();
@@ -67,13 +55,6 @@ TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
   ScriptedPeer next = server_.accept();
   next.agreeToVersion2();
   EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 2; }));
-}
-
-TEST_F(JointsTest, AWebServerIsNotTakenForAnRcServer) {
-  client().start();
-  ScriptedPeer peer = server_.accept();
-  peer.send({'H', 'T', 'T', 'P'});
-  EXPECT_TRUE(recorder_.waitForReason("does not speak the RCServer's protocol"));
 }
 
 TEST_F(JointsTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
@@ -100,16 +81,6 @@ TEST_F(JointsTest, StreamAndTelemetryAreWantedAgainAfterAReconnect) {
     EXPECT_EQ('T', telemetry.header.kind);
     EXPECT_THAT(telemetry.payload, ElementsAre(0, 4));
   }
-}
-
-TEST_F(JointsTest, JointsCommandedTogetherAreSentTogetherAndTheAcceptedTargetsReported) {
-  ScriptedPeer peer = connectVersion2();
-  client().commandJoints({{1, -0.1}, {2, 0.2}}, milliseconds(40));
-  const version2_frames::Frame frame = peer.readRequest();
-  EXPECT_EQ('J', frame.header.kind);
-  EXPECT_EQ(20u, frame.payload.size());
-  peer.send(makeFrame('j', frame.header.request_number, frame.payload));
-  EXPECT_TRUE(recorder_.waitForAccepted(1));
 }
 
 TEST_F(JointsTest, TelemetryIsDelivered) {
@@ -152,36 +123,12 @@ TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
   EXPECT_EQ(200, next.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
-TEST_F(JointsTest, AVersion1ServerGetsJointAfterJointAndNothingAgainAfterAReconnect) {
-  {
-    ScriptedPeer peer = connectVersion1();
-    client().commandJoints({{1, 0.1}, {2, 0.2}, {3, 0.3}}, milliseconds(0));
-    EXPECT_THAT(peer.read(4), ElementsAre('J', 1, 0x3D, 0x02));
-    EXPECT_FALSE(peer.readCommandWithin(milliseconds(50))) << "the first has not been answered";
-    peer.send({'j', 1, 0x3D, 0x02});
-    EXPECT_THAT(peer.read(4), ElementsAre('J', 2, 0x7A, 0x04));
-    EXPECT_TRUE(recorder_.waitForAccepted(1));
-  }
-  ScriptedPeer next = connectVersion1();
-  EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
-}
-
 TEST_F(JointsTest, AServerWithoutJointsGetsNoCommandsToThem) {
   ScriptedPeer peer = connectVersion2("F W");
   EXPECT_THAT(complaintOf<CommandException>([&] {
                 client().commandJoints({{1, 0}}, milliseconds(0));
               }),
               HasSubstr("(a test 1.0) does not take the request 'J'"));
-}
-
-TEST_F(JointsTest, MotorsAreSwitchedAndTheirStateReturned) {
-  ScriptedPeer peer = connectVersion2();
-  auto state = std::async(std::launch::async, [&] { return client().setMotors(true, seconds(20)); });
-  const version2_frames::Frame frame = peer.readRequest();
-  EXPECT_EQ('O', frame.header.kind);
-  EXPECT_THAT(frame.payload, ElementsAre(1));
-  peer.send(makeFrame('o', frame.header.request_number, {1}));
-  EXPECT_TRUE(state.get());
 }
 
 TEST_F(JointsTest, TheStateOfTheMotorsIsThatOfTheRobotNotTheOneAskedFor) {
@@ -192,15 +139,6 @@ TEST_F(JointsTest, TheStateOfTheMotorsIsThatOfTheRobotNotTheOneAskedFor) {
     peer.send(makeFrame('o', peer.readRequest().header.request_number, {said}));
     EXPECT_EQ(state.get(), !wanted);
   }
-}
-
-TEST_F(JointsTest, StoppingEndsACallOfSetMotors) {
-  ScriptedPeer peer = connectVersion2();
-  auto state = std::async(std::launch::async, [&] { return client().setMotors(true, seconds(60)); });
-  EXPECT_EQ('O', peer.readRequest().header.kind);
-  client().stop();
-  EXPECT_THROW(state.get(), StoppedException);
-  EXPECT_THROW(client().commandJoints({{1, 0}}, milliseconds(0)), StoppedException);
 }
 
 TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
@@ -221,16 +159,6 @@ TEST_F(JointsTest, ArgumentsAreChecked) {
   EXPECT_THROW(client().setMotors(true, milliseconds(0)), InvalidArgumentException);
 }
 
-TEST_F(JointsTest, JointsAreHeld) {
-  ScriptedPeer peer = connectVersion2();
-  auto held = std::async(std::launch::async, [&] { client().hold({2, 3}, seconds(20)); });
-  const version2_frames::Frame frame = peer.readRequest();
-  EXPECT_EQ('I', frame.header.kind);
-  EXPECT_THAT(frame.payload, testing::ElementsAre(2, 3));
-  peer.send(version2_frames::makeFrame('i', frame.header.request_number, {}));
-  held.get();
-}
-
 TEST_F(JointsTest, AServerThatCannotHoldIsNotAsked) {
   {
     ScriptedPeer peer = connectVersion2("F W J V T L K");
@@ -247,29 +175,6 @@ TEST_F(JointsTest, WhatIsToBeHeldIsCheckedFirst) {
   EXPECT_THROW(client().hold({0}, seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client().hold({2, 2}, seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client().hold({2}, seconds(1)), NetworkException);
-}
-
-TEST_F(JointsTest, WhatWasCommandedBeforeAHoldIsNotSentAfterIt) {
-  ScriptedPeer peer = connectVersion2();
-  std::vector<int> numbers;
-  for (int i = 0; i < 4; ++i) {  // as many as may be unanswered
-    client().commandJoints({{1, 0.1 * i}}, milliseconds(0));
-    numbers.push_back(peer.readRequest().header.request_number);
-  }
-  client().commandJoints({{2, 0.1}, {3, 0.1}}, milliseconds(0));
-  auto held = std::async(std::launch::async, [&] { client().hold({2}, seconds(20)); });
-  const version2_frames::Frame frame = peer.readRequest();
-  EXPECT_EQ('I', frame.header.kind);
-  peer.send(makeFrame('i', frame.header.request_number, {}));
-  held.get();
-  client().commandJoints({{2, 0.5}}, milliseconds(0));
-  for (const int number : numbers) {
-    peer.send(makeFrame('j', number, version2_frames::makeTargets({})));
-  }
-  EXPECT_EQ(3, peer.readRequest().payload.at(4));
-  const version2_frames::Frame last = peer.readRequest();
-  EXPECT_EQ(2, last.payload.at(4)) << "commanded after the hold";
-  EXPECT_EQ(1, last.payload.at(2));
 }
 
 }  // namespace

@@ -13,20 +13,20 @@ class NewestClientFixture : public ClientFixture {
     client().start();
     ScriptedPeer peer = server_.accept();
     peer.agreeToVersion2(capabilities);
-    EXPECT_TRUE(recorder_.waitForState(aibo_driver::ConnectionState::kConnected));
+    EXPECT_TRUE(recorder_.waitForState(aibo_client::ConnectionState::kConnected));
     return peer;
   }
 
   ScriptedPeer connectVersion1() {
     client().start();
     ScriptedPeer peer = accept();
-    EXPECT_TRUE(recorder_.waitForState(aibo_driver::ConnectionState::kConnected));
+    EXPECT_TRUE(recorder_.waitForState(aibo_client::ConnectionState::kConnected));
     return peer;
   }
 
-  aibo_driver::RcServerClient& client() { return newest_client_; }
+  aibo_client::RcServerClient& client() { return newest_client_; }
 
-  aibo_driver::RcServerClient newest_client_{optionsFor(server_), recorder_.callbacks()};
+  aibo_client::RcServerClient newest_client_{optionsFor(server_), recorder_.callbacks()};
 };
 
 #endif  // TEST_UNIT_CLIENT_NEWEST_CLIENT_FIXTURE_H

@@ -8,7 +8,7 @@
 
 #include "client/notifier.h"
 
-namespace aibo_driver {
+namespace aibo_client {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,7 +72,7 @@ TEST_F(RateLimitTest, WithoutAPeriodOnlyTheBurstIsAdmitted) {
 // 1000 messages take far less than a second.
 TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   std::vector<std::string> lines;
-  RcServerClient::Callbacks callbacks;
+  Callbacks callbacks;
   callbacks.log = [&](LogLevel, const std::string& line) { lines.push_back(line); };
   const Notifier notifier(std::move(callbacks));
   for (int i = 0; i < 1000; ++i) {
@@ -85,4 +85,4 @@ TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace aibo_driver
+}  // namespace aibo_client

@@ -1,18 +1,15 @@
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 
 #include <gmock/gmock.h>
 
-#include <atomic>
 #include <future>
 #include <stdexcept>
-#include <thread>
 
 #include "client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
-using test_pictures::Bytes;
-using testing::ElementsAre;
+using std::chrono::seconds;
 
 namespace {
 
@@ -44,6 +41,7 @@ TEST_F(RcServerClientTest, DeliversThePicturesOfTheStreamByteForByteInOrder) {
     sendUntilDelivered(&peer, test_pictures::makeNumbered(i));
   }
   ASSERT_TRUE(recorder_.waitForPictures(100));
+  const ClientStatistics statistics = client_.statistics();  // now: the silence that follows ends the connection
   const auto pictures = recorder_.pictures();
   auto last_time = before;
   for (unsigned i = 1; i <= 100; ++i) {
@@ -51,157 +49,14 @@ TEST_F(RcServerClientTest, DeliversThePicturesOfTheStreamByteForByteInOrder) {
     EXPECT_GE(pictures[i - 1]->first_byte_time, last_time);
     last_time = pictures[i - 1]->first_byte_time;
   }
-  const ClientStatistics statistics = client_.statistics();
   EXPECT_EQ(100u, statistics.pictures);
   EXPECT_EQ(1u, statistics.connections);
   EXPECT_GT(statistics.bytes_received, 100u * 1000u);
 }
 
-TEST_F(RcServerClientTest, APictureOfAnotherSizeOfTheCameraIsDeliveredWithItsSize) {
-  ScriptedPeer peer = startStream();
-  test_pictures::PictureKind kind;
-  kind.width = 104;
-  kind.height = 80;
-  sendUntilDelivered(&peer, test_pictures::make(kind));
-  ASSERT_TRUE(recorder_.waitForPictures(1));
-  EXPECT_EQ(104, recorder_.pictures()[0]->width);
-  EXPECT_EQ(80, recorder_.pictures()[0]->height);
-}
-
-TEST_F(RcServerClientTest, DeliversPicturesThatComeByteByByte) {
-  ScriptedPeer peer = startStream();
-  const Bytes jpeg = test_pictures::make();
-  sendUntilDelivered(client_, [&] {
-    for (const std::uint8_t byte : test_pictures::makeReply(jpeg)) {
-      peer.send({byte});
-    }
-  });
-  ASSERT_TRUE(recorder_.waitForPictures(1));
-  EXPECT_EQ(jpeg, recorder_.pictures()[0]->jpeg);
-}
-
-TEST_F(RcServerClientTest, DeliversPicturesCutWithinTheirHeader) {
-  ScriptedPeer peer = startStream();
-  unsigned count = 0;
-  for (std::ptrdiff_t cut = 1; cut <= 6; ++cut) {
-    const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(++count));
-    const Bytes next = test_pictures::makeReply(test_pictures::makeNumbered(++count));
-    Bytes second(reply.begin() + cut, reply.end());
-    second.insert(second.end(), next.begin(), next.begin() + cut);
-    peer.send(Bytes(reply.begin(), reply.begin() + cut));
-    peer.send(second);
-    peer.send(Bytes(next.begin() + cut, next.end()));
-    ASSERT_TRUE(recorder_.waitForPictures(count));
-    EXPECT_EQ(test_pictures::makeNumbered(count), recorder_.pictures().back()->jpeg);
-  }
-}
-
-TEST_F(RcServerClientTest, TheStreamIsStartedAndStoppedOnceHoweverOftenItIsWanted) {
-  client_.start();
-  ScriptedPeer peer = accept();
-  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-  client_.setStreaming(true);
-  expectCommand(&peer, 'W', 85);
-  ASSERT_TRUE(recorder_.waitForStreaming({true}));
-  EXPECT_TRUE(client_.streaming());
-  client_.setStreaming(true);
-  client_.setStreaming(true);
-  sendUntilDelivered(&peer, test_pictures::make());
-  client_.setStreaming(false);
-  expectCommand(&peer, 'W', 85);
-  client_.setStreaming(false);
-  ASSERT_TRUE(recorder_.waitForStreaming({true, false}));
-  EXPECT_FALSE(client_.streaming());
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(50)));
-}
-
-TEST_F(RcServerClientTest, RapidTogglesEndWithTheWantedParity) {
-  client_.start();
-  ScriptedPeer peer = accept();
-  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-  for (int i = 0; i < 1000; ++i) {
-    client_.setStreaming(i % 2 == 0);
-  }
-  client_.setStreaming(true);
-  // Once a call that came after all the toggles is answered from the stream, they have all been carried out.
-  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(0, std::chrono::seconds(20)); });
-  while (taken.wait_for(milliseconds(10)) != std::future_status::ready) {
-    peer.sendPicture(test_pictures::make());
-  }
-  EXPECT_NE(nullptr, taken.get());
-  int toggles = 0;
-  while (const auto command = peer.readCommandWithin(milliseconds(0))) {
-    EXPECT_EQ('W', command->command);
-    ++toggles;
-  }
-  EXPECT_EQ(1, toggles % 2);
-  EXPECT_TRUE(client_.streaming());
-}
-
-TEST_F(RcServerClientTest, TheQualityIsThatOfTheNextStart) {
-  ScriptedPeer peer = startStream();
-  client_.setJpegQuality(42);
-  EXPECT_EQ(42, client_.jpegQuality());
-  EXPECT_THROW(client_.setJpegQuality(0), InvalidArgumentException);
-  EXPECT_THROW(client_.setJpegQuality(101), InvalidArgumentException);
-  client_.setStreaming(false);
-  peer.readCommand();
-  client_.setStreaming(true);
-  expectCommand(&peer, 'W', 42);
-}
-
-TEST_F(RcServerClientTest, PicturesAfterAStopAreDroppedAndCounted) {
-  ScriptedPeer peer = startStream();
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  client_.setStreaming(false);
-  expectCommand(&peer, 'W', 85);
-  peer.sendPicture(test_pictures::makeNumbered(2));
-  EXPECT_TRUE(eventually([&] { return client_.statistics().unexpected_pictures == 1; }));
-  client_.setStreaming(true);
-  expectCommand(&peer, 'W', 85);
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(3));
-  EXPECT_EQ(2u, client_.statistics().pictures);
-}
-
-TEST_F(RcServerClientTest, AThreadHeldUpDeliversNoStalePictures) {
-  std::atomic<bool> held{true};
-  Recorder recorder;
-  RcServerClient::Callbacks callbacks = recorder.callbacks();
-  const auto record = callbacks.on_picture;
-  std::atomic<int> delivered{0};
-  callbacks.on_picture = [&](const PicturePtr& picture) {
-    ++delivered;
-    while (held) {
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    record(picture);
-  };
-  RcServerClient client(optionsFor(server_), callbacks);
-  client.setStreaming(true);
-  client.start();
-  ScriptedPeer peer = acceptStream();
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  ASSERT_TRUE(eventually([&] { return delivered > 0; }));
-  peer.sendPicture(test_pictures::makeNumbered(2));
-  peer.sendPicture(test_pictures::makeNumbered(3));
-  std::this_thread::sleep_for(milliseconds(250));  // this wait is what is tested: pictures grow old meanwhile
-  held = false;
-  EXPECT_TRUE(eventually([&] { return client.statistics().stale_pictures == 2; }));
-  unsigned next = 4;
-  while (recorder.pictures().size() < 2 && next < 1000) {
-    std::this_thread::sleep_for(milliseconds(40));
-    peer.sendPicture(test_pictures::makeNumbered(next++));
-  }
-  const auto pictures = recorder.pictures();
-  ASSERT_GE(pictures.size(), 2u);
-  EXPECT_EQ(test_pictures::makeNumbered(1), pictures[0]->jpeg);
-  EXPECT_NE(test_pictures::makeNumbered(2), pictures[1]->jpeg);
-  EXPECT_NE(test_pictures::makeNumbered(3), pictures[1]->jpeg);
-}
-
 TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
   Recorder recorder;
-  RcServerClient::Callbacks callbacks = recorder.callbacks();
+  Callbacks callbacks = recorder.callbacks();
   const auto record = callbacks.on_picture;
   callbacks.on_picture = [&](const PicturePtr& picture) {
     record(picture);
@@ -224,6 +79,30 @@ TEST_F(RcServerClientTest, WorksWithoutAnyCallback) {
   client.start();
   ScriptedPeer peer = acceptStream();
   sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
+}
+
+TEST_F(RcServerClientTest, WaitsForTheConnection) {
+  client_.start();
+  auto waiting = std::async(std::launch::async, [&] { client_.waitForConnection(seconds(20)); });
+  ScriptedPeer peer = accept();
+  waiting.get();
+  EXPECT_EQ(ConnectionState::kConnected, client_.status().state);
+}
+
+TEST_F(RcServerClientTest, SaysWhyThereIsStillNoConnection) {
+  server_.vanish();
+  client_.start();
+  ASSERT_TRUE(recorder_.waitForReason("refused"));
+  EXPECT_THAT(complaintOf<NetworkException>([&] { client_.waitForConnection(milliseconds(1)); }),
+              ::testing::HasSubstr("refused"));
+  EXPECT_THROW(client_.waitForConnection(milliseconds(0)), InvalidArgumentException);
+}
+
+TEST_F(RcServerClientTest, StoppingEndsTheWaitForTheConnection) {
+  client_.start();
+  auto waiting = std::async(std::launch::async, [&] { client_.waitForConnection(seconds(60)); });
+  client_.stop();
+  EXPECT_THROW(waiting.get(), StoppedException);
 }
 
 TEST_F(RcServerClientTest, StartingTwiceConnectsOnce) {

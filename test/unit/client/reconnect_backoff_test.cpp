@@ -4,7 +4,7 @@
 
 #include <set>
 
-using aibo_driver::ReconnectBackoff;
+using aibo_client::ReconnectBackoff;
 using std::chrono::milliseconds;
 
 namespace {

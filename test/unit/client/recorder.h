@@ -9,27 +9,24 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/rcserver_client.h"
+#include "aibo_client/rcserver_client.h"
 
 /// Keeps what a client reports through its callbacks, and waits for it. Must outlive the client.
 class Recorder {
  public:
-  aibo_driver::RcServerClient::Callbacks callbacks() {
-    aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) {
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) {
       change([&] { pictures_.push_back(picture); });
     };
-    callbacks.on_status = [this](const aibo_driver::ConnectionStatus& status) {
+    callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) {
       change([&] { statuses_.push_back(status); });
     };
     callbacks.on_streaming = [this](bool streaming) { change([&] { streaming_.push_back(streaming); }); };
-    callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) {
+    callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
       change([&] { telemetry_.push_back(telemetry); });
     };
-    callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
-      change([&] { accepted_.push_back(targets); });
-    };
-    callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
+    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
     return callbacks;
   }
 
@@ -39,14 +36,14 @@ class Recorder {
   }
 
   /// Waits until the last status is this one.
-  bool waitForState(aibo_driver::ConnectionState state) {
+  bool waitForState(aibo_client::ConnectionState state) {
     return waitFor([this, state] { return !statuses_.empty() && statuses_.back().state == state; });
   }
 
   /// Waits until some status had a reason that contains this text.
   bool waitForReason(const std::string& text) {
     return waitFor([this, &text] {
-      return std::any_of(statuses_.begin(), statuses_.end(), [&text](const aibo_driver::ConnectionStatus& status) {
+      return std::any_of(statuses_.begin(), statuses_.end(), [&text](const aibo_client::ConnectionStatus& status) {
         return status.reason.find(text) != std::string::npos && !status.advice.empty();
       });
     });
@@ -54,10 +51,6 @@ class Recorder {
 
   bool waitForTelemetry(std::size_t count) {
     return waitFor([this, count] { return telemetry_.size() >= count; });
-  }
-
-  bool waitForAccepted(std::size_t count) {
-    return waitFor([this, count] { return accepted_.size() >= count; });
   }
 
   bool waitForLog(const std::string& text) {
@@ -68,12 +61,12 @@ class Recorder {
     return waitFor([this, &history] { return streaming_ == history; });
   }
 
-  std::vector<aibo_driver::PicturePtr> pictures() const {
+  std::vector<aibo_client::PicturePtr> pictures() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return pictures_;
   }
 
-  std::vector<aibo_driver::Telemetry> telemetry() const {
+  std::vector<aibo_client::Telemetry> telemetry() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return telemetry_;
   }
@@ -110,11 +103,10 @@ class Recorder {
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<aibo_driver::PicturePtr> pictures_;
-  std::vector<aibo_driver::ConnectionStatus> statuses_;
+  std::vector<aibo_client::PicturePtr> pictures_;
+  std::vector<aibo_client::ConnectionStatus> statuses_;
   std::vector<bool> streaming_;
-  std::vector<aibo_driver::Telemetry> telemetry_;
-  std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::vector<aibo_client::Telemetry> telemetry_;
   std::vector<std::string> log_;
 };
 

@@ -8,8 +8,8 @@
 #include "client/fault.h"
 #include "support/test_pictures.h"
 
-using aibo_driver::ProtocolException;
-using aibo_driver::ReplyParser;
+using aibo_client::ProtocolException;
+using aibo_client::ReplyParser;
 using test_pictures::Bytes;
 using testing::ElementsAre;
 using testing::HasSubstr;

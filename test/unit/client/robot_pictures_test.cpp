@@ -10,7 +10,7 @@
 #include "newest_client_fixture.h"
 #include "protocol/stick_pictures.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test_pictures::Bytes;

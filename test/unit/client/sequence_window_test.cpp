@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-using aibo_driver::SequenceWindow;
-using Verdict = aibo_driver::SequenceWindow::Verdict;
+using aibo_client::SequenceWindow;
+using Verdict = aibo_client::SequenceWindow::Verdict;
 
 namespace {
 

@@ -20,11 +20,11 @@ class SessionFixture : public testing::Test {
   /// @param is_told_of_refusals else they are logged
   explicit SessionFixture(bool is_told_of_refusals = false) : notifier_(record(is_told_of_refusals)) {}
 
-  using TimePoint = aibo_driver::Session::TimePoint;
+  using TimePoint = aibo_client::Session::TimePoint;
   using Bytes = test_pictures::Bytes;
   using milliseconds = std::chrono::milliseconds;
 
-  virtual aibo_driver::Session& session() = 0;
+  virtual aibo_client::Session& session() = 0;
 
   void receive(const Bytes& bytes) {
     connection_.pictures.bytesArrived(now_);
@@ -50,43 +50,55 @@ class SessionFixture : public testing::Test {
     }
   }
 
-  std::future<aibo_driver::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
+  std::future<aibo_client::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
     return ask('F', "", quality, {}, timeout);
   }
 
   /// Has the robot do something.
-  std::future<aibo_driver::Answer> ask(char letter, const std::string& name = "", int number = 0,
+  std::future<aibo_client::Answer> ask(char letter, const std::string& name = "", int number = 0,
                                        const Bytes& content = {}, milliseconds timeout = milliseconds(2000)) {
-    aibo_driver::Call call;
-    call.letter = letter;
-    call.name = name;
-    call.number = number;
-    call.content = content;
-    return add(std::move(call), timeout);
+    return add(callFor(letter, name, number, content), timeout);
+  }
+
+  static aibo_client::Call callFor(char letter, const std::string& name, int number, const Bytes& content) {
+    switch (letter) {
+      case 'F':
+        return aibo_client::callForPicture(number, std::nullopt);
+      case 'O':
+        return aibo_client::callForMotors(number != 0);
+      case 'I':
+        return aibo_client::callToHold({});
+      case 'E':
+        return aibo_client::callForPosture(static_cast<protocol::version2::Posture>(number));
+      case 'P':
+        return number > 0 ? aibo_client::callToPlay(name, number, 0) : aibo_client::callToStop(name);
+      case 'U':
+        return aibo_client::callToStore(name, content, 0);
+      case 'D':
+        return aibo_client::callToDelete(name);
+      case 'N':
+        return aibo_client::callForMotions();
+      case 'Q':
+        return aibo_client::callToShutDown();
+      default:
+        return aibo_client::callToReboot();
+    }
   }
 
   /// Has joints held.
-  std::future<aibo_driver::Answer> askToHold(const std::vector<int>& joints) {
-    aibo_driver::Call call;
-    call.letter = 'I';
-    call.joints = joints;
-    return add(std::move(call), milliseconds(2000));
+  std::future<aibo_client::Answer> askToHold(const std::vector<int>& joints) {
+    return add(aibo_client::callToHold(joints), milliseconds(2000));
   }
 
   /// Has a posture taken.
-  std::future<aibo_driver::Answer> askForPosture(int id) {
-    aibo_driver::Call call;
-    call.letter = 'E';
-    call.id = id;
-    return add(std::move(call), milliseconds(2000));
-  }
+  std::future<aibo_client::Answer> askForPosture(int id) { return ask('E', "", id); }
 
   /// Orders are numbered from 1 on.
-  aibo_driver::OrderTerms terms() { return {now_ + aibo_driver::kLongestOrderWait, ++last_order_}; }
+  aibo_client::OrderTerms terms() { return {now_ + aibo_client::kLongestOrderWait, ++last_order_}; }
 
-  void steer(const aibo_driver::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
+  void steer(const aibo_client::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
 
-  std::future<aibo_driver::Answer> add(aibo_driver::Call call, milliseconds timeout) {
+  std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout) {
     call.timeout = timeout;
     call.since = now_;
     call.deadline = now_ + timeout;
@@ -95,21 +107,21 @@ class SessionFixture : public testing::Test {
     return answer;
   }
 
-  void commandJoints(const std::vector<aibo_driver::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
+  void commandJoints(const std::vector<aibo_client::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
     connection_.commands.command({duration, targets, terms()});
   }
 
-  void limitSpeed(const std::vector<aibo_driver::JointSpeedLimit>& limits) {
+  void limitSpeed(const std::vector<aibo_client::JointSpeedLimit>& limits) {
     connection_.commands.speed_limits.add(limits);
   }
 
-  void commandLeds(const std::vector<aibo_driver::LedCommand>& leds) { connection_.commands.leds.add(leds); }
+  void commandLeds(const std::vector<aibo_client::LedCommand>& leds) { connection_.commands.leds.add(leds); }
 
   void commandEars(bool left, bool right) {
-    connection_.commands.ears.add({{aibo_driver::EarCommand::kLeft, left}, {aibo_driver::EarCommand::kRight, right}});
+    connection_.commands.ears.add({{aibo_client::EarCommand::kLeft, left}, {aibo_client::EarCommand::kRight, right}});
   }
 
-  static bool done(const std::future<aibo_driver::Answer>& answer) {
+  static bool done(const std::future<aibo_client::Answer>& answer) {
     return answer.wait_for(milliseconds(0)) == std::future_status::ready;
   }
 
@@ -120,25 +132,27 @@ class SessionFixture : public testing::Test {
   }
 
   /// The context of the client's third connection.
-  aibo_driver::ConnectionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
+  aibo_client::ConnectionContext context() { return {"robot:54321", milliseconds(500), notifier_, counters_, 3}; }
 
   std::vector<Bytes> replies_;  ///< datagrams that were sent back
-  std::vector<aibo_driver::PicturePtr> pictures_;
-  std::vector<aibo_driver::Telemetry> telemetry_;
-  std::vector<std::vector<aibo_driver::JointTarget>> accepted_;
+  std::vector<aibo_client::PicturePtr> pictures_;
+  std::vector<aibo_client::Telemetry> telemetry_;
+  std::vector<std::vector<aibo_client::JointTarget>> accepted_;
   std::string leds_;  ///< as accepted: "7=255A "
-  std::vector<aibo_driver::WalkVelocity> steered_;
-  std::vector<aibo_driver::MotionEnd> ended_;
-  std::vector<aibo_driver::LateAnswer> late_answers_;
-  std::vector<aibo_driver::Refusal> refusals_;
-  std::vector<aibo_driver::DetectedColors> colors_;
+  std::vector<aibo_client::WalkVelocity> steered_;
+  std::vector<aibo_client::MotionEnd> ended_;
+  std::vector<aibo_client::LateAnswer> late_answers_;
+  std::vector<aibo_client::Refusal> refusals_;
+  std::vector<aibo_client::DetectedColors> colors_;
+  std::vector<aibo_client::HeardSound> heard_;
+  std::vector<aibo_client::SoundEnd> sound_ends_;
   std::vector<std::string> log_;
   std::uint64_t last_order_ = 0;
-  aibo_driver::Notifier notifier_;
-  aibo_driver::Counters counters_;
-  aibo_driver::Wish wish_{false, 85, 0};
+  aibo_client::Notifier notifier_;
+  aibo_client::Counters counters_;
+  aibo_client::Wish wish_{false, 85, 0};
   TimePoint now_ = TimePoint() + milliseconds(100000);
-  aibo_driver::Connection connection_{context(), now_};
+  aibo_client::Connection connection_{context(), now_};
 
  private:
   void look() {
@@ -146,27 +160,31 @@ class SessionFixture : public testing::Test {
     session().checkDeadlines(now_);
   }
 
-  aibo_driver::RcServerClient::Callbacks record(bool is_told_of_refusals) {
-    aibo_driver::RcServerClient::Callbacks callbacks;
-    callbacks.on_picture = [this](const aibo_driver::PicturePtr& picture) { pictures_.push_back(picture); };
-    callbacks.on_telemetry = [this](const aibo_driver::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
-    callbacks.on_joints_accepted = [this](const std::vector<aibo_driver::JointTarget>& targets) {
+  aibo_client::Callbacks record(bool is_told_of_refusals) {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { pictures_.push_back(picture); };
+    callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
+    callbacks.on_joints_accepted = [this](const std::vector<aibo_client::JointTarget>& targets) {
       accepted_.push_back(targets);
     };
-    callbacks.on_leds_accepted = [this](const std::vector<aibo_driver::LedCommand>& leds) {
-      for (const aibo_driver::LedCommand& led : leds) {
+    callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) {
+      for (const aibo_client::LedCommand& led : leds) {
         leds_ += std::to_string(led.id) + "=" + std::to_string(led.intensity) +
-                 (led.mode == aibo_driver::LedMode::kB ? "B " : "A ");
+                 (led.mode == aibo_client::LedMode::kB ? "B " : "A ");
       }
     };
-    callbacks.on_steered = [this](const aibo_driver::WalkVelocity& in_force) { steered_.push_back(in_force); };
-    callbacks.on_colors = [this](const aibo_driver::DetectedColors& colors) { colors_.push_back(colors); };
+    callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t) {
+      steered_.push_back(in_force);
+    };
+    callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.push_back(colors); };
+    callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { heard_.push_back(sound); };
+    callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { sound_ends_.push_back(end); };
     if (is_told_of_refusals) {
-      callbacks.on_refused = [this](const aibo_driver::Refusal& refusal) { refusals_.push_back(refusal); };
+      callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refusals_.push_back(refusal); };
     }
-    callbacks.on_late_answer = [this](const aibo_driver::LateAnswer& answer) { late_answers_.push_back(answer); };
-    callbacks.on_ended = [this](const aibo_driver::MotionEnd& end) { ended_.push_back(end); };
-    callbacks.log = [this](aibo_driver::LogLevel, const std::string& line) { log_.push_back(line); };
+    callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) { late_answers_.push_back(answer); };
+    callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { ended_.push_back(end); };
+    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { log_.push_back(line); };
     return callbacks;
   }
 };

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using aibo_driver::StallDetector;
+using aibo_client::StallDetector;
 using std::chrono::milliseconds;
 
 namespace {

@@ -8,13 +8,18 @@
 #include "client/tcp_transport.h"
 #include "client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using std::chrono::steady_clock;
 using test_pictures::Bytes;
 
 namespace {
+
+struct ClientWithLookup : public RcServerClient {
+  ClientWithLookup(const ClientOptions& options, Resolver lookup)
+      : RcServerClient(options, {}, std::make_unique<TcpTransport>(std::move(lookup))) {}
+};
 
 class StopTest : public ClientFixture {
  protected:
@@ -79,7 +84,7 @@ TEST_F(StopTest, WhileANameIsLookedUp) {
   {
     ClientOptions options = optionsFor(server_);
     options.host = "aibo";
-    RcServerClient client(options, {}, std::make_unique<TcpTransport>(resolver));
+    ClientWithLookup client(options, resolver);
     client.start();
     looking.get_future().wait();
     expectToStopWithinASecond(&client);
@@ -132,7 +137,7 @@ TEST_F(StopTest, EndsCallsOfTakePictureThatAreWaiting) {
 TEST_F(StopTest, FromSeveralThreadsAtOnceReturnsToEachOfThemWhenTheThreadHasEnded) {
   std::promise<void> in_callback;
   std::promise<void> release;
-  RcServerClient::Callbacks callbacks;
+  Callbacks callbacks;
   callbacks.on_status = [&](const ConnectionStatus& status) {
     if (status.state == ConnectionState::kConnected && status.reason.empty()) {
       in_callback.set_value();

@@ -4,10 +4,9 @@
 
 #include "client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
-using test_pictures::Bytes;
 using testing::HasSubstr;
 
 namespace {
@@ -25,46 +24,6 @@ class TakePictureTest : public ClientFixture {
     return std::async(std::launch::async, [this, quality, timeout] { return client_.takePicture(quality, timeout); });
   }
 };
-
-TEST_F(TakePictureTest, WithoutAStreamOnePictureOfTheGivenQualityIsTaken) {
-  ScriptedPeer peer = connect();
-  auto taken = takeInBackground(40);
-  expectCommand(&peer, 'F', 40);
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  EXPECT_EQ(test_pictures::makeNumbered(1), taken.get()->jpeg);
-  EXPECT_EQ(1u, recorder_.pictures().size());
-}
-
-TEST_F(TakePictureTest, DuringTheStreamItIsTheNextPictureOfTheStream) {
-  ScriptedPeer peer = startStream();
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  int stream_quality = 0;
-  auto taken = std::async(std::launch::async, [&] { return client_.takePicture(40, seconds(20), &stream_quality); });
-  unsigned number = 2;
-  while (taken.wait_for(milliseconds(10)) != std::future_status::ready && number < 1000) {
-    peer.sendPicture(test_pictures::makeNumbered(number++));
-  }
-  EXPECT_NE(test_pictures::makeNumbered(1), taken.get()->jpeg);
-  EXPECT_EQ(85, stream_quality);
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(1))) << "no F while the stream runs";
-}
-
-TEST_F(TakePictureTest, SeveralCallersGetAPictureOfTheirOwnQualityEach) {
-  ScriptedPeer peer = connect();
-  std::vector<std::future<PicturePtr>> taken;
-  for (int quality = 1; quality <= 8; ++quality) {
-    taken.push_back(takeInBackground(quality));
-  }
-  for (int i = 0; i < 8; ++i) {
-    const protocol::BasicGetCommand command = peer.readCommand();
-    EXPECT_EQ('F', command.command);
-    EXPECT_FALSE(peer.readCommandWithin(milliseconds(5))) << "one at a time";
-    peer.sendPicture(test_pictures::makeNumbered(command.identifier));
-  }
-  for (unsigned quality = 1; quality <= 8; ++quality) {
-    EXPECT_EQ(test_pictures::makeNumbered(quality), taken[quality - 1].get()->jpeg);
-  }
-}
 
 TEST_F(TakePictureTest, WithoutAConnectionItFailsAtOnceAndSaysWhatToCheck) {
   EXPECT_THAT(complaintOf<NetworkException>([&] { client_.takePicture(0, seconds(20)); }),
@@ -96,35 +55,6 @@ TEST_F(TakePictureTest, ARequestIsNotRepeatedAfterAReconnect) {
   EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
 }
 
-TEST_F(TakePictureTest, ARobotThatOwesThePictureTooLongIsReconnectedTo) {
-  ScriptedPeer peer = connect();
-  EXPECT_THAT(complaintOf<TimeoutException>([&] { client_.takePicture(40, milliseconds(100)); }),
-              HasSubstr("no picture within 100 ms"));
-  peer.waitUntilClosed();
-  accept();
-  EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
-}
-
-TEST_F(TakePictureTest, ARefusalIsReportedWithTheRobotsCode) {
-  ScriptedPeer peer = connect();
-  auto taken = takeInBackground(40);
-  expectCommand(&peer, 'F', 40);
-  peer.send({'e', 0, 1, 0});
-  EXPECT_THAT(complaintOf<CommandException>([&] { taken.get(); }), HasSubstr("error code 1"));
-  EXPECT_EQ(1u, client_.statistics().connections);
-}
-
-TEST_F(TakePictureTest, StartingTheStreamWaitsForTheOwedPicture) {
-  ScriptedPeer peer = connect();
-  auto taken = takeInBackground(40);
-  expectCommand(&peer, 'F', 40);
-  client_.setStreaming(true);
-  EXPECT_FALSE(peer.readCommandWithin(milliseconds(50)));
-  peer.sendPicture(test_pictures::makeNumbered(1));
-  EXPECT_EQ(test_pictures::makeNumbered(1), taken.get()->jpeg);
-  expectCommand(&peer, 'W', 85);
-}
-
 TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {
   EXPECT_THROW(client_.takePicture(-1, seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client_.takePicture(101, seconds(1)), InvalidArgumentException);
@@ -135,7 +65,7 @@ TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {
 TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
   std::promise<std::string> complaint;
   RcServerClient* self = nullptr;
-  RcServerClient::Callbacks callbacks;
+  Callbacks callbacks;
   callbacks.on_picture = [&](const PicturePtr&) {
     complaint.set_value(complaintOf<Exception>([&] { self->takePicture(0, seconds(20)); }));
   };

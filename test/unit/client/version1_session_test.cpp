@@ -12,7 +12,7 @@
 #include "client/fault.h"
 #include "session_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::AllOf;
@@ -180,9 +180,28 @@ TEST_F(Version1SessionTest, PicturesOfAStoppedStreamAreDroppedAndCounted) {
   EXPECT_EQ(2u, counters_.unexpected_pictures);
 }
 
+TEST_F(Version1SessionTest, ANewStreamDoesNotCatchUpWithTheLastOne) {
+  wish_.streaming = true;
+  command();
+  receivePicture(1);
+  now_ += milliseconds(5000);
+  receivePicture(2);  // it has waited
+  for (const bool on : {false, true}) {
+    wish_.streaming = on;
+    command();
+  }
+  receivePicture(3);
+  ASSERT_EQ(2u, pictures_.size());
+  EXPECT_EQ(test_pictures::makeNumbered(3), pictures_[1]->jpeg);
+}
+
 TEST_F(Version1SessionTest, AServerThatDoesNotStopIsGivenUp) {
   wish_.streaming = true;
   command();
+  for (int i = 0; i < 60; ++i) {
+    pass(milliseconds(33));
+    receivePicture(1);
+  }
   wish_.streaming = false;
   command();
   std::string why;
@@ -350,6 +369,10 @@ TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoes
   ASSERT_EQ(1u, pictures_.size());
   EXPECT_EQ(1u, counters_.corrupt_pictures);
   EXPECT_EQ(1u, counters_.pictures);
+  for (const Bytes& jpeg : {damaged, Bytes{1, 2, 3, 4}, Bytes{1, 2, 3, 4}}) {
+    receive(test_pictures::makeReply(jpeg));
+  }
+  EXPECT_EQ(2, logged("sent a damaged picture")) << "each kind of damage in a row once";
 }
 
 TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReportedInRadian) {
@@ -615,6 +638,26 @@ TEST_F(Version1SessionTest, AServerIsAskedForUnansweredValuesOnThreeConnectionsO
   }
 }
 
+TEST_F(Version1SessionTest, ARefusalIsAnAnswerToo) {
+  wish_.telemetry_period = 4;
+  for (const bool answers : {false, false, true, false}) {
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
+    EXPECT_EQ('J', session.nextRequest(wish_, now_).at(0));
+    const Bytes joint = {'j', 1, 0, 0};
+    session.bytesArrived(joint.data(), joint.size(), now_);
+    now_ += milliseconds(25);
+    EXPECT_EQ('S', session.nextRequest(wish_, now_).at(0));
+    const Bytes refusal = {'e', 0, 0, 0};
+    if (answers) {
+      session.bytesArrived(refusal.data(), refusal.size(), now_);
+    } else {
+      EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+    }
+  }
+  EXPECT_EQ(0, logged("does not answer when it is asked for its sensors"));
+}
+
 TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 10; ++i) {
@@ -817,6 +860,15 @@ TEST_F(SilentServerTest, IsAskedForAPictureAndNotConnectedUntilItAnswers) {
   EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
+// One that sends half a picture kept a processor busy.
+TEST_F(SilentServerTest, NothingIsDueWhileTheFirstPictureOfTheStreamIsAwaited) {
+  wish_.streaming = true;
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("W85", silentCommand());
+  EXPECT_EQ("", silentCommand());
+  EXPECT_GT(silent_.nextDeadline(), now_);
+}
+
 TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
   EXPECT_EQ("F85", silentCommand());
   receivePicture(1);
@@ -886,6 +938,16 @@ TEST_F(Version1RefusalsTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow)
   ASSERT_EQ(1u, refusals_.size());
   EXPECT_EQ(RefusalCause::kJointFault, refusals_[0].cause);
   EXPECT_EQ(std::vector<int>{2}, refusals_[0].ids);
+  int refused_again = 0;
+  for (int i = 0; i < 2000; ++i, now_ += milliseconds(10)) {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    const bool is_pan = !bytes.empty() && bytes[0] == 'J' && bytes[1] == 2;
+    refused_again += is_pan ? 1 : 0;
+    if (!bytes.empty()) {
+      receive(is_pan ? Bytes{'e', 0, 0, 0} : Bytes{static_cast<std::uint8_t>(bytes[0] + 'a' - 'A'), bytes[1], 0, 0});
+    }
+  }
+  EXPECT_EQ(1, refused_again) << "twice in a row: it cannot be measured";
 }
 
 class LateVersionAnswerTest : public Version1SessionTest {

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-using aibo_driver::VersionNegotiation;
+using aibo_client::VersionNegotiation;
 using std::chrono::milliseconds;
 using testing::ElementsAre;
 using testing::IsEmpty;

@@ -5,7 +5,7 @@
 
 #include "newest_client_fixture.h"
 
-using namespace aibo_driver;
+using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using testing::ElementsAre;

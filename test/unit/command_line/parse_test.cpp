@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -51,7 +51,7 @@ TEST(Parse, RefusesWhatNoCommandHas) {
        {Words{}, Words{"fly"}, Words{"joints", "extra"}, Words{"move"}, Words{"motors"},
         Words{"joints", "--timeout", "soon"}, Words{"joints", "--timeout", "0"}, Words{"joints", "--port", "x"},
         Words{"joints", "--port", "0"}, Words{"joints", "--port", "65536"}}) {
-    EXPECT_THROW(parse(words), InvalidArgumentException) << ::testing::PrintToString(words);
+    EXPECT_THROW(parse(words), aibo_client::InvalidArgumentException) << ::testing::PrintToString(words);
   }
   for (const Words& words : {Words{"joints", "--duration", "1"}, Words{"joints", "--por", "1"},
                              Words{"joints", "--host"}, Words{"play", "--times"}}) {

@@ -2,9 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::command_line {
+
+using aibo_client::InvalidArgumentException;
+
 namespace {
 
 using ::testing::HasSubstr;

@@ -1,8 +1,9 @@
-#include "ros/camera/adaptive_stream.h"
+#include "node/camera/adaptive_stream.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ctime>
 #include <vector>
 
 namespace aibo_driver::node {
@@ -147,6 +148,30 @@ TEST_F(AdaptiveStreamTest, AtALowRateSingleLatePicturesChangeNothing) {
     pass(kInTime, 1s);
   }
   EXPECT_TRUE(changes_.empty());
+}
+
+// Whoever plays the robot chooses the ages, and when they change.
+TEST_F(AdaptiveStreamTest, ARobotThatLiesIsAskedForFewChangesAndIsBelievedAgain) {
+  const auto begin = now_;
+  bool lies = true;
+  while (now_ - begin < 1h) {
+    lies = lies ? stream_.inForce().every_nth_image < AdaptiveStream::kRarestImage
+                : !stream_.isLowered() && now_ - changes_.back() > AdaptiveStream::kTrial;
+    pass(lies ? 10s : kInTime, 30ms);
+  }
+  EXPECT_LT(changes_.size(), 60U * 20);
+  pass(kInTime, 10min);
+  EXPECT_FALSE(stream_.isLowered());
+}
+
+// Each picture used to be compared with all of the last three seconds.
+TEST_F(AdaptiveStreamTest, AFloodOfPicturesTakesLittleTime) {
+  const std::clock_t begin = std::clock();
+  for (int i = 0; i < 200'000; ++i) {
+    arrive(100'000, kInTime);
+  }
+  constexpr int kMostSeconds = 5;
+  EXPECT_LT(std::clock() - begin, kMostSeconds * CLOCKS_PER_SEC);
 }
 
 TEST_F(AdaptiveStreamTest, KeepsToTheUsersRateAndALowQuality) {

@@ -1,4 +1,4 @@
-#include "ros/camera/calibration.h"
+#include "node/camera/calibration.h"
 
 #include <gmock/gmock.h>
 #include <ros/package.h>
@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "support/good_calibration.h"
 
 namespace aibo_driver::node {
@@ -32,7 +32,7 @@ std::string problemWith(const std::function<void(CameraInfo*)>& change) {
 std::string refusalOf(const std::string& url) {
   try {
     return "accepted as " + calibrationFile(url, "left");
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     return error.what();
   }
 }

@@ -1,10 +1,13 @@
-#include "ros/camera/camera_options.h"
+#include "node/camera/camera_options.h"
 
 #include <gtest/gtest.h>
 
-#include "ros/camera/camera_state_publisher.h"
+#include "node/camera/camera_state_publisher.h"
 
 namespace aibo_driver::node {
+
+using aibo_client::Resolution;
+
 namespace {
 
 TEST(CameraOptions, AResolutionIsOneOfTheCamerasLayersOrDouble) {
@@ -26,7 +29,7 @@ TEST(CameraOptions, ARateIsThatOfEveryNthImage) {
 }
 
 TEST(CameraState, IsThatOfThePicture) {
-  Picture picture;
+  aibo_client::Picture picture;
   picture.width = 416;
   picture.height = 320;
   std_msgs::Header header;
@@ -38,7 +41,7 @@ TEST(CameraState, IsThatOfThePicture) {
   EXPECT_EQ(state.gain, CameraState::UNKNOWN);
   picture.frame_number = 4711;
   picture.image_count = 12;
-  picture.settings = CameraSettings();
+  picture.settings = aibo_client::CameraSettings();
   picture.settings->gain = 3;
   picture.settings->auto_exposure = true;
   state = cameraStateOf(picture, header);
@@ -52,8 +55,8 @@ TEST(CameraState, IsThatOfThePicture) {
 }
 
 TEST(CameraState, IsTheSameForALaterPictureWithTheSameSettings) {
-  Picture picture;
-  picture.settings = CameraSettings();
+  aibo_client::Picture picture;
+  picture.settings = aibo_client::CameraSettings();
   const CameraState first = cameraStateOf(picture, std_msgs::Header());
   picture.frame_number = 2;
   picture.image_count = 3;

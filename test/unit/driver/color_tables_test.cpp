@@ -5,13 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "ros/camera/color_messages.h"
-#include "ros/camera/color_table_file.h"
-#include "ros/camera/color_table_service.h"
+#include "node/camera/color_messages.h"
+#include "node/camera/color_table_file.h"
+#include "node/camera/color_table_service.h"
 #include "support/fake_client.h"
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
+
+using aibo_client::ColorRange;
+using aibo_client::ColorTable;
+using aibo_client::ConnectionState;
+
 namespace {
 
 using ::testing::ElementsAre;
@@ -114,9 +119,10 @@ class ColorTableServiceTest : public ::testing::Test {
 
   test_support::FakeClient client_;
   std::vector<std::pair<int, std::string>> loaded_;
-  ColorTableService service_{
-      *robot_model::findRobotModel("ERS-7"), client_,
-      [this](int channel, const ColorTablePtr& table) { loaded_.emplace_back(channel, table ? table->name : ""); }};
+  ColorTableService service_{*robot_model::findRobotModel("ERS-7"), client_,
+                             [this](int channel, const aibo_client::ColorTablePtr& table) {
+                               loaded_.emplace_back(channel, table ? table->name : "");
+                             }};
 };
 
 TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
@@ -155,8 +161,8 @@ TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
   EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 2 pink_ball"));
 }
 
-DetectedColors someColors() {
-  DetectedColors colors;
+aibo_client::DetectedColors someColors() {
+  aibo_client::DetectedColors colors;
   colors.frame_number = 400;
   colors.image_count = 7;
   colors.width = 4;

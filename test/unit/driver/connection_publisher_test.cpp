@@ -1,4 +1,4 @@
-#include "ros/connection_publisher.h"
+#include "node/connection_publisher.h"
 
 #include <gmock/gmock.h>
 
@@ -6,17 +6,17 @@ namespace aibo_driver::node {
 namespace {
 
 TEST(DescribeConnection, SaysWhereReasonAndAdvice) {
-  ClientOptions options;
+  aibo_client::ClientOptions options;
   options.host = "aibo.local";
-  ConnectionStatus status;
+  aibo_client::ConnectionStatus status;
   EXPECT_EQ(describeConnection(status, options), "not connected to aibo.local:54321");
-  status.state = ConnectionState::kConnecting;
+  status.state = aibo_client::ConnectionState::kConnecting;
   status.reason = "connection refused";
   status.advice = "is the RCServer running?";
   EXPECT_EQ(describeConnection(status, options),
             "connecting to aibo.local:54321: connection refused (is the RCServer running?)");
-  status = ConnectionStatus();
-  status.state = ConnectionState::kConnected;
+  status = aibo_client::ConnectionStatus();
+  status.state = aibo_client::ConnectionState::kConnected;
   status.protocol_version = 1;
   EXPECT_EQ(describeConnection(status, options), "connected to aibo.local:54321, protocol version 1");
 }

@@ -1,10 +1,10 @@
-#include "ros/driver_parameters.h"
+#include "node/driver_parameters.h"
 
 #include <gmock/gmock.h>
 
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -28,7 +28,7 @@ DriverParameters parse(const XmlRpcValue& values) {
 std::string refusal(const std::string& name, const XmlRpcValue& value) {
   try {
     parse(one(name, value));
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     return error.what();
   }
   return "accepted";
@@ -51,7 +51,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.transport, "tcp");
   EXPECT_FALSE(parameters.adaptive);
   EXPECT_DOUBLE_EQ(parameters.max_picture_age, 0.15);
-  EXPECT_TRUE(parameters.camera == CameraSettings());
+  EXPECT_TRUE(parameters.camera == aibo_client::CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
@@ -67,8 +67,8 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
   EXPECT_THAT(refusal("resolution", "640x480"), HasSubstr("52x40, 104x80, 208x160 or 416x320"));
   EXPECT_EQ(parse(one("frame_rate", 10)).frame_rate, 10.0);
   EXPECT_THAT(refusal("frame_rate", 1.5), HasSubstr("2..30"));
-  EXPECT_EQ(parse(one("transport", "udp")).client.picture_transport, PictureTransport::kUdp);
-  EXPECT_EQ(parse(one("transport", "tcp")).client.picture_transport, PictureTransport::kTcp);
+  EXPECT_EQ(parse(one("transport", "udp")).client.picture_transport, aibo_client::PictureTransport::kUdp);
+  EXPECT_EQ(parse(one("transport", "tcp")).client.picture_transport, aibo_client::PictureTransport::kTcp);
   EXPECT_THAT(refusal("transport", "UDP"), HasSubstr("tcp or udp"));
   EXPECT_TRUE(parse(one("adaptive", true)).adaptive);
   EXPECT_EQ(parse(one("max_picture_age", 0.3)).max_picture_age, 0.3);
@@ -229,7 +229,7 @@ TEST(DriverParameters, AreRefusedAllAtOnce) {
   try {
     parse(values);
     FAIL() << "accepted";
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     EXPECT_THAT(error.what(), HasSubstr("port is 0; allowed is a whole number, 1..65535."));
     EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; allowed is a number of seconds, 0.05..60."));
   }

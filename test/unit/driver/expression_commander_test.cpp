@@ -1,4 +1,4 @@
-#include "ros/body/expression_commander.h"
+#include "node/body/expression_commander.h"
 
 #include <gmock/gmock.h>
 
@@ -34,7 +34,7 @@ LedOrders ordersOf(const std::vector<std::string>& names, const std::vector<floa
 // Intensities by the names of the LEDs.
 std::map<std::string, int> intensitiesOf(const LedOrders& orders) {
   std::map<std::string, int> intensities;
-  for (const LedCommand& command : orders.commands) {
+  for (const aibo_client::LedCommand& command : orders.commands) {
     intensities[ledRobot().leds[robot_model::findLedByIdentifier(ledRobot(), command.id)].name] = command.intensity;
   }
   return intensities;
@@ -65,12 +65,13 @@ TEST(ParseLeds, TakesTheLaterOfTwoForTheSameLed) {
 }
 
 TEST(ParseLeds, PassesTheModeOn) {
-  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}).commands.at(0).mode, LedMode::kA);
-  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, LedMode::kB);
+  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}).commands.at(0).mode, aibo_client::LedMode::kA);
+  EXPECT_EQ(ordersOf({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, aibo_client::LedMode::kB);
 }
 
 TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {
   EXPECT_THAT(intensitiesOf(ordersOf({"face_1"}, {0.001F})), ElementsAre(Pair("face_1", 1)));
+  EXPECT_THAT(intensitiesOf(ordersOf({"face_1"}, {0.2F})), ElementsAre(Pair("face_1", 51))) << "a little more than 0.2";
 }
 
 TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {

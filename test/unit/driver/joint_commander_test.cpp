@@ -1,4 +1,4 @@
-#include "ros/joints/joint_commander.h"
+#include "node/joints/joint_commander.h"
 
 #include <gmock/gmock.h>
 
@@ -33,7 +33,7 @@ class JointCommanderTest : public ::testing::Test {
   // Ends the approach of the head's pan.
   void arriveAt(double position) {
     command({{"head_pan", position}});
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.arrival = std::chrono::steady_clock::now();
     telemetry.joints = {{kPan, position}};
     measured_.update(telemetry);
@@ -106,7 +106,7 @@ TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   message.points.resize(1);
   commander_.receive(message, order());
   ASSERT_EQ(mover_.state().ended.size(), 1u);
-  EXPECT_EQ(mover_.state().ended[0].how, movement::MovementEnd::kRefused);
+  EXPECT_EQ(mover_.state().ended[0].how, aibo_client::EndedHow::kRefused);
   EXPECT_THAT(mover_.state().ended[0].reason, ::testing::HasSubstr("header.stamp"));
 }
 

@@ -1,4 +1,4 @@
-#include "ros/camera/jpeg_decoder.h"
+#include "node/camera/jpeg_decoder.h"
 
 #include <gmock/gmock.h>
 #include <turbojpeg.h>

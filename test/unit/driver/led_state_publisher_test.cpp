@@ -1,10 +1,13 @@
-#include "ros/body/led_state_publisher.h"
+#include "node/body/led_state_publisher.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
 namespace aibo_driver::node {
+
+using aibo_client::LedMode;
+
 namespace {
 
 using ::testing::Each;
@@ -13,13 +16,13 @@ using ::testing::SizeIs;
 class LedMemoryTest : public ::testing::Test {
  protected:
   bool connect(int protocol_version) {
-    ConnectionStatus status;
-    status.state = ConnectionState::kConnected;
+    aibo_client::ConnectionStatus status;
+    status.state = aibo_client::ConnectionState::kConnected;
     status.protocol_version = protocol_version;
     return memory_.update(status);
   }
 
-  bool disconnect() { return memory_.update(ConnectionStatus()); }
+  bool disconnect() { return memory_.update(aibo_client::ConnectionStatus()); }
 
   float intensity(int id) const { return memory_.states().intensities.at(static_cast<std::size_t>(id) - 1); }
   int mode(int id) const { return memory_.states().modes.at(static_cast<std::size_t>(id) - 1); }

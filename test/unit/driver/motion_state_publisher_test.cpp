@@ -1,11 +1,15 @@
-#include "ros/joints/motion_state_publisher.h"
+#include "node/joints/motion_state_publisher.h"
 
 #include <gmock/gmock.h>
 
 namespace aibo_driver::node {
+
+using aibo_client::EndedHow;
+using aibo_client::MotorState;
+using aibo_client::PostureNow;
+
 namespace {
 
-using movement::MovementEnd;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -52,10 +56,10 @@ TEST(MotionStateMessage, CanBeMadeAtTheEndOfTime) {
 
 TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
   movement::Mover::State state;
-  state.ended = {{{Kind::kMotion, "NOD.MTN", "", {}, {}}, MovementEnd::kDone, ""}};
+  state.ended = {{{Kind::kMotion, "NOD.MTN", "", {}, {}}, EndedHow::kDone, ""}};
   EXPECT_EQ(messageOf(state).text, "nothing moves the robot; last ended: motion NOD.MTN, done");
   state.ended.push_back(
-      {{Kind::kLookAt, "", "/look_at", {"head_pan"}, {}}, MovementEnd::kNotReached, "head_pan is 0.50 rad off"});
+      {{Kind::kLookAt, "", "/look_at", {"head_pan"}, {}}, EndedHow::kNotReached, "head_pan is 0.50 rad off"});
   const MotionState message = messageOf(state);
   ASSERT_THAT(message.ended, SizeIs(2));
   EXPECT_EQ(message.ended[0].movement.name, "NOD.MTN");
@@ -68,15 +72,14 @@ TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
 
 // The numbers are the same on both sides.
 TEST(MotionStateMessage, HasTheNumbersOfTheMessages) {
-  using movement::MovementEnd;
-  EXPECT_EQ(endConstant(MovementEnd::kDone), EndedMovement::DONE);
-  EXPECT_EQ(endConstant(MovementEnd::kReplaced), EndedMovement::REPLACED);
-  EXPECT_EQ(endConstant(MovementEnd::kStopped), EndedMovement::STOPPED);
-  EXPECT_EQ(endConstant(MovementEnd::kRefused), EndedMovement::REFUSED);
-  EXPECT_EQ(endConstant(MovementEnd::kFell), EndedMovement::FELL);
-  EXPECT_EQ(endConstant(MovementEnd::kUnknown), EndedMovement::UNKNOWN);
-  EXPECT_EQ(endConstant(MovementEnd::kNotReached), EndedMovement::NOT_REACHED);
-  EXPECT_EQ(endConstant(MovementEnd::kLost), EndedMovement::LOST);
+  EXPECT_EQ(endConstant(EndedHow::kDone), EndedMovement::DONE);
+  EXPECT_EQ(endConstant(EndedHow::kReplaced), EndedMovement::REPLACED);
+  EXPECT_EQ(endConstant(EndedHow::kStopped), EndedMovement::STOPPED);
+  EXPECT_EQ(endConstant(EndedHow::kRefused), EndedMovement::REFUSED);
+  EXPECT_EQ(endConstant(EndedHow::kFell), EndedMovement::FELL);
+  EXPECT_EQ(endConstant(EndedHow::kUnknown), EndedMovement::UNKNOWN);
+  EXPECT_EQ(endConstant(EndedHow::kNotReached), EndedMovement::NOT_REACHED);
+  EXPECT_EQ(endConstant(EndedHow::kLost), EndedMovement::LOST);
   EXPECT_EQ(static_cast<int>(Kind::kCommand), +Movement::COMMAND);
   EXPECT_EQ(static_cast<int>(Kind::kTrajectory), +Movement::TRAJECTORY);
   EXPECT_EQ(static_cast<int>(Kind::kMotion), +Movement::MOTION);

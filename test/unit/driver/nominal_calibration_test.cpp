@@ -1,4 +1,4 @@
-#include "ros/camera/nominal_calibration.h"
+#include "node/camera/nominal_calibration.h"
 
 #include <gmock/gmock.h>
 

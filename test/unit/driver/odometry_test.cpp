@@ -1,4 +1,4 @@
-#include "ros/walk/odometry.h"
+#include "node/walk/odometry.h"
 
 #include <gmock/gmock.h>
 
@@ -12,7 +12,7 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 // Walks for a time in so many steps.
-void walk(Odometry* odometry, const WalkVelocity& velocity, double time, int steps) {
+void walk(Odometry* odometry, const aibo_client::WalkVelocity& velocity, double time, int steps) {
   for (int i = 0; i < steps; ++i) {
     odometry->walk(velocity, time / steps);
   }

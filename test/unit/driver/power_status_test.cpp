@@ -1,4 +1,4 @@
-#include "ros/body/power_status.h"
+#include "node/body/power_status.h"
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
@@ -16,8 +16,8 @@ constexpr int kBattery = 66;
 constexpr int kTemperature = 67;
 constexpr bool kAsked = true;
 
-Telemetry telling(std::vector<SensorReading> sensors) {
-  Telemetry telemetry;
+aibo_client::Telemetry telling(std::vector<aibo_client::SensorReading> sensors) {
+  aibo_client::Telemetry telemetry;
   telemetry.sensors = std::move(sensors);
   return telemetry;
 }

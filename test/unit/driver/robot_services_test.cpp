@@ -1,4 +1,4 @@
-#include "ros/body/robot_services.h"
+#include "node/body/robot_services.h"
 
 #include <gmock/gmock.h>
 

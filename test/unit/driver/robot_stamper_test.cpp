@@ -1,4 +1,4 @@
-#include "ros/robot_stamper.h"
+#include "node/robot_stamper.h"
 
 #include <gmock/gmock.h>
 
@@ -6,6 +6,9 @@
 #include <cstdint>
 
 namespace aibo_driver::node {
+
+using aibo_client::Picture;
+
 namespace {
 
 using namespace std::chrono_literals;
@@ -16,8 +19,8 @@ Picture pictureOf(RobotStamper::SteadyTime arrival) {
   return picture;
 }
 
-Telemetry telemetryOf(std::uint32_t frame_number, RobotStamper::SteadyTime arrival) {
-  Telemetry telemetry;
+aibo_client::Telemetry telemetryOf(std::uint32_t frame_number, RobotStamper::SteadyTime arrival) {
+  aibo_client::Telemetry telemetry;
   telemetry.frame_number = frame_number;
   telemetry.arrival = arrival;
   return telemetry;

@@ -1,4 +1,4 @@
-#include "ros/body/sensor_messages.h"
+#include "node/body/sensor_messages.h"
 
 #include <gmock/gmock.h>
 
@@ -9,6 +9,9 @@
 #include <vector>
 
 namespace aibo_driver::node {
+
+using aibo_client::Telemetry;
+
 namespace {
 
 using namespace std::chrono_literals;

@@ -1,4 +1,4 @@
-#include "ros/body/stance.h"
+#include "node/body/stance.h"
 
 #include <gmock/gmock.h>
 

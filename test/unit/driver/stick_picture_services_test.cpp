@@ -1,4 +1,4 @@
-#include "ros/camera/stick_picture_services.h"
+#include "node/camera/stick_picture_services.h"
 
 #include <gmock/gmock.h>
 
@@ -20,9 +20,9 @@ using ::testing::IsEmpty;
 class StickPictureServicesTest : public ::testing::Test {
  protected:
   StickPictureServicesTest() {
-    Picture picture;
+    aibo_client::Picture picture;
     picture.jpeg = test_pictures::makeNumbered(7);
-    client_.picture = std::make_shared<Picture>(picture);
+    client_.picture = std::make_shared<aibo_client::Picture>(picture);
   }
 
   TakePictureOnRobot::Response takePicture(std::uint8_t quality) {

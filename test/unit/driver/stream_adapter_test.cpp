@@ -1,4 +1,4 @@
-#include "ros/camera/stream_adapter.h"
+#include "node/camera/stream_adapter.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
-#include "ros/camera/stream_meter.h"
+#include "node/camera/stream_meter.h"
 
 #include <gmock/gmock.h>
 
-#include "ros/camera/camera_options.h"
+#include "node/camera/camera_options.h"
 
 namespace aibo_driver::node {
 namespace {

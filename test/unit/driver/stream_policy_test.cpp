@@ -1,4 +1,4 @@
-#include "ros/camera/stream_policy.h"
+#include "node/camera/stream_policy.h"
 
 #include <gmock/gmock.h>
 

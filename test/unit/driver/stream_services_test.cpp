@@ -1,4 +1,4 @@
-#include "ros/camera/stream_services.h"
+#include "node/camera/stream_services.h"
 
 #include <gmock/gmock.h>
 
@@ -8,6 +8,9 @@
 #include "support/fake_client.h"
 
 namespace aibo_driver::node {
+
+using aibo_client::Picture;
+
 namespace {
 
 using ::testing::ElementsAre;
@@ -16,7 +19,7 @@ using ::testing::HasSubstr;
 class StreamServicesTest : public ::testing::Test {
  protected:
   StreamServicesTest() {
-    client_.present.state = ConnectionState::kConnected;
+    client_.present.state = aibo_client::ConnectionState::kConnected;
     Picture picture;
     picture.jpeg = {1, 2, 3};
     picture.width = 208;
@@ -104,7 +107,7 @@ TEST_F(StreamServicesTest, SwitchTheStreamAndSayWhatItWaitsFor) {
 }
 
 TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
-  client_.present.state = ConnectionState::kDisconnected;
+  client_.present.state = aibo_client::ConnectionState::kDisconnected;
   const auto answer = setStreaming(true);
   EXPECT_FALSE(answer.success);
   EXPECT_THAT(answer.message, HasSubstr("the robot does not answer yet"));

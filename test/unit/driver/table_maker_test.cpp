@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::color_table {
 namespace {
@@ -26,7 +26,7 @@ node::BgrImage pinkSquare() {
 std::string refusalOf(const Region& region) {
   try {
     makeTable(pinkSquare(), region, "a", 6);
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     return error.what();
   }
   return "";
@@ -34,7 +34,7 @@ std::string refusalOf(const Region& region) {
 
 TEST(TableMaker, TheTableHasTheColorsOfTheRegionAndNoOthers) {
   const Region region{20, 20, 20, 20};
-  const ColorTable table = makeTable(pinkSquare(), region, "pink", 2);
+  const aibo_client::ColorTable table = makeTable(pinkSquare(), region, "pink", 2);
   EXPECT_EQ(table.name, "pink");
   const Coverage coverage = coverageOf(table, pinkSquare(), region);
   EXPECT_GE(coverage.inside, 0.97);

@@ -1,11 +1,11 @@
-#include "ros/joints/trajectory_messages.h"
+#include "node/joints/trajectory_messages.h"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 #include <string>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -20,7 +20,7 @@ const ros::Time kArrival(1800000000, 500000000);
 std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
   try {
     waitBeforeStart(stamp, now);
-  } catch (const InvalidArgumentException& error) {
+  } catch (const aibo_client::InvalidArgumentException& error) {
     return error.what();
   }
   return "none";

@@ -1,21 +1,26 @@
-#include "ros/walk/walk_commander.h"
+#include "node/walk/walk_commander.h"
 
 #include <gmock/gmock.h>
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
 #include <functional>
+#include <future>
 #include <limits>
 #include <thread>
 
-#include "ros/joints/motion_state_publisher.h"
-#include "ros/walk/posture_services.h"
+#include "node/joints/motion_state_publisher.h"
+#include "node/walk/posture_services.h"
 #include "support/fake_client.h"
 
 namespace aibo_driver::node {
+
+using aibo_client::EndedHow;
+using aibo_client::EndedKind;
+using aibo_client::Posture;
+
 namespace {
 
-using movement::MovementEnd;
 using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -24,25 +29,12 @@ using ::testing::SizeIs;
 using ::testing::StartsWith;
 using Kind = movement::Movement::Kind;
 
-// A robot that carries out postures when the test says so.
-class PostureClient : public test_support::FakeClient {
- public:
-  std::function<void()> when_begun;
-
-  void takePosture(Posture posture, Milliseconds timeout, const OrderTerms& terms) override {
-    FakeClient::takePosture(posture, timeout, terms);
-    if (when_begun) {
-      when_begun();
-    }
-  }
-};
-
 class WalkCommanderTest : public ::testing::Test {
  protected:
   WalkCommanderTest() {
     client_.present.robot.capabilities = {"I", "S", "E"};
     client_.present.robot.walk_limits = {0.15, 0.1, 0.06, 1.2};
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.arrival = std::chrono::steady_clock::now();
     telemetry.joints = {{2, 0.0}, {11, 0.0}};
     measured_.update(telemetry);
@@ -76,7 +68,7 @@ class WalkCommanderTest : public ::testing::Test {
   // The robot accepts the velocity.
   void walk(double forward) {
     command(forward);
-    mover_.steered({forward, 0, 0});
+    mover_.steered({forward, 0, 0}, client_.steering_order);
     toldToWalk();
   }
 
@@ -94,7 +86,7 @@ class WalkCommanderTest : public ::testing::Test {
     return response;
   }
 
-  PostureClient client_;
+  test_support::FakeClient client_;
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   WalkSettings settings_;
@@ -145,21 +137,21 @@ TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
   walk(0.1);
   commander_.runOut();
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
-  mover_.steered({});
+  mover_.steered({}, client_.steering_order);
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(last().how, MovementEnd::kStopped);
+  EXPECT_EQ(last().how, EndedHow::kStopped);
   EXPECT_EQ(last().reason, "no cmd_vel came for 0.5 s");
   walk(0.1);
   command(0);
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(last().how, MovementEnd::kDone) << "that is over";
+  EXPECT_EQ(last().how, EndedHow::kDone) << "that is over";
 }
 
 TEST_F(WalkCommanderTest, EndsWithTheConnectionAndDoesNotGoOnOverTheNext) {
   walk(0.1);
   mover_.disconnected();
   EXPECT_THAT(kindsMoving(), IsEmpty());
-  EXPECT_EQ(last().how, MovementEnd::kLost);
+  EXPECT_EQ(last().how, EndedHow::kLost);
   ++client_.connections;
   commander_.runOut();
   command(0);
@@ -175,7 +167,7 @@ TEST_F(WalkCommanderTest, KeepsNothingWithoutAConnection) {
 }
 
 TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
-  client_.when_begun = [this] {
+  client_.meanwhile = [this] {
     EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
     mover_.ended({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
   };
@@ -187,13 +179,13 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
 }
 
 TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
-  client_.when_begun = [this] {
+  client_.meanwhile = [this] {
     mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
   };
   auto response = take(Posture::kStand);
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not stand: left_front_knee was commanded.");
-  client_.when_begun = [this] { mover_.disconnected(); };
+  client_.meanwhile = [this] { mover_.disconnected(); };
   response = take(Posture::kRest);
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("does not rest: the connection to the robot was lost"));
@@ -205,7 +197,7 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
 }
 
 TEST_F(WalkCommanderTest, HoldsAPostureThatBeginsAfterAStop) {
-  client_.when_begun = [this] { mover_.stop(order("/panel")); };
+  client_.meanwhile = [this] { mover_.stop(order("/panel")); };
   const auto response = take(Posture::kStand);
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("/panel called stop"));
@@ -213,12 +205,12 @@ TEST_F(WalkCommanderTest, HoldsAPostureThatBeginsAfterAStop) {
 }
 
 TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
+  std::promise<void> sits;
+  client_.meanwhile = [&] { sits.set_value(); };
   std_srvs::Trigger::Response first;
   std::thread older([&] { postures_.take(Posture::kSit, order("/panel"), first); });
-  while (kindsMoving().empty()) {
-    std::this_thread::yield();
-  }
-  client_.when_begun = [this] {
+  sits.get_future().wait();
+  client_.meanwhile = [this] {
     mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
     mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
   };

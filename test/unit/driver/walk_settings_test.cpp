@@ -1,11 +1,14 @@
-#include "ros/walk/walk_settings.h"
+#include "node/walk/walk_settings.h"
 
 #include <gmock/gmock.h>
 
 namespace aibo_driver::node {
+
+using aibo_client::WalkVelocity;
+
 namespace {
 
-constexpr WalkLimits kRobot{0.15, 0.1, 0.06, 1.2};
+constexpr aibo_client::WalkLimits kRobot{0.15, 0.1, 0.06, 1.2};
 
 void expectNear(const WalkVelocity& velocity, const WalkVelocity& expected) {
   EXPECT_NEAR(velocity.forward, expected.forward, 1e-12);

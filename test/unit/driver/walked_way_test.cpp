@@ -1,23 +1,28 @@
-#include "ros/walk/walked_way.h"
+#include "node/walk/walked_way.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 
-#include "ros/walk/odometry_publisher.h"
+#include "node/walk/odometry_publisher.h"
 
 namespace aibo_driver::node {
+
+using aibo_client::EndedHow;
+using aibo_client::EndedKind;
+using aibo_client::PostureNow;
+
 namespace {
 
 class WalkedWayTest : public ::testing::Test {
  protected:
   // A measurement `frames` after the one before.
-  void measure(const WalkVelocity& velocity, unsigned frames = 4) {
+  void measure(const aibo_client::WalkVelocity& velocity, unsigned frames = 4) {
     frame_ += frames;
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.frame_number = frame_;
     telemetry.connection_number = connection_;
-    telemetry.walk = WalkReading{velocity, 0, WalkState::kWalks};
+    telemetry.walk = aibo_client::WalkReading{velocity, 0, aibo_client::WalkState::kWalks};
     EXPECT_TRUE(way_.update(telemetry));
   }
 
@@ -89,7 +94,9 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
 }
 
 TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce) {
-  const auto tell = [this](PostureNow posture) { way_.update(MotorsAndPosture{MotorState::kOn, posture}); };
+  const auto tell = [this](PostureNow posture) {
+    way_.update(aibo_client::MotorsAndPosture{aibo_client::MotorState::kOn, posture});
+  };
   measure({});
   tell(PostureNow::kStanding);
   EXPECT_EQ(uncertainty(), 0);
@@ -105,7 +112,7 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce
 }
 
 TEST_F(WalkedWayTest, IsUnknownWithoutARobotThatSaysHowItWalks) {
-  Telemetry telemetry;
+  aibo_client::Telemetry telemetry;
   telemetry.frame_number = 4;
   EXPECT_FALSE(way_.update(telemetry));
   telemetry.frame_number.reset();

@@ -1,18 +1,22 @@
 #include "files/files.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <iterator>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "support/temporary_folder.h"
@@ -22,6 +26,7 @@ namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
+using ::testing::AnyOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -220,6 +225,44 @@ TEST_F(SaveJpegTest, ReplacesNothingButJpegs) {
   fs::create_symlink("authorized_keys", folder_ / "link.jpg");
   EXPECT_THAT(saveRefusal("link.jpg"), HasSubstr("it is a link to"));
   EXPECT_EQ(read(folder_ / "authorized_keys"), "ssh-rsa key");
+}
+
+// Another user who may write into the folder for pictures.
+TEST_F(SaveJpegTest, WritesNothingThroughALinkThatReplacesAFolderMeanwhile) {
+  const fs::path pictures = folder_ / "pictures";
+  const fs::path outside = folder_ / "outside";
+  fs::create_directories(pictures / "album");
+  fs::create_directory(outside);
+  fs::create_directory_symlink(outside, pictures / "link");
+  std::atomic<bool> goes_on{true};
+  auto other = std::async(std::launch::async, [&] {
+    while (goes_on) {
+      ::renameat2(AT_FDCWD, (pictures / "album").c_str(), AT_FDCWD, (pictures / "link").c_str(), RENAME_EXCHANGE);
+    }
+  });
+  for (int i = 0; i < 5000; ++i) {
+    refusalOf([&] { saveJpeg(pictures.string(), "album/picture.jpg", jpegWith('a')); });
+  }
+  goes_on = false;
+  other.get();
+  EXPECT_TRUE(fs::is_empty(outside));
+}
+
+TEST_F(SaveJpegTest, AFolderThatIsRemovedMeanwhileIsNamed) {
+  std::atomic<bool> goes_on{true};
+  auto other = std::async(std::launch::async, [&] {
+    // A picture may arrive in the folder while it is emptied, so a failure to remove it is part of this test.
+    std::error_code ignored;
+    while (goes_on) {
+      fs::create_directory(folder_ / "album", ignored);
+      fs::remove_all(folder_ / "album", ignored);
+    }
+  });
+  for (int i = 0; i < 300; ++i) {
+    EXPECT_THAT(saveRefusal("album/picture.jpg"), AnyOf("not refused", HasSubstr("cannot ")));
+  }
+  goes_on = false;
+  other.get();
 }
 
 TEST_F(SaveJpegTest, NamesTheFolderThatDoesNotExist) {

@@ -1,8 +1,7 @@
-// aibo_monitor can read what aibo_rcserver writes.
-
 #include "simulator/picture_log.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <fstream>
@@ -10,18 +9,29 @@
 #include <system_error>
 #include <vector>
 
-#include "log_file_fixture.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
-#include "tools/picture_log_reader.h"
+#include "support/temporary_folder.h"
 
-namespace aibo_driver::tools {
 namespace {
 
-using Clock = std::chrono::system_clock;
+using std::chrono::system_clock;
+using ::testing::AllOf;
+using ::testing::Ge;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Le;
+using ::testing::SizeIs;
+
 using Bytes = std::vector<std::uint8_t>;
 
-class PictureLogTest : public LogFileFixture {
+struct Line {
+  system_clock::time_point time;
+  std::size_t bytes;
+  std::uint32_t checksum;
+};
+
+class PictureLogTest : public ::testing::Test {
  protected:
   void send(const Bytes& jpeg) {
     Bytes message(protocol::PICTURE_HEADER_SIZE);
@@ -30,84 +40,73 @@ class PictureLogTest : public LogFileFixture {
     log_.aboutToSend(message.data(), message.size());
   }
 
-  std::optional<PictureLogReader::Time> loggedTime(const Bytes& jpeg) {
-    reader_.readNewLines();
-    return reader_.cameraTime(jpeg, Clock::now());
+  std::vector<Line> lines() const {
+    std::ifstream file(path_);
+    std::vector<Line> lines;
+    long long time = 0;
+    for (Line line{}; file >> time >> line.bytes >> line.checksum; lines.push_back(line)) {
+      line.time = system_clock::time_point(std::chrono::nanoseconds(time));
+    }
+    return lines;
   }
 
-  PictureLog log_{path()};
-  PictureLogReader reader_{path()};
+  const test_support::TemporaryFolder folder_;
+  const std::string path_ = folder_.path("picture_log");
+  PictureLog log_{path_};
 };
 
-TEST_F(PictureLogTest, SaysWhenTheCameraSawThePictureThatIsSent) {
-  const Bytes first{0xFF, 0xD8, 0xFF, 1};
-  const Bytes second{0xFF, 0xD8, 0xFF, 2};
-  const auto begin = Clock::now();
+TEST_F(PictureLogTest, SaysWhenTheCameraSawThePictureThatIsSentAndWhichItIs) {
+  const auto begin = system_clock::now();
   log_.cameraImageTaken();
-  const auto between = Clock::now();
-  send(first);
+  const auto between = system_clock::now();
+  send({0xFF, 0xD8, 0xFF, 1});
   log_.cameraImageTaken();
-  const auto end = Clock::now();
-  send(second);
-  ASSERT_TRUE(loggedTime(first));
-  EXPECT_GE(*loggedTime(first), begin);
-  EXPECT_LE(*loggedTime(first), between);
-  ASSERT_TRUE(loggedTime(second));
-  EXPECT_GE(*loggedTime(second), between);
-  EXPECT_LE(*loggedTime(second), end);
+  const auto end = system_clock::now();
+  send({0xFF, 0xD8, 0xFF, 2, 3});
+  ASSERT_THAT(lines(), SizeIs(2));
+  EXPECT_THAT(lines()[0].time, AllOf(Ge(begin), Le(between)));
+  EXPECT_EQ(lines()[0].bytes, 4U);
+  EXPECT_EQ(lines()[0].checksum, 0x98F87081) << "CRC-32";
+  EXPECT_THAT(lines()[1].time, AllOf(Ge(between), Le(end)));
+  EXPECT_EQ(lines()[1].bytes, 5U);
 }
 
 TEST_F(PictureLogTest, FindsAPictureOfVersion2) {
   using namespace protocol::version2;
   const Bytes jpeg{0xFF, 0xD8, 0xFF};
   Bytes message(FRAME_HEADER_SIZE + IMAGE_HEADER_SIZE);
-  encodeFrameHeader({PICTURE, 85, 4711, static_cast<unsigned>(IMAGE_HEADER_SIZE + jpeg.size())}, message.data());
-  encodeImageHeader({1, 2, 208, 160, 85, LAYER_HIGH, {}}, message.data() + FRAME_HEADER_SIZE);
+  encode(FrameHeader{PICTURE, 85, 4711, static_cast<unsigned>(IMAGE_HEADER_SIZE + jpeg.size())}, message.data());
+  encode(ImageHeader{1, 2, 208, 160, 85, LAYER_HIGH, {}}, message.data() + FRAME_HEADER_SIZE);
   message.insert(message.end(), jpeg.begin(), jpeg.end());
-  log_.cameraImageTaken();
   log_.aboutToSend(message.data(), message.size());
-  EXPECT_TRUE(loggedTime(jpeg));
+  ASSERT_THAT(lines(), SizeIs(1));
+  EXPECT_EQ(lines()[0].bytes, 3U);
 }
 
 TEST_F(PictureLogTest, SkipsWhatIsNotAPicture) {
-  const Bytes jpeg{0xFF, 0xD8, 0xFF};
-  log_.cameraImageTaken();
-  const Bytes error_reply{'e', 0, 0, 0};
-  log_.aboutToSend(error_reply.data(), error_reply.size());
-  const Bytes short_header{'f', 0, 0};
-  log_.aboutToSend(short_header.data(), short_header.size());
-  const Bytes half_a_picture{'f', 0, 0, 0, 6, 0xFF, 0xD8, 0xFF};
-  log_.aboutToSend(half_a_picture.data(), half_a_picture.size());
-  EXPECT_FALSE(loggedTime(jpeg));
-  EXPECT_EQ(0u, sizeOfLog());
+  for (const Bytes& message : {Bytes{'e', 0, 0, 0}, Bytes{'f', 0, 0}, Bytes{'f', 0, 0, 0, 6, 0xFF, 0xD8, 0xFF}}) {
+    log_.aboutToSend(message.data(), message.size());
+  }
+  EXPECT_THAT(lines(), IsEmpty());
 }
 
 TEST_F(PictureLogTest, SaysWhichFileCannotBeOpened) {
   try {
-    PictureLog log(path() + "/below_a_file");
+    PictureLog log(path_ + "/below_a_file");
     FAIL() << "opened a log below a file";
   } catch (const std::system_error& error) {
-    EXPECT_NE(std::string::npos, std::string(error.what()).find(path()));
+    EXPECT_THAT(error.what(), HasSubstr(path_));
   }
 }
 
-class PictureLogPipeTest : public LogFileFixture {};
-
-TEST_F(PictureLogPipeTest, NeverWaitsForAPipeThatNobodyReads) {
-  makePipe();
-  PictureLog log(path());
-  PictureLogReader reader(path());
+TEST_F(PictureLogTest, NeverWaitsForAPipeThatNobodyReads) {
+  const std::string pipe = folder_.path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  PictureLog log(pipe);
   const Bytes message{'f', 0, 0, 0, 4, 0xFF, 0xD8, 0xFF, 42};
   for (int picture = 0; picture < 10000; ++picture) {
     log.aboutToSend(message.data(), message.size());
   }
-  reader.readNewLines();
-  EXPECT_TRUE(reader.cameraTime({0xFF, 0xD8, 0xFF, 42}, Clock::now()));
-  log.cameraImageTaken();
-  log.aboutToSend(message.data(), message.size());
-  reader.readNewLines();
-  EXPECT_GT(reader.cameraTime({0xFF, 0xD8, 0xFF, 42}, Clock::now())->time_since_epoch().count(), 0);
 }
 
 }  // namespace
-}  // namespace aibo_driver::tools

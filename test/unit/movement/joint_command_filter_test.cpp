@@ -56,7 +56,7 @@ class JointCommandFilterTest : public ::testing::Test {
   }
 
   void measure(double head_pan) {
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.joints = {{kHeadPan, head_pan}};
     measured_.update(telemetry);
   }

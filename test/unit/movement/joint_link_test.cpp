@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "support/fake_client.h"
 
 namespace aibo_driver::movement {
@@ -44,7 +44,7 @@ TEST_F(JointLinkTest, SendsSpeedLimitsAgainOverANewConnection) {
 
 TEST_F(JointLinkTest, SendsSpeedLimitsAgainThatCouldNotBeSent) {
   client_.problem = "there is no robot";
-  EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), NetworkException);
+  EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), aibo_client::NetworkException);
   client_.problem.clear();
   link_.send({{1, {0.5, 2.0}}}, milliseconds(0));
   EXPECT_THAT(told_, ElementsAre("V 1:2.00", "J 1:0.50 in 0"));
@@ -65,8 +65,8 @@ TEST_F(JointLinkTest, LimitsSpeedsWithoutMovingAndRemembersThem) {
 TEST_F(JointLinkTest, SendsNothingToARobotOfAnotherDesign) {
   JointLink link{client_, "ERS-7"};
   client_.present.robot.design = "ERS-210";
-  EXPECT_THROW(link.send({{1, {0.5, 2.0}}}, milliseconds(0)), CommandException);
-  EXPECT_THROW(link.limitSpeeds({{1, 2.0}}), CommandException);
+  EXPECT_THROW(link.send({{1, {0.5, 2.0}}}, milliseconds(0)), aibo_client::CommandException);
+  EXPECT_THROW(link.limitSpeeds({{1, 2.0}}), aibo_client::CommandException);
   EXPECT_THAT(told_, IsEmpty());
   client_.present.robot.design = "ERS-7";
   link.send({{1, {0.5, 2.0}}}, milliseconds(0));
@@ -86,7 +86,7 @@ TEST_F(JointLinkTest, SendsNothingWithoutOrders) {
 
 TEST_F(JointLinkTest, ThrowsIfTheRobotCannotBeReached) {
   client_.problem = "broken";
-  EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), NetworkException);
+  EXPECT_THROW(link_.send({{1, {0.5, 2.0}}}, milliseconds(0)), aibo_client::NetworkException);
 }
 
 }  // namespace

@@ -8,9 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
+
+using aibo_client::EndedHow;
+
 namespace {
 
 using std::chrono::duration;
@@ -36,7 +39,7 @@ class JointPlanTest : public ::testing::Test {
   }
 
   void measure(double time, double pan = 0, double mouth = -0.5) {
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.arrival = at(time);
     telemetry.joints = {{kPan, pan}, {kMouth, mouth}};
     measured_.update(telemetry);
@@ -59,12 +62,12 @@ class JointPlanTest : public ::testing::Test {
   }
 
   // How a movement has ended; nothing while it goes on.
-  std::optional<MovementEnd> endOf(MovementId id) {
+  std::optional<EndedHow> endOf(MovementId id) {
     for (const JointPlan::End& end : plan_.takeEnded()) {
       EXPECT_TRUE(ends_.emplace(end.id, end).second) << "a movement ends once";
     }
     const auto found = ends_.find(id);
-    return found == ends_.end() ? std::nullopt : std::optional<MovementEnd>(found->second.how);
+    return found == ends_.end() ? std::nullopt : std::optional<EndedHow>(found->second.how);
   }
 
   std::string reasonOf(MovementId id) { return endOf(id) ? ends_.at(id).reason : "it goes on"; }
@@ -72,7 +75,7 @@ class JointPlanTest : public ::testing::Test {
   std::string refusal(const TrajectoryRequest& request, double start, double now) {
     try {
       add(request, start, now);
-    } catch (const InvalidArgumentException& error) {
+    } catch (const aibo_client::InvalidArgumentException& error) {
       return error.what();
     }
     return "accepted";
@@ -120,7 +123,7 @@ TEST_F(JointPlanTest, ANewTrajectoryTakesOverWithThePlannedPositionAndVelocity) 
   run(0, 1);
   EXPECT_NEAR(velocity(first, 1), 0.5, 1e-9);
   const auto second = add(pan({{1, {-0.2}, {0}}}), 1, 1);
-  EXPECT_EQ(endOf(first), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(first), EndedHow::kReplaced);
   EXPECT_NEAR(wanted(second, 1), 0.5, 1e-6) << "not where it was measured, which is 0";
   EXPECT_NEAR(velocity(second, 1), 0.5, 1e-6);
   EXPECT_NEAR(wanted(second, 1.05), 0.5 + 0.05 * 0.5, 0.01) << "it goes on before it turns";
@@ -143,7 +146,7 @@ TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   EXPECT_NEAR(wanted(old, 1.984), 1.984 / 4, 1e-6);
   EXPECT_LE(sent_[kPan], 0.5 + 0.25 * kLookahead) << "what is sent ahead is the new one's already";
   run(2.016, 2.016);
-  EXPECT_EQ(endOf(old), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(old), EndedHow::kReplaced);
   EXPECT_NEAR(wanted(later, 2.016), 0.5 + 0.016 * 0.25, 1e-3);
   EXPECT_NEAR(velocity(later, 2.016), 0.25 - 4 * 0.016, 1e-3) << "a cubic that turns";
 }
@@ -172,8 +175,8 @@ TEST_F(JointPlanTest, DisjointTrajectoriesRunSideBySide) {
   const auto head = add(pan({{1, {0.5}, {}}}), 0, 0);
   const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0, 0);
   follow(0, 1.1);
-  EXPECT_EQ(endOf(head), MovementEnd::kDone);
-  EXPECT_EQ(endOf(mouth), MovementEnd::kDone);
+  EXPECT_EQ(endOf(head), EndedHow::kDone);
+  EXPECT_EQ(endOf(mouth), EndedHow::kDone);
   EXPECT_NEAR(sent_[kPan], 0.5, 1e-9);
   EXPECT_NEAR(sent_[kMouth], -0.2, 1e-9);
   EXPECT_TRUE(plan_.empty());
@@ -186,11 +189,11 @@ TEST_F(JointPlanTest, ATrajectoryTakesOnlyTheJointsThatItNames) {
   EXPECT_FALSE(endOf(old));
   EXPECT_THAT(plan_.jointsOf(old), ElementsAre("mouth"));
   follow(0.224, 1.1);
-  EXPECT_EQ(endOf(old), MovementEnd::kDone);
+  EXPECT_EQ(endOf(old), EndedHow::kDone);
   EXPECT_THAT(ends_.at(old).joints, ElementsAre("mouth"));
   EXPECT_NEAR(sent_[kPan], -0.2, 1e-9);
   EXPECT_NEAR(sent_[kMouth], -0.2, 1e-9);
-  EXPECT_EQ(endOf(head), MovementEnd::kDone);
+  EXPECT_EQ(endOf(head), EndedHow::kDone);
 }
 
 TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
@@ -199,8 +202,8 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   EXPECT_FALSE(endOf(later));
   EXPECT_THAT(plan_.jointsOf(later), ElementsAre("mouth"));
   const auto at_once = add(both(0, -0.4, 1), 0, 0);
-  EXPECT_EQ(endOf(later), MovementEnd::kReplaced);
-  EXPECT_EQ(endOf(sooner), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(later), EndedHow::kReplaced);
+  EXPECT_EQ(endOf(sooner), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(at_once));
 }
 
@@ -209,9 +212,9 @@ TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
   const auto waiting = add(pan({{1, {0}, {}}}), 5, 0);
   const auto other = add({{"mouth"}, {{1, {-0.2}, {}}}}, 6, 0);
   command({{kPan, {0.2, 1.0}}}, 0.1);
-  EXPECT_EQ(endOf(running), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(running), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(running), "head_pan was commanded to go elsewhere");
-  EXPECT_EQ(endOf(waiting), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(waiting), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(other));
 }
 
@@ -220,7 +223,7 @@ TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
   const auto fate = add(pan({{1, {1}, {0}}}), 0.2, 0.2);
   EXPECT_NEAR(wanted(fate, 0.2), 0.1, 1e-6);
   EXPECT_NEAR(velocity(fate, 0.2), 0.5, 1e-6);
-  EXPECT_EQ(endOf(commanded), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(commanded), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(commanded), "a trajectory moves head_pan");
 }
 
@@ -240,7 +243,7 @@ TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
 TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
   const auto fate = add(pan({{1, {0.5}, {}}}), 2, 0);
   advance(1.95);
-  EXPECT_EQ(endOf(fate), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(fate), EndedHow::kRefused);
   EXPECT_THAT(reasonOf(fate), HasSubstr("was last measured"));
   EXPECT_THAT(sent_, IsEmpty());
 }
@@ -253,6 +256,15 @@ TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
   EXPECT_NEAR(plan_.holdingOrders(at(0.5)).at(kPan).speed, 0.5, 1e-9);
   EXPECT_NEAR(plan_.holdingOrders(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
   EXPECT_THAT(plan_.holdingOrders(at(4)), IsEmpty());
+}
+
+TEST_F(JointPlanTest, HoldsAJointWhoseCommandIsDoneButMayWaitForTheLink) {
+  const auto commanded = command({{kPan, {0.1, 1.0}}}, 0);
+  sent_[kPan] = 0.1;
+  follow(0, 0.3);
+  EXPECT_EQ(endOf(commanded), EndedHow::kDone);
+  command({{kMouth, {-0.4, 1.0}}}, 0.4);
+  EXPECT_EQ(plan_.holdingOrders(at(0.5)).count(kPan), 1u);
 }
 
 TEST_F(JointPlanTest, ANewCommandBeginsWhereTheOldOneIs) {
@@ -276,10 +288,10 @@ TEST_F(JointPlanTest, EndsAll) {
   const auto running = add(pan({{1, {1}, {}}}), 0, 0);
   const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
   const auto commanded = command({{kMouth, {-0.1, 0.1}}}, 0);
-  plan_.endAll(MovementEnd::kStopped, "stop was called");
-  EXPECT_EQ(endOf(running), MovementEnd::kStopped);
-  EXPECT_EQ(endOf(waiting), MovementEnd::kStopped);
-  EXPECT_EQ(endOf(commanded), MovementEnd::kStopped);
+  plan_.endAll(EndedHow::kStopped, "stop was called");
+  EXPECT_EQ(endOf(running), EndedHow::kStopped);
+  EXPECT_EQ(endOf(waiting), EndedHow::kStopped);
+  EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
   EXPECT_TRUE(plan_.empty());
   EXPECT_THAT(plan_.advance(at(0.1)), IsEmpty());
   EXPECT_THAT(plan_.holdingOrders(at(0.1)), IsEmpty());
@@ -294,11 +306,11 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
   follow(0, 1.05);
   EXPECT_FALSE(endOf(mouth)) << "its way takes 1 s, and a moment to brake";
   follow(1.08, 1.2);
-  EXPECT_EQ(endOf(mouth), MovementEnd::kDone);
+  EXPECT_EQ(endOf(mouth), EndedHow::kDone);
   EXPECT_THAT(plan_.jointsOf(mouth), IsEmpty());
   EXPECT_FALSE(plan_.empty());
   follow(1.232, 2.1);
-  EXPECT_EQ(endOf(head), MovementEnd::kDone);
+  EXPECT_EQ(endOf(head), EndedHow::kDone);
   EXPECT_TRUE(plan_.empty());
 }
 
@@ -308,9 +320,9 @@ TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
   run(0, 2.4);
   EXPECT_FALSE(endOf(commanded)) << "it may be late";
   run(2.432, 3.1);
-  EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
+  EXPECT_EQ(endOf(commanded), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(commanded), "mouth is 0.40 rad from where it was sent");
-  EXPECT_EQ(endOf(followed), MovementEnd::kNotReached);
+  EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(followed), "head_pan is 0.50 rad from where it was sent");
 }
 
@@ -319,7 +331,7 @@ TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
   for (double now = 0; now < 6.5; now += 0.032) {
     advance(now);
   }
-  EXPECT_EQ(endOf(commanded), MovementEnd::kUnknown) << "it is near its target since before the command";
+  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown) << "it is near its target since before the command";
   EXPECT_EQ(reasonOf(commanded), "nothing has measured head_pan since");
 }
 
@@ -333,7 +345,7 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
     measure(now, 0.502);
     advance(now);
   }
-  EXPECT_EQ(endOf(followed), MovementEnd::kNotReached);
+  EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
 }
 
 TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
@@ -342,7 +354,7 @@ TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
   EXPECT_FALSE(endOf(both_joints));
   EXPECT_THAT(plan_.jointsOf(both_joints), ElementsAre("mouth"));
   command({{kMouth, {-0.2, 1.0}}}, 0.2);
-  EXPECT_EQ(endOf(both_joints), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(both_joints), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(pan_only));
 }
 

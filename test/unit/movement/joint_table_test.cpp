@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -35,7 +35,7 @@ TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
 TEST(JointTable, ListsTheSpeedLimitsInForce) {
   JointTable table("ERS-7", 4);
   table.setSpeedScale(0.5);
-  const std::vector<JointSpeedLimit> limits = table.speedLimits();
+  const std::vector<aibo_client::JointSpeedLimit> limits = table.speedLimits();
   ASSERT_EQ(limits.size(), table.size());
   for (std::size_t i = 0; i < table.size(); ++i) {
     EXPECT_EQ(limits[i].id, table[i].id);
@@ -47,7 +47,7 @@ TEST(JointTable, HasOtherRobotsByTheirDesign) {
   EXPECT_TRUE(JointTable("ERS-210", 1).findByName("head_roll"));
   EXPECT_FALSE(JointTable("ERS-7", 1).findByName("head_roll"));
   EXPECT_FALSE(JointTable("ERS-7", 1).findById(99));
-  EXPECT_THROW(JointTable("ERS-8", 1), InvalidArgumentException);
+  EXPECT_THROW(JointTable("ERS-8", 1), aibo_client::InvalidArgumentException);
 }
 
 }  // namespace

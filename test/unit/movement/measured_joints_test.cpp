@@ -5,6 +5,9 @@
 #include <thread>
 
 namespace aibo_driver::movement {
+
+using aibo_client::Telemetry;
+
 namespace {
 
 using std::chrono::milliseconds;

@@ -6,10 +6,20 @@
 #include <string>
 #include <vector>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 #include "support/fake_client.h"
 
 namespace aibo_driver::movement {
+
+using aibo_client::EndedHow;
+using aibo_client::EndedKind;
+using aibo_client::MotorState;
+using aibo_client::Posture;
+using aibo_client::PostureNow;
+using aibo_client::RefusalCause;
+using aibo_client::RefusedRequest;
+using aibo_client::TimeoutException;
+
 namespace {
 
 using std::chrono::milliseconds;
@@ -17,6 +27,7 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
 using Kind = Movement::Kind;
@@ -24,44 +35,8 @@ using Kind = Movement::Kind;
 constexpr int kHeadPan = 2;
 constexpr int kLeftFrontRotator = 11;
 
-// Lets a test do something while the robot is asked for something, and makes it not answer.
-class SlowClient : public test_support::FakeClient {
- public:
-  std::function<void()> meanwhile;
-
-  std::string playMotion(const std::string& name, int repetitions, Milliseconds timeout,
-                         const OrderTerms& terms) override {
-    std::string changes = FakeClient::playMotion(name, repetitions, timeout, terms);
-    wait();
-    return changes;
-  }
-
-  void takePosture(Posture posture, Milliseconds timeout, const OrderTerms& terms) override {
-    FakeClient::takePosture(posture, timeout, terms);
-    wait();
-  }
-
-  bool setMotors(bool on, Milliseconds timeout) override {
-    const bool is_on = FakeClient::setMotors(on, timeout);
-    wait();
-    return is_on;
-  }
-
-  void hold(const std::vector<int>& joints, Milliseconds timeout) override {
-    FakeClient::hold(joints, timeout);
-    wait();
-  }
-
- private:
-  void wait() {
-    if (meanwhile) {
-      std::exchange(meanwhile, nullptr)();
-    }
-  }
-};
-
 [[noreturn]] void doNotAnswer() {
-  throw TimeoutException("no answer within 2000 ms.", FaultKind::kNone, true);
+  throw TimeoutException("no answer within 2000 ms.", aibo_client::FaultKind::kNone, true);
 }
 
 // The speed limit is 3.0 rad/s, the approach speed 0.5 rad/s. The time stands still unless the test lets it pass.
@@ -77,7 +52,7 @@ class MoverTest : public ::testing::Test {
   }
 
   void measure(double pan, double rotator = 0) {
-    Telemetry telemetry;
+    aibo_client::Telemetry telemetry;
     telemetry.arrival = now_;
     telemetry.joints = {{kHeadPan, pan}, {1, 0.0}, {kLeftFrontRotator, rotator}};
     measured_.update(telemetry);
@@ -122,7 +97,7 @@ class MoverTest : public ::testing::Test {
   // The robot walks.
   void walk() {
     steer(0.1);
-    mover_.steered({0.1, 0, 0});
+    mover_.steered({0.1, 0, 0}, client_.steering_order);
     client_.told.clear();
   }
 
@@ -140,9 +115,9 @@ class MoverTest : public ::testing::Test {
   static std::string reasonOf(const Mover::Begun& begun) {
     return begun.ended() != nullptr ? begun.ended()->reason : "it goes on";
   }
-  static MovementEnd endOf(const Mover::Begun& begun) {
+  static EndedHow endOf(const Mover::Begun& begun) {
     EXPECT_NE(begun.ended(), nullptr);
-    return begun.ended() != nullptr ? begun.ended()->how : MovementEnd::kUnknown;
+    return begun.ended() != nullptr ? begun.ended()->how : EndedHow::kUnknown;
   }
 
   template <typename Error>
@@ -155,7 +130,7 @@ class MoverTest : public ::testing::Test {
     return "none";
   }
 
-  SlowClient client_;
+  test_support::FakeClient client_;
   SteadyTime now_{std::chrono::seconds(1000)};
   JointTable table_{"ERS-7", 3.0};
   MeasuredJoints measured_{table_};
@@ -173,7 +148,7 @@ TEST_F(MoverTest, ACommandIsDoneWhenItsJointIsMeasuredThere) {
   ASSERT_THAT(mover_.state().movements, SizeIs(1));
   EXPECT_EQ(mover_.state().movements[0].source, "/user");
   pass(milliseconds(1200), 0.47);
-  EXPECT_EQ(endOf(begun), MovementEnd::kDone);
+  EXPECT_EQ(endOf(begun), EndedHow::kDone);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
   EXPECT_THAT(ends_, SizeIs(1));
   EXPECT_EQ(mover_.state().ended.back().movement.joints, std::vector<std::string>{"head_pan"});
@@ -182,7 +157,7 @@ TEST_F(MoverTest, ACommandIsDoneWhenItsJointIsMeasuredThere) {
 TEST_F(MoverTest, ACommandWhoseJointDoesNotMoveIsNotReached) {
   const auto begun = command("head_pan", 0.5);
   pass(milliseconds(3200), 0.0);
-  EXPECT_EQ(endOf(begun), MovementEnd::kNotReached);
+  EXPECT_EQ(endOf(begun), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(begun), "head_pan is 0.50 rad from where it was sent");
 }
 
@@ -190,9 +165,11 @@ TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
   const auto commanded = command("head_pan", 0.5);
   const auto other = command("head_tilt", 0.1);
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", commanded.id});
-  EXPECT_EQ(endOf(commanded), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(commanded), EndedHow::kRefused);
   EXPECT_EQ(reasonOf(commanded), "the motors are off");
+  EXPECT_THAT(ends_.back().movement.joints, ElementsAre("head_pan"));
   EXPECT_EQ(other.ended(), nullptr);
+  EXPECT_THAT(mover_.jointsOf(other.id), ElementsAre("head_tilt"));
   const auto followed = follow("head_pan", 0.5, 1.0);
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
   EXPECT_EQ(reasonOf(followed), "the motors are off");
@@ -206,7 +183,7 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
   EXPECT_EQ(commanded.ended(), nullptr) << "it may become free";
   pass(milliseconds(3200), 0.0);
-  EXPECT_EQ(endOf(commanded), MovementEnd::kNotReached);
+  EXPECT_EQ(endOf(commanded), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
 }
 
@@ -217,7 +194,7 @@ TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
   measure(0.1);
   told();
   mover_.goOn();
-  EXPECT_EQ(endOf(followed), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(followed), EndedHow::kRefused);
   EXPECT_EQ(reasonOf(followed), "the driver was held up");
   EXPECT_THAT(told(), IsEmpty());
   now_ += std::chrono::hours(1);
@@ -232,7 +209,7 @@ TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
   const auto second = command("head_pan", 0.4);
   EXPECT_EQ(first.id, second.id);
   const auto other = command("head_pan", 0.3, "/other");
-  EXPECT_EQ(endOf(first), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(first), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(first), "head_pan was commanded to go elsewhere");
   EXPECT_EQ(other.ended(), nullptr);
   ASSERT_THAT(mover_.state().movements, SizeIs(1));
@@ -253,7 +230,7 @@ TEST_F(MoverTest, ACommandEndsATrajectoryAndSaysSo) {
   const auto followed = follow("head_pan", 1.0, 1.0);
   command("head_pan", 0.3);
   EXPECT_EQ(reasonOf(followed), "head_pan was commanded to go elsewhere");
-  EXPECT_EQ(endOf(followed), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(followed), EndedHow::kReplaced);
 }
 
 TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
@@ -262,7 +239,7 @@ TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
                                      "'c'. and 1 more"));
   const auto nothing = mover_.command(order(), {"a"}, {0.1}, {});
   EXPECT_EQ(reasonOf(nothing), "The ERS-7 has no joint 'a'");
-  EXPECT_EQ(endOf(nothing), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(nothing), EndedHow::kRefused);
 }
 
 TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
@@ -293,17 +270,18 @@ TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
   told();
   mover_.stop(order("/panel"));
   EXPECT_THAT(told(), ElementsAre("hold"));
-  EXPECT_EQ(endOf(followed), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(followed), EndedHow::kStopped);
   EXPECT_EQ(reasonOf(followed), "/panel called stop");
   EXPECT_EQ(mover_.state().stopped_by, "/panel");
   for (const auto& begun : {command("head_pan", 0.5), follow("head_pan", 0.5, 1.0), mover_.play(order(), "NOD.MTN", 1),
                             mover_.takePosture(order(), Posture::kStand)}) {
-    EXPECT_EQ(endOf(begun), MovementEnd::kRefused);
+    EXPECT_EQ(endOf(begun), EndedHow::kRefused);
     EXPECT_EQ(reasonOf(begun), "stopped by /panel; call release");
   }
   steer(0.1);
   EXPECT_EQ(ends_.back().reason, "stopped by /panel; call release");
-  EXPECT_THAT(problem<CommandException>([this] { mover_.setMotors(order(), true); }), HasSubstr("call release"));
+  EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.setMotors(order(), true); }),
+              HasSubstr("call release"));
   mover_.goOn();
   EXPECT_THAT(told(), IsEmpty());
   mover_.setMotors(order(), false);
@@ -332,21 +310,25 @@ TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
     EXPECT_EQ(followed.ended(), nullptr);
     now_ += milliseconds(100);
     EXPECT_TRUE(mover_.goOn());
-    EXPECT_THAT(problem<CommandException>([this] { mover_.release(order()); }), HasSubstr("still being told"));
+    EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
+                HasSubstr("still being told"));
   };
   mover_.stop(order("/panel"));
   EXPECT_THAT(told(), ElementsAre("hold")) << "and no step of the trajectory";
-  EXPECT_EQ(endOf(followed), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(followed), EndedHow::kStopped);
 }
 
 TEST_F(MoverTest, AStopThatTheRobotDoesNotAnswerRefusesOrdersAllTheSame) {
   const auto followed = follow("head_pan", 1.0, 1.0);
   client_.meanwhile = doNotAnswer;
   EXPECT_THAT(problem<TimeoutException>([this] { mover_.stop(order("/panel")); }), HasSubstr("no answer"));
-  EXPECT_EQ(endOf(followed), MovementEnd::kUnknown);
+  EXPECT_EQ(endOf(followed), EndedHow::kUnknown);
   EXPECT_EQ(reasonOf(command("head_pan", 0.5)), "stopped by /panel; call release");
   client_.problem = "there is no robot";
-  EXPECT_EQ(problem<NetworkException>([this] { mover_.stop(order()); }), "there is no robot");
+  EXPECT_EQ(problem<aibo_client::NetworkException>([this] { mover_.stop(order()); }), "there is no robot");
+  client_.problem.clear();
+  mover_.release(order());
+  EXPECT_EQ(command("head_pan", 0.5).ended(), nullptr);
 }
 
 TEST_F(MoverTest, AMotionThatBeginsDuringAStopIsStopped) {
@@ -356,7 +338,7 @@ TEST_F(MoverTest, AMotionThatBeginsDuringAStopIsStopped) {
   EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
   mover_.release(order());
   client_.meanwhile = [this] { mover_.stop(order("/panel")); };
-  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kSit)), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kSit)), EndedHow::kStopped);
   EXPECT_EQ(client_.told.back(), "hold");
 }
 
@@ -388,6 +370,13 @@ TEST_F(MoverTest, HoldsATrajectoryOfAVersion1ServerWhereItWasSent) {
   measure(-0.3);  // it lags behind
   mover_.stop(order());
   EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 0"));
+  mover_.release(order());
+  measure(0);
+  const auto pan = follow("head_pan", 1.0, 1.0);
+  follow("neck_tilt", -0.5, 1.0);
+  told();
+  mover_.cancel(pan.id, "the goal was cancelled");
+  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 0")) << "the neck goes on";
 }
 
 TEST_F(MoverTest, HoldsACommandOfAVersion1ServerOnItsWay) {
@@ -436,7 +425,7 @@ TEST_F(MoverTest, OldOrdersDoNotMoveTheRobot) {
   const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
   for (const auto& begun : {mover_.command(old, {"head_pan"}, {0.5}, {}), mover_.follow(old, way, milliseconds(0)),
                             mover_.play(old, "NOD.MTN", 1), mover_.takePosture(old, Posture::kSit)}) {
-    EXPECT_EQ(endOf(begun), MovementEnd::kRefused);
+    EXPECT_EQ(endOf(begun), EndedHow::kRefused);
     EXPECT_THAT(reasonOf(begun), StartsWith("too old"));
   }
   mover_.steer(old, {0.1, 0, 0});
@@ -490,14 +479,14 @@ TEST_F(MoverTest, AMotionPlaysUntilTheRobotReportsItsEnd) {
   mover_.ended({EndedKind::kJam, EndedHow::kDone, "NOD.MTN", ""});
   EXPECT_EQ(played.ended(), nullptr);
   mover_.ended({EndedKind::kMotion, EndedHow::kReplaced, "NOD.MTN", "head_tilt was commanded"});
-  EXPECT_EQ(endOf(played), MovementEnd::kReplaced);
+  EXPECT_EQ(endOf(played), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(played), "head_tilt was commanded");
   EXPECT_THAT(mover_.state().movements, IsEmpty());
 }
 
 TEST_F(MoverTest, AMotionMayEndBeforeTheCallReturns) {
   client_.meanwhile = [this] { mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""}); };
-  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), MovementEnd::kDone);
+  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), EndedHow::kDone);
 }
 
 TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
@@ -509,18 +498,18 @@ TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
   mover_.answeredLate({played.id, true, "", ""});
   EXPECT_EQ(played.ended(), nullptr) << "it plays";
   mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
-  EXPECT_EQ(endOf(played), MovementEnd::kDone);
+  EXPECT_EQ(endOf(played), EndedHow::kDone);
   client_.meanwhile = doNotAnswer;
   const auto refused = mover_.play(order(), "NOD.MTN", 1);
   mover_.answeredLate({refused.id, false, "There is no such motion.", ""});
-  EXPECT_EQ(endOf(refused), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(refused), EndedHow::kRefused);
   EXPECT_EQ(reasonOf(refused), "There is no such motion");
 }
 
 TEST_F(MoverTest, AMotionThatWasNotSentIsRefused) {
   client_.meanwhile = [] { throw TimeoutException("no answer within 2000 ms."); };
   const auto played = mover_.play(order(), "NOD.MTN", 1);
-  EXPECT_EQ(endOf(played), MovementEnd::kRefused);
+  EXPECT_EQ(endOf(played), EndedHow::kRefused);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
 }
 
@@ -535,7 +524,7 @@ TEST_F(MoverTest, StopsAMotionAlone) {
 
 TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
   useVersion1();
-  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), MovementEnd::kUnknown);
+  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), EndedHow::kUnknown);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
 }
 
@@ -546,6 +535,9 @@ TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   EXPECT_EQ(reasonOf(leg), "/panel called sit");
   EXPECT_EQ(both.ended(), nullptr);
   EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
+  mover_.stop(order());
+  EXPECT_EQ(endOf(both), EndedHow::kStopped);
+  EXPECT_THAT(both.ended()->movement.joints, ElementsAre("head_pan")) << "that it moved last";
 }
 
 TEST_F(MoverTest, EndsEverythingWithTheConnection) {
@@ -553,21 +545,23 @@ TEST_F(MoverTest, EndsEverythingWithTheConnection) {
   const auto followed = follow("head_pan", 1.0, 1.0);
   mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
   mover_.disconnected();
-  EXPECT_EQ(endOf(played), MovementEnd::kLost);
-  EXPECT_EQ(endOf(followed), MovementEnd::kLost);
-  EXPECT_EQ(mover_.state().robot, MotorsAndPosture());
+  EXPECT_EQ(endOf(played), EndedHow::kLost);
+  EXPECT_EQ(endOf(followed), EndedHow::kLost);
+  EXPECT_EQ(mover_.state().robot, aibo_client::MotorsAndPosture());
   const auto next = follow("head_pan", 1.0, 1.0);
   ++client_.connections;
   told();
   EXPECT_FALSE(mover_.goOn());
   EXPECT_THAT(told(), IsEmpty());
-  EXPECT_EQ(endOf(next), MovementEnd::kLost);
+  EXPECT_EQ(endOf(next), EndedHow::kLost);
 }
 
 TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
   const auto commanded = command("head_pan", 0.5);
+  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
+  client_.meanwhile = [this] { mover_.robotChanged({MotorState::kOff, PostureNow::kStanding}); };
   mover_.setMotors(order("/panel"), false);
-  EXPECT_EQ(endOf(commanded), MovementEnd::kStopped);
+  EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
   EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off");
   EXPECT_EQ(mover_.state().robot.motors, MotorState::kOff);
   mover_.setMotors(order(), true);
@@ -576,15 +570,27 @@ TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
   EXPECT_EQ(reasonOf(again), "the motors are off") << "the battery, for instance";
 }
 
-TEST_F(MoverTest, ApproachesAgainAfterTheMotorsWereSwitched) {
-  command("head_pan", 0.0);
-  command("head_pan", 0.2);  // the joint is measured at 0: the approach is over
-  command("head_pan", 0.3);
-  EXPECT_EQ(client_.told.back(), "J 2:0.30 in 0");
-  client_.told.clear();
-  mover_.setMotors(order(), true);
-  command("head_pan", 1.0);
-  EXPECT_THAT(client_.told, ElementsAre("motors on", "V 2:0.50", "J 2:1.00 in 0"));
+TEST_F(MoverTest, ApproachesAgainAfterTheMotorsWereSwitchedAConnectionWasMadeOrACommandWasNotSent) {
+  const std::function<void()> causes[] = {[this] { mover_.setMotors(order(), true); },
+                                          [this] { ++client_.connections; },
+                                          [this] {
+                                            client_.problem = "there is no robot";
+                                            command("head_pan", 0.1);
+                                            client_.problem.clear();
+                                          }};
+  for (const auto& cause : causes) {
+    command("head_pan", 0.0);
+    command("head_pan", 0.2);  // the joint is measured at 0: the approach is over
+    EXPECT_THAT(client_.told, IsSupersetOf({"V 2:3.00", "J 2:0.20 in 0"}));
+    cause();
+    client_.told.clear();
+    command("head_pan", 1.0);
+    EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0"));
+    client_.told.clear();
+    now_ += std::chrono::seconds(10);
+    measure(0);
+    mover_.setMotors(order(), true);
+  }
 }
 
 // ---- Trajectories
@@ -681,17 +687,17 @@ TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
   ASSERT_THAT(mover_.state().movements, SizeIs(1));
   EXPECT_EQ(mover_.state().movements[0].kind, Kind::kWalk);
   EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
-  mover_.steered({0.1, 0, 0});
+  mover_.steered({0.1, 0, 0}, client_.steering_order);
   steer(0);
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_THAT(mover_.state().movements, IsEmpty());
-  EXPECT_EQ(ends_.back().how, MovementEnd::kDone);
+  EXPECT_EQ(ends_.back().how, EndedHow::kDone);
 }
 
 TEST_F(MoverTest, AWalkThatTheRobotRefusesHasNotBegun) {
   steer(0.1);
   mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
-  EXPECT_EQ(ends_.back().how, MovementEnd::kRefused);
+  EXPECT_EQ(ends_.back().how, EndedHow::kRefused);
   EXPECT_EQ(ends_.back().reason, "the motors are off");
   EXPECT_THAT(mover_.state().movements, IsEmpty());
 }
@@ -699,9 +705,37 @@ TEST_F(MoverTest, AWalkThatTheRobotRefusesHasNotBegun) {
 TEST_F(MoverTest, AWalkThatIsLetGoBeforeItBeginsEndsToo) {
   steer(0.1);
   steer(0);
-  mover_.steered({});
-  EXPECT_EQ(ends_.back().how, MovementEnd::kStopped);
+  mover_.steered({}, client_.steering_order);
+  EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+// On a slow link, what the robot says of the walk before comes late.
+TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
+  steer(0.1);
+  const std::uint64_t older = client_.steering_order;
+  mover_.refused({RefusedRequest::kWalk, RefusalCause::kReplaced, {}, "the legs were commanded", older});
+  now_ += milliseconds(500);
+  steer(0.1);
+  mover_.steered({0.1, 0, 0}, older);
+  mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
+  mover_.refused({RefusedRequest::kWalk, RefusalCause::kTooOld, {}, "too old", older});
+  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the robot has not said anything of this one yet";
+  told();
+  steerOn(0.1);
+  EXPECT_THAT(told(), IsEmpty()) << "what ended the older one counts";
+  mover_.steered({0.1, 0, 0}, client_.steering_order);
+  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
+  EXPECT_THAT(mover_.state().movements, IsEmpty());
+}
+
+TEST_F(MoverTest, AWalkThatATrajectoryOfTheHeadWasCancelledInIsStillStopped) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  walk();
+  mover_.cancel(followed.id, "the goal was cancelled");
+  told();
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
 }
 
 TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "aibo_driver/exceptions.h"
+#include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -25,7 +25,7 @@ class TrajectoryTest : public ::testing::Test {
   std::string refusal(const TrajectoryRequest& request, bool slow_down = false) {
     try {
       plan(request, slow_down);
-    } catch (const InvalidArgumentException& error) {
+    } catch (const aibo_client::InvalidArgumentException& error) {
       return error.what();
     }
     return "accepted";

@@ -183,7 +183,7 @@ TEST_F(UnpackTest, writesAllFilesToANewFolder) {
 TEST_F(UnpackTest, overwritesNothingUnlessItIsTold) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "bark.wav") << "mine";
-  EXPECT_THAT(problemOf(kFiles), HasSubstr("bark.wav is there already; --force overwrites it"));
+  EXPECT_THAT(problemOf(kFiles), HasSubstr("bark.wav already exists; --force overwrites it"));
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "mine");
   EXPECT_EQ(numberOfFiles(), 1) << "all or nothing";
   EXPECT_EQ(problemOf(kFiles, true), "");
@@ -195,7 +195,7 @@ TEST_F(UnpackTest, writesThroughNoLink) {
   std::ofstream(root_ / "outside") << "mine";
   fs::create_symlink(root_ / "outside", folder_ / "bark.wav");
   fs::create_symlink(root_ / "nothing", folder_ / "a_sit_wave.mtn");
-  EXPECT_THAT(problemOf(kFiles), HasSubstr("a_sit_wave.mtn is there already"));
+  EXPECT_THAT(problemOf(kFiles), HasSubstr("a_sit_wave.mtn already exists"));
   EXPECT_EQ(problemOf(kFiles, true), "");
   EXPECT_EQ(contentOf(root_ / "outside"), "mine");
   EXPECT_FALSE(fs::exists(root_ / "nothing"));
@@ -239,7 +239,7 @@ TEST_F(AiboMtnTest, listsAnArchive) {
 TEST_F(AiboMtnTest, unpacksAnArchive) {
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("a_sit_wave.mtn"));
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
-  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("is there already; --force"));
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("already exists; --force"));
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("bark.wav  (bark)\n0"));
 }
 

@@ -119,7 +119,7 @@ TEST_F(MotionTest, refusesWrongSections) {
   EXPECT_THAT(problemOf(changed(0, 0, 4)), HasSubstr("OMTN"));
   EXPECT_THAT(problemOf(changed(kSection0 + 8, 5, 4)), HasSubstr("5 sections"));
   for (const size_t section : {kSection0, kSection1, kSection2, kSection3}) {
-    EXPECT_THAT(problemOf(changed(section, 7, 4)), HasSubstr("number 7 is there"));
+    EXPECT_THAT(problemOf(changed(section, 7, 4)), HasSubstr("the file has section 7"));
     for (const std::uint32_t size : {0U, 7U, 9U, 0x7fffffffU, 0xffffffffU}) {
       EXPECT_NE(problemOf(changed(section + 4, size, 4)), "") << "section at " << section << " of " << size << " bytes";
     }

@@ -16,13 +16,6 @@ using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
 
-const char* problemOf(const Bytes& payload) {
-  ColorRegions regions{};
-  const unsigned char* plane = nullptr;
-  size_t plane_size = 0;
-  return decodeColorRegions(payload.data(), payload.size(), &regions, &plane, &plane_size);
-}
-
 Bytes packed(const Bytes& plane) {
   Bytes out(packedColorPlaneSize(plane.size()));
   const size_t size = packColorPlane(plane.data(), plane.size(), out.data());
@@ -42,34 +35,31 @@ const char* unpackProblem(const Bytes& packed, size_t pixels) {
 }
 
 TEST(ColorSettings, AreOfEveryNthImageAndOfThePlane) {
-  EXPECT_EQ(encoded(encodeColorSettings, ColorSettings{2, true}, COLOR_SETTINGS_SIZE), hex("00 02 01 00"));
-  const auto problem = verdict(decodeColorSettings);
-  EXPECT_THAT(problem(hex("00 01 00 00")), IsNull());
-  EXPECT_THAT(problem(hex("00 00 00 00")), HasSubstr("0th"));
-  EXPECT_THAT(problem(hex("00 01 02 00")), HasSubstr("neither 0 nor 1"));
+  EXPECT_EQ(encoded(ColorSettings{2, true}), hex("00 02 01 00"));
+  EXPECT_THAT(verdict<ColorSettings>(hex("00 00 00 00")), HasSubstr("interval is 0"));
+  EXPECT_THAT(verdict<ColorSettings>(hex("00 01 02 00")), HasSubstr("neither 0 nor 1"));
 }
 
 TEST(ColorTable, HasFourBytesForEachSegment) {
   ColorTable table{3, {}};
   table.segments[0] = {1, 2, 3, 4};
   table.segments[31] = {150, 230, 120, 190};
-  const Bytes bytes = encoded(encodeColorTable, table, COLOR_TABLE_SIZE);
-  ASSERT_EQ(bytes.size(), COLOR_TABLE_SIZE);
+  const Bytes bytes = encoded(table);
+  ASSERT_EQ(bytes.size(), 132U);
   EXPECT_EQ(firstOf(bytes, 8), hex("03 00 00 00 01 02 03 04"));
   EXPECT_EQ(Bytes(bytes.end() - 4, bytes.end()), hex("96 e6 78 be"));
 }
 
 TEST(ColorTable, IsRefusedWhenItMakesNoSense) {
   ColorTable table{7, {}};
-  const auto problem = verdict(decodeColorTable);
-  EXPECT_THAT(problem(encoded(encodeColorTable, table, COLOR_TABLE_SIZE)), IsNull());
+  EXPECT_THAT(verdict<ColorTable>(encoded(table)), IsNull());
   table.channel = 8;
-  EXPECT_THAT(problem(encoded(encodeColorTable, table, COLOR_TABLE_SIZE)), HasSubstr("0 to 7"));
+  EXPECT_THAT(verdict<ColorTable>(encoded(table)), HasSubstr("0 to 7"));
   table = {0, {}};
   table.segments[31] = {200, 199, 0, 0};
-  EXPECT_THAT(problem(encoded(encodeColorTable, table, COLOR_TABLE_SIZE)), HasSubstr("minimum above its maximum"));
+  EXPECT_THAT(verdict<ColorTable>(encoded(table)), HasSubstr("minimum above its maximum"));
   table.segments[31] = {0, 0, 1, 0};
-  EXPECT_THAT(problem(encoded(encodeColorTable, table, COLOR_TABLE_SIZE)), HasSubstr("minimum above its maximum"));
+  EXPECT_THAT(verdict<ColorTable>(encoded(table)), HasSubstr("minimum above its maximum"));
 }
 
 TEST(ColorTable, IsEmptyAsSonySays) {
@@ -78,11 +68,7 @@ TEST(ColorTable, IsEmptyAsSonySays) {
 }
 
 TEST(ColorRegions, AreThoseOfTheChannelsThatHaveATable) {
-  ColorRegions regions{};
-  const unsigned char* plane = nullptr;
-  size_t plane_size = 1;
-  const Bytes bytes = hex(kColorRegions);
-  ASSERT_THAT(decodeColorRegions(bytes.data(), bytes.size(), &regions, &plane, &plane_size), IsNull());
+  const auto regions = decoded<ColorRegions>(hex(kColorRegions));
   EXPECT_EQ(regions.image_count, 66051U);
   EXPECT_EQ(regions.frame_number, 168496141U);
   EXPECT_EQ(regions.width, 104);
@@ -98,27 +84,27 @@ TEST(ColorRegions, AreThoseOfTheChannelsThatHaveATable) {
   EXPECT_EQ(regions.regions[0].height, 21);
   EXPECT_EQ(regions.regions[1].channel, 6);
   EXPECT_FALSE(regions.has_plane);
-  EXPECT_EQ(plane_size, 0U);
+  EXPECT_EQ(regions.plane_size, 0U);
 }
 
 TEST(ColorRegions, AreRefusedWhenTheyContradictThemselves) {
   Bytes bytes = hex(kColorRegions);
   bytes[36] = 0;  // the second channel
-  EXPECT_THAT(problemOf(bytes), HasSubstr("ascending"));
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("ascending"));
   bytes[36] = 8;
-  EXPECT_THAT(problemOf(bytes), HasSubstr("0 to 7"));
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("0 to 7"));
   bytes = hex(kColorRegions);
   bytes[12] = 9;
-  EXPECT_THAT(problemOf(bytes), HasSubstr("more channels"));
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("more channels"));
   bytes[12] = 1;
-  EXPECT_THAT(problemOf(bytes), HasSubstr("count"));
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("count"));
   bytes = hex(kColorRegions);
   bytes[9] = 0;
-  EXPECT_THAT(problemOf(bytes), HasSubstr("without pixels"));
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("no pixels"));
   bytes = hex(kColorRegions);
   bytes[13] = 1;
-  EXPECT_THAT(problemOf(bytes), HasSubstr("count")) << "a plane without bytes";
-  EXPECT_THAT(problemOf(bytes + hex("00 00")), IsNull());
+  EXPECT_THAT(verdict<ColorRegions>(bytes), HasSubstr("count")) << "a plane without bytes";
+  EXPECT_THAT(verdict<ColorRegions>(bytes + hex("00 00")), IsNull());
 }
 
 TEST(ColorPlane, IsPackedByPackBits) {

@@ -13,6 +13,8 @@
 #include "protocol/frame_reader.h"
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
+#include "protocol/picture_datagram.h"
+#include "protocol/sound_requests.h"
 #include "protocol/stick_pictures.h"
 #include "protocol/walk_requests.h"
 
@@ -38,162 +40,63 @@ struct Layout {
   bool takes_more;
 };
 
-template <typename Value, typename Argument>
-std::function<Bytes(const Bytes&)> again(const char* (*decode)(const unsigned char*, size_t, Value*),
-                                         size_t (*encode)(Argument, unsigned char*)) {
-  return [decode, encode](const Bytes& bytes) {
-    Value value{};
-    decode(bytes.data(), bytes.size(), &value);
-    return encoded(encode, value, bytes.size());
+template <typename Payload>
+Layout layout(const char* name, const Bytes& payload, const std::vector<size_t>& reserved = {},
+              const std::vector<size_t>& whole_at = {}, bool takes_more = false) {
+  return {name,     payload,  verdict<Payload>, [](const Bytes& bytes) { return encoded(decoded<Payload>(bytes)); },
+          reserved, whole_at, takes_more};
+}
+
+Layout listLayout(const char* name, const Bytes& payload, ReadFileName read, const std::vector<size_t>& whole_at) {
+  const auto verdict_on = [read](const Bytes& bytes) {
+    FileList list{};
+    return decodeFileList(read, bytes.data(), bytes.size(), &list);
   };
-}
-
-Bytes pictureAgain(const Bytes& bytes) {
-  ImageHeader header{};
-  size_t jpeg_size = 0;
-  decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
-  EXPECT_EQ(jpeg_size, bytes.size() - IMAGE_HEADER_SIZE);
-  return encoded(encodeImageHeader, header, IMAGE_HEADER_SIZE) + Bytes(bytes.begin() + IMAGE_HEADER_SIZE, bytes.end());
-}
-
-// The templates above need a struct.
-struct Name {
-  MotionName text;
-};
-
-const char* decodeName(const unsigned char* payload, size_t size, Name* name) {
-  return decodeMotionName(payload, size, name->text);
-}
-
-size_t encodeName(const Name& name, unsigned char* out) {
-  return encodeMotionName(name.text, out);
+  const auto encode_again = [read](const Bytes& bytes) {
+    FileList list{};
+    decodeFileList(read, bytes.data(), bytes.size(), &list);
+    Bytes again(MAX_FILE_LIST_SIZE);
+    return firstOf(again, encodeFileList(list, again.data()));
+  };
+  return {name, payload, verdict_on, encode_again, {}, whole_at, false};
 }
 
 const Layout kLayouts[] = {
-    {"PictureRequest",
-     hex("00"),
-     verdict(decodePictureRequest),
-     again(decodePictureRequest, encodePictureRequest),
-     {},
-     {},
-     false},
-    {"StreamSettings",
-     hex("01 00 00 01"),
-     verdict(decodeStreamSettings),
-     again(decodeStreamSettings, encodeStreamSettings),
-     {},
-     {},
-     false},
-    {"JointTargets",
-     hex(kTwoTargets),
-     verdict(decodeJointTargets),
-     again(decodeJointTargets, encodeJointTargets),
-     {3, 5, 6, 7, 13, 14, 15},
-     {},
-     false},
-    {"SpeedLimits",
-     hex(kTwoLimits),
-     verdict(decodeSpeedLimits),
-     again(decodeSpeedLimits, encodeSpeedLimits),
-     {1, 2, 3, 9, 10, 11},
-     {0, 8},
-     false},
-    {"TelemetryPeriod",
-     hex("00 04"),
-     verdict(decodeTelemetryPeriod),
-     again(decodeTelemetryPeriod, encodeTelemetryPeriod),
-     {},
-     {},
-     false},
-    {"JointIds", hex(kTwoIds), verdict(decodeJointIds), again(decodeJointIds, encodeJointIds), {}, {1}, true},
-    {"Telemetry",
-     hex(kThreeValues),
-     verdict(decodeTelemetry),
-     again(decodeTelemetry, encodeTelemetry),
-     {6, 7, 10, 11, 18, 19, 26, 27},
-     {},
-     false},
-    {"MotorState", hex("01"), verdict(decodeMotorState), again(decodeMotorState, encodeMotorState), {}, {}, false},
-    {"LedValues",
-     hex(kTwoLeds),
-     verdict(decodeLedValues),
-     again(decodeLedValues, encodeLedValues),
-     {3, 7},
-     {0, 4},
-     false},
-    {"EarPositions",
-     hex("01 00"),
-     verdict(decodeEarPositions),
-     again(decodeEarPositions, encodeEarPositions),
-     {},
-     {},
-     false},
-    {"ColorSettings",
-     hex("00 01 01 00"),
-     verdict(decodeColorSettings),
-     again(decodeColorSettings, encodeColorSettings),
-     {3},
-     {},
-     false},
-    {"ColorTable",
-     hex("06 00 00 00") + Bytes(COLOR_TABLE_SIZE - 4, 128),
-     verdict(decodeColorTable),
-     again(decodeColorTable, encodeColorTable),
-     {1, 2, 3},
-     {},
-     false},
-    {"ColorRegions",
-     hex(kColorRegions),
-     verdict(decodeColorRegionsOnly),
-     again(decodeColorRegionsOnly, encodeColorRegions),
-     {14, 15, 17, 18, 19, 37, 38, 39},
-     {},
-     false},
-    {"Velocity", hex(kVelocity), verdict(decodeVelocity), again(decodeVelocity, encodeVelocity), {6, 7}, {}, false},
-    {"MotionUpload",
-     hex(kUpload),
-     verdict(decodeMotionUpload),
-     again(decodeMotionUpload, encodeMotionUpload),
-     {},
-     {9, 10, 11},
-     true},
-    {"MotionToDelete", bytesOf("NOD.MTN"), verdict(decodeName), again(decodeName, encodeName), {}, {}, false},
-    {"MotionOrder",
-     hex(kOrder),
-     verdict(decodeMotionOrder),
-     again(decodeMotionOrder, encodeMotionOrder),
-     {},
-     {},
-     false},
-    {"MotionList",
-     bytesOf("NOD.MTN\nWAG.MTN"),
-     verdict(decodeMotionList),
-     again(decodeMotionList, encodeMotionList),
-     {},
-     {0, 7},
-     false},
-    {"PictureList",
-     bytesOf("A.JPG\nAIBO0001.JPG"),
-     verdict(decodePictureList),
-     again(decodePictureList, encodePictureList),
-     {},
-     {0, 5},
-     false},
-    {"Picture", hex(kPicture), decodePictureBytes, pictureAgain, {}, {17, 18, 19}, true},
-    {"ErrorMessage",
-     hex("00 02 c3 a9"),
-     verdict(decodeErrorMessage),
-     again(decodeErrorMessage, encodeErrorMessage),
-     {},
-     {2},
-     true},
-    {"EndMessage",
-     hex(kEnd),
-     verdict(decodeEndMessage),
-     again(decodeEndMessage, encodeEndMessage),
-     {2, 3},
-     {12, 13},
-     true},
+    layout<PictureRequest>("PictureRequest", hex("00")),
+    layout<StreamSettings>("StreamSettings", hex("01 00 00 01")),
+    layout<JointTargets>("JointTargets", hex(kTwoTargets), {3, 5, 6, 7, 13, 14, 15}),
+    layout<SpeedLimits>("SpeedLimits", hex(kTwoLimits), {1, 2, 3, 9, 10, 11}, {0, 8}),
+    layout<TelemetryPeriod>("TelemetryPeriod", hex("00 04")),
+    layout<JointIds>("JointIds", hex(kTwoIds), {}, {1}, true),
+    layout<Telemetry>("Telemetry", hex(kThreeValues), {6, 7, 10, 11, 18, 19, 26, 27}),
+    layout<MotorState>("MotorState", hex("01")),
+    layout<MotorsAndPosture>("MotorsAndPosture", hex("01 04 00 00"), {2, 3}),
+    layout<LedValues>("LedValues", hex(kTwoLeds), {3, 7}, {0, 4}),
+    layout<EarPositions>("EarPositions", hex("01 00")),
+    layout<ColorSettings>("ColorSettings", hex("00 01 01 00"), {3}),
+    layout<ColorTable>("ColorTable", hex("06 00 00 00") + Bytes(4 * COLOR_SEGMENTS, 128), {1, 2, 3}),
+    layout<ColorRegions>("ColorRegions", hex(kColorRegions), {14, 15, 17, 18, 19, 37, 38, 39}),
+    layout<MicrophoneSettings>("MicrophoneSettings", hex("01 02 3e 80")),
+    layout<HeardSound>("HeardSound", hex(kHeardSound), {7}),
+    layout<PlayedSound>("PlayedSound", hex(kPlayedSound), {5, 6, 7}, {8, 10}),
+    layout<SpeakerRoom>("SpeakerRoom", hex("00 00 3c 00")),
+    layout<SoundEnd>("SoundEnd", hex("00 00 00 00 00 00 3e 80 00 00 00 01 00 00 00 40"), {1, 2, 3}),
+    layout<Volume>("Volume", hex("03")),
+    layout<Velocity>("Velocity", hex(kVelocity), {6, 7}),
+    layout<MotionUpload>("MotionUpload", hex(kUpload), {}, {9, 10, 11}, true),
+    layout<MotionToDelete>("MotionToDelete", bytesOf("NOD.MTN")),
+    layout<MotionOrder>("MotionOrder", hex(kOrder)),
+    layout<MotionChanges>("MotionChanges", bytesOf("clip"), {}, {0, 1, 2, 3}, true),
+    layout<StickPicture>("StickPicture", bytesOf("AIBO0001.JPG")),
+    layout<FetchedPicture>("FetchedPicture", hex("ff d8"), {}, {1}, true),
+    listLayout("MotionList", bytesOf("NOD.MTN\nWAG.MTN"), readMotionName, {0, 7}),
+    listLayout("PictureList", bytesOf("A.JPG\nAIBO0001.JPG"), readPictureName, {0, 5}),
+    layout<DatagramPort>("DatagramPort", hex("d4 31")),
+    layout<Acknowledgement>("Acknowledgement", hex("61 00 00 00 00 00 12 34")),
+    layout<LossReport>("LossReport", hex("6c 00 00 00 00 00 12 34")),
+    layout<PicturePayload>("Picture", hex(kPicture), {}, {17, 18, 19}, true),
+    layout<ErrorMessage>("ErrorMessage", hex("00 02 c3 a9"), {}, {2}, true),
+    layout<EndMessage>("EndMessage", hex(kEnd), {2, 3}, {12, 13}, true),
 };
 
 class EveryLayout : public ::testing::TestWithParam<Layout> {};

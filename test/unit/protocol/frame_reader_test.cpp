@@ -30,7 +30,7 @@ Frame frameOf(char kind, unsigned char id, unsigned short request_number, const 
 
 Bytes encode(const Frame& frame) {
   Bytes bytes(FRAME_HEADER_SIZE);
-  encodeFrameHeader(frame.header, bytes.data());
+  encode(frame.header, bytes.data());
   return bytes + frame.payload;
 }
 

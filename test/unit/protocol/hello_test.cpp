@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <climits>
 #include <cstring>
 #include <string>
 
@@ -30,8 +29,8 @@ Hello exampleHello() {
 }
 
 std::string encode(const Hello& hello) {
-  const Bytes bytes = encoded(encodeHello, hello, MAX_HELLO_SIZE);
-  return std::string(bytes.begin(), bytes.end());
+  Bytes bytes(MAX_HELLO_SIZE);
+  return std::string(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(encodeHello(hello, bytes.data())));
 }
 
 const char* decode(const std::string& text, Hello* hello) {
@@ -78,7 +77,7 @@ TEST(Hello, OfTheLargestSizeFits) {
   for (size_t i = 0; i < MAX_JOINTS; ++i) {
     hello.joints[i] = {static_cast<unsigned char>(255 - i), -INT_MAX, INT_MAX, INT_MAX};
   }
-  hello.walk = {SHRT_MAX, SHRT_MAX, SHRT_MAX, SHRT_MAX};
+  hello.walk = {32.767, 32.767, 32.767, 32.767};
   Hello again{};
   ASSERT_THAT(decode(encode(hello), &again), IsNull());
   EXPECT_EQ(encode(again), encode(hello));
@@ -88,15 +87,15 @@ TEST(Hello, OfTheLargestSizeFits) {
 TEST(Hello, HasTheLimitsOfTheWalkOfARobotThatWalks) {
   const std::string text = std::string(kHello) + "walk_limits=150:100:60:1200\n";
   Hello hello = exampleHello();
-  hello.walk = {150, 100, 60, 1200};
+  hello.walk = {0.15, 0.1, 0.06, 1.2};
   EXPECT_EQ(encode(hello), text);
 
   Hello again{};
   ASSERT_THAT(decode(text, &again), IsNull());
-  EXPECT_EQ(again.walk.forward, 150);
-  EXPECT_EQ(again.walk.back, 100);
-  EXPECT_EQ(again.walk.left, 60);
-  EXPECT_EQ(again.walk.turn, 1200);
+  EXPECT_DOUBLE_EQ(again.walk.forward, 0.15);
+  EXPECT_DOUBLE_EQ(again.walk.back, 0.1);
+  EXPECT_DOUBLE_EQ(again.walk.left, 0.06);
+  EXPECT_DOUBLE_EQ(again.walk.turn, 1.2);
 
   ASSERT_THAT(decode(kHello, &again), IsNull());
   EXPECT_EQ(again.walk.forward, 0);

@@ -6,7 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "bytes.h"
 #include "protocol/color_requests.h"
@@ -54,6 +53,14 @@ constexpr char kColorRegions[] =
     "00 00 00 00 00 00 01 2c 0d 00 0a 00 00 2a 00 1e 00 14 00 15 "  // channel 0: 300 pixels
     "06 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00";  // channel 6: none
 
+constexpr char kHeardSound[] =
+    "0a 0b 0c 0d 00 02 02 00 "  // frame 168496141, two samples of two channels
+    "00 01 ff ff 7f ff 80 00";  // 1, -1; 32767, -32768
+
+constexpr char kPlayedSound[] =
+    "00 00 3e 80 01 00 00 00 "  // from sample 16000 on, the last
+    "00 01 ff ff";              // 1, -1
+
 constexpr char kUpload[] =
     "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
     "4f 4d 54 4e";              // a motion cut off after four bytes
@@ -67,39 +74,31 @@ constexpr char kHello[] =
     "capabilities=H F W J V T\n"
     "limits=1:-1308997:0:3185226 2:-1535890:1535890:10057460\n";
 
-/// The bytes that an encoder writes. Checks that it leaves everything after them unchanged.
-template <typename Encoder, typename Value>
-Bytes encoded(Encoder encode, const Value& value, size_t room) {
-  Bytes bytes(room + 8, 0xee);
-  const size_t size = encode(value, bytes.data());
-  EXPECT_LE(size, room);
+/// The bytes of a payload. Checks that nothing after them is written.
+template <typename Payload>
+Bytes encoded(const Payload& payload) {
+  const size_t size = encodedSize(payload);
+  Bytes bytes(size + 8, 0xee);
+  EXPECT_EQ(encode(payload, bytes.data()), size);
   EXPECT_TRUE(std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(size), bytes.end(),
                           [](unsigned char byte) { return byte == 0xee; }));
   bytes.resize(size);
   return bytes;
 }
 
-/// A decoder that returns only the reason for a refusal.
-template <typename Value>
-std::function<const char*(const Bytes&)> verdict(const char* (*decode)(const unsigned char*, size_t, Value*)) {
-  return [decode](const Bytes& bytes) {
-    Value value{};
-    return decode(bytes.data(), bytes.size(), &value);
-  };
+/// Only the reason for a refusal.
+template <typename Payload>
+const char* verdict(const Bytes& bytes) {
+  Payload payload{};
+  return decode(bytes.data(), bytes.size(), &payload);
 }
 
-inline const char* decodePictureBytes(const Bytes& bytes) {
-  ImageHeader header{};
-  size_t jpeg_size = 0;
-  return decodePicture(bytes.data(), bytes.size(), &header, &jpeg_size);
-}
-
-/// A decoder of one argument, like the others. The plane is left out.
-inline const char* decodeColorRegionsOnly(const unsigned char* payload, size_t size, ColorRegions* regions) {
-  const unsigned char* plane = nullptr;
-  size_t plane_size = 0;
-  const char* const problem = decodeColorRegions(payload, size, regions, &plane, &plane_size);
-  return problem == nullptr && plane_size > 0 ? "a plane" : problem;
+/// A payload that is accepted. Texts point into the bytes.
+template <typename Payload>
+Payload decoded(const Bytes& bytes) {
+  Payload payload{};
+  EXPECT_THAT(decode(bytes.data(), bytes.size(), &payload), ::testing::IsNull());
+  return payload;
 }
 
 }  // namespace version2

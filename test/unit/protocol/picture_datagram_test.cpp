@@ -21,7 +21,7 @@ Bytes lastPart() {
   return hex(kHeader) + hex("01 02 03 04");
 }
 
-const char* decode(const Bytes& bytes) {
+const char* problemOf(const Bytes& bytes) {
   PictureDatagram datagram{};
   return decodePictureDatagram(bytes.data(), bytes.size(), &datagram);
 }
@@ -42,7 +42,7 @@ TEST(PictureDatagram, HasTheLayoutOfTheDocument) {
   EXPECT_EQ(datagram.jpeg_size, 1344U);
   EXPECT_EQ(datagram.image.image_count, 66051U);
   EXPECT_EQ(datagram.image.frame_number, 168496141U);
-  EXPECT_EQ(encoded(encodePictureDatagram, datagram, DATAGRAM_HEADER_SIZE), hex(kHeader));
+  EXPECT_EQ(encoded(datagram), hex(kHeader));
 }
 
 TEST(PictureDatagram, PartsHaveTheSameSizeButTheLast) {
@@ -59,32 +59,32 @@ TEST(PictureDatagram, PartsHaveTheSameSizeButTheLast) {
 TEST(PictureDatagram, CutOrPaddedOnesAreRefused) {
   const Bytes bytes = lastPart();
   for (size_t size = 0; size < bytes.size(); ++size) {
-    EXPECT_NE(decode(firstOf(bytes, size)), nullptr) << size;
+    EXPECT_NE(problemOf(firstOf(bytes, size)), nullptr) << size;
   }
-  EXPECT_THAT(decode(bytes + hex("00")), HasSubstr("size of its part"));
+  EXPECT_THAT(problemOf(bytes + hex("00")), HasSubstr("size of its part"));
 }
 
 TEST(PictureDatagram, ImpossibleOnesAreRefused) {
   const Bytes bytes = lastPart();
-  EXPECT_THAT(decode(with(bytes, 0, 'f')), HasSubstr("begin"));
-  EXPECT_THAT(decode(with(bytes, 1, 2)), HasSubstr("begin"));
-  EXPECT_THAT(decode(with(bytes, 1, 1)), HasSubstr("no group")) << "a parity of group 0 names part 0";
-  EXPECT_THAT(decode(with(bytes, 3, 2)), HasSubstr("that many parts"));
-  EXPECT_THAT(decode(with(bytes, 3, 0)), HasSubstr("size of its part"));
-  EXPECT_THAT(decode(with(bytes, 12, 0x7f)), HasSubstr("too large"));
-  EXPECT_THAT(decode(with(with(bytes, 14, 0), 15, 0)), HasSubstr("empty"));
-  EXPECT_THAT(decode(with(bytes, 28, 101)), HasSubstr("quality"));
-  EXPECT_THAT(decode(with(bytes, 29, 9)), HasSubstr("layer"));
+  EXPECT_THAT(problemOf(with(bytes, 0, 'f')), HasSubstr("begin"));
+  EXPECT_THAT(problemOf(with(bytes, 1, 2)), HasSubstr("begin"));
+  EXPECT_THAT(problemOf(with(bytes, 1, 1)), HasSubstr("first one of a group")) << "a parity of group 0 names part 0";
+  EXPECT_THAT(problemOf(with(bytes, 3, 2)), HasSubstr("that many parts"));
+  EXPECT_THAT(problemOf(with(bytes, 3, 0)), HasSubstr("size of its part"));
+  EXPECT_THAT(problemOf(with(bytes, 12, 0x7f)), HasSubstr("too large"));
+  EXPECT_THAT(problemOf(with(with(bytes, 14, 0), 15, 0)), HasSubstr("empty"));
+  EXPECT_THAT(problemOf(with(bytes, 28, 101)), HasSubstr("quality"));
+  EXPECT_THAT(problemOf(with(bytes, 29, 9)), HasSubstr("layer"));
 }
 
 TEST(PictureDatagram, AParityIsAsLongAsTheFirstPartOfItsGroup) {
   Bytes bytes = with(with(hex(kHeader), 1, 1), 3, 0);
-  EXPECT_THAT(decode(bytes + Bytes(4, 7)), HasSubstr("size of its part"));
+  EXPECT_THAT(problemOf(bytes + Bytes(4, 7)), HasSubstr("size of its part"));
   bytes = bytes + Bytes(DATAGRAM_PART_SIZE, 7);
   PictureDatagram datagram{};
   ASSERT_THAT(decodePictureDatagram(bytes.data(), bytes.size(), &datagram), IsNull());
   EXPECT_TRUE(datagram.is_parity);
-  EXPECT_EQ(encoded(encodePictureDatagram, datagram, DATAGRAM_HEADER_SIZE), firstOf(bytes, DATAGRAM_HEADER_SIZE));
+  EXPECT_EQ(encoded(datagram), firstOf(bytes, DATAGRAM_HEADER_SIZE));
 }
 
 TEST(Parity, OfAGroupGivesBackAnyPartOfIt) {
@@ -106,33 +106,11 @@ TEST(Parity, OfAGroupGivesBackAnyPartOfIt) {
   }
 }
 
-TEST(LossReport, NamesThePicture) {
-  unsigned picture = 0;
-  const Bytes bytes = hex("6c 00 00 00 00 00 12 34");
-  ASSERT_THAT(decodeLossReport(bytes.data(), bytes.size(), &picture), IsNull());
-  EXPECT_EQ(picture, 0x1234U);
-  EXPECT_EQ(encoded(encodeLossReport, picture, LOSS_REPORT_SIZE), bytes);
-  EXPECT_NE(decodeLossReport(bytes.data(), 7, &picture), nullptr);
-  EXPECT_NE(decodeLossReport(with(bytes, 1, 1).data(), 8, &picture), nullptr);
-  EXPECT_NE(decodeLossReport(hex("61 00 00 00 00 00 12 34").data(), 8, &picture), nullptr) << "an acknowledgement";
-}
-
-TEST(Acknowledgement, NamesThePicture) {
-  unsigned picture = 0;
-  const Bytes bytes = hex("61 00 00 00 00 00 12 34");
-  ASSERT_THAT(decodeAcknowledgement(bytes.data(), bytes.size(), &picture), IsNull());
-  EXPECT_EQ(picture, 0x1234U);
-  EXPECT_EQ(encoded(encodeAcknowledgement, picture, ACKNOWLEDGEMENT_SIZE), bytes);
-  EXPECT_NE(decodeAcknowledgement(bytes.data(), 7, &picture), nullptr);
-  EXPECT_NE(decodeAcknowledgement(with(bytes, 1, 1).data(), 8, &picture), nullptr);
-}
-
-TEST(DatagramPort, IsTwoBytes) {
-  unsigned short port = 0;
-  ASSERT_THAT(decodeDatagramPort(hex("d4 31").data(), 2, &port), IsNull());
-  EXPECT_EQ(port, 54321);
-  EXPECT_EQ(encoded(encodeDatagramPort, port, DATAGRAM_PORT_SIZE), hex("d4 31"));
-  EXPECT_THAT(decodeDatagramPort(hex("d4").data(), 1, &port), HasSubstr("size"));
+TEST(Replies, NameThePicture) {
+  EXPECT_EQ(decoded<LossReport>(hex("6c 00 00 00 00 00 12 34")).picture, 0x1234U);
+  EXPECT_EQ(decoded<Acknowledgement>(hex("61 00 00 00 00 00 12 34")).picture, 0x1234U);
+  EXPECT_NE(verdict<Acknowledgement>(hex("6c 00 00 00 00 00 12 34")), nullptr);
+  EXPECT_NE(verdict<LossReport>(hex("6c 01 00 00 00 00 12 34")), nullptr);
 }
 
 }  // namespace

@@ -10,47 +10,33 @@ namespace protocol {
 namespace version2 {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::IsNull;
 using ::testing::StrEq;
 
 TEST(Velocity, IsForwardLeftAndTurn) {
-  EXPECT_EQ(encoded(encodeVelocity, Velocity{150, -60, 1200}, VELOCITY_SIZE), hex(kVelocity));
-
-  Velocity velocity{};
-  ASSERT_THAT(decodeVelocity(hex(kVelocity).data(), VELOCITY_SIZE, &velocity), IsNull());
-  EXPECT_EQ(velocity.forward, 150);
-  EXPECT_EQ(velocity.left, -60);
-  EXPECT_EQ(velocity.turn, 1200);
+  const auto velocity = decoded<Velocity>(hex(kVelocity));
+  EXPECT_DOUBLE_EQ(velocity.forward, 0.15);
+  EXPECT_DOUBLE_EQ(velocity.left, -0.06);
+  EXPECT_DOUBLE_EQ(velocity.turn, 1.2);
+  EXPECT_EQ(encoded(Velocity{-32.768, 32.767, -0.001}), hex("80 00 7f ff ff ff 00 00"));
+  EXPECT_EQ(encoded(Velocity{0.0014, 0.0015, -0.0015}), hex("00 01 00 02 ff fe 00 00")) << "rounded to the nearest";
 }
 
-TEST(Velocity, CarriesTheOutermostValues) {
-  const Bytes bytes = encoded(encodeVelocity, Velocity{SHRT_MIN, SHRT_MAX, -1}, VELOCITY_SIZE);
-  EXPECT_EQ(bytes, hex("80 00 7f ff ff ff 00 00"));
-
-  Velocity velocity{};
-  ASSERT_THAT(decodeVelocity(bytes.data(), bytes.size(), &velocity), IsNull());
-  EXPECT_EQ(velocity.forward, SHRT_MIN);
-  EXPECT_EQ(velocity.left, SHRT_MAX);
-  EXPECT_EQ(velocity.turn, -1);
-}
-
-TEST(Velocity, IsUnchangedWhenItIsRefused) {
-  Velocity velocity{1, 2, 3};
-  EXPECT_THAT(decodeVelocity(hex("00 96 ff c4 04 b0 00 01").data(), 8, &velocity), HasSubstr("reserved"));
-  EXPECT_THAT(decodeVelocity(hex(kVelocity).data(), 7, &velocity), HasSubstr("size"));
-  EXPECT_EQ(velocity.forward, 1);
-  EXPECT_EQ(velocity.left, 2);
-  EXPECT_EQ(velocity.turn, 3);
+TEST(Velocity, OfEachValueOnTheWireComesBackAsItWas) {
+  for (int value = SHRT_MIN; value <= SHRT_MAX; ++value) {
+    const Velocity velocity = {value * 1e-3, 0, 0};
+    const auto bytes = encoded(velocity);
+    ASSERT_EQ(static_cast<short>((bytes[0] << 8) | bytes[1]), value);
+    ASSERT_EQ(decoded<Velocity>(bytes).forward, velocity.forward);
+  }
 }
 
 TEST(Posture, IsStandSitOrRest) {
-  EXPECT_FALSE(isPosture(0));
-  EXPECT_TRUE(isPosture(1));
-  EXPECT_TRUE(isPosture(2));
-  EXPECT_TRUE(isPosture(3));
-  EXPECT_FALSE(isPosture(4));
-  EXPECT_FALSE(isPosture(255));
+  EXPECT_FALSE(canTake(0));
+  EXPECT_TRUE(canTake(1));
+  EXPECT_TRUE(canTake(2));
+  EXPECT_TRUE(canTake(3));
+  EXPECT_FALSE(canTake(4));
+  EXPECT_FALSE(canTake(255));
   EXPECT_THAT(postureName(POSTURE_STAND), StrEq("stand"));
   EXPECT_THAT(postureName(POSTURE_SIT), StrEq("sit"));
   EXPECT_THAT(postureName(POSTURE_REST), StrEq("rest"));

@@ -21,7 +21,7 @@ constexpr unsigned kWidth = 104;
 constexpr unsigned kHeight = 80;
 
 std::string colorSettings(unsigned short every_nth_image, bool with_plane = false) {
-  return payloadOf(encodeColorSettings, ColorSettings{every_nth_image, with_plane}, COLOR_SETTINGS_SIZE);
+  return payloadOf(ColorSettings{every_nth_image, with_plane});
 }
 
 // A table of colours for the brightest segment.
@@ -35,7 +35,7 @@ ColorTable tableOf(unsigned char channel) {
 }
 
 std::string bytesOf(const ColorTable& table) {
-  return payloadOf(encodeColorTable, table, COLOR_TABLE_SIZE);
+  return payloadOf(table);
 }
 
 // A plane with a bit in a rectangle.
@@ -77,13 +77,12 @@ class ColorsTest : public FakeRobotFixture {
       EXPECT_EQ(next->header.kind, COLORS_PUSH);
       EXPECT_EQ(next->header.request_number, 0);
       Colors colors;
-      const unsigned char* packed = nullptr;
-      size_t size = 0;
-      EXPECT_EQ(decodeColorRegions(next->payload.data(), next->payload.size(), &colors.regions, &packed, &size),
-                nullptr);
+      EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &colors.regions), nullptr);
       if (colors.regions.has_plane) {
         colors.plane.resize(kWidth * kHeight);
-        EXPECT_EQ(unpackColorPlane(packed, size, colors.plane.size(), colors.plane.data()), nullptr);
+        EXPECT_EQ(
+            unpackColorPlane(colors.regions.plane, colors.regions.plane_size, colors.plane.size(), colors.plane.data()),
+            nullptr);
       }
       all.push_back(colors);
     }
@@ -235,7 +234,7 @@ TEST_F(ColorsTest, ACameraThatNobodyGivesATableIsLeftAlone) {
 TEST_F(ColorsTest, NonsenseIsRefusedAndNothingIsLoaded) {
   expectRefusal(answerTo('Z', 3), CODE_REFUSED, "the id is not");
   expectRefusal(answerTo('Z', COLORS_ON, "abc"), CODE_REFUSED, "size");
-  expectRefusal(answerTo('Z', COLORS_ON, colorSettings(0)), CODE_REFUSED, "0th");
+  expectRefusal(answerTo('Z', COLORS_ON, colorSettings(0)), CODE_REFUSED, "interval is 0");
   expectRefusal(answerTo('Z', COLORS_OFF, "a"), CODE_REFUSED, "bad request");
   expectRefusal(answerTo('Z', COLORS_TABLE, "abc"), CODE_REFUSED, "size");
   ColorTable table = tableOf(0);

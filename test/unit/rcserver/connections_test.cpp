@@ -99,6 +99,40 @@ TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
   EXPECT_TRUE(isServed(*next));
 }
 
+// What it has asked for after that waits, too.
+TEST_F(ConnectionsTest, ClientThatClosesWhileTheMemoryStickIsAtWorkLeavesItsPlaceAtOnce) {
+  file_keeper_.slowDown();
+  const auto impatient = connectServed();
+  impatient->send(fileRequest('P', "NOD.MTN", 1));
+  machine_->runPending();
+  ASSERT_TRUE(file_keeper_.hasJob());
+  for (int i = 0; i < 20; ++i) {
+    impatient->send(request('S', 1));
+    machine_->runPending();
+  }
+  impatient->close();
+  machine_->runPending();
+  auto next = connect();
+  EXPECT_TRUE(isServed(*next));
+}
+
+TEST_F(ConnectionsTest, WhatComesWhileTheMemoryStickIsAtWorkIsAnsweredAfterwards) {
+  file_keeper_.slowDown();
+  const auto client = connectServed();
+  client->send(fileRequest('P', "NOD.MTN", 1));
+  constexpr int kRequests = 1000;  // more than fit into the buffer
+  for (int i = 0; i < kRequests; ++i) {
+    client->send(kRefused);
+    machine_->runPending();
+  }
+  EXPECT_FALSE(client->next());
+  file_keeper_.speedUp();
+  takeImage();
+  for (int i = 0; i < 1 + kRequests; ++i) {
+    ASSERT_TRUE(await(*client)) << i;
+  }
+}
+
 TEST_F(ConnectionsTest, ConnectionOfAClientTurnedAwayIsFreeAtOnce) {
   auto silent = connectServed();
   passFrames(1250 - 20);
@@ -272,6 +306,8 @@ TEST_F(ConnectionsTest, MethodAfterTheFirstBytesIsAnUnknownRequest) {
 // ------------------------------------------------------------------------------------------------- silent clients
 
 TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
+  connectServed()->close();  // the one before it has asked for something, and left long ago
+  passFrames(1300);
   auto idle = connect();
   passFrames(230);
   auto too_early = connect();

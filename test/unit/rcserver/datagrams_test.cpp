@@ -25,7 +25,7 @@ const std::string kLayerHigh(1, '\0');
 const std::string kStreamOff = {0, 0, 0, 1};
 
 std::string portPayload(int port) {
-  return payloadOf(encodeDatagramPort, static_cast<unsigned short>(port), DATAGRAM_PORT_SIZE);
+  return payloadOf(DatagramPort{static_cast<unsigned short>(port)});
 }
 
 struct ReceivedPart {
@@ -81,9 +81,8 @@ class DatagramsTest : public FakeRobotFixture {
   }
 
   static std::vector<uint8_t> lossReport(unsigned picture) {
-    std::vector<uint8_t> bytes(LOSS_REPORT_SIZE);
-    encodeLossReport(picture, bytes.data());
-    return bytes;
+    const std::string bytes = payloadOf(LossReport{picture});
+    return {bytes.begin(), bytes.end()};
   }
 
   static bool hasParity(const std::vector<ReceivedPart>& parts) {
@@ -99,9 +98,8 @@ class DatagramsTest : public FakeRobotFixture {
   }
 
   static std::vector<uint8_t> acknowledgement(unsigned picture) {
-    std::vector<uint8_t> bytes(ACKNOWLEDGEMENT_SIZE);
-    encodeAcknowledgement(picture, bytes.data());
-    return bytes;
+    const std::string bytes = payloadOf(Acknowledgement{picture});
+    return {bytes.begin(), bytes.end()};
   }
 
   /// Frames until a picture comes.

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <map>
 #include <optional>
 #include <random>
@@ -108,6 +109,8 @@ class FakeRobot : public openr_host::VirtualRobot {
       *id = kFirstEar + static_cast<OPrimitiveID>(ear);
     } else if (std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1") {
       *id = kCamera;
+    } else if (std::string(locator) == "PRM:/s1-Speaker:S1") {  // Model Information ERS-7, 3.1.2
+      *id = kSpeaker;
     } else {
       return oNOT_FOUND;
     }
@@ -123,12 +126,16 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t size, void*,
                            size_t) override {
-    if (id != kCamera || refuses_camera_settings) {
-      return oINVALID_PRIMITIVE_ID;
-    }
     longword value = 0;
     if (size > 0) {
       std::memcpy(&value, param, std::min(size, sizeof(value)));
+    }
+    if (id == kSpeaker && !refuses_speaker) {
+      speaker_requests[request] = value;
+      return oSUCCESS;
+    }
+    if (id != kCamera || refuses_camera_settings) {
+      return oINVALID_PRIMITIVE_ID;
     }
     camera_requests.emplace_back(request, value);
     return oSUCCESS;
@@ -183,6 +190,22 @@ class FakeRobot : public openr_host::VirtualRobot {
           std::vector<longword>(tables.info[i].table, tables.info[i].table + ocdtMAX_Y_SEGMENT);
     }
     return oSUCCESS;
+  }
+  OVolumeSwitch volumeSwitch() const override { return volume_switch; }
+  std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID id) const override {
+    const auto type = speaker_requests.find(oprmreqSPEAKER_SET_SOUND_TYPE);
+    return id == kSpeaker && type != speaker_requests.end() ? std::make_optional(type->second) : std::nullopt;
+  }
+  openr_host::MicrophoneFrame passSound(longword frame, const openr_host::SpeakerFrame* frame_played) override {
+    if (frame_played != nullptr) {
+      played.insert(played.end(), frame_played->begin(), frame_played->end());
+    }
+    openr_host::MicrophoneFrame heard{};
+    for (size_t i = 0; i < heard.size(); ++i) {
+      const sword itself = frame_played != nullptr && hears_itself ? (*frame_played)[i] : sword{0};
+      heard[i] = sound ? sound(frame * heard.size() + i) : OSoundSampleStereo16{itself, itself};
+    }
+    return heard;
   }
   void switchOff() override { ++times_switched_off; }
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
@@ -262,7 +285,13 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
   std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
-  std::string missing_locator;                                          ///< of a primitive that does not open
+  std::map<OPrimitiveRequest, longword> speaker_requests;               ///< the last one of each
+  bool refuses_speaker = false;
+  OVolumeSwitch volume_switch = ovolumeSW2;
+  std::vector<sword> played;                          ///< by the speaker, without pauses between sounds
+  bool hears_itself = false;                          ///< the microphones hear what the speaker plays
+  std::function<OSoundSampleStereo16(size_t)> sound;  ///< that they hear otherwise; 0 is the first one of frame 0
+  std::string missing_locator;                        ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {
     const longword image = (frame + first_frame_of_image_) / kFramesPerImage;
@@ -290,6 +319,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   static constexpr OPrimitiveID kFirstLed = 300;
   static constexpr OPrimitiveID kFirstEar = 400;
   static constexpr OPrimitiveID kCamera = 500;
+  static constexpr OPrimitiveID kSpeaker = 501;
   static constexpr size_t kMostEntries = robot_model::MAX_JOINTS + robot_model::MAX_SENSORS;
 
   void carryOut(const openr_host::EffectorCommand& command) {

@@ -75,17 +75,6 @@ TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
   EXPECT_TRUE(moves("tail_pan"));
 }
 
-// Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the memory
-// stick.
-TEST_F(FileJobsTest, JointsMoveWhileAFileIsRead) {
-  const std::string head_pan_to_half_a_radian("\0\0\1\0\2\0\0\0\0\7\241\40", 12);
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  send(frame('J', 0, 2, head_pan_to_half_a_radian));
-  passFrames(300);
-  EXPECT_EQ(robot_.joint("head_pan").position, 500000);
-  EXPECT_TRUE(file_keeper_.hasJob());
-}
-
 TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
   const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
@@ -104,43 +93,17 @@ TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
   EXPECT_THAT(answers(), ElementsAre("p3")) << "an earlier command does not matter";
 }
 
-TEST_F(FileJobsTest, ASecondFileRequestWaitsAThirdIsRefusedAndAllOthersAreAnsweredAtOnce) {
+TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
-  send(frame('U', 0, 4, uploadPayload("NEW.MTN", motion_)) + frame('N', 0, 5) + frame('H', 0, 6));
-  EXPECT_THAT(answers(), ElementsAre("h3", HasSubstr("e4 the memory stick is busy and another request waits for it"),
-                                     HasSubstr("e5 the memory stick is busy"), "h6"));
-  file_keeper_.finish();
-  passFrames(FakeRobot::kFramesPerImage);
+  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 the memory stick is busy with an earlier request"), "h3"));
+  finishJobs();
   EXPECT_THAT(answers(), ElementsAre("p1"));
   EXPECT_TRUE(hasFile("NOD.MTN"));
-  finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("d2"));
-  EXPECT_FALSE(hasFile("NOD.MTN"));
-  EXPECT_FALSE(hasFile("NEW.MTN"));
-  send(frame('N', 0, 7));
-  EXPECT_THAT(answers(), ElementsAre("n7"));
+  send(frame('N', 0, 4));
+  EXPECT_THAT(answers(), ElementsAre("n4"));
 }
 
-TEST_F(FileJobsTest, AnUploadThatWaitsKeepsItsContent) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  send(frame('U', 0, 2, uploadPayload("NEW.MTN", motion_)));
-  send(frame('L', 0, 3, std::string(32, '\0')) + frame('P', 0, 4, playPayload("", 0)));
-  finishJobs();
-  EXPECT_THAT(answers(), Contains("u2"));
-  EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
-}
-
-TEST_F(FileJobsTest, AWaitingRequestIsForgottenWithItsClient) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('D', 0, 2, "NOD.MTN"));
-  reconnect();
-  finishJobs();
-  passFrames(FakeRobot::kFramesPerImage);
-  EXPECT_THAT(answers(), ElementsAre());
-  EXPECT_TRUE(hasFile("NOD.MTN"));
-}
-
-// The first motion is being read, the second one waits.
 TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
   const std::pair<std::string, std::string> orders[] = {
       {frame('I', 0, 3), "is not played: everything was told to hold before its file had been read"},
@@ -151,30 +114,16 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
     SCOPED_TRACE(reason);
     file_keeper_.slowDown();
     live();
-    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('P', 0, 2, playPayload("NOD.MTN", 1000)));
+    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
     ASSERT_TRUE(file_keeper_.hasJob());
     send(order);
     const std::vector<std::string> at_once = answers();
-    ASSERT_GE(at_once.size(), 2U);
+    ASSERT_GE(at_once.size(), 1U);
     EXPECT_EQ(at_once[0].substr(1), "3") << "the order is carried out at once";
-    EXPECT_EQ(at_once[1], "e2 NOD.MTN " + reason);
     finishJobs();
     EXPECT_THAT(answers(), ElementsAre("e1 WAG.MTN " + reason));
-    for (const char* const joint : {"tail_pan", "neck_tilt"}) {
-      EXPECT_FALSE(moves(joint));
-      send(frame('H', 0, 9));
-      EXPECT_THAT(answers(), ElementsAre("h9"));
-    }
+    EXPECT_FALSE(moves("tail_pan"));
   }
-}
-
-TEST_F(FileJobsTest, AMotionThatWaitsIsStoppedByItsName) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('P', 0, 2, playPayload("NOD.MTN", 1000)));
-  send(frame('P', 0, 3, playPayload("SIT.MTN", 0)) + frame('P', 0, 4, playPayload("NOD.MTN", 0)));
-  EXPECT_THAT(answers(), ElementsAre("p3", "p4", "e2 NOD.MTN was stopped before its file had been read"));
-  finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p1"));
-  EXPECT_TRUE(moves("tail_pan"));
 }
 
 TEST_F(FileJobsTest, AMotionDoesNotMoveAJointThatWasHeldWhileItsFileWasRead) {
@@ -191,24 +140,6 @@ TEST_F(FileJobsTest, AMotionDoesNotMoveAJointThatWasHeldWhileItsFileWasRead) {
   EXPECT_THAT(answers(), ElementsAre(HasSubstr("e4 tail_pan was commanded while the file of WAG.MTN was being read")));
 }
 
-// A command between two requests has precedence over the first motion alone.
-TEST_F(FileJobsTest, AWaitingMotionYieldsToCommandsSinceItWasRequested) {
-  const std::string no_duration("\0\0\1\0", 4);
-  const std::string tail_pan("\63\0\0\0\0\1\0\0", 8);
-  const std::string neck_tilt("\1\0\0\0\377\377\0\0", 8);
-  send(frame('P', 0, 1, playPayload("NOD.MTN", 1)) + frame('J', 0, 2, no_duration + tail_pan) +
-       frame('P', 0, 3, playPayload("WAG.MTN", 1000)) + frame('J', 0, 4, no_duration + neck_tilt));
-  finishJobs();
-  passFrames(FakeRobot::kFramesPerImage);
-  EXPECT_THAT(answers(), ElementsAre("j2", "j4", HasSubstr("e1 neck_tilt was commanded"), "p3"));
-  file_keeper_.slowDown();
-  send(frame('P', 0, 5, playPayload("NOD.MTN", 1)) + frame('P', 0, 6, playPayload("WAG.MTN", 1000)) +
-       frame('J', 0, 7, no_duration + tail_pan));
-  finishJobs();
-  passFrames(FakeRobot::kFramesPerImage);
-  EXPECT_THAT(answers(), Contains(HasSubstr("e6 tail_pan was commanded while the file of WAG.MTN")));
-}
-
 TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
   for (const std::string& name : {std::string("WAG.MTN"), std::string()}) {
     file_keeper_.slowDown();
@@ -221,30 +152,6 @@ TEST_F(FileJobsTest, MotionStoppedWhileItsFileIsReadIsNotPlayed) {
     EXPECT_THAT(answers(), ElementsAre("e1 WAG.MTN was stopped before its file had been read"));
     EXPECT_FALSE(moves("tail_pan"));
   }
-}
-
-TEST_F(FileJobsTest, MotionIsNotPlayedIfTheMotorsWentOffWhileItsFileWasRead) {
-  for (const bool are_on_again : {false, true}) {
-    file_keeper_.slowDown();
-    live();
-    send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
-    ASSERT_TRUE(file_keeper_.hasJob());
-    send(frame('O', 0, 2, std::string(1, '\0')) + (are_on_again ? frame('O', 0, 3, "\1") : ""));
-    answers();
-    finishJobs();
-    EXPECT_THAT(answers(), ElementsAre(HasSubstr("e1 WAG.MTN is not played: the motors were switched off")));
-    send(frame('O', 0, 4, "\1"));
-    answers();
-    EXPECT_FALSE(moves("tail_pan"));
-  }
-}
-
-TEST_F(FileJobsTest, MotionIsRefusedIfAnotherOneMovesItsJointsMeanwhile) {
-  file_keeper_.speedUp();
-  send(frame('P', 0, 1, playPayload("NOD.MTN", 1000)));
-  EXPECT_THAT(answers(), ElementsAre("p1"));
-  send(frame('P', 0, 2, playPayload("SIT.MTN", 1)));
-  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 NOD.MTN is being played and moves neck_tilt")));
 }
 
 TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
@@ -310,7 +217,7 @@ TEST_F(FileJobsTest, AnswersOfVersion1KeepTheOrderOfTheRequests) {
 }
 
 TEST_F(FileJobsTest, AMemoryStickThatDoesNotAnswerDoesNotSilenceTheClient) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('P', 0, 2, playPayload("NOD.MTN", 1)));
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   for (int i = 0; i < 10; ++i) {
     passFrames(100);
     send(frame('H', 0, 10 + i));
@@ -322,11 +229,14 @@ TEST_F(FileJobsTest, NextClientOfVersion1IsServedAfterTheLastOnesFileJob) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   disconnect();
   client_ = connect();
-  client_->send(kRefused);
-  machine_->runPending();
+  send(fileRequest('D', "NOD.MTN", 0));
+  passFrames(1260);  // it is silent for 10 s, so the next one may take its place
+  const auto silent = std::exchange(client_, connect());
+  send(kRefused);
   finishJobs();
   EXPECT_TRUE(await(*client_));
   EXPECT_FALSE(moves("tail_pan"));
+  EXPECT_TRUE(hasFile("NOD.MTN")) << "what waited for the memory stick is gone with its client";
 }
 
 // ---------------------------------------------------------------------------------------------- missing objects

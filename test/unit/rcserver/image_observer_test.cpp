@@ -54,125 +54,11 @@ class ImageObserverTest : public ::testing::Test {
   unsigned image_count_ = 0;
 };
 
-// The table of the four states and four events, row by row.
+// rcserver_test.cpp has the table of the four states and four events, with the whole server.
 
 TEST_F(ImageObserverTest, BeginsIdle) {
   EXPECT_EQ(observer_.State(), IOS_IDLE);
 }
-
-TEST_F(ImageObserverTest, IdleThenPictureRequestTakesOnePicture) {
-  EXPECT_TRUE(observer_.RequestPicture(ofQuality(85)));
-  EXPECT_EQ(observer_.State(), IOS_PICTURE);
-  EXPECT_EQ(imageArrives(), picture(85));
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, IdleThenToggleBeginsTheStream) {
-  observer_.ToggleStream(ofQuality(85));
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-}
-
-TEST_F(ImageObserverTest, IdleThenImageSendsNothing) {
-  EXPECT_EQ(imageArrives(), kNothing);
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, IdleThenClientGoneStaysIdle) {
-  observer_.ClientGone();
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, PictureThenPictureRequestOwesOneMore) {
-  bringTo(IOS_PICTURE);
-  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
-  EXPECT_EQ(observer_.State(), IOS_PICTURE);
-  EXPECT_EQ(imageArrives(), picture(70));
-  EXPECT_EQ(observer_.State(), IOS_PICTURE);
-  EXPECT_EQ(imageArrives(), picture(20));
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, PictureThenToggleSendsTheOwedPictureBeforeTheStream) {
-  bringTo(IOS_PICTURE);
-  observer_.ToggleStream(ofQuality(30));
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-  EXPECT_EQ(imageArrives(), picture(70));
-  EXPECT_EQ(imageArrives(), picture(30));
-}
-
-TEST_F(ImageObserverTest, PictureThenImageSendsOneAndIsIdle) {
-  bringTo(IOS_PICTURE);
-  EXPECT_EQ(imageArrives(), picture(70));
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-  EXPECT_EQ(imageArrives(), kNothing);
-}
-
-TEST_F(ImageObserverTest, PictureThenClientGoneOwesNothing) {
-  bringTo(IOS_PICTURE);
-  observer_.ClientGone();
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-  EXPECT_EQ(imageArrives(), kNothing);
-}
-
-TEST_F(ImageObserverTest, ContinuousThenPictureRequestOwesOneAndTheStreamGoesOn) {
-  bringTo(IOS_CONTINUOUS);
-  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-  EXPECT_EQ(imageArrives(), picture(20));
-  EXPECT_EQ(imageArrives(), picture(80));
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-}
-
-TEST_F(ImageObserverTest, ContinuousThenToggleStops) {
-  bringTo(IOS_CONTINUOUS);
-  observer_.ToggleStream(ofQuality(85));
-  EXPECT_EQ(observer_.State(), IOS_STOPSEND);
-}
-
-TEST_F(ImageObserverTest, ContinuousThenImagesSendsEachOfThem) {
-  bringTo(IOS_CONTINUOUS);
-  for (int i = 0; i < 1000; ++i) {
-    ASSERT_EQ(imageArrives(), picture(80));
-  }
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-}
-
-TEST_F(ImageObserverTest, ContinuousThenClientGoneEndsTheStream) {
-  bringTo(IOS_CONTINUOUS);
-  observer_.RequestPicture(ofQuality(20));
-  observer_.ClientGone();
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-  EXPECT_EQ(imageArrives(), kNothing);
-}
-
-TEST_F(ImageObserverTest, StopsendThenPictureRequestTakesOnePicture) {
-  bringTo(IOS_STOPSEND);
-  EXPECT_TRUE(observer_.RequestPicture(ofQuality(20)));
-  EXPECT_EQ(observer_.State(), IOS_PICTURE);
-  EXPECT_EQ(imageArrives(), picture(20));
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, StopsendThenToggleStreamsAgainAtTheNewQuality) {
-  bringTo(IOS_STOPSEND);
-  observer_.ToggleStream(ofQuality(10));
-  EXPECT_EQ(observer_.State(), IOS_CONTINUOUS);
-  EXPECT_EQ(imageArrives(), picture(10));
-}
-
-TEST_F(ImageObserverTest, StopsendThenImageSendsNothingAndIsIdle) {
-  bringTo(IOS_STOPSEND);
-  EXPECT_EQ(imageArrives(), kNothing);
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-TEST_F(ImageObserverTest, StopsendThenClientGoneIsIdle) {
-  bringTo(IOS_STOPSEND);
-  observer_.ClientGone();
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
-// Sequences.
 
 TEST_F(ImageObserverTest, PicturesOwedWhenTheStreamStopsAreSentAfterIt) {
   bringTo(IOS_CONTINUOUS);
@@ -221,6 +107,9 @@ TEST_F(ImageObserverTest, StreamOfEveryThirdImageLeavesOutTheOthers) {
     EXPECT_EQ(imageArrives(), kNothing);
     EXPECT_EQ(imageArrives(), kNothing);
   }
+  EXPECT_EQ(imageArrives(), picture(60));
+  observer_.StartStream(ofQuality(61), 3);
+  EXPECT_EQ(imageArrives(), picture(61)) << "a new stream begins at once";
 }
 
 TEST_F(ImageObserverTest, StreamOfEveryImageGoesOnThoughTheCameraDoesNotCount) {

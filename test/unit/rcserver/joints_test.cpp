@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "protocol/units.h"
@@ -20,7 +19,6 @@ using protocol::centidegreesFromMicroradians;
 using protocol::microradiansFromCentidegrees;
 using robot_model::Joint;
 using ::testing::Each;
-using ::testing::Eq;
 using ::testing::Field;
 using ::testing::HasSubstr;
 
@@ -165,14 +163,6 @@ TEST_F(JointsTest, JointMovesFromTheNextFrameOnWithinItsLimits) {
   EXPECT_EQ(path.back(), microradiansFromCentidegrees(4000));
 }
 
-TEST_F(JointsTest, NewTargetOnTheWayIsTakenWithoutAJump) {
-  answerTo(request('J', kHeadPan, 8000));
-  passFrames(20);
-  answerTo(request('J', kHeadPan, -3000));
-  passFrames(kLongestMotion);
-  EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(-3000));
-}
-
 // ------------------------------------------------------------------------------------------------ version 1: V and A
 
 TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
@@ -213,56 +203,7 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
 // ----------------------------------------------------------------------------------------- version 1: two or four
 // bytes
 
-TEST_F(JointsTest, TwoBytesAreAReadFourAWriteAndMoreAreRefusedTogether) {
-  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
-  expectAnswer(request('J', kHeadPan, 500), 'j', kHeadPan, 500);
-  expectError(request('J', kHeadPan) + request('J', kHeadPan, 900));
-  EXPECT_FALSE(client_->next());
-  passFrames(kLongestMotion);
-  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 500);
-}
-
-TEST_F(JointsTest, RequestsByteByByteAreUnderstoodAsFarAsVersion1Allows) {
-  // A read is complete after two bytes; so the first two bytes of a write are taken for a read.
-  client_->send("J");
-  machine_->runPending();
-  expectAnswer(std::string{static_cast<char>(kHeadPan)}, 'j', kHeadPan, 0);
-}
-
-TEST_F(JointsTest, StreamAndJointsWorkTogether) {
-  client_->send(request('W', 85));
-  int pictures = 0;
-  int answers = 0;
-  for (int i = 0; i < 100; ++i) {
-    passFrames(FakeRobot::kFramesPerImage);
-    client_->send(i % 2 == 0 ? request('J', kHeadPan) : request('J', kHeadPan, 10 * i));
-    for (const int before = answers; answers == before;) {
-      const std::optional<Reply> reply = await(*client_);
-      ASSERT_TRUE(reply);
-      pictures += reply->letter == 'f' ? 1 : 0;
-      answers += reply->letter == 'j' ? 1 : 0;
-    }
-    machine_->runPending();
-  }
-  EXPECT_EQ(answers, 100);
-  EXPECT_GE(pictures, 98) << "joints cost the stream pictures";
-}
-
 // ------------------------------------------------------------------------------------------------------- client gone
-
-TEST_F(JointsTest, ClientGoneInMidMotionLeavesTheJointsHolding) {
-  answerTo(request('J', kLeftFrontRotator, 12000));
-  passFrames(12);
-  ASSERT_GT(robot_.joint("left_front_rotator").position, 0);
-  client_->close();
-  passFrames(kUntilMeasured);
-  passFrames(30);
-  const std::vector<int> stopped = positions();
-  EXPECT_LT(robot_.joint("left_front_rotator").position, microradiansFromCentidegrees(11000));
-  passFrames(kLongestMotion);
-  EXPECT_EQ(positions(), stopped);
-  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
-}
 
 TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
   answerTo(request('V', kNeckTilt, 1000));
@@ -285,26 +226,6 @@ TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
   expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
   expectError(request('J', kHeadPan));
-  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
-}
-
-TEST_F(JointsTest, FreedJointFollowsAgain) {
-  robot_.joint("head_pan").jammed = true;
-  answerTo(request('J', kHeadPan, 5000));
-  passFrames(kLongestMotion);
-  robot_.joint("head_pan").jammed = false;
-  expectError(request('J', kHeadPan, 5000));
-  expectAnswer(request('J', kHeadPan, 5000), 'j', kHeadPan, 5000);
-  passFrames(kLongestMotion);
-  EXPECT_EQ(robot_.joint("head_pan").position, microradiansFromCentidegrees(5000));
-}
-
-TEST_F(JointsTest, FaultsAreNotReportedToTheNextClient) {
-  robot_.joint("head_pan").jammed = true;
-  answerTo(request('J', kHeadPan, 5000));
-  passFrames(kLongestMotion);
-  disconnect();
-  client_ = connectServed();
   expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
 }
 
@@ -343,34 +264,6 @@ constexpr unsigned kMotionOfOneSecond = 125;
 // The encoders are off by up to a step of 0.05 degree.
 constexpr double kEncoderError = 2.0 * simulated_ers7::Joint::kEncoderStep;
 
-TEST_F(SimulatedJointsTest, StandStillWhenTheRobotStarts) {
-  const simulated_ers7::SimulatedErs7 untouched;
-  for (size_t i = 0; i < positions().size(); ++i) {
-    EXPECT_NEAR(positions()[i], untouched.joints().all()[i].position(), kEncoderError);
-  }
-}
-
-TEST_F(SimulatedJointsTest, ReachTheirTargetsOneByOneAndLeaveTheOthersAlone) {
-  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    const Joint& joint = model.joints[i];
-    SCOPED_TRACE(joint.name);
-    std::vector<double> expected = positions();
-    const auto index = static_cast<size_t>(i);
-    const double target = expected[index] + (joint.highest - expected[index]) / 5;
-    client_->send(request('J', joint.identifier, centidegreesFromMicroradians(static_cast<int>(target))));
-    const std::optional<Reply> reply = await(*client_);
-    ASSERT_TRUE(reply && reply->letter == 'j');
-    passFrames(kMotionOfOneSecond);
-    expected[index] = microradiansFromCentidegrees(reply->value.value);
-    EXPECT_NEAR(expected[index], target, 100);
-    for (size_t j = 0; j < expected.size(); ++j) {
-      EXPECT_NEAR(positions()[j], expected[j], kEncoderError) << model.joints[j].name;
-    }
-    EXPECT_NEAR(read(joint.identifier), reply->value.value, 15);
-  }
-}
-
 TEST_F(SimulatedJointsTest, AllMoveAtOnceWithoutAFalseAlarm) {
   for (const int angle : {12000, -12000, 12000, 0}) {
     client_->send(request('J', 0, angle));
@@ -380,15 +273,6 @@ TEST_F(SimulatedJointsTest, AllMoveAtOnceWithoutAFalseAlarm) {
   }
   EXPECT_EQ(console_.str().find("jammed"), std::string::npos) << console_.str();
   EXPECT_EQ(console_.str().find("follow"), std::string::npos) << console_.str();
-}
-
-TEST_F(SimulatedJointsTest, JamIsDetectedAndTheMotorSpared) {
-  robot_.jam("head_pan", true);
-  client_->send(request('J', kHeadPan, 8000));
-  ASSERT_TRUE(await(*client_));
-  passFrames(200);
-  EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
-  EXPECT_LT(std::abs(robot_.joints().named("head_pan").readings().back().pwmDuty), 50);
 }
 
 }  // namespace

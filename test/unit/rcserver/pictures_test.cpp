@@ -1,14 +1,11 @@
 // Pictures while the encoder is at work and while the connection is busy.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "picture_checks.h"
-#include "picture_encoder/CameraImage.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
 #include "rcserver_fixture.h"
@@ -79,20 +76,6 @@ class PicturesTest : public FakeRobotFixture {
     EXPECT_NEAR(brightness(picture), FakeRobot::brightness(image), 3);
   }
 };
-
-TEST_F(PicturesTest, RedIsRedAndBlueIsBlue) {
-  for (const bool is_red : {true, false}) {
-    robot_.cr = is_red ? 200 : 128;
-    robot_.cb = is_red ? 128 : 200;
-    send(frame('F', 85, 7, kLayerHigh));
-    takeImage();
-    const std::vector<Frame> made = pictures();
-    ASSERT_EQ(made.size(), 1U);
-    const std::vector<uint8_t> color = colorOf({made[0].payload.begin() + 16, made[0].payload.end()});
-    EXPECT_EQ(color[0] > color[2] + 50, is_red);
-    EXPECT_EQ(color[2] > color[0] + 50, !is_red);
-  }
-}
 
 // The simulated camera draws only what is read.
 TEST_F(PicturesTest, OnlyImagesThatBecomePicturesAreRead) {
@@ -346,28 +329,6 @@ TEST_F(StalledClientTest, DelayedPictureIsDroppedWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage());
 }
 
-// The server has two connections, which take turns.
-TEST_F(StalledClientTest, DelayedPictureIsNotSentToTheNextClient) {
-  stallBehind(frame('F', 85, 1001, kLayerHigh));
-  takeImage();
-  client_->reset();
-  machine_->runPending();
-  connectVersion2();
-  reconnect();
-  takeImage();
-  EXPECT_TRUE(pictures().empty());
-}
-
-TEST_F(StalledClientTest, DelayedPictureOfAStreamShowsTheNewestImage) {
-  stallBehind(frame('W', 85, 5, kStreamOn));
-  for (int i = 0; i < 10; ++i) {
-    takeImage();
-  }
-  const std::vector<Frame> streamed = pictures();
-  ASSERT_EQ(streamed.size(), 1U);
-  expectPictureOfImage(streamed[0], robot_.lastImage());
-}
-
 // -------------------------------------------------------------------------------------------------------- parts
 
 // Internet Protocol Version4, 1.3: an endpoint's pool should be slightly larger than the largest packet.
@@ -464,21 +425,6 @@ TEST_F(UnreadPictureTest, WaitingImageIsEncodedWhenThePictureIsFinished) {
   const std::optional<Frame> next = nextPicture();
   ASSERT_TRUE(next);
   EXPECT_EQ(imageCount(*next), robot_.lastImage());
-}
-
-TEST_F(UnreadPictureTest, NextClientGetsItsOwnPictures) {
-  send(frame('F', 100, 7, kLayerHigh));
-  takeImage();
-  client_->reset();
-  machine_->runPending();
-  client_ = connectServed();
-  disconnect();
-  client_ = connect();
-  client_->send(request('F', 85));
-  takeImage();
-  const std::optional<Reply> picture = await(*client_);
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->letter, 'f');
 }
 
 }  // namespace

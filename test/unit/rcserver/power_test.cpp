@@ -121,12 +121,6 @@ TEST_F(PowerTest, PauseButtonPressedAtBootIsIgnoredUntilItIsPressedAgain) {
   EXPECT_FALSE(machine_->isOn());
 }
 
-TEST_F(PowerTest, PauseShutsDownWithoutAClient) {
-  raise(orsbPAUSE);
-  EXPECT_TRUE(isLimp());
-  EXPECT_FALSE(machine_->isOn());
-}
-
 TEST_F(PowerTest, ClientThatDoesNotReadDelaysTheShutdownByAtMostASecond) {
   connectAndDoNotRead();
   raise(orsbPAUSE);
@@ -255,12 +249,6 @@ TEST_F(PowerTest, BatteryThatIsLowNowAndThenIsReportedOnce) {
   EXPECT_EQ(console_.str(), told);
 }
 
-TEST_F(PowerTest, LimpRobotWithALowBatteryShutsDownAtOnce) {
-  startWith("MOTORS_AT_BOOT=no");
-  raise(orsbBATTERY_CAPACITY_LOW);
-  EXPECT_FALSE(machine_->isOn());
-}
-
 TEST_F(PowerTest, RobotLiesDownWithoutItsMemoryStick) {
   file_keeper_.slowDown();
   raise(orsbBATTERY_CAPACITY_LOW);
@@ -321,7 +309,7 @@ TEST_F(PowerTest, PowerMonitorCanBeSwitchedOff) {
 
 TEST_F(PowerTest, WrongSettingLeavesThePowerMonitorOn) {
   startWith("POWER_MONITOR=on");
-  EXPECT_THAT(console_.str(), HasSubstr("POWER_MONITOR=ON is neither yes nor no; it is set to yes"));
+  EXPECT_THAT(console_.str(), HasSubstr("\"POWER_MONITOR=ON\""));
   raise(orsbPAUSE);
   EXPECT_FALSE(machine_->isOn());
 }
@@ -347,7 +335,7 @@ TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
 TEST_F(PowerTest, WrongSettingLeavesTheMotorsOff) {
   robot_.powered = false;
   startWith("MOTORS_AT_BOOT=maybe");
-  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT=MAYBE is neither yes nor no; it is set to no"));
+  EXPECT_THAT(console_.str(), HasSubstr("\"MOTORS_AT_BOOT=MAYBE\""));
   EXPECT_FALSE(robot_.powered);
 }
 

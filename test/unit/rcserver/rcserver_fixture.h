@@ -63,15 +63,15 @@ inline std::string frame(char kind, int id, int request_number, const std::strin
                                                   static_cast<unsigned short>(request_number),
                                                   static_cast<unsigned>(payload.size())};
   std::string bytes(protocol::version2::FRAME_HEADER_SIZE, '\0');
-  encodeFrameHeader(header, reinterpret_cast<unsigned char*>(bytes.data()));
+  encode(header, reinterpret_cast<unsigned char*>(bytes.data()));
   return bytes + payload;
 }
 
-/// A value, encoded as a payload.
-template <typename Encode, typename Value>
-std::string payloadOf(Encode encode, const Value& value, size_t room) {
-  std::string bytes(room, '\0');
-  bytes.resize(encode(value, reinterpret_cast<unsigned char*>(bytes.data())));
+/// A payload, encoded.
+template <typename Payload>
+std::string payloadOf(const Payload& payload) {
+  std::string bytes(protocol::version2::encodedSize(payload), '\0');
+  encode(payload, reinterpret_cast<unsigned char*>(bytes.data()));
   return bytes;
 }
 
@@ -101,10 +101,11 @@ struct Picture {
 
 inline Picture pictureIn(const Frame& frame) {
   Picture picture;
-  size_t size = 0;
+  protocol::version2::PicturePayload payload = {};
+  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &payload), nullptr);
   picture.frame = frame.header;
-  EXPECT_EQ(decodePicture(frame.payload.data(), frame.payload.size(), &picture.image, &size), nullptr);
-  picture.jpeg.assign(frame.payload.end() - static_cast<std::ptrdiff_t>(size), frame.payload.end());
+  picture.image = payload.header;
+  picture.jpeg.assign(payload.jpeg, payload.jpeg + payload.jpeg_size);
   return picture;
 }
 
@@ -326,7 +327,7 @@ class FakeRobotFixture : public RCServerFixture {
   void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
     protocol::version2::ErrorMessage message = {};
     EXPECT_EQ(answer.header.kind, protocol::version2::ERROR_MESSAGE);
-    ASSERT_EQ(decodeErrorMessage(answer.payload.data(), answer.payload.size(), &message), nullptr);
+    ASSERT_EQ(decode(answer.payload.data(), answer.payload.size(), &message), nullptr);
     EXPECT_EQ(message.code, code);
     EXPECT_THAT(std::string(message.text, message.text_size), ::testing::HasSubstr(text_in_it));
   }

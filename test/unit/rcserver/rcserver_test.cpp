@@ -1,9 +1,6 @@
 // Clients, pictures and requests of version 1.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <memory>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -14,7 +11,6 @@
 
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 10 s
@@ -109,48 +105,6 @@ INSTANTIATE_TEST_SUITE_P(
                       Cell{"OwedPicturesOutliveTheStream", kStream + kPicture + kStream, "", {0, 70, 0, 0}}),
     [](const auto& cell) { return std::string(cell.param.name); });
 
-TEST_F(RCServerTest, PictureHasTheCamerasSize) {
-  auto client = connectServed();
-  ask(*client, request('F', 85));
-  takeImage();
-  const std::optional<Reply> reply = await(*client);
-  ASSERT_TRUE(reply);
-  EXPECT_EQ(brightnessOf(reply->jpeg).width, 208);
-  EXPECT_EQ(brightnessOf(reply->jpeg).height, 160);
-}
-
-TEST_F(RCServerTest, StreamCanBeToggledManyTimes) {
-  auto client = connectServed();
-  for (int round = 0; round < 20; ++round) {
-    ask(*client, request('W', 85));
-    expectPictureOfNextImage(*client, 85);
-    expectPictureOfNextImage(*client, 85);
-    ask(*client, request('W', 85));
-    expectNoPictureOfNextImage(*client);
-  }
-}
-
-TEST_F(RCServerTest, QualityAboveHundredMeansHundred) {
-  auto client = connectServed();
-  for (const int quality : {100, 101, 255}) {
-    ask(*client, request('F', quality));
-    expectPictureOfNextImage(*client, 100);
-  }
-}
-
-TEST_F(RCServerTest, EveryPictureRequestIsAnsweredWithADifferentImage) {
-  auto client = connectServed();
-  std::string requests;
-  for (int quality = 51; quality <= 90; ++quality) {
-    requests += request('F', quality);
-  }
-  ask(*client, requests);
-  for (int quality = 51; quality <= 90; ++quality) {
-    expectPictureOfNextImage(*client, quality);
-  }
-  expectNoPictureOfNextImage(*client);
-}
-
 TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
   const int limit = static_cast<int>(ImageObserver::MAX_OWED);
   auto client = connectServed();
@@ -172,17 +126,6 @@ TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
 }
 
 // ------------------------------------------------------------------------------------------------------ requests
-
-TEST_F(RCServerTest, RequestsMayArriveByteByByte) {
-  auto client = connectServed();
-  for (const char byte : request('F', 60) + request('F', 61)) {
-    client->send(std::string{byte});
-    machine_->runPending();
-  }
-  ask(*client, "");
-  expectPictureOfNextImage(*client, 60);
-  expectPictureOfNextImage(*client, 61);
-}
 
 TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
   auto client = connectServed();
@@ -250,30 +193,6 @@ TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply
     const std::optional<Reply> reply = await(*client);
     ASSERT_TRUE(reply) << "after " << replies << " of " << sent / 2;
     ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
-  }
-}
-
-TEST_F(RCServerTest, NextClientIsServedWhateverBytesTheLastOneSent) {
-  std::mt19937 random(54321);
-  std::uniform_int_distribution<int> byte(0, 255);
-  std::uniform_int_distribution<size_t> length(1, 3000);
-  std::uniform_int_distribution<size_t> piece(1, 700);
-  for (int round = 0; round < 60; ++round) {
-    auto client = connect();
-    std::string bytes(length(random), '\0');
-    std::generate(bytes.begin(), bytes.end(), [&] { return static_cast<char>(byte(random)); });
-    for (size_t begin = 0; begin < bytes.size();) {
-      const size_t size = std::min(piece(random), bytes.size() - begin);
-      client->send(bytes.substr(begin, size));
-      machine_->runPending();
-      begin += size;
-      if (round % 3 == 0) {
-        takeImage();
-      }
-    }
-    round % 2 == 0 ? client->close() : client->reset();
-    machine_->runPending();
-    expectNewClientIsServed();
   }
 }
 

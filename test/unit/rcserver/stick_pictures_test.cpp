@@ -12,12 +12,14 @@
 #include "motion_bytes.h"
 #include "picture_checks.h"
 #include "protocol/stick_pictures.h"
+#include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
 
 namespace {
 
 using namespace protocol::version2;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 constexpr int kAnyNumber = 7;
@@ -108,6 +110,16 @@ class StickPicturesTest : public FakeRobotFixture {
 
 // ------------------------------------------------------------------------------------------------------- taking
 
+TEST_F(StickPicturesTest, OneThatIsRefusedHoldsUpNoOtherRequest) {
+  std::string pictures;
+  for (std::size_t i = 0; i < ImageObserver::MAX_OWED; ++i) {
+    pictures += frame('F', 1, 1, std::string(1, '\0'));
+  }
+  sendAll(pictures);
+  EXPECT_THAT(textOf(ask('M', 85)), HasSubstr("too many pictures are owed already"));
+  EXPECT_EQ(ask('N', 0).header.kind, 'n');
+}
+
 TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   const unsigned image = robot_.lastImage();
   const Frame answer = ask('M', 40);
@@ -116,12 +128,6 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
   const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
   EXPECT_NEAR(brightnessOf({jpeg.begin(), jpeg.end()}).level, FakeRobot::brightness(image + 1), 3);
-}
-
-TEST_F(StickPicturesTest, QualityOf255IsTheServersOwn) {
-  EXPECT_EQ(ask('M', 255).header.id, protocol::DEFAULT_JPEG_QUALITY);
-  const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
-  EXPECT_EQ(quantizerOf({jpeg.begin(), jpeg.end()}), quantizerFor(protocol::DEFAULT_JPEG_QUALITY));
 }
 
 TEST_F(StickPicturesTest, AreNumberedAfterTheHighestAndReplaceNothing) {
@@ -285,17 +291,16 @@ TEST_F(StickPicturesTest, AFetchedFileComesBetweenThePicturesOfTheStream) {
   EXPECT_GE(pass(40).pictures, 9);
 }
 
-// A file and a picture need the same memory.
-TEST_F(StickPicturesTest, AFileWaitsForThePictureThatIsBeingMade) {
+TEST_F(StickPicturesTest, AFileAndAPictureDoNotWaitForEachOther) {
   put("MINE.JPG", "of mine");
   encoder_.slowDown();
   send(frame('F', 50, 1, std::string(1, '\0')));
   pass(8);
   ASSERT_TRUE(encoder_.hasJob());
   send(frame('Y', FETCH_PICTURE, 2, "MINE.JPG") + frame('H', 0, 3));
-  EXPECT_THAT(pass(8).answers, ElementsAre("h3"));
+  EXPECT_THAT(pass(8).answers, ElementsAre("h3", "y2"));
   encoder_.finish();
-  EXPECT_THAT(pass(8).answers, ElementsAre("f1", "y2"));
+  EXPECT_THAT(pass(8).answers, ElementsAre("f1"));
   send(frame('Y', LIST_PICTURES, 4));
   EXPECT_THAT(pass(8).answers, ElementsAre("y4"));
 }
@@ -318,34 +323,29 @@ TEST_F(StickPicturesTest, AreRefusedUnlessTheSettingsAllowThem) {
                   are_allowed ? "ALLOW_DELETE=yes in RCSERVER.CFG" : "ALLOW_PICTURES=yes in RCSERVER.CFG");
     if (!are_allowed) {
       for (const Frame& answer : {ask('M', 85), ask('Y', LIST_PICTURES), ask('Y', FETCH_PICTURE, "AIBO0001.JPG")}) {
-        expectRefusal(answer, CODE_REFUSED, "pictures on the memory stick are not allowed; ALLOW_PICTURES=yes");
+        expectRefusal(answer, CODE_REFUSED, "this is not allowed; ALLOW_PICTURES=yes in RCSERVER.CFG");
       }
       EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
     }
   }
 }
 
-TEST_F(StickPicturesTest, Version1HasNoSuchRequest) {
-  disconnect();
-  client_ = connectServed();
-  expectError(request('M', 85));
-  EXPECT_THAT(files(), IsEmpty());
-}
-
 // -------------------------------------------------------------------------------------- waiting, and clients that go
 
-TEST_F(StickPicturesTest, RequestsForTheStickKeepTheirOrder) {
-  send(frame('M', 85, 1) + frame('Y', LIST_PICTURES, 2) + frame('N', 0, 3) + frame('H', 0, 4));
-  const Counts counts = pass(12);
-  EXPECT_THAT(counts.answers, ElementsAre("e3", "h4", "m1", "y2"));
+TEST_F(StickPicturesTest, OtherRequestsForTheStickAreRefusedUntilThePictureIsStored) {
+  send(frame('M', 85, 1) + frame('Y', LIST_PICTURES, 2) + frame('H', 0, 3));
+  EXPECT_THAT(pass(12).answers, ElementsAre("e2", "h3", "m1"));
+  expectReply(ask('Y', LIST_PICTURES), 'y', "AIBO0001.JPG");
 }
 
-TEST_F(StickPicturesTest, APictureWaitsForTheRequestBeforeIt) {
+TEST_F(StickPicturesTest, APictureWaitsForTheJobOfAClientThatHasGone) {
   file_keeper_.slowDown();
-  send(frame('N', 0, 1) + frame('M', 85, 2));
+  send(frame('N', 0, 1));
+  reconnect();
+  send(frame('M', 85, 2));
   EXPECT_THAT(pass(20).answers, IsEmpty());
   file_keeper_.speedUp();
-  EXPECT_THAT(pass(20).answers, ElementsAre("n1", "m2"));
+  EXPECT_THAT(pass(20).answers, ElementsAre("m2"));
 }
 
 TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {

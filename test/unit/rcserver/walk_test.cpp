@@ -21,9 +21,8 @@ using ::testing::IsEmpty;
 constexpr unsigned kFramesASecond = 125;
 
 std::string steering(int forward, int left = 0, int turn = 0) {
-  const protocol::version2::Velocity velocity = {static_cast<short>(forward), static_cast<short>(left),
-                                                 static_cast<short>(turn)};
-  return payloadOf(encodeVelocity, velocity, VELOCITY_SIZE);
+  const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};
+  return payloadOf(velocity);
 }
 
 class WalkTest : public FakeRobotFixture {
@@ -56,13 +55,13 @@ class WalkTest : public FakeRobotFixture {
       const std::string payload = textOf(*next);
       if (next->header.kind == END_PUSH && next->header.request_number == 0) {
         EndMessage end = {};
-        ASSERT_EQ(decodeEndMessage(next->payload.data(), next->payload.size(), &end), nullptr);
+        ASSERT_EQ(decode(next->payload.data(), next->payload.size(), &end), nullptr);
         ends_.push_back(std::to_string(end.what) + " " + std::to_string(end.how) + " " +
                         std::string(end.name, end.name_size) + ": " + std::string(end.reason, end.reason_size));
       } else if (next->header.kind == ERROR_MESSAGE && !next->payload.empty()) {
         errors_.push_back(payload.substr(2));
       } else if (next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0) {
-        ASSERT_EQ(decodeTelemetry(next->payload.data(), next->payload.size(), &telemetry_), nullptr);
+        ASSERT_EQ(decode(next->payload.data(), next->payload.size(), &telemetry_), nullptr);
       }
     }
   }
@@ -112,10 +111,10 @@ TEST_F(WalkTest, HelloHasItsLimits) {
   EXPECT_TRUE(hasCapability(hello, "S"));
   EXPECT_TRUE(hasCapability(hello, "E"));
   const GaitParameters gait;
-  EXPECT_EQ(hello.walk.forward, std::lround(gait.highest_forward * 1000));
-  EXPECT_EQ(hello.walk.back, std::lround(gait.highest_back * 1000));
-  EXPECT_EQ(hello.walk.left, std::lround(gait.highest_left * 1000));
-  EXPECT_EQ(hello.walk.turn, std::lround(gait.highest_turn * 1000));
+  EXPECT_DOUBLE_EQ(hello.walk.forward, gait.highest.forward);
+  EXPECT_DOUBLE_EQ(hello.walk.back, gait.highest.back);
+  EXPECT_DOUBLE_EQ(hello.walk.left, gait.highest.left);
+  EXPECT_DOUBLE_EQ(hello.walk.turn, gait.highest.turn);
 }
 
 TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
@@ -124,11 +123,12 @@ TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
     const Frame answer = answerTo('S', 0, steering(forward, left, turn));
     protocol::version2::Velocity velocity = {};
     EXPECT_EQ(answer.header.kind, 's');
-    EXPECT_EQ(decodeVelocity(answer.payload.data(), answer.payload.size(), &velocity), nullptr);
-    return std::vector<int>{velocity.forward, velocity.left, velocity.turn};
+    EXPECT_EQ(decode(answer.payload.data(), answer.payload.size(), &velocity), nullptr);
+    const auto whole = [](double value) { return static_cast<int>(std::lround(value * 1000)); };
+    return std::vector<int>{whole(velocity.forward), whole(velocity.left), whole(velocity.turn)};
   };
-  const int forward = static_cast<int>(std::lround(gait.highest_forward * 1000));
-  const int left = static_cast<int>(std::lround(gait.highest_left * 1000));
+  const int forward = static_cast<int>(std::lround(gait.highest.forward * 1000));
+  const int left = static_cast<int>(std::lround(gait.highest.left * 1000));
   EXPECT_THAT(inForce(0, 0, 0), ElementsAre(0, 0, 0));
   EXPECT_THAT(inForce(50, -5, 100), ElementsAre(50, -5, 100));
   EXPECT_THAT(inForce(32767, 0, 0), ElementsAre(forward, 0, 0));
@@ -177,11 +177,11 @@ TEST_F(WalkTest, EndsInTheStandWhenTheClientSteersSoOrNotAtAll) {
 TEST_F(WalkTest, ALegThatIsCommandedEndsItAndTheHeadDoesNot) {
   walk();
   JointTargets head = {0, 1, {{2, 300000}}};
-  answerTo('J', 0, payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE));
+  answerTo('J', 0, payloadOf(head));
   walk();
   EXPECT_THAT(ends_, IsEmpty());
   JointTargets knee = {0, 1, {{13, 1000000}}};
-  answerTo('J', 0, payloadOf(encodeJointTargets, knee, MAX_JOINT_TARGETS_SIZE));
+  answerTo('J', 0, payloadOf(knee));
   pass(50);
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: left_front_knee was commanded"));
   EXPECT_EQ(robot_.joint("left_front_knee").position, 1000000);
@@ -238,13 +238,13 @@ TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
 
 TEST_F(WalkTest, ALowSpeedLimitDoesNotKeepItFromWalking) {
   const SpeedLimits slow = {1, {{13, 1000000}}};
-  answerTo('V', 0, payloadOf(encodeSpeedLimits, slow, MAX_SPEED_LIMITS_SIZE));
+  answerTo('V', 0, payloadOf(slow));
   EXPECT_EQ(answerTo('S', 0, steering(50)).header.kind, 's');
 }
 
 std::string told(const Frame& frame) {
   MotorsAndPosture state = {};
-  EXPECT_EQ(decodeMotorsAndPosture(frame.payload.data(), frame.payload.size(), &state), nullptr);
+  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &state), nullptr);
   return (state.motors_on ? "on " : "off ") + std::to_string(state.posture);
 }
 
@@ -267,14 +267,14 @@ TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
   EXPECT_THAT(states, IsEmpty()) << "a client that does not know it";
   send(frame('O', 0, 1));
   listen(20);
-  EXPECT_THAT(states, ElementsAre("on " + std::to_string(POSTURE_NOW_STANDING)));
+  EXPECT_THAT(states, ElementsAre("on " + std::to_string(POSTURE_STAND)));
   send(frame('E', POSTURE_REST, 2));
   listen(6 * kFramesASecond);
-  EXPECT_THAT(states, Contains("on " + std::to_string(POSTURE_NOW_LYING)));
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_NOW_LYING));
+  EXPECT_THAT(states, Contains("on " + std::to_string(POSTURE_REST)));
+  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_REST));
   layOnSide();
   listen(kFramesASecond);
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_NOW_FALLEN));
+  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_FALLEN));
   const size_t count = states.size();
   listen(kFramesASecond);
   EXPECT_EQ(states.size(), count) << "nothing changes";
@@ -283,7 +283,7 @@ TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
 // While a process is stopped, or the radio is out, what the client sends waits. Nobody wants it any more afterwards.
 TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
   JointTargets head = {0, 1, {{2, 300000}}};
-  const std::string pan = payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE);
+  const std::string pan = payloadOf(head);
   client_->send(frame('J', 0, 1, pan) + frame('S', 0, 2, steering(100)) + frame('E', POSTURE_SIT, 3) +
                 frame('P', 0, 4, playPayload("NOD.MTN", 1)) + frame('O', 0, 5, "\1") + frame('H', 0, 6));
   clock_.step(100);
@@ -306,7 +306,7 @@ TEST_F(WalkTest, WhatComesAfterALongSilenceDoesNotMoveTheRobot) {
   answerTo('H', 0);
   passFrames(180);
   JointTargets head = {0, 1, {{2, 300000}}};
-  const std::string pan = payloadOf(encodeJointTargets, head, MAX_JOINT_TARGETS_SIZE);
+  const std::string pan = payloadOf(head);
   EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j');
   passFrames(190);
   expectRefusal(answerTo('J', 0, pan), CODE_REFUSED, "too old");

@@ -370,7 +370,8 @@ TEST_F(RemoteControlTest, AnotherKindOfRobotHasItsOwnLimits) {
   auto* pad = find<AxisPad>("head_pad");
   robot_.take();
   QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 0, -1));
-  EXPECT_EQ(robot_.take(), QStringList(QString("head_pan 0.0, head_tilt %1").arg(tilt.lowest, 0, 'f', 1)));
+  EXPECT_EQ(robot_.take().replaceInStrings("-0.0", "0.0"),  // as Qt 6 writes it
+            QStringList(QString("head_pan 0.0, head_tilt %1").arg(tilt.lowest, 0, 'f', 1)));
   EXPECT_EQ(find<JointSlider>("head_tilt")->slider()->minimum(), qRound(1000 * tilt.lowest));
 }
 
@@ -432,9 +433,16 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   EXPECT_EQ(textOf("movement"), "Now: motion WAG.MTN");
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_EQ(find<QListWidget>("motions")->count(), 0);
-  EXPECT_EQ(textOf("movement"), "");
+  EXPECT_TRUE(find<QLabel>("movement")->isHidden());
+  Q_EMIT robot_.movementChanged("nothing moves the robot", false);
+  EXPECT_TRUE(find<QLabel>("movement")->isHidden());
   robot_.connectIt();
+  EXPECT_FALSE(find<QLabel>("movement")->isHidden()) << "what came before the connection counts";
   EXPECT_EQ(robot_.take(), QStringList("list")) << "it may be another robot, or have another stick";
+  robot_.connectIt(1);
+  Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_TRUE(find<QLabel>("movement")->isHidden()) << "also in version 1";
 }
 
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
@@ -467,6 +475,9 @@ TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
   Q_EMIT chooser->activated(chooser->findText("/right"));
   EXPECT_EQ(robot_.take(), QStringList("use /right"));
   EXPECT_EQ(window_.driver(), "/right");
+  robot_.connectIt();
+  Q_EMIT robot_.driversFound({"/aardvark", "/aibo", "/right"});
+  EXPECT_EQ(chooser->currentText(), "/aibo") << "not the first of them";
 }
 
 TEST_F(RemoteControlTest, TouchedPlacesLightUp) {

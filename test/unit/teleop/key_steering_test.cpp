@@ -11,7 +11,7 @@ class KeySteeringTest : public ::testing::Test {
  protected:
   void expect(char key, double forward, double left, double turn) {
     keys_.press(key, now_);
-    const aibo_driver::WalkVelocity velocity = keys_.velocity(now_);
+    const aibo_client::WalkVelocity velocity = keys_.velocity(now_);
     EXPECT_DOUBLE_EQ(velocity.forward, forward) << key;
     EXPECT_DOUBLE_EQ(velocity.left, left) << key;
     EXPECT_DOUBLE_EQ(velocity.turn, turn) << key;

@@ -19,8 +19,10 @@ JointMotion standingAt(int position, int step_limit, int acceleration) {
   return motion;
 }
 
-void advance(JointMotion& motion) {
-  motion.Advance(motion.WantedStep());
+void advance(JointMotion& motion, int frames = 1) {
+  for (int i = 0; i < frames; ++i) {
+    motion.Advance(motion.WantedStep());
+  }
 }
 
 // The steps until the joint stands.
@@ -72,9 +74,7 @@ TEST(JointMotion, MovesTheSameWayAsOneThatNeverMoved) {
     JointMotion used = standingAt(0, 100, 7);
     used.Aim(1003);
     used.Delay(71);
-    for (int i = 0; i < frames; ++i) {
-      advance(used);
-    }
+    advance(used, frames);
     used.Place(50);
     EXPECT_EQ(used.Step(), 0);
     EXPECT_EQ(used.WantedStep(), 0);
@@ -98,9 +98,7 @@ TEST(JointMotion, SpeedsUpCruisesAndBrakes) {
 TEST(JointMotion, ReversesWithoutAJump) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(960);
-  for (int i = 0; i < 5; ++i) {
-    advance(motion);
-  }
+  advance(motion, 5);
   ASSERT_EQ(motion.Position(), 120);
   motion.Aim(0);
   EXPECT_THAT(stepsOf(motion), ElementsAre(20, 10, 0, -10, -20, -30, -30, -30, -20, -10));
@@ -110,9 +108,7 @@ TEST(JointMotion, ReversesWithoutAJump) {
 TEST(JointMotion, ReturnsToATargetThatIsTooNearToStopAt) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(960);
-  for (int i = 0; i < 3; ++i) {
-    advance(motion);
-  }
+  advance(motion, 3);
   ASSERT_EQ(motion.Position(), 60);
   motion.Aim(70);
   EXPECT_THAT(stepsOf(motion), ElementsAre(20, 10, 0, -10, -10));
@@ -122,9 +118,7 @@ TEST(JointMotion, ReturnsToATargetThatIsTooNearToStopAt) {
 TEST(JointMotion, StopsAsFastAsItsAccelerationAllows) {
   JointMotion motion = standingAt(0, 35, 10);
   motion.Aim(1170);
-  for (int i = 0; i < 4; ++i) {
-    advance(motion);
-  }
+  advance(motion, 4);
   ASSERT_EQ(motion.Step(), 35);
   motion.Stop(1);
   EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
@@ -133,9 +127,7 @@ TEST(JointMotion, StopsAsFastAsItsAccelerationAllows) {
 TEST(JointMotion, StopsFasterIfItsAccelerationIsLowAndThenKeepsToItAgain) {
   JointMotion motion = standingAt(0, 35, 1);
   motion.Aim(10000);
-  for (int i = 0; i < 40; ++i) {
-    advance(motion);
-  }
+  advance(motion, 40);
   ASSERT_EQ(motion.Step(), 35);
   motion.Stop(10);
   EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
@@ -158,9 +150,7 @@ TEST(JointMotion, SpreadsASlowMotionEvenlyOverItsTime) {
 TEST(JointMotion, BrakesToALowerSpeedLimit) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(300);
-  for (int i = 0; i < 4; ++i) {
-    advance(motion);
-  }
+  advance(motion, 4);
   ASSERT_EQ(motion.Step(), 30);
   motion.LimitStep(5);
   advance(motion);
@@ -176,9 +166,7 @@ TEST(JointMotion, BrakesToALowerSpeedLimit) {
 TEST(JointMotion, AppliesALowerAccelerationWhenItStands) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(150);
-  for (int i = 0; i < 3; ++i) {
-    advance(motion);
-  }
+  advance(motion, 3);
   motion.LimitAcceleration(1);
   EXPECT_THAT(stepsOf(motion), ElementsAre(30, 30, 20, 10));
   advance(motion);
@@ -199,9 +187,7 @@ TEST(JointMotion, TakesAHigherAccelerationAtTheNextTarget) {
 TEST(JointMotion, GivesThePositionsThatItPassesWhileItBrakes) {
   JointMotion motion = standingAt(0, 30, 10);
   motion.Aim(-960);
-  for (int i = 0; i < 3; ++i) {
-    advance(motion);
-  }
+  advance(motion, 3);
   ASSERT_EQ(motion.Position(), -60);
   EXPECT_EQ(motion.BrakingSpan().low, -90);
   EXPECT_EQ(motion.BrakingSpan().high, -60);
@@ -221,9 +207,7 @@ TEST(JointMotion, ArrivesInTheFewestFramesPossible) {
     JointMotion motion = standingAt(0, first_limit, acceleration);
     motion.Aim(between(-20, 20));
     const int frames = between(0, 6);
-    for (int i = 0; i < frames; ++i) {
-      advance(motion);
-    }
+    advance(motion, frames);
     const int limit = between(1, 6);
     const int distance = between(-15, 15);
     motion.LimitStep(limit);
@@ -241,9 +225,7 @@ TEST(JointMotion, ArrivesInExactlyTheNumberOfFramesGiven) {
     JointMotion motion = standingAt(between(-2000000, 2000000), between(1, 120000), between(1, 20000));
     motion.Aim(between(-2000000, 2000000));
     const int frames = between(0, 50);
-    for (int i = 0; i < frames; ++i) {
-      advance(motion);
-    }
+    advance(motion, frames);
     motion.Aim(between(-2000000, 2000000));
     if (motion.FramesLeft() > 2000) {
       continue;

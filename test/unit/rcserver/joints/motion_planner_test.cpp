@@ -456,20 +456,6 @@ TEST(MotionPlanner, StopsOneJointOfAnArrivalInCommonAtOnce) {
   EXPECT_EQ(planner.Position(tail), 500000) << "in its 4 s";
 }
 
-TEST(MotionPlanner, MovesTheSameForTheSameCommands) {
-  std::vector<std::vector<int>> postures;
-  for (int i = 0; i < 2; ++i) {
-    MotionPlanner planner(ers7());
-    RandomClient client(5);
-    for (int command = 0; command < 300; ++command) {
-      client.command(planner);
-      run(planner, client.between(0, 10));
-    }
-    postures.push_back(postureOf(planner));
-  }
-  EXPECT_EQ(postures[0], postures[1]);
-}
-
 TEST(MotionPlanner, AcceptsTheJointsOfACommandInAnyOrder) {
   RandomClient client(6);
   for (int i = 0; i < 200; ++i) {

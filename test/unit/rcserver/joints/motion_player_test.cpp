@@ -20,7 +20,7 @@ using ::testing::IsEmpty;
 using ::testing::SizeIs;
 using ::testing::StrEq;
 
-constexpr int kFrame = MotionPlanner::FRAME_MILLISECONDS;
+constexpr int kFrame = robot_model::FRAME_MILLISECONDS;
 
 // Longer than any motion here.
 constexpr int kPatience = 100000;
@@ -80,7 +80,8 @@ class MotionPlayerTest : public ::testing::Test {
 
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
   MotionPlanner planner_{robot_};
-  std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_);
+  EndLog ends_;
+  std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_, ends_);
 };
 
 double greatestStep(const std::vector<double>& path) {
@@ -344,7 +345,7 @@ TEST_F(MotionOfEarsTest, severalMotionsMayHaveEars) {
 TEST_F(MotionOfEarsTest, earsOfAStoppedMotionDoNotFlick) {
   ASSERT_EQ(play("A.MTN", motionBytes("frame 8\nat 0 left_ear 0\nat 8 left_ear 1\nat 16 left_ear 0\n")), "");
   passFrames(2);
-  player_->StopAll(MotionPlayer::STOPPED);
+  player_->StopAll();
   EXPECT_THAT(flicksOf("left_ear"), IsEmpty());
   EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "left_ear")));
 }
@@ -360,16 +361,15 @@ class StoppedMotionTest : public MotionPlayerTest {
     EXPECT_GT(planner_.Speed(joint("head_pan")), 0);
   }
 
-  static std::string end(const std::string& name, MotionPlayer::Cause cause, const std::string& joint = "") {
-    return name + " " + std::to_string(cause) + " " + joint;
-  }
+  const EndReason kMotorsOff = {protocol::version2::END_STOPPED, "the motors were switched off", ""};
+  const EndReason kCommanded = {protocol::version2::END_REPLACED, "%s was commanded", "head_tilt"};
+  const EndReason kFailed = {protocol::version2::END_REFUSED, "%s does not follow", "head_tilt"};
 
   // The ends that have not been taken.
   std::vector<std::string> ends() {
     std::vector<std::string> all;
-    for (MotionPlayer::End taken; player_->TakeEnd(&taken);) {
-      all.push_back(
-          end(taken.name, taken.cause, taken.joint == robot_model::NO_JOINT ? "" : robot_.joints[taken.joint].name));
+    for (EndLog::End taken; ends_.Take(EndLog::CLIENT, &taken);) {
+      all.push_back(std::string(taken.name) + " " + std::to_string(taken.how) + " " + taken.reason);
     }
     return all;
   }
@@ -395,13 +395,13 @@ TEST_F(StoppedMotionTest, isStoppedByItsName) {
 }
 
 TEST_F(StoppedMotionTest, allAreStoppedAtOnce) {
-  player_->StopAll(MotionPlayer::MOTORS_OFF);
+  player_->StopAll(kMotorsOff);
   EXPECT_FALSE(player_->IsPlaying());
   expectStopped();
 }
 
 TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
-  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_COMMANDED);
+  player_->StopMotionOf(joint("head_tilt"), kCommanded);
   planner_.SetTarget(joint("head_tilt"), 0);
   passFrames(200);
   EXPECT_NEAR(at("head_tilt"), 0, 1e-4);
@@ -410,49 +410,44 @@ TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
 }
 
 TEST_F(StoppedMotionTest, endsWhenOneOfItsJointsFails) {
-  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_FAILED);
+  player_->StopMotionOf(joint("head_tilt"), kFailed);
   expectStopped();
-  EXPECT_THAT(ends(), ElementsAre(end("A.MTN", MotionPlayer::JOINT_FAILED, "head_tilt")));
+  EXPECT_THAT(ends(), ElementsAre("A.MTN 3 head_tilt does not follow"));
   EXPECT_THAT(ends(), ElementsAre()) << "reported once";
   EXPECT_TRUE(player_->IsPlaying());
 }
 
 TEST_F(StoppedMotionTest, reportsAnEndByNameEvenIfAnotherMotionIsPlayedMeanwhile) {
-  player_->StopMotionOf(joint("head_tilt"), MotionPlayer::JOINT_FAILED);
+  player_->StopMotionOf(joint("head_tilt"), kFailed);
   ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
-  EXPECT_THAT(ends(), ElementsAre(end("A.MTN", MotionPlayer::JOINT_FAILED, "head_tilt")));
+  EXPECT_THAT(ends(), ElementsAre("A.MTN 3 head_tilt does not follow"));
 }
 
 TEST_F(StoppedMotionTest, aJointOfNoMotionFailsWithoutConsequences) {
-  player_->StopMotionOf(joint("mouth"), MotionPlayer::JOINT_FAILED);
+  player_->StopMotionOf(joint("mouth"), kFailed);
   EXPECT_THAT(ends(), ElementsAre());
 }
 
 TEST_F(StoppedMotionTest, everyEndIsReportedWithItsCauseTheOldestFirst) {
   stop("B.MTN");
-  player_->StopAll(MotionPlayer::MOTORS_OFF);
+  player_->StopAll(kMotorsOff);
   ASSERT_EQ(play("C.MTN", motionBytes("at 0 mouth -10\n")), "");
   pathOf("mouth");
-  EXPECT_THAT(ends(), ElementsAre(end("B.MTN", MotionPlayer::STOPPED), end("A.MTN", MotionPlayer::MOTORS_OFF),
-                                  end("C.MTN", MotionPlayer::PLAYED)));
+  EXPECT_THAT(ends(), ElementsAre("B.MTN 2 the client stopped it", "A.MTN 2 the motors were switched off", "C.MTN 0 "));
 }
 
 TEST_F(StoppedMotionTest, whatIsNotTakenIsForgottenAfterAWhileTheOldestFirst) {
-  player_->ClientGone();
-  for (int i = 0; i < MotionPlayer::MAX_ENDS + 2; ++i) {
+  player_->StopAll();
+  ends_.ClientGone();
+  EXPECT_THAT(ends(), ElementsAre()) << "the next client hears nothing of it";
+  for (unsigned i = 0; i < EndLog::MAX_ENDS + 2; ++i) {
     ASSERT_EQ(play(std::to_string(i) + ".MTN", motionBytes("at 0 mouth -10\n")), "");
-    player_->StopAll(MotionPlayer::STOPPED);
+    player_->StopAll();
   }
   const std::vector<std::string> kept = ends();
-  ASSERT_EQ(kept.size(), static_cast<size_t>(MotionPlayer::MAX_ENDS));
-  EXPECT_EQ(kept.front(), end("2.MTN", MotionPlayer::STOPPED));
-  EXPECT_EQ(kept.back(), end(std::to_string(MotionPlayer::MAX_ENDS + 1) + ".MTN", MotionPlayer::STOPPED));
-}
-
-TEST_F(StoppedMotionTest, isNotReportedToTheNextClient) {
-  player_->ClientGone();
-  EXPECT_FALSE(player_->IsPlaying());
-  EXPECT_THAT(ends(), ElementsAre());
+  ASSERT_EQ(kept.size(), EndLog::MAX_ENDS);
+  EXPECT_EQ(kept.front(), "2.MTN 2 the client stopped it");
+  EXPECT_EQ(kept.back(), std::to_string(EndLog::MAX_ENDS + 1) + ".MTN 2 the client stopped it");
 }
 
 // ------------------------------------------------------------------------------------------------ shipped motions

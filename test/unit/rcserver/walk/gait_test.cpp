@@ -10,6 +10,7 @@
 
 namespace {
 
+using protocol::version2::Velocity;
 using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::Point;
@@ -26,14 +27,14 @@ double angleOf(const LegAngles& angles, int number) {
 
 class GaitTest : public ::testing::Test {
  protected:
-  Legs legs(double phase, const WalkVelocity& velocity, double effort = 1) const {
+  Legs legs(double phase, const Velocity& velocity, double effort = 1) const {
     Legs angles;
     gait_.FindPosture(phase - std::floor(phase), velocity, effort, angles.data());
     return angles;
   }
 
   // A foot seen from the floor below the body: without the body's lean.
-  Point foot(Leg leg, double phase, const WalkVelocity& velocity, double effort = 1) const {
+  Point foot(Leg leg, double phase, const Velocity& velocity, double effort = 1) const {
     const Point in_body = findFoot(leg, legs(phase, velocity, effort)[static_cast<std::size_t>(leg)]);
     const double sine = std::sin(gait_.Parameters().nose_down);
     const double cosine = std::cos(gait_.Parameters().nose_down);
@@ -42,8 +43,8 @@ class GaitTest : public ::testing::Test {
   }
 
   // Velocities all around the limits, where they are farthest from 0, and within them.
-  std::vector<WalkVelocity> allowed() const {
-    std::vector<WalkVelocity> velocities;
+  std::vector<Velocity> allowed() const {
+    std::vector<Velocity> velocities;
     for (int forward = -4; forward <= 4; ++forward) {
       for (int left = -4; left <= 4; ++left) {
         for (int turn = -4; turn <= 4; ++turn) {
@@ -70,7 +71,7 @@ TEST_F(GaitTest, StandsLevelOnAllFeetWithoutVelocityAndEffortWhateverThePhaseIs)
 }
 
 TEST_F(GaitTest, MovesFeetOnTheFloorWithTheFloor) {
-  const WalkVelocity velocity = gait_.Limited({0.05, 0.02, 0.3});
+  const Velocity velocity = gait_.Limited({0.05, 0.02, 0.3});
   for (const Leg leg : kLegs) {
     for (double phase = 0; phase < 1; phase += 0.01) {
       if (!gait_.IsOnFloor(leg, phase) || !gait_.IsOnFloor(leg, std::fmod(phase + phase_of_frame_, 1))) {
@@ -111,7 +112,7 @@ TEST_F(GaitTest, LiftsEachFootAsHighAsTheEffortSays) {
 // A foot that touches down slower or faster than the floor drags or brakes the robot.
 TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
   constexpr double kStep = 1e-4;
-  const WalkVelocity velocity = gait_.Limited({0.1, 0, 0.2});
+  const Velocity velocity = gait_.Limited({0.1, 0, 0.2});
   for (const Leg leg : kLegs) {
     for (double phase = 0; phase < 1; phase += kStep) {
       const Point before = foot(leg, phase - kStep, velocity);
@@ -126,25 +127,25 @@ TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
 
 TEST_F(GaitTest, LimitsEachVelocity) {
   const GaitParameters& parameters = gait_.Parameters();
-  EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.highest_forward);
-  EXPECT_DOUBLE_EQ(gait_.Limited({-1, 0, 0}).forward, -parameters.highest_back);
-  EXPECT_DOUBLE_EQ(gait_.Limited({0, 1, 0}).left, parameters.highest_left);
-  EXPECT_DOUBLE_EQ(gait_.Limited({0, 0, -9}).turn, -parameters.highest_turn);
+  EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.highest.forward);
+  EXPECT_DOUBLE_EQ(gait_.Limited({-1, 0, 0}).forward, -parameters.highest.back);
+  EXPECT_DOUBLE_EQ(gait_.Limited({0, 1, 0}).left, parameters.highest.left);
+  EXPECT_DOUBLE_EQ(gait_.Limited({0, 0, -9}).turn, -parameters.highest.turn);
   EXPECT_DOUBLE_EQ(gait_.Limited({0.01, -0.01, 0.1}).left, -0.01) << "within the limits";
 }
 
 TEST_F(GaitTest, SharesTheLegsSpeedAmongVelocitiesAndKeepsTheDirection) {
   const GaitParameters& parameters = gait_.Parameters();
-  const WalkVelocity limited =
-      gait_.Limited({parameters.highest_forward, parameters.highest_left, 2 * parameters.highest_turn});
-  EXPECT_DOUBLE_EQ(limited.forward, parameters.highest_forward / 4);
-  EXPECT_DOUBLE_EQ(limited.left, parameters.highest_left / 4);
-  EXPECT_DOUBLE_EQ(limited.turn, parameters.highest_turn / 2);
+  const Velocity limited =
+      gait_.Limited({parameters.highest.forward, parameters.highest.left, 2 * parameters.highest.turn});
+  EXPECT_DOUBLE_EQ(limited.forward, parameters.highest.forward / 4);
+  EXPECT_DOUBLE_EQ(limited.left, parameters.highest.left / 4);
+  EXPECT_DOUBLE_EQ(limited.turn, parameters.highest.turn / 2);
 }
 
 // The margin of speed is for what Walker adds when the velocity changes.
 TEST_F(GaitTest, AsksNoJointForMoreThanItsLimitsInAnyAllowedWalk) {
-  for (const WalkVelocity& velocity : allowed()) {
+  for (const Velocity& velocity : allowed()) {
     for (double phase = 0; phase < 1; phase += 0.004) {
       const Legs here = legs(phase, velocity);
       const Legs next = legs(phase + phase_of_frame_, velocity);

@@ -179,6 +179,15 @@ TEST(Joint, StaysWhereItIsAtFullDutyWhileJammed) {
   joint.jam(false);
   pass(joint, 40);
   EXPECT_NEAR(joint.position(), 4 * highestStep(model_of_joint), 1);
+
+  joint.command(0);
+  pass(joint, 2);
+  joint.jam(true);
+  pass(joint, 10);
+  const double held = joint.position();
+  joint.jam(false);
+  pass(joint, 1);
+  EXPECT_LT(held - joint.position(), 0.7 * highestStep(model_of_joint)) << "it begins at rest";
 }
 
 TEST(Joint, KeepsTheReadingsOfTheLastFourFramesInTheirOrder) {

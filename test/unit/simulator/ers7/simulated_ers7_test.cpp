@@ -482,7 +482,11 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
 
 TEST_F(SimulatedErs7Test, SwitchingOffReleasesAndClosesEverything) {
   const OPrimitiveID pan = driveJoint("head_pan");
+  const OPrimitiveID ear = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
+  robot_.passFrame(frame_++, {earCommand(ear, ojoint4_STATE1)});
   robot_.switchOff();
+  passFrames(1);
+  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
   OPowerStatus status;
   EXPECT_EQ(robot_.getPowerStatus(&status), oSUCCESS);
   EXPECT_EQ(status.robotStatus & orsbMOTOR_POWER, 0U);

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,7 +36,9 @@ class FakeRobot : public VirtualRobot {
   OStatus joint_status = oSUCCESS;                                  ///< result of all calls for joints and sensors
 
   OPowerStatus power_status;
-  OPrimitiveID led = 0;  ///< this one of the joints is an LED instead
+  OSpeakerSoundType sound_type = ospksndMONO16K16B;  ///< of the speaker, primitive 30
+  std::map<longword, std::vector<sword>> played;     ///< by frame
+  OPrimitiveID led = 0;                              ///< this one of the joints is an LED instead
 
   RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }
@@ -94,6 +97,23 @@ class FakeRobot : public VirtualRobot {
 
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     return id >= 1 && id <= 20 && type == (id == led ? odataLED_COMMAND2 : odataJOINT_COMMAND2);
+  }
+
+  std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID id) const override {
+    return id == 30 ? std::make_optional(sound_type) : std::nullopt;
+  }
+
+  /// The microphones hear the number of the sample, the right one its negative.
+  MicrophoneFrame passSound(longword frame, const SpeakerFrame* frame_played) override {
+    if (frame_played != nullptr) {
+      played[frame].assign(frame_played->begin(), frame_played->end());
+    }
+    MicrophoneFrame heard{};
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+      const auto sample = static_cast<sword>(frame * heard.size() + i);
+      heard[i] = {sample, static_cast<sword>(-sample)};
+    }
+    return heard;
   }
 
   void passFrame(longword frame, const EffectorCommands& commands) override {

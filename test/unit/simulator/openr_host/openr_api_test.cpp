@@ -131,11 +131,11 @@ TEST(OIDTest, IsInvalidByDefault) {
   EXPECT_EQ(oid, OID());
 }
 
-TEST(OListTest, HasRoomForItsItemsAtBothEnds) {
+TEST(OListTest, HasRoomForItsItems) {
   OList<int, 3> list;
-  EXPECT_EQ(list.PopFront(), otlUNDERFLOW);
+  EXPECT_EQ(list.PopBack(), otlUNDERFLOW);
+  EXPECT_EQ(list.PushBack(1), otlSUCCESS);
   EXPECT_EQ(list.PushBack(2), otlSUCCESS);
-  EXPECT_EQ(list.PushFront(1), otlSUCCESS);
   EXPECT_EQ(list.PushBack(3), otlSUCCESS);
   EXPECT_EQ(list.PushBack(4), otlOVERFLOW);
   std::vector<int> items;
@@ -143,11 +143,10 @@ TEST(OListTest, HasRoomForItsItemsAtBothEnds) {
     items.push_back(*item);
   }
   EXPECT_THAT(items, testing::ElementsAre(1, 2, 3));
-  EXPECT_EQ(list.PopFront(), otlSUCCESS);
   EXPECT_EQ(list.PopBack(), otlSUCCESS);
-  EXPECT_EQ(list.Front(), 2);
+  EXPECT_EQ(list.Front(), 1);
   EXPECT_EQ(list.Back(), 2);
-  EXPECT_EQ(list.GetSize(), 1);
+  EXPECT_EQ(list.GetSize(), 2);
 }
 
 TEST(OTimeTest, CalendarTimeIsLocal) {

@@ -15,13 +15,6 @@ using testing::IsEmpty;
 
 class PowerWatchTest : public testing::Test {
  protected:
-  static OPowerStatus nothing() {
-    OPowerStatus wanted;
-    wanted.Set(0, 0, opsoREMAINING_CAPACITY_NOT_NOTIFY, opsoTEMPERATURE_NOT_NOTIFY, opsoTIME_DIF_NOT_NOTIFY,
-               opsoVOLUME_NOT_NOTIFY);
-    return wanted;
-  }
-
   bool reports(const OPowerStatus& wanted, const OPowerStatus& before, const OPowerStatus& now) {
     watch_.observe(entry_, wanted, before);
     return !watch_.look(now).empty();
@@ -34,7 +27,7 @@ class PowerWatchTest : public testing::Test {
 };
 
 TEST_F(PowerWatchTest, ABitIsReportedWhenItRisesAndWhenItFalls) {
-  OPowerStatus wanted = nothing();
+  OPowerStatus wanted;
   wanted.robotStatus = orsbPAUSE;
   changed_.robotStatus = orsbPAUSE | orsbMOTOR_POWER;
   watch_.observe(entry_, wanted, present_);
@@ -45,7 +38,7 @@ TEST_F(PowerWatchTest, ABitIsReportedWhenItRisesAndWhenItFalls) {
 }
 
 TEST_F(PowerWatchTest, OnlyTheChosenBitsAreWatched) {
-  OPowerStatus wanted = nothing();
+  OPowerStatus wanted;
   wanted.robotStatus = orsbPAUSE;
   wanted.batteryStatus = obsbFULLY_DISCHARGED;
   changed_.robotStatus = orsbBATTERY_CAPACITY_LOW;
@@ -55,48 +48,8 @@ TEST_F(PowerWatchTest, OnlyTheChosenBitsAreWatched) {
   EXPECT_TRUE(reports(wanted, present_, changed_));
 }
 
-TEST_F(PowerWatchTest, AValueIsReportedOnEveryChangeOrWhenItIsReached) {
-  present_.remainingCapacity = 50;
-  changed_.remainingCapacity = 49;
-  OPowerStatus wanted = nothing();
-  EXPECT_FALSE(reports(wanted, present_, changed_));
-  wanted.remainingCapacity = opsoREMAINING_CAPACITY_NOTIFY_EVERY_CHANGE;
-  EXPECT_TRUE(reports(wanted, present_, changed_));
-  EXPECT_FALSE(reports(wanted, changed_, changed_));
-  wanted.remainingCapacity = 49;
-  EXPECT_TRUE(reports(wanted, present_, changed_));
-  EXPECT_FALSE(reports(wanted, changed_, present_)) << "leaving the value is not reported";
-}
-
-TEST_F(PowerWatchTest, TemperatureTimeAndVolumeAreWatched) {
-  OPowerStatus wanted = nothing();
-  wanted.temperature = opsoTEMPERATURE_NOTIFY_EVERY_CHANGE;
-  changed_.temperature = 3000;
-  EXPECT_TRUE(reports(wanted, present_, changed_));
-  wanted = nothing();
-  wanted.timeDif = opsoTIME_DIF_NOTIFY_EVERY_CHANGE;
-  changed_ = OPowerStatus();
-  changed_.timeDif = 1;
-  EXPECT_TRUE(reports(wanted, present_, changed_));
-  wanted = nothing();
-  wanted.volume = opsoVOLUME_NOTIFY_EVERY_CHANGE;
-  changed_ = OPowerStatus();
-  changed_.volume = 2;
-  EXPECT_TRUE(reports(wanted, present_, changed_));
-}
-
-TEST_F(PowerWatchTest, AValueThatIsReachedAgainIsReportedAgain) {
-  OPowerStatus wanted = nothing();
-  wanted.remainingCapacity = 49;
-  changed_.remainingCapacity = 49;
-  watch_.observe(entry_, wanted, present_);
-  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
-  EXPECT_THAT(watch_.look(present_), IsEmpty());
-  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_));
-}
-
 TEST_F(PowerWatchTest, AnEntryObservesOnceUntilItStops) {
-  OPowerStatus wanted = nothing();
+  OPowerStatus wanted;
   wanted.robotStatus = orsbALL;
   watch_.observe(entry_, wanted, present_);
   watch_.observe(entry_, wanted, present_);

@@ -117,25 +117,6 @@ TEST_F(UdpEndpointTest, BytesThatDoNotFitIntoTheBufferAreLost) {
   EXPECT_EQ(inboxText(3), "xyz");
 }
 
-TEST_F(UdpEndpointTest, AConnectedEndpointNeedsNoAddressAndIgnoresIt) {
-  const auto server = create();
-  const Port port = bind(server);
-  const auto client = create();
-  bind(client);
-  UDPEndpointConnectMsg connect(client, kThisComputer, port);
-  call(connect);
-  EXPECT_EQ(connect.error, UDP_SUCCESS);
-  std::memcpy(buffer_, "one", 3);
-  post(UDPEndpointSendMsg(client, buffer_, 3));
-  receive(server, 10);
-  ASSERT_TRUE(haveAnswers(2));
-  EXPECT_EQ(inboxText(3), "one");
-  post(UDPEndpointSendMsg(client, IPAddress(127, 0, 0, 2), 9, buffer_, 3));
-  receive(server, 10);
-  ASSERT_TRUE(haveAnswers(4));
-  EXPECT_EQ(received_.size(), 2U);
-}
-
 TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
   const auto endpoint = create();
   bind(endpoint);
@@ -153,9 +134,6 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
 TEST_F(UdpEndpointTest, AnEndpointMustBeBoundFirstAndOnlyOnce) {
   const auto endpoint = create();
   receive(endpoint, 1);
-  UDPEndpointConnectMsg connect(endpoint, kThisComputer, 7);
-  call(connect);
-  EXPECT_EQ(connect.error, UDP_OPERATION_INVALID);
   bind(endpoint);
   UDPEndpointBindMsg again(endpoint, IP_ADDR_ANY, IP_PORT_ANY);
   call(again);

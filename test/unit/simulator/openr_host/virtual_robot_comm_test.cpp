@@ -307,6 +307,10 @@ TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOn
   EXPECT_EQ(refusals(), 1);
   pass(3);
   EXPECT_EQ(refusals(), 4);
+  int ready = 0;
+  mover_.on_ready = [&](const OReadyEvent&) { ++ready; };
+  pass(3);
+  EXPECT_EQ(ready, 1) << "once for each vector";
 }
 
 TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {

@@ -1,4 +1,4 @@
-#include "rcserver/walk/Walker.h"
+#include "rcserver/joints/Walker.h"
 
 #include <gmock/gmock.h>
 
@@ -13,10 +13,12 @@
 
 namespace {
 
+using protocol::version2::END_REFUSED;
 using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
+using protocol::version2::Velocity;
 using robot_model::LegAngles;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -53,7 +55,7 @@ class WalkerTest : public ::testing::Test {
   }
 
   // As a client does: again and again.
-  void steer(const WalkVelocity& velocity, int frames) {
+  void steer(const Velocity& velocity, int frames) {
     for (int passed = 0; passed < frames; passed += 12) {
       joints_.Steer(velocity);
       pass(std::min(12, frames - passed));
@@ -78,16 +80,13 @@ class WalkerTest : public ::testing::Test {
     ends();
   }
 
-  void walk(const WalkVelocity& velocity = {0.1, 0, 0}) { steer(velocity, 2 * kFramesASecond); }
+  void walk(const Velocity& velocity = {0.1, 0, 0}) { steer(velocity, 2 * kFramesASecond); }
 
   // "walk: left_front_knee was commanded"
   std::vector<std::string> ends() {
     std::vector<std::string> texts;
-    Walker::End end;
-    while (walker().TakeEnd(&end)) {
-      char reason[Walker::MAX_TEXT_SIZE];
-      walker().Describe(end, reason);
-      texts.push_back(std::string(end.is_walk ? "walk" : postureName(end.posture)) + ": " + reason);
+    for (EndLog::End end; joints_.Ends().Take(EndLog::CLIENT, &end);) {
+      texts.push_back(std::string(end.name) + ": " + end.reason);
     }
     return texts;
   }
@@ -172,25 +171,25 @@ TEST_F(WalkerTest, WalksWithTheVelocityItIsSteeredWithAndStandsInTheEnd) {
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
   walker().TakeVelocity();
   steer({0.1, 0, 0.2}, 60);  // a step
-  const WalkVelocity velocity = walker().TakeVelocity();
+  const Velocity velocity = walker().TakeVelocity();
   EXPECT_NEAR(velocity.forward, 0.1, 2e-3);
   EXPECT_NEAR(velocity.left, 0, 2e-3);
   EXPECT_NEAR(velocity.turn, 0.2, 5e-3);
-  const WalkVelocity none = joints_.Steer({0, 0, 0});
-  EXPECT_TRUE(IsZero(none));
+  const Velocity none = joints_.Steer({0, 0, 0});
+  EXPECT_TRUE(none.isZero());
   EXPECT_LT(passUntilIdle(), 1.2 * kFramesASecond);
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: "));
   walker().TakeVelocity();
-  EXPECT_TRUE(IsZero(walker().TakeVelocity()));
+  EXPECT_TRUE(walker().TakeVelocity().isZero());
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_NONE);
 }
 
 TEST_F(WalkerTest, SaysTheVelocityInForce) {
   const GaitParameters& gait = walker().Parameters();
-  EXPECT_DOUBLE_EQ(joints_.Steer({9, 0, 0}).forward, gait.highest_forward);
-  EXPECT_DOUBLE_EQ(joints_.Steer({-9, 0, 0}).forward, -gait.highest_back);
-  EXPECT_DOUBLE_EQ(joints_.Steer({gait.highest_forward, 0, gait.highest_turn}).turn, gait.highest_turn / 2);
+  EXPECT_DOUBLE_EQ(joints_.Steer({9, 0, 0}).forward, gait.highest.forward);
+  EXPECT_DOUBLE_EQ(joints_.Steer({-9, 0, 0}).forward, -gait.highest.back);
+  EXPECT_DOUBLE_EQ(joints_.Steer({gait.highest.forward, 0, gait.highest.turn}).turn, gait.highest.turn / 2);
 }
 
 // The sum of what telemetry says is the way: what odometry needs.
@@ -215,7 +214,7 @@ TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int i = 0; i < 600 && !HasFatalFailure(); ++i) {
-    WalkVelocity velocity = {any(random) * 0.3, any(random) * 0.1, any(random) * 2};
+    Velocity velocity = {any(random) * 0.3, any(random) * 0.1, any(random) * 2};
     if (i % 10 == 9) {
       velocity = {0, 0, 0};
     } else if (i % 3 == 0) {
@@ -228,15 +227,15 @@ TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
 
 TEST_F(WalkerTest, SharesTheLegsSpeedWhileTheVelocityChanges) {
   const GaitParameters& gait = walker().Parameters();
-  walk({0, 0, gait.highest_turn});
+  walk({0, 0, gait.highest.turn});
   double highest = 0;
   for (int i = 0; i < 100; ++i) {
-    joints_.Steer({gait.highest_forward / 2, gait.highest_left / 2, 0});
+    joints_.Steer({gait.highest.forward / 2, gait.highest.left / 2, 0});
     walker().TakeVelocity();
     pass(4);
-    const WalkVelocity velocity = walker().TakeVelocity();
-    highest = std::max(highest, velocity.forward / gait.highest_forward + velocity.left / gait.highest_left +
-                                    velocity.turn / gait.highest_turn);
+    const Velocity velocity = walker().TakeVelocity();
+    highest = std::max(highest, velocity.forward / gait.highest.forward + velocity.left / gait.highest.left +
+                                    velocity.turn / gait.highest.turn);
   }
   EXPECT_LT(highest, 1.25);
 }
@@ -265,7 +264,7 @@ TEST_F(WalkerTest, GoesOnIfItIsSteeredAgainBeforeItStands) {
 
 TEST_F(WalkerTest, AVelocityOfZeroDoesNotMakeARobotMoveThatDoesNotWalk) {
   take(POSTURE_SIT);
-  EXPECT_TRUE(IsZero(joints_.Steer({0, 0, 0})));
+  EXPECT_TRUE(joints_.Steer({0, 0, 0}).isZero());
   pass(100);
   EXPECT_TRUE(isIn(POSTURE_SIT));
   EXPECT_FALSE(walker().IsActive());
@@ -342,6 +341,22 @@ TEST_F(WalkerTest, AJointThatDoesNotFollowEndsIt) {
     steer({0.1, 0, 0}, 4);
   }
   ASSERT_THAT(ends(), ::testing::Contains("walk: left_hind_knee does not follow"));
+}
+
+TEST_F(WalkerTest, APostureMakesTheClientLetGoOfAWalkThatGetsReady) {
+  take(POSTURE_REST);
+  joints_.MotorsGoOff();
+  steer({0.1, 0, 0}, 12);
+  ASSERT_EQ(walker().State(), protocol::version2::WALK_STATE_GETS_READY);
+  joints_.Take(POSTURE_SIT);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture: let go first"));
+}
+
+TEST_F(WalkerTest, ASpeedLimitThatIsTooLowMakesTheClientLetGo) {
+  walk();
+  joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
+  pass(1);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("is too low for walking: let go first"));
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsItBack) {
@@ -430,6 +445,9 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   joints_.ClientGone();
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_REST)) << "also after a walk";
+  joints_.Take(POSTURE_STAND);
+  passUntilIdle();
+  EXPECT_THAT(ends(), ElementsAre("stand: ")) << "this is the next client's own";
 }
 
 TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
@@ -445,6 +463,8 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_EQ(position("head_pan"), 500000);
   EXPECT_EQ(position("neck_tilt"), -174533) << "the others are levelled";
+  joints_.Steer({0.1, 0, 0});
+  EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest is over";
 }
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
@@ -456,27 +476,27 @@ TEST_F(WalkerTest, SaysHowTheRobotIs) {
     }
     return walker().Now(positions.data());
   };
-  EXPECT_EQ(now(), POSTURE_NOW_STANDING);
+  EXPECT_EQ(now(), POSTURE_STAND);
   joints_.Take(POSTURE_SIT);
   bool was_unknown = false;
   for (int i = 0; i < 300; ++i) {
     pass(1);
-    was_unknown = was_unknown || now() == POSTURE_NOW_UNKNOWN;
+    was_unknown = was_unknown || now() == POSTURE_UNKNOWN;
   }
   EXPECT_TRUE(was_unknown) << "on the way";
   passUntilIdle();
-  EXPECT_EQ(now(), POSTURE_NOW_SITTING);
+  EXPECT_EQ(now(), POSTURE_SIT);
   take(POSTURE_REST);
-  EXPECT_EQ(now(), POSTURE_NOW_LYING);
+  EXPECT_EQ(now(), POSTURE_REST);
   take(POSTURE_STAND);
   walk();
-  EXPECT_EQ(now(), POSTURE_NOW_WALKING);
+  EXPECT_EQ(now(), POSTURE_WALK);
   reading_ = kInTheAir;
   pass(60);
-  EXPECT_EQ(now(), POSTURE_NOW_CARRIED);
+  EXPECT_EQ(now(), POSTURE_CARRIED);
   reading_ = kOnItsSide;
   pass(60);
-  EXPECT_EQ(now(), POSTURE_NOW_FALLEN);
+  EXPECT_EQ(now(), POSTURE_FALLEN);
 }
 
 TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
@@ -486,12 +506,11 @@ TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has nothing to do with it";
-  Walker::End news;
-  bool told = false;
-  while (walker().TakeNews(&news)) {
-    told = news.cause == Walker::CLIENT_GONE;
+  EndLog::End news;
+  ASSERT_TRUE(joints_.Ends().Take(EndLog::CONSOLE, &news));
+  while (joints_.Ends().Take(EndLog::CONSOLE, &news)) {
   }
-  EXPECT_TRUE(told) << "the console has it";
+  EXPECT_STREQ(news.reason, "the client is gone") << "the console has it";
 }
 
 TEST_F(WalkerTest, TheNextClientHearsNothingOfTheOneBefore) {
@@ -511,6 +530,22 @@ TEST_F(WalkerTest, TheNextClientHearsNothingOfTheOneBefore) {
   joints_.MotorsGoOff();
   joints_.ClientGone();
   EXPECT_FALSE(walker().TakeSoftened());
+}
+
+TEST_F(WalkerTest, TheNextClientHearsOfItsOwnOrdersAfterTheOneBeforeHasLaidTheRobotDown) {
+  walk();
+  joints_.Take(POSTURE_REST);  // waits until the walk has ended
+  joints_.ClientGone();
+  joints_.Take(POSTURE_SIT);
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_SIT));
+  EXPECT_THAT(ends(), ElementsAre("sit: "));
+  walk();
+  joints_.Take(POSTURE_REST);
+  joints_.ClientGone();
+  steer({0.1, 0, 0}, 60);  // goes on with the walk
+  joints_.StopAll();
+  EXPECT_THAT(ends(), ElementsAre("walk: everything was told to hold"));
 }
 
 TEST_F(WalkerTest, AClientThatGoesEndsAPosture) {
@@ -534,7 +569,7 @@ TEST_F(WalkerTest, WalksAfterEveryEndLikeTheFirstTime) {
          joints_.SetTargets(&knee, 1, 0);
        }},
       {"motors off", [this] { joints_.MotorsGoOff(); }},
-      {"a leg failed", [this] { walker().Stop(Walker::JOINT_FAILED, joint("left_front_knee")); }},
+      {"a leg failed", [this] { walker().Stop(EndReason::Of(END_REFUSED, "%s does not follow", "left_front_knee")); }},
       {"fallen",
        [this] {
          reading_ = kOnItsSide;
@@ -675,6 +710,11 @@ TEST_F(WalkerTest, SteeringReplacesAPostureAndOneThatWaitsForTheWalkToEnd) {
 }
 
 TEST_F(WalkerTest, APostureReplacesAnother) {
+  walk();
+  joints_.Take(POSTURE_SIT);
+  joints_.Take(POSTURE_STAND);
+  EXPECT_THAT(ends(), ElementsAre("sit: the robot was told to take a posture")) << "one that waits, too";
+  take(POSTURE_STAND);
   joints_.Take(POSTURE_SIT);
   pass(20);
   joints_.Take(POSTURE_REST);

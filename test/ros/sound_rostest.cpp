@@ -1,0 +1,150 @@
+// What the robot hears and plays, over ROS.
+
+#include <actionlib/client/simple_action_client.h>
+#include <aibo_driver/PlaySound.h>
+#include <aibo_driver/PlaySoundAction.h>
+#include <aibo_driver/Say.h>
+#include <aibo_driver/SetVolume.h>
+#include <aibo_driver/Sound.h>
+#include <gmock/gmock.h>
+#include <ros/ros.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "support/memory_stick.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/simulated_robot.h"
+#include "unit/sound/wav_files.h"
+
+namespace {
+
+using aibo_driver::PlaySound;
+using aibo_driver::PlaySoundAction;
+using aibo_driver::PlaySoundGoal;
+using aibo_driver::Say;
+using aibo_driver::SetVolume;
+using aibo_driver::Sound;
+using test_support::DriverProcess;
+using test_support::MemoryStick;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+
+/// A driver of a robot that hears a tone of a minute, and writes what it plays.
+class SoundUser {
+ public:
+  explicit SoundUser(const std::string& name_space, const std::string& settings = "ALLOW_MICROPHONE=yes\n")
+      : name_space_(name_space), stick_(settings) {
+    writeSoundFile(path("heard.wav"), tone(16000 * 60));
+    robot_.emplace(std::vector<std::string>{"--memory-stick", stick_.path().string(), "--microphone", path("heard.wav"),
+                                            "--speaker", path("played.wav")});
+    driver_.emplace(name_space, robot_->port(),
+                    std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1"},
+                    std::map<std::string, std::string>{{"PATH", "/nonexistent"}});
+    EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(30)));
+  }
+
+  std::string path(const std::string& name) const { return stick_.path(name).string(); }
+
+  template <typename Service>
+  typename Service::Response call(const std::string& service, const typename Service::Request& request) {
+    Service call;
+    call.request = request;
+    EXPECT_TRUE(ros::service::call(name_space_ + "/" + service, call)) << service;
+    return call.response;
+  }
+
+  PlaySound::Response play(const std::string& file) {
+    PlaySound::Request request;
+    request.file = file;
+    return call<PlaySound>("play_sound", request);
+  }
+
+  DriverProcess& driver() { return *driver_; }
+
+ private:
+  std::string name_space_;
+  MemoryStick stick_;
+  std::optional<SimulatedRobot> robot_;
+  std::optional<DriverProcess> driver_;
+};
+
+TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
+  SoundUser user("/hears");
+  for (int time = 0; time < 2; ++time) {
+    TopicListener<Sound> sounds("/hears/microphone");
+    ASSERT_TRUE(sounds.waitFor([](const Sound& sound) {
+      return std::any_of(sound.samples.begin(), sound.samples.end(), [](int sample) { return sample > 9000; });
+    })) << "time "
+        << time;
+    const auto messages = sounds.waitForCount(20);
+    ASSERT_GE(messages.size(), 20U);
+    for (std::size_t i = 1; i < messages.size(); ++i) {
+      EXPECT_EQ(messages[i]->samples_per_second, 16000U);
+      EXPECT_EQ(messages[i]->channels, 1);
+      EXPECT_GT(messages[i]->header.stamp, messages[i - 1]->header.stamp);
+    }
+  }
+}
+
+TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {
+  SoundUser user("/deaf", "");
+  TopicListener<Sound> sounds("/deaf/microphone");
+  user.driver().waitForOutput("ALLOW_MICROPHONE", test_support::kSafetyNet);
+  EXPECT_EQ(sounds.count(), 0U);
+}
+
+TEST(PlaySoundService, PlaysAFileAndSaysWhyItDoesNot) {
+  SoundUser user("/plays");
+  writeSoundFile(user.path("bark.wav"), tone(1600));
+  const auto played = user.play(user.path("bark.wav"));
+  EXPECT_TRUE(played.success) << played.message;
+  EXPECT_THAT(user.play(user.path("missing.wav")).message, HasSubstr("missing.wav"));
+  EXPECT_THAT(user.play("/proc/kmsg").message, HasSubstr("Nothing was played"));
+  const Say::Response said = user.call<Say>("say", [] {
+    Say::Request request;
+    request.text = "hello";
+    return request;
+  }());
+  EXPECT_FALSE(said.success);
+  EXPECT_THAT(said.message, HasSubstr("espeak-ng"));
+  SetVolume::Request volume;
+  volume.volume = 4;
+  EXPECT_FALSE(user.call<SetVolume>("set_volume", volume).success);
+  volume.volume = 2;
+  const auto set = user.call<SetVolume>("set_volume", volume);
+  EXPECT_TRUE(set.success) << set.message;
+  EXPECT_EQ(set.volume, 2);
+}
+
+TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
+  SoundUser user("/plays_goals");
+  writeSoundFile(user.path("short.wav"), tone(1600));
+  writeSoundFile(user.path("long.wav"), tone(16000 * 60));
+  actionlib::SimpleActionClient<PlaySoundAction> client("/plays_goals/play_sound");
+  ASSERT_TRUE(client.waitForServer(ros::Duration(30)));
+  const auto result_of = [&](const std::string& file, bool cancel) {
+    PlaySoundGoal goal;
+    goal.file = user.path(file);
+    client.sendGoal(goal);
+    // A client takes a goal for lost that it cancels before the server has heard of it.
+    while (cancel && client.getState() == actionlib::SimpleClientGoalState::PENDING) {
+      ros::WallDuration(0.01).sleep();
+    }
+    if (cancel) {
+      client.cancelGoal();
+    }
+    EXPECT_TRUE(client.waitForResult(ros::Duration(30)));
+    return client.getState();
+  };
+  EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
+  EXPECT_EQ(result_of("long.wav", true), actionlib::SimpleClientGoalState::PREEMPTED);
+  EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
+}
+
+}  // namespace

@@ -1,0 +1,195 @@
+#include "support/fake_client.h"
+
+#include <chrono>
+#include <cstdio>
+#include <optional>
+#include <utility>
+
+#include "aibo_client/exceptions.h"
+
+// The linker takes these functions instead of the library's, because it sees them first. Others, such as the
+// constructors, are the library's.
+namespace aibo_client {
+
+using std::chrono::milliseconds;
+using test_support::FakeClient;
+
+namespace {
+
+FakeClient& fake(RcServerClient* client) {
+  return static_cast<FakeClient&>(*client);
+}
+
+void tell(RcServerClient* client, const std::string& request) {
+  if (!fake(client).problem.empty()) {
+    throw NetworkException(fake(client).problem);
+  }
+  fake(client).told.push_back(request);
+}
+
+void wait(RcServerClient* client) {
+  if (fake(client).meanwhile) {
+    std::exchange(fake(client).meanwhile, nullptr)();
+  }
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", value);
+  return text;
+}
+
+}  // namespace
+
+void RcServerClient::setStreaming(bool on) {
+  tell(this, on ? "stream" : "no stream");
+}
+void RcServerClient::setJpegQuality(int quality) {
+  tell(this, "quality " + std::to_string(quality));
+}
+int RcServerClient::jpegQuality() const {
+  return 85;
+}
+void RcServerClient::setStreamFormat(const StreamFormat& format) {
+  tell(this,
+       "format " + std::to_string(static_cast<int>(format.resolution)) + " " + std::to_string(format.every_nth_image));
+}
+void RcServerClient::setPictureTransport(PictureTransport transport) {
+  tell(this, transport == PictureTransport::kUdp ? "udp" : "tcp");
+}
+void RcServerClient::setCameraSettings(const CameraSettings& settings) {
+  tell(this, "camera " + std::to_string(settings.white_balance) + " " + std::to_string(settings.gain) + " " +
+                 std::to_string(settings.shutter_speed) + (settings.auto_exposure ? " exposure" : "") +
+                 (settings.auto_white_balance ? " balance" : ""));
+}
+void RcServerClient::setColorDetection(const ColorDetection& detection) {
+  tell(this, detection.on ? "colors " + std::to_string(detection.every_nth_image) + (detection.with_mask ? " mask" : "")
+                          : "no colors");
+}
+void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
+  tell(this, "table " + std::to_string(channel) + " " + (table ? table->name : "none"));
+}
+PicturePtr RcServerClient::takePicture(int quality, milliseconds, int* quality_of_stream,
+                                       std::optional<Resolution> resolution) {
+  tell(this, "picture " + std::to_string(quality) +
+                 (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""));
+  *quality_of_stream = fake(this).stream_quality;
+  return fake(this).picture;
+}
+void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration, const OrderTerms&) {
+  std::string text = "J";
+  for (const JointTarget& target : targets) {
+    text += " " + std::to_string(target.id) + ":" + number(target.position);
+  }
+  tell(this, text + " in " + std::to_string(duration.count()));
+}
+void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
+  for (const JointSpeedLimit& limit : limits) {
+    tell(this, "V " + std::to_string(limit.id) + ":" + number(limit.speed));
+  }
+}
+bool RcServerClient::setMotors(bool on, milliseconds) {
+  tell(this, on ? "motors on" : "motors off");
+  wait(this);
+  return on == fake(this).motors_work;
+}
+void RcServerClient::hold(const std::vector<int>& joints, milliseconds) {
+  if (!fake(this).can_hold) {
+    throw CommandException("it has no request to hold joints");
+  }
+  std::string text = "hold";
+  for (const int joint : joints) {
+    text += " " + std::to_string(joint);
+  }
+  tell(this, text);
+  wait(this);
+}
+void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
+  fake(this).steering_order = terms.number;
+  tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
+}
+void RcServerClient::takePosture(Posture posture, milliseconds, const OrderTerms&) {
+  constexpr const char* kNames[] = {"stand", "sit", "rest"};
+  tell(this, kNames[static_cast<int>(posture)]);
+  wait(this);
+}
+void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
+  tell(this, "LEDs");
+  fake(this).leds = commands;
+}
+void RcServerClient::commandEars(bool left, bool right) {
+  tell(this, std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
+}
+std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds, const OrderTerms&) {
+  tell(this, "play " + name + " " + std::to_string(repetitions));
+  wait(this);
+  return fake(this).motion_changes;
+}
+void RcServerClient::stopMotion(const std::string& name, milliseconds) {
+  tell(this, "stop " + name);
+}
+void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content, milliseconds) {
+  tell(this, "upload " + name + " " + std::to_string(content.size()));
+}
+void RcServerClient::deleteMotion(const std::string& name, milliseconds) {
+  tell(this, "delete " + name);
+}
+std::vector<std::string> RcServerClient::listMotions(milliseconds) {
+  tell(this, "list");
+  return fake(this).motions;
+}
+std::string RcServerClient::takePictureOnRobot(int quality, milliseconds) {
+  tell(this, "picture on robot " + std::to_string(quality));
+  return "AIBO0001.JPG";
+}
+std::vector<std::string> RcServerClient::listPictures(milliseconds) {
+  tell(this, "list pictures");
+  return {"AIBO0001.JPG", "MINE.JPG"};
+}
+std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds) {
+  tell(this, "fetch " + name);
+  return fake(this).picture->jpeg;
+}
+void RcServerClient::deletePicture(const std::string& name, milliseconds) {
+  tell(this, "delete " + name);
+}
+void RcServerClient::setMicrophone(const MicrophoneSettings& settings) {
+  tell(this, settings.on ? "listen " + std::to_string(settings.channels) : "do not listen");
+}
+SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
+                                          milliseconds) {
+  FakeClient& client = fake(this);
+  tell(this, "samples " + std::to_string(samples.size()) + (is_last ? " last" : ""));
+  client.played.insert(client.played.end(), samples.begin(), samples.end());
+  client.sounds += sound == 0 ? 1 : 0;
+  if (client.on_samples) {
+    client.on_samples(is_last);
+  }
+  return {sound == 0 ? client.sounds : sound, client.room_for_samples};
+}
+void RcServerClient::stopSound(milliseconds) {
+  tell(this, "stop sound");
+}
+int RcServerClient::setVolume(int volume, milliseconds) {
+  tell(this, "volume " + std::to_string(volume));
+  return volume == kVolumeOfRobot ? 2 : volume;
+}
+void RcServerClient::shutDownRobot(milliseconds) {
+  tell(this, "shut down");
+}
+void RcServerClient::rebootRobot(milliseconds) {
+  tell(this, "reboot");
+}
+MotorsAndPosture RcServerClient::motorsAndPosture() const {
+  return static_cast<const FakeClient*>(this)->state;
+}
+ConnectionStatus RcServerClient::status() const {
+  return static_cast<const FakeClient*>(this)->present;
+}
+ClientStatistics RcServerClient::statistics() const {
+  ClientStatistics statistics;
+  statistics.connections = static_cast<const FakeClient*>(this)->connections;
+  return statistics;
+}
+
+}  // namespace aibo_client

@@ -1,0 +1,30 @@
+#include "aibo_client/names.h"
+
+#include <gmock/gmock.h>
+
+#include "aibo_client/exceptions.h"
+
+using namespace aibo_client;
+
+TEST(Names, BelongToTheIdentifiersOfTheProtocol) {
+  EXPECT_EQ(idOfJoint("head_pan"), 2);
+  EXPECT_EQ(nameOfJoint(2), "head_pan");
+  EXPECT_EQ(nameOfSensor(idOfSensor("battery")), "battery");
+  EXPECT_EQ(nameOfLed(idOfLed("face_1")), "face_1");
+}
+
+TEST(Names, AreThoseOfTheDesign) {
+  EXPECT_EQ(idOfJoint("head_roll", "ERS-210"), idOfJoint("head_roll"));
+  EXPECT_THROW(idOfJoint("head_roll", "ERS-7"), InvalidArgumentException);
+  EXPECT_THROW(idOfJoint("head_nod", "ERS-210"), InvalidArgumentException);
+}
+
+TEST(Names, AreListedIfOneIsNotKnown) {
+  EXPECT_EQ(nameOfLed(99), "LED 99");
+  try {
+    idOfJoint("elbow", "ERS-7");
+    FAIL() << "there is no elbow";
+  } catch (const InvalidArgumentException& error) {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("'elbow'"), ::testing::HasSubstr("head_pan, ")));
+  }
+}

@@ -1,0 +1,126 @@
+// What the simulated robot plays and hears. Model Information ERS-7, 3.1.2 and 3.2.2.
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "simulator/ers7/console_commands.h"
+#include "simulator/ers7/simulated_ers7.h"
+#include "support/temporary_folder.h"
+
+namespace simulated_ers7 {
+namespace {
+
+using openr_host::MicrophoneFrame;
+using openr_host::SpeakerFrame;
+using testing::HasSubstr;
+
+class SimulatedSoundTest : public testing::Test {
+ protected:
+  SimulatedSoundTest() { robot_.openPrimitive("PRM:/s1-Speaker:S1", &speaker_); }
+
+  template <typename Param>
+  OStatus control(OPrimitiveRequest request, Param param) {
+    return robot_.controlPrimitive(speaker_, request, &param, sizeof(param), nullptr, 0);
+  }
+  OStatus control(OPrimitiveRequest request) {
+    return robot_.controlPrimitive(speaker_, request, nullptr, 0, nullptr, 0);
+  }
+
+  // What the left microphone hears of a loud sample.
+  int heard() {
+    SpeakerFrame frame{};
+    frame.fill(10000);
+    return robot_.passSound(frame_++, &frame)[7].L;
+  }
+
+  static SimulatedErs7::Options options() {
+    SimulatedErs7::Options options;
+    options.hears_itself = 0.5;
+    return options;
+  }
+
+  SimulatedErs7 robot_{options()};
+  OPrimitiveID speaker_ = oprimitiveID_UNDEF;
+  longword frame_ = 0;
+};
+
+TEST_F(SimulatedSoundTest, ItHearsItselfAsLoudAsTheVolumeSays) {
+  EXPECT_EQ(heard(), 5000) << "the loudest at first";
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol18dB)), oSUCCESS);
+  EXPECT_EQ(heard(), 1991) << "8 dB less";
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oSUCCESS);
+  EXPECT_EQ(heard(), 889) << "15 dB less";
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvolinfdB)), oSUCCESS);
+  EXPECT_EQ(heard(), 0);
+  control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol10dB));
+  EXPECT_EQ(control(oprmreqSPEAKER_MUTE_ON), oSUCCESS);
+  EXPECT_EQ(heard(), 0);
+  EXPECT_EQ(control(oprmreqSPEAKER_MUTE_OFF), oSUCCESS);
+  EXPECT_EQ(heard(), 5000);
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(0x1234)), oINVALID_ARG);
+}
+
+TEST_F(SimulatedSoundTest, TheSpeakerTakesTwoKindsOfSound) {
+  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO8K8B);
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(ospksndMONO16K16B)), oSUCCESS);
+  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO16K16B);
+  OPrimitiveControl_SpeakerSoundType type(ospksndMONO8K8B);
+  EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, sizeof(type), nullptr, 0),
+            oSUCCESS);
+  EXPECT_EQ(type.type, ospksndMONO16K16B);
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(4)), oINVALID_ARG) << "stereo";
+  robot_.closePrimitive(speaker_);
+  EXPECT_EQ(robot_.soundTypeOf(speaker_), std::nullopt);
+}
+
+TEST_F(SimulatedSoundTest, NothingOfTheMicrophonesCanBeSet) {
+  OPrimitiveID microphone = oprimitiveID_UNDEF;
+  ASSERT_EQ(robot_.openPrimitive("PRM:/r1/c1/c2/c3/m1-Mic:M1", &microphone), oSUCCESS);
+  EXPECT_EQ(robot_.controlPrimitive(microphone, oprmreqMIC_OMNI, nullptr, 0, nullptr, 0), oINVALID_ARG);
+}
+
+TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
+  const test_support::TemporaryFolder folder;
+  const std::string path = folder.path("played.wav").string();
+  SpeakerFrame frame{};
+  frame[0] = 1;
+  frame[127] = -30000;
+  {
+    SimulatedErs7::Options options;
+    options.speaker_file = path;
+    SimulatedErs7 robot(options);
+    robot.passSound(0, &frame);
+    robot.passSound(1, nullptr);
+    robot.passSound(2, &frame);
+  }
+  const std::vector<OSoundSampleStereo16> samples = readWav(path);
+  ASSERT_EQ(samples.size(), 256U) << "without the pause";
+  EXPECT_EQ(samples[0].L, 1);
+  EXPECT_EQ(samples[255].R, -30000) << "one channel is for both microphones";
+
+  EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
+  const MicrophoneFrame heard = robot_.passSound(100, nullptr);
+  EXPECT_EQ(heard[127].L, -30000);
+  EXPECT_EQ(robot_.passSound(101, nullptr)[127].R, -30000);
+  EXPECT_EQ(robot_.passSound(102, nullptr)[0].L, 0) << "once";
+  obeyConsole(robot_, "hear " + path);
+  EXPECT_EQ(obeyConsole(robot_, "hear silence"), "ok: hear silence\n");
+  EXPECT_EQ(robot_.passSound(103, nullptr)[0].L, 0);
+}
+
+TEST_F(SimulatedSoundTest, AFileThatCannotBeHeardIsNamedWithTheRemedy) {
+  const test_support::TemporaryFolder folder;
+  const std::string path = folder.path("other.wav").string();
+  EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("other.wav: cannot be read"));
+  std::ofstream(path) << "no sound";
+  EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("is not a WAV file"));
+  { const WavWriter writer(path); }
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(24).put('\0');  // of the rate
+  EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("-r 16000"));
+  SimulatedErs7::Options options;
+  options.speaker_file = folder.path("missing/played.wav").string();
+  EXPECT_THROW(SimulatedErs7{options}, SoundError);
+}
+
+}  // namespace
+}  // namespace simulated_ers7

@@ -1,0 +1,215 @@
+// The gates to microphones and speaker: OPEN-R SDK Level2 Reference Guide, pages 44 and 62 to 69.
+#include "simulator/openr_host/objects/virtual_robot_audio_comm.h"
+
+#include <OPENR/OPENRAPI.h>
+#include <gmock/gmock.h>
+
+#include <cstring>
+#include <numeric>
+
+#include "test_system.h"
+
+namespace openr_host {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr OPrimitiveID kSpeaker = 30;
+
+std::vector<sword> numbers(sword first, std::size_t count) {
+  std::vector<sword> samples(count);
+  std::iota(samples.begin(), samples.end(), first);
+  return samples;
+}
+
+class VirtualRobotAudioCommTest : public testing::Test {
+ protected:
+  struct Heard {
+    longword frame;
+    std::vector<OSoundSampleStereo16> samples;
+  };
+
+  void SetUp() override {
+    talker_.on_ready = [this](const OReadyEvent& event) { readies_ += event.IsAssert() ? 1 : 0; };
+    listener_.on_notify = [this](const ONotifyEvent& event) {
+      for (int i = 0; i < event.NumOfData(); ++i) {
+        take(*event.RCData(i));
+      }
+      listener_.observer().AssertReady();
+    };
+    test_.system.initialize();
+    test_.system.connect("Talker.Out.Data.S", "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O");
+    test_.system.connect("OVirtualRobotAudioComm.Mic.OSoundVectorData.S", "Listener.In.Data.O");
+    test_.system.start();
+    test_.as(listener_, [&] { listener_.observer().DeassertReady(); });
+    test_.run();
+  }
+
+  void take(const RCRegion& region) {
+    OSoundVectorData vector{};
+    std::memcpy(&vector, region.Base(), sizeof(vector));
+    const OSoundInfo& info = vector.info[0];
+    EXPECT_EQ(info.channel, osoundchannelSTEREO);
+    EXPECT_EQ(info.samplingRate, 16000);
+    EXPECT_EQ(info.bitsPerSample, 16);
+    Heard heard{info.frameNumber, std::vector<OSoundSampleStereo16>(info.dataSize / 4)};
+    std::memcpy(heard.samples.data(), region.Base() + info.dataOffset, info.dataSize);
+    heard_.push_back(heard);
+  }
+
+  RegionReference makeVector(const void* data, std::size_t size, word rate, word bits) {
+    RegionReference made;
+    test_.as(talker_, [&] {
+      MemoryRegionID id = 0;
+      OSoundVectorData* vector = nullptr;
+      ASSERT_EQ(OPENR::NewSoundVectorData(1, size, &id, &vector), oSUCCESS);
+      auto* region = new RCRegion(id, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
+      made = reference(region);
+      region->RemoveReference();
+      vector->SetNumData(1);
+      OSoundInfo& info = *vector->GetInfo(0);
+      EXPECT_EQ(info.maxDataSize, size);
+      info.Set(odataSOUND_VECTOR, kSpeaker, size);
+      info.format = osoundformatPCM;
+      info.channel = osoundchannelMONO;
+      info.samplingRate = rate;
+      info.bitsPerSample = bits;
+      std::memcpy(vector->GetData(0), data, size);
+    });
+    return made;
+  }
+
+  RegionReference makeVector(const std::vector<sword>& samples) {
+    return makeVector(samples.data(), 2 * samples.size(), 16000, 16);
+  }
+
+  void send(const std::vector<RegionReference>& vectors) {
+    test_.as(talker_, [&] {
+      for (const RegionReference& vector : vectors) {
+        talker_.subject().SetData(vector.get());
+      }
+      talker_.subject().NotifyObservers();
+    });
+    test_.run();
+  }
+
+  void jumpTo(longword frame) {
+    test_.as(comm_, [&] { comm_.beginFrame(frame); });
+    test_.run();
+    frame_ = frame;
+  }
+
+  void pass(longword frames) {
+    for (longword i = 0; i < frames; ++i) {
+      jumpTo(frame_ + 1);
+    }
+  }
+
+  TestSystem test_;
+  VirtualRobotAudioComm& comm_ =
+      static_cast<VirtualRobotAudioComm&>(test_.system.create(VirtualRobotAudioComm::describe(test_.robot)));
+  TestObject& talker_ = test_.add("Talker");
+  TestObject& listener_ = test_.add("Listener");
+  longword frame_ = 99;
+  int readies_ = 0;
+  std::vector<Heard> heard_;
+};
+
+TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirstLeaveNoGap) {
+  EXPECT_EQ(readies_, 1);
+  const RegionReference first = makeVector(numbers(1, 256));
+  send({first, makeVector(numbers(257, 256))});
+  pass(1);
+  EXPECT_EQ(readies_, 1);
+  EXPECT_EQ(test_.robot.played[100], numbers(1, 128));
+  pass(1);
+  EXPECT_EQ(readies_, 2);
+  EXPECT_EQ(first->NumberOfReference(), 1) << "it can be filled again";
+  send({makeVector(numbers(513, 128))});
+  pass(2);
+  EXPECT_EQ(readies_, 3);
+  pass(5);
+  EXPECT_EQ(readies_, 4);
+  EXPECT_EQ(test_.robot.played[104], numbers(513, 128));
+  EXPECT_THAT(test_.robot.played, SizeIs(5));
+  EXPECT_FALSE(comm_.isActive());
+}
+
+TEST_F(VirtualRobotAudioCommTest, AVectorMayEndWithinAFrame) {
+  send({makeVector(numbers(1, 100)), makeVector(numbers(101, 100))});
+  pass(3);
+  EXPECT_EQ(readies_, 3);
+  EXPECT_EQ(test_.robot.played[100], numbers(1, 128));
+  std::vector<sword> rest = numbers(129, 72);
+  rest.resize(128);
+  EXPECT_EQ(test_.robot.played[101], rest) << "then silence";
+}
+
+TEST_F(VirtualRobotAudioCommTest, EightKilohertzHaveEightBitsWithSign) {
+  test_.robot.sound_type = ospksndMONO8K8B;
+  const signed char samples[] = {1, -128};
+  send({makeVector(samples, 2, 8000, 8)});
+  pass(1);
+  const std::vector<sword>& played = test_.robot.played[100];
+  EXPECT_THAT(std::vector<sword>(played.begin(), played.begin() + 5), ElementsAre(256, 256, -32768, -32768, 0));
+}
+
+TEST_F(VirtualRobotAudioCommTest, AVectorOfAnotherKindIsRefusedAndReadyComesInTheNextFrame) {
+  test_.robot.sound_type = ospksndMONO8K8B;
+  send({makeVector(numbers(1, 128))});
+  EXPECT_THAT(test_.output.str(), HasSubstr("sound vector refused"));
+  EXPECT_EQ(readies_, 1);
+  pass(1);
+  EXPECT_EQ(readies_, 2);
+  EXPECT_THAT(test_.robot.played, IsEmpty());
+}
+
+TEST_F(VirtualRobotAudioCommTest, TheMicrophoneIsHeardEvery16MillisecondsWhileSomebodyListens) {
+  pass(10);
+  EXPECT_FALSE(comm_.isActive());
+  test_.as(listener_, [&] { listener_.observer().AssertReady(); });
+  test_.run();
+  EXPECT_TRUE(comm_.isActive());
+  pass(5);  // 110 to 114
+  ASSERT_THAT(heard_, SizeIs(2));
+  EXPECT_EQ(heard_[0].frame, 110U);
+  EXPECT_EQ(heard_[1].frame, 112U);
+  ASSERT_THAT(heard_[0].samples, SizeIs(256));
+  EXPECT_EQ(heard_[0].samples[255].L, 111 * 128 + 127);
+  EXPECT_EQ(heard_[1].samples[0].R, -112 * 128);
+}
+
+TEST_F(VirtualRobotAudioCommTest, FramesThatWereMissedAreHeardLater) {
+  test_.as(listener_, [&] { listener_.observer().AssertReady(); });
+  test_.run();
+  pass(2);
+  jumpTo(110);
+  jumpTo(111);
+  std::vector<longword> frames;
+  for (const Heard& heard : heard_) {
+    frames.push_back(heard.frame);
+  }
+  EXPECT_THAT(frames, ElementsAre(100, 102, 104, 106, 108, 110));
+}
+
+TEST_F(VirtualRobotAudioCommTest, SoundVectorsHaveRoomAndAreFreedOnce) {
+  test_.as(talker_, [&] {
+    MemoryRegionID id = 0;
+    OSoundVectorData* vector = nullptr;
+    EXPECT_EQ(OPENR::NewSoundVectorData(0, 1024, &id, &vector), oNO_MEMORY);
+    EXPECT_EQ(OPENR::NewSoundVectorData(1, std::size_t{1} << 31, &id, &vector), oNO_MEMORY);
+    ASSERT_EQ(OPENR::NewSoundVectorData(2, 1024, &id, &vector), oSUCCESS);
+    EXPECT_EQ(vector->vectorInfo.maxNumData, 2U);
+    EXPECT_EQ(vector->vectorInfo.numData, 0U);
+    EXPECT_EQ(vector->GetInfo(1)->dataOffset, vector->GetInfo(0)->dataOffset + 1024);
+    EXPECT_EQ(vector->vectorInfo.totalSize, vector->GetInfo(1)->dataOffset + 1024);
+    EXPECT_EQ(OPENR::DeleteSoundVectorData(id), oSUCCESS);
+    EXPECT_EQ(OPENR::DeleteSoundVectorData(id), oINVALID_ARG);
+  });
+}
+
+}  // namespace
+}  // namespace openr_host

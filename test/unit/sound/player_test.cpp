@@ -1,0 +1,131 @@
+// Playing: how samples are paced, and how sounds end.
+#include "sound/player.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "aibo_client/exceptions.h"
+#include "support/fake_client.h"
+
+using namespace aibo_driver::sound;
+using aibo_client::EndedHow;
+using aibo_client::kMostSamplesAtOnce;
+using testing::HasSubstr;
+
+namespace {
+
+class Ramp : public Source {
+ public:
+  explicit Ramp(std::size_t length) : left_(length) {}
+
+  std::vector<std::int16_t> read(std::size_t most) override {
+    std::vector<std::int16_t> samples(std::min(most, left_));
+    left_ -= samples.size();
+    std::generate(samples.begin(), samples.end(), [this] { return next_++; });
+    return samples;
+  }
+
+ private:
+  std::size_t left_;
+  std::int16_t next_ = 0;
+};
+
+/// A robot that takes samples.
+class Robot : public test_support::FakeClient {
+ public:
+  Robot() {
+    on_samples = [this](bool is_last) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      has_last_ = is_last;
+      changed_.notify_all();
+    };
+  }
+
+  void waitForLast() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(20), [this] { return has_last_; }));
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool has_last_ = false;
+};
+
+class PlayerTest : public testing::Test {
+ protected:
+  Robot robot_;
+  Player player_{robot_};
+};
+
+TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
+  const auto playback = player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce + 100));
+  robot_.waitForLast();
+  EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048", "samples 2048", "samples 100 last"));
+  ASSERT_EQ(2 * kMostSamplesAtOnce + 100, robot_.played.size());
+  EXPECT_TRUE(std::is_sorted(robot_.played.begin(), robot_.played.end()));
+  EXPECT_FALSE(playback->end());
+  EXPECT_TRUE(player_.isPlaying());
+  player_.ended({1, EndedHow::kDone, 4196, 2, 16000});
+  ASSERT_TRUE(playback->end());
+  EXPECT_EQ(EndedHow::kDone, playback->end()->how);
+  EXPECT_THAT(playback->end()->message, HasSubstr("2 gaps, 1.0 s"));
+  EXPECT_FALSE(player_.isPlaying());
+}
+
+TEST_F(PlayerTest, AWholeSoundOfOnePieceIsItsLast) {
+  player_.play(std::make_unique<Ramp>(kMostSamplesAtOnce));
+  EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048 last"));
+}
+
+TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
+  robot_.room_for_samples = 0;
+  const auto begin = std::chrono::steady_clock::now();
+  player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce));
+  robot_.waitForLast();
+  // Until then, the robot has played what was sent.
+  EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - begin);
+}
+
+TEST_F(PlayerTest, ASoundThatEndsBeforeItIsKnownHasEnded) {
+  player_.ended({1, EndedHow::kDone, 3, 0, 0});
+  EXPECT_TRUE(player_.play(std::make_unique<Ramp>(3))->end());
+}
+
+TEST_F(PlayerTest, ANewSoundReplacesTheOneThatPlays) {
+  robot_.room_for_samples = 0;
+  player_.play(std::make_unique<Ramp>(1000000));
+  const auto second = player_.play(std::make_unique<Ramp>(5));
+  EXPECT_EQ("samples 5 last", robot_.told.back());
+  player_.ended({1, EndedHow::kReplaced, 0, 0, 0});
+  EXPECT_FALSE(second->end());
+}
+
+TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
+  const auto first = player_.play(std::make_unique<Ramp>(5));
+  const auto second = player_.play(std::make_unique<Ramp>(5));
+  player_.stop(first);
+  EXPECT_NE("stop sound", robot_.told.back());
+  player_.stop(second);
+  EXPECT_EQ("stop sound", robot_.told.back());
+  robot_.told.clear();
+  player_.ended({2, EndedHow::kStopped, 0, 0, 0});
+  player_.stop();
+  EXPECT_TRUE(robot_.told.empty());
+}
+
+TEST_F(PlayerTest, WithoutAConnectionNothingPlays) {
+  robot_.problem = "no connection";
+  EXPECT_THROW(player_.play(std::make_unique<Ramp>(5)), aibo_client::NetworkException);
+  EXPECT_FALSE(player_.isPlaying());
+  robot_.problem.clear();
+  EXPECT_THROW(player_.play(std::make_unique<Ramp>(0)), aibo_client::InvalidArgumentException);
+}
+
+}  // namespace

@@ -1,0 +1,135 @@
+// Sound files for the robot, and recordings.
+#include "sound/sound_file.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "files/files.h"
+#include "sound/recording.h"
+#include "support/temporary_folder.h"
+#include "wav_files.h"
+
+using namespace aibo_driver::sound;
+using aibo_driver::files::FileException;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+namespace {
+
+using Samples = std::vector<std::int16_t>;
+
+/// The share of a tone of 1 kHz, and its amplitude, by correlation; the ends, where a filter has no data, do not count.
+double amplitudeOfTone(const Samples& samples) {
+  double sine = 0;
+  double cosine = 0;
+  const std::size_t begin = 1600;
+  const std::size_t end = samples.size() - 1600;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double phase = 2 * M_PI * 1000 * static_cast<double>(i) / 16000;
+    sine += samples[i] * std::sin(phase);
+    cosine += samples[i] * std::cos(phase);
+  }
+  return 2 * std::hypot(sine, cosine) / static_cast<double>(end - begin);
+}
+
+class SoundFileTest : public testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return folder_.path(name).string(); }
+
+  /// Reads it in pieces of odd size.
+  Samples readAll(const std::string& name) const {
+    const auto source = openSoundFile(path(name));
+    Samples all;
+    for (Samples part; !(part = source->read(777)).empty();) {
+      all.insert(all.end(), part.begin(), part.end());
+      EXPECT_TRUE(part.size() == 777 || source->read(1).empty()) << "fewer samples before the end";
+    }
+    return all;
+  }
+
+  std::string complaintAbout(const std::string& name) const {
+    try {
+      openSoundFile(path(name));
+    } catch (const FileException& error) {
+      return error.what();
+    }
+    return "none";
+  }
+
+  test_support::TemporaryFolder folder_;
+};
+
+TEST_F(SoundFileTest, AFileWithTheRobotsRateIsPlayedBitByBit) {
+  Samples samples = tone(16000);
+  samples[5] = 32767;
+  samples[6] = -32768;
+  writeSoundFile(path("a.wav"), samples);
+  EXPECT_EQ(samples, readAll("a.wav"));
+  writeSoundFile(path("a.flac"), samples, 16000, 1, SF_FORMAT_FLAC | SF_FORMAT_PCM_16);
+  EXPECT_EQ(samples, readAll("a.flac"));
+}
+
+TEST_F(SoundFileTest, OfSeveralChannelsTheMeanIsPlayed) {
+  writeSoundFile(path("a.wav"), {100, 300, -100, 0}, 16000, 2);
+  EXPECT_THAT(readAll("a.wav"), ElementsAre(200, -50));
+}
+
+TEST_F(SoundFileTest, OtherRatesAreConverted) {
+  for (const int rate : {8000, 22050, 44100, 48000}) {
+    writeSoundFile(path("a.wav"), tone(static_cast<std::size_t>(rate), rate), rate);
+    const Samples samples = readAll("a.wav");
+    // The filter keeps up to 3 ms of the end to itself.
+    EXPECT_NEAR(16000, static_cast<double>(samples.size()), 48) << rate;
+    EXPECT_NEAR(10000, amplitudeOfTone(samples), 100) << rate;
+  }
+}
+
+TEST_F(SoundFileTest, OggIsPlayed) {
+  writeSoundFile(path("a.ogg"), tone(32000), 16000, 1, SF_FORMAT_OGG | SF_FORMAT_VORBIS);
+  EXPECT_NEAR(10000, amplitudeOfTone(readAll("a.ogg")), 500);
+}
+
+// Anybody may name any file, and whoever plays the robot would get it.
+TEST_F(SoundFileTest, OnlySoundsLeaveThisComputer) {
+  std::ofstream(path("secret.txt")) << "RIFX is not it";
+  EXPECT_THAT(complaintAbout("secret.txt"), HasSubstr("no WAV, FLAC or Ogg file"));
+  std::ofstream(path("half.wav")) << "RIFF";
+  EXPECT_THAT(complaintAbout("half.wav"), HasSubstr("cannot be played"));
+  EXPECT_THAT(complaintAbout("absent.wav"), HasSubstr("there is no such file"));
+  EXPECT_THAT(complaintAbout("a\nb.wav"), HasSubstr("control characters"));
+  EXPECT_THAT(complaintAbout("."), HasSubstr("not a regular file"));
+}
+
+TEST_F(SoundFileTest, ImpossibleSoundsAreRefused) {
+  writeSoundFile(path("many.wav"), Samples(90), 16000, 9);
+  EXPECT_THAT(complaintAbout("many.wav"), HasSubstr("9 channels"));
+  writeSoundFile(path("slow.wav"), Samples(90), 20);
+  EXPECT_THAT(complaintAbout("slow.wav"), HasSubstr("20 samples/s"));
+}
+
+TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
+  {
+    Recording recording(path("heard.wav"), {true, 2, 16000});
+    aibo_client::HeardSound sound;
+    sound.channels = 2;
+    sound.samples_per_second = 16000;
+    sound.samples = {1, 2};
+    recording.add(sound);
+    sound.missing = 2;
+    sound.samples = {3, 5};
+    recording.add(sound);
+    EXPECT_EQ(4.0 / 16000, recording.seconds());
+  }
+  EXPECT_THAT(readAll("heard.wav"), ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
+}
+
+TEST_F(SoundFileTest, ARecordingReplacesNoFile) {
+  std::ofstream(path("mine.wav")) << "mine";
+  EXPECT_THROW(Recording(path("mine.wav"), {}), FileException);
+}
+
+}  // namespace

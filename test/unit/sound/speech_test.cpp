@@ -1,0 +1,77 @@
+// Speech, by a program in place of espeak-ng.
+#include "sound/speech.h"
+
+#include <gmock/gmock.h>
+#include <sys/stat.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "files/files.h"
+#include "support/temporary_folder.h"
+#include "wav_files.h"
+
+using aibo_client::InvalidArgumentException;
+using aibo_driver::files::FileException;
+using aibo_driver::sound::speak;
+
+namespace {
+
+class SpeechTest : public testing::Test {
+ protected:
+  SpeechTest() {
+    const std::string path = ::getenv("PATH");
+    ::setenv("PATH", (folder_.path().string() + ":" + path).c_str(), 1);
+    path_ = path;
+    writeSoundFile(folder_.path("speech.wav").string(), {1, 2, 3});
+  }
+  ~SpeechTest() override { ::setenv("PATH", path_.c_str(), 1); }
+
+  /// Has a script take the part of espeak-ng.
+  void install(const std::string& script) const {
+    const std::string program = folder_.path("espeak-ng").string();
+    std::ofstream(program) << "#!/bin/sh\ncd " << folder_.path().string() << "\n" << script << "\n";
+    ::chmod(program.c_str(), 0755);
+  }
+
+  std::string contentOf(const std::string& name) const {
+    std::ifstream file(folder_.path(name));
+    return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  }
+
+  std::string path_;
+  test_support::TemporaryFolder folder_;
+};
+
+TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
+  install("cat > text; echo \"$@\" > arguments; cat speech.wav > \"$5\"");
+  EXPECT_THAT(speak("-w /etc/passwd", "de")->read(10), testing::ElementsAre(1, 2, 3));
+  EXPECT_EQ("-w /etc/passwd", contentOf("text"));
+  EXPECT_EQ("-v de --stdin -w /proc/self/fd/3\n", contentOf("arguments"));
+}
+
+TEST_F(SpeechTest, AFailureIsReported) {
+  install("exit 1");
+  EXPECT_THROW(speak("hello", ""), FileException);
+}
+
+TEST_F(SpeechTest, WithoutTheProgramTheAnswerSaysWhatToInstall) {
+  ::setenv("PATH", "/nowhere", 1);
+  try {
+    speak("hello", "");
+    FAIL() << "it has spoken";
+  } catch (const FileException& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("sudo apt install espeak-ng"));
+  }
+}
+
+TEST_F(SpeechTest, ImpossibleTextsAndVoicesAreRefused) {
+  EXPECT_THROW(speak("", ""), InvalidArgumentException);
+  EXPECT_THROW(speak(std::string(4001, 'a'), ""), InvalidArgumentException);
+  EXPECT_THROW(speak("hello", "/tmp/voice"), InvalidArgumentException);
+  EXPECT_THROW(speak("hello", "-x"), InvalidArgumentException);
+}
+
+}  // namespace
