@@ -1,11 +1,12 @@
-# Functions that the scripts share. To be sourced, not run.
+# Functions that the scripts share. Source this file; do not run it.
 # shellcheck shell=bash
 set -euo pipefail
+unset CDPATH  # otherwise cd could go elsewhere
 
 project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir=$project_dir/.build
 
-# The system's tools come first: a python3 or cmake from elsewhere (pyenv, conda, pip) does not find the ROS packages.
+# The system's tools come first: python3 or cmake of pyenv, conda or pip would not find the ROS packages.
 export PATH=/usr/bin:/bin:$PATH
 export PYTHONNOUSERSITE=1
 export HOME=${HOME:-/root}
@@ -14,18 +15,17 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
-# use_sanitizer NAME: switches to the build folder of address, thread or fuzz (cmake/sanitizers.cmake).
+# use_sanitizer NAME: switches to the build folder of this sanitizer (cmake/sanitizers.cmake).
 use_sanitizer() {
   case $1 in
     address | thread | fuzz) build_dir=$project_dir/.build/$1 ;;
-    *) fail "there is no sanitizer '$1'." "There are address and thread." ;;
+    *) fail "there is no sanitizer '$1'." "Choose address or thread." ;;
   esac
 }
 
-# watch_with NAME: builds and runs programs with the sanitizer address or thread. test/sanitizers gives reasons for
-# suppressions.
+# watch_with NAME: builds and runs programs with the sanitizer address or thread. test/sanitizers explains suppressions.
 watch_with() {
-  [[ $1 =~ ^(address|thread)$ ]] || fail "there is no sanitizer '$1'." "There are address and thread."
+  [[ $1 =~ ^(address|thread)$ ]] || fail "there is no sanitizer '$1'." "Choose address or thread."
   use_sanitizer "$1"
   local suppressions=$project_dir/test/sanitizers
   export ASAN_OPTIONS=detect_stack_use_after_return=1:strict_string_checks=1
@@ -34,7 +34,7 @@ watch_with() {
   export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1:history_size=7
 }
 
-# fail PROBLEM [ADVICE...]: prints what went wrong and, a line each, what to do about it.
+# fail PROBLEM [ADVICE...]: prints what went wrong, then the advice, one line each.
 fail() {
   printf '\n%s: %s\n' "${0##*/}" "$1" >&2
   shift
@@ -42,7 +42,7 @@ fail() {
   exit 1
 }
 
-# Prints the comment at the top of the running script, which is its --help.
+# Prints the comment at the top of the running script: its --help.
 print_help() {
   sed -n '2,/^[^#]/{s/^# \{0,1\}//p}' "$0"
 }
@@ -59,7 +59,6 @@ packages_of() {
     }' "$project_dir/scripts/packages.txt"
 }
 
-# setup.bash files do not work with `set -u`.
 source_setup() {
   set +u
   # shellcheck disable=SC1090
@@ -72,15 +71,15 @@ if [ -f /opt/ros/noetic/setup.bash ]; then
   source_setup /opt/ros/noetic/setup.bash
 fi
 
-# use_private_ros FOLDER: nodes use only this machine and log to the folder, whatever the caller's environment. This
-# works even if the host's name cannot be resolved.
+# use_private_ros FOLDER: nodes use only this machine and log to the folder, whatever the environment. It works even if
+# the host's name has no address.
 use_private_ros() {
   unset ROS_HOSTNAME ROS_NAMESPACE ROS_MASTER_URI ROSCONSOLE_CONFIG_FILE
   export ROS_IP=127.0.0.1 ROS_HOME=$1 ROS_LOG_DIR=$1/log
   mkdir -p "$ROS_LOG_DIR"
 }
 
-# free_port PORT: prints a TCP port that is free on this machine, PORT itself if possible.
+# free_port PORT: prints a free TCP port of this machine: PORT itself if possible.
 free_port() {
   python3 - "$1" <<'PYTHON'
 import socket, sys
@@ -96,7 +95,7 @@ for port in (int(sys.argv[1]), 0):
 PYTHON
 }
 
-# start_roscore LOG: starts a ROS master on a free port, for this script and what it starts, until the script ends.
+# start_roscore LOG: starts a ROS master on a free port until this script ends.
 start_roscore() {
   local port
   port=$(free_port 0)

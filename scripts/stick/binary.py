@@ -1,9 +1,8 @@
-"""Checks a finished OPEN-R program, with any compiler's code: whether the robot's loader can place it in memory, and
-whether its code then finds its data.
+"""Checks a finished OPEN-R program of any compiler: can the robot's loader place it, and does its code then find its
+data?
 
-The loader puts the program at some address, and adds the difference to the words that .RelDataEntry names. Nothing else
-is adapted, so everything else has to be independent of the address. gensnap of the SDK shows what is expected, and so
-do the programs among Sony's samples.
+The loader puts the program at some address, and adds the difference to the words that .RelDataEntry names. Everything
+else must be independent of the address. The SDK's gensnap and the programs among Sony's samples show what is expected.
 """
 import gzip
 import io
@@ -14,30 +13,30 @@ from typing import NamedTuple
 try:
     from elftools.common.exceptions import ELFError
     from elftools.elf.elffile import ELFFile
-except ImportError:  # missing_pyelftools() of stick.sdk says what to do
+except ImportError:  # missing_pyelftools() of stick.sdk gives advice
     pass
 
-LINKED_AT = 0x400000  # GNU ld's address for programs, which their words still have
+LINKED_AT = 0x400000  # GNU ld's address for programs; their words still have it
 TABLES_AT = 0xf0000000
-GP_OFFSET = 0x7ff0    # of the register gp from the beginning of .got (MIPS ABI)
+GP_OFFSET = 0x7ff0    # distance of the register gp from the beginning of .got (MIPS ABI)
 MODULE_POINTER = 0x80000000  # GNU's mark in the second word of .got
 GP = 28
 MAX_WORDS_NAMED = 3
-SMALL_FRAME = 4096  # bytes; some functions of newlib have it, also in programs of Sony with a stack of 3 KB
+SMALL_FRAME = 4096  # bytes; some functions of newlib need it, even in Sony's programs with a stack of 3 KB
 
-# The frame of newlib's __sbprintf, which all programs have: it prints to a stream without a buffer, such as stderr.
+# The frame of newlib's __sbprintf, which prints to unbuffered streams such as stderr. All programs have it.
 UNBUFFERED_PRINTF = range(16384, 16640)
 
 NEEDED = (".SnapShotHdr", ".ObletDependencyDescr", ".ObletDependencyDescrList", ".RelEntry", ".RelDataEntry",
           ".reginfo", ".text", ".ctors", ".got")
 
-# gensnap leaves these out, because they are independent of the program's address, and adapts R_MIPS_32.
+# gensnap adapts R_MIPS_32. It leaves out the others, which do not depend on the program's address.
 RELOCATIONS = {"R_MIPS_NONE", "R_MIPS_32", "R_MIPS_CALL16", "R_MIPS_HI16", "R_MIPS_GPREL32", "R_MIPS_LO16",
                "R_MIPS_GOT16", "R_MIPS_PC32"}
 
 
 class Summary(NamedTuple):
-    """What a program is made of, to be compared with another compiler's."""
+    """What a program is made of, for comparison with another compiler's."""
     name: str
     stack: int
     heap: int
@@ -59,20 +58,20 @@ class Summary(NamedTuple):
 
 
 class Broken(Exception):
-    """The program is damaged so that no further check makes sense."""
+    """The program is too damaged for further checks."""
 
 
 def read(path):
-    """The bytes of a program, unpacked if it is packed by gzip as on the stick."""
+    """The bytes of a program, unpacked if it is gzipped as on the stick."""
     data = path.read_bytes()
     return gzip.decompress(data) if data[:2] == b"\x1f\x8b" else data
 
 
 class Program:
-    """One program. problems() yields the text of everything that is wrong with it, and fills in the summary."""
+    """One program. problems() yields a text for each fault, and fills in the summary."""
 
     def __init__(self, data, linked=None, relocations=None):
-        """`linked` is mkbin's NAME.nosnap.elf and `relocations` its NAME.rel.elf, as bytes, if they are at hand."""
+        """`linked` is mkbin's NAME.nosnap.elf, `relocations` its NAME.rel.elf: their bytes, or None."""
         self._data = data
         self._linked = linked
         self._relocations = relocations
@@ -106,13 +105,13 @@ class Program:
         if missing:
             raise Broken(f"it has no section {', '.join(missing)}: mkbin was not run to its end")
         flags = header["e_flags"]
-        if flags & ~0x3 != 0x1004:  # but for noreorder and PIC: o32, MIPS I, CPIC
-            yield (f"its flags are {flags:#x}; the loader is known to take 0x1005: MIPS I, the ABI o32, and code that "
+        if flags & ~0x3 != 0x1004:  # except for noreorder and PIC: o32, MIPS I, CPIC
+            yield (f"its flags are {flags:#x}; the loader is known to accept 0x1005: MIPS I, the ABI o32, and code that "
                    "finds its data by gp (CPIC)")
         segments = [(segment["p_type"], segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"])
                     for segment in self._elf.iter_segments("PT_LOAD")]
         if segments != [("PT_LOAD", 0, 0), ("PT_LOAD", None, TABLES_AT)]:
-            raise Broken(f"it has to have two segments, one for the program at 0 and one for the header at "
+            raise Broken(f"it must have two segments, one for the program at 0 and one for the header at "
                          f"{TABLES_AT:#x}")
         self._memory = next(self._elf.iter_segments("PT_LOAD"))["p_memsz"]
         for section in self._placed():
@@ -154,7 +153,7 @@ class Program:
         return ", ".join(names) or "nothing"
 
     def _words(self):
-        """Each word in .RelDataEntry has the address that the table says, in a section with data."""
+        """Each word in .RelDataEntry must have the table's address, in a section with data."""
         places = [section for section in self._placed() if section["sh_type"] == "SHT_PROGBITS" and
                   section.name != ".text"]
         wrong = []
@@ -168,17 +167,18 @@ class Program:
             word, = struct.unpack_from("<I", self._data, offset)
             if word == MODULE_POINTER and offset == self._sections[".got"]["sh_addr"] + 4:
                 continue
-            # Addends may point a little behind the program, as to the end of .bss, and pages of .got begin before it.
+            # Addends may point a little behind the program, for instance to the end of .bss. Pages of .got begin before
+            # it.
             if word not in ({value + LINKED_AT} if value else {0, LINKED_AT}) or value > self._memory + 0x10000:
                 wrong.append(f"{offset:#x} holds {word:#x}, which is not {value:#x} of the table")
-        yield from _some(wrong, ".RelDataEntry names words that are no addresses in this program")
+        yield from _some(wrong, ".RelDataEntry names words that are not addresses in this program")
         got = self._sections[".got"]
         left_out = [f"{at:#x}" for at in range(got["sh_addr"], got["sh_addr"] + got["sh_size"], 4)
                     if at not in self._relocated]
         yield from _some(left_out, ".RelDataEntry leaves out words of .got")
 
     def _constructors(self):
-        """OPEN-R's InitGlobals() runs the constructors from the last but one word down to -1."""
+        """OPEN-R's InitGlobals() runs constructors from the last word but one down to -1."""
         text = self._sections[".text"]
         for name in (".ctors", ".dtors"):
             if name not in self._sections:
@@ -191,7 +191,7 @@ class Program:
             places = range(table["sh_addr"] + 4, table["sh_addr"] + 4 * len(words) - 4, 4)
             wrong = [f"{word:#x}" for place, word in zip(places, words[1:-1]) if place not in self._relocated or
                      not text["sh_addr"] <= word - LINKED_AT < text["sh_addr"] + text["sh_size"]]
-            yield from _some(wrong, f"{name} has words that are no relocated addresses of functions")
+            yield from _some(wrong, f"{name} has words that are not relocated addresses of functions")
 
     def _code(self):
         start = self._sections[".text"]["sh_addr"]
@@ -225,7 +225,7 @@ class Program:
         self.summary = self.summary._replace(functions_with_gp=set_gp, largest_frame=frame)
 
     def _uses_address(self, code, index):
-        """Whether a lui begins an address in this program that is completed by one of the next instructions."""
+        """True if this lui begins an address in the program that one of the next instructions completes."""
         register, high = code[index] >> 16 & 31, (code[index] & 0xffff) << 16
         for word in code[index + 1:index + 5]:
             operation, source, target = word >> 26, word >> 21 & 31, word >> 16 & 31
@@ -236,7 +236,7 @@ class Program:
         return False
 
     def _same_as_linked(self):
-        """The program is the linked one, moved by exactly LINKED_AT: gensnap's tables were made for that one."""
+        """The program must be the linked one, moved by exactly LINKED_AT, because gensnap's tables are for that one."""
         linked = {section.name: section for section in ELFFile(io.BytesIO(self._linked)).iter_sections()}
         for section in self._placed():
             other = linked.get(section.name)

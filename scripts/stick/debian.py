@@ -1,8 +1,8 @@
-"""Debian's cross compiler for MIPS in the place of the SDK's, which is GNU's of 2004.
+"""Debian's cross compiler for MIPS instead of the SDK's, which is GNU's of 2004.
 
-The project's Makefile, and Sony's mkbin and gensnap, find their tools below one folder. prepare() makes such a folder:
-links to Sony's and newlib's files, their archives in a form that today's linker reads, programs that call Debian's
-tools with the options that OPEN-R needs, and this project's runtime in the place of the C++ library.
+The project's Makefile and Sony's mkbin and gensnap look for tools below one folder. prepare() makes such a folder:
+links to Sony's and newlib's files, their archives in a form for today's linker, programs that call Debian's tools with
+OPEN-R's options, and this project's runtime instead of the C++ library.
 """
 import shutil
 import subprocess
@@ -17,16 +17,16 @@ RUNTIME = SOURCES / "memory_stick" / "debian"
 PREFIX = "mipsel-linux-gnu-"
 NEWLIB = ("libc-.a", "libm.a", "libnosys.a")
 
-# A MIPS I program that may lie anywhere in memory, and newlib's headers. Left alone, GCC calls functions that only its
-# own target's C library has: sincos(), and those that check the stack.
+# Makes a MIPS I program for any address, with newlib's headers. Without these options, GCC calls functions that only
+# its own target's C library has: sincos(), and those that check the stack.
 COMPILE = ("-nostdinc -isystem {runtime}/include -isystem {gcc_headers} -isystem {sdk}/mipsel-linux/include "
            "-mips1 -mabi=32 -mfp32 -mhard-float -fPIC -mabicalls -mshared -mno-plt -mno-relax-pic-calls -G0 "
            "-fno-asynchronous-unwind-tables -fno-strict-aliasing -fno-stack-protector -fno-toplevel-reorder "
            "-fno-builtin-sin -fno-builtin-cos -U_FORTIFY_SOURCE")
 COMPILE_CXX = (COMPILE + " -std=gnu++98 -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-use-cxa-atexit "
-               "-Wno-reorder -Wno-write-strings -Wno-class-memaccess")  # Sony's headers have such places
+               "-Wno-reorder -Wno-write-strings -Wno-class-memaccess")  # for Sony's headers
 
-# mkbin asks the compiler where the linker, libgcc and the first and last object file are.
+# mkbin asks the compiler for the linker, libgcc, and the first and last object file.
 COMPILER = """#!/bin/sh
 case $1 in
   -print-file-name=collect2) echo {tools}/bin/ld ;;
@@ -41,7 +41,7 @@ exec {python} -B {link} "$@"
 
 
 def prepare(sdk, tools):
-    """Makes the folder `tools`, to be used as OPENRSDK_ROOT. build_problems() of stick.sdk has found all parts."""
+    """Makes the folder `tools`, for use as OPENRSDK_ROOT. Call it after build_problems() of stick.sdk."""
     shutil.rmtree(str(tools), ignore_errors=True)
     for folder in ("bin", "lib", "OPEN_R/lib", "mipsel-linux/lib/ldscripts"):
         (tools / folder).mkdir(parents=True)
@@ -57,12 +57,12 @@ def prepare(sdk, tools):
 
 
 def version():
-    """The name of the compiler, such as mipsel-linux-gnu-g++ (Debian 12.2.0-14) 12.2.0."""
+    """The compiler's name, such as mipsel-linux-gnu-g++ (Debian 12.2.0-14) 12.2.0."""
     return _run([PREFIX + "g++", "--version"]).splitlines()[0]
 
 
 def libgcc(sdk):
-    """libgcc.a of the newest GCC in the SDK. Debian's has instructions that the robot's processor does not know."""
+    """libgcc.a of the newest GCC in the SDK. Debian's has instructions that the robot's processor lacks."""
     return max((sdk / "lib/gcc-lib/mipsel-linux").glob("*/libgcc.a"), default=None)
 
 
@@ -72,7 +72,7 @@ def _make_programs(sdk, tools):
         _write_program(tools / "bin" / ("mipsel-linux-" + name), COMPILER.format(
             tools=tools, program=PREFIX + name,
             options=options.format(runtime=RUNTIME, gcc_headers=gcc_headers, sdk=sdk)))
-    # There is nothing to strip, because link.py leaves symbols out; and GNU ld itself refuses undefined ones.
+    # There is nothing to strip: link.py leaves symbols out. GNU ld itself refuses undefined ones.
     for name, program in (("ar", PREFIX + "ar"), ("readelf", PREFIX + "readelf"), ("nm", "true"), ("strip", "true")):
         (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(program))
     _write_program(tools / "bin/ld", LINKER.format(python=sys.executable, link=Path(__file__).with_name("link.py")))
@@ -84,7 +84,7 @@ def _write_program(path, text):
 
 
 def _convert(archive, output):
-    """Packs an archive again, each file rewritten: today's GNU ld refuses those of 2004."""
+    """Rewrites an archive and its files, because today's GNU ld refuses those of 2004."""
     with tempfile.TemporaryDirectory() as folder:
         _run([PREFIX + "ar", "x", str(archive)], folder)
         members = sorted(path.name for path in Path(folder).iterdir())

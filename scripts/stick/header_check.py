@@ -1,4 +1,4 @@
-"""Checks that the robot's sources compile with Sony's headers, using this computer's compiler instead of the SDK's.
+"""Compiles the robot's sources with Sony's headers and this computer's compiler instead of the SDK's.
 
 It cannot check whether GCC 3.3.6 accepts them, or whether they link.
 """
@@ -49,9 +49,9 @@ def _make_stub(sdk, robot_object, folder):
 
 
 def _compile(sdk, source, includes):
-    """Warnings are off: many would be about longword, which has 64 bits here. The builds for Linux have them.
+    """Warnings are off: many would be about longword, which has 64 bits here. The Linux builds have them.
 
-    -fpermissive is for RCRegion.h: its operator new takes an unsigned int, which is size_t on the robot but not here.
+    -fpermissive is for RCRegion.h, whose operator new takes an unsigned int: size_t on the robot, but not here.
     """
     arguments = ["g++", "-std=gnu++98", "-fsyntax-only", "-w", "-fpermissive"]
     arguments += [f"-I{folder}" for folder in includes]
@@ -65,7 +65,7 @@ def _compile(sdk, source, includes):
 
 
 def _unknown_headers(sdk, path):
-    """Finds headers that exist here but not in the robot's C library, such as <strings.h>."""
+    """Finds headers that the robot's C library lacks, such as <strings.h>."""
     for name in re.findall(r"^\s*#\s*include\s*<([^>]+)>", path.read_text(), re.MULTILINE):
         folders = [sdk / "mipsel-linux/include", *(sdk / "include" / "c++").glob("*"),
                    *(sdk / "lib/gcc-lib").glob("*/*/include"), *(sdk / folder for folder in OPENR_FOLDERS)]

@@ -1,9 +1,9 @@
-"""GNU ld in the place of the SDK's, as mkbin calls it. Today's ld cannot do two of mkbin's four steps:
+"""GNU ld instead of the SDK's, with mkbin's calls. Today's ld cannot do two of mkbin's four steps:
 
-- `ld -r` gives gensnap the relocations. It lays out the sections differently from the program itself, so gensnap would
-  relocate the wrong words. Here, they come from the program itself (--emit-relocs).
-- `ld -T ldscript-merge` moves the program to address 0 and adds gensnap's tables. It refuses finished programs, and
-  makes room for more headers than the program has, which moves everything but gensnap's addresses.
+- `ld -r` gives gensnap the relocations, but lays out the sections differently from the program, so gensnap would
+  relocate the wrong words. Here they come from the program itself (--emit-relocs).
+- `ld -T ldscript-merge` moves the program to address 0 and adds gensnap's tables. Today's ld refuses finished programs,
+  and makes room for more headers, which moves everything but gensnap's addresses.
 """
 import os
 import sys

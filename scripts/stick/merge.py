@@ -1,7 +1,7 @@
-"""Makes an OPEN-R program of a MIPS program that GNU ld has linked.
+"""Makes an OPEN-R program from a MIPS program that GNU ld has linked.
 
-The form is that of the programs among Sony's samples, which its own tools have made: sections by address from 0, then
-in a segment of its own the header that gensnap has made, and after it gensnap's other tables, without a segment.
+The form is that of Sony's samples: sections by address from 0, then a segment with gensnap's header, then gensnap's
+other tables, without a segment.
 """
 import io
 import struct
@@ -18,15 +18,15 @@ SHDR = "<10I"
 NOBITS = 8
 ALLOC = 2
 
-# The flags of the programs among Sony's samples: MIPS I, the ABI o32, noreorder, and code that finds its data by gp
-# (CPIC). GNU ld 2.15 would leave the flag PIC, too, which GCC 12 sets in its object files.
+# The flags of Sony's samples: MIPS I, the ABI o32, noreorder, and code that finds its data by gp (CPIC). GNU ld 2.15
+# would also keep PIC, which GCC 12 sets in its object files.
 FLAGS = 0x1005
 
 TABLES = (".ObletDependencyDescr", ".ObletDependencyDescrList", ".RelEntry", ".RelDataEntry")
 
 
 def relocations_by_section(program):
-    """The program with the offset of each relocation counted from the beginning of its section, as in object files."""
+    """The program, with each relocation's offset from the beginning of its section, as in object files."""
     elf = ELFFile(io.BytesIO(program))
     changed = bytearray(program)
     for table in elf.iter_sections("SHT_REL"):
@@ -49,7 +49,7 @@ class _Writer:
         self.image.extend(bytes(-len(self.image) % step))
 
     def add(self, name, kind, flags, address, data, size=None, alignment=1, entry_size=0, offset=None):
-        """Adds a section; its data is at the end, if `offset` does not say where it is."""
+        """Adds a section. Its data goes to the end unless `offset` is given."""
         if offset is None:
             offset = len(self.image)
             self.image.extend(data)
@@ -59,7 +59,7 @@ class _Writer:
 
 
 def merge(program, tables):
-    """The bytes of the finished program. `tables` is what gensnap has made, linked with ldscript-snap."""
+    """The bytes of the finished program. `tables` are gensnap's, linked with ldscript-snap."""
     program, tables = (ELFFile(io.BytesIO(data)) for data in (program, tables))
     loaded = [section for section in program.iter_sections() 
               if section["sh_flags"] & ALLOC and section["sh_type"] != "SHT_REL"]

@@ -1,4 +1,4 @@
-"""This project's programs for the robot, as described by memory_stick/programs/objects.txt and each stub.cfg."""
+"""This project's programs for the robot, from memory_stick/programs/objects.txt and each stub.cfg."""
 import re
 from pathlib import Path
 from typing import NamedTuple
@@ -10,7 +10,7 @@ STICK_FILES = SOURCES / "memory_stick" / "OPEN-R"
 
 
 class RobotObject(NamedTuple):
-    """One program, an OPEN-R object. The entry `shared`, with the file "-", is code that is linked with all of them."""
+    """One program, an OPEN-R object. The entry `shared`, with the file "-", is code that all of them link."""
     name: str
     file: str
     folders: list
@@ -40,8 +40,8 @@ def shared_sources():
 
 
 def services(stub_cfg):
-    """The services that a stub.cfg declares, such as RCServer.Image.OFbkImageVectorData.O.
+    """The services in a stub.cfg, such as RCServer.Image.OFbkImageVectorData.O.
 
-    Like Sony's stubgen2, this ignores lines that do not begin with a keyword, so comments may have any form.
+    Like Sony's stubgen2, this ignores lines without a keyword, so comments may have any form.
     """
     return re.findall(r'^\s*Service\s*:\s*"([^"]+)"', stub_cfg.read_text(), re.MULTILINE)

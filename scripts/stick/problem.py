@@ -2,7 +2,7 @@
 
 
 class Problem(Exception):
-    """What is wrong, and then what to do about it, one line each."""
+    """What is wrong, then what to do about it, one line each."""
 
     def __init__(self, what, *advice):
         super().__init__(what)
@@ -20,7 +20,6 @@ class Problems(Exception):
 
 
 def raise_any(problems):
-    """Raises Problems if there are any."""
     problems = list(problems)
     if problems:
         raise Problems(problems)

@@ -1,4 +1,4 @@
-"""Checks that Sony's OPEN-R SDK, which the user provides, has everything that building a stick needs."""
+"""Checks that the user's copy of Sony's OPEN-R SDK has everything for building a stick."""
 import importlib.util
 import re
 import shutil
@@ -20,7 +20,7 @@ MODELS = {"ERS-7": "MS_ERS7", "ERS-210": "MS_ERS200"}
 
 
 class Part(NamedTuple):
-    """A part of the SDK that comes from one of Sony's downloads."""
+    """A part of the SDK from one of Sony's downloads."""
     name: str
     advice: str
     paths: tuple
@@ -53,25 +53,25 @@ STUB_GENERATOR = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/stu
 LINKER = Part("OPEN-R's Perl programs", HEADERS.advice, ("OPEN_R/bin/mkbin", "OPEN_R/bin/gensnap"))
 C_HEADERS = Part("the C library's headers", C_LIBRARY.advice, ("mipsel-linux/include/string.h",))
 
-# Sony's system is encrypted, so its files cannot be unpacked. Those of all revisions that were seen have whole blocks
-# of 8 bytes that no packer makes smaller, and sizes well within these bounds.
+# Sony's system is encrypted, so its files cannot be unpacked. In all revisions seen, they have whole blocks of 8 bytes,
+# cannot be compressed, and have sizes well within these bounds.
 SYSTEM_FILES = {"OPEN-R/APERIOS.GZ": (400_000, 700_000), "OPEN-R/APERINIT.GZ": (20_000, 50_000),
                 "OPEN-R/BOOTPARA": (100, 1_000)}
 SYSTEM_OBJECT = (2_000, 200_000)
 
 
 def compilers():
-    """Whose tools can build the programs: the SDK's own, or Debian's."""
+    """The compilers that can build the programs: the SDK's own, or Debian's."""
     return ("sdk", "debian")
 
 
 def choose_compiler(sdk, wanted):
-    """`wanted`, or if it is None, the SDK's own compiler where there is one, and else Debian's."""
+    """`wanted`; if None, the SDK's compiler if it is there, otherwise Debian's."""
     return wanted or ("sdk" if (sdk / COMPILER.paths[1]).is_file() else "debian")
 
 
 def build_problems(sdk, model, compiler):
-    """Yields a Problem for everything that building with this compiler and a stick of that model lack."""
+    """Yields a Problem for everything missing for this compiler and a stick of that model."""
     if not (sdk / "OPEN_R").is_dir():
         yield no_sdk(sdk)
         return
@@ -88,7 +88,7 @@ def build_problems(sdk, model, compiler):
 
 
 def missing_pyelftools():
-    """A Problem in a list if the checks of programs lack the library that reads them."""
+    """A list with a Problem if the library that reads programs is missing."""
     if importlib.util.find_spec("elftools") is None:
         return [Problem("this Python has no module elftools, which reads programs.",
                         "apt-get install python3-pyelftools; and start this script with Debian's python3.")]
@@ -96,7 +96,7 @@ def missing_pyelftools():
 
 
 def check_for_headers(sdk):
-    """Raises Problems for everything that `sdk` lacks for a check of the headers alone."""
+    """Raises Problems for everything that `sdk` lacks for checking headers."""
     if not (sdk / "OPEN_R").is_dir():
         raise no_sdk(sdk)
     raise_any([problem for part in (HEADERS, STUB_GENERATOR, C_HEADERS) for problem in _missing(sdk, part)] +
@@ -104,18 +104,18 @@ def check_for_headers(sdk):
 
 
 def system_folder(sdk, model):
-    """Sony's part of a stick: the system with memory protection, wireless LAN and console."""
+    """Sony's part of a stick: the system with memory protection, WLAN and console."""
     return sdk / "OPEN_R" / MODELS[model] / "WCONSOLE" / "memprot" / "OPEN-R"
 
 
 def files_named_in(configuration):
-    """The files on the stick that one of OPEN-R's .CFG files names, as paths from the top of the stick."""
+    """The files that one of OPEN-R's .CFG files names, as paths from the top of the stick."""
     lines = (line.split("#")[0] for line in configuration.read_text(errors="replace").splitlines())
     return [name for line in lines for name in re.findall(r"/MS/(\S+)", line)]
 
 
 def faulty_system_files(open_r):
-    """What is wrong with Sony's files, in a list: those the robot boots from, and those that its .CFG files name."""
+    """What is wrong with Sony's files, in a list: those to boot from, and those that its .CFG files name."""
     named = [name for configuration in sorted((open_r / "SYSTEM" / "CONF").glob("*.CFG"))
              for name in files_named_in(configuration) if name.endswith(".BIN")]
     sizes = {**SYSTEM_FILES, **{name: SYSTEM_OBJECT for name in named}}
@@ -131,18 +131,18 @@ def _faults_of(path, least, most):
     if not least <= len(data) <= most:
         yield f"has {len(data)} bytes, Sony's has {least} to {most}"
     elif len(data) % 8 != 0 or len(zlib.compress(data)) < 0.95 * len(data):
-        yield "has not the form of Sony's: it is cut off, or another file"
+        yield "does not look like Sony's: it is cut off, or another file"
 
 
 def revision(open_r):
-    """The revision of the SDK 1.1.5 from which this system comes, such as 5, or None if VERSION.txt does not say."""
+    """The revision of the SDK 1.1.5, such as 5, or None if VERSION.txt does not tell."""
     version = open_r / "VERSION.txt"
     found = re.search(r"SDK 1\.1\.5 r(\d+)", version.read_text(errors="replace")) if version.is_file() else None
     return int(found.group(1)) if found else None
 
 
 def notes_on_revision(open_r):
-    """What the owner should know about the revision of this system (CHANGES_E.txt of the SDK), one line each."""
+    """Notes for the owner about this revision (CHANGES_E.txt of the SDK), one line each."""
     number = revision(open_r)
     if number is None:
         return ["The revision of Sony's system is not known: VERSION.txt does not name it."]
@@ -172,7 +172,7 @@ def _some(names):
 
 
 def _missing_programs(*names):
-    """Perl is needed for Sony's own programs."""
+    """Sony's own programs need Perl."""
     return [Problem(f"there is no {name} on this computer.", f"apt-get install {name}")
             for name in names if shutil.which(name) is None]
 
@@ -202,7 +202,7 @@ def _compiler_problems(sdk):
             _run(sdk / tool, "--version")
         for driver, compiler in (("gcc", "cc1"), ("g++", "cc1plus")):
             path = _run(sdk / f"bin/mipsel-linux-{driver}", f"-print-prog-name={compiler}").strip()
-            if "/" not in path:  # the driver prints just the name if it does not find the program
+            if "/" not in path:  # if the driver does not find the program, it prints just the name
                 raise Problem(f"mipsel-linux-{driver} does not find {compiler}, the compiler itself.", COMPILER.advice)
             _run(path, "--version")
     except Problem as problem:

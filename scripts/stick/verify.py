@@ -9,7 +9,7 @@ from .objects import robot_objects, services
 from .problem import Problem
 from .wlan import parse_wlan_conf, wlan_conf
 
-# The services of OPEN-R itself: Programmer's Guide, Level2 Reference Guide.
+# OPEN-R's own services: Programmer's Guide, Level2 Reference Guide.
 SYSTEM_SERVICES = {
     "OVirtualRobotComm.Effector.OCommandVectorData.O",
     "OVirtualRobotComm.Sensor.OSensorFrameVectorData.S",
@@ -18,10 +18,10 @@ SYSTEM_SERVICES = {
     "OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
 }
 
-# Linked with OPEN-R's and GNU's libraries, Sony's smallest sample has 665 KB, with Debian's compiler FileKeeper 250 KB.
+# With all libraries, Sony's smallest sample has 665 KB, and FileKeeper 250 KB with Debian's compiler.
 MIN_PROGRAM_SIZE = 100_000
 MAX_PROGRAM_SIZE = 4_000_000
-MAX_STICK_SIZE = 8_000_000  # the smaller of Sony's programmable sticks
+MAX_STICK_SIZE = 8_000_000  # Sony's smaller programmable stick
 
 WRITE_AGAIN = "Let scripts/memory_stick write the stick again."
 
@@ -39,7 +39,7 @@ def problems_of(stick):
     yield from _wlan_problems(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT")
     size = sum(path.stat().st_size for path in open_r.rglob("*") if path.is_file())
     if size > MAX_STICK_SIZE:
-        yield Problem(f"{open_r} has {size} bytes; a stick of Sony's holds as little as 8 MB.",
+        yield Problem(f"{open_r} has {size} bytes; Sony's smallest stick holds 8 MB.",
                       "Remove motions and programs that are not needed.")
 
 
@@ -49,7 +49,7 @@ def _system_problems(open_r):
 
 
 def _name_problems(open_r):
-    """The robot supports names of 8 characters and 3 after a dot. Sony's own files are not checked."""
+    """The robot supports names with 8 characters and 3 after a dot. Sony's own files are not checked."""
     for path in sorted((open_r / "MW").rglob("*")) + sorted((open_r / "SYSTEM" / "CONF").glob("*")):
         if not re.fullmatch(r"[A-Z0-9_-]{1,8}(\.[A-Z0-9_-]{1,3})?", path.name):
             yield Problem(f"{path}: the robot does not support such names.",
@@ -116,7 +116,7 @@ def _connection_problems(open_r):
 
 def _line_problems(where, words, known, has_foreign_programs):
     if len(words) != 2 or not words[0].endswith(".S") or not words[1].endswith(".O"):
-        yield Problem(f"{where}: a line has two services, of a subject (.S) and of an observer (.O).", WRITE_AGAIN)
+        yield Problem(f"{where}: a line needs two services: a subject's (.S) and an observer's (.O).", WRITE_AGAIN)
         return
     if words[0].split(".")[-2] != words[1].split(".")[-2]:
         yield Problem(f"{where}: {words[0]} and {words[1]} have different data types.",
@@ -128,7 +128,7 @@ def _line_problems(where, words, known, has_foreign_programs):
 
 
 def _has_foreign_programs(open_r):
-    """True with programs of others, such as Sony's POWERMON.BIN, whose services are not known here."""
+    """True if there are programs such as Sony's POWERMON.BIN, whose services are unknown here."""
     ours = {robot_object.file for robot_object in robot_objects()}
     return any(name.split("/")[-1] not in ours for name in _programs_to_start(open_r))
 

@@ -6,11 +6,11 @@ from typing import NamedTuple
 from .problem import Problem
 
 HOST_NAME = "AIBO"
-UNUSED_KEY = "AIBO2"  # without encryption; no example of Sony's has an empty key
+UNUSED_KEY = "AIBO2"  # if there is no encryption; Sony's examples have no empty key
 
 
 class Wlan(NamedTuple):
-    """Settings that were not given are None."""
+    """A setting that was not given is None."""
     essid: str
     ip: str = None
     netmask: str = None
@@ -20,7 +20,7 @@ class Wlan(NamedTuple):
 
 
 def wlan_conf(wlan):
-    """The text of WLANCONF.TXT, with Sony's line ends. Raises Problem if the robot could not use the settings."""
+    """The text of WLANCONF.TXT, with Sony's line ends. Raises Problem if the robot could not use a setting."""
     lines = {"HOSTNAME": HOST_NAME, **_address_lines(wlan), "ESSID": _essid(wlan.essid), **_wep_lines(wlan.wep_key),
              **_channel_lines(wlan.channel)}
     return "".join(f"{name}={value}\r\n" for name, value in lines.items())
@@ -76,7 +76,7 @@ def _address(text, what):
 
 
 def _network(address, netmask):
-    """The network of this address. In a netmask, all ones come before the zeros."""
+    """The network of this address. A valid netmask has all ones before the zeros."""
     octets = re.fullmatch(r"(\d+)\.(\d+)\.(\d+)\.(\d+)", netmask)
     bits = "".join(f"{int(octet):08b}" for octet in octets.groups()) if octets else ""
     if not re.fullmatch(r"(?=.{32}$)1+0{2,}", bits):
@@ -102,7 +102,7 @@ def _wep_lines(key):
 
 def _channel_lines(channel):
     if channel is None:
-        return {"APMODE": "1", "CHANNEL": "3"}  # with an access point, CHANNEL is ignored
+        return {"APMODE": "1", "CHANNEL": "3"}  # access points set the channel
     if not re.fullmatch(r"[1-9]|1[01]", channel):
         raise Problem(f"the robot has no channel '{channel}'.", "Its channels are 1 to 11.")
     return {"APMODE": "0", "CHANNEL": channel}

@@ -18,20 +18,20 @@ def libjpeg_problems(libjpeg):
     if not header.is_file() or not (libjpeg / "jmemnobs.c").is_file():
         yield Problem(f"there are no sources of libjpeg in {libjpeg}: jpeglib.h and jmemnobs.c are missing.", *advice)
     elif not re.search(r"define\s+JPEG_LIB_VERSION\s+62\b", header.read_text(errors="replace")):
-        yield Problem(f"{header} is not that of libjpeg 6b.", *advice)
+        yield Problem(f"{header} is not from libjpeg 6b.", *advice)
 
 
 def path_problems(*paths):
-    """Yields a Problem for each path that make and Sony's tools cannot handle."""
+    """Yields a Problem for each path that make or Sony's tools cannot handle."""
     for path in (*paths, PROGRAMS):
-        if odd := re.search(r"[^\w./+@,=~-]", str(path)):  # make and the shell would carry out $(...) and the like
+        if odd := re.search(r"[^\w./+@,=~-]", str(path)):  # make and the shell would execute $(...)
             yield Problem(f"there is {'a space' if odd[0].isspace() else repr(odd[0])} in {path}, which make and Sony's "
                           "tools cannot handle.",
                           "Use a path of letters, digits and ./_+@,=~-; a symbolic link will do.")
 
 
 def build(sdk, libjpeg, build_dir, compiler):
-    """Builds all programs from scratch, since old ones may be of another SDK, and checks them. Returns their files."""
+    """Builds all programs from scratch, in case old ones are from another SDK, and checks them. Returns their files."""
     print(f"Building in {build_dir} with {'the compiler of the SDK' if compiler == 'sdk' else debian.version()}",
           flush=True)
     tools = sdk
@@ -54,9 +54,9 @@ def build(sdk, libjpeg, build_dir, compiler):
 
 
 def check_program(path, linked_as=None):
-    """Prints what a program is made of, and yields a Problem for everything that is wrong with it.
+    """Prints what a program is made of, and yields a Problem for each fault.
 
-    `linked_as` is the path without its end under which mkbin has left NAME.nosnap.elf and NAME.rel.elf.
+    `linked_as` is where mkbin left NAME.nosnap.elf and NAME.rel.elf: the path without their endings.
     """
     base = linked_as or path.with_suffix("")
     linked, relocations = (base.with_name(base.name + end) for end in (".nosnap.elf", ".rel.elf"))
@@ -64,11 +64,11 @@ def check_program(path, linked_as=None):
     found = list(program.problems())
     print(f"{path}: {'FAULTY' if found else 'no fault found'}. {program.summary or ''}", flush=True)
     for what in found:
-        yield Problem(f"{path}: {what}.", "Do not start it on a robot; build it again, and report it if it stays so.")
+        yield Problem(f"{path}: {what}.", "Do not start it on a robot; build it again, and report the fault if it comes back.")
 
 
 def write(sdk, model, programs, wlan_conf, output):
-    """Writes the stick. The owner's RCSERVER.CFG, WLANCONF.TXT and motions are kept.
+    """Writes the stick, but keeps the owner's RCSERVER.CFG, WLANCONF.TXT and motions.
 
     Returns notes for the owner, one line each.
     """
@@ -101,11 +101,11 @@ def _copy_folder(source, target, keep=()):
 def _write_wlan_conf(path, text):
     if text is not None:
         if path.exists():
-            path.unlink()  # a new file has new permissions
-        # It has the WEP key, so on a computer's disk only its owner may read it. A memory stick has no permissions.
+            path.unlink()  # a new file gets new permissions
+        # It has the WEP key, so on a disk only its owner may read it. A memory stick has no permissions.
         with open(str(path), "wb", opener=lambda name, flags: os.open(name, flags, 0o600)) as file:
             file.write(text.encode("ascii"))
         return []
     if path.exists():
-        return [f"{path} is as it was."]
+        return [f"{path} was not changed."]
     return ["There is no WLANCONF.TXT: the robot takes Sony's settings from WLANDFLT.TXT. --essid writes one."]
