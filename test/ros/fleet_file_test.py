@@ -165,6 +165,12 @@ class RvizConfigurationTest(unittest.TestCase):
         frame = self.template[rviz.MANAGER]['Global Options']['Fixed Frame']
         self.assertEqual(made[rviz.MANAGER]['Global Options']['Fixed Frame'], 'port/' + frame)
 
+    def test_the_view_follows_a_single_robot(self):
+        followed = [rviz.configuration(self.template, robots, frame)[rviz.MANAGER]['Views']['Current']['Target Frame']
+                    for robots, frame in (([('left', 'port')], None), ([('left', '')], 'base_link'),
+                                          ([('left', 'port'), ('right', '')], 'fleet'))]
+        self.assertEqual(followed, ['port/base_link', 'base_link', '<Fixed Frame>'])
+
 
 if __name__ == '__main__':
     unittest.main()
