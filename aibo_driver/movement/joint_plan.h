@@ -72,7 +72,7 @@ class JointPlan {
     MovementId id = 0;
     EndedHow how = EndedHow::kDone;
     std::string reason;               ///< as EndedMovement::reason
-    std::vector<std::string> joints;  ///< that it moved last; empty if they were all taken from it
+    std::vector<std::string> joints;  ///< the joints that it moved last; empty if all were taken from it
   };
 
   /// @param table, measured must outlive the plan
