@@ -89,9 +89,9 @@ void command(ConnectionLoop* loop, char letter, const std::string& parts, const 
 }
 
 constexpr char kToHold[] = "to hold joints; send the joints to where they were commanded instead";
-constexpr char kToWalk[] = "to walk; it takes an ERS-7 with a newer RCServer";
-constexpr char kToPlaySounds[] = "to play sounds; it takes a newer RCServer";
-constexpr char kToTakePostures[] = "to take postures; it takes an ERS-7 with a newer RCServer";
+constexpr char kToWalk[] = "to walk; this needs an ERS-7 with a newer RCServer";
+constexpr char kToPlaySounds[] = "to play sounds; this needs a newer RCServer";
+constexpr char kToTakePostures[] = "to take postures; this needs an ERS-7 with a newer RCServer";
 
 /// @param purpose what the request is for, and what to do without it
 /// @throw CommandException this server does not know the request

@@ -74,7 +74,7 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
   parameters.getParam(name, number);
   if (!(number >= 0 && number <= highest)) {
     throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
-                             "; allowed is 0.." + std::to_string(highest) + ".");
+                             "; it must be 0.." + std::to_string(highest) + ".");
   }
   return number;
 }
