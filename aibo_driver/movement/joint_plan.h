@@ -21,7 +21,7 @@ namespace aibo_driver::movement {
 
 using aibo_client::EndedHow;
 
-/// The number of a movement. Each movement has another one.
+/// The number of a movement. No two movements have the same number.
 using MovementId = std::uint64_t;
 
 /// How near a joint has to be to its target to have arrived.
@@ -92,7 +92,7 @@ class JointPlan {
   double add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
              std::chrono::milliseconds oldest);
 
-  /// Moves everything on. Call this every kPeriod, and after add().
+  /// Advances everything to the present time. Call this every kPeriod, and after add().
   /// @return the orders that have to be sent now
   std::vector<JointStep> advance(SteadyTime now);
 

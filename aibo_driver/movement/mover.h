@@ -180,7 +180,7 @@ class Mover {
   void disconnected();
   /// @}
 
-  /// Moves everything on. After Listener::on_begin, call this every JointPlan::kPeriod.
+  /// Advances everything to the present time. After Listener::on_begin, call this every JointPlan::kPeriod.
   /// @return false if there is nothing left to move
   bool goOn();
 
