@@ -55,8 +55,8 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: !!python/object/apply:os.system [true]}}', 'it is not YAML')
 
     def test_mistakes_are_refused(self):
-        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' is there twice")
-        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' is there twice")
+        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' appears twice")
+        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' appears twice")
         self.assert_refused('robots: {a: {port: 1}}', "robot 'a' has no host")
         self.assert_refused('robots: {a: h}', "robot 'a' has no host")
         self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
