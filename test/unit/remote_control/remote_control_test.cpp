@@ -456,6 +456,19 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   EXPECT_TRUE(find<QLabel>("movement")->isHidden()) << "also in version 1";
 }
 
+TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
+  Q_EMIT robot_.movementChanged("moved by walk from /anna; last ended: posture stand, done", false);
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden()) << "there is no connection";
+  robot_.connectIt();
+  open("Move");
+  EXPECT_EQ(textOf("who_moves"), "moved by walk from /anna");
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.movementChanged("moved by walk from /" + QString(300, 'a'), false);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden());
+}
+
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   Q_EMIT robot_.answered(false, "stand: the robot fell");
   EXPECT_TRUE(textOf("status").endsWith("stand: the robot fell"));
