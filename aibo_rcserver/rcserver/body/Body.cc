@@ -25,7 +25,7 @@ Body::Body()
   sensor_driver_.Open();
 }
 
-// The robot's table; also creates the command vectors.
+// Finds the robot's table, and creates the command vectors.
 const RobotModel& Body::FindModel() {
   design_[0] = '\0';
   OPENR::GetRobotDesign(design_);
@@ -82,7 +82,7 @@ bool Body::AddVector(OSubject* effector) {
   return true;
 }
 
-// A motion has come to places where ears flick.
+// Flicks the ears that motions want to flick now.
 void Body::FlickEars() {
   for (int ear = 0; ear < model_.number_of_ears; ++ear) {
     if (Joints().Motions().TakeFlick(ear)) {

@@ -135,7 +135,7 @@ bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool
   return true;
 }
 
-// The motion that moves a joint: there is one at most. MAX_PLAYING if there is none.
+// The only motion that moves a joint, or MAX_PLAYING if there is none.
 int MotionPlayer::FindMoving(int joint) const {
   int i = 0;
   while (i < MAX_PLAYING && !(motions_[i].IsPlaying() && motions_[i].Moves(joint))) {
