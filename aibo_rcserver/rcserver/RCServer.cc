@@ -424,7 +424,7 @@ void RCServer::SwitchOff() {
 
 void RCServer::LieDown() {
   Walker& walker = body_->Joints().Walking();
-  const char* const problem = walker.CanWalk() ? walker.Problem() : "nobody knows how this kind of robot lies down";
+  const char* const problem = walker.CanWalk() ? walker.Problem() : "this kind of robot has no known way to lie down";
   lies_down_since_ = now_;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);
@@ -617,7 +617,7 @@ void RCServer::AbortStranger(Connection* stranger) {
   ++strangers_;
   if (now_ - last_stranger_ >= FRAMES_PER_MINUTE) {
     OSYSPRINT(
-        ("RCServer: %s is no client: its first bytes are no request, but perhaps a web browser's. %u such "
+        ("RCServer: %s is not a client: its first bytes are not a request, but may be a web browser's. %u such "
          "connections have been aborted since the last report\n",
          stranger->ClientName(), strangers_));
     strangers_ = 0;

@@ -149,7 +149,7 @@ void Version2::Handle(const FrameHeader& request, const unsigned char* payload, 
   payload_ = payload;
   now_ = now;
   if (request.request_number == 0) {
-    Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
+    Refuse(CODE_REFUSED, "bad request: number 0 is reserved for messages that the server pushes; use 1 to 65535");
     return;
   }
   Execute();
@@ -187,7 +187,7 @@ bool Version2::IsAllowed(bool Settings::*setting, const char* name) {
 void Version2::RefuseTooLarge(const FrameHeader& request) {
   request_ = request;
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "a request of %u bytes is too large; the server hangs up", request.payload_size);
+  sprintf(text, "a request of %u bytes is too large; the server closes the connection", request.payload_size);
   Refuse(CODE_REFUSED, text);
 }
 
@@ -403,7 +403,7 @@ bool Version2::HasJoint(int identifier) {
 
 void Version2::RefuseMissing(const char* part, int identifier) {
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "this robot has no %s %d, so nothing of the request was done", part, identifier);
+  sprintf(text, "this robot has no %s %d, so the whole request was refused", part, identifier);
   Refuse(CODE_REFUSED, text);
 }
 
@@ -655,7 +655,7 @@ void Version2::PushEnds() {
     SendEnd(end.what, end.how, end.name, end.reason);
   }
   if (outbox_.HasRoom() && robot_.joints.Walking().TakeSoftened()) {
-    SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are soft");
+    SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are limp");
   }
 }
 

@@ -107,7 +107,7 @@ void Body::WatchWalk(longword frame) {
                                       -Acceleration("acceleration_up_down"), TouchesFloor()};
   walker.Measured(reading, frame);
   if (walker.GoesSoft()) {
-    OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are soft\n", FallWatch::Words(walker.Fall().Now())));
+    OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are limp\n", FallWatch::Words(walker.Fall().Now())));
   }
   if (walker.WantsMotorsOff()) {
     joint_driver_.Switch(false);
