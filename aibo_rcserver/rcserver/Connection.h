@@ -49,7 +49,7 @@ class Connection {
   /// endpoints must be ignored.
   bool Owns(const void* continuation) const;
 
-  /// Starts to listen. Only if IsClosed().
+  /// Starts to listen. Call it only if IsClosed().
   /// @param endpoint_number different from those of all earlier endpoints
   /// @return false if the IPStack refuses; try again later
   bool Listen(Port port, size_t endpoint_number);

@@ -39,16 +39,17 @@ class Session {
   /// @param newest_version newest version of the protocol that a client may ask for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 
-  /// A client has connected. It speaks version 1 until it asks for version 2.
+  /// Begins a session with a new client, which speaks version 1 until it asks for version 2.
   void Begin();
 
-  /// The client is gone. Everything it has started ends: the camera idles, the joints hold, LEDs are off.
+  /// Ends the session of a client that is gone, and everything it has started: the camera idles, the joints hold, and
+  /// LEDs are off.
   void End();
 
   /// True if bytes may be added: all requests have been handled.
   bool WantsInput() const { return !IsEnding() && !has_input_; }
 
-  /// Adds received bytes; only if WantsInput().
+  /// Adds received bytes. Call it only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
   /// True if the first bytes are not a client's (Opening). No more requests are handled; the connection must be
@@ -63,10 +64,10 @@ class Session {
   /// @param now OPEN-R frame
   void HandleRequests(unsigned now);
 
-  /// FileKeeper has done a job. A result that no request waits for is ignored.
+  /// Call when FileKeeper has done a job. A result that no request waits for is ignored.
   void FileDone(const FileResult& result);
 
-  /// The picture of an order for the memory stick has been made.
+  /// Call when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size) {
     version2_.PictureTaken(jpeg, size);
     outbox_.Reserve(files_.IsPending());
@@ -77,7 +78,7 @@ class Session {
 
   /// Writes the bytes that precede the file's content.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
-  /// @return how many bytes it is
+  /// @return the number of bytes
   size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.EncodeFileHeader(size, out); }
 
   /// Ends the session because the robot goes off. A client of version 2 is told the reason.
@@ -94,7 +95,7 @@ class Session {
     return version_ == protocol::version2::VERSION && version2_.WantsColors(image_count);
   }
 
-  /// The camera has detected colours in an image. Only if WantsColors().
+  /// Call when the camera has detected colours in an image, but only if WantsColors().
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
@@ -127,7 +128,7 @@ class Session {
 
   /// Writes the bytes that precede a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
-  /// @return how many bytes it is
+  /// @return the number of bytes
   size_t EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image, size_t jpeg_size,
                              unsigned char* out) const;
 

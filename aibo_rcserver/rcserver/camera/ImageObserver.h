@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-// Names and comments of the states: report, section 3.3.2.
+// The names and comments of the states are those of the report, section 3.3.2.
 enum ImageObserverState {
   IOS_IDLE,        ///< do nothing
   IOS_PICTURE,     ///< take a picture

@@ -72,7 +72,7 @@ class PictureDatagrams : public DatagramSwitch {
   /// @param now OPEN-R frame
   bool MaySend(longword now) const;
 
-  /// Begins to send a picture. Only if IsOn() and not HasPicture().
+  /// Begins to send a picture. Call it only if IsOn() and not HasPicture().
   /// @param jpeg `size` bytes, which are copied
   /// @param now OPEN-R frame
   void Send(const protocol::version2::ImageHeader& image, const byte* jpeg, size_t size, longword now);

@@ -54,7 +54,7 @@ class FileOrder {
   /// True if this is the result that the pending request waits for.
   bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
 
-  /// Finishes the pending request. Only if Awaits().
+  /// Finishes the pending request. Call it only if Awaits().
   /// @return never PENDING
   Outcome Finish(const FileResult& result);
 

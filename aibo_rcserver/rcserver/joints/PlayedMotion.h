@@ -60,7 +60,7 @@ class PlayedMotion {
   /// @param[out] joint that one
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
-  /// Sets the targets for the next frame. Only if IsPlaying().
+  /// Sets the targets for the next frame. Call it only if IsPlaying().
   void NextFrame(MotionPlanner& planner);
 
   /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.

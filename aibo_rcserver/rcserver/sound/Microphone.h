@@ -33,7 +33,7 @@ class Microphone {
   /// Call after a vector has been processed.
   void AskForMore();
 
-  /// Converts a vector. Only if IsOn().
+  /// Converts a vector. Call it only if IsOn().
   /// @param[out] out room for 4 * MAX_SAMPLES bytes: samples as they are sent
   /// @return the header that precedes them
   protocol::version2::HeardSound Convert(OSoundVectorData* vector, unsigned char* out);
