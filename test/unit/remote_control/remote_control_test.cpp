@@ -406,6 +406,17 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
   }
 }
 
+TEST_F(RemoteControlTest, FiguresDoNotChangeItsWidth) {
+  robot_.connectIt();
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.batteryMeasured(1, 25);
+  Q_EMIT robot_.linkMeasured({12.3, 0.004, 0});
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  Q_EMIT robot_.linkMeasured({12345.6, 999.999, 0.123});
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+}
+
 TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
   robot_.connectIt();
   open("Move");
