@@ -114,7 +114,7 @@ const char* Speaker::Begin() {
 const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   const unsigned after = part.position + size;
   if (!is_playing_ || has_last_) {
-    return "no sound is being played; begin one with the sample at position 0";
+    return "no sound is being played; one begins with the sample at position 0";
   }
   if (size > SPEAKER_CAPACITY || IsAfter(after, begin_ + SPEAKER_CAPACITY)) {
     return "the robot has no room for so many samples yet; the answers tell how many may follow";
