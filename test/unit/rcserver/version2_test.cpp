@@ -726,7 +726,7 @@ TEST_F(HoldTest, TheJointsNamedStopAndTheOthersGoOn) {
 
 TEST_F(HoldTest, WhatCannotBeHeldIsRefusedAndEverythingGoesOn) {
   expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kHeadPan), static_cast<char>(kNoJoint)}), CODE_REFUSED,
-                "this robot has no joint 99, so nothing of the request was done");
+                "this robot has no joint 99, so the whole request was refused");
   expectRefusal(answerTo('I', HOLD_JOINTS), CODE_REFUSED, "bad request: no joint is named");
   expectRefusal(answerTo('I', HOLD_EVERYTHING, "\2"), CODE_REFUSED, "bad request: the payload");
   expectRefusal(answerTo('I', 2), CODE_REFUSED, "bad request: the id is neither 0");
