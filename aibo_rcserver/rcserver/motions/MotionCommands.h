@@ -28,7 +28,7 @@ class MotionCommands {
   Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out);
 
   /// Once Play() is DONE: what is played differently than the file says (MotionPlayer::Changes()). The console has it,
-  /// too.
+  /// too, but not again for the same motion with the same changes.
   const char* Changes() const { return joints_.Motions().Changes(); }
 
   /// Stops a motion, if it is being played.
@@ -54,17 +54,29 @@ class MotionCommands {
   Outcome Finish(const FileResult& result);
 
  private:
+  // What the console has said about a motion.
+  struct Said {
+    protocol::MotionName name;
+    char changes[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
+  };
+
+  // As many as a memory stick usually has; the oldest is forgotten.
+  static const int MAX_SAID = 16;
+
   MotionCommands(const MotionCommands&);
   MotionCommands& operator=(const MotionCommands&);
 
   Outcome CheckPlay();
   Outcome FinishPlay(const FileResult& result);
+  bool IsNews(const char* changes);
 
   JointControl& joints_;
   const MotorSwitch& motors_;
   FileOrder& order_;
   mtn::Motion checked_;       ///< the upload that is checked
   mtn::FittedMotion fitted_;  ///< the same
+  Said said_[MAX_SAID];
+  int next_said_;
 
   /// @name The motion to be played, while its file is being read
   /// @{
