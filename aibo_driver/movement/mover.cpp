@@ -225,7 +225,7 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     takeEndsOfPlan();
     try {
       // Otherwise the robot would keep lower limits of earlier commands.
-      link_.limitSpeeds(table_.speedLimits());
+      link_.limitSpeeds(table_.motionSpeedLimits());
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }

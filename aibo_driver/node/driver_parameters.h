@@ -45,6 +45,7 @@ struct DriverParameters {
   double telemetry_rate = 31.25;  ///< messages a second of joint_states and sensors, 0..31.25; 0 means none
   double joint_speed_limit = movement::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
   double speed_scale = 1.0;                               ///< a factor of the speed limits, 0.1..1
+  double motion_speed_limit = movement::kNoSpeedLimit;    ///< rad/s, 0.1..20, while a motion file is played
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
   bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it
 

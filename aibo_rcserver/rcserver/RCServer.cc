@@ -4,7 +4,6 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
-#include <MCOOP.h>
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,6 +11,7 @@
 #include "objects/HostSettings.h"
 #include "protocol/opening.h"
 #include "protocol/version1.h"
+#include "rcserver/SystemMilliseconds.h"
 #include "rcserver/settings/Settings.h"
 
 namespace {
@@ -26,13 +26,6 @@ bool IsStranger(const byte* bytes, size_t size) {
 }
 
 const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / robot_model::FRAME_MILLISECONDS;
-
-// Tekkotsu uses the same call. The value overflows after 49 days.
-unsigned SystemMilliseconds() {
-  SystemTime time;
-  GetSystemTime(&time);
-  return static_cast<unsigned>(time.seconds * 1000 + time.useconds / 1000);
-}
 
 // OPEN-R passes event data as const, but its own classes need a non-const pointer. The data is not modified.
 template <typename Vector>

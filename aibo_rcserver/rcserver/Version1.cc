@@ -156,6 +156,9 @@ bool Version1::LimitJoint() {
   const bool is_speed = request_.basic.command == REQUEST_MAX_VELOCITY;
   if (IsWrite()) {
     const int limit = microradiansFromCentidegrees(Value());
+    if (limit <= 0) {
+      return false;  // the joint would not move any more
+    }
     is_speed ? planner.SetSpeedLimit(joint, limit) : planner.SetAccelerationLimit(joint, limit);
   }
   Reply(centidegreesFromMicroradians(is_speed ? planner.SpeedLimit(joint) : planner.AccelerationLimit(joint)));

@@ -366,7 +366,7 @@ void Version2::CarryOut<REQUEST_JOINTS>() {
 template <>
 void Version2::CarryOut<REQUEST_SPEED_LIMITS>() {
   SpeedLimits limits;
-  if (!Decode(&limits) || !HasJoints(limits.joints, limits.count)) {
+  if (!Decode(&limits) || !HasJoints(limits.joints, limits.count) || !ArePositive(limits)) {
     return;
   }
   JointControl& joints = robot_.joints;
@@ -381,6 +381,16 @@ void Version2::CarryOut<REQUEST_SPEED_LIMITS>() {
     }
   }
   Reply(limits);
+}
+
+bool Version2::ArePositive(const SpeedLimits& limits) {
+  for (int i = 0; i < limits.count; ++i) {
+    if (limits.joints[i].value <= 0) {
+      Refuse(CODE_REFUSED, "a speed limit must be above 0, so nothing of the request was done");
+      return false;
+    }
+  }
+  return true;
 }
 
 // Refuses the request if the robot does not have one of these joints.

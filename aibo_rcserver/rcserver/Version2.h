@@ -120,6 +120,7 @@ class Version2 {
   bool HasNoPayload();
 
   bool MakesLayer(protocol::version2::Layer layer);
+  bool ArePositive(const protocol::version2::SpeedLimits& limits);
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
   bool HasJoint(int identifier);
   void RefuseMissing(const char* part, int identifier);

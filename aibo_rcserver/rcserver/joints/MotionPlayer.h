@@ -23,6 +23,10 @@ class MotionPlayer {
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
+  /// A motion that took longer than it should by this time or more, in milliseconds, was held up, and its end says so.
+  /// Vectors of 32 ms and their queue make a difference of up to 64 ms. Our choice.
+  static const int HELD_UP = 100;
+
   /// All must outlive this.
   MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
 
@@ -41,7 +45,7 @@ class MotionPlayer {
                    const bool* commanded);
 
   /// How the last motion that Play() began differs from its file, in one line such as "2 positions are clipped, by up
-  /// to 3.0 degrees (left_hind_knee at 2832 ms)"; empty if it is played as it is.
+  /// to 1.8 degrees (right_hind_elevator at 656 ms)"; empty if it is played as it is.
   const char* Changes() const { return changes_; }
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
@@ -67,6 +71,10 @@ class MotionPlayer {
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
 
+  /// Call before NextFrame(), once for all frames that are computed at this time.
+  /// @param now in milliseconds, on a clock that runs on while the robot's program is held up; may overflow
+  void SetTime(unsigned now) { now_ = now; }
+
   /// Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
 
@@ -79,12 +87,14 @@ class MotionPlayer {
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   int FindMoving(int joint) const;
   void Stop(PlayedMotion& motion, const EndReason& reason);
+  void ReportDone(const PlayedMotion& motion);
   void Report(const PlayedMotion& motion, const EndReason& reason);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   EndLog& ends_;
   PlayedMotion motions_[MAX_PLAYING];
+  unsigned now_;  ///< milliseconds
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -45,6 +45,13 @@ class PlayedMotion {
   /// @param repetitions not below 1
   void Start(int repetitions);
 
+  /// How long it has been played so far if nothing has held it up, in milliseconds.
+  unsigned Played() const { return played_; }
+
+  /// How long it has been played so far, in milliseconds.
+  /// @param now as for NextFrame()
+  unsigned Elapsed(unsigned now) const { return now - begun_; }
+
   /// Makes the current repetition the last one.
   void EndRepetitions() { repetitions_left_ = 1; }
 
@@ -61,7 +68,8 @@ class PlayedMotion {
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
   /// Sets the targets for the next frame. Call it only if IsPlaying().
-  void NextFrame(MotionPlanner& planner);
+  /// @param now in milliseconds, on any clock; may overflow
+  void NextFrame(MotionPlanner& planner, unsigned now);
 
   /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.
   /// @param ear index in the robot's table
@@ -100,6 +108,8 @@ class PlayedMotion {
   int key_frame_;                       ///< in PLAYING: the one that the joints move to, from 1
   int milliseconds_;                    ///< in PLAYING: since the previous key frame
   int duration_;                        ///< in PLAYING: milliseconds from the previous key frame to this one
+  unsigned begun_;                      ///< when its first frame was computed, in milliseconds
+  unsigned played_;                     ///< milliseconds
   int begin_[robot_model::MAX_JOINTS];  ///< positions in the previous key frame
   int end_[robot_model::MAX_JOINTS];    ///< positions in key_frame_, or in the last one
   bool flicks_[robot_model::MAX_EARS];  ///< ears that have to flick

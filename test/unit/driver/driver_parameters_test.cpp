@@ -54,6 +54,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_TRUE(parameters.camera == aibo_client::CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
+  EXPECT_DOUBLE_EQ(parameters.motion_speed_limit, 20.0);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
   EXPECT_FALSE(parameters.slow_down);
@@ -119,6 +120,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   XmlRpcValue values;
   values["robot"] = "ERS-210";
   values["joint_speed_limit"] = 2;
+  values["motion_speed_limit"] = 1.5;
   values["speed_scale"] = 0.5;
   values["approach_speed"] = 0.25;
   values["slow_down"] = XmlRpcValue(true);
@@ -127,6 +129,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.robot, "ERS-210");
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
+  EXPECT_DOUBLE_EQ(parameters.motion_speed_limit, 1.5);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 0.5);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
   EXPECT_TRUE(parameters.slow_down);
@@ -138,6 +141,7 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("robot", "ERS-8"), HasSubstr("ERS-7 or ERS-210"));
   EXPECT_THAT(refusal("telemetry_rate", 50), HasSubstr("messages a second, 0..31.25"));
   EXPECT_THAT(refusal("joint_speed_limit", 0), HasSubstr("rad/s, 0.1..20"));
+  EXPECT_THAT(refusal("motion_speed_limit", 21), HasSubstr("rad/s, 0.1..20"));
   EXPECT_THAT(refusal("speed_scale", 1.5), HasSubstr("0.1..1"));
   EXPECT_THAT(refusal("approach_speed", -1.0), HasSubstr("rad/s, 0.05..20"));
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));

@@ -510,6 +510,13 @@ TEST_F(Version2Test, SpeedLimitForAnUnknownJointRefusesTheWholeRequest) {
   EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
 }
 
+TEST_F(Version2Test, ASpeedLimitWithWhichAJointCannotMoveRefusesTheWholeRequest) {
+  for (const int limit : {0, -1}) {
+    expectRefusal(answerTo('V', 0, limits({{kHeadPan, 1000000}, {kNeckTilt, limit}})), CODE_REFUSED, "above 0");
+  }
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
+}
+
 // --------------------------------------------------------------------------------------------------------------- T
 
 TEST_F(Version2Test, TelemetryPeriodIsRoundedUpToWhatTheRobotCanMeasure) {
