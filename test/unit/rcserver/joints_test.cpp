@@ -180,7 +180,17 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
 
 TEST_F(JointsTest, SpeedLimitIsClampedToTheJointsRange) {
   expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
-  expectAnswer(request('V', kNeckTilt, -1), 'v', kNeckTilt, 1);
+  expectAnswer(request('V', kNeckTilt, 1), 'v', kNeckTilt, 1);
+}
+
+TEST_F(JointsTest, LimitsWithWhichAJointCannotMoveAreRefused) {
+  for (const char letter : {'V', 'A'}) {
+    answerTo(request(letter, kNeckTilt, 3000));
+    for (const int limit : {0, -1, -32768}) {
+      expectError(request(letter, kNeckTilt, limit));
+    }
+    expectAnswer(request(letter, kNeckTilt), letter == 'V' ? 'v' : 'a', kNeckTilt, 3000);
+  }
 }
 
 TEST_F(JointsTest, LimitsTooLargeForVersion1ReadAsItsLargestValue) {

@@ -269,6 +269,7 @@ TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
   EXPECT_EQ(answerTo(play("", 0, TELL_CHANGES)), "p");
   EXPECT_EQ(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
             "p2 positions are clipped, by up to 3.0 degrees (head_pan at 160 ms)");
+  EXPECT_EQ(console_.str().find("FAST.MTN: 2"), console_.str().rfind("FAST.MTN: 2")) << "the console has it once";
   EXPECT_EQ(answerTo(play("", 0)), "p");
   EXPECT_EQ(answerTo(::frame('V', 0, 1, std::string("\2\0\0\0\0\x0f\x42\x40", 8))).front(), 'v') << "1 rad/s";
   EXPECT_THAT(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),

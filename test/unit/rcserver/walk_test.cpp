@@ -378,7 +378,7 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   EXPECT_FALSE(isLimp());
   pass(70);
   EXPECT_TRUE(isLimp());
-  EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are soft"));
+  EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are limp"));
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its side: its motors go off"));
 }
 
