@@ -18,8 +18,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr unsigned kFramesASecond = 125;
-
 std::string steering(int forward, int left = 0, int turn = 0) {
   const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};
   return payloadOf(velocity);
