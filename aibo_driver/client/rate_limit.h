@@ -26,7 +26,8 @@ class RateLimit {
   /// @param now not earlier than in the last call
   /// @param period the time between two in the long run; it may differ from call to call. 0 means that none is admitted
   ///   until a call has another period
-  Admission admit(TimePoint now, Duration period);
+  /// @param count so many at once, all or none; more than the burst are never let through
+  Admission admit(TimePoint now, Duration period, int count = 1);
 
  private:
   const int burst_;

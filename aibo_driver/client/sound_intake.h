@@ -26,9 +26,6 @@ struct SoundPart {
 /// asked for, and reports the end of each sound once. It belongs to the client's thread.
 class SoundIntake {
  public:
-  /// The most samples of a push, 1 s. A push with more is dropped.
-  static constexpr unsigned kMostSamplesOfPush = 16000;
-
   /// @param context must outlive the object
   explicit SoundIntake(const ConnectionContext& context) : context_(context) {}
 
@@ -55,17 +52,25 @@ class SoundIntake {
   void connectionLost() { end(EndedHow::kLost); }
 
  private:
+  /// Frames that may come at once, 1 s. A push with more is dropped.
+  static constexpr int kMostFrames = 125;
+
   void end(EndedHow how);
-  std::uint32_t missingBefore(std::uint32_t frame_number, unsigned count);
+  unsigned frameSize() const;
+  std::uint32_t missingBefore(std::uint32_t frame_number, unsigned count,
+                              std::chrono::steady_clock::time_point arrival);
 
   const ConnectionContext& context_;
   MicrophoneSettings asked_;
   std::optional<MicrophoneSettings> in_force_;
-  std::optional<std::uint32_t> next_frame_;  ///< the frame in which the next piece begins if none is missing
-  unsigned beyond_frame_ = 0;                ///< samples of that frame that have been heard already
-  RateLimit limit_{64};
+  std::optional<std::uint32_t> next_frame_;      ///< the frame in which the next piece begins if none is missing
+  unsigned beyond_frame_ = 0;                    ///< samples of that frame that have been heard already
+  std::chrono::steady_clock::time_point began_;  ///< when the first sound came since next_frame_ was empty
+  std::uint64_t frames_ = 0;                     ///< frames that came or were missing since then
+  RateLimit limit_{kMostFrames};
   bool excess_is_logged_ = false;
   std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays
+  std::uint64_t ended_ = 0;           ///< the newest sound whose end was reported
 };
 
 }  // namespace aibo_client

@@ -15,10 +15,13 @@
 #include <string>
 #include <vector>
 
+#include "protocol/sound_requests.h"
 #include "support/memory_stick.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
+#include "support/version2_frames.h"
 #include "unit/sound/wav_files.h"
 
 namespace {
@@ -90,6 +93,40 @@ TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
       EXPECT_GT(messages[i]->header.stamp, messages[i - 1]->header.stamp);
     }
   }
+}
+
+/// Whether the driver's next request for the microphones switches them on.
+bool isSwitchedOn(test_support::ScriptedPeer* robot) {
+  version2_frames::Frame request;
+  do {
+    request = robot->readRequest();
+  } while (request.header.kind != protocol::version2::REQUEST_SOUND);
+  EXPECT_EQ(request.header.id, protocol::version2::SOUND_MICROPHONE);
+  protocol::version2::MicrophoneSettings settings = {};
+  EXPECT_EQ(decode(request.payload.data(), request.payload.size(), &settings), nullptr);
+  robot->send(version2_frames::makeFrame('a', request.header.request_number, request.payload));
+  return settings.on;
+}
+
+TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConnection) {
+  test_support::ScriptedServer server;
+  DriverProcess driver("/listens", server.port(), {"_read_timeout:=20"});
+  std::optional<test_support::ScriptedPeer> robot(server.accept());
+  robot->agreeToVersion2("F A");
+  for (int time = 0; time < 2; ++time) {
+    {
+      const TopicListener<Sound> listener("/listens/microphone");
+      EXPECT_TRUE(isSwitchedOn(&*robot)) << "time " << time;
+      const TopicListener<Sound> other("/listens/microphone");
+    }
+    EXPECT_FALSE(isSwitchedOn(&*robot)) << "time " << time;
+  }
+  const TopicListener<Sound> listener("/listens/microphone");
+  EXPECT_TRUE(isSwitchedOn(&*robot));
+  robot->close();
+  robot.emplace(server.accept());
+  robot->agreeToVersion2("F A");
+  EXPECT_TRUE(isSwitchedOn(&*robot)) << "over the next connection";
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {

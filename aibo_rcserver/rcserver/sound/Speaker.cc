@@ -104,8 +104,6 @@ const char* Speaker::Begin() {
   vectors_until_end_ = 0;
   begin_ = 0;
   end_ = 0;
-  is_in_gap_ = false;
-  starved_ = 0;
   gaps_ = 0;
   missing_ = 0;
   return NULL;
@@ -116,7 +114,8 @@ const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   if (!is_playing_ || has_last_) {
     return "no sound is being played; one begins with the sample at position 0";
   }
-  if (size > SPEAKER_CAPACITY || IsAfter(after, begin_ + SPEAKER_CAPACITY)) {
+  const unsigned most = begin_ + SPEAKER_CAPACITY;
+  if (size > SPEAKER_CAPACITY || IsAfter(part.position, most) || IsAfter(after, most)) {
     return "the robot has no room for so many samples yet; the answers tell how many may follow";
   }
   while (IsAfter(part.position, end_)) {
@@ -196,7 +195,6 @@ unsigned char Speaker::Volume() const {
 
 void Speaker::ClientGone() {
   is_playing_ = false;
-  vectors_until_end_ = 0;
   number_of_ends_ = 0;
   if (volume_ != VOLUME_OF_ROBOT) {
     SetVolume(VOLUME_OF_ROBOT);
