@@ -25,7 +25,8 @@ int restingPosition(const std::string& joint);
 /// The head looks at the ball and, behind it, the station.
 HeadAngles restingHead();
 
-/// All joints, in the order of the robot's table. They begin in the resting posture, without power. They can pass
+/// All joints, in the order of the robot's table. They begin in the resting posture, without power. A joint that an
+/// ERS-7 lacks begins at 0. They can pass
 /// through each other; the objects have to avoid that.
 class Joints {
  public:
@@ -45,6 +46,7 @@ class Joints {
   /// Call after 8 ms.
   void passFrame();
 
+  /// A robot without neck_tilt has an ERS-7's neck at rest.
   HeadAngles head() const;
 
   /// Indexed by Leg.
