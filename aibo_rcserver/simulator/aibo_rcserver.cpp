@@ -57,7 +57,7 @@ struct Options {
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The folder is built and installed beside lib/aibo_driver.
+// The memory stick's folder is built and installed beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();

@@ -60,6 +60,11 @@ class Robot:
         self.output += self.process.communicate(timeout=LIMIT)[0]
         return self.process.returncode
 
+    def kill(self):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdout.close()
+
 
 class OpenrObjectTest(unittest.TestCase):
     def setUp(self):
@@ -76,6 +81,7 @@ class OpenrObjectTest(unittest.TestCase):
         nods = self.work / "example" / "MS" / "NODS.TXT"
         for run in range(2):  # a second program begins anew
             robot = Robot(EXAMPLE, self.work)
+            self.addCleanup(robot.kill)
             for count in ("1\n", "2\n"):
                 self.nod(robot)
                 robot.wait_until(lambda: nods.exists() and nods.read_text() == count)
