@@ -30,6 +30,10 @@
 namespace simulated_ers7 {
 
 struct SimulatedErs7Options {
+  /// The robot's model in robot_model.h. An ERS-210 has that robot's joints, sensors, LEDs and ears, but walks on the
+  /// ERS-7's legs, and sees through its camera with the neck at rest.
+  std::string design = "ERS-7";
+
   /// Photographs for the camera; if empty, the camera sees the scene.
   std::string images_folder;
 
@@ -58,6 +62,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   using Options = SimulatedErs7Options;
 
   /// @throw PhotographError, SoundError the text names the folder or file and a remedy
+  /// @throw std::invalid_argument there is no such model
   explicit SimulatedErs7(const Options& options = Options());
 
   std::string design() const override;
@@ -70,6 +75,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   /// of the errors is returned. A primitive that is not open or is not a joint gives oINVALID_PRIMITIVE_ID.
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
+  OStatus setDefaultJointGain(OPrimitiveID id) override;
   OStatus enableJointGain(OPrimitiveID id) override;
   OStatus disableJointGain(OPrimitiveID id) override;
 
@@ -90,7 +96,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even without gain (joint.h). LEDs accept odataLED_COMMAND2 or
-  /// odataLED_COMMAND3, depending on their kind in robot_model.h. Ears accept odataJOINT_COMMAND4.
+  /// odataLED_COMMAND3, ears odataJOINT_COMMAND3 or odataJOINT_COMMAND4, depending on their kind in robot_model.h.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
   /// Ignores commands that are no longer accepted.
@@ -152,6 +158,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   void obey(const openr_host::EffectorCommand& command);
   void passFrameOfEars();
 
+  const robot_model::RobotModel& model_;
   PrimitiveTable primitives_;
   Joints joints_;
   Scene scene_;

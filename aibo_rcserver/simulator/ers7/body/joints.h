@@ -25,8 +25,8 @@ int restingPosition(const std::string& joint);
 /// The head looks at the ball and at the station behind it.
 HeadAngles restingHead();
 
-/// All joints, in the order of the robot's table. They begin in the resting posture, without power. Collisions between
-/// legs and body are not simulated.
+/// All joints, in the order of the robot's table. They begin in the resting posture, without power. A joint that an
+/// ERS-7 lacks begins at 0. Collisions between legs and body are not simulated.
 class Joints {
  public:
   /// @param seed of the encoders' errors; the same seed and commands give the same readings
@@ -45,6 +45,7 @@ class Joints {
   /// Call after 8 ms.
   void passFrame();
 
+  /// A robot without neck_tilt has an ERS-7's neck at rest.
   HeadAngles head() const;
 
   /// Indexed by Leg.

@@ -1,5 +1,5 @@
 /// @file primitive_table.h
-/// The ERS-7's primitives: their locators for OPENR::OpenPrimitive(), and which of them are open.
+/// The robot's primitives: their locators for OPENR::OpenPrimitive(), and which of them are open.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 
@@ -47,9 +47,9 @@ class PrimitiveTable {
  public:
   explicit PrimitiveTable(const robot_model::RobotModel& model);
 
-  /// @param locator as in Sony's Model Information ERS-7: "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
+  /// @param locator as in Sony's Model Information: "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
   /// @param[out] id unchanged unless oSUCCESS is returned
-  /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
+  /// @return oNOT_FOUND if the robot has nothing there, oINVALID_ARG for null pointers
   OStatus open(const char* locator, OPrimitiveID* id);
 
   /// @param id oprimitiveID_UNDEF closes all open primitives

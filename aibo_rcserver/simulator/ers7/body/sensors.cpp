@@ -27,6 +27,7 @@ constexpr double kGravity = 9.80665;
 const std::map<std::string, RangeFinder> kRangeFinders = {
     {"range_near", {true, Vector3d(0.0769, 0.0028, -0.0146), 0, 6, 0}},
     {"range_far", {true, Vector3d(0.0769, -0.0080, -0.0146), 0, 6, 3}},
+    {"range_head", {true, Vector3d(0.0769, 0, -0.0146), 0, 4, 0}},  // the ERS-210's; place and period are our choice
     {"range_chest", {false, Vector3d(0.109136, 0, -0.003384), std::acos(-1.0) / 6, 5, 0}},
 };
 
@@ -50,7 +51,8 @@ Ray rayOf(const RangeFinder& finder, const Situation& situation) {
 }
 
 bool canBePressed(const robot_model::Sensor& sensor) {
-  return sensor.kind == robot_model::SENSOR_TOUCH || sensor.kind == robot_model::SENSOR_SWITCH;
+  return sensor.kind == robot_model::SENSOR_TOUCH || sensor.kind == robot_model::SENSOR_SWITCH ||
+         sensor.kind == robot_model::SENSOR_FORCE;
 }
 
 }  // namespace
@@ -86,9 +88,13 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
       }
       return [this, sensor](const Situation&) { return static_cast<int>(sensors_[sensor].pressed); };
     case robot_model::SENSOR_FORCE:
+      return [this, sensor](const Situation&) {
+        return sensors_[sensor].pressed ? sensors_[sensor].model->highest / 2 : 0;
+      };
     case robot_model::SENSOR_TEMPERATURE:
+      return [](const Situation&) { return kRoomTemperature; };
     case robot_model::SENSOR_CHARGE:
-      break;  // the ERS-7 has no force sensors; temperature and charge belong to its battery
+      break;  // the battery's
   }
   return [](const Situation&) { return 0; };
 }

@@ -41,14 +41,16 @@ struct RangeFinder;
 /// is positive if the nose points down. An acceleration of the body has the opposite sign: speeding up forward makes
 /// front-back negative. Turning and tilting add nothing. Errors are up to kAccelerationError (our choice).
 ///
-/// A touch sensor reads kTouchStrength, half of its range, while it is pressed, and less than 3 otherwise. A paw's
-/// switch is on while the foot is on the floor (stance.h) or the switch is pressed. Other switches are on while
+/// A touch sensor reads kTouchStrength, half of its range, while it is pressed, and less than 3 otherwise. An ERS-210's
+/// force sensors read half of their range while pressed, and otherwise 0; its temperature sensor kRoomTemperature. A
+/// paw's switch is on while the foot is on the floor (stance.h) or the switch is pressed. Other switches are on while
 /// pressed. The WLAN switch is on at first.
 class Sensors {
  public:
   static constexpr double kDistanceError = 0.01;
   static constexpr int kAccelerationError = 50000;  ///< micrometres/s^2
   static constexpr int kTouchStrength = 40;
+  static constexpr int kRoomTemperature = 25000000;  ///< millionths of a degree Celsius
 
   using Readings = std::array<OSensorValue, Joint::kReadings>;
 

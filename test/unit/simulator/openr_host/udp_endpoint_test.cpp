@@ -100,6 +100,25 @@ TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSender) {
   EXPECT_EQ(received_[0].port, client_port);
 }
 
+TEST_F(UdpEndpointTest, APortOfTheRobotMayBeAnotherOneOfTheComputer) {
+  constexpr Port kRobotPort = 7;  // only root may open it
+  const Port host_port = test_.system.ipStack().takePort(kRobotPort, 0);
+  for (int round = 0; round < 2; ++round) {
+    answers_.clear();
+    const auto server = create();
+    EXPECT_EQ(bind(server, kRobotPort), kRobotPort);
+    const auto client = create();
+    bind(client);
+    receive(server, 100);
+    sendTo(client, host_port, "hello");
+    ASSERT_TRUE(haveAnswers(2));
+    EXPECT_EQ(inboxText(5), "hello");
+    UDPEndpointCloseMsg close(server);
+    call(close);
+    EXPECT_EQ(close.error, UDP_SUCCESS);
+  }
+}
+
 TEST_F(UdpEndpointTest, BytesThatDoNotFitIntoTheBufferAreLost) {
   const auto server = create();
   const Port port = bind(server);
