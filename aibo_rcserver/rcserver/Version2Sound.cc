@@ -24,7 +24,7 @@ void Version2::CarryOut<REQUEST_SOUND>() {
 // What was heard before, with other settings, is not pushed any more.
 void Version2::SetMicrophone() {
   MicrophoneSettings wanted;
-  if (Decode(&wanted) && (!wanted.on || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
+  if (Decode(&wanted) && ((wanted.mode & MICROPHONE_ON) == 0 || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
     robot_.microphone.Set(wanted);
     outbox_.Sound().Drop();
     Reply(wanted);

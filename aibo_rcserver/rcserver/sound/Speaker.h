@@ -34,6 +34,9 @@ class Speaker {
   /// How many samples there is room for.
   unsigned Room() const;
 
+  /// True if little of the present sound waits, and more is to come.
+  bool IsShort() const { return is_playing_ && !has_last_ && Room() > protocol::version2::SPEAKER_CAPACITY / 2; }
+
   /// READY has come.
   void IsReady();
 
