@@ -350,11 +350,15 @@ Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint no
     connection_.warnOfMissingMicrophone(wanted.on);
     return {};
   }
-  if (wanted == connection_.sound.asked() || (!wanted.on && !connection_.sound.asked().on)) {
+  const MicrophoneSettings& asked = connection_.sound.asked();
+  if (wanted == asked || (!wanted.on && !asked.on && wanted.before_pictures == asked.before_pictures)) {
     return {};
   }
   connection_.sound.askedFor(wanted);
-  const version2::MicrophoneSettings settings = {wanted.on, static_cast<unsigned char>(wanted.channels),
+  const unsigned mode = (wanted.on ? unsigned{version2::MICROPHONE_ON} : 0) |
+                        (wanted.before_pictures ? unsigned{version2::SOUND_FIRST} : 0);
+  const version2::MicrophoneSettings settings = {static_cast<unsigned char>(mode),
+                                                 static_cast<unsigned char>(wanted.channels),
                                                  static_cast<unsigned short>(wanted.samples_per_second)};
   return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone,
                  {RefusedRequest::kMicrophone, {}, 0});
@@ -770,7 +774,8 @@ void Version2Session::onSound(const Payload& payload) {
 void Version2Session::onMicrophone(const Payload& payload) {
   const auto settings = decoded<version2::MicrophoneSettings>(payload, "reply to a request to listen");
   if (outstanding(version2::REQUEST_SOUND) == 1) {  // it is the newest
-    connection_.sound.inForce({settings.on, settings.channels, settings.samples_per_second});
+    connection_.sound.inForce({(settings.mode & version2::MICROPHONE_ON) != 0, settings.channels,
+                               settings.samples_per_second, (settings.mode & version2::SOUND_FIRST) != 0});
   }
 }
 

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "remote_control/robot.h"
+#include "sound/level.h"
 
 namespace aibo_driver::remote_control {
 
@@ -111,6 +112,7 @@ class DriverTopics {
   std::optional<std::vector<EndedMovement>> ended_;  ///< the movements that had ended in the newest motion_state
   JointPositions positions_;                         ///< the positions of all joints that were measured
   bool positions_are_new_ = false;
+  sound::Level level_;  ///< of what was heard since takeMeasurements()
   std::string settings_owner_;
   std::map<std::string, ros::Subscriber> subscribers_;  // last, because their callbacks use all members above
 };

@@ -111,6 +111,7 @@ class Outbox {
   NewestMessage<MAX_COLORS_SIZE>& Colors() { return colors_; }
 
   SoundQueue& Sound() { return sound_; }
+  bool HasSound() const { return !sound_.IsEmpty(); }
 
   bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty() && sound_.IsEmpty(); }
 

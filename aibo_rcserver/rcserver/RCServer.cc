@@ -671,12 +671,12 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends waiting data. A picture is sent first, while it is fresh.
+// Sends waiting data. A picture is sent first, while it is fresh, unless the client wants sound first.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
-  if (picture_.IsThere()) {
+  if (picture_.IsThere() && !SoundGoesFirst()) {
     return SendPicture();
   }
   if (file_.IsThere()) {
@@ -740,9 +740,14 @@ bool RCServer::IsSendingPicture() const {
   return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
 }
 
+// True if the client wants sound first and some sound waits or is needed.
+bool RCServer::SoundGoesFirst() const {
+  return body_->Hearing().GoesFirst() && (session_->SoundWaits() || body_->Voice().IsShort());
+}
+
 // While a picture is being sent, the next one would only wait behind it.
 void RCServer::BeginPicture() {
-  if (client_ != NULL && !IsSendingPicture() && pictures_.MayBegin()) {
+  if (client_ != NULL && !IsSendingPicture() && !SoundGoesFirst() && pictures_.MayBegin()) {
     pictures_.Begin();
   }
 }

@@ -155,6 +155,7 @@ class RCServer : public OObject {
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   bool IsSendingPicture() const;
+  bool SoundGoesFirst() const;
   void BeginPicture();
   void UsePicture(const EncodedPicture& picture);
 

@@ -102,6 +102,9 @@ class Session {
   /// The microphone has heard something.
   void Heard(OSoundVectorData* vector) { version2_.Heard(vector); }
 
+  /// True if sound waits to be sent.
+  bool SoundWaits() const { return outbox_.HasSound(); }
+
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 
   /// Takes out all data to be sent, except pictures.

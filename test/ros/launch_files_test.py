@@ -145,6 +145,10 @@ class LaunchFilesTest(unittest.TestCase):
         left_out = {'camera/image_raw', 'color_mask', 'color_regions', 'link_quality', '/tf', '/diagnostics'}
         self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out})
 
+    def test_playback_can_be_heard(self):
+        self.assertNotIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))
+        self.assertIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag', sound=True)))
+
     def test_recording_playback_and_view_of_two_robots_stay_apart(self):
         for name, required in (('record.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'}), ('view.launch', {})):
             left = nodes(resolve(name, ns='left', **required))

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -10,6 +9,7 @@
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
+#include "sound/level.h"
 #include "sound/player.h"
 #include "sound/recording.h"
 #include "sound/sound_file.h"
@@ -23,37 +23,11 @@ using std::chrono::seconds;
 constexpr double kLongest = 24 * 3600;  // s
 constexpr seconds kFirstSoundTimeout{3};
 constexpr seconds kLongestSilence{5};
-constexpr double kFullScale = 32768;
 
-/// The loudness of what was heard within a second or so.
-class Level {
- public:
-  void add(const aibo_client::HeardSound& sound) {
-    for (const std::int16_t sample : sound.samples) {
-      sum_ += static_cast<double>(sample) * sample;
-    }
-    count_ += sound.samples.size();
-    samples_of_second_ = static_cast<std::size_t>(sound.channels) * static_cast<std::size_t>(sound.samples_per_second);
-  }
-
-  bool isWhole() const { return count_ >= samples_of_second_; }
-
-  /// Begins a new second.
-  /// @return the effective value, in dB relative to the loudest that there is: 0 or less
-  double take() {
-    constexpr double kLowest = 1;  // samples are whole numbers
-    const double effective = std::sqrt(std::exchange(sum_, 0) / static_cast<double>(std::exchange(count_, 0)));
-    return 20 * std::log10(std::max(kLowest, effective) / kFullScale);
-  }
-
- private:
-  double sum_ = 0;
-  std::size_t count_ = 0;
-  std::size_t samples_of_second_ = 0;
-};
-
-void showLevel(Level* level, Output& output) {
-  if (level->isWhole()) {
+/// Prints the level once a second.
+void showLevel(const aibo_client::HeardSound& sound, sound::Level* level, Output& output) {
+  level->add(sound.samples);
+  if (level->count() >= static_cast<std::size_t>(sound.channels) * static_cast<std::size_t>(sound.samples_per_second)) {
     output.note("level " + std::to_string(std::lround(level->take())) + " dB");
   }
 }
@@ -80,19 +54,18 @@ ExitStatus listen(const Arguments& arguments, Output& output) {
   if (!arguments.words.empty()) {
     recording.emplace(arguments.words.front(), settings);
   }
-  Level level;
+  sound::Level level;
   double heard = 0;
   std::uint64_t gaps = 0;
   try {
     while (heard < longest && robot.waitUntil(hears, kLongestSilence)) {
       for (const aibo_client::HeardSound& sound : robot.takeSounds()) {
-        level.add(sound);
         gaps += sound.missing > 0 ? 1 : 0;
         heard += static_cast<double>(sound.samples.size()) / sound.channels / sound.samples_per_second;
         if (recording) {
           recording->add(sound);
         } else {
-          showLevel(&level, output);
+          showLevel(sound, &level, output);
         }
       }
     }

@@ -35,8 +35,9 @@ void Microphone::Start(OObserver* gate) {
 }
 
 void Microphone::Set(const MicrophoneSettings& settings) {
-  if (settings.on != settings_.on) {
-    if (settings.on) {
+  const bool on = (settings.mode & protocol::version2::MICROPHONE_ON) != 0;
+  if (on != IsOn()) {
+    if (on) {
       gate_->AssertReady();
     } else {
       gate_->DeassertReady();
@@ -49,9 +50,7 @@ void Microphone::Set(const MicrophoneSettings& settings) {
 }
 
 void Microphone::ClientGone() {
-  if (IsOn()) {
-    Set(MicrophoneSettings());
-  }
+  Set(MicrophoneSettings());
 }
 
 void Microphone::AskForMore() {

@@ -22,7 +22,10 @@ class Microphone {
   /// @param gate to OVirtualRobotAudioComm.Mic; must outlive this
   void Start(OObserver* gate);
 
-  bool IsOn() const { return settings_.on; }
+  bool IsOn() const { return (settings_.mode & protocol::version2::MICROPHONE_ON) != 0; }
+
+  /// True if the client wants pictures to wait for sound.
+  bool GoesFirst() const { return (settings_.mode & protocol::version2::SOUND_FIRST) != 0; }
 
   /// Sets the sound that is requested from now on.
   void Set(const protocol::version2::MicrophoneSettings& settings);

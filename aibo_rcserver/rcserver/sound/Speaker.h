@@ -32,6 +32,9 @@ class Speaker {
   /// Number of samples that there is room for.
   unsigned Room() const;
 
+  /// True if little of the present sound waits, and more is to come.
+  bool IsShort() const { return is_playing_ && !has_last_ && Room() > protocol::version2::SPEAKER_CAPACITY / 2; }
+
   /// Call on READY.
   void IsReady();
 

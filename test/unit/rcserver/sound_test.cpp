@@ -626,6 +626,26 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
   }
 }
 
+TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
+  const auto pictures = [this] {
+    pass(25);
+    replies_.clear();
+    pass(25);
+    return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
+  };
+  answerTo('W', 85, kStreamOn);
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_GT(pictures(), 4) << "sound waits for pictures unless the client wants the opposite";
+  ASSERT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{SOUND_FIRST, 2, kRate})).header.kind, 'a');
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_EQ(pictures(), 0);
+  play(0, samplesOf(mark, 0, SPEAKER_CAPACITY));
+  EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
+  play(0, samplesOf(mark, 0, 4000), true);
+  EXPECT_GT(pictures(), 4) << "no more is to come";
+  EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
+}
+
 /// With the time that the robot's processor takes. Parameter: milliseconds that PictureEncoder needs for a picture.
 class BusySoundTest : public SoundTest, public ::testing::WithParamInterface<int> {
  protected:
