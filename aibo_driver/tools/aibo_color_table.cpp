@@ -109,10 +109,10 @@ int main(int argc, char** argv) {
       "  rosrun aibo_driver aibo_color_table --region LEFT,TOP,WIDTH,HEIGHT [OPTION...]\n\nOptions");
   all.add_options()("region", options::value<std::string>(),
                     "the part of the picture, in pixels: LEFT,TOP,WIDTH,HEIGHT")(
-      "topic", options::value<std::string>()->default_value("/aibo/camera/image_raw"), "of the images")(
+      "topic", options::value<std::string>()->default_value("/aibo/camera/image_raw"), "the topic of the images")(
       "file", options::value<std::string>(), "a JPEG of the robot's camera, instead of the topic")(
-      "name", options::value<std::string>()->default_value("my_color"), "of the table")(
-      "margin", options::value<int>()->default_value(6), "by which the ranges of Cr and Cb are widened, 0..127")(
+      "name", options::value<std::string>()->default_value("my_color"), "the name of the table")(
+      "margin", options::value<int>()->default_value(6), "how far the ranges of Cr and Cb are widened, 0..127")(
       "output", options::value<std::string>(), "file for the table; without it, the table is printed")(
       "help,h", "prints this text");
   try {

@@ -9,12 +9,12 @@
 
 namespace aibo_driver::ball {
 
-constexpr double kBallRadius = 0.0425;  ///< m, the pink ball's
+constexpr double kBallRadius = 0.0425;  ///< m, of the pink ball
 
 /// A ball as the camera sees it.
 struct Ball {
-  double left;      ///< of the middle of the picture, as the tangent of the angle; negative: on the right
-  double distance;  ///< m from the camera, from how large it looks
+  double left;      ///< the tangent of its angle to the left of the picture's middle; negative on the right
+  double distance;  ///< m from the camera, computed from its size in the picture
 };
 
 /// Finds the largest round patch of detected pixels. A ball looks as wide as high. The robot's bone is just as pink,
