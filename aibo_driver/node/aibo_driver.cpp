@@ -90,7 +90,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       sound_thread_(handle_, receipts_),
       picture_threads_(handle_, receipts_, kPictureThreads),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
-      joint_table_(parameters_.robot, parameters_.joint_speed_limit),
+      joint_table_(parameters_.robot, parameters_.joint_speed_limit, parameters_.motion_speed_limit),
       measured_joints_(joint_table_),
       power_(model_),
       policy_(parameters_.stream_on_start, parameters_.stream_on_demand),

@@ -139,7 +139,7 @@ class ParameterReader {
       value.write(written);
       given = text::plainLine(written.str());
     }
-    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; allowed is " + allowed + ". ";
+    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; it must be " + allowed + ". ";
   }
 
   XmlRpcValue values_;
@@ -264,6 +264,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &parameters.telemetry_rate);
   reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
   reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
+  reader.read("motion_speed_limit", "rad/s", 0.1, 20.0, &parameters.motion_speed_limit);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);

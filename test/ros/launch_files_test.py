@@ -19,7 +19,8 @@ OTHER_VALUES = {
     'transport': 'udp', 'color_tables': '/srv/blue.yaml pink_ball', 'adaptive': True, 'max_picture_age': 0.3,
     'stream_on_start': False, 'stream_on_demand': True,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
-    'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
+    'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0,
+    'motion_speed_limit': 4.0, 'speed_scale': 0.5,
     'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'publish_odom_tf': False,
     'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
