@@ -26,11 +26,10 @@
 #include "node/camera/camera_state_publisher.h"
 #include "node/camera/color_publisher.h"
 #include "node/camera/color_table_service.h"
-#include "node/camera/link_quality.h"
+#include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stick_picture_services.h"
 #include "node/camera/stream_adapter.h"
-#include "node/camera/stream_meter.h"
 #include "node/camera/stream_policy.h"
 #include "node/camera/stream_services.h"
 #include "node/connection_publisher.h"
@@ -78,6 +77,9 @@ class AiboDriver {
   aibo_client::Callbacks makeCallbacks();
   void publishPicture(const aibo_client::Picture& picture);
 
+  /// Publishes link_quality and the diagnostics.
+  void report();
+
   /// The result is empty while the stream is off.
   std::optional<int> askedEveryNthImage() const;
 
@@ -112,7 +114,7 @@ class AiboDriver {
   movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  StreamMeter meter_;
+  LinkMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
@@ -130,7 +132,7 @@ class AiboDriver {
 
   // These members need the client.
   StreamAdapter adapter_;
-  LinkQualityPublisher link_quality_;
+  ros::Publisher link_quality_;
   LiveSettings settings_;
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;
