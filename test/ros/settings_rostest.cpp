@@ -38,7 +38,6 @@ using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::positionOf;
 using test_support::SimulatedRobot;
-using test_support::speedOf;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
 using ::testing::HasSubstr;
