@@ -1,6 +1,7 @@
 // What the robot hears and plays, over ROS.
 
 #include <actionlib/client/simple_action_client.h>
+#include <aibo_driver/Connection.h>
 #include <aibo_driver/PlaySound.h>
 #include <aibo_driver/PlaySoundAction.h>
 #include <aibo_driver/Say.h>
@@ -26,6 +27,7 @@
 
 namespace {
 
+using aibo_driver::Connection;
 using aibo_driver::PlaySound;
 using aibo_driver::PlaySoundAction;
 using aibo_driver::PlaySoundGoal;
@@ -38,7 +40,7 @@ using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
 
-/// A driver of a robot that hears a tone of a minute, and writes what it plays.
+/// A driver of a robot that hears a tone of a minute, and writes what it plays. The driver is connected.
 class SoundUser {
  public:
   explicit SoundUser(const std::string& name_space, const std::string& settings = "ALLOW_MICROPHONE=yes\n")
@@ -50,6 +52,8 @@ class SoundUser {
                     std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1"},
                     std::map<std::string, std::string>{{"PATH", "/nonexistent"}});
     EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(30)));
+    TopicListener<Connection> connection(name_space + "/connection");
+    EXPECT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
   }
 
   std::string path(const std::string& name) const { return stick_.path(name).string(); }

@@ -128,6 +128,17 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
   EXPECT_EQ("", request());
 }
 
+TEST_F(SoundTest, TheRobotIsToldThatSoundGoesBeforePicturesEvenIfNobodyListens) {
+  begin();
+  wish_.microphone.before_pictures = true;
+  EXPECT_EQ("A 1 2 2 62 128", request());
+  EXPECT_EQ("", request());
+  wish_.microphone.on = true;
+  EXPECT_EQ("A 1 3 2 62 128", request());
+  wish_.microphone.before_pictures = false;
+  EXPECT_EQ("A 1 1 2 62 128", request());
+}
+
 TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForIt) {
   begin("H F W");
   wish_.microphone.on = true;

@@ -372,7 +372,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   const size_t played = robot_.played.size();
   pass(20);
   EXPECT_EQ(robot_.played.size(), played);
-  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound that could go on");
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound is being played");
 }
 
 // All samples of the first sound are in a vector that is being output.
@@ -624,6 +624,26 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
     const sword expected = mark(first_frame_ * SAMPLES_PER_FRAME + i);
     ASSERT_TRUE(heard_[0][i] == expected || heard_[0][i] == 0) << i;
   }
+}
+
+TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
+  const auto pictures = [this] {
+    pass(25);
+    replies_.clear();
+    pass(25);
+    return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
+  };
+  answerTo('W', 85, kStreamOn);
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_GT(pictures(), 4) << "sound waits for pictures unless the client wants the opposite";
+  ASSERT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{SOUND_FIRST, 2, kRate})).header.kind, 'a');
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_EQ(pictures(), 0);
+  play(0, samplesOf(mark, 0, SPEAKER_CAPACITY));
+  EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
+  play(0, samplesOf(mark, 0, 4000), true);
+  EXPECT_GT(pictures(), 4) << "no more is to come";
+  EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
 }
 
 /// With the time that the robot's processor takes. Parameter: milliseconds that PictureEncoder needs for a picture.
