@@ -95,6 +95,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
     return oFAIL;
   }
   body_ = new Body();
+  body_->Voice().Start(subject[sbjSpeaker]);  // the speaker may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
                        body_->Camera(), body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
@@ -107,7 +108,6 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
   body_->Hearing().Start(observer[obsMicrophone]);
-  body_->Voice().Start(subject[sbjSpeaker]);
   if (settings_.motors_at_boot) {
     body_->Motors().Switch(true);
   } else {
