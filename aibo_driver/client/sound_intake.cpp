@@ -73,8 +73,8 @@ std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned co
   return skipped > 0 ? static_cast<std::uint32_t>(skipped) * frame_size : 0;
 }
 
-// The robot may tell of the end of a sound after it has accepted the next one. So what this client has done itself is
-// reported at once, and the robot need not tell.
+// The robot may report the end of a sound only after it has accepted the next one. So the end of a sound that this
+// client itself has stopped or replaced is reported at once, and the robot's report is ignored.
 void SoundIntake::accepted(const SoundPart& part) {
   if (part.size == 0) {
     return end(EndedHow::kStopped);
@@ -91,11 +91,11 @@ void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
   if (!playing_ || is_known_already) {
     return;
   }
-  // If the last samples come too late, the robot has already played silence in their place, and more of it.
+  // If the last samples come too late, the robot has already played at least as much silence in their place.
   const std::uint32_t whole = playing_->position + playing_->size;
   const bool is_whole = pushed.samples == whole || (pushed.samples > whole && pushed.gaps > 0);
   if (pushed.how == version2::END_DONE && !(playing_->is_last && is_whole)) {
-    return;  // it is that of the sound before
+    return;  // it is the end of an earlier sound
   }
   const EndedHow how = pushed.how == version2::END_DONE      ? EndedHow::kDone
                        : pushed.how == version2::END_REFUSED ? EndedHow::kRefused

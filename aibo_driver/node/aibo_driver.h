@@ -63,7 +63,7 @@ class AiboDriver {
   /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.
   /// @param handle the driver's namespace; the root namespace means /aibo
   /// @param private_handle the namespace of the parameters
-  /// @param name of the node or nodelet, with its namespace, for the diagnostics
+  /// @param name the name of the node or nodelet, with its namespace, for the diagnostics
   /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
   /// @throw std::runtime_error another driver has this namespace; the message names its node
   AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
@@ -97,13 +97,13 @@ class AiboDriver {
   const robot_model::RobotModel& model_;
 
   ReceiptClock receipts_;
-  CallbackThreads stop_threads_;     ///< stop, release and motors: wait for nothing else
-  CallbackThreads joint_thread_;     ///< commands to joints, trajectories and cmd_vel, in order
+  CallbackThreads stop_threads_;     ///< for stop, release and motors, which wait for nothing else
+  CallbackThreads joint_thread_;     ///< for commands to joints, trajectories and cmd_vel, in order
   CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
   CallbackThreads sound_thread_;     ///< waits for espeak-ng, and until the robot plays
-  CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
+  CallbackThreads picture_threads_;  ///< each waits for a single picture of one caller
 
   // The client's callbacks need these members.
   robot_time::RobotClock robot_clock_;

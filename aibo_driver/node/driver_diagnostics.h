@@ -65,10 +65,10 @@ class DriverDiagnostics {
     double asked_rate = 0;  ///< pictures a second, at the end of the period
     StreamMeter::Reading stream;
     robot_time::RobotClock::Reading delay;
-    std::uint64_t damaged = 0;  ///< pictures
+    std::uint64_t damaged = 0;  ///< damaged pictures
     double measurement_rate = 0;
-    std::uint64_t impossible = 0;  ///< values
-    std::uint64_t thinned = 0;     ///< measurements
+    std::uint64_t impossible = 0;  ///< impossible values
+    std::uint64_t thinned = 0;     ///< measurements that were dropped because too many came
     double sound_rate = 0;         ///< pieces of sound a second
     std::uint64_t sound_gaps = 0;
   };

@@ -139,7 +139,7 @@ class ParameterReader {
       value.write(written);
       given = text::plainLine(written.str());
     }
-    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; allowed is " + allowed + ". ";
+    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; it must be " + allowed + ". ";
   }
 
   XmlRpcValue values_;

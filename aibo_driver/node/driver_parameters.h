@@ -31,7 +31,7 @@ struct DriverParameters {
   aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
   double color_rate = 30.0;                ///< images per second of the colour detection, for everyNthImageOf()
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
-  int microphone_channels = 2;             ///< of the topic microphone, 1..2
+  int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
   bool sound_priority = false;             ///< pictures wait for what the microphones hear
   bool stream_on_demand = false;           ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";

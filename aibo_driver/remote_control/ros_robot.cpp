@@ -149,8 +149,8 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
   post([](Robot& robot) { Q_EMIT robot.conditionChanged({}); });
   // Messages that are still on their way from the old driver must not be taken for the new driver's.
   const auto is_current = std::make_shared<std::atomic<bool>>(true);
-  // Messages that come faster than the window shows them wait with roscpp, which keeps the newest, and not in front of
-  // what the user does.
+  // Messages may come faster than the window can show them. They wait in roscpp, which keeps the newest, so that they
+  // do not delay what the user does.
   constexpr int kMostAtOnce = 64;
   constexpr int kPatience = 100;  // ms: the window may be ending
   const auto places = std::make_shared<QSemaphore>(kMostAtOnce);

@@ -51,7 +51,7 @@ struct Options {
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The folder is built and installed beside lib/aibo_driver.
+// The memory stick's folder is built and installed beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
@@ -178,7 +178,7 @@ openr_host::MachineOptions machineOptions(const Options& options, const simulate
 void announce(const openr_host::Machine& machine, const Options& options) {
   const int port = machine.hostPort(kRobotPort);
   if (port != kRobotPort) {
-    // RCServer has printed the robot's port, but does not know the computer's.
+    // RCServer prints the robot's port, but does not know the computer's.
     std::cout << "Port " << kRobotPort << " of the robot is port " << port << " of this computer\n";
   }
   if (!options.no_console) {

@@ -181,11 +181,17 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   TopicPublishers topics("/settings_trajectory");
   ASSERT_TRUE(joints.messages().waitForNext());
   topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 1.5));
-  ASSERT_TRUE(joints.messages().waitFor([](const auto& state) { return positionOf(state, "head_pan") > 0.1; }));
+  const auto waitForPanBeyond = [&joints](double position) {
+    return joints.messages().waitFor([=](const auto& state) { return positionOf(state, "head_pan") > position; });
+  };
+  ASSERT_TRUE(waitForPanBeyond(0.1));
   user.set(number("speed_scale", 0.1));
-  ASSERT_TRUE(joints.waitForSpeedBelow("head_pan", 0.25)) << "0.2 is allowed";
+  // The mean speed, because a busy computer may be late with some commands, and the joint then stops for a moment.
+  const auto halfway = waitForPanBeyond(0.5);
+  const auto later = waitForPanBeyond(0.9);
+  ASSERT_TRUE(halfway && later);
+  EXPECT_LT(0.4 / (later->header.stamp - halfway->header.stamp).toSec(), 0.3) << "0.2 is allowed";
   EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it still goes to the end";
-  EXPECT_LT(joints.highestSpeed("head_pan"), 0.3);
 }
 
 TEST(Settings, ResolutionAndRateChangeTheRunningStream) {

@@ -128,7 +128,7 @@ bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
 bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded) {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (commanded[i] && motion.Moves(i)) {
-      sprintf(problem_, "%s was commanded while the file of %s was being read; that command counts",
+      sprintf(problem_, "%s was commanded while the file of %s was being read; that command takes precedence",
               robot_.joints[i].name, motion.Name());
       return false;
     }
@@ -136,7 +136,7 @@ bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool
   return true;
 }
 
-// The motion that moves a joint: there is one at most. MAX_PLAYING if there is none.
+// The only motion that moves a joint, or MAX_PLAYING if there is none.
 int MotionPlayer::FindMoving(int joint) const {
   int i = 0;
   while (i < MAX_PLAYING && !(motions_[i].IsPlaying() && motions_[i].Moves(joint))) {

@@ -103,7 +103,7 @@ void PlayedMotion::Approach(MotionPlanner& planner) {
   planner.SetTargets(targets, fitted_.numberOfJoints(), static_cast<int>(seconds * 1000));
 }
 
-// From the key frame where the joints are now to this one, if the motion has it.
+// Moves the joints from the current key frame to this one, if the motion has it.
 void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
   key_frame_ = key_frame;
   if (key_frame < fitted_.numberOfKeyFrames()) {
@@ -134,7 +134,7 @@ void PlayedMotion::PassTime(const MotionPlanner& planner) {
   }
 }
 
-// The motion is at key_frame_.
+// Flicks the ears whose value changes at key_frame_.
 void PlayedMotion::FlickEars() {
   for (int ear = 0; ear < MAX_EARS; ++ear) {
     flicks_[ear] = fitted_.flicks(key_frame_, ear) || flicks_[ear];

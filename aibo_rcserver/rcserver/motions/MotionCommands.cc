@@ -83,7 +83,7 @@ MotionCommands::Outcome MotionCommands::CheckPlay() {
     return order_.Fail(FileOrder::REFUSED, "the motors are off; switch them on first");
   }
   if (joints_.Motions().FindRoom() == NULL) {
-    return order_.Fail(FileOrder::REFUSED, "%d motions are being played, which is the most; stop one first",
+    return order_.Fail(FileOrder::REFUSED, "%d motions are already being played; stop one first",
                        MotionPlayer::MAX_PLAYING);
   }
   return FileOrder::DONE;

@@ -2,8 +2,8 @@
 /// A simulated Sony Aibo ERS-7 for openr_host::Machine.
 ///
 /// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears, a battery, microphones and a speaker
-/// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows
-/// photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
+/// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls back and forth (scene.h), or its
+/// camera shows photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
@@ -39,10 +39,10 @@ struct SimulatedErs7Options {
   /// How long a full battery lasts, above 0. Sony says about one and a half hours of play.
   double battery_minutes = 90;
 
-  /// WAV file that gets what the speaker plays; empty: none.
+  /// WAV file for the sound that the speaker plays; empty for none.
   std::string speaker_file;
 
-  /// How much of that comes to the microphones, 0..1.
+  /// Share of the speaker's sound that reaches the microphones, 0..1.
   double hears_itself = 0;
 
   /// Seed of the noise of camera, joints and sensors. The same seed gives the same images and readings.
@@ -66,8 +66,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// For joints (joint.h). oprimitiveID_UNDEF means all open joints; then one of several errors is returned. A
-  /// primitive that is not open or no joint gives oINVALID_PRIMITIVE_ID.
+  /// The following functions are for joints (joint.h). oprimitiveID_UNDEF means all open joints; if several fail, one
+  /// of the errors is returned. A primitive that is not open or is not a joint gives oINVALID_PRIMITIVE_ID.
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
   OStatus enableJointGain(OPrimitiveID id) override;
@@ -85,8 +85,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
   OStatus setCdtVectorData(const OCdtVectorData& tables) override;
 
-  /// Joints stay where they are. LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
-  /// memory stick, jammed joints and the robot's place do not change.
+  /// Joints keep their positions. LEDs go out, ears are released, and the camera's settings are reset. Buttons,
+  /// battery, memory stick, jammed joints and the robot's place do not change.
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even without gain (joint.h). LEDs accept odataLED_COMMAND2 or
@@ -108,13 +108,13 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
     return sound_.passFrame(frame, played);
   }
 
-  /// From now on, the microphones hear this file, once; "silence": nothing.
-  /// @throw SoundError it cannot be heard
+  /// From now on, the microphones hear this file once, or nothing if it is "silence".
+  /// @throw SoundError the file cannot be used
   void hear(const std::string& file);
 
   const CameraSettings& cameraSettings() const { return camera_.settings(); }
 
-  /// With their true positions.
+  /// The joints, with their true positions.
   const Joints& joints() const { return joints_; }
 
   /// The true pose.

@@ -206,7 +206,7 @@ TEST(DriverParameters, AreRead) {
 
 TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
   EXPECT_EQ(refusal("port", 0),
-            "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535. "
+            "Parameter /aibo/aibo_driver/port is 0; it must be a whole number, 1..65535. "
             "'rosparam delete NAME' removes a parameter that was set before.");
   EXPECT_THAT(refusal("port", 65536), HasSubstr("1..65535"));
   EXPECT_THAT(refusal("jpeg_quality", 101), HasSubstr("1..100"));
@@ -218,11 +218,11 @@ TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
 
 TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
   EXPECT_THAT(refusal("port", "abc"),
-              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535."));
+              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; it must be a whole number, 1..65535."));
   EXPECT_THAT(refusal("jpeg_quality", 85.5), HasSubstr("a whole number"));
   EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
   EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
-  EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
+  EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; it must be"));
 }
 
 TEST(DriverParameters, AreRefusedAllAtOnce) {
@@ -234,8 +234,8 @@ TEST(DriverParameters, AreRefusedAllAtOnce) {
     parse(values);
     FAIL() << "accepted";
   } catch (const aibo_client::InvalidArgumentException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("port is 0; allowed is a whole number, 1..65535."));
-    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; allowed is a number of seconds, 0.05..60."));
+    EXPECT_THAT(error.what(), HasSubstr("port is 0; it must be a whole number, 1..65535."));
+    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; it must be a number of seconds, 0.05..60."));
   }
 }
 

@@ -26,7 +26,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr unsigned kLongestMotion = 2000;
-constexpr int kHeadPan = 2;
+constexpr int kPan = 2;
 
 const char kFolder[] = "OPEN-R/MW/DATA/P";
 
@@ -142,7 +142,7 @@ TEST_F(Version1MotionsTest, uploadsAndDeletesOnlyIfAllowed) {
   start("");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "e0 0");
   EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 0");
-  EXPECT_EQ(answerTo(request('J', kHeadPan)).substr(0, 2), "j2") << "the content was skipped";
+  EXPECT_EQ(answerTo(request('J', kPan)).substr(0, 2), "j2") << "the content was skipped";
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
@@ -154,7 +154,7 @@ TEST_F(Version1MotionsTest, uploadsInPiecesOfAnySize) {
   }
   const std::string content = motionBytes(text);
   ASSERT_GT(content.size(), 2U * 1024);
-  const std::string bytes = upload("new.mtn", content) + request('J', kHeadPan);
+  const std::string bytes = upload("new.mtn", content) + request('J', kPan);
   for (size_t begin = 0; begin < bytes.size(); begin += 700) {
     client_->send(bytes.substr(begin, 700));
     machine_->runPending();

@@ -340,7 +340,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   const size_t played = robot_.played.size();
   pass(20);
   EXPECT_EQ(robot_.played.size(), played);
-  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound that could go on");
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound is being played");
 }
 
 TEST_F(SoundTest, AClientThatGoesFallsSilentAndTheNextOneBeginsAnew) {

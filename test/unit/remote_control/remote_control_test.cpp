@@ -406,6 +406,17 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
   }
 }
 
+TEST_F(RemoteControlTest, FiguresDoNotChangeItsWidth) {
+  robot_.connectIt();
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.batteryMeasured(1, 25);
+  Q_EMIT robot_.linkMeasured({12.3, 0.004, 0});
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  Q_EMIT robot_.linkMeasured({12345.6, 999.999, 0.123});
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+}
+
 TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
   robot_.connectIt();
   open("Move");
@@ -443,6 +454,19 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_TRUE(find<QLabel>("movement")->isHidden()) << "also in version 1";
+}
+
+TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
+  Q_EMIT robot_.movementChanged("moved by walk from /anna; last ended: posture stand, done", false);
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden()) << "there is no connection";
+  robot_.connectIt();
+  open("Move");
+  EXPECT_EQ(textOf("who_moves"), "moved by walk from /anna");
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.movementChanged("moved by walk from /" + QString(300, 'a'), false);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden());
 }
 
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {

@@ -69,7 +69,7 @@ void Joints::setPower(bool on) {
 }
 
 void Joints::passFrame() {
-  // Numbers from std::uniform_int_distribution differ between libraries.
+  // std::uniform_int_distribution is not used, because its numbers differ between libraries.
   constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
   for (Joint& joint : joints_) {
     joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);

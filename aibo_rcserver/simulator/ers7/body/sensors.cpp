@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// Places are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are as high as the camera.
+// The positions are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are at the camera's
+// height.
 const std::map<std::string, RangeFinder> kRangeFinders = {
     {"range_near", {true, Vector3d(0.0769, 0.0028, -0.0146), 0, 6, 0}},
     {"range_far", {true, Vector3d(0.0769, -0.0080, -0.0146), 0, 6, 3}},
@@ -124,7 +125,7 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
   }
   const double distance = 1e6 * scene_.castRay(rayOf(finder, situation)).distance;
   if (distance >= model.highest) {
-    return static_cast<int>(model.highest);  // no echo, no error
+    return static_cast<int>(model.highest);  // without an echo, the reading has no error
   }
   const double measured = distance + errorUpTo(static_cast<int>(kDistanceError * distance));
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
@@ -139,7 +140,7 @@ int Sensors::acceleration(std::size_t sensor, const Vector3d& axis, const Situat
 }
 
 int Sensors::errorUpTo(int most) {
-  // Numbers from std::uniform_int_distribution differ between libraries.
+  // std::uniform_int_distribution is not used, because its numbers differ between libraries.
   return static_cast<int>(random_() % (2 * static_cast<std::uint64_t>(most) + 1)) - most;
 }
 
