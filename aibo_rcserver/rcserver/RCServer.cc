@@ -63,6 +63,7 @@ const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FILE_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
 const longword RCServer::OUTAGE_FRAMES;
+const longword RCServer::LONGEST_PICTURE_WAIT;
 const longword RCServer::INTRODUCTION_FRAMES;
 
 RCServer::RCServer()
@@ -76,6 +77,7 @@ RCServer::RCServer()
       goes_off_since_(0),
       session_(NULL),
       now_(0),
+      last_picture_(0),
       lies_down_since_(0),
       admitted_(0),
       last_bytes_received_(0),
@@ -693,6 +695,7 @@ bool RCServer::SendPicture() {
   memcpy(buffer + header_size, picture.jpeg, picture.size);
   picture_.Release();
   pictures_.CountSent();
+  last_picture_ = now_;
   return client_->Send(size, true);
 }
 
@@ -740,9 +743,11 @@ bool RCServer::IsSendingPicture() const {
   return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
 }
 
-// True if the client wants sound first and some sound waits or is needed.
+// True if the client wants sound first and some sound waits or is needed. A client that gets no picture at all would
+// take the connection for dead.
 bool RCServer::SoundGoesFirst() const {
-  return body_->Hearing().GoesFirst() && (session_->SoundWaits() || body_->Voice().IsShort());
+  return now_ - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
+         (session_->SoundWaits() || body_->Voice().IsShort());
 }
 
 // While a picture is being sent, the next one would only wait behind it.
@@ -763,6 +768,7 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
     picture_.Release();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
     pictures_.CountSent();
+    last_picture_ = now_;
     datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size, now_);
     picture_.Release();
   }

@@ -58,6 +58,10 @@ class RCServer : public OObject {
   /// 0.6 s. A client sends a hello every 0.25 s, so a radio outage must have ended such a connection.
   static const longword OUTAGE_FRAMES = 75;
 
+  /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
+  /// streams and sends no picture for 0.5 s.
+  static const longword LONGEST_PICTURE_WAIT = 31;
+
   /// A newcomer that may take the client's place gets this many frames for its first request: 0.5 s. Clients send the
   /// request at once, so this only has to cover network delay.
   static const longword INTRODUCTION_FRAMES = 63;
@@ -179,6 +183,7 @@ class RCServer : public OObject {
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy
   longword now_;
+  longword last_picture_;  ///< when one was sent
   longword lies_down_since_;
   longword admitted_;             ///< frame in which the client was admitted
   longword last_bytes_received_;  ///< from the client

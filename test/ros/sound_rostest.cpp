@@ -112,7 +112,7 @@ bool isSwitchedOn(test_support::ScriptedPeer* robot) {
   version2::MicrophoneSettings settings = {};
   EXPECT_EQ(decode(request.payload.data(), request.payload.size(), &settings), nullptr);
   robot->send(version2_frames::makeFrame('a', request.header.request_number, request.payload));
-  return settings.on;
+  return (settings.mode & version2::MICROPHONE_ON) != 0;
 }
 
 TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConnection) {

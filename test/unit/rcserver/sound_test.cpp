@@ -618,7 +618,7 @@ TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   EXPECT_GT(pictures(), 4) << "sound waits for pictures unless the client wants the opposite";
   ASSERT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{SOUND_FIRST, 2, kRate})).header.kind, 'a');
   play(0, samplesOf(mark, 0, 4000));
-  EXPECT_EQ(pictures(), 0);
+  EXPECT_LE(pictures(), 1) << "one in 0.25 s";
   play(0, samplesOf(mark, 0, SPEAKER_CAPACITY));
   EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
   play(0, samplesOf(mark, 0, 4000), true);
