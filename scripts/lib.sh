@@ -34,6 +34,16 @@ watch_with() {
   export TSAN_OPTIONS=suppressions=$suppressions/threads.txt:halt_on_error=1:second_deadlock_stack=1:history_size=7
 }
 
+# parallel_tests: prints how many tests run at the same time. Tests of nodes wait for nine tenths of their time, so four
+# for each processor keep it half busy; each needs up to 400 megabytes.
+parallel_tests() {
+  local by_memory
+  by_memory=$(awk '/^MemAvailable/ { print int($2 / 400000) }' /proc/meminfo)
+  local by_processor
+  by_processor=$((4 * $(nproc)))
+  echo $((by_memory < 1 ? 1 : by_memory < by_processor ? by_memory : by_processor))
+}
+
 # fail PROBLEM [ADVICE...]: prints what went wrong, then the advice, one line each.
 fail() {
   printf '\n%s: %s\n' "${0##*/}" "$1" >&2

@@ -9,7 +9,8 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// What a weak wireless link of 1 Mbit/s leaves beside a stream, and a memory stick takes.
+// The lowest rate of a transfer. A weak wireless link of 1 Mbit/s has this much left beside a stream, and a memory
+// stick is about as fast.
 constexpr std::size_t kSlowestTransfer = 32 * 1024;  // bytes/s
 
 std::string allowedBy(const std::string& setting) {
@@ -31,7 +32,7 @@ std::string explain(const Call& call, int code) {
                                                        : "";
 }
 
-/// The request of version 1 about a file.
+/// Makes the version 1 request for a file.
 Call::Bytes fileRequest(char letter, const std::string& name, int number = 0, const Call::Bytes& content = {}) {
   protocol::FileRequest file = {};
   name.copy(file.name, protocol::MAX_FILE_NAME_SIZE);
@@ -46,7 +47,7 @@ Call::Bytes fileRequest(char letter, const std::string& name, int number = 0, co
   return bytes;
 }
 
-/// A call whose payload begins or ends with the name that it is for.
+/// Makes a call whose payload begins or ends with the name of what it is for.
 template <typename Payload>
 Call makeNamedCall(const version2::Request& request, Payload payload, const std::string& name) {
   name.copy(payload.name, protocol::MAX_FILE_NAME_SIZE);

@@ -27,22 +27,22 @@
 
 namespace aibo_client {
 
-/// How a call has ended. A failure is a value until it has reached the caller's thread, and is thrown there.
+/// How a call has ended. A failure is passed to the caller's thread as a value and thrown there.
 enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
 
-/// What a call waits for.
+/// The result of a call.
 struct Answer {
   CallOutcome outcome = CallOutcome::kDone;
   std::string problem;                 ///< empty if done
   bool was_sent = false;               ///< the request had been sent when the call ended
-  FaultKind fault = FaultKind::kNone;  ///< of the connection, if that is why the call failed
+  FaultKind fault = FaultKind::kNone;  ///< the fault of the connection, if that is why the call failed
 
   PicturePtr picture;
-  int stream_quality = 0;  ///< of the running stream that the picture is from; 0 = from none
+  int stream_quality = 0;  ///< the quality of the stream that the picture is from; 0 if it is from none
   bool motors_on = false;
-  std::vector<std::string> names;  ///< of motions or pictures
+  std::vector<std::string> names;  ///< the names of motions or pictures
   std::vector<std::uint8_t> file;  ///< a picture that was fetched
-  std::string changes;             ///< what the robot plays differently than the file says
+  std::string changes;             ///< what the robot plays differently from the file
   SoundProgress sound;
   int volume = 0;
 };
@@ -59,38 +59,38 @@ struct Call {
   using ReadAnswer = std::function<const char*(const unsigned char* payload, std::size_t size, Answer* answer)>;
 
   protocol::version2::Request request = {};
-  std::string object;      ///< what the request is for, as the words of the request go on; may be empty
-  int id = 0;              ///< of the frame of version 2
-  Bytes payload;           ///< of the frame of version 2
-  Bytes version1;          ///< the whole request of version 1; empty: it has none
-  ReadAnswer read_answer;  ///< of version 2; empty: it says nothing more
+  std::string object;      ///< what the request is for; it follows the request's words in a message; may be empty
+  int id = 0;              ///< the id in the frame of version 2
+  Bytes payload;           ///< the payload of the frame of version 2
+  Bytes version1;          ///< the whole request of version 1; empty if version 1 does not have it
+  ReadAnswer read_answer;  ///< reads the answer of version 2; empty if that answer has no content
 
-  int quality = 0;                       ///< of a picture; 0 = the stream's
-  std::optional<Resolution> resolution;  ///< of a picture; none = the stream's
-  std::optional<SoundPart> sound_part;   ///< that it sends
-  std::vector<int> joints;               ///< to hold: identifiers; none = everything that moves
+  int quality = 0;                       ///< the quality of the picture; 0 means the stream's
+  std::optional<Resolution> resolution;  ///< the resolution of the picture; empty means the stream's
+  std::optional<SoundPart> sound_part;   ///< the samples that the call sends
+  std::vector<int> joints;               ///< the ids of the joints to hold; empty means everything that moves
 
-  std::chrono::milliseconds timeout{0};    ///< what the caller allowed, for messages
+  std::chrono::milliseconds timeout{0};    ///< the time that the caller allowed, for messages
   TimePoint deadline;                      ///< when the caller stops waiting
-  TimePoint not_after = TimePoint::max();  ///< when it becomes too old to be sent
+  TimePoint not_after = TimePoint::max();  ///< after this time the request is too old to be sent
   std::uint64_t order = 0;                 ///< OrderTerms::number
-  bool is_late = false;                    ///< the caller has stopped waiting, and is told of the answer
-  TimePoint since;                         ///< a picture of the stream answers only if it began later
-  int request_number = 0;                  ///< of the request once it was sent; 0 = not sent
+  bool is_late = false;                    ///< true: the caller has stopped waiting, and will be told of the answer
+  TimePoint since;                         ///< a picture of the stream answers the call only if it began later
+  int request_number = 0;                  ///< the number of the request; 0 if it has not been sent
   std::promise<Answer> promise;
 
   bool isForPicture() const { return request.letter == protocol::version2::REQUEST_PICTURE; }
   bool has(protocol::version2::Trait trait) const { return request.has(trait); }
 
-  /// True if `other`, which came before it and has not been sent, must not be sent any more.
+  /// True if `other` must not be sent any more. `other` was made before this call and has not been sent.
   bool cancels(const Call& other) const;
 
-  /// Drops the commands that came before it and must not be sent any more. To be called when the call is made, and when
-  /// its request is sent: a motion may have to wait, and what is commanded meanwhile goes first.
+  /// Drops the older commands that must not be sent any more. Use it when the call is made, and again when its request
+  /// is sent: while a motion waits, new commands are sent before it.
   void dropFrom(CommandOutbox* commands, bool is_sent) const;
 };
 
-/// What is asked for, in words that follow "refused to ".
+/// Describes the request in words that follow "refused to ".
 std::string describe(const Call& call);
 
 /// Why a version 1 server answered this call with an error code, and what the user can do.
@@ -99,7 +99,7 @@ std::string explainRefusal(const Call& call, int code);
 /// True if version 1 of the protocol has this request.
 bool isKnownToVersion1(const Call& call);
 
-/// A payload of version 2, encoded.
+/// Encodes a payload of version 2.
 template <typename Payload>
 Call::Bytes encoded(const Payload& payload) {
   Call::Bytes bytes(protocol::version2::encodedSize(payload));
@@ -107,19 +107,19 @@ Call::Bytes encoded(const Payload& payload) {
   return bytes;
 }
 
-/// A call with this request. Its payload is empty, and so is the answer's.
+/// Makes a call with an empty payload and an empty answer.
 Call makeCall(const protocol::version2::Request& request, const std::string& object = "");
 
-/// @name What RcServerClient asks for. Names and numbers are valid
+/// @name The calls of RcServerClient. Their names and numbers are valid
 /// @{
 Call callForPicture(int quality, std::optional<Resolution> resolution);
 Call callForMotors(bool on);
-/// @param joints none = everything that moves
+/// @param joints empty means everything that moves
 Call callToHold(const std::vector<int>& joints);
 Call callForPosture(protocol::version2::Posture posture);
-/// @param bits of motion_requests.h
+/// @param bits see motion_requests.h
 Call callToPlay(const std::string& name, int repetitions, int bits);
-/// @param name empty: all motions
+/// @param name empty means all motions
 Call callToStop(const std::string& name);
 Call callToStore(const std::string& name, const Call::Bytes& content, int bits);
 Call callToDelete(const std::string& name);
@@ -128,7 +128,7 @@ Call callToSavePicture(int quality);
 Call callForStickPictures();
 Call callToFetchPicture(const std::string& name);
 Call callToDeletePicture(const std::string& name);
-/// @param samples none: the sound is stopped
+/// @param samples if there are none, the sound is stopped
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
 Call callForVolume(int volume);
 Call callToShutDown();
@@ -146,8 +146,8 @@ class PendingCalls {
   Call* nextForPicture();
   /// The oldest unsent call that stops the robot, or null.
   Call* nextStop();
-  /// The oldest other unsent call, or null. While the robot is at work on its memory
-  /// stick, calls that need it wait, so that the robot need not make one wait.
+  /// The oldest other unsent call, or null. While the robot works on its memory stick, calls that need the stick wait
+  /// here, not in the robot.
   Call* nextForRobot();
 
   /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.
@@ -155,41 +155,41 @@ class PendingCalls {
   const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
 
   /// Ends the call whose request was sent with this number, if there is one.
-  /// @return the answer for a caller who has stopped waiting for it; none if there is no such caller
+  /// @return the answer if the caller has stopped waiting for it; otherwise empty
   std::optional<LateAnswer> answer(int request_number, Answer answer);
 
   /// Answers the unsent calls for a picture that were made before this picture of the stream began.
   void answerFromStream(const PicturePtr& picture, int quality);
 
-  /// The deadline that passes first; TimePoint::max() if nobody waits.
+  /// The earliest deadline; TimePoint::max() if no call waits.
   TimePoint nextDeadline() const;
 
-  /// Ends the calls whose deadline has passed. Those that have been sent, and whose caller has given them a number, are
-  /// kept for a late answer.
-  /// @param remark added to the problem of those for a picture
+  /// Ends the calls whose deadline has passed. A call that was sent and has an OrderTerms::number is kept for a late
+  /// answer.
+  /// @param remark added to the message of calls for a picture
   void expire(TimePoint now, const std::string& remark);
 
   /// Ends the unsent calls that are too old.
-  /// @param address of the robot, for the message
+  /// @param address the robot's address, for the message
   void dropTooOld(TimePoint now, const std::string& address);
 
-  /// When dropTooOld() has something to end next; TimePoint::max() if nothing waits.
+  /// When dropTooOld() next has something to end; TimePoint::max() if no call waits.
   TimePoint nextTooOld() const;
 
   /// Ends the calls that a stop cancels.
-  /// @param address of the robot, for the message
+  /// @param address the robot's address, for the message
   void failCancelledBy(const Call& stop, const std::string& address);
 
   /// Ends all calls.
   void failAll(const Answer& failure);
 
-  /// A call's request is sent. A large one is an upload, a large answer a file: until it is through, pictures and
+  /// Call this when a request is sent. While a large request or a large answer is on its way, pictures and other
   /// answers are late.
-  /// @param size of both
+  /// @param size the bytes of the request and its answer together
   void transferBegins(std::size_t size, TimePoint now);
   /// The request has been answered.
   void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
-  /// When the last transfer will be through at the latest, or was.
+  /// When the last transfer has ended, or will have ended at the latest.
   TimePoint transferEnd() const { return transfer_end_; }
 
  private:
@@ -197,11 +197,11 @@ class PendingCalls {
   template <typename Condition>
   Call* nextUnsent(const Condition& condition);
 
-  /// Ends the calls that the condition holds for.
+  /// Ends the calls that meet the condition.
   template <typename Condition, typename MakeAnswer>
   void endIf(const Condition& condition, const MakeAnswer& make_answer);
 
-  /// So many late calls are kept; a robot answers them sooner or later.
+  /// At most this many late calls are kept. A robot answers them sooner or later.
   static constexpr long kMostLate = 64;
 
   std::list<Call> calls_;

@@ -14,7 +14,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-constexpr std::chrono::milliseconds kShortestImageInterval{32};  // of any camera
+constexpr std::chrono::milliseconds kShortestImageInterval{32};  // no camera is faster
 
 DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& name) {
   constexpr double kScale = version2::COLOR_CENTROID_SCALE;

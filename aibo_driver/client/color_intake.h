@@ -18,26 +18,26 @@ struct ConnectionContext;
 /// The tables of the colour detection, by channel. A channel without a table is null.
 using ColorTables = std::array<ColorTablePtr, kMostColorChannels>;
 
-/// The colours that were detected over one connection. It does not trust the robot: it gives the client's user only
-/// what is possible, and no more than was asked for. Whatever it drops is counted, and logged once.
+/// Checks and delivers the colours that were detected over one connection. It does not trust the robot: it delivers
+/// only what is possible, and no more than was asked for. Whatever it drops is counted, and logged once.
 class ColorIntake {
  public:
   /// @param context must outlive the object
   explicit ColorIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// Call this with each request to the robot. In the long run, at most twice as much is delivered.
+  /// Call this with each request to the robot. In the long run, at most twice as much as requested is delivered.
   void askedFor(const ColorDetection& detection);
   const ColorDetection& detection() const { return detection_; }
 
   /// Parses a message that the robot sent without a request.
-  /// @param payload, size of the frame
+  /// @param payload, size the payload of the frame
   /// @param tables the robot's tables: regions get their names, and regions of other channels are left out
   /// @param arrival when the first byte was read
   /// @throw ProtocolException no server of this version sends this
   void receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
                std::chrono::steady_clock::time_point arrival);
 
-  /// Delivers the newest message if it has not been delivered. Older ones that came with it do not count.
+  /// Delivers the newest message, unless it has been delivered. Older messages that came with it are dropped.
   void deliver();
 
  private:

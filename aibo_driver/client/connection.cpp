@@ -9,7 +9,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// However short the time allowed for pictures is, an answer may have to wait behind a picture.
+// An answer may have to wait behind a picture, so it gets at least this much time, even if pictures get less.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
 }  // namespace
@@ -64,7 +64,7 @@ void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   call.dropFrom(&commands, true);
   reportDropped();
   if (call.sound_part) {
-    return;  // it is short, and an upload may be under way
+    return;  // samples are short, and an upload may be under way
   }
   calls.transferBegins(size + (call.has(version2::FETCHES_FILE) ? version2::MAX_STICK_PICTURE_SIZE : 0), now);
 }

@@ -96,10 +96,10 @@ struct Connection {
   /// @param format true if the user wants another resolution or rate than every image at 208x160
   /// @param camera true if the user wants other camera settings than those at the start
   void warnOfMissingSettings(bool format, bool camera);
-  /// Logs the same about colours that should be detected.
+  /// Does the same for the detection of colours.
   void warnOfMissingColors(bool wanted);
 
-  /// Logs the same about sound that should be heard.
+  /// Does the same for the microphones.
   void warnOfMissingMicrophone(bool wanted);
 
   /// Logs once that the pictures come by TCP although UDP is wanted.
@@ -124,7 +124,7 @@ struct Connection {
   MotorsAndPosture motors_and_posture;  ///< the last report of the robot
   PictureTransport transport = PictureTransport::kTcp;  ///< the transport of the stream's pictures
   std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be tried
-  bool lets_no_datagram_through = false;                ///< true if that is the problem
+  bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:
   std::string lackOfRequest() const;

@@ -333,8 +333,8 @@ bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
          steady_clock::now() - connected_ < kTurnedAwayTime;
 }
 
-// Calls in progress end with `outcome`, and commands that have not been sent are dropped. Later ones are refused
-// because of the status.
+// Calls in progress end with `outcome`, and unsent commands are dropped. Later commands are refused because of the
+// status.
 void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice,
                                    FaultKind kind) {
   transport_->close();

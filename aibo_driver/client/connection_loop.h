@@ -40,15 +40,15 @@ class ConnectionLoop {
     ConnectionStatus status;
     MotorsAndPosture motors_and_posture;
     std::vector<Call> calls;   ///< calls that the client's thread has not taken over yet
-    SoundPart sound;           ///< the next part of the newest sound; is_last: it has no next part
-    std::uint64_t sounds = 0;  ///< begun so far
+    SoundPart sound;           ///< the next part of the newest sound; if is_last is true, the sound is complete
+    std::uint64_t sounds = 0;  ///< how many sounds have begun
     CommandOutbox commands;    ///< commands that the client's thread has not taken over yet
     std::thread::id thread;    ///< the client's thread
   };
 
   ConnectionLoop(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
-  // These do the work of the functions of RcServerClient:
+  // These functions do the work of those of RcServerClient:
   void start();
   void waitForConnection(std::chrono::milliseconds timeout) const;
   void stop() noexcept;
@@ -128,7 +128,7 @@ class ConnectionLoop {
   std::atomic<bool> has_news_{true};  // shared_ may hold something that the client's thread has not seen yet
 
   // Only the client's thread uses these members.
-  Wish wish_;  // the wish as last seen
+  Wish wish_;  // the user's wishes as last seen
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // null until the version of the protocol is known
   ServerHabits habits_;

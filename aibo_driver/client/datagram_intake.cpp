@@ -76,7 +76,7 @@ void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   assembly_.settle(number);
   context_.counters.lost_pictures += assembly_.lost() - lost;
   good_picture_ = {now, std::nullopt};
-  if (number > newest_) {  // it was far ahead
+  if (number > newest_) {  // the picture was far ahead
     newest_ = acknowledged_ = number;
     to_acknowledge_ = static_cast<std::uint32_t>(number);
   }
@@ -96,8 +96,8 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
 }
 
 // A picture is acknowledged when its last part has come. If that part is lost, its parity or a part of the next picture
-// counts instead. Where datagrams are lost, acknowledgements are lost, too. So a part of the next picture repeats the
-// acknowledgement of a picture with parities. If two in a row were lost, the robot would have to wait.
+// counts instead. Acknowledgements can be lost, too. So if a picture has parities, a part of the next picture repeats
+// its acknowledgement. If two in a row were lost, the robot would have to wait.
 void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
   const std::int64_t before = newest_;
   newest_ = std::max<std::int64_t>(newest_, datagram.picture);

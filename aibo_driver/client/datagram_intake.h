@@ -15,8 +15,8 @@
 
 namespace aibo_client {
 
-/// The pictures that one connection gets by UDP. It also decides whether they should come by TCP instead. It does no
-/// I/O and reads no clock.
+/// Receives the pictures of one connection that come by UDP. It also decides whether they should come by TCP instead.
+/// It does no I/O and reads no clock.
 class DatagramIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

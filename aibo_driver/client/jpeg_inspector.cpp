@@ -198,9 +198,9 @@ class MarkerWalk {
       if (*marker == 0xFF) {
         position_ = marker;
       } else if (*marker == kEoi) {
-        return position_ == end_ || fail("bytes behind its end");
+        return position_ == end_ || fail("bytes after its end");
       } else if (*marker != 0 && (*marker < kRst0 || *marker > kRst7)) {
-        return fail("a marker amid its compressed data");
+        return fail("a marker within its compressed data");
       }
     }
     return fail("cut off: it does not end with EOI");

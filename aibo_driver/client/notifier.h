@@ -71,9 +71,10 @@ class Notifier {
         return;
       }
       if (!admission.is_admitted && admission.left_out == 1) {
-        callbacks_.log(LogLevel::kWarn, "More messages come than can be logged; some are left out, and counted.");
+        callbacks_.log(LogLevel::kWarn, "There are more messages than can be logged. Some are left out and counted.");
       } else if (admission.is_admitted) {
-        callbacks_.log(level, admission.left_out == 0 ? message : message + " (" + left_out + " before it left out)");
+        callbacks_.log(level,
+                       admission.left_out == 0 ? message : message + " (earlier messages left out: " + left_out + ")");
       }
     } catch (...) {  // there is nobody left to report it to
     }

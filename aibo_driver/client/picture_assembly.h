@@ -23,10 +23,10 @@ class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// If a network changes the order of parts, parts of two pictures can be on their way at the same time.
+  /// If a network reorders datagrams, parts of two pictures can be on their way at the same time.
   static constexpr std::size_t kMostIncomplete = 2;
 
-  /// A picture is far ahead if its number is more than this, which is 2 s, above the last settled picture. Without
+  /// A picture is far ahead if its number is more than this above the last settled picture; that is 2 s. Without
   /// acknowledgements, the robot sends few pictures.
   static constexpr std::int64_t kFarAhead = 64;
 

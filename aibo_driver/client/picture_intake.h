@@ -27,7 +27,8 @@ struct ConnectionContext {
   void warn(const std::string& what) const { notifier.log(LogLevel::kWarn, address + " " + what + "."); }
 };
 
-/// The pictures of one connection. It knows whether a stream is on, and which pictures are good and fresh.
+/// Checks and delivers the pictures of one connection. It knows whether a stream is on, and which pictures are good and
+/// fresh.
 ///
 /// With a version 1 server, only the number of toggles that were sent is known about the stream. The same request
 /// starts and stops it, and the server never acknowledges it. A new connection begins without a stream.

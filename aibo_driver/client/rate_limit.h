@@ -8,8 +8,8 @@
 
 namespace aibo_client {
 
-/// Limits something that a robot can send endlessly. A burst may come at once; in the long run, one per period is let
-/// through. Any thread may call it.
+/// Limits something that a robot can send endlessly. A burst may come at once. In the long run, one per period is
+/// admitted. Any thread may call it.
 class RateLimit {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -17,21 +17,22 @@ class RateLimit {
 
   struct Admission {
     bool is_admitted;      ///< false means left out
-    std::size_t left_out;  ///< how many were left out since the last one that was admitted, including this one
+    std::size_t left_out;  ///< how many were left out since the last admitted one, including this one
   };
 
   /// @param burst how many may come at once, at least 1
   explicit RateLimit(int burst) : burst_(burst), allowed_(burst) {}
 
   /// @param now not earlier than in the last call
-  /// @param period the time between two in the long run; it may differ from call to call. 0 means that none is allowed
+  /// @param period the time between two in the long run; it may differ from call to call. 0 means that none is admitted
   ///   until a call has another period
-  Admission admit(TimePoint now, Duration period);
+  /// @param count so many at once, all or none; more than the burst are never let through
+  Admission admit(TimePoint now, Duration period, int count = 1);
 
  private:
   const int burst_;
   std::mutex mutex_;
-  TimePoint refilled_;  ///< when the last one became allowed
+  TimePoint refilled_;  ///< when the last one was allowed
   int allowed_;
   std::size_t left_out_ = 0;
 };

@@ -65,7 +65,7 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
       loop, [&call](const Shared&) { return std::move(call); }, timeout, caller);
 }
 
-/// The call is an order to move.
+/// Adds the terms of an order to move to its call.
 Call withTerms(Call call, const OrderTerms& terms) {
   call.not_after = terms.not_after;
   call.order = terms.number;
@@ -73,7 +73,7 @@ Call withTerms(Call call, const OrderTerms& terms) {
 }
 
 /// Hands a command to the client's thread.
-/// @param parts the parts of the body that it is for
+/// @param parts the name of the commanded parts of the body, for messages
 /// @param add called with the outbox
 template <typename Add>
 void command(ConnectionLoop* loop, char letter, const std::string& parts, const Add& add) {
@@ -89,9 +89,9 @@ void command(ConnectionLoop* loop, char letter, const std::string& parts, const 
 }
 
 constexpr char kToHold[] = "to hold joints; send the joints to where they were commanded instead";
-constexpr char kToWalk[] = "to walk; it takes an ERS-7 with a newer RCServer";
-constexpr char kToPlaySounds[] = "to play sounds; it takes a newer RCServer";
-constexpr char kToTakePostures[] = "to take postures; it takes an ERS-7 with a newer RCServer";
+constexpr char kToWalk[] = "to walk; this needs an ERS-7 with a newer RCServer";
+constexpr char kToPlaySounds[] = "to play sounds; this needs a newer RCServer";
+constexpr char kToTakePostures[] = "to take postures; this needs an ERS-7 with a newer RCServer";
 
 /// @param purpose what the request is for, and what to do without it
 /// @throw CommandException this server does not know the request
@@ -103,7 +103,7 @@ void requireRequest(const std::string& address, const ConnectionStatus& status, 
   }
 }
 
-/// The place of these samples in their sound, and in `shared` that of the next ones.
+/// Finds the place of these samples in their sound, and updates the place of the next samples in `shared`.
 SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* shared) {
   SoundPart& next = shared->sound;
   if (sound == 0) {

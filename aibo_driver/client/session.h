@@ -22,7 +22,7 @@ struct Wish {
   StreamFormat format{};
   CameraSettings camera{};
   PictureTransport transport = PictureTransport::kTcp;
-  unsigned transport_changes = 0;  ///< how often the user has changed it
+  unsigned transport_changes = 0;  ///< how often the user has changed the transport
   int datagram_port = 0;           ///< the port to which pictures can be sent by UDP; 0 means that they come by TCP
   ColorDetection colors{};
   ColorTables color_tables{};  ///< they are sent only while colours are detected

@@ -1,5 +1,6 @@
 #include "client/sound_intake.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -13,6 +14,13 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 namespace {
+
+constexpr std::chrono::milliseconds kFrame{8};
+
+// Sound may be late; a robot that is silent for longer is disconnected. And the robot's clock may go faster by a part
+// in so many.
+constexpr std::chrono::seconds kLongestDelay{5};
+constexpr int kClockTolerance = 64;
 
 template <typename Content>
 Content decoded(const unsigned char* payload, std::size_t size) {
@@ -36,9 +44,8 @@ void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chr
   if (!in_force_ || !in_force_->on || pushed.channels != in_force_->channels) {
     return;  // it was on its way when the settings were changed
   }
-  const std::chrono::nanoseconds lasts =
-      std::chrono::nanoseconds(std::chrono::seconds(pushed.count)) / in_force_->samples_per_second;
-  if (pushed.count > kMostSamplesOfPush || !limit_.admit(arrival, lasts / 2).is_admitted) {
+  const unsigned frames = std::max(1U, (pushed.count + frameSize() - 1) / frameSize());
+  if (!limit_.admit(arrival, kFrame / 2, static_cast<int>(frames)).is_admitted) {
     ++context_.counters.thinned_sounds;
     if (!std::exchange(excess_is_logged_, true)) {
       context_.warn("sends more than twice as much sound as it was asked to; the rest is dropped and counted");
@@ -51,7 +58,7 @@ void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chr
   sound.connection_number = context_.number;
   sound.channels = in_force_->channels;
   sound.samples_per_second = in_force_->samples_per_second;
-  sound.missing = missingBefore(pushed.frame_number, pushed.count);
+  sound.missing = missingBefore(pushed.frame_number, pushed.count, arrival);
   sound.samples.reserve(pushed.samples_size / version2::BYTES_PER_SAMPLE);
   for (std::size_t i = 0; i < pushed.samples_size; i += version2::BYTES_PER_SAMPLE) {
     sound.samples.push_back(protocol::decodeBigEndianSigned16(pushed.samples + i));
@@ -61,23 +68,42 @@ void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chr
   context_.notifier.heard(sound);
 }
 
-/// Samples of each channel that should have come before this frame. A frame number that goes back means nothing.
-std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned count) {
-  const unsigned frame_size =
-      version2::SAMPLES_PER_FRAME * static_cast<unsigned>(in_force_->samples_per_second) / 16000;
-  const auto skipped = next_frame_ ? static_cast<std::int32_t>(frame_number - *next_frame_) : 0;
-  beyond_frame_ = skipped == 0 ? beyond_frame_ : 0;
-  const unsigned heard = beyond_frame_ + count;
-  next_frame_ = frame_number + heard / frame_size;
-  beyond_frame_ = heard % frame_size;
-  return skipped > 0 ? static_cast<std::uint32_t>(skipped) * frame_size : 0;
+/// Samples of each channel in a frame.
+unsigned SoundIntake::frameSize() const {
+  return version2::SAMPLES_PER_FRAME * static_cast<unsigned>(in_force_->samples_per_second) / 16000;
 }
 
-// The robot may tell of the end of a sound after it has accepted the next one. So what this client has done itself is
-// reported at once, and the robot need not tell.
+/// Samples of each channel that should have come before this frame. A frame number that goes back means nothing, nor
+/// does one that is further ahead than time has passed: users put silence in the place of what is missing.
+std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned count,
+                                         std::chrono::steady_clock::time_point arrival) {
+  const auto skipped = next_frame_ ? static_cast<std::int32_t>(frame_number - *next_frame_) : 0;
+  if (!next_frame_) {
+    began_ = arrival;
+    frames_ = 0;
+  }
+  beyond_frame_ = skipped == 0 ? beyond_frame_ : 0;
+  const unsigned heard = beyond_frame_ + count;
+  next_frame_ = frame_number + heard / frameSize();
+  beyond_frame_ = heard % frameSize();
+  frames_ += heard / frameSize();
+  const auto passed = arrival - began_;
+  const auto most = static_cast<std::uint64_t>((passed + passed / kClockTolerance + kLongestDelay) / kFrame);
+  if (skipped <= 0 || frames_ + static_cast<std::uint64_t>(skipped) > most) {
+    return 0;
+  }
+  frames_ += static_cast<std::uint64_t>(skipped);
+  return static_cast<std::uint32_t>(skipped) * frameSize();
+}
+
+// The robot may report the end of a sound only after it has accepted the next one. So the end of a sound that this
+// client itself has stopped or replaced is reported at once, and the robot's report is ignored.
 void SoundIntake::accepted(const SoundPart& part) {
   if (part.size == 0) {
     return end(EndedHow::kStopped);
+  }
+  if (part.sound <= ended_ || (playing_ && part.sound < playing_->sound)) {
+    return;  // the robot has ended it meanwhile, or answers in another order
   }
   if (part.position == 0) {
     end(EndedHow::kReplaced);
@@ -91,22 +117,24 @@ void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
   if (!playing_ || is_known_already) {
     return;
   }
-  // If the last samples come too late, the robot has already played silence in their place, and more of it.
+  // If the last samples come too late, the robot has already played at least as much silence in their place.
   const std::uint32_t whole = playing_->position + playing_->size;
   const bool is_whole = pushed.samples == whole || (pushed.samples > whole && pushed.gaps > 0);
   if (pushed.how == version2::END_DONE && !(playing_->is_last && is_whole)) {
-    return;  // it is that of the sound before
+    return;  // it is the end of an earlier sound
   }
   const EndedHow how = pushed.how == version2::END_DONE      ? EndedHow::kDone
                        : pushed.how == version2::END_REFUSED ? EndedHow::kRefused
                                                              : EndedHow::kUnknown;
   const SoundEnd end = {playing_->sound, how, pushed.samples, pushed.gaps, pushed.missing};
   playing_.reset();
+  ended_ = end.sound;
   context_.notifier.soundEnded(end);
 }
 
 void SoundIntake::end(EndedHow how) {
   if (const std::optional<SoundPart> gone = std::exchange(playing_, std::nullopt)) {
+    ended_ = gone->sound;
     context_.notifier.soundEnded({gone->sound, how, 0, 0, 0});
   }
 }

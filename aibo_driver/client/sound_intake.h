@@ -14,7 +14,7 @@ namespace aibo_client {
 
 struct ConnectionContext;
 
-/// Samples of a sound that were sent to the robot. No samples: the sound was stopped.
+/// Samples of a sound that were sent to the robot. If there are none, the sound was stopped.
 struct SoundPart {
   std::uint64_t sound = 0;  ///< SoundProgress::sound
   std::uint32_t position = 0;
@@ -22,17 +22,14 @@ struct SoundPart {
   bool is_last = false;
 };
 
-/// The sound of one connection, in both directions. It does not trust the robot: it gives the client's user no more
-/// than was asked for, and tells of each sound's end once. It belongs to the client's thread.
+/// Handles the sound of one connection, in both directions. It does not trust the robot: it delivers no more than was
+/// asked for, and reports the end of each sound once. It belongs to the client's thread.
 class SoundIntake {
  public:
-  /// A push with more is dropped, 1 s.
-  static constexpr unsigned kMostSamplesOfPush = 16000;
-
   /// @param context must outlive the object
   explicit SoundIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// Call this with each request to the robot. Nothing counts until its answer.
+  /// Call this with each request to the robot. Sound is dropped until the robot has answered.
   void askedFor(const MicrophoneSettings& settings);
   const MicrophoneSettings& asked() const { return asked_; }
 
@@ -44,10 +41,10 @@ class SoundIntake {
   /// @throw ProtocolException no server of this version sends this
   void heard(const unsigned char* payload, std::size_t size, std::chrono::steady_clock::time_point arrival);
 
-  /// Call this when the robot has accepted samples, or has stopped the sound.
+  /// Call this when the robot has accepted samples or stopped the sound.
   void accepted(const SoundPart& part);
 
-  /// Reports how the robot says that a sound has ended.
+  /// Reports the end of a sound that the robot has announced.
   /// @throw ProtocolException no server of this version sends this
   void ended(const unsigned char* payload, std::size_t size);
 
@@ -55,17 +52,25 @@ class SoundIntake {
   void connectionLost() { end(EndedHow::kLost); }
 
  private:
+  /// Frames that may come at once, 1 s. A push with more is dropped.
+  static constexpr int kMostFrames = 125;
+
   void end(EndedHow how);
-  std::uint32_t missingBefore(std::uint32_t frame_number, unsigned count);
+  unsigned frameSize() const;
+  std::uint32_t missingBefore(std::uint32_t frame_number, unsigned count,
+                              std::chrono::steady_clock::time_point arrival);
 
   const ConnectionContext& context_;
   MicrophoneSettings asked_;
   std::optional<MicrophoneSettings> in_force_;
-  std::optional<std::uint32_t> next_frame_;  ///< in which the next sound begins if none is missing
-  unsigned beyond_frame_ = 0;                ///< samples of it that have been heard
-  RateLimit limit_{64};
+  std::optional<std::uint32_t> next_frame_;      ///< the frame in which the next piece begins if none is missing
+  unsigned beyond_frame_ = 0;                    ///< samples of that frame that have been heard already
+  std::chrono::steady_clock::time_point began_;  ///< when the first sound came since next_frame_ was empty
+  std::uint64_t frames_ = 0;                     ///< frames that came or were missing since then
+  RateLimit limit_{kMostFrames};
   bool excess_is_logged_ = false;
   std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays
+  std::uint64_t ended_ = 0;           ///< the newest sound whose end was reported
 };
 
 }  // namespace aibo_client

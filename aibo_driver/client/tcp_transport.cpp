@@ -61,8 +61,8 @@ FileDescriptor openSocket(int family) {
   return socket;
 }
 
-// A socket that connects to a port of this computer on which no program listens may get that very port as its own. It
-// then talks to itself (TCP's simultaneous open).
+// A socket may connect to itself (TCP's simultaneous open): if no program listens at a port of this computer, the
+// kernel may give that very port to the socket.
 bool isConnectedToItself(int socket) {
   sockaddr_storage own = {};
   sockaddr_storage peer = {};
@@ -131,7 +131,7 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
 }
 
 /// Begins one attempt after the other, and takes the first that succeeds. The kernel repeats a lost packet only after 1
-/// s, and then after 2 s more. This is too slow for a radio link that comes back at once.
+/// s, and again after 2 s more. That is too slow for a radio link that comes back at once.
 /// @return an empty descriptor if there was no answer until the deadline
 FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
   const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));

@@ -20,7 +20,7 @@ std::string inShort(double value) {
 }
 
 std::string describe(const std::string& name, double value, const ValueRange& possible) {
-  return name + " is " + inShort(value) + "; possible is " + inShort(possible.lowest) + " to " +
+  return name + " is " + inShort(value) + "; it can be " + inShort(possible.lowest) + " to " +
          inShort(possible.highest);
 }
 
@@ -83,7 +83,7 @@ bool TelemetryIntake::isPossible(const JointReading& joint, const std::vector<Jo
   }
   const bool is_there =
       std::any_of(before.begin(), before.end(), [&joint](const JointReading& each) { return each.id == joint.id; });
-  return !is_there || complain(Part::kJoint, joint.id, nameOfJoint(joint.id, design) + " is there twice");
+  return !is_there || complain(Part::kJoint, joint.id, nameOfJoint(joint.id, design) + " appears twice");
 }
 
 bool TelemetryIntake::isPossible(const SensorReading& sensor, const std::string& design) {

@@ -18,8 +18,8 @@ namespace aibo_client {
 
 struct ConnectionContext;
 
-/// The measurements of one connection. It does not trust the robot: it gives the client's user only what is possible,
-/// and no more than was asked for. Whatever it drops is counted, and logged once for each joint and sensor.
+/// Checks and delivers the measurements of one connection. It does not trust the robot: it delivers only what is
+/// possible, and no more than was asked for. Whatever it drops is counted, and logged once for each joint and sensor.
 class TelemetryIntake {
  public:
   /// The most telemetry that is delivered at once, if more has arrived together. It is two seconds at the highest rate.
@@ -29,7 +29,7 @@ class TelemetryIntake {
   explicit TelemetryIntake(const ConnectionContext& context) : context_(context) {}
 
   /// Call this with each request if the robot sends telemetry by itself, as in version 2 of the protocol. In the long
-  /// run, at most twice as much is delivered.
+  /// run, at most twice as much as requested is delivered.
   /// @param period OPEN-R frames of 8 ms; 0 means no telemetry
   void askedFor(int period);
 
@@ -37,7 +37,7 @@ class TelemetryIntake {
   void deliver(Telemetry telemetry, const std::string& design);
 
  private:
-  /// The part that a value belongs to. It only tells values apart.
+  /// The kind of thing that has a value.
   enum class Part { kJoint, kSensor, kDuty, kWalk };
 
   bool comesTooOften(const Telemetry& telemetry);

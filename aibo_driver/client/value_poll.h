@@ -10,7 +10,7 @@
 namespace aibo_client {
 
 /// Decides when to ask a version 1 server for which joint or sensor. Such a server sends values only when asked, so the
-/// client asks for one after the other.
+/// client asks for them one by one.
 class ValuePoll {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

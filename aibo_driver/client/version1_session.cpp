@@ -54,10 +54,10 @@ std::string describeError(int code) {
   return "error code " + std::to_string(code);
 }
 
-// What this project's server means by it (docs/protocol.md).
+// The reasons why this project's server refuses to move a joint (docs/protocol.md).
 constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint move freely?";
 
-// The server tells of a joint's fault by refusing the next request about it, whatever that is.
+// The server reports a joint's fault by refusing the next request about this joint, whatever that request is.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
 std::optional<RefusedRequest> refusedRequest(char letter) {
@@ -124,8 +124,8 @@ void Version1Session::add(Call call) {
                                          describe(call) + ". It needs an RCServer that speaks version 2."));
 }
 
-// While a picture is owed, a toggle would have to wait behind it anyway, and a second `F` would leave open which answer
-// belongs to which quality. `F` is never sent while the stream runs.
+// While a picture is owed, a toggle would have to wait for the picture anyway. A second `F` would make it unclear which
+// picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
   connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
@@ -150,8 +150,8 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
 }
 
-// A server that is frozen, or whose robot has just gone out of reach, is connected to as any other. Pictures are the
-// only request that each server of version 1 answers.
+// A connection can also be made to a server that is frozen, or whose robot has just gone out of reach. Pictures are the
+// only request that every version 1 server answers.
 Session::Bytes Version1Session::requestTrial(const Wish& wish, TimePoint now) {
   is_trial_owed_ = true;
   connection_.pictures.signOfPicture(now);
@@ -180,7 +180,7 @@ Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
 }
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
-  connection_.commands.steering.reset();  // meant for another server, which had this place and could walk
+  connection_.commands.steering.reset();  // it was meant for an earlier server at this address, which could walk
   const bool has_commands = !connection_.commands.empty();
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);
@@ -269,7 +269,7 @@ void Version1Session::onPicture() {
   const PicturePtr picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
     if (owed != nullptr) {
-      owed->request_number = 0;  // to be sent again, as long as the time of the call allows
+      owed->request_number = 0;  // it is sent again, as long as the call's time allows
     }
     return;
   }
@@ -419,7 +419,7 @@ void Version1Session::checkDeadlines(TimePoint now) {
   checkCalls(now);
 }
 
-// A call that has been sent and is not answered in time ends the connection.
+// If a call was sent and is not answered in time, the connection ends.
 void Version1Session::checkCalls(TimePoint now) {
   std::optional<Fault> fault;
   const Call* const owed = owedCall();

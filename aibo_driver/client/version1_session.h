@@ -18,22 +18,23 @@ namespace aibo_client {
 
 /// What is remembered of a version 1 server from one connection to the next.
 struct ServerHabits {
-  /// After this many unanswered polls in a row for joints, or for sensors, from a server that does send other things,
-  /// it is not asked for them any more.
+  /// If this many polls for joints in a row stay unanswered although the server sends other things, it is not asked for
+  /// joints any more. The same holds for sensors.
   static constexpr int kUnansweredPollsLimit = 3;
 
-  std::map<char, int> unanswered_polls;  ///< in a row, by the request's letter; each has cost a connection
+  std::map<char, int> unanswered_polls;  ///< how many in a row, by the request's letter; each cost a connection
 };
 
 /// A session with a version 1 server.
 ///
-/// At most one request is unanswered at any time. Replies have no numbers, so nothing would say which request a reply
-/// belongs to; and two requests that TCP joins may be taken for another one: the bytes of two requests to read a joint
-/// are those of one that moves it. For the same reason a request without an answer ends the connection.
+/// At most one request is unanswered at any time. Replies have no numbers, so the client could not tell which request a
+/// reply belongs to. Moreover, TCP may join two requests, and the server may take them for another request: two
+/// requests to read a joint have the same bytes as one that moves it. If a request is not answered, the connection
+/// ends, because its answer could still come.
 class Version1Session final : public Session {
  public:
   using TimePoint = Session::TimePoint;
-  /// What has become of the question for version 2 of the protocol.
+  /// Whether the server was asked for version 2 of the protocol, and what it answered.
   enum class VersionAnswer { kNotAsked, kRefused, kOwed };
 
   Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
@@ -45,7 +46,7 @@ class Version1Session final : public Session {
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   std::vector<Bytes> datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override {
     return {};
-  }  // none was asked for
+  }  // version 1 has no datagrams
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 
@@ -54,12 +55,12 @@ class Version1Session final : public Session {
   struct ValueRequest {
     char letter = 0;
     int id = 0;
-    bool set = false;  ///< else it reads
+    bool set = false;  ///< true: set the value; false: read it
     TimePoint sent;
     std::uint64_t order = 0;  ///< OrderTerms::number
   };
 
-  // The call that has been sent and not been answered, of any kind or for a picture; null if there is none:
+  // The call that was sent and has not been answered, or null. owedPicture() returns only calls for a picture.
   Call* owedCall() const { return connection_.calls.find(kOwed); }
   Call* owedPicture() const;
   bool isAnswerOwed() const { return value_owed_ || is_trial_owed_ || owedCall() != nullptr; }
@@ -89,22 +90,22 @@ class Version1Session final : public Session {
   void checkCalls(TimePoint now);
   void failUnanswered();
 
-  static constexpr int kOwed = 1;  // request number of the call that has been sent and not been answered
+  static constexpr int kOwed = 1;  // the request number of the call that was sent and has not been answered
 
   Connection& connection_;
   ServerHabits& habits_;
   ReplyParser parser_;
-  TimePoint now_;  // when the bytes were read that are being taken apart
+  TimePoint now_;  // when the bytes that are being parsed were read
   std::optional<ValueRequest> value_owed_;
   bool version_answer_owed_;
-  int last_target_ = 0;             // id of the joint that was commanded last
-  LedMode led_mode_ = LedMode::kA;  // of all LEDs, as last accepted
-  bool joints_turn_ = true;         // else it is the turn of LEDs and ears, if any wait
+  int last_target_ = 0;             // the id of the joint that was commanded last
+  LedMode led_mode_ = LedMode::kA;  // the mode of all LEDs, as last accepted
+  bool joints_turn_ = true;         // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
-  std::set<int> measured_joints_;  // polled successfully, with no fault since
+  std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;
   bool ready_;                  // the server has answered
-  bool is_trial_owed_ = false;  // the picture of requestTrial()
+  bool is_trial_owed_ = false;  // the picture of requestTrial() is still to come
 };
 
 }  // namespace aibo_client

@@ -21,13 +21,13 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// More than a robot has joints. Each report is kept once.
+// No robot has this many joints. Each report is kept once.
 constexpr std::size_t kMostReports = 32;
 
 // No setting of the camera has this value.
 constexpr int kNotRequested = -1;
 
-// By id - 1.
+// The index of a setting is its id - 1.
 std::array<int, version2::NUMBER_OF_CAMERA_SETTINGS> valuesOf(const CameraSettings& settings) {
   return {settings.white_balance, settings.gain, settings.shutter_speed, settings.auto_exposure ? 1 : 0,
           settings.auto_white_balance ? 1 : 0};
@@ -65,7 +65,7 @@ void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
   elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
 }
 
-/// True if the text contains this word, and not only as a part of a longer name.
+/// True if the text contains this whole word.
 bool hasWord(const std::string& text, const std::string& word) {
   const auto is_of_name = [&text](std::size_t i) {
     return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
@@ -85,8 +85,8 @@ void expectGood(const char* problem, const std::string& what) {
   }
 }
 
-/// @param name of the payload, for the message
-/// @throw ProtocolException it is not as it should be
+/// @param name the name of the payload, for the message
+/// @throw ProtocolException the payload is malformed
 template <typename Content, typename Payload>
 Content decoded(const Payload& payload, const char* name) {
   Content content;
@@ -119,7 +119,7 @@ void setDuty(int id, double duty, std::vector<JointReading>* joints) {
   }
 }
 
-// A robot's text may have as many bytes as fit into a frame; a log and a diagnostic message need the beginning.
+// A robot's text may fill a whole frame. Its beginning is enough for a log or a diagnostic message.
 std::string beginningOf(const char* text, std::size_t size) {
   constexpr std::size_t kLongestText = 512;
   const std::size_t shown = protocol::sizeOfWholeCharacters(text, size, kLongestText);
@@ -139,7 +139,7 @@ WalkState walkState(int state) {
   }
 }
 
-// Identifiers that it does not know are a newer server's.
+// Ignores identifiers that it does not know: a newer server sends them.
 void setWalk(int id, int value, std::optional<WalkReading>* walk) {
   if (!*walk) {
     walk->emplace();
@@ -252,7 +252,7 @@ Session::Bytes Version2Session::requestHello(TimePoint now) {
   return request(version2::SAY_HELLO, 0, {}, now, &Version2Session::onHello);
 }
 
-// From then on, the robot tells of its motors and its posture. The reply has no more than the first push.
+// From then on, the robot reports its motors and its posture. The reply contains no more than the first report.
 Session::Bytes Version2Session::requestMotorState(TimePoint now) {
   return request(version2::TELL_OF_MOTORS, 0, {}, now);
 }
@@ -265,7 +265,7 @@ StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
   return format;
 }
 
-// One after the other. Before the stream, so that its first picture has them.
+// Settings are sent one by one, and before the stream starts, so that its first picture has them.
 Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
   if (!serves(version2::REQUEST_CAMERA)) {
     connection_.warnOfMissingSettings(false, wish.camera != CameraSettings());
@@ -291,7 +291,7 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   return request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
 }
 
-// Datagrams may come before the reply.
+// Datagrams may come before the reply does.
 Session::Bytes Version2Session::requestDatagrams(const Wish& wish, TimePoint now) {
   datagram_port_ = wish.datagram_port;
   if (datagram_port_ != 0) {
@@ -350,11 +350,15 @@ Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint no
     connection_.warnOfMissingMicrophone(wanted.on);
     return {};
   }
-  if (wanted == connection_.sound.asked() || (!wanted.on && !connection_.sound.asked().on)) {
+  const MicrophoneSettings& asked = connection_.sound.asked();
+  if (wanted == asked || (!wanted.on && !asked.on && wanted.before_pictures == asked.before_pictures)) {
     return {};
   }
   connection_.sound.askedFor(wanted);
-  const version2::MicrophoneSettings settings = {wanted.on, static_cast<unsigned char>(wanted.channels),
+  const unsigned mode = (wanted.on ? unsigned{version2::MICROPHONE_ON} : 0) |
+                        (wanted.before_pictures ? unsigned{version2::SOUND_FIRST} : 0);
+  const version2::MicrophoneSettings settings = {static_cast<unsigned char>(mode),
+                                                 static_cast<unsigned char>(wanted.channels),
                                                  static_cast<unsigned short>(wanted.samples_per_second)};
   return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone,
                  {RefusedRequest::kMicrophone, {}, 0});
@@ -564,7 +568,7 @@ void Version2Session::onFrame() {
   }
 }
 
-// Pushes of unknown kinds are for newer clients.
+// Pushes of unknown kinds are for newer clients, so they are ignored.
 void Version2Session::onPush(char kind, const Payload& payload) {
   switch (kind) {
     case version2::PICTURE:
@@ -656,19 +660,19 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
   }
 }
 
-// A forged frame number would make all pictures after it look overtaken. What comes by TCP is the robot's.
+// A forged frame number would make all later pictures look overtaken. Pictures by TCP are really the robot's.
 bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
-  constexpr auto kTolerance = std::chrono::seconds(2);  // the hello may have been on its way for long
+  constexpr auto kTolerance = std::chrono::seconds(2);  // the answer to the hello may have come late
   return timeAhead(frame_number) > kTolerance;
 }
 
-/// How much later than now this frame is, by the hellos.
+/// How far this frame is ahead of the present one, computed from the answers to the hellos.
 Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number) const {
   constexpr std::chrono::milliseconds kFrame(8);
   return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (now_ - robot_frame_time_);
 }
 
-// TCP and UDP may overtake each other.
+// Pictures by TCP and pictures by UDP may overtake each other.
 bool Version2Session::isOvertaken(const Picture& picture) const {
   return datagrams_.wereUsed() && newest_frame_ && picture.frame_number &&
          static_cast<std::int32_t>(*picture.frame_number - *newest_frame_) <= 0;
@@ -677,14 +681,14 @@ bool Version2Session::isOvertaken(const Picture& picture) const {
 void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   const PicturePtr picture = takePictureFrom(payload);
   if (!picture) {
-    connection_.calls.find(number)->request_number = 0;  // to be sent again, as long as the time of the call allows
+    connection_.calls.find(number)->request_number = 0;  // it is sent again, as long as the call's time allows
     return;
   }
   const PictureIntake& pictures = connection_.pictures;
   const std::optional<Resolution>& resolution = connection_.calls.find(number)->resolution;
   const bool is_of_other_size = pictures.streaming() && resolution && *resolution != pictures.streamFormat().resolution;
   if (is_of_other_size || isOvertaken(*picture)) {
-    ++connection_.context.counters.pictures;  // for the caller alone: it would not fit among those of the stream
+    ++connection_.context.counters.pictures;  // only the caller gets it, because it does not fit into the stream
   } else {
     newest_frame_ = picture->frame_number;
     connection_.pictures.deliver(picture);
@@ -697,7 +701,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload, "telemetry");
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
-    // They can only have waited because this process was held up for long. The newest are worth more than all of them.
+    // So many wait only if this process was held up for long. Then the oldest are worth least.
     telemetry_.pop_front();
     ++connection_.context.counters.dropped_telemetry;
   }
@@ -770,7 +774,8 @@ void Version2Session::onSound(const Payload& payload) {
 void Version2Session::onMicrophone(const Payload& payload) {
   const auto settings = decoded<version2::MicrophoneSettings>(payload, "reply to a request to listen");
   if (outstanding(version2::REQUEST_SOUND) == 1) {  // it is the newest
-    connection_.sound.inForce({settings.on, settings.channels, settings.samples_per_second});
+    connection_.sound.inForce({(settings.mode & version2::MICROPHONE_ON) != 0, settings.channels,
+                               settings.samples_per_second, (settings.mode & version2::SOUND_FIRST) != 0});
   }
 }
 
@@ -861,7 +866,7 @@ void Version2Session::onReport(const Payload& payload) {
   connection_.context.warn("reports: " + report.text);
 }
 
-// The robot holds the joints that it names.
+// The text names the joints that do not follow. The robot holds them.
 void Version2Session::onJointFault(const std::string& text) {
   const robot_model::RobotModel* const robot = robot_model::findRobotModel(connection_.robot.design.c_str());
   Refusal refusal = {RefusedRequest::kJoints, RefusalCause::kJointFault, {}, text};
@@ -880,14 +885,14 @@ void Version2Session::onMotorsAndPosture(const Payload& payload) {
                                     is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
 }
 
-// Its fault, and motions that were stopped because of it, are over.
+// This ends the reports of the joint's fault, and of motions that were stopped because of it.
 void Version2Session::jointFollowsAgain(const std::string& joint) {
   removeIf(&reports_, [&joint](const Report& each) { return each.joint_fault && hasWord(each.text, joint); });
   connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
   connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }
 
-// What kept it from walking is over.
+// What kept the robot from walking is over.
 void Version2Session::bodyMovesAgain() {
   removeIf(&reports_, [](const Report& each) { return each.about_body; });
   connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
@@ -921,8 +926,8 @@ void Version2Session::checkDeadlines(TimePoint now) {
   connection_.calls.expire(now, connection_.pictures.damageRemark());
 }
 
-/// When the robot is silent for too long, or its datagrams are. With UDP the radio may be out for longer than with TCP:
-/// pictures come at once when it is back, and no connection has to be made for that.
+/// When the robot, or its datagrams, will have been silent for too long. With UDP the radio may be out for longer than
+/// with TCP, because pictures come at once when it is back, without a new connection.
 Session::TimePoint Version2Session::pictureDeadline() const {
   return datagrams_.on() ? datagrams_.deadline(connection_.pictures.extraInterval()) : connection_.pictureDeadline();
 }

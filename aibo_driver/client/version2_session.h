@@ -21,14 +21,16 @@
 
 namespace aibo_client {
 
-/// A session with a version 2 server. It begins with a hello; requests are numbered, so several may be under way.
+/// A session with a version 2 server. It begins with a hello. Requests are numbered, so several may be unanswered at a
+/// time.
 class Version2Session final : public Session {
  public:
-  /// A hello is sent when nothing else has been for this long: a client that is silent for 0.6 s may lose its place.
+  /// A hello is sent if nothing else was sent for this long, because a client that is silent for 0.6 s may lose its
+  /// place.
   static constexpr std::chrono::milliseconds kHeartbeatPeriod{250};
-  /// From one hello to the next at the most. The protocol asks for at least one a second.
+  /// The longest time between two hellos. The protocol asks for at least one a second.
   static constexpr std::chrono::milliseconds kHelloPeriod{500};
-  /// How many commands to the joints may be unanswered. Further ones wait, so that a link that stands still does not
+  /// How many commands to the joints may be unanswered. Further commands wait. Otherwise a link that stands still would
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
 
@@ -50,17 +52,17 @@ class Version2Session final : public Session {
     std::size_t size;
   };
 
-  /// Takes an answer. Null: it only confirms what was requested.
+  /// Handles an answer. It is null if the answer only confirms the request.
   using OnAnswer = void (Version2Session::*)(const Payload& payload);
 
-  /// What the user is told of if the robot refuses it.
+  /// An order that is reported to the user if the robot refuses it.
   struct Order {
-    std::optional<RefusedRequest> kind;  ///< none: it is only logged
-    std::vector<int> ids;                ///< of the joints, LEDs or ears that it is for
+    std::optional<RefusedRequest> kind;  ///< empty means that a refusal is only logged
+    std::vector<int> ids;                ///< the ids of the joints, LEDs or ears
     std::uint64_t number;                ///< OrderTerms::number
   };
 
-  /// A request that has to be answered soon. (A call may take as long as its caller allows.)
+  /// A request that has to be answered soon. A call may take as long as its caller allows.
   struct Exchange {
     protocol::version2::Request request;
     TimePoint sent;
@@ -69,11 +71,11 @@ class Version2Session final : public Session {
     Order order;
   };
 
-  /// What the robot said without being asked.
+  /// A report that the robot sent without a request.
   struct Report {
     std::string text;
     bool joint_fault;
-    bool about_body;  ///< it lies on its side, for instance: over when the robot walks or takes a posture again
+    bool about_body;  ///< for example, the robot lies on its side; over when it walks or takes a posture again
   };
 
   Bytes chooseRequest(const Wish& wish, TimePoint now);
@@ -141,15 +143,15 @@ class Version2Session final : public Session {
   Bytes buffer_;  // the payload of the frame that is arriving
   protocol::version2::FrameReader reader_;
   TimePoint frame_began_;  // when the first byte of that frame was read
-  TimePoint now_;          // when the bytes were read that are being taken apart
+  TimePoint now_;          // when the bytes that are being parsed were read
 
   int last_number_ = 0;
   std::map<int, Exchange> exchanges_;  // by request number
 
   bool ready_ = false;
   std::bitset<256> served_;        // letters of the requests that this server knows
-  std::uint32_t robot_frame_ = 0;  ///< of the last hello's answer
-  TimePoint robot_frame_time_;     ///< when that came
+  std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to the last hello
+  TimePoint robot_frame_time_;     ///< when that answer came
   TimePoint last_hello_;
   TimePoint next_hello_;
   bool has_asked_for_motors_ = false;
@@ -159,9 +161,9 @@ class Version2Session final : public Session {
   int telemetry_period_ = 0;                                               // as last requested
   DatagramIntake datagrams_;
   int datagram_port_ = 0;                      // as last requested
-  std::optional<std::uint32_t> newest_frame_;  // of the pictures delivered, once any could have come by UDP
-  std::vector<Report> reports_;                // that still hold, the newest last
-  std::deque<Telemetry> telemetry_;            // arrived with the bytes that are being taken apart, in this order
+  std::optional<std::uint32_t> newest_frame_;  // of the newest delivered picture; empty until UDP was possible
+  std::vector<Report> reports_;                // the reports that still hold; the newest is last
+  std::deque<Telemetry> telemetry_;            // the telemetry in the bytes that are being parsed, in order
 };
 
 }  // namespace aibo_client

@@ -60,7 +60,7 @@ bool isJpegName(const fs::path& path) {
   return ::strcasecmp(extension.c_str(), ".jpg") == 0 || ::strcasecmp(extension.c_str(), ".jpeg") == 0;
 }
 
-/// Whether an existing file begins as a JPEG. It may be anything else by now, also a pipe without a writer.
+/// True if an existing file begins as a JPEG does. By now it may be anything else, even a pipe without a writer.
 bool isJpeg(const FileDescriptor& folder, const fs::path& name) {
   std::array<char, 3> begin{};
   const FileDescriptor file(::openat(folder.get(), name.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC));
@@ -83,8 +83,8 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
-/// Opens the folder of a file. Whoever may write into the folder for pictures may replace a folder there by a link to
-/// somewhere else after the path was checked; what is opened stays what it is.
+/// Opens the folder of a file. After the path was checked, somebody who may write into the folder for pictures may
+/// replace a folder there by a link to somewhere else. An open folder cannot be replaced.
 FileDescriptor openFolderOf(const fs::path& target) {
   std::error_code error;
   FileDescriptor folder(::open(target.parent_path().c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));

@@ -60,8 +60,8 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg);
 
 /// The name of a motion's file on the robot's memory stick: "nod", "NOD.MTN" and "nod.mtn" all mean NOD.MTN. The empty
-/// name stays empty, and a name that is not plain text gets a '?', which no file's name may have: it is quoted in many
-/// places. The client checks whether the robot allows such a name.
+/// name stays empty. A name that is not plain text gets a '?', which no file's name may have, because names are quoted
+/// in many places. The client checks whether the robot allows such a name.
 std::string motionFileName(const std::string& name);
 
 /// The name of a picture's file on the robot's memory stick: "aibo0001" means AIBO0001.JPG.

@@ -26,8 +26,8 @@ constexpr double kUsualApproachSpeed = 0.5;
 /// - Approach: the first command to a joint may come from a program that does not know the robot's posture. For
 ///   example, joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves
 ///   there at the approach speed. The approach ends after the time that this way takes, or when a new target comes
-///   while the measured joint is near the old one. From then on only the speed limit holds. A new target in the
-///   meantime makes the approach longer, but not longer than the joint's longest way takes.
+///   while the measured joint is near the old one. From then on only the speed limit holds. A new target before
+///   then makes the approach longer, but at most as long as the joint takes for its whole range.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

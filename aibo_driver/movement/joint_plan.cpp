@@ -312,7 +312,7 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
       char text[160];
       std::snprintf(text, sizeof(text),
                     "was last measured %.1f s ago, and a trajectory needs to know where it is: "
-                    "allowed is %.1f s. Does joint_states still come?",
+                    "at most %.1f s are allowed. Does joint_states still come?",
                     seconds(now - measured->arrival), seconds(job.oldest));
       throw aibo_client::InvalidArgumentException(name + " " + text);
     }
@@ -498,7 +498,7 @@ std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<
   if (now < last_due + (away.empty() ? std::max(grace, kLongestSilence) : grace)) {
     return std::nullopt;
   }
-  return away.empty() ? End{id, EndedHow::kUnknown, "nothing has measured " + listOf(unmeasured) + " since", {}}
+  return away.empty() ? End{id, EndedHow::kUnknown, "no measurement of " + listOf(unmeasured) + " has come since", {}}
                       : End{id, EndedHow::kNotReached, listOf(away), {}};
 }
 

@@ -21,7 +21,7 @@ namespace aibo_driver::movement {
 
 using aibo_client::EndedHow;
 
-/// The number of a movement. Each movement has another one.
+/// The number of a movement. No two movements have the same number.
 using MovementId = std::uint64_t;
 
 /// How near a joint has to be to its target to have arrived.
@@ -72,7 +72,7 @@ class JointPlan {
     MovementId id = 0;
     EndedHow how = EndedHow::kDone;
     std::string reason;               ///< as EndedMovement::reason
-    std::vector<std::string> joints;  ///< that it moved last; empty if they were all taken from it
+    std::vector<std::string> joints;  ///< the joints that it moved last; empty if all were taken from it
   };
 
   /// @param table, measured must outlive the plan
@@ -92,7 +92,7 @@ class JointPlan {
   double add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
              std::chrono::milliseconds oldest);
 
-  /// Moves everything on. Call this every kPeriod, and after add().
+  /// Advances everything to the present time. Call this every kPeriod, and after add().
   /// @return the orders that have to be sent now
   std::vector<JointStep> advance(SteadyTime now);
 

@@ -40,7 +40,8 @@ bool isOfLeg(int id) {
 
 }  // namespace
 
-JointTable::JointTable(const std::string& design, double speed_limit) : design_(design) {
+JointTable::JointTable(const std::string& design, double speed_limit, double motion_speed_limit)
+    : design_(design), motion_speed_limit_(motion_speed_limit) {
   const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
   if (model == nullptr) {
     throw aibo_client::InvalidArgumentException("There is no table of a robot named '" + design + "'.");
@@ -53,10 +54,10 @@ JointTable::JointTable(const std::string& design, double speed_limit) : design_(
   }
 }
 
-std::vector<JointSpeedLimit> JointTable::speedLimits() const {
+std::vector<JointSpeedLimit> JointTable::motionSpeedLimits() const {
   std::vector<JointSpeedLimit> limits;
-  for (std::size_t i = 0; i < size(); ++i) {
-    limits.push_back({joints_[i].id, speedLimit(i)});
+  for (const JointProperties& joint : joints_) {
+    limits.push_back({joint.id, std::min(motion_speed_limit_, joint.own_speed) * speed_scale_});
   }
   return limits;
 }

@@ -12,8 +12,11 @@
 
 namespace aibo_driver::movement {
 
-/// The speed limit of joints in rad/s, unless the user sets another one.
+/// The speed limit of commanded joints in rad/s, unless the user sets another one.
 constexpr double kUsualSpeedLimit = 3.0;
+
+/// A speed limit in rad/s that is above the speed of any joint, so that each joint's own highest speed counts.
+constexpr double kNoSpeedLimit = 20.0;
 
 /// The properties of a joint.
 struct JointProperties {
@@ -30,9 +33,11 @@ struct JointProperties {
 class JointTable {
  public:
   /// @param design the robot's name in OPEN-R: "ERS-7" or "ERS-210"
-  /// @param speed_limit rad/s, for every joint; a joint that is slower by itself keeps its own highest speed
+  /// A joint that is slower than a limit by itself keeps its own highest speed.
+  /// @param speed_limit rad/s, for every joint that is commanded
+  /// @param motion_speed_limit rad/s, for every joint while a motion file is played
   /// @throw InvalidArgumentException there is no table for this design
-  JointTable(const std::string& design, double speed_limit);
+  JointTable(const std::string& design, double speed_limit, double motion_speed_limit = kNoSpeedLimit);
 
   const std::string& design() const { return design_; }
   const std::vector<JointProperties>& joints() const { return joints_; }
@@ -42,8 +47,8 @@ class JointTable {
   /// The speed limit in force, in rad/s. Any thread may call it.
   double speedLimit(std::size_t index) const { return joints_[index].highest_speed * speed_scale_; }
 
-  /// The speed limits of all joints. Any thread may call it.
-  std::vector<aibo_client::JointSpeedLimit> speedLimits() const;
+  /// The speed limits of all joints while a motion file is played. Any thread may call it.
+  std::vector<aibo_client::JointSpeedLimit> motionSpeedLimits() const;
 
   /// The joints of the legs.
   std::vector<std::string> namesOfLegs() const;
@@ -61,6 +66,7 @@ class JointTable {
  private:
   std::string design_;
   std::vector<JointProperties> joints_;
+  double motion_speed_limit_;
   std::atomic<double> speed_scale_{1.0};
 };
 

@@ -84,7 +84,7 @@ std::string reasonOf(const std::exception& error) {
   return reasonOf(std::string(error.what()));
 }
 
-// Whoever gave the order chose a part of the reason. It is published, remembered, and answered to others.
+// The sender of an order chooses a part of the reason. It is published, remembered, and sent to other nodes.
 EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) {
   constexpr std::size_t kLongest = 1000;
   return {std::move(movement), how, text::plainLine(reason, kLongest)};
@@ -225,7 +225,7 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     takeEndsOfPlan();
     try {
       // Otherwise the robot would keep lower limits of earlier commands.
-      link_.limitSpeeds(table_.speedLimits());
+      link_.limitSpeeds(table_.motionSpeedLimits());
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
@@ -448,7 +448,7 @@ bool Mover::setMotors(const Order& order, bool on) {
   return is_on;
 }
 
-// Nothing that was asked for before counts any more.
+// Overrules everything that was asked for before.
 // @return the movements that move the robot
 std::vector<MovementId> Mover::overruleAll(const Order& by, const std::string& reason) {
   return change([&] {

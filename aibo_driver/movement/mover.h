@@ -170,7 +170,7 @@ class Mover {
   /// @}
   /// @name What the client reports
   /// @{
-  /// @param order that asked for it: OrderTerms::number
+  /// @param order the OrderTerms::number of the order that asked for it
   void steered(const aibo_client::WalkVelocity& in_force, std::uint64_t order);
   void ended(const aibo_client::MotionEnd& end);
   void refused(const aibo_client::Refusal& refusal);
@@ -180,7 +180,7 @@ class Mover {
   void disconnected();
   /// @}
 
-  /// Moves everything on. After Listener::on_begin, call this every JointPlan::kPeriod.
+  /// Advances everything to the present time. After Listener::on_begin, call this every JointPlan::kPeriod.
   /// @return false if there is nothing left to move
   bool goOn();
 
@@ -200,7 +200,7 @@ class Mover {
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    bool has_begun = false;  ///< of a walk: the robot has accepted one of its velocities
+    bool has_begun = false;  ///< for a walk: the robot has accepted one of its velocities
     std::string trouble;     ///< a joint that does not follow, in words; empty if there is none
   };
 

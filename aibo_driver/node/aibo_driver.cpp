@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include "node/camera/camera_options.h"
+#include "node/camera/link_quality.h"
 #include "node/node.h"
 #include "text/plain_text.h"
 
@@ -88,7 +90,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       sound_thread_(handle_, receipts_),
       picture_threads_(handle_, receipts_, kPictureThreads),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
-      joint_table_(parameters_.robot, parameters_.joint_speed_limit),
+      joint_table_(parameters_.robot, parameters_.joint_speed_limit, parameters_.motion_speed_limit),
       measured_joints_(joint_table_),
       power_(model_),
       policy_(parameters_.stream_on_start, parameters_.stream_on_demand),
@@ -105,7 +107,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       client_(parameters_.client, makeCallbacks()),
       player_(client_),
       adapter_(client_),
-      link_quality_(handle_, [this] { return askedEveryNthImage(); }),
+      link_quality_(handle_.advertise<LinkQuality>("link_quality", 1)),
       settings_(private_handle, client_, adapter_, joint_table_),
       stream_services_(
           parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
@@ -123,12 +125,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       robot_services_(client_, mover_),
       sound_services_(client_, player_),
       diagnostics_(handle_, private_handle, name,
-                   {parameters_, client_, policy_, adapter_, meter_, raw_images_, settings_, robot_clock_, power_,
-                    mover_, microphone_, player_}),
-      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod), [this](const ros::SteadyTimerEvent&) {
-        link_quality_.publish();
-        diagnostics_.publish();
-      })) {
+                   {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
+                    microphone_, player_}),
+      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
+                                              [this](const ros::SteadyTimerEvent&) { report(); })) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -254,9 +254,21 @@ void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
     raw_images_.publish(message);
   }
   camera_state_.update(picture, stamp, camera_.frameId());
-  link_quality_.add(picture, stamp);
-  meter_.add(picture.jpeg.size(), picture.first_byte_time);
-  adapter_.picturePublished(std::chrono::steady_clock::now(), camera_.takenAt(picture));
+  const auto now = std::chrono::steady_clock::now();
+  meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage().value_or(1), now);
+  adapter_.picturePublished(now, camera_.takenAt(picture));
+}
+
+void AiboDriver::report() {
+  const std::optional<int> every_nth = askedEveryNthImage();
+  const double asked_rate = every_nth ? frameRateOf(*every_nth) : 0;
+  const LinkMeter::Reading reading = meter_.read(std::chrono::steady_clock::now(), asked_rate);
+  if (link_quality_.getNumSubscribers() > 0) {
+    LinkQuality quality = toMessage(reading, asked_rate);
+    quality.header.stamp = ros::Time::now();
+    link_quality_.publish(quality);
+  }
+  diagnostics_.publish(reading, asked_rate);
 }
 
 void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {

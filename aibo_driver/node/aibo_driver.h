@@ -26,11 +26,10 @@
 #include "node/camera/camera_state_publisher.h"
 #include "node/camera/color_publisher.h"
 #include "node/camera/color_table_service.h"
-#include "node/camera/link_quality.h"
+#include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stick_picture_services.h"
 #include "node/camera/stream_adapter.h"
-#include "node/camera/stream_meter.h"
 #include "node/camera/stream_policy.h"
 #include "node/camera/stream_services.h"
 #include "node/connection_publisher.h"
@@ -63,7 +62,7 @@ class AiboDriver {
   /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.
   /// @param handle the driver's namespace; the root namespace means /aibo
   /// @param private_handle the namespace of the parameters
-  /// @param name of the node or nodelet, with its namespace, for the diagnostics
+  /// @param name the name of the node or nodelet, with its namespace, for the diagnostics
   /// @throw InvalidArgumentException a parameter is wrong; the message names it and what is allowed
   /// @throw std::runtime_error another driver has this namespace; the message names its node
   AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name);
@@ -77,6 +76,9 @@ class AiboDriver {
  private:
   aibo_client::Callbacks makeCallbacks();
   void publishPicture(const aibo_client::Picture& picture);
+
+  /// Publishes link_quality and the diagnostics.
+  void report();
 
   /// The result is empty while the stream is off.
   std::optional<int> askedEveryNthImage() const;
@@ -97,13 +99,13 @@ class AiboDriver {
   const robot_model::RobotModel& model_;
 
   ReceiptClock receipts_;
-  CallbackThreads stop_threads_;     ///< stop, release and motors: wait for nothing else
-  CallbackThreads joint_thread_;     ///< commands to joints, trajectories and cmd_vel, in order
+  CallbackThreads stop_threads_;     ///< for stop, release and motors, which wait for nothing else
+  CallbackThreads joint_thread_;     ///< for commands to joints, trajectories and cmd_vel, in order
   CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
   CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
   CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
   CallbackThreads sound_thread_;     ///< waits for espeak-ng, and until the robot plays
-  CallbackThreads picture_threads_;  ///< wait for single pictures, for several callers at a time
+  CallbackThreads picture_threads_;  ///< each waits for a single picture of one caller
 
   // The client's callbacks need these members.
   robot_time::RobotClock robot_clock_;
@@ -112,7 +114,7 @@ class AiboDriver {
   movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  StreamMeter meter_;
+  LinkMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
@@ -130,7 +132,7 @@ class AiboDriver {
 
   // These members need the client.
   StreamAdapter adapter_;
-  LinkQualityPublisher link_quality_;
+  ros::Publisher link_quality_;
   LiveSettings settings_;
   StreamServices stream_services_;
   StickPictureServices stick_pictures_;

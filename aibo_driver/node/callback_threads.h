@@ -38,7 +38,7 @@ class ReceiptClock {
   void start();
   void stop();
 
-  /// When something that is read now came. If that is not known, the earliest possible time.
+  /// The time when something that is read now came, or the earliest possible time if that is not known.
   /// @param now the time of the steady clock
   TimePoint receipt(TimePoint now);
 
@@ -58,7 +58,8 @@ class ReceiptClock {
   std::thread thread_;
 };
 
-/// When the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it is now.
+/// The time when the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it
+/// is the present time.
 ReceiptClock::TimePoint receivedAt();
 
 /// A callback queue that notes when each callback came. It logs exceptions that callbacks throw.

@@ -67,24 +67,22 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
 DriverDiagnostics::~DriverDiagnostics() = default;
 
 // A listener who comes later gets what happened within the last second, not everything since the start.
-void DriverDiagnostics::publish() {
-  period_ = takePeriod();
+void DriverDiagnostics::publish(const LinkMeter::Reading& stream, double asked_rate) {
+  period_ = takePeriod(stream, asked_rate);
   if (topic_.getNumSubscribers() > 0) {
     updater_->force_update();
   }
 }
 
-DriverDiagnostics::Period DriverDiagnostics::takePeriod() {
+DriverDiagnostics::Period DriverDiagnostics::takePeriod(const LinkMeter::Reading& stream, double asked_rate) {
   const ClientStatistics client = sources_.client.statistics();
   const ClientStatistics before = std::exchange(client_before_, client);
   const std::uint64_t undecodable = sources_.raw_images.statistics().decode_errors;
   const auto now = std::chrono::steady_clock::now();
   const std::chrono::duration<double> passed = now - std::exchange(period_began_, now);
   Period period;
-  if (sources_.client.streaming()) {
-    period.asked_rate = frameRateOf(sources_.client.streamFormat().every_nth_image);
-  }
-  period.stream = sources_.meter.read(period.asked_rate);
+  period.asked_rate = asked_rate;
+  period.stream = stream;
   period.delay = sources_.robot_clock.read();
   period.damaged =
       client.corrupt_pictures - before.corrupt_pictures + undecodable - std::exchange(undecodable_before_, undecodable);
@@ -117,7 +115,7 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const StreamMeter::Reading& reading = period_.stream;
+  const LinkMeter::Reading& reading = period_.stream;
   const ClientStatistics client = sources_.client.statistics();
   const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
   summarizeStream(status);
@@ -164,7 +162,7 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
 }
 
 void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
-  const StreamMeter::Reading& reading = period_.stream;
+  const LinkMeter::Reading& reading = period_.stream;
   if (period_.damaged > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
                                                " damaged pictures dropped: is the RCServer on the robot the one that "

@@ -12,9 +12,9 @@
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
 #include "node/body/power_status.h"
+#include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
-#include "node/camera/stream_meter.h"
 #include "node/camera/stream_policy.h"
 #include "node/driver_parameters.h"
 #include "node/live_settings.h"
@@ -40,7 +40,6 @@ class DriverDiagnostics {
     const aibo_client::RcServerClient& client;
     const StreamPolicy& policy;
     const StreamAdapter& adapter;
-    StreamMeter& meter;
     const RawImagePublisher& raw_images;
     const LiveSettings& settings;
     robot_time::RobotClock& robot_clock;
@@ -57,23 +56,25 @@ class DriverDiagnostics {
   ~DriverDiagnostics();
 
   /// Call this once a second of wall time, from only one thread at a time.
-  void publish();
+  /// @param stream what was measured since the last call
+  /// @param asked_rate the pictures a second that the robot is asked for now; 0 while the stream is off
+  void publish(const LinkMeter::Reading& stream, double asked_rate);
 
  private:
   /// What happened since the last call of publish().
   struct Period {
     double asked_rate = 0;  ///< pictures a second, at the end of the period
-    StreamMeter::Reading stream;
+    LinkMeter::Reading stream;
     robot_time::RobotClock::Reading delay;
-    std::uint64_t damaged = 0;  ///< pictures
+    std::uint64_t damaged = 0;  ///< damaged pictures
     double measurement_rate = 0;
-    std::uint64_t impossible = 0;  ///< values
-    std::uint64_t thinned = 0;     ///< measurements
+    std::uint64_t impossible = 0;  ///< impossible values
+    std::uint64_t thinned = 0;     ///< measurements that were dropped because too many came
     double sound_rate = 0;         ///< pieces of sound a second
     std::uint64_t sound_gaps = 0;
   };
 
-  Period takePeriod();
+  Period takePeriod(const LinkMeter::Reading& stream, double asked_rate);
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;

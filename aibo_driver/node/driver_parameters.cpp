@@ -139,7 +139,7 @@ class ParameterReader {
       value.write(written);
       given = text::plainLine(written.str());
     }
-    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; allowed is " + allowed + ". ";
+    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; it must be " + allowed + ". ";
   }
 
   XmlRpcValue values_;
@@ -235,6 +235,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
               &parameters.color_tables);
   reader.read("microphone_channels", 1, 2, &parameters.microphone_channels);
+  reader.read("sound_priority", &parameters.sound_priority);
   reader.read("adaptive", &parameters.adaptive);
   reader.read("max_picture_age", "seconds", 0.05, 2.0, &parameters.max_picture_age);
   reader.read("white_balance", 1, 3, &parameters.camera.white_balance);
@@ -263,6 +264,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("robot", "ERS-7 or ERS-210", isRobot, &parameters.robot);
   reader.read("telemetry_rate", "messages a second", 0.0, kHighestTelemetryRate, &parameters.telemetry_rate);
   reader.read("joint_speed_limit", "rad/s", 0.1, 20.0, &parameters.joint_speed_limit);
+  reader.read("motion_speed_limit", "rad/s", 0.1, 20.0, &parameters.motion_speed_limit);
   reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
   reader.read("slow_down", &parameters.slow_down);

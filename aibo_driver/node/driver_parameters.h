@@ -31,7 +31,8 @@ struct DriverParameters {
   aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
   double color_rate = 30.0;                ///< images per second of the colour detection, for everyNthImageOf()
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
-  int microphone_channels = 2;             ///< of the topic microphone, 1..2
+  int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
+  bool sound_priority = false;             ///< pictures wait for what the microphones hear
   bool stream_on_demand = false;           ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";
   std::string camera_name;                  ///< letters, digits and underscores
@@ -44,6 +45,7 @@ struct DriverParameters {
   std::string robot = "ERS-7";    ///< "ERS-7" or "ERS-210"
   double telemetry_rate = 31.25;  ///< messages a second of joint_states and sensors, 0..31.25; 0 means none
   double joint_speed_limit = movement::kUsualSpeedLimit;  ///< rad/s, 0.1..20; slower joints have limits of their own
+  double motion_speed_limit = movement::kNoSpeedLimit;    ///< rad/s, 0.1..20, while a motion file is played
   double speed_scale = 1.0;                               ///< a factor of the speed limits, 0.1..1
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
   bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it

@@ -6,6 +6,7 @@
 #include <ros/service_manager.h>
 #include <ros/service_publication.h>
 #include <ros/this_node.h>
+#include <ros/transport/transport_tcp.h>
 #include <ros/xmlrpc_manager.h>
 #include <xmlrpcpp/XmlRpcException.h>
 
@@ -25,6 +26,13 @@ constexpr std::chrono::seconds kQuestionPeriod{5};
 
 using Names = std::set<std::string>;
 
+/// Where roscpp listens for users of services. Nothing once roscpp has shut down: its own getTCPPort() then aborts the
+/// process, which happened when Ctrl-C came in the first moments of a node.
+std::string serviceUri() {
+  const ros::TransportTCPPtr server = ros::ConnectionManager::instance()->getTCPServerTransport();
+  return server ? "rosrpc://" + ros::network::getHost() + ":" + std::to_string(server->getServerPort()) : "";
+}
+
 /// What the master knows about this process, and what it has to be told.
 class Registration {
  public:
@@ -32,8 +40,7 @@ class Registration {
       : parameters_name_(parameters_name),
         own_name_(ros::this_node::getName()),
         own_uri_(ros::XMLRPCManager::instance()->getServerURI()),
-        service_uri_("rosrpc://" + ros::network::getHost() + ":" +
-                     std::to_string(ros::ConnectionManager::instance()->getTCPPort())),
+        service_uri_(serviceUri()),
         master_(XmlRpcPeer::master(ended)),
         self_("127.0.0.1", ros::XMLRPCManager::instance()->getServerPort(), ended) {}
 

@@ -17,12 +17,13 @@
 namespace aibo_driver::node {
 namespace {
 
-// Seconds. A master that answers takes less than 1; roslaunch kills after 15.
+// In seconds. A master that answers needs less than 1 s. roslaunch kills a node after 15 s.
 constexpr unsigned kTimeToUnregister = 10;
 
 // How late the kernel may wake roscpp's threads when they only look whether there is something to do. Three of them
-// look ten times a second, which was most of what an idle driver cost. Messages, requests and signals wake them at
-// once. Only new publishers and the end of the node wait for the next look, and nobody notices a wait as short as this.
+// look ten times a second, which took most of an idle driver's processor time. Messages, requests and signals still
+// wake them at once. Only new publishers and the end of the node wait for the next look, and nobody notices such a
+// short wait.
 constexpr std::chrono::nanoseconds kRoscppSlack = std::chrono::milliseconds(200);
 
 /// Starts roscpp. Its threads inherit the timer slack of the thread that starts them.
@@ -73,7 +74,7 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
   parameters.getParam(name, number);
   if (!(number >= 0 && number <= highest)) {
     throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
-                             "; allowed is 0.." + std::to_string(highest) + ".");
+                             "; it must be 0.." + std::to_string(highest) + ".");
   }
   return number;
 }

@@ -20,7 +20,7 @@ struct NoAnswer {
 /// A program that answers XML-RPC: the ROS master or a node.
 class XmlRpcPeer {
  public:
-  /// @param ended if it is valid: once it is ready, calls end at once
+  /// @param ended if it is valid, calls end at once as soon as it is ready
   XmlRpcPeer(const std::string& host, std::uint32_t port, const std::shared_future<void>& ended = {})
       : host_(host), port_(static_cast<int>(port)), ended_(ended) {}
 

@@ -47,6 +47,9 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   text_->setWordWrap(true);
   battery_->setObjectName("battery");
   link_->setObjectName("link");
+  link_->setAlignment(Qt::AlignRight);
+  link_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // figures change all the time,
+  battery_->setFixedWidth(fontMetrics().horizontalAdvance("Battery 100 %, 25 \u00B0C "));  // and must move nothing
   link_->setToolTip("Pictures a second; how old they are when they are published; the share that did not come");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -54,8 +57,8 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   grid->addWidget(text_, 0, 1, 1, 2);
   grid->addWidget(chooser_, 0, 3);
   grid->addWidget(battery_, 1, 1);
-  grid->addWidget(link_, 1, 2, 1, 2, Qt::AlignRight);
-  grid->setColumnStretch(1, 1);
+  grid->addWidget(link_, 1, 2, 1, 2);
+  grid->setColumnStretch(2, 1);
   connect(chooser_, qOverload<int>(&QComboBox::activated), this,
           [this](int index) { Q_EMIT chosen(chooser_->itemText(index)); });
   showConnection({});

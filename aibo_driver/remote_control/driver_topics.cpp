@@ -7,6 +7,7 @@
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
+#include <aibo_driver/Sound.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
@@ -215,6 +216,14 @@ void DriverTopics::show(Part part, bool visible) {
     case Part::kSensors:
       showSensors(visible);
       break;
+    case Part::kMicrophones:
+      if (!visible) {
+        drop({"microphone"});
+      } else if (subscribers_.count("microphone") == 0) {
+        subscribeMeasurements<Sound>("microphone", kAllOfThem,
+                                     [this](const Sound& message) { level_.add(message.samples); });
+      }
+      break;
   }
 }
 
@@ -319,6 +328,9 @@ void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
 
 void DriverTopics::takeMeasurements() {
   measurements_.callAvailable();
+  if (level_.count() > 0) {
+    post_([level = level_.take()](Robot& robot) { Q_EMIT robot.heard(level); });
+  }
   if (std::exchange(positions_are_new_, false)) {
     post_([positions = positions_](Robot& robot) { Q_EMIT robot.jointsMeasured(positions); });
   }

@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "remote_control/robot.h"
+#include "sound/level.h"
 
 namespace aibo_driver::remote_control {
 
@@ -41,13 +42,13 @@ class DriverTopics {
   /// Subscribes to a part while somebody looks at it. Call this every few seconds.
   void show(Part part, bool visible);
 
-  /// Passes on what has been measured of joints and sensors since the last call. Each of them may come 31 times a
-  /// second, which no eye can follow. Waking a thread for each message would take more time than everything else.
-  /// Always call it on the same thread.
+  /// Passes on what has been measured of joints and sensors since the last call. They may come 31 times a second, which
+  /// no eye can follow, and waking a thread for each message would take more time than everything else. Always call it
+  /// on the same thread.
   void takeMeasurements();
 
-  /// Subscribes to the settings that have this owner, unless it has done so already. An empty owner ends the
-  /// subscription.
+  /// Subscribes to the settings that have this owner, unless it has done so already. With an empty owner, it only ends
+  /// the subscription.
   void followSettings(const std::string& owner);
 
   /// The newest message about the connection. It is null if there was none.
@@ -108,9 +109,10 @@ class DriverTopics {
   };
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
   std::atomic<bool> asked_to_look_{false};
-  std::optional<std::vector<EndedMovement>> ended_;  ///< as in the newest motion_state
-  JointPositions positions_;                         ///< of all joints that were measured
+  std::optional<std::vector<EndedMovement>> ended_;  ///< the movements that had ended in the newest motion_state
+  JointPositions positions_;                         ///< the positions of all joints that were measured
   bool positions_are_new_ = false;
+  sound::Level level_;  ///< of what was heard since takeMeasurements()
   std::string settings_owner_;
   std::map<std::string, ros::Subscriber> subscribers_;  // last, because their callbacks use all members above
 };

@@ -9,8 +9,8 @@
 
 namespace aibo_driver::remote_control {
 
-/// A text of a message, to be shown. Any node may have sent it; to lay out a megabyte would hold up the window, and
-/// STOP.
+/// Shortens the text of a message for display. Any node may have sent it, and laying out a megabyte would block the
+/// window and its button STOP.
 inline QString fromRos(const std::string& text) {
   constexpr std::size_t kLongest = 1000;
   return QString::fromStdString(text::plainLine(text, kLongest));

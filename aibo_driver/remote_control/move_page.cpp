@@ -7,7 +7,7 @@
 namespace aibo_driver::remote_control {
 
 MovePage::MovePage(Robot& robot, QWidget* parent)
-    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)) {
+    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)), movement_(new QLabel(this)) {
   need(Needs::kFeet, drive_pad_);
   need(Needs::kMotors, head_pad_);
   auto* grid = new QGridLayout(this);
@@ -16,6 +16,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   grid->addWidget(drive_pad_, 1, 0);
   grid->addWidget(head_pad_, 1, 1);
   grid->setContentsMargins(6, 4, 6, 4);
+  grid->setVerticalSpacing(3);
   grid->setRowStretch(1, 1);
   auto* buttons = new QHBoxLayout;
   const auto add_posture = [&](Needs needs, const QString& text, const QString& tip) {
@@ -30,13 +31,21 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   buttons->addWidget(makeButton(Needs::kVersion2, "Motors off",
                                 "The joints can be moved by hand. A robot that stands falls!",
                                 [&robot] { robot.setMotors(false); }));
-  grid->addLayout(buttons, 2, 0, 1, 2);
+  movement_->setObjectName("who_moves");
+  movement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // names of nodes may be long
+  grid->addWidget(movement_, 2, 0, 1, 2);
+  grid->addLayout(buttons, 3, 0, 1, 2);
   connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
   connect(head_pad_, &HeadPad::pointed, &robot, &Robot::moveJoints);
   connect(&robot, &Robot::jointsMeasured, head_pad_, &HeadPad::showPositions);
+  connect(&robot, &Robot::movementChanged, this, [this](const QString& text) {
+    movement_->setText(text.section(';', 0, 0));  // without what has ended
+    movement_->setToolTip(text);
+  });
 }
 
 void MovePage::connectionChanged(const RobotConnection& connection) {
+  movement_->setVisible(connection.isConnected());  // its text may have come before the connection
   if (connection.isConnected()) {
     head_pad_->setDesign(connection.robot);
   } else {

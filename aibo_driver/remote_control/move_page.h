@@ -2,6 +2,8 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_MOVE_PAGE_H
 #define AIBO_DRIVER_REMOTE_CONTROL_MOVE_PAGE_H
 
+#include <QLabel>
+
 #include "remote_control/drive_pad.h"
 #include "remote_control/head_pad.h"
 #include "remote_control/page.h"
@@ -21,6 +23,7 @@ class MovePage : public Page {
 
   DrivePad* drive_pad_;
   HeadPad* head_pad_;
+  QLabel* movement_;
 };
 
 }  // namespace aibo_driver::remote_control

@@ -19,6 +19,7 @@
 #include "remote_control/move_page.h"
 #include "remote_control/plain_text.h"
 #include "remote_control/sensors_page.h"
+#include "remote_control/sound_page.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -103,6 +104,7 @@ QLayout* RemoteControl::makeButtons() {
   take_button_->setToolTip("Takes a fresh picture and saves it in the folder of the page Camera");
   stream_button_ = new QPushButton(this);
   stream_button_->setObjectName("stream");
+  stream_button_->setFixedWidth(fontMetrics().horizontalAdvance("Start stream") + 16);  // the width for either text
   stop_button_ = new QPushButton(this);
   stop_button_->setObjectName("stop");
   stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // the width for either text
@@ -129,7 +131,8 @@ QWidget* RemoteControl::makePages() {
   const std::pair<const char*, Page*> pages[] = {
       {"Move", new MovePage(robot_, this)},      {"Camera", camera_page_},
       {"Motions", new MotionPage(robot_, this)}, {"Joints", joints},
-      {"Lights", new LightsPage(robot_, this)},  {"Sensors", new SensorsPage(robot_, this)}};
+      {"Lights", new LightsPage(robot_, this)},  {"Sensors", new SensorsPage(robot_, this)},
+      {"Sound", new SoundPage(robot_, this)}};
   for (const auto& [title, page] : pages) {
     page->setObjectName(title);
     tabs->addTab(page, title);
@@ -171,7 +174,8 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }
 
-// A text field would use the space bar itself. So would the list of a combo box, which is a window of its own.
+// A text field would use the space bar itself. So would the list of a combo box, which is a window of its own. A field
+// for sentences has to take spaces; there, the Escape key stops the robot.
 void RemoteControl::keepSpaceBar() {
   for (QLineEdit* edit : findChildren<QLineEdit*>()) {
     edit->installEventFilter(this);
@@ -186,7 +190,10 @@ void RemoteControl::keepSpaceBar() {
 
 bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
   const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
-  if (!is_key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Space) {
+  const auto* const edit = qobject_cast<const QLineEdit*>(watched);
+  const bool is_written_in =
+      edit != nullptr && edit->property(SoundPage::kTakesSpaces).toBool() && !edit->text().isEmpty();
+  if (!is_key || static_cast<QKeyEvent*>(event)->key() != (is_written_in ? Qt::Key_Escape : Qt::Key_Space)) {
     return QWidget::eventFilter(watched, event);
   }
   if (event->type() == QEvent::ShortcutOverride) {
@@ -202,6 +209,7 @@ void RemoteControl::askForWhatIsVisible() {
   robot_.show(Part::kPictures, picture_->isVisible());
   robot_.show(Part::kJoints, is_visible("Move") || is_visible("Joints"));
   robot_.show(Part::kSensors, is_visible("Sensors"));
+  robot_.show(Part::kMicrophones, findChild<SoundPage*>()->listens());
 }
 
 void RemoteControl::useDriver(const QString& name_space) {

@@ -79,8 +79,9 @@ struct Distance {
   double farthest = 1;  ///< m, the farthest distance that it can measure
 };
 
-/// Parts of the robot's data that are received only while somebody looks at them, to save processor time.
-enum class Part { kPictures, kJoints, kSensors };
+/// Parts of the robot's data that are received only while somebody looks at them, to save processor time. The robot's
+/// microphones are open only while somebody listens.
+enum class Part { kPictures, kJoints, kSensors, kMicrophones };
 
 using JointPositions = QMap<QString, double>;  ///< rad, by the joint's name
 using SettingValues = QMap<QString, QVariant>;
@@ -132,6 +133,12 @@ class Robot : public QObject {
   virtual void flickEars(bool left, bool right) = 0;
   virtual void moveJoints(const JointPositions& positions) = 0;
 
+  /// Speaks a text, in English.
+  virtual void say(const QString& text) = 0;
+
+  /// Ends the speech, or whatever sound plays.
+  virtual void stopSound() = 0;
+
   /// Repeat this several times a second. The robot stops soon after the last call.
   /// @param forward m/s
   /// @param left m/s
@@ -170,6 +177,9 @@ class Robot : public QObject {
   /// The places that are touched now, in the words of aibo_driver/Touch.
   void touched(const QStringList& places);
   void distanceMeasured(const aibo_driver::remote_control::Distance& distance);
+
+  /// @param level of what was heard lately, in dB; 0 is as loud as can be
+  void heard(double level);
   void ledsChanged(const aibo_driver::remote_control::LedIntensities& intensities);
 
   /// Emitted when a call has ended or was refused, or when something that this window moves did not arrive.

@@ -2,6 +2,8 @@
 
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/PlaySound.h>
+#include <aibo_driver/Say.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/names.h>
@@ -88,7 +90,7 @@ void RosRobot::manageTopics() {
         useTopicsOf(chosen);
       }
       if (topics_) {
-        for (const Part part : {Part::kPictures, Part::kJoints, Part::kSensors}) {
+        for (const Part part : {Part::kPictures, Part::kJoints, Part::kSensors, Part::kMicrophones}) {
           topics_->show(part, wishes.visible.count(part) > 0);
         }
         const std::string owner = settingsOf(name_space_, master_);
@@ -147,8 +149,8 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
   post([](Robot& robot) { Q_EMIT robot.conditionChanged({}); });
   // Messages that are still on their way from the old driver must not be taken for the new driver's.
   const auto is_current = std::make_shared<std::atomic<bool>>(true);
-  // Messages that come faster than the window shows them wait with roscpp, which keeps the newest, and not in front of
-  // what the user does.
+  // Messages may come faster than the window can show them. They wait in roscpp, which keeps the newest, so that they
+  // do not delay what the user does.
   constexpr int kMostAtOnce = 64;
   constexpr int kPatience = 100;  // ms: the window may be ending
   const auto places = std::make_shared<QSemaphore>(kMostAtOnce);
@@ -279,7 +281,7 @@ void RosRobot::show(Part part, bool visible) {
     }
   });
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (wishes_.visible.count(Part::kJoints) > 0) {
+  if (wishes_.visible.count(Part::kJoints) + wishes_.visible.count(Part::kMicrophones) > 0) {
     measurements_timer_.start(kJointsPeriod);
   } else if (wishes_.visible.count(Part::kSensors) > 0) {
     measurements_timer_.start(kSensorsPeriod);
@@ -389,6 +391,18 @@ void RosRobot::moveJoints(const JointPositions& positions) {
   if (const auto topics = topicsForCommand("joints")) {
     topics->publishJoints(positions);
   }
+}
+
+void RosRobot::say(const QString& text) {
+  Say::Request arguments;
+  arguments.text = text.toStdString();
+  call<Say>("say", "say", arguments);
+}
+
+void RosRobot::stopSound() {
+  PlaySound::Request arguments;
+  arguments.stop = 1;
+  call<PlaySound>("stop sound", "play_sound", arguments);
 }
 
 // The end of a walk is always sent. A failure to send it is not reported.

@@ -49,6 +49,8 @@ class RosRobot : public Robot {
   void setLeds(const QStringList& names, double intensity) override;
   void flickEars(bool left, bool right) override;
   void moveJoints(const JointPositions& positions) override;
+  void say(const QString& text) override;
+  void stopSound() override;
   void walk(double forward, double left, double turn) override;
   void lookAt(const QPointF& place) override;
 

@@ -19,7 +19,7 @@ constexpr double kImplausible = 1.0;  // s
 // time.
 constexpr std::int32_t kFramesOfDisorder = 125;
 
-// The radio may hold messages up this long. A robot's frame numbers never stop; those of a simulation may stop.
+// The radio may hold up messages for this long. A robot's frame numbers never stop; those of a simulation may stop.
 constexpr std::chrono::seconds kPatience{5};
 
 double seconds(std::chrono::steady_clock::duration duration) {
@@ -32,7 +32,7 @@ RobotClock::SteadyTime RobotClock::timeOf(std::uint64_t connection_number, std::
                                           SteadyTime arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (connection_number < connection_number_) {
-    return arrival;  // its timeline may be over
+    return arrival;  // its timeline may have ended
   }
   const auto frames_passed = static_cast<std::int32_t>(frame_number - newest_frame_);
   double passed = kFramePeriod * frames_passed;

@@ -15,6 +15,12 @@ namespace aibo_driver::sound {
 
 using files::FileException;
 
+namespace {
+
+constexpr std::size_t kBlock = 16000;  // samples of each channel
+
+}  // namespace
+
 Recording::Recording(const std::string& path, const aibo_client::MicrophoneSettings& settings)
     : path_(path), settings_(settings), file_(nullptr, ::sf_close) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -37,8 +43,10 @@ void Recording::add(const aibo_client::HeardSound& sound) {
     return;
   }
   const auto channels = static_cast<std::size_t>(settings_.channels);
-  const std::size_t missing = std::min(sound.missing, kMostMissing);
-  write(std::vector<std::int16_t>(missing * channels).data(), missing);
+  const std::vector<std::int16_t> silence(kBlock * channels);
+  for (std::size_t missing = sound.missing; missing > 0; missing -= std::min(missing, kBlock)) {
+    write(silence.data(), std::min(missing, kBlock));
+  }
   write(sound.samples.data(), sound.samples.size() / channels);
 }
 

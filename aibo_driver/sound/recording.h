@@ -16,9 +16,6 @@ namespace aibo_driver::sound {
 /// time.
 class Recording {
  public:
-  /// More is not filled with silence: a robot can say anything.
-  static constexpr std::uint32_t kMostMissing = 10 * 16000;
-
   /// @param path of a file that does not exist yet; its folder does
   /// @param settings of the sound
   /// @throw files::FileException it cannot be written

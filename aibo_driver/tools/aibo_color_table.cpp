@@ -41,7 +41,7 @@ Region parseRegion(const std::string& text) {
 BgrImage bgrOf(const sensor_msgs::Image& image) {
   const bool is_bgr = image.encoding == sensor_msgs::image_encodings::BGR8;
   if (!is_bgr && image.encoding != sensor_msgs::image_encodings::RGB8) {
-    throw InvalidArgumentException("the images have the encoding " + image.encoding + "; it takes bgr8 or rgb8");
+    throw InvalidArgumentException("the images have the encoding " + image.encoding + "; it must be bgr8 or rgb8");
   }
   if (image.step < 3 * image.width || image.data.size() < std::size_t{image.step} * image.height) {
     throw InvalidArgumentException("the image is smaller than it says");
@@ -79,7 +79,7 @@ int makeTable(const options::variables_map& values, int argc, char** argv) {
   const Region region = parseRegion(values["region"].as<std::string>());
   const int margin = values["margin"].as<int>();
   if (margin < 0 || margin > 127) {
-    throw InvalidArgumentException("--margin is " + std::to_string(margin) + "; allowed is 0..127");
+    throw InvalidArgumentException("--margin is " + std::to_string(margin) + "; it must be 0..127");
   }
   const BgrImage picture = values.count("file") > 0 ? pictureOfFile(values["file"].as<std::string>())
                                                     : pictureOfTopic(values["topic"].as<std::string>(), argc, argv);
@@ -109,9 +109,9 @@ int main(int argc, char** argv) {
       "  rosrun aibo_driver aibo_color_table --region LEFT,TOP,WIDTH,HEIGHT [OPTION...]\n\nOptions");
   all.add_options()("region", options::value<std::string>(),
                     "the part of the picture, in pixels: LEFT,TOP,WIDTH,HEIGHT")(
-      "topic", options::value<std::string>()->default_value("/aibo/camera/image_raw"), "of the images")(
+      "topic", options::value<std::string>()->default_value("/aibo/camera/image_raw"), "topic of the images")(
       "file", options::value<std::string>(), "a JPEG of the robot's camera, instead of the topic")(
-      "name", options::value<std::string>()->default_value("my_color"), "of the table")(
+      "name", options::value<std::string>()->default_value("my_color"), "name of the table")(
       "margin", options::value<int>()->default_value(6), "by which the ranges of Cr and Cb are widened, 0..127")(
       "output", options::value<std::string>(), "file for the table; without it, the table is printed")(
       "help,h", "prints this text");

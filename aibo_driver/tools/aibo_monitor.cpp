@@ -12,6 +12,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <optional>
@@ -19,7 +20,6 @@
 #include <utility>
 #include <vector>
 
-#include "node/camera/stream_meter.h"
 #include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/node_process.h"
@@ -74,7 +74,6 @@ class Monitor {
     if (!first_picture_time_ && !arrivals_.empty()) {
       first_picture_time_ = now;  // the present second is not a whole one
       arrivals_.clear();
-      meter_.read();
       driverLoad(now - last_report_);
     } else {
       report(now - last_report_);
@@ -97,20 +96,27 @@ class Monitor {
   }
 
   void report(nanoseconds elapsed) {
-    for (const Arrival& arrival : arrivals_) {
-      const nanoseconds latency = arrival.time - sinceEpoch(arrival.picture->header.stamp);
-      meter_.add(arrival.picture->data.size(), steady_clock::now() - latency);
+    const std::vector<Arrival> arrivals = std::exchange(arrivals_, {});
+    const auto pictures = static_cast<double>(arrivals.size());
+    const double seconds = std::chrono::duration<double>(elapsed).count();
+    double bytes = 0;
+    double latency_sum = 0;  // ms
+    double worst_latency = 0;
+    for (const Arrival& arrival : arrivals) {
+      const std::chrono::duration<double, std::milli> latency =
+          arrival.time - sinceEpoch(arrival.picture->header.stamp);
+      bytes += static_cast<double>(arrival.picture->data.size());
+      latency_sum += latency.count();
+      worst_latency = std::max(worst_latency, latency.count());
     }
-    arrivals_.clear();
-    const node::StreamMeter::Reading reading = meter_.read();
     const std::string driver_load = driverLoad(elapsed);
-    if (reading.pictures == 0) {
+    if (arrivals.empty()) {
       std::printf("no pictures: %s%s\n", connection_text_.c_str(), stop_text_.c_str());
     } else {
       std::printf(
           "%5.1f pictures/s %6.1f KB/s   stamp to topic: %.1f ms (worst %.1f)   driver: %s of one processor%s\n",
-          reading.picturesPerSecond(), reading.kilobytesPerSecond(), 1e3 * reading.mean_latency,
-          1e3 * reading.max_latency, driver_load.c_str(), stop_text_.c_str());
+          pictures / seconds, bytes / 1000 / seconds, latency_sum / pictures, worst_latency, driver_load.c_str(),
+          stop_text_.c_str());
     }
     if (std::fflush(stdout) != 0) {
       ros::shutdown();  // nobody reads the output any more
@@ -147,7 +153,6 @@ class Monitor {
   steady_clock::time_point last_report_ = start_;
   std::optional<steady_clock::time_point> first_picture_time_;
   std::vector<Arrival> arrivals_;
-  node::StreamMeter meter_;
   std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
 
   std::string stop_text_;  ///< empty while the robot may move

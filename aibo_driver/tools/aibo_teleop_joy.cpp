@@ -39,8 +39,8 @@ using teleop::JoyOrders;
 int checkPlace(const std::string& name, int place, int lowest) {
   if (place < lowest) {
     throw std::runtime_error("Parameter " + name + " is " + std::to_string(place) +
-                             "; allowed are the places in sensor_msgs/Joy, from 0 on" +
-                             (lowest == teleop::kNoPlace ? ", and -1 for none." : "."));
+                             "; it must be a place in sensor_msgs/Joy, from 0 on" +
+                             (lowest == teleop::kNoPlace ? ", or -1 for none." : "."));
   }
   return place;
 }

@@ -14,8 +14,8 @@
 namespace aibo_driver::tools {
 
 /// Permission for a node to move the robot by itself. When somebody stops the robot, or overrules the node in another
-/// way, the node loses its permission. The user can give it again by the node's service ~go_on, or at the start by the
-/// parameter ~go_on_after_stop. With the parameter, the node goes on by itself as soon as it can.
+/// way, the node loses its permission. The user can give it back by the node's service ~go_on. If the parameter
+/// ~go_on_after_stop is true, the node goes on by itself as soon as it can.
 ///
 /// Only the thread that serves the handle's callbacks may call these functions.
 class LeaveToMove {

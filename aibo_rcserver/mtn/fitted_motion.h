@@ -80,8 +80,8 @@ class FittedMotion {
   /// @param speed_limits for each joint of the robot's table, in microradian/s, above 0
   int milliseconds(int key_frame, const int* speed_limits) const;
 
-  /// Describes all changes in one line: "2 positions are clipped, by up to 3.0 degrees (left_hind_knee at 2832 ms); 1
-  /// step is too fast, so it takes 8.53 s, which is 0.19 s longer".
+  /// Describes all changes in one line: "2 positions are clipped, by up to 1.8 degrees (right_hind_elevator at 656 ms);
+  /// 1 step is too fast, so it takes 8.53 s, which is 0.19 s longer".
   /// @param[out] text room for MAX_DESCRIPTION_SIZE; empty if nothing changes
   void describe(const int* speed_limits, char* text) const;
 

@@ -29,16 +29,22 @@ enum SoundPart {
 const unsigned SAMPLES_PER_FRAME = 128;  ///< at 16000/s
 const size_t BYTES_PER_SAMPLE = 2;
 
-/// Payload of `A` 1 and of its reply: uint8 on, uint8 channels, uint16 samples/s. The ERS-7 hears two channels at 16000
-/// samples/s. One channel is the mean of both.
+/// Bits of MicrophoneSettings::mode. While sound waits on the robot, a picture that is ready goes first. With
+/// SOUND_FIRST, pictures wait until what was heard has been sent, and while less than half a second waits for the
+/// speaker.
+enum MicrophoneMode { MICROPHONE_ON = 1, SOUND_FIRST = 2 };
+
+/// Payload of `A` 1 and of its reply: uint8 mode, uint8 channels, uint16 samples/s. The ERS-7 hears two channels at
+/// 16000 samples/s. One channel is the mean of both.
 struct MicrophoneSettings {
-  bool on;
+  unsigned char mode;                 ///< bits of MicrophoneMode
   unsigned char channels;             ///< 1, or 2: left, right
   unsigned short samples_per_second;  ///< 8000 or 16000
 
   template <typename Fields>
   void visit(Fields& fields) {
-    fields.flag(on, "the microphone is neither off (0) nor on (1)");
+    fields.number(mode);
+    fields.require(mode <= (MICROPHONE_ON | SOUND_FIRST), "the mode has bits besides 1 (on) and 2 (sound goes first)");
     fields.number(channels);
     fields.require(channels == 1 || channels == 2, "sound has one or two channels");
     fields.number(samples_per_second);

@@ -7,8 +7,8 @@
 
 namespace {
 
-// Bytes that the IPStack may hold to be sent: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for
-// packets of 8 KB). A client that stops reading for a while gets these old bytes first, so there are few: two or three
+// Size of the IPStack's send buffer: slightly more than a part (Internet Protocol Version4, 1.3: 10 KB for packets of 8
+// KB). A client that stops reading for a while gets these old bytes first, so the buffer holds only two or three
 // pictures.
 const size_t ENDPOINT_POOL_SIZE = 10 * 1024;
 

@@ -16,16 +16,16 @@
 /// IPStack serves only one connection.
 ///
 /// At most one send and one receive are under way at a time. Messages and pictures are sent in parts of at most
-/// MAX_PART_SIZE bytes, each when the IPStack has taken the one before.
+/// MAX_PART_SIZE bytes, each after the IPStack has accepted the previous one.
 ///
-/// The IPStack answers an orderly close only when the client has closed, too (Internet Protocol Version4, 2.2 and 2.7).
-/// The connection to a client that takes longer than CLOSE_PATIENCE is aborted.
+/// The IPStack answers an orderly close only after the client has closed, too (Internet Protocol Version4, 2.2 and
+/// 2.7). If the client takes longer than CLOSE_PATIENCE, the connection is aborted.
 class Connection {
  public:
-  /// Most bytes that are passed to the IPStack at once. Nearly every picture fits with its header.
+  /// Most bytes that are passed to the IPStack at once. Nearly every picture fits, including its header.
   static const size_t MAX_PART_SIZE = 8 * 1024;
 
-  /// Frames that an orderly close may take: 2 s.
+  /// Longest time for an orderly close, in frames: 2 s.
   static const longword CLOSE_PATIENCE = 250;
 
   /// Bytes that can be sent at once: a picture with its header, or everything that an outbox holds.
@@ -45,11 +45,11 @@ class Connection {
   bool IsClosed() const { return state_ == CLOSED; }
   bool IsListening() const { return state_ == LISTENING; }
 
-  /// True if an answer with this continuation belongs to this connection's present endpoint. Answers to earlier
-  /// endpoints have to be ignored.
+  /// True if an answer with this continuation belongs to this connection's current endpoint. Answers to earlier
+  /// endpoints must be ignored.
   bool Owns(const void* continuation) const;
 
-  /// Starts to listen. Only if IsClosed().
+  /// Starts to listen. Call it only if IsClosed().
   /// @param endpoint_number different from those of all earlier endpoints
   /// @return false if the IPStack refuses; try again later
   bool Listen(Port port, size_t endpoint_number);
@@ -58,8 +58,8 @@ class Connection {
   void Accepted(const TCPEndpointListenMsg& answer);
 
   /// Begins to close; if the IPStack refuses, the connection counts as closed.
-  /// @param abort true: with a reset, for a client that is turned away or taken for dead; false: what was sent still
-  ///   arrives
+  /// @param abort true: with a reset, for a client that is turned away or considered dead; false: data already sent
+  ///   still arrives
   /// @param now OPEN-R frame
   void Close(bool abort, longword now);
 
@@ -76,10 +76,10 @@ class Connection {
   /// True while a picture is being sent.
   bool IsSendingPicture() const { return is_sending_picture_; }
 
-  /// Where the next message or picture goes, SEND_CAPACITY bytes. Not while IsSending().
+  /// Buffer of SEND_CAPACITY bytes for the next message or picture. Do not use it while IsSending().
   byte* SendBuffer() const { return buffer_.Bytes(); }
 
-  /// Sends what is in SendBuffer(). Not while IsSending().
+  /// Sends the contents of SendBuffer(). Do not call while IsSending().
   /// @return false if the IPStack refuses
   bool Send(size_t size, bool is_picture);
 
@@ -87,19 +87,20 @@ class Connection {
   /// @return false if the IPStack refuses
   bool Sent();
 
-  /// Asks the IPStack for bytes, unless a receive is under way, or half of the buffer is full of bytes that nobody has
-  /// taken. What the client sends in one piece is thus rarely torn; and that it closes is known while they wait.
+  /// Asks the IPStack for bytes, unless a receive is under way or half of the buffer holds bytes that have not been
+  /// taken. So a message that the client sends in one piece is rarely split, and a close by the client is noticed even
+  /// while received bytes wait.
   /// @return false if the IPStack refuses
   bool Receive();
 
   /// The answer to Receive().
   void Received(size_t size);
 
-  /// The bytes that have come and have not been taken.
+  /// The received bytes that have not been taken yet.
   const byte* ReceivedBytes() const { return ReceiveBuffer() + received_begin_; }
   size_t ReceivedSize() const { return received_end_ - received_begin_; }
 
-  /// They have been taken.
+  /// Marks all received bytes as taken.
   void TakeReceived() { received_begin_ = received_end_; }
 
   /// True if a client has connected since Listen().
@@ -130,13 +131,13 @@ class Connection {
   size_t endpoint_number_;
   State state_;
   bool aborting_;         ///< in CLOSING
-  longword close_began_;  ///< in CLOSING: the frame in which it began
+  longword close_began_;  ///< in CLOSING: frame in which the close began
   bool sending_;
   byte* unsent_;  ///< the rest of the message or picture that is being sent
   size_t unsent_size_;
   bool receiving_;
-  size_t received_begin_;  ///< in the buffer: what has come and has not been taken
-  size_t received_end_;    ///< where the next bytes come
+  size_t received_begin_;  ///< offset of the first byte that has not been taken
+  size_t received_end_;    ///< offset for the next received bytes
   bool is_sending_picture_;
   unsigned client_address_;
   char client_name_[sizeof("255.255.255.255:65535")];

@@ -1,12 +1,12 @@
 /// @file HoldUpWatch.h
-/// Finds out when requests may have waited for so long that nobody wants them to move the robot any more.
+/// Detects when requests may have been delayed so long that they must not move the robot any more.
 #ifndef AIBO_RCSERVER_RCSERVER_HOLD_UP_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_HOLD_UP_WATCH_H
 
-/// Something happens at least every 40 ms: the joints report, the camera takes an image. So if nothing has happened for
-/// LONGEST_PAUSE, this object was held up, and what a client has sent meanwhile waits in the IPStack. A client of
-/// version 2 sends something at least every second. So if nothing has come from it for LONGEST_SILENCE, its messages
-/// were held up on their way. In both cases, what waited comes at once, within CATCHING_UP. All three are our choice.
+/// An event arrives at least every 40 ms: a joint report or a camera image. If no event has arrived for LONGEST_PAUSE,
+/// this object was held up, and the client's messages are waiting in the IPStack. A client of version 2 sends something
+/// at least every second. If it has been silent for LONGEST_SILENCE, its messages were held up on the way. In both
+/// cases, the delayed messages then arrive within CATCHING_UP. All three values are our choice.
 ///
 /// Times are in milliseconds, and may overflow.
 class HoldUpWatch {
@@ -15,12 +15,12 @@ class HoldUpWatch {
   static const unsigned LONGEST_SILENCE = 1500;
   static const unsigned CATCHING_UP = 100;
 
-  /// Why an order is refused that MayHaveWaited().
+  /// Error text for an order that is refused because it MayHaveWaited().
   static const char TOO_OLD[];
 
   HoldUpWatch() : has_begun_(false), last_(0), catches_up_since_(0), catches_up_(false) {}
 
-  /// Something happens now. Call it first.
+  /// Records an event. Call it before MayHaveWaited().
   void Happens(unsigned now) {
     if (has_begun_ && now - last_ >= LONGEST_PAUSE) {
       CatchUp(now);
@@ -30,13 +30,13 @@ class HoldUpWatch {
     last_ = now;
   }
 
-  /// What has been silent for LONGEST_SILENCE has sent something.
+  /// Starts the time in which delayed messages arrive. Call it when a client sends something after LONGEST_SILENCE.
   void CatchUp(unsigned now) {
     catches_up_since_ = now;
     catches_up_ = true;
   }
 
-  /// True if a request that comes now may have waited.
+  /// True if a request that arrives now may have been delayed.
   bool MayHaveWaited() const { return catches_up_; }
 
  private:

@@ -13,19 +13,19 @@
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/sound/Microphone.h"
 
-/// A message that is only worth sending as long as there is no newer one of its kind.
+/// A message that is replaced by any newer one of its kind.
 template <size_t LARGEST>
 class NewestMessage {
  public:
   NewestMessage() : size_(0) {}
 
-  /// Replaces the one that still waits.
+  /// Replaces the waiting message.
   void Set(const unsigned char* message, size_t size) {
     memcpy(bytes_, message, size);
     size_ = size;
   }
 
-  /// Drops the one that still waits.
+  /// Drops the waiting message.
   void Drop() { size_ = 0; }
 
   bool IsEmpty() const { return size_ == 0; }
@@ -45,13 +45,13 @@ class NewestMessage {
   size_t size_;
 };
 
-/// Messages of sound, in order. While there is no room for one, it is dropped.
+/// Sound messages in order. A message that does not fit is dropped.
 class SoundQueue {
  public:
-  /// Most bytes that wait: half a second of two channels at 16 kHz.
+  /// Most bytes that can wait: half a second of two channels at 16 kHz.
   static const size_t CAPACITY = 36 * 1024;
 
-  /// Bytes that are sent at once, unless a message has more; so other messages need not wait for all of them.
+  /// Bytes that are sent at once, unless a single message is larger. Other messages are sent between the portions.
   static const size_t PORTION = 4 * 1024;
 
   SoundQueue() : size_(0) {}
@@ -70,7 +70,7 @@ class SoundQueue {
   size_t size_;
 };
 
-/// Keeps replies in order, sound as long as there is room, and only the latest telemetry and colours. Its memory has a
+/// Keeps all replies in order, sound while there is room, and only the latest telemetry and colours. Its memory has a
 /// fixed size.
 class Outbox {
  public:
@@ -81,11 +81,11 @@ class Outbox {
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
 
-  /// Bytes of the largest message about colours that were detected.
+  /// Bytes of the largest message about detected colours.
   static const size_t MAX_COLORS_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_COLOR_REGIONS_SIZE + MAX_PACKED_PLANE_SIZE;
 
-  /// Bytes of the largest message of sound.
+  /// Bytes of the largest sound message.
   static const size_t MAX_SOUND_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::HEARD_SOUND_HEADER_SIZE + 4 * Microphone::MAX_SAMPLES;
 
@@ -104,17 +104,18 @@ class Outbox {
   /// @param reserved true only if HasRoom(), or if room is reserved already
   void Reserve(bool reserved) { reserved_ = reserved ? MAX_REPLY_SIZE : 0; }
 
-  /// Adds a message; only if HasRoom(), or if it is the one that room was reserved for.
+  /// Adds a message. Call it only if HasRoom(), or for the message that room was reserved for.
   void Add(const unsigned char* message, size_t size);
 
   NewestMessage<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
   NewestMessage<MAX_COLORS_SIZE>& Colors() { return colors_; }
 
   SoundQueue& Sound() { return sound_; }
+  bool HasSound() const { return !sound_.IsEmpty(); }
 
   bool IsEmpty() const { return replies_size_ == 0 && telemetry_.IsEmpty() && colors_.IsEmpty() && sound_.IsEmpty(); }
 
-  /// Takes out everything that waits, but of sound only a portion. Reserved room stays reserved.
+  /// Takes out all waiting messages, but only one portion of the sound. Reserved room stays reserved.
   /// @param[out] out room for CAPACITY bytes
   /// @return the number of bytes
   size_t Take(unsigned char* out);

@@ -4,7 +4,6 @@
 #include <OPENR/OSyslog.h>
 #include <OPENR/core_macro.h>
 
-#include <MCOOP.h>
 #include <entry.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,6 +11,7 @@
 #include "objects/HostSettings.h"
 #include "protocol/opening.h"
 #include "protocol/version1.h"
+#include "rcserver/SystemMilliseconds.h"
 #include "rcserver/settings/Settings.h"
 
 namespace {
@@ -27,20 +27,13 @@ bool IsStranger(const byte* bytes, size_t size) {
 
 const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / robot_model::FRAME_MILLISECONDS;
 
-// Tekkotsu takes its time from the same call. It overflows after 49 days.
-unsigned SystemMilliseconds() {
-  SystemTime time;
-  GetSystemTime(&time);
-  return static_cast<unsigned>(time.seconds * 1000 + time.useconds / 1000);
-}
-
-// OPEN-R passes the data of an event as const, but its own classes take it without. Nothing is written there.
+// OPEN-R passes event data as const, but its own classes need a non-const pointer. The data is not modified.
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event, int number = 0) {
   return static_cast<Vector*>(const_cast<void*>(event.Data(number)));
 }
 
-// The plane with the detected colours. Its pixels are NULL if there is none.
+// The plane of detected colours. Its pixels are NULL if the image has none.
 ColorPlane FindColorPlane(OFbkImageVectorData* image_vector) {
   const OFbkImage image(image_vector->GetInfo(ofbkimageLAYER_C), image_vector->GetData(ofbkimageLAYER_C),
                         ofbkimageBAND_CDT);
@@ -70,6 +63,7 @@ const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FILE_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
 const longword RCServer::OUTAGE_FRAMES;
+const longword RCServer::LONGEST_PICTURE_WAIT;
 const longword RCServer::INTRODUCTION_FRAMES;
 
 RCServer::RCServer()
@@ -83,6 +77,7 @@ RCServer::RCServer()
       goes_off_since_(0),
       session_(NULL),
       now_(0),
+      last_picture_(0),
       lies_down_since_(0),
       admitted_(0),
       last_bytes_received_(0),
@@ -102,6 +97,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
     return oFAIL;
   }
   body_ = new Body();
+  body_->Voice().Start(subject[sbjSpeaker]);  // the speaker may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
                        body_->Camera(), body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
@@ -114,7 +110,6 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
   ENABLE_ALL_SUBJECT;
   ASSERT_READY_TO_ALL_OBSERVER;
   body_->Hearing().Start(observer[obsMicrophone]);
-  body_->Voice().Start(subject[sbjSpeaker]);
   if (settings_.motors_at_boot) {
     body_->Motors().Switch(true);
   } else {
@@ -297,7 +292,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   if (answer->error != TCP_SUCCESS) {
-    // If the client has closed, an orderly close is answered at once.
+    // An orderly close is answered at once if the client has already closed.
     DropClient(ReasonOf(answer->error), answer->error != TCP_CONNECTION_CLOSED);
     return;
   }
@@ -313,7 +308,7 @@ void RCServer::CloseCont(ANTENVMSG msg) {
     return;
   }
   connection->Closed();
-  // If listening failed, trying again at once would fail as well: PassTime() tries later.
+  // If listening failed, another attempt now would fail, too. PassTime() tries again later.
   if (connection->HadClient()) {
     ListenWhereClosed();
   }
@@ -375,7 +370,7 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
   }
 }
 
-// A client is told first; when it has been dropped, DropClient() carries the order out.
+// A client is told first. DropClient() then carries out the order.
 void RCServer::GoOff(PowerOrder order, const char* reason) {
   OSYSPRINT(("RCServer: %s\n", reason));
   power_order_ = order;
@@ -396,7 +391,7 @@ void RCServer::CarryOutPowerOrder() {
   }
 }
 
-// The motors do not wait for the client or the memory stick.
+// The motors are switched off without waiting for the client or the memory stick.
 void RCServer::NoteOrder() {
   if (power_order_ == POWER_STAYS_ON || goes_off_) {
     return;
@@ -412,7 +407,7 @@ bool RCServer::MustWaitForFiles() const {
   return file_desk_.IsThere() && !file_desk_.IsFree() && now_ - goes_off_since_ < FILE_FRAMES;
 }
 
-// The order stays until the robot is off, unless the robot refuses it.
+// The order stays in force until the robot is off, unless the robot refuses it.
 void RCServer::SwitchOff() {
   const bool reboots = power_order_ == POWER_REBOOT;
   power_order_ = reboots ? POWER_REBOOT : POWER_SHUT_DOWN;
@@ -424,7 +419,7 @@ void RCServer::SwitchOff() {
 
 void RCServer::LieDown() {
   Walker& walker = body_->Joints().Walking();
-  const char* const problem = walker.CanWalk() ? walker.Problem() : "nobody knows how this kind of robot lies down";
+  const char* const problem = walker.CanWalk() ? walker.Problem() : "this kind of robot has no known way to lie down";
   lies_down_since_ = now_;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);
@@ -433,7 +428,8 @@ void RCServer::LieDown() {
   }
 }
 
-// The motors go off when the robot lies. Until then, nobody commands it, so a pause in its moves is the end.
+// The motors go off when the robot has lain down. No client commands it meanwhile, so it has lain down as soon as it
+// stops moving.
 void RCServer::ContinueGoingOff() {
   if (power_order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive()) {
     if (now_ - lies_down_since_ < LYING_DOWN_FRAMES) {
@@ -465,7 +461,8 @@ void RCServer::PassTime(longword frame) {
   }
 }
 
-// A silent client of version 1 may be well, or lost. So its motions end, and it loses its place if another one comes.
+// A silent client of version 1 may be alive or lost. So its motions end, and it loses its place if another client
+// connects.
 void RCServer::CheckClient() {
   if (goes_off_ && now_ - goes_off_since_ >= FILE_FRAMES) {
     DropClient(session_->EndReason(), true);
@@ -491,7 +488,7 @@ void RCServer::CheckClient() {
   }
 }
 
-// A client that connects and asks for nothing may be anybody, so it gets less time, whatever bytes it sends.
+// A client that has not sent a whole request may be any program, so it gets less time, whatever bytes it sends.
 bool RCServer::IsClientSilent() const {
   if (!session_->HasRequested() && now_ - admitted_ >= FIRST_REQUEST_FRAMES) {
     return true;
@@ -536,7 +533,7 @@ bool RCServer::MayReplaceClient(const Connection& newcomer) const {
                               now_ - last_bytes_received_ >= OUTAGE_FRAMES);
 }
 
-// The guest has sent something, or it is gone. More of it is read when it is the client.
+// Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
 void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
   if (answer.error != TCP_SUCCESS) {
     CloseNewcomer(guest_, answer.error != TCP_CONNECTION_CLOSED);
@@ -550,8 +547,8 @@ void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
   }
 }
 
-// Only a whole request takes the place of a client. Others wait for a frame: that the client has closed may be known
-// after a newcomer, who may be the same client again.
+// A newcomer takes a client's place only with a whole request. Other newcomers wait for a frame, because the same
+// client may connect again before the server learns that its old connection has closed.
 void RCServer::CheckGuest() {
   if (guest_ == NULL) {
     return;
@@ -586,7 +583,6 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
   TurnAway(newcomer, reason);
 }
 
-// The client has sent something.
 void RCServer::NoteSignOfLife() {
   if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= SILENCE_FRAMES) {
     held_up_.CatchUp(SystemMilliseconds());
@@ -602,7 +598,7 @@ void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
   }
 }
 
-// Aborts, which frees the connection at once.
+// Aborts the connection, which frees it at once.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   CloseNewcomer(newcomer, true);
   if (reports_.Admits(now_)) {
@@ -610,13 +606,13 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   }
 }
 
-// What is no client, such as a web browser at the orders of a web page, may try again without end.
+// A program that is not a client may try again without end, such as a web browser driven by a web page.
 void RCServer::AbortStranger(Connection* stranger) {
   CloseNewcomer(stranger, true);
   ++strangers_;
   if (now_ - last_stranger_ >= FRAMES_PER_MINUTE) {
     OSYSPRINT(
-        ("RCServer: %s is no client: its first bytes are no request, but perhaps a web browser's. %u such "
+        ("RCServer: %s is not a client: its first bytes are not a request, but may be a web browser's. %u such "
          "connections have been aborted since the last report\n",
          stranger->ClientName(), strangers_));
     strangers_ = 0;
@@ -624,7 +620,7 @@ void RCServer::AbortStranger(Connection* stranger) {
   }
 }
 
-// Forgets the client and everything it has started.
+// Drops the client and ends everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
   if (reports_.Admits(now_)) {
     OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
@@ -677,12 +673,12 @@ void RCServer::ServeClient() {
   }
 }
 
-// Sends what waits. A picture goes first, while it is fresh.
+// Sends waiting data. A picture is sent first, while it is fresh, unless the client wants sound first.
 bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
-  if (picture_.IsThere()) {
+  if (picture_.IsThere() && !SoundGoesFirst()) {
     return SendPicture();
   }
   if (file_.IsThere()) {
@@ -699,6 +695,7 @@ bool RCServer::SendPicture() {
   memcpy(buffer + header_size, picture.jpeg, picture.size);
   picture_.Release();
   pictures_.CountSent();
+  last_picture_ = now_;
   return client_->Send(size, true);
 }
 
@@ -723,9 +720,9 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
   }
 }
 
-// What kind of picture to make of this image. False if none is due.
+// Finds the kind of picture to make of this image. False if none is due.
 bool RCServer::FindOrder(PictureOrder* order) {
-  // A picture that is still waiting is made again from this image, which is newer.
+  // A picture that still waits is replaced by one of this newer image.
   if (pictures_.IsWaiting()) {
     *order = pictures_.WaitingOrder();
   } else if (picture_.IsThere()) {
@@ -746,9 +743,16 @@ bool RCServer::IsSendingPicture() const {
   return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
 }
 
-// Not while a picture is being sent: the next one would only wait behind it.
+// True if the client wants sound first and some sound waits or is needed. A client that gets no picture at all would
+// take the connection for dead.
+bool RCServer::SoundGoesFirst() const {
+  return now_ - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
+         (session_->SoundWaits() || body_->Voice().IsShort());
+}
+
+// While a picture is being sent, the next one would only wait behind it.
 void RCServer::BeginPicture() {
-  if (client_ != NULL && !IsSendingPicture() && pictures_.MayBegin()) {
+  if (client_ != NULL && !IsSendingPicture() && !SoundGoesFirst() && pictures_.MayBegin()) {
     pictures_.Begin();
   }
 }
@@ -764,6 +768,7 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
     picture_.Release();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
     pictures_.CountSent();
+    last_picture_ = now_;
     datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size, now_);
     picture_.Release();
   }

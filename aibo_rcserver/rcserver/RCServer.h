@@ -24,42 +24,46 @@
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.
 ///
 /// All work happens in the entry points below. Each returns without waiting, because no joint is commanded while one
-/// runs. Work that takes longer than a frame is done by objects of a lower scheduling class: PictureEncoder makes the
-/// pictures, FileKeeper reads and writes files.
+/// runs. Two objects of a lower scheduling class do the work that takes longer than a frame: PictureEncoder encodes
+/// pictures, and FileKeeper reads and writes files.
 ///
-/// Sound is not left to one of them. A vector of it takes at most 0.2 ms; and behind a picture, the speaker would wait
-/// for its next vector for longer than the 32 ms that it has.
+/// Sound is processed here. A sound vector takes at most 0.2 ms. PictureEncoder could not deliver the speaker's next
+/// vector within 32 ms while it encodes a picture.
 ///
 /// Time is counted in OPEN-R frames of 8 ms: the frame of the latest camera image or joint measurement.
 ///
-/// When the robot starts, all joints hold where they are, unless RCSERVER.CFG keeps the motors off. LEDs and ears are
-/// left alone.
+/// When the robot starts, all joints hold their positions, unless RCSERVER.CFG keeps the motors off. LEDs and ears are
+/// not commanded.
 ///
-/// The pause button cuts the motors and shuts the robot down; a low battery makes it lie down first (PowerSupply.h). So
-/// does the pause button while the robot walks or takes a posture, when it would fall; pressed again, it cuts the
-/// motors.
+/// The pause button cuts the motors and shuts the robot down. A low battery makes the robot lie down first
+/// (PowerSupply.h). While the robot walks or takes a posture, the pause button also makes it lie down first, because it
+/// would fall otherwise. A second press cuts the motors.
 class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
 
-  /// Lying down before the motors go off is given up after this many frames: 10 s, twice what it takes from any posture
-  /// and walk.
+  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice what lying down takes
+  /// from any posture or walk.
   static const longword LYING_DOWN_FRAMES = 1250;
 
-  /// The memory stick gets this many frames to finish its work before the robot goes off: 3 s, our choice. A file that
-  /// is being replaced could be lost otherwise.
+  /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. A file that is being
+  /// replaced could be lost otherwise.
   static const longword FILE_FRAMES = 375;
 
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
 
   /// A client of version 2 that has sent nothing for this many frames loses its place to a newcomer from its address:
-  /// 0.6 s. A client sends a hello every 0.25 s, so this is a connection that an outage of the radio has ended.
+  /// 0.6 s. A client sends a hello every 0.25 s, so a radio outage must have ended such a connection.
   static const longword OUTAGE_FRAMES = 75;
 
-  /// A newcomer who may take the client's place gets this many frames for its first request: 0.5 s. It is sent at once,
-  /// so this is for the way.
+  /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
+  /// streams and sends no picture for 0.5 s.
+  static const longword LONGEST_PICTURE_WAIT = 31;
+
+  /// A newcomer that may take the client's place gets this many frames for its first request: 0.5 s. Clients send the
+  /// request at once, so this only has to cover network delay.
   static const longword INTRODUCTION_FRAMES = 63;
 
   RCServer();
@@ -114,7 +118,8 @@ class RCServer : public OObject {
   /// @}
 
  private:
-  // One for the client, and one for the next client: to turn it away, or to let it in if the first is silent.
+  // One connection serves the client. The other accepts a newcomer, to turn it away or to let it replace a silent
+  // client.
   static const int NUMBER_OF_CONNECTIONS = 2;
 
   RCServer(const RCServer&);
@@ -154,11 +159,12 @@ class RCServer : public OObject {
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);
   bool IsSendingPicture() const;
+  bool SoundGoesFirst() const;
   void BeginPicture();
   void UsePicture(const EncodedPicture& picture);
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
-  size_t endpoints_;    ///< how many have been numbered
+  size_t endpoints_;    ///< number of endpoints created so far
   Connection* client_;  ///< the client's connection; NULL if there is no client
   Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
@@ -169,24 +175,25 @@ class RCServer : public OObject {
   longword goes_off_since_;
   HoldUpWatch held_up_;
   FileDesk file_desk_;
-  HeldRegion<FileResult> file_;  ///< whose content goes to the client
+  HeldRegion<FileResult> file_;  ///< the file that is sent to the client
   PictureTaker pictures_;
-  HeldRegion<EncodedPicture> picture_;  ///< that goes to the client
+  HeldRegion<EncodedPicture> picture_;  ///< the picture that is sent to the client
   PictureDatagrams datagrams_;
-  ReportLimit reports_;  ///< of clients that come and go
+  ReportLimit reports_;  ///< for clients that connect and leave
   Settings settings_;
   Session* session_;  ///< from DoInit to DoDestroy
   longword now_;
+  longword last_picture_;  ///< when one was sent
   longword lies_down_since_;
-  longword admitted_;             ///< when the client was
+  longword admitted_;             ///< frame in which the client was admitted
   longword last_bytes_received_;  ///< from the client
   longword last_sign_of_life_;    ///< of the client
-  bool is_announced_;             ///< the client, on the console
-  bool was_silent_;               ///< the client, at the last look
+  bool is_announced_;             ///< the console has named the client
+  bool was_silent_;               ///< the client was silent at the last check
   longword last_not_over_;        ///< last frame in which the session was not over
-  longword last_attempt_;         ///< to listen
+  longword last_attempt_;         ///< frame of the last attempt to listen
   unsigned strangers_;            ///< aborted since the last report on the console
-  longword last_stranger_;        ///< that was reported
+  longword last_stranger_;        ///< frame of the last report
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

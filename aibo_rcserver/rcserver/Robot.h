@@ -1,5 +1,5 @@
 /// @file Robot.h
-/// All of the robot that a client's requests work on.
+/// The parts of the robot that a client's requests act on.
 #ifndef AIBO_RCSERVER_RCSERVER_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_ROBOT_H
 
@@ -14,7 +14,7 @@
 #include "rcserver/sound/Microphone.h"
 #include "rcserver/sound/Speaker.h"
 
-/// An order about the robot's power. RCServer carries it out when the client has been told and is gone.
+/// An order about the robot's power. RCServer carries it out after the client has been told and has gone.
 enum PowerOrder {
   POWER_STAYS_ON,
   POWER_SHUT_DOWN,
@@ -22,7 +22,7 @@ enum PowerOrder {
   POWER_LIE_DOWN  ///< lie down, then shut down
 };
 
-/// Everything here outlives the session.
+/// All members outlive the session.
 struct Robot {
   const char* design;  ///< as OPEN-R names it
   JointControl& joints;

@@ -77,7 +77,7 @@ void Session::FileDone(const FileResult& result) {
   outbox_.Reserve(false);
 }
 
-// A client of version 1 would take an unasked message for the answer to its next request.
+// A client of version 1 is not told, because it would take the message for the answer to its next request.
 void Session::RobotGoesOff(const char* reason) {
   power_reason_ = reason;
   if (version_ == protocol::version2::VERSION) {
@@ -115,8 +115,8 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
   return encode(header, out) + image_header_size;
 }
 
-// Reports and the content of an upload go before new requests. False if those have to wait: replies of version 1 keep
-// their order.
+// Handles reports and the content of an upload before new requests. False if new requests have to wait, so that replies
+// of version 1 keep their order.
 bool Session::MayHandle() {
   if (version_ == protocol::version2::VERSION) {
     version2_.PushReports();
@@ -144,7 +144,7 @@ bool Session::HandleRequest() {
   return true;
 }
 
-// Such a request waits for the next byte. No client's is followed by one that leaves the question open.
+// True if the request may be the beginning of HTTP. If more bytes follow it, the sender is not a client.
 bool Session::MayBeHttp() {
   const bool may_be = opening_.verdict() == protocol::Opening::UNCLEAR && request_.valid && request_.payload_size > 0;
   is_stranger_ = may_be && input_.waitingSize() > 0;

@@ -19,12 +19,12 @@
 #include "rcserver/motions/MotionCommands.h"
 #include "rcserver/settings/Settings.h"
 
-/// Splits received bytes into requests, has them carried out in the version of the protocol that the client has chosen,
-/// and keeps the answers until they can be sent. Its memory has a fixed size: while there is no room for an answer,
-/// requests wait and nothing more is received.
+/// Splits received bytes into requests, carries them out in the client's protocol version, and keeps the answers until
+/// they can be sent. Its memory has a fixed size: while there is no room for an answer, requests wait and nothing more
+/// is received.
 ///
-/// A request that needs the memory stick is answered by FileDone(). Meanwhile, other requests of version 2 are handled;
-/// requests of version 1 wait, so that replies keep their order.
+/// FileDone() answers a request that needs the memory stick. Until then, other requests of version 2 are handled, but
+/// requests of version 1 wait, so that their replies keep their order.
 class Session {
  public:
   /// Most bytes for one AddInput().
@@ -36,50 +36,52 @@ class Session {
 
   /// @param robot whose parts must outlive this
   /// @param settings what clients may do; must outlive this
-  /// @param newest_version of the protocol that is spoken if asked for, 1 or 2
+  /// @param newest_version newest version of the protocol that a client may ask for, 1 or 2
   Session(const Robot& robot, const Settings& settings, int newest_version);
 
-  /// A client has connected. It speaks version 1 until it asks for version 2.
+  /// Begins a session with a new client, which speaks version 1 until it asks for version 2.
   void Begin();
 
-  /// The client is gone. Everything it has started ends: the camera idles, the joints hold, LEDs are off.
+  /// Ends the session of a client that is gone, and everything it has started: the camera idles, the joints hold, and
+  /// LEDs are off.
   void End();
 
   /// True if bytes may be added: all requests have been handled.
   bool WantsInput() const { return !IsEnding() && !has_input_; }
 
-  /// Adds received bytes; only if WantsInput().
+  /// Adds received bytes. Call it only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
-  /// True if the first bytes are not a client's (Opening). Nothing more is handled; it has to be dropped.
+  /// True if the first bytes are not a client's (Opening). No more requests are handled; the connection must be
+  /// dropped.
   bool IsWithStranger() const { return is_stranger_ || opening_.verdict() == protocol::Opening::STRANGER; }
 
   /// True if the client has sent at least one whole request.
   bool HasRequested() const { return has_requested_; }
 
-  /// Handles requests as long as there is room for the answers. Call when bytes were added or taken, and when a request
+  /// Handles requests while there is room for the answers. Call it after bytes were added or taken, and after a request
   /// has been answered.
   /// @param now OPEN-R frame
   void HandleRequests(unsigned now);
 
-  /// FileKeeper has done a job. A result that no request waits for is ignored.
+  /// Call when FileKeeper has done a job. A result that no request waits for is ignored.
   void FileDone(const FileResult& result);
 
-  /// The picture of an order for the memory stick has been made.
+  /// Call when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size) {
     version2_.PictureTaken(jpeg, size);
     outbox_.Reserve(files_.IsPending());
   }
 
-  /// True if the content of the last FileDone() is to be sent to the client.
+  /// True if the file of the last FileDone() must be sent to the client.
   bool OwesFile() const { return version2_.OwesFile(); }
 
-  /// Writes the bytes that go before that content.
+  /// Writes the bytes that precede the file's content.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
-  /// @return how many bytes it is
+  /// @return the number of bytes
   size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.EncodeFileHeader(size, out); }
 
-  /// The robot goes off, which ends the session. A client of version 2 is told the reason.
+  /// Ends the session because the robot goes off. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
   void RobotGoesOff(const char* reason);
 
@@ -87,33 +89,36 @@ class Session {
   /// @param frame in which
   void Measured(unsigned frame);
 
-  /// True if the client wants to know the colours that the camera has detected in this image.
+  /// True if the client wants the colours that were detected in this image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
   bool WantsColors(unsigned image_count) const {
     return version_ == protocol::version2::VERSION && version2_.WantsColors(image_count);
   }
 
-  /// The camera has detected colours in an image. Only if WantsColors().
+  /// Call when the camera has detected colours in an image, but only if WantsColors().
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
   /// The microphone has heard something.
   void Heard(OSoundVectorData* vector) { version2_.Heard(vector); }
 
+  /// True if sound waits to be sent.
+  bool SoundWaits() const { return outbox_.HasSound(); }
+
   bool HasOutput() const { return !outbox_.IsEmpty(); }
 
-  /// Takes out everything that is to be sent, except pictures.
+  /// Takes out all data to be sent, except pictures.
   /// @param[out] out room for Outbox::CAPACITY bytes
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
   /// True if no more requests are handled: the client broke the protocol, or the robot is going off.
   bool IsEnding() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
 
-  /// True if the connection has to be closed when the output has been sent: it IsEnding(), and no answer is owed for
-  /// which the memory stick is at work.
+  /// True if the connection must be closed after the output has been sent: the session IsEnding(), and no answer
+  /// depends on the memory stick.
   bool IsOver() const { return is_over_ || (IsEnding() && !files_.IsPending()); }
 
-  /// Why it is over.
+  /// Why the session is over.
   const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }
 
   /// True if a silent client has to be dropped (version 2).
@@ -121,12 +126,12 @@ class Session {
 
   ImageObserver& Camera() { return camera_; }
 
-  /// What the client is told about a picture.
+  /// The header of a picture as this client gets it.
   protocol::version2::ImageHeader HeaderToTell(const protocol::version2::ImageHeader& image) const;
 
-  /// Writes the bytes that go before a picture, in the client's version.
+  /// Writes the bytes that precede a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
-  /// @return how many bytes it is
+  /// @return the number of bytes
   size_t EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image, size_t jpeg_size,
                              unsigned char* out) const;
 
@@ -159,8 +164,8 @@ class Session {
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;
   protocol::Request request_;
-  bool has_request_;  ///< in request_: it waits until it is clear that it is none of HTTP
-  bool has_input_;    ///< bytes that have not been handled, possibly complete requests
+  bool has_request_;  ///< request_ waits until it is clear that it is not HTTP
+  bool has_input_;    ///< there are unhandled bytes, possibly complete requests
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_SESSION_H

@@ -6,7 +6,7 @@
 #include <OPENR/OPENR.h>
 #include <ant.h>
 
-/// What is sent and received has to be in such memory (Internet Protocol Version4, "Creating shared memory buffers").
+/// The IPStack sends and receives only in such memory (Internet Protocol Version4, "Creating shared memory buffers").
 class SharedBuffer {
  public:
   SharedBuffer() : bytes_(NULL) {}
@@ -15,8 +15,8 @@ class SharedBuffer {
   /// @return false if the IPStack has no memory for it
   bool Create(const antStackRef& stack, size_t size);
 
-  /// Gives it back, if there is any. The IPStack refuses while a client is still connected. That does no harm: the
-  /// robot is going off.
+  /// Returns the memory, if there is any. The IPStack refuses while a client is connected. That does no harm, because
+  /// the robot is going off.
   void Destroy(const antStackRef& stack);
 
   /// Null before Create() and after Destroy().

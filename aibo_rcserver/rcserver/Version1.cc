@@ -51,7 +51,7 @@ void Version1::Handle(const Request& request) {
   }
 }
 
-// The small letter of the request, its identifier and a value.
+// Sends the request's letter in lower case, its identifier and a value.
 void Version1::Reply(short value) {
   Send(static_cast<char>(tolower(request_.basic.command)), request_.basic.identifier, value);
 }
@@ -137,12 +137,12 @@ bool Version1::MoveAllJoints() {
   return true;
 }
 
-// An order that may have waited is too old.
+// False for an order that may have been delayed.
 bool Version1::MayMove() const {
   return robot_.motors.AreOn() && !robot_.held_up.MayHaveWaited();
 }
 
-// Version 1 has no messages that the server sends unasked, so the next request about the joint is refused, once.
+// In version 1, the server only replies. So a fault is reported by refusing the next request about the joint, once.
 bool Version1::HasFault(int joint) {
   return robot_.joints.TakeFault(joint) != JointWatch::FOLLOWS;
 }
@@ -156,13 +156,16 @@ bool Version1::LimitJoint() {
   const bool is_speed = request_.basic.command == REQUEST_MAX_VELOCITY;
   if (IsWrite()) {
     const int limit = microradiansFromCentidegrees(Value());
+    if (limit <= 0) {
+      return false;  // the joint would not move any more
+    }
     is_speed ? planner.SetSpeedLimit(joint, limit) : planner.SetAccelerationLimit(joint, limit);
   }
   Reply(centidegreesFromMicroradians(is_speed ? planner.SpeedLimit(joint) : planner.AccelerationLimit(joint)));
   return true;
 }
 
-// Reads a value, or takes it into the block or out of it.
+// Reads a value, adds it to the block, or removes it from the block.
 bool Version1::ReadOrSelectSource() {
   if (Identifier() == ALL_IDENTIFIERS) {
     if (!IsWrite()) {
@@ -186,7 +189,7 @@ bool Version1::ReadOrSelectSource() {
   return true;
 }
 
-// Values without a header. A sensor that has measured nothing yet reads as 0, so that each value keeps its place.
+// Sends values without a header. A sensor without a value reads as 0, so that each value keeps its place.
 void Version1::ReadBlock() {
   unsigned char block[MAX_SOURCES * VALUE_SIZE];
   size_t size = 0;
@@ -222,7 +225,7 @@ short Version1::ValueOf(const Source& source) const {
   return version1SensorValue(robot_.sensors.Sensor(source.index).kind, robot_.sensors.Value(source.index));
 }
 
-// The mode stays as it is.
+// Keeps the LED's mode.
 bool Version1::SetLed() {
   const int led = robot_.lights.FindLed(Identifier());
   if (led == NO_LED) {
@@ -257,7 +260,7 @@ bool Version1::SetFace() {
   return count > 0;
 }
 
-// For both ears, the reply says whether both are drawn.
+// If the request is for both ears, the reply says whether both are drawn.
 bool Version1::SetEars() {
   if (Value() != 0 && Value() != 1) {
     return false;

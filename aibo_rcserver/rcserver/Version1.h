@@ -13,8 +13,8 @@
 
 /// Carries out the requests of version 1 and answers them (docs/protocol.md).
 ///
-/// TCP delivers the content of an upload in pieces of any size. They are collected in memory, and the file is stored
-/// when it is complete, so that an upload that is cut off leaves nothing behind.
+/// TCP delivers an upload in pieces of any size. They are collected in memory, and the file is stored when it is
+/// complete, so an interrupted upload leaves nothing behind.
 class Version1 {
  public:
   /// @param upload_buffer mtn::MAX_FILE_SIZE bytes, used only while version 1 is spoken. All must outlive this.
@@ -24,12 +24,12 @@ class Version1 {
   /// A new client: no upload is under way, and the block that `S` reads holds all joints and sensors.
   void Begin();
 
-  /// Carries out a request and adds at most one message to the outbox. TakeContent() answers an upload, FileDone() a
-  /// request that needs the memory stick, the camera a request for a picture.
+  /// Carries out a request and adds at most one message to the outbox. TakeContent() answers an upload, and FileDone()
+  /// answers a request that needs the memory stick. A request for a picture is answered by the picture.
   void Handle(const protocol::Request& request);
 
-  /// Takes what has arrived of an upload. Call before each request; adds at most one message to the outbox, which is
-  /// the answer to the upload.
+  /// Takes the received part of an upload. Call it before each request. Adds at most one message to the outbox: the
+  /// answer to the upload.
   /// @return false if more of the upload is still to come
   bool TakeContent(protocol::RequestReader& reader);
 
@@ -38,7 +38,7 @@ class Version1 {
   void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
 
  private:
-  // What `S` can read: a sensor, or a joint's angle.
+  // A value that `S` can read: a sensor's, or a joint's angle.
   struct Source {
     unsigned char identifier;
     bool is_joint;

@@ -45,7 +45,7 @@ unsigned short WholeSensorPeriods(unsigned short frames) {
   return static_cast<unsigned short>((frames + SENSOR_PERIOD - 1) / SENSOR_PERIOD * SENSOR_PERIOD);
 }
 
-// In an order of operations that does not overflow: a reported duty has 16 bits.
+// This order of operations does not overflow, because a duty has 16 bits.
 int MillionthsOfFullDuty(int duty) {
   return duty * (1000000 / 64) / (FULL_DUTY / 64);
 }
@@ -86,7 +86,7 @@ const char* WordsFor(JointWatch::Verdict fault) {
 
 }  // namespace
 
-// These are in Version2Colors.cc, Version2Motions.cc, Version2Pictures.cc and Version2Sound.cc, all others below.
+// Defined in Version2Colors.cc, Version2Motions.cc, Version2Pictures.cc and Version2Sound.cc; all others are below.
 template <>
 void Version2::CarryOut<REQUEST_COLORS>();
 template <>
@@ -149,7 +149,7 @@ void Version2::Handle(const FrameHeader& request, const unsigned char* payload, 
   payload_ = payload;
   now_ = now;
   if (request.request_number == 0) {
-    Refuse(CODE_REFUSED, "bad request: number 0 is kept for messages that the server pushes; use 1 to 65535");
+    Refuse(CODE_REFUSED, "bad request: number 0 is reserved for messages that the server pushes; use 1 to 65535");
     return;
   }
   Execute();
@@ -187,7 +187,7 @@ bool Version2::IsAllowed(bool Settings::*setting, const char* name) {
 void Version2::RefuseTooLarge(const FrameHeader& request) {
   request_ = request;
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "a request of %u bytes is too large; the server hangs up", request.payload_size);
+  sprintf(text, "a request of %u bytes is too large; the server closes the connection", request.payload_size);
   Refuse(CODE_REFUSED, text);
 }
 
@@ -214,13 +214,13 @@ void Version2::Measured(unsigned frame) {
   }
 }
 
-// Completes the message with what has been written to Payload().
+// Completes the message whose payload has been written to Payload().
 size_t Version2::Frame(char kind, unsigned char id, unsigned short request_number, size_t payload_size) {
   const FrameHeader header = {kind, id, request_number, static_cast<unsigned>(payload_size)};
   return encode(header, message_) + payload_size;
 }
 
-// Answers the request with what has been written to Payload().
+// Answers the request with the payload in Payload().
 void Version2::FinishReply(size_t payload_size) {
   outbox_.Add(message_, Frame(replyKind(request_.kind), request_.id, request_.request_number, payload_size));
 }
@@ -297,7 +297,7 @@ void Version2::CarryOut<REQUEST_STREAM>() {
   } else {
     camera_.StopStream();
   }
-  request_.id = JpegQuality(request_.id);  // the reply has the quality in use
+  request_.id = JpegQuality(request_.id);  // the reply contains the quality in use
   Reply(stream);
 }
 
@@ -366,7 +366,7 @@ void Version2::CarryOut<REQUEST_JOINTS>() {
 template <>
 void Version2::CarryOut<REQUEST_SPEED_LIMITS>() {
   SpeedLimits limits;
-  if (!Decode(&limits) || !HasJoints(limits.joints, limits.count)) {
+  if (!Decode(&limits) || !HasJoints(limits.joints, limits.count) || !ArePositive(limits)) {
     return;
   }
   JointControl& joints = robot_.joints;
@@ -381,6 +381,16 @@ void Version2::CarryOut<REQUEST_SPEED_LIMITS>() {
     }
   }
   Reply(limits);
+}
+
+bool Version2::ArePositive(const SpeedLimits& limits) {
+  for (int i = 0; i < limits.count; ++i) {
+    if (limits.joints[i].value <= 0) {
+      Refuse(CODE_REFUSED, "a speed limit must be above 0, so nothing of the request was done");
+      return false;
+    }
+  }
+  return true;
 }
 
 // Refuses the request if the robot does not have one of these joints.
@@ -403,7 +413,7 @@ bool Version2::HasJoint(int identifier) {
 
 void Version2::RefuseMissing(const char* part, int identifier) {
   char text[MAX_ERROR_TEXT_SIZE];
-  sprintf(text, "this robot has no %s %d, so nothing of the request was done", part, identifier);
+  sprintf(text, "this robot has no %s %d, so the whole request was refused", part, identifier);
   Refuse(CODE_REFUSED, text);
 }
 
@@ -463,8 +473,8 @@ void Version2::HoldJoints() {
   Reply(NoPayload());
 }
 
-// Velocities are whole mm/s and mrad/s on the wire. Those in force are rounded down, so that a client that sends them
-// back gets the same.
+// Velocities are whole mm/s and mrad/s on the wire. The velocities in force are rounded down, so that a client can send
+// them back unchanged.
 template <>
 void Version2::CarryOut<REQUEST_STEER>() {
   protocol::version2::Velocity wanted;
@@ -501,7 +511,7 @@ void Version2::CarryOut<REQUEST_POSTURE>() {
   }
 }
 
-// Switches the motors on for a robot that has rested. Refuses the request if the robot cannot take the posture now.
+// Switches the motors on if they are off after a rest. Refuses the request if the robot cannot take the posture now.
 bool Version2::MayTake(Posture posture) {
   const char* problem = robot_.joints.Walking().Problem();
   if (problem == NULL && !robot_.motors.AreOn()) {
@@ -517,7 +527,7 @@ bool Version2::MayTake(Posture posture) {
   return problem == NULL;
 }
 
-// Refuses an order to move that may have waited.
+// Refuses an order to move that may have been delayed.
 bool Version2::IsTooOld() {
   if (robot_.held_up.MayHaveWaited()) {
     Refuse(CODE_REFUSED, HoldUpWatch::TOO_OLD);
@@ -594,7 +604,7 @@ void Version2::CarryOut<REQUEST_REBOOT>() {
   GoOff(POWER_REBOOT);
 }
 
-// The hello names their letters in this order.
+// The hello lists the letters in this order.
 const Version2::Row Version2::ROWS[] = {
     {&SAY_HELLO, &Version2::CarryOut<REQUEST_HELLO>, NULL},
     {&TAKE_PICTURE, &Version2::CarryOut<REQUEST_PICTURE>, NULL},
@@ -623,7 +633,7 @@ const Version2::Row Version2::ROWS[] = {
     {NULL, NULL, NULL},
 };
 
-// A fault for which there is no room is pushed the next time.
+// A fault that does not fit in the outbox is pushed the next time.
 void Version2::PushJointFaults() {
   for (int i = 0; i < robot_.joints.NumberOfJoints() && outbox_.HasRoom(); ++i) {
     const JointWatch::Verdict fault = robot_.joints.TakeFault(i);
@@ -643,7 +653,7 @@ void Version2::PushRecoveries() {
   }
 }
 
-// An end for which there is no room is pushed the next time.
+// An end that does not fit in the outbox is pushed the next time.
 void Version2::PushEnds() {
   EndLog::End end;
   while (outbox_.HasRoom() && robot_.joints.Ends().Take(EndLog::CLIENT, &end)) {
@@ -655,7 +665,7 @@ void Version2::PushEnds() {
     SendEnd(end.what, end.how, end.name, end.reason);
   }
   if (outbox_.HasRoom() && robot_.joints.Walking().TakeSoftened()) {
-    SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are soft");
+    SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are limp");
   }
 }
 
@@ -670,7 +680,7 @@ void Version2::PushMotorsAndPosture() {
   Send(MOTORS_AND_POSTURE_PUSH, 0, now);
 }
 
-// Takes the place of telemetry that still waits.
+// Replaces telemetry that still waits.
 void Version2::PushTelemetry(unsigned frame) {
   const JointControl& joints = robot_.joints;
   const SensorDriver& sensors = robot_.sensors;

@@ -24,8 +24,8 @@ class Version2 {
   /// A new client: no telemetry is pushed.
   void Begin();
 
-  /// Carries out a request, and adds at most one reply to the outbox. FileDone() answers a request that needs the
-  /// memory stick, the camera a request for a picture.
+  /// Carries out a request and adds at most one reply to the outbox. FileDone() answers a request that needs the memory
+  /// stick. A request for a picture is answered by the picture.
   /// @param payload as many bytes as the header says
   /// @param now OPEN-R frame
   void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
@@ -37,10 +37,10 @@ class Version2 {
   /// The picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size);
 
-  /// True if the content of the last FileDone() is to be sent, after EncodeFileHeader().
+  /// True if the file of the last FileDone() must be sent, after EncodeFileHeader().
   bool OwesFile() const { return owes_file_; }
 
-  /// Writes the header of the frame with the content; then it is not owed any more.
+  /// Writes the header of the frame that carries the file. The file is then no longer owed.
   /// @param[out] out room for FRAME_HEADER_SIZE bytes
   size_t EncodeFileHeader(size_t size, unsigned char* out);
 
@@ -50,26 +50,26 @@ class Version2 {
   /// Tells the client why the robot goes off, if there is room in the outbox.
   void PushPowerOff(const char* reason);
 
-  /// True if the client knows that the header of a picture can have the camera's settings: it has sent `G`.
+  /// True if picture headers may include the camera's settings: the client has sent `G`.
   bool TellsCameraSettings() const { return tells_camera_settings_; }
 
-  /// True if the client has switched the colour detection on, and it is the turn of this image.
+  /// True if the client has switched on colour detection and this image is due.
   bool WantsColors(unsigned image_count) const {
     return detects_colors_ && (!has_pushed_colors_ || image_count - last_colors_ >= colors_.every_nth_image);
   }
 
-  /// Pushes what was detected in an image. Only if WantsColors(). A camera without this plane is reported, and nothing
-  /// more is pushed.
+  /// Pushes the colours detected in an image. Call it only if WantsColors(). If the camera has no such plane, an error
+  /// is pushed once instead.
   /// @param frame in which the image was taken
   void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
 
-  /// Pushes what the microphone has heard, if the client listens.
+  /// Pushes sound from the microphone, if the client listens.
   void Heard(OSoundVectorData* vector);
 
-  /// Pushes what joints, motions, the walk and sounds have to report, as far as there is room in the outbox.
+  /// Pushes the reports of joints, motions, the walk and sounds, as far as the outbox has room.
   void PushReports();
 
-  /// All joints have been measured: pushes what there is to report, and telemetry if it is due.
+  /// Call when all joints have been measured. Pushes reports, and telemetry if it is due.
   /// @param frame in which they were measured
   void Measured(unsigned frame);
 
@@ -107,7 +107,7 @@ class Version2 {
   bool IsAllowed(bool Settings::*setting, const char* name);
   void Execute();
 
-  /// Carries out the request with this letter. Each is a specialisation of its own, and has its place in ROWS.
+  /// Carries out the request with this letter. Each request is a specialisation that is listed in ROWS.
   template <char LETTER>
   void CarryOut();
 
@@ -120,6 +120,7 @@ class Version2 {
   bool HasNoPayload();
 
   bool MakesLayer(protocol::version2::Layer layer);
+  bool ArePositive(const protocol::version2::SpeedLimits& limits);
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
   bool HasJoint(int identifier);
   void RefuseMissing(const char* part, int identifier);
@@ -160,22 +161,22 @@ class Version2 {
   ImageObserver& camera_;
   Outbox& outbox_;
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
-  protocol::version2::FrameHeader request_;         ///< that is being handled
+  protocol::version2::FrameHeader request_;         ///< the request that is being handled
   const unsigned char* payload_;                    ///< of the request
-  unsigned now_;                                    ///< OPEN-R frame in which it came
-  protocol::version2::FrameHeader pending_;         ///< the request that the memory stick is at work for
-  bool owes_file_;                                  ///< pending_ is to be answered by the content of a file
-  unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the largest of all
+  unsigned now_;                                    ///< OPEN-R frame in which the request came
+  protocol::version2::FrameHeader pending_;         ///< the request that waits for the memory stick
+  bool owes_file_;                                  ///< pending_ must be answered with a file
+  unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the message that is being written
   bool tells_camera_settings_;
   bool tells_motors_;     ///< the client has sent `O`
-  bool has_told_motors_;  ///< as told_ says
+  bool has_told_motors_;  ///< told_ has been pushed
   protocol::version2::MotorsAndPosture told_;
   unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
-  unsigned char content_;            ///< of telemetry: bits of TelemetryContent
+  unsigned char content_;            ///< bits of TelemetryContent that are pushed
   bool has_pushed_telemetry_;        ///< since the period was set
   unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
   bool detects_colors_;
-  protocol::version2::ColorSettings colors_;  ///< while it detects colours
+  protocol::version2::ColorSettings colors_;  ///< valid while detects_colors_
   bool has_pushed_colors_;                    ///< since colors_ was set
   unsigned last_colors_;                      ///< image count of the last image whose colours were pushed
 };

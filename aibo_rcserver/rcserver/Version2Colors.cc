@@ -29,7 +29,7 @@ void Version2::CarryOut<REQUEST_COLORS>() {
   }
 }
 
-// What was detected before, with other settings, is not pushed any more.
+// Drops detections that were made with the earlier settings.
 void Version2::SwitchColors(bool on, const ColorSettings& settings) {
   detects_colors_ = on;
   colors_ = settings;
@@ -55,7 +55,7 @@ void Version2::LoadColorTable() {
   }
 }
 
-// Takes the place of colours that still wait.
+// Replaces colours that still wait.
 void Version2::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
   if (plane.pixels == NULL) {
     if (outbox_.HasRoom()) {

@@ -1,4 +1,4 @@
-// The requests of version 2 about motions, and how those that need the memory stick are answered.
+// The requests of version 2 about motions, and the answers to requests that need the memory stick.
 #include <stdio.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@ using namespace protocol::version2;
 
 const protocol::MotionName Version2::ALL_MOTIONS = "";
 
-// One such request at a time, so that all others can be read and handled, above all those that stop the robot.
+// Only one request may wait for the memory stick. The others can then be handled at once, above all orders to stop.
 bool Version2::IsStickFree() {
   const bool is_free = !files_.IsPending() && !owes_file_;
   if (!is_free) {

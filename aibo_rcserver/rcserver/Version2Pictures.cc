@@ -16,7 +16,7 @@ const protocol::PictureName NO_NAME = "";
 template <>
 void Version2::CarryOut<REQUEST_SAVE_PICTURE>() {
   if (HasNoPayload() && IsStickFree()) {
-    request_.id = JpegQuality(request_.id);  // the reply has the quality in use
+    request_.id = JpegQuality(request_.id);  // the reply contains the quality in use
     Answer(OrderPicture());
   }
 }
@@ -61,7 +61,7 @@ void Version2::PictureTaken(const unsigned char* jpeg, size_t size) {
   }
 }
 
-// A file goes to the client by EncodeFileHeader().
+// A fetched file is sent later, after EncodeFileHeader().
 void Version2::PictureJobDone(const FileResult& result) {
   const FileOrder::Outcome outcome = files_.Finish(result);
   const bool is_done = outcome == FileOrder::DONE;

@@ -21,10 +21,11 @@ void Version2::CarryOut<REQUEST_SOUND>() {
   }
 }
 
-// What was heard before, with other settings, is not pushed any more.
+// Drops sound that was recorded with the earlier settings.
 void Version2::SetMicrophone() {
   MicrophoneSettings wanted;
-  if (Decode(&wanted) && (!wanted.on || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
+  if (Decode(&wanted) &&
+      ((wanted.mode & MICROPHONE_ON) == 0 || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
     robot_.microphone.Set(wanted);
     outbox_.Sound().Drop();
     Reply(wanted);
@@ -57,19 +58,19 @@ void Version2::SetSpeakerVolume() {
   Reply(volume);
 }
 
-// Sound for which there is no room is lost. Its frame number tells the client.
+// Sound that does not fit in the outbox is lost. The client can tell by the frame numbers.
 void Version2::Heard(OSoundVectorData* vector) {
   if (!robot_.microphone.IsOn()) {
     return;
   }
   HeardSound heard = robot_.microphone.Convert(vector, Payload() + HEARD_SOUND_HEADER_SIZE);
   const size_t samples_size = heard.samples_size;
-  heard.samples_size = 0;  // they are there already
+  heard.samples_size = 0;  // they are already in place
   const size_t size = encode(heard, Payload()) + samples_size;
   outbox_.Sound().Add(message_, Frame(SOUND_PUSH, SOUND_MICROPHONE, 0, size));
 }
 
-// An end for which there is no room is pushed the next time.
+// An end that does not fit in the outbox is pushed the next time.
 void Version2::PushSoundEnds() {
   SoundEnd end;
   while (outbox_.HasRoom() && robot_.speaker.TakeEnd(&end)) {

@@ -4,6 +4,8 @@ namespace robot_model {
 
 namespace {
 
+// Sony's tables let the hind knees bend to 122 degrees, but Sony's own motions for the ERS-7 (sitting and sleeping, in
+// MOTION7.ODA of the samples) to 125. That leaves 2 degrees to the mechanical limit.
 const Joint JOINTS[] = {
     {"neck_tilt", 1, "PRM:/r1/c1-Joint2:11", RANGE(-75, 0), RANGE(-80, 3), 3185226, GAINS(0x0A, 0x04, 0x02)},
     {"head_pan", 2, "PRM:/r1/c1/c2-Joint2:12", RANGE(-88, 88), RANGE(-93, 93), 10057460, GAINS(0x08, 0x02, 0x04)},
@@ -19,7 +21,7 @@ const Joint JOINTS[] = {
      GAINS(0x1C, 0x08, 0x01)},
     {"left_hind_elevator", 22, "PRM:/r3/c1/c2-Joint2:32", RANGE(-10, 88), RANGE(-15, 93), 5279621,
      GAINS(0x14, 0x04, 0x01)},
-    {"left_hind_knee", 23, "PRM:/r3/c1/c2/c3-Joint2:33", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+    {"left_hind_knee", 23, "PRM:/r3/c1/c2/c3-Joint2:33", RANGE(-25, 125), RANGE(-30, 127), 5279621,
      GAINS(0x1C, 0x08, 0x01)},
     {"right_front_rotator", 31, "PRM:/r4/c1-Joint2:41", RANGE(-115, 130), RANGE(-120, 135), 4865105,
      GAINS(0x1C, 0x08, 0x01)},
@@ -31,7 +33,7 @@ const Joint JOINTS[] = {
      GAINS(0x1C, 0x08, 0x01)},
     {"right_hind_elevator", 42, "PRM:/r5/c1/c2-Joint2:52", RANGE(-10, 88), RANGE(-15, 93), 5279621,
      GAINS(0x14, 0x04, 0x01)},
-    {"right_hind_knee", 43, "PRM:/r5/c1/c2/c3-Joint2:53", RANGE(-25, 122), RANGE(-30, 127), 5279621,
+    {"right_hind_knee", 43, "PRM:/r5/c1/c2/c3-Joint2:53", RANGE(-25, 125), RANGE(-30, 127), 5279621,
      GAINS(0x1C, 0x08, 0x01)},
     {"tail_pan", 51, "PRM:/r6/c2-Joint2:62", RANGE(-45, 45), RANGE(-60, 60), 15162548, GAINS(0x0A, 0x04, 0x04)},
     {"tail_tilt", 52, "PRM:/r6/c1-Joint2:61", RANGE(5, 60), RANGE(0, 65), 15162548, GAINS(0x0A, 0x04, 0x04)},

@@ -44,7 +44,7 @@ struct Joint {
 
   /// The range of allowed targets, in microradians (MI, software limits; section 2.1.1 for the ERS-7). The ERS-7's J1
   /// differs between front and rear legs (section 2.1.2, drawing in 1.2). The rows of 2.1.1 suggest that it differs
-  /// between left and right legs, but it does not.
+  /// between left and right legs, but it does not. The ERS-7's hind knees bend 3 degrees further than that (ers7.cc).
   int lowest;
   int highest;
 
@@ -64,7 +64,6 @@ struct Joint {
 /// No source gives a figure. With this one, a joint reaches its highest speed in 100 ms, 12.5 frames of 8 ms. That
 /// protects the gears from jumps of the target, and is enough for walking: swinging a leg by 0.3 rad to each side 1.5
 /// times a second takes 27 rad/s^2, and an ERS-7's rotator gets 48.7.
-/// leg by 0.3 rad to each side 1.5 times a second takes 27 rad/s^2, and an ERS-7's rotator gets 48.7.
 int defaultAcceleration(const Joint& joint);
 
 /// While the leader is between `from` and `to`, the follower must not go below `lowest`; in microradians.

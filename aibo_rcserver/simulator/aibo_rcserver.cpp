@@ -6,12 +6,15 @@
 #include <boost/program_options.hpp>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "objects/HostSettings.h"
@@ -21,6 +24,7 @@
 #include "simulator/ers7/simulated_ers7.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/configuration/memory_stick.h"
 #include "simulator/openr_host/machine.h"
 #include "simulator/picture_log.h"
 
@@ -33,6 +37,7 @@ constexpr double kMostEncodeTime = 10000;  // milliseconds
 constexpr double kMostStickTime = 60000;   // milliseconds
 constexpr double kMostSlowdown = 1000;
 
+constexpr char kRCServerFile[] = "RCSERVER.BIN";
 constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
 
 struct Options {
@@ -42,6 +47,7 @@ struct Options {
   int console_port = 0;
   bool no_console = false;
   int protocol_version = 0;
+  std::vector<std::string> mapped_ports;  ///< "ROBOT=COMPUTER"
   std::string memory_stick;
   std::string picture_log;
   std::string microphone;
@@ -51,7 +57,7 @@ struct Options {
   simulated_ers7::SimulatedErs7Options robot;
 };
 
-// The folder is built and installed beside lib/aibo_driver.
+// The memory stick's folder is built and installed beside lib/aibo_driver.
 std::string ownMemoryStick() {
   const std::filesystem::path executable = std::filesystem::read_symlink("/proc/self/exe");
   return (executable.parent_path() / "../../share/aibo_driver/memory_stick").lexically_normal().string();
@@ -68,11 +74,16 @@ po::options_description describe(Options& options) {
      "port for clients of the RCServer; 0 means any free one")
     ("console-port", po::value(&options.console_port)->default_value(openr_host::kConsolePort),
      "port of the wireless console, for telnet; 0 means any free one")
+    ("map-port", po::value(&options.mapped_ports)->composing(),
+     "for other objects than RCServer: ROBOT=COMPUTER, a port of the robot and this computer's for it, such as 7=7007; "
+     "may be repeated")
     ("no-console", po::bool_switch(&options.no_console), "disable the wireless console")
     ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
      "newest version of the protocol that the RCServer speaks; with 1 it answers like a server of 2005 or 2006")
     ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick()),
      "folder with the content of the robot's memory stick")
+    ("robot", po::value(&options.robot.design)->default_value("ERS-7"),
+     "model of the simulated robot: ERS-7, or ERS-210, which has that robot's joints, sensors, LEDs and ears")
     ("images", po::value(&options.robot.images_folder),
      "folder with photographs (JPEG, PPM) that the camera shows in turn; without it, the camera sees a room")
     ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),
@@ -141,6 +152,27 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
+// RCServer need not be on the memory stick.
+bool runsRCServer(const std::string& memory_stick, const std::string& design) {
+  const std::string path = openr_host::findOnMemoryStick(memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG").string();
+  std::ifstream file(path);
+  const auto objects = openr_host::readObjectConfiguration(file, path, design);
+  return std::any_of(objects.begin(), objects.end(),
+                     [](const openr_host::ObjectFile& object) { return object.name == kRCServerFile; });
+}
+
+/// @return the robot's port and the computer's
+std::pair<std::uint16_t, std::uint16_t> readPorts(const std::string& text) {
+  unsigned robot_port = 0;
+  unsigned host_port = 0;
+  char more = 0;
+  if (std::sscanf(text.c_str(), "%5u=%5u%c", &robot_port, &host_port, &more) != 2 || robot_port == 0 ||
+      robot_port > 65535 || host_port > 65535) {
+    throw po::error("option '--map-port' takes two ports such as 7=7007, not '" + text + "'");
+  }
+  return {static_cast<std::uint16_t>(robot_port), static_cast<std::uint16_t>(host_port)};
+}
+
 std::chrono::nanoseconds nanoseconds(double milliseconds) {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double, std::milli>(milliseconds));
 }
@@ -160,31 +192,42 @@ openr_host::HandlerTime handlerTime(const Options& options, const simulated_ers7
   };
 }
 
-openr_host::MachineOptions machineOptions(const Options& options, const simulated_ers7::StickSlot& stick) {
+openr_host::MachineOptions machineOptions(const Options& options, const simulated_ers7::SimulatedErs7& robot) {
   openr_host::MachineOptions machine;
   machine.bind_address = options.bind_address;
-  machine.ports = {{kRobotPort, static_cast<std::uint16_t>(options.port)}};
+  machine.ports.clear();
+  for (const std::string& ports : options.mapped_ports) {
+    machine.ports.insert(readPorts(ports));
+  }
+  if (runsRCServer(options.memory_stick, robot.design())) {
+    machine.ports[kRobotPort] = static_cast<std::uint16_t>(options.port);
+  }
   if (!options.no_console) {
     machine.ports[openr_host::kConsolePort] = static_cast<std::uint16_t>(options.console_port);
   }
   machine.memory_stick = options.memory_stick;
   machine.catalog = objectCatalog();
   machine.console = &std::cout;
-  machine.handler_time = handlerTime(options, stick);
+  machine.handler_time = handlerTime(options, robot.stick());
   return machine;
 }
 
-// Scripts read the last two lines to learn the ports.
-void announce(const openr_host::Machine& machine, const Options& options) {
-  const int port = machine.hostPort(kRobotPort);
-  if (port != kRobotPort) {
-    // RCServer has printed the robot's port, but does not know the computer's.
-    std::cout << "Port " << kRobotPort << " of the robot is port " << port << " of this computer\n";
+// Scripts read the last lines to learn the ports.
+void announce(const openr_host::Machine& machine, const openr_host::MachineOptions& asked, const Options& options) {
+  for (const auto& ports : asked.ports) {
+    const int port = machine.hostPort(ports.first);
+    // Objects print the robot's port, but do not know the computer's.
+    if (port != ports.first && ports.first != openr_host::kConsolePort) {
+      std::cout << "Port " << ports.first << " of the robot is port " << port << " of this computer\n";
+    }
   }
   if (!options.no_console) {
     std::cout << "Console on " << options.bind_address << ":" << machine.hostPort(openr_host::kConsolePort) << "\n";
   }
-  std::cout << "RCServer listening on " << options.bind_address << ":" << port << std::endl;
+  if (asked.ports.count(kRobotPort) != 0) {
+    std::cout << "RCServer listening on " << options.bind_address << ":" << machine.hostPort(kRobotPort) << "\n";
+  }
+  std::cout << std::flush;
 }
 
 openr_host::Machine* stoppable_machine = nullptr;
@@ -209,7 +252,7 @@ void run(const Options& options) {
   if (!options.microphone.empty()) {
     robot.hear(options.microphone);
   }
-  openr_host::MachineOptions machine_options = machineOptions(options, robot.stick());
+  openr_host::MachineOptions machine_options = machineOptions(options, robot);
   machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
   std::optional<PictureLog> picture_log;
   if (!options.picture_log.empty()) {
@@ -225,7 +268,7 @@ void run(const Options& options) {
   setHostSettings(host);
   stopOnSignal(machine);
   machine.boot();
-  announce(machine, options);
+  announce(machine, machine_options, options);
   machine.run();
   machine.shutdown();
   std::cout << "Stopped" << std::endl;

@@ -7,7 +7,8 @@
 #include <cerrno>
 #include <system_error>
 
-// Opening it for reading, too, lets a pipe be opened before its reader, and stay open after its reader has left.
+// The file is also opened for reading. So a pipe can be opened before it has a reader, and stays open after its reader
+// has left.
 PictureLog::PictureLog(const std::string& path)
     : descriptor_(::open(path.c_str(), O_RDWR | O_CREAT | O_TRUNC | O_NONBLOCK | O_CLOEXEC, 0666)) {
   if (descriptor_ < 0) {

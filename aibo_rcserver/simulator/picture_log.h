@@ -8,7 +8,8 @@
 
 #include "simulator/sent_pictures.h"
 
-/// Logs when the camera took each picture that is sent, because version 1 of the protocol does not tell.
+/// Logs the time at which the camera took each picture that is sent, because version 1 of the protocol does not
+/// transmit it.
 ///
 /// Each line has the time when the objects got the camera's image, in nanoseconds since 1970; the size of the JPEG in
 /// bytes; and its CRC-32, in decimal. aibo_monitor reads the log. A line is written before the last bytes of its

@@ -13,6 +13,7 @@ import subprocess
 import tempfile
 import threading
 import unittest
+import wave
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
@@ -311,7 +312,8 @@ class Version2(OnBothVersions, TestCase):
 
     def test_plays_a_motion_to_its_end(self):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
-        self.assertEqual(self.json("play", "nod"), {"motion": "NOD.MTN", "to_its_end": True, "changes": ""})
+        answer = self.json("play", "nod")
+        self.assertEqual((answer["motion"], answer["to_its_end"], answer["changes"]), ("NOD.MTN", True, ""))
 
     def test_stands_walks_and_rests(self):
         self.assertEqual(self.json("stand"), {"posture": "stand"})
@@ -387,6 +389,89 @@ class WithPermission(TestCase):
         self.assertEqual((self.folder / "mine.jpg").read_text(), "precious")
         self.assertIn("mine.jpg", os.listdir(self.folder))
         self.assertNotIn("AIBO0001.JPG", os.listdir(self.folder))
+
+
+class WithSound(TestCase):
+    """A robot that hears 1000 in its left ear and -1000 in its right one."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("heard.wav", struct.pack("<hh", 1000, -1000) * 16000 * 60, channels=2)
+
+    def start(self, settings="ALLOW_MICROPHONE=yes\n"):
+        stick = self.folder / "stick"
+        shutil.copytree(STICK, stick)
+        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(settings)
+        self.robot = SimulatedRobot("--memory-stick", stick, "--microphone", self.folder / "heard.wav",
+                                    "--speaker", self.folder / "played.wav")
+        self.addCleanup(self.robot.end)
+
+    def write(self, name, samples, channels=1):
+        with wave.open(str(self.folder / name), "wb") as file:
+            file.setparams((channels, 2, 16000, 0, "NONE", ""))
+            file.writeframes(samples)
+
+    def install_speech(self):
+        """A program in place of espeak-ng, which keeps the text."""
+        program = self.folder / "bin/espeak-ng"
+        program.parent.mkdir()
+        program.write_text(f"#!/bin/sh\ncat > '{self.folder}/text'\ncat '{self.folder}/bark.wav' > \"$5\"\n")
+        program.chmod(0o755)
+        path = os.environ["PATH"]
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        os.environ["PATH"] = f"{program.parent}:{path}"
+
+    def test_records_what_the_robot_hears_also_the_second_time(self):
+        self.start()
+        for name, channels in (("a.wav", 2), ("b.wav", 1)):
+            heard = self.json("listen", name, "--seconds", "0.5", *(["--mono"] if channels == 1 else []))
+            with wave.open(str(self.folder / name)) as file:
+                self.assertEqual((file.getnchannels(), file.getsampwidth(), file.getframerate()), (channels, 2, 16000))
+                self.assertGreaterEqual(file.getnframes(), 8000)
+                self.assertGreaterEqual(heard["seconds"], 0.5)
+                end = struct.pack("<hh", 1000, -1000) if channels == 2 else bytes(4)
+                self.assertEqual(file.readframes(8000)[-4:], end)
+        self.assertIn("File exists", self.aibo("listen", "a.wav", "--seconds", "0.5", status=FAILED).errors)
+
+    def test_shows_the_level(self):
+        self.start()
+        self.assertIn("level -30 dB", self.aibo("listen", "--seconds", "1.5").errors)
+
+    def test_is_deaf_unless_the_owner_allows_it_to_hear(self):
+        self.start("")
+        self.assertIn("ALLOW_MICROPHONE=yes", self.aibo("listen", "a.wav", "--seconds", "1", status=FAILED).errors)
+        self.assertFalse((self.folder / "a.wav").exists())
+
+    def test_plays_and_says_to_the_end_and_again(self):
+        self.start()
+        self.write("bark.wav", struct.pack("<h", 500) * 4000)
+        self.install_speech()
+        for words in (["play-sound", "bark.wav", "--volume", "3"], ["say", "--", "--stdin", "$(reboot)"],
+                      ["play-sound", "bark.wav"]):
+            self.assertTrue(self.json(*words)["to_its_end"], words)
+        self.assertEqual((self.folder / "text").read_text(), "--stdin $(reboot)")
+        self.assertIn("missing.wav", self.aibo("play-sound", "missing.wav", status=FAILED).errors)
+        self.assertIn("no WAV, FLAC or Ogg", self.aibo("play-sound", "text", status=FAILED).errors)
+
+    def test_ctrl_c_stops_a_sound(self):
+        self.start()
+        self.write("long.wav", struct.pack("<h", 500) * 16000 * 60)
+        with start("play-sound", "long.wav", port=self.robot.port, cwd=self.folder) as play:
+            while (self.folder / "played.wav").stat().st_size < 8000:
+                self.assertIsNone(play.poll())
+            play.send_signal(signal.SIGINT)
+            self.assertEqual(play.wait(60), 130)
+            play.communicate()
+        size = (self.folder / "played.wav").stat().st_size
+        self.assertLess(size, 16000 * 2 * 30)
+        self.assertTrue(self.json("joints")["joints"])
+
+    def test_a_robot_without_sound_is_said(self):
+        server = ScriptedServer(says_hello(b"RCServer"))
+        self.addCleanup(server.end)
+        self.write("bark.wav", bytes(4000))
+        for words in (["listen"], ["play-sound", "bark.wav"]):
+            self.assertIn("newer RCServer", self.aibo(*words, port=server.port, status=FAILED).errors)
 
 
 class Lost(TestCase):

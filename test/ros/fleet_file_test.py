@@ -55,8 +55,8 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: !!python/object/apply:os.system [true]}}', 'it is not YAML')
 
     def test_mistakes_are_refused(self):
-        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' is there twice")
-        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' is there twice")
+        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' appears twice")
+        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' appears twice")
         self.assert_refused('robots: {a: {port: 1}}', "robot 'a' has no host")
         self.assert_refused('robots: {a: h}', "robot 'a' has no host")
         self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
@@ -164,6 +164,12 @@ class RvizConfigurationTest(unittest.TestCase):
         made = rviz.configuration(self.template, [('left', 'port')])
         frame = self.template[rviz.MANAGER]['Global Options']['Fixed Frame']
         self.assertEqual(made[rviz.MANAGER]['Global Options']['Fixed Frame'], 'port/' + frame)
+
+    def test_the_view_follows_a_single_robot(self):
+        followed = [rviz.configuration(self.template, robots, frame)[rviz.MANAGER]['Views']['Current']['Target Frame']
+                    for robots, frame in (([('left', 'port')], None), ([('left', '')], 'base_link'),
+                                          ([('left', 'port'), ('right', '')], 'fleet'))]
+        self.assertEqual(followed, ['port/base_link', 'base_link', '<Fixed Frame>'])
 
 
 if __name__ == '__main__':

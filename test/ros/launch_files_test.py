@@ -19,7 +19,8 @@ OTHER_VALUES = {
     'transport': 'udp', 'color_tables': '/srv/blue.yaml pink_ball', 'adaptive': True, 'max_picture_age': 0.3,
     'stream_on_start': False, 'stream_on_demand': True,
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
-    'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0, 'speed_scale': 0.5,
+    'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0,
+    'motion_speed_limit': 4.0, 'speed_scale': 0.5,
     'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'publish_odom_tf': False,
     'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
@@ -143,6 +144,10 @@ class LaunchFilesTest(unittest.TestCase):
         # link_quality is about the running driver, by which a listener knows that one runs.
         left_out = {'camera/image_raw', 'color_mask', 'color_regions', 'link_quality', '/tf', '/diagnostics'}
         self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out})
+
+    def test_playback_can_be_heard(self):
+        self.assertNotIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))
+        self.assertIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag', sound=True)))
 
     def test_recording_playback_and_view_of_two_robots_stay_apart(self):
         for name, required in (('record.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'}), ('view.launch', {})):

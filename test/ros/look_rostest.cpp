@@ -1,5 +1,6 @@
 // Looking at points, and the lights that rviz shows.
 
+#include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
@@ -190,18 +191,28 @@ TEST(BallFollower, LooksAtTheBallWhileItSeesIt) {
   TopicListener<PointStamped> points("/ball/look_at");
   const Process node({BALL_FOLLOWER, "__ns:=/ball"});
   TopicPublishers robot("/ball");
-  for (const auto& each : {ballAt(200, 10, 0), ballAt(200, 10, 5), ballAt(104, 80), ballAt(155.5F, 31.5F)}) {
+  std::vector<PointStamped::ConstPtr> seen;
+  for (int i = 0; i < 100 && seen.empty(); ++i) {  // the first ones may come before this program is connected
+    robot.publish("color_regions", ballAt(155.5F, 31.5F));
+    seen = points.waitForCount(1, std::chrono::milliseconds(kSafetyNet) / 100);
+  }
+  ASSERT_FALSE(seen.empty());
+  const PointStamped point = *seen.front();
+  EXPECT_EQ(point.header.frame_id, "camera_optical_frame");
+  EXPECT_EQ(point.header.stamp, ros::Time(7)) << "where the camera was then";
+  const double distance = 0.085 * 192 / 20;
+  EXPECT_NEAR(point.point.z, distance, 1e-3);
+  EXPECT_NEAR(point.point.x, distance * 52 / 192, 1e-3);
+  EXPECT_NEAR(point.point.y, -distance * 48 / 192, 1e-3);
+  for (const auto& each : {ballAt(200, 10, 0), ballAt(200, 10, 5), ballAt(104, 80), ballAt(10, 79.5F)}) {
     robot.publish("color_regions", each);
   }
-  ASSERT_FALSE(points.waitForCount(1).empty());
-  const auto point = points.waitForCount(1).front();
-  EXPECT_EQ(point->header.frame_id, "camera_optical_frame");
-  EXPECT_EQ(point->header.stamp, ros::Time(7)) << "where the camera was then";
-  const double distance = 0.085 * 192 / 20;
-  EXPECT_NEAR(point->point.z, distance, 1e-3);
-  EXPECT_NEAR(point->point.x, distance * 52 / 192, 1e-3);
-  EXPECT_NEAR(point->point.y, -distance * 48 / 192, 1e-3);
-  EXPECT_EQ(points.count(), 1u) << "nothing for no ball, for a speck, and for one in the middle";
+  const auto is_last = [](const PointStamped& each) { return each.point.x < 0; };
+  ASSERT_TRUE(points.waitFor(is_last));
+  for (const auto& each : points.waitForCount(1)) {
+    EXPECT_TRUE(is_last(*each) || each->point == point.point)
+        << "nothing for no ball, for a speck, and for one in the middle";
+  }
 }
 
 TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
@@ -225,6 +236,36 @@ TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
   EXPECT_TRUE(markers.waitFor([&shines](const MarkerArray& array) {
     return !shines(array, "port/base_link") && shines(array, "port/mouth_link");
   })) << "no LED is known to shine without a connection";
+}
+
+TEST(Room, IsShownWithTheBallWhereItIsNow) {
+  const Process node({AIBO_ROOM, "__ns:=/furnished"});
+  TopicListener<MarkerArray> rooms("/furnished/room");
+  TopicListener<Marker> balls("/furnished/room/ball");
+  ASSERT_FALSE(rooms.waitForCount(1).empty());
+  const auto room = rooms.waitForCount(1).front();
+  ASSERT_GT(room->markers.size(), 10U) << "floor, bone, station, pole, cubes";
+  const Marker& floor = room->markers.front();
+  EXPECT_EQ(floor.header.frame_id, "odom");
+  ASSERT_EQ(floor.points.size(), floor.colors.size());
+  EXPECT_TRUE(std::any_of(floor.colors.begin(), floor.colors.end(), [](const auto& color) { return color.r > 0.8F; }))
+      << "a white line";
+
+  TopicPublishers robot("/furnished");
+  aibo_driver::CameraState state;
+  const auto swing = [&](ros::Duration since_switched_on) {
+    state.header.stamp = ros::Time::now();
+    state.frame_number = static_cast<std::uint32_t>(since_switched_on.toSec() / 0.008);
+    robot.publish("camera/state", state);
+    balls.clear();
+    return balls.waitFor([&](const Marker& ball) {
+      const double seconds = (ros::Time::now() - state.header.stamp + since_switched_on).toSec();
+      return std::abs(ball.pose.position.y - 0.16 * std::sin(2 * M_PI * seconds / 6.0)) < 0.02 &&
+             ball.pose.position.x == 0.85;
+    });
+  };
+  EXPECT_TRUE(swing(ros::Duration(1.5)));
+  EXPECT_TRUE(swing(ros::Duration(604.5))) << "the robot was switched on at another time";
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {
   const auto status = driver.waitForExit(kSafetyNet);
   ASSERT_TRUE(status.has_value());
   EXPECT_NE(*status, 0);
-  driver.waitForOutput("/bad/aibo_driver/jpeg_quality is 101; allowed is a whole number, 1\\.\\.100", kSafetyNet);
+  driver.waitForOutput("/bad/aibo_driver/jpeg_quality is 101; it must be a whole number, 1\\.\\.100", kSafetyNet);
 }
 
 TEST(Node, WarnsOfAMisspeltParameter) {
@@ -222,7 +222,7 @@ TEST(Nodelet, StartedInTheRootNamespaceIsFoundUnderAibo) {
 
 TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
   Process nodelet = startNodelet("aibo_driver/AiboDriverNodelet", {"__ns:=/bad_nodelet", "_port:=0"});
-  nodelet.waitForOutput("port is 0; allowed is a whole number, 1\\.\\.65535", kSafetyNet);
+  nodelet.waitForOutput("port is 0; it must be a whole number, 1\\.\\.65535", kSafetyNet);
 }
 
 // The manager stays when one of its nodelets is unloaded. From then on nothing of the nodelet may be called: neither by

@@ -273,7 +273,7 @@ TEST(Orders, ARobotThatWasLiftedDoesNotWalkByItself) {
   ASSERT_TRUE(user.walks());
   user.states.clear();
   user.robot.type("lift on");
-  EXPECT_EQ(user.waitForEnd(Movement::WALK).how, EndedMovement::FELL);
+  EXPECT_EQ(user.waitForEnd(Movement::WALK, EndedMovement::FELL).how, EndedMovement::FELL);
   user.robot.type("lift off");
   std::this_thread::sleep_for(milliseconds(1000));
   EXPECT_LT(user.wayWithin(milliseconds(1000)), kStill);
@@ -284,7 +284,7 @@ TEST(Orders, ALegThatWasCommandedInAWalkStaysThere) {
   ASSERT_TRUE(user.walks());
   user.states.clear();
   user.publish("joint_command", command({{"left_front_rotator", 0.2}}));
-  EXPECT_EQ(user.waitForEnd(Movement::WALK).how, EndedMovement::REPLACED);
+  EXPECT_EQ(user.waitForEnd(Movement::WALK, EndedMovement::REPLACED).how, EndedMovement::REPLACED);
   EXPECT_EQ(user.waitForEnd(Movement::COMMAND).how, EndedMovement::DONE);
   EXPECT_LT(user.wayWithin(milliseconds(1000)), kStill);
   EXPECT_NEAR(user.joints.position("left_front_rotator"), 0.2, 0.05);

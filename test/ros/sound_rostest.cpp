@@ -16,10 +16,13 @@
 #include <string>
 #include <vector>
 
+#include "protocol/sound_requests.h"
 #include "support/memory_stick.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
+#include "support/version2_frames.h"
 #include "unit/sound/wav_files.h"
 
 namespace {
@@ -94,6 +97,43 @@ TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
       EXPECT_GT(messages[i]->header.stamp, messages[i - 1]->header.stamp);
     }
   }
+}
+
+/// Whether the driver's next request for the microphones switches them on.
+bool isSwitchedOn(test_support::ScriptedPeer* robot) {
+  namespace version2 = protocol::version2;
+  version2_frames::Frame request;
+  while ((request = robot->readFrame()).header.kind != version2::REQUEST_SOUND) {
+    const bool is_heartbeat = request.header.kind == version2::REQUEST_HELLO;
+    robot->send(version2_frames::makeFrame(version2::replyKind(request.header.kind), request.header.request_number,
+                                           is_heartbeat ? version2_frames::makeHello("F A") : request.payload));
+  }
+  EXPECT_EQ(request.header.id, version2::SOUND_MICROPHONE);
+  version2::MicrophoneSettings settings = {};
+  EXPECT_EQ(decode(request.payload.data(), request.payload.size(), &settings), nullptr);
+  robot->send(version2_frames::makeFrame('a', request.header.request_number, request.payload));
+  return (settings.mode & version2::MICROPHONE_ON) != 0;
+}
+
+TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConnection) {
+  test_support::ScriptedServer server;
+  DriverProcess driver("/listens", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
+  std::optional<test_support::ScriptedPeer> robot(server.accept());
+  robot->agreeToVersion2("F A");
+  for (int time = 0; time < 2; ++time) {
+    {
+      const TopicListener<Sound> listener("/listens/microphone");
+      EXPECT_TRUE(isSwitchedOn(&*robot)) << "time " << time;
+      const TopicListener<Sound> other("/listens/microphone");
+    }
+    EXPECT_FALSE(isSwitchedOn(&*robot)) << "time " << time;
+  }
+  const TopicListener<Sound> listener("/listens/microphone");
+  EXPECT_TRUE(isSwitchedOn(&*robot));
+  robot->close();
+  robot.emplace(server.accept());
+  robot->agreeToVersion2("F A");
+  EXPECT_TRUE(isSwitchedOn(&*robot)) << "over the next connection";
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {

@@ -172,7 +172,7 @@ void PictureServer::answerVersion1(const Request& request, Peer* peer) {
 void PictureServer::answerVersion2(const Request& request, Peer* peer) {
   switch (request.kind) {
     case version2::REQUEST_HELLO:
-      append(version2_frames::makeFrame('h', request.number, version2_frames::makeHello()), peer);
+      append(version2_frames::makeFrame('h', request.number, version2_frames::makeHello("F W J V T A")), peer);
       return;
     case version2::REQUEST_PICTURE:
       peer->owed.push_back(request.number);

@@ -33,7 +33,8 @@ const char* wordsOf(EndedHow how) {
 
 }  // namespace
 
-bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name, double seconds) {
+std::optional<std::string> waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name,
+                                      double seconds) {
   const auto is_it = [&](const aibo_client::MotionEnd& end) {
     return end.kind == kind && (name.empty() || end.name == name);
   };
@@ -41,7 +42,7 @@ bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& na
     return std::any_of(received.ends.begin(), received.ends.end(), is_it);
   };
   if (!robot.waitUntil(has_ended, nanosecondsOf(seconds))) {
-    return false;
+    return std::nullopt;
   }
   const Received received = robot.received();
   const aibo_client::MotionEnd end = *std::find_if(received.ends.begin(), received.ends.end(), is_it);
@@ -49,7 +50,7 @@ bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& na
     throw FailedException((name.empty() ? "the movement" : name) + " " + wordsOf(end.how) +
                           (end.reason.empty() ? "" : ": " + end.reason));
   }
-  return true;
+  return end.reason;
 }
 
 }  // namespace aibo_driver::command_line

@@ -2,6 +2,7 @@
 #ifndef AIBO_DRIVER_COMMAND_LINE_COMMANDS_ENDS_H
 #define AIBO_DRIVER_COMMAND_LINE_COMMANDS_ENDS_H
 
+#include <optional>
 #include <string>
 
 #include "aibo_client/motion_end.h"
@@ -12,10 +13,11 @@ namespace aibo_driver::command_line {
 /// Waits until the robot reports that it has finished something.
 /// @param name the name in MotionEnd; empty means any
 /// @param seconds the longest time to wait
-/// @return false if it has not ended within this time
+/// @return what the robot has said about its end, usually nothing; none if it has not ended within this time
 /// @throw FailedException it ended in another way; the message says so
 /// @throw NetworkException, Interrupted for the reasons of Robot::waitUntil()
-bool waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name, double seconds);
+std::optional<std::string> waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name,
+                                      double seconds);
 
 }  // namespace aibo_driver::command_line
 

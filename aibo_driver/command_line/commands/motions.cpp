@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,12 +17,11 @@
 namespace aibo_driver::command_line {
 namespace {
 
-namespace po = boost::program_options;
-
 constexpr std::chrono::milliseconds kPlayTimeout{2000};
 constexpr std::chrono::milliseconds kFileTimeout{5000};
 constexpr std::chrono::milliseconds kUploadTimeout{15000};
 constexpr double kLongestPlay = 3600;  // s
+constexpr double kLowestSpeed = 0.1;   // rad/s, as in the driver
 constexpr double kBlindPlay = 10;      // s, for a server that does not report ends
 
 ExitStatus list(const Arguments& arguments, Output& output) {
@@ -32,9 +32,9 @@ ExitStatus list(const Arguments& arguments, Output& output) {
 }
 
 /// Waits while a motion plays. It stops the motion when the time has passed, and at Ctrl-C.
-/// @return true if the motion has played to its end
-bool waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
-  bool done = false;
+/// @return what the robot has said about its end, if the motion has played to its end
+std::optional<std::string> waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
+  std::optional<std::string> done;
   try {
     if (robot.reportsEnds()) {
       done = waitForEnd(robot, aibo_client::EndedKind::kMotion, name, seconds);
@@ -53,25 +53,32 @@ bool waitWhileItPlays(Robot& robot, const std::string& name, double seconds) {
 
 ExitStatus play(const Arguments& arguments, Output& output) {
   const std::string name = files::motionFileName(arguments.words.front());
-  const int times = parseWholeNumber("--times", arguments.get<std::string>("times"), 1, 65535);
+  const int times = arguments.wholeNumber("times", 1, 65535);
   const bool limited = arguments.has("seconds");
-  double seconds =
-      limited ? parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestPlay) : kLongestPlay;
+  double seconds = limited ? arguments.number("seconds", 0.1, kLongestPlay) : kLongestPlay;
+  const double speed =
+      arguments.has("speed") ? parseAngularSpeed("--speed", arguments.get("speed")) : movement::kNoSpeedLimit;
+  if (!(speed >= kLowestSpeed && speed <= movement::kNoSpeedLimit)) {
+    throw aibo_client::InvalidArgumentException("--speed must be from 5.8deg/s (0.1 rad/s) to 1145deg/s (20 rad/s)");
+  }
   Robot robot(arguments.robot, output);
   robot.connect();
   if (!robot.reportsEnds() && !limited) {
     seconds = kBlindPlay;
     output.note("This server does not say when a motion ends, so it is stopped after 10 s (--seconds).");
   }
-  const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit);
-  movement::JointLink(robot.client(), table.design()).limitSpeeds(table.speedLimits());
+  const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit, speed);
+  movement::JointLink(robot.client(), table.design()).limitSpeeds(table.motionSpeedLimits());
   const std::string changes = robot.client().playMotion(name, times, kPlayTimeout);
   if (!changes.empty()) {
     output.note(name + " plays differently than in its file: " + changes + ".");
   }
-  const bool done = waitWhileItPlays(robot, name, seconds);
-  output.result(name + (done ? " was played to its end." : " was played, and stopped when its time was over."),
-                Json::object({{"motion", name}, {"to_its_end", done}, {"changes", changes}}));
+  const std::optional<std::string> done = waitWhileItPlays(robot, name, seconds);
+  const std::string remark = done && !done->empty() ? ": " + *done + "." : ".";
+  output.result(
+      name + (done ? " was played to its end" + remark : " was played, and stopped when its time was over."),
+      Json::object(
+          {{"motion", name}, {"to_its_end", done.has_value()}, {"changes", changes}, {"remark", done.value_or("")}}));
   return kDone;
 }
 
@@ -91,50 +98,34 @@ ExitStatus upload(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command motionsCommand() {
-  Command command;
-  command.name = "motions";
-  command.summary = "lists the motions on the robot's memory stick";
-  command.details = "A server of version 1 cannot list them; it plays them by name all the same.";
-  command.examples = {{"motions", "one name a line"}};
-  command.run = list;
-  return command;
-}
-
-Command playCommand() {
-  Command command;
-  command.name = "play";
-  command.synopsis = "MOTION";
-  command.summary = "plays a motion from the robot's memory stick";
-  command.details =
-      "It stays connected until the motion has ended, because the robot stops its motions when its client goes; Ctrl-C "
-      "stops it. The motors have to be on. Joints keep to the driver's usual speed limit, 3 rad/s.";
-  command.examples = {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}};
-  command.fewest_words = command.most_words = 1;
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("times", po::value<std::string>()->default_value("1")->value_name("N"),
-                          "how often, 1 to 65535")(
-        "seconds", po::value<std::string>()->value_name("S"),
-        "longest time to play; the default is to its end, or 10 if the server does not report ends");
-  };
-  command.run = play;
-  return command;
-}
-
-Command uploadCommand() {
-  Command command;
-  command.name = "upload";
-  command.synopsis = "FILE [NAME]";
-  command.summary = "stores a motion on the robot's memory stick";
-  command.details =
-      "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
-      "motion gets the name of its file: at most eight characters and .MTN.";
-  command.examples = {{"upload wave.mtn", "the robot can now play WAVE.MTN"}};
-  command.fewest_words = 1;
-  command.most_words = 2;
-  command.completions = {"FILE"};
-  command.run = upload;
-  return command;
+std::vector<Command> motionCommands() {
+  return {
+      {"motions",
+       "",
+       "lists the motions on the robot's memory stick",
+       "A server of version 1 cannot list them; it plays them by name all the same.",
+       {{"motions", "one name a line"}},
+       list},
+      {"play",
+       "MOTION",
+       "plays a motion from the robot's memory stick",
+       "It stays connected until the motion has ended, because the robot stops its motions when its client goes; "
+       "Ctrl-C stops it. The motors have to be on. Joints keep to the driver's usual speed limit, 3 rad/s.",
+       {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}},
+       play,
+       {{"times", "N", "1", "how often, 1 to 65535"},
+        {"speed", "V", "", "limit for all joints, such as 90deg/s"},
+        {"seconds", "S", "",
+         "longest time to play; the default is to its end, or 10 if the server does not report ends"}}},
+      {"upload",
+       "FILE [NAME]",
+       "stores a motion on the robot's memory stick",
+       "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
+       "motion gets the name of its file: at most eight characters and .MTN.",
+       {{"upload wave.mtn", "the robot can now play WAVE.MTN"}},
+       upload,
+       {},
+       {"FILE"}}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -37,7 +37,7 @@ std::vector<int> findLeds(const std::string& name, const robot_model::RobotModel
   return ids;
 }
 
-// Rounded up, so that the lowest intensity above 0 is not off.
+// Rounds up, so that the lowest intensity above 0 is not off.
 int ledLevel(double intensity) {
   constexpr double kRounding = 1e-4;  // 0.2 in a message is a float, and a little more than 0.2
   return static_cast<int>(std::ceil(intensity * kHighestLevel - kRounding));

@@ -112,7 +112,9 @@ void MotionServer::finish(Server::GoalHandle goal, const movement::EndedMovement
   PlayMotionResult result;
   result.success = static_cast<std::uint8_t>(end.how == EndedHow::kDone);
   result.end = endConstant(end.how);
-  result.message = end.how == EndedHow::kDone ? "It was played to its end." : end.reason;
+  result.message = end.how != EndedHow::kDone ? end.reason
+                   : end.reason.empty()       ? "It was played to its end."
+                                              : "It was played to its end: " + end.reason + ".";
   const bool was_cancelled = goal.getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING;
   if (end.how == EndedHow::kDone || end.how == EndedHow::kUnknown) {
     goal.setSucceeded(result, result.message);

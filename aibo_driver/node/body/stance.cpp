@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 // some error of the joints.
 constexpr double kTouch = 0.003;  // m
 
-// How far the accelerometer may be off. The value is our choice. Its errors and slight motion make less than this; a
+// How far the accelerometer may be off. The value is our choice. Its errors and slight motion are less than this. A
 // robot that somebody lifts tilts more.
 constexpr double kTrust = 0.26;  // rad: 15 degrees
 

@@ -31,7 +31,7 @@ double loadOf(const AdaptiveStream::Step& step) {
 /// through.
 constexpr double kPartOfFullLink = 0.95;
 
-/// With fewer pictures than in this time, their share says little.
+// The share of late pictures says little about less than this time.
 constexpr std::chrono::milliseconds kHalfASecond{500};
 
 /// The link is full if less than this part of the pictures that we ask for arrives.

@@ -38,7 +38,7 @@ class AdaptiveStream {
   static constexpr double kLate = 0.8;
   static constexpr std::chrono::milliseconds kSettling{250};  ///< pictures of the previous step are still on their way
   static constexpr std::chrono::seconds kCalmTime{3};
-  static constexpr std::size_t kMostArrivals = 256;  ///< of that time; a camera has 90, a hostile robot any number
+  static constexpr std::size_t kMostArrivals = 256;  ///< in that time; a camera sends 90, a hostile robot any number
   static constexpr double kCalm = 0.6;
   static constexpr std::chrono::seconds kTrial{60};
   static constexpr std::chrono::seconds kFirstWait{5};

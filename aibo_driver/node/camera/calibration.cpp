@@ -105,7 +105,7 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
   if (!is_file || resolved.find("${") != std::string::npos) {
     throw aibo_client::InvalidArgumentException(
         parameter +
-        "which does not name a file; allowed is file:///FILE.yaml, "
+        "which does not name a file; it must be file:///FILE.yaml, "
         "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
   }
   if (!in_package) {

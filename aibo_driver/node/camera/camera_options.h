@@ -15,7 +15,7 @@ constexpr double kCameraRate = 30.0;
 /// The lowest rate of a stream. With one picture a second or less, the stream would look like a broken one.
 constexpr double kLowestFrameRate = 2.0;
 
-/// The highest quality of a JPEG (report, section 3.3.6).
+/// The highest quality of a JPEG (section 3.3.6 of the report that README.md names).
 constexpr int kMaxQuality = 100;
 
 /// The resolutions that users may write, for messages.

@@ -16,7 +16,6 @@ namespace aibo_driver::node {
 /// The tables of the colour detection: the ones loaded at the start, and the service load_color_table.
 class ColorTableService {
  public:
-  /// @param model of the robot
   /// @param model, client must outlive the object
   /// @param loaded called with each table that a channel gets; with null if the channel has none any more
   ColorTableService(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,

@@ -18,6 +18,9 @@ void LinkMeter::add(const aibo_client::Picture& picture, double age, int every_n
   current_.bytes += picture.jpeg.size();
   current_.longest_gap = std::max(current_.longest_gap, secondsBetween(last_, now));
   last_ = now;
+  const double latency = secondsBetween(picture.first_byte_time, now);
+  latency_sum_ += latency;
+  current_.max_latency = std::max(current_.max_latency, latency);
   if (picture.frame_number) {
     ++aged_;
     age_sum_ += age;
@@ -42,11 +45,17 @@ std::uint64_t LinkMeter::imagesDue(const aibo_client::Picture& picture, int ever
   return std::max<std::uint64_t>((*picture.image_count - *before) / static_cast<std::uint32_t>(every_nth_image), 1);
 }
 
-LinkMeter::Reading LinkMeter::read(SteadyTime now) {
+LinkMeter::Reading LinkMeter::read(SteadyTime now, double asked_rate) {
   const std::lock_guard<std::mutex> lock(mutex_);
   Reading reading = std::exchange(current_, Reading());
   reading.seconds = secondsBetween(std::exchange(begin_, now), now);
   reading.longest_gap = std::max(reading.longest_gap, secondsBetween(last_, now));
+  if (reading.pictures > 0) {
+    reading.mean_latency = std::exchange(latency_sum_, 0) / static_cast<double>(reading.pictures);
+  }
+  const double due = std::min(asked_rate, std::exchange(last_asked_rate_, asked_rate));
+  slow_for_ = reading.picturesPerSecond() < due / 2 ? slow_for_ + reading.seconds : 0;
+  reading.slow_for = slow_for_;
   if (aged_ > 0) {
     reading.mean_age = std::exchange(age_sum_, 0) / static_cast<double>(std::exchange(aged_, 0));
   }

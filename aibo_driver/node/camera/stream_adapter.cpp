@@ -57,8 +57,9 @@ void StreamAdapter::picturePublished(SteadyTime now, std::optional<SteadyTime> t
   if (const auto step = stream_->pictureArrived(now, now - *taken)) {
     ask(*step);
     const double age = std::chrono::duration<double>(now - *taken).count();
-    log_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, allowed are " +
-              std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms: the stream is " + describeStep() + ".");
+    log_.warn("Adaptive: the last picture is " + std::to_string(inMilliseconds(age)) + " ms old, and at most " +
+              std::to_string(inMilliseconds(wish_->max_picture_age)) + " ms are allowed: the stream is " +
+              describeStep() + ".");
   }
 }
 

@@ -38,6 +38,7 @@ std::string describe(const MotionState& state) {
   std::string text;
   for (const Movement& movement : state.movements) {
     text += (text.empty() ? "moved by " : " and ") + describe(movement);
+    text += movement.source.empty() ? "" : " from " + movement.source;
   }
   text = text.empty() ? "nothing moves the robot" : text;
   if (state.ended.empty()) {

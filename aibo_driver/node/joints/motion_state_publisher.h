@@ -17,11 +17,11 @@ namespace aibo_driver::node {
 /// The largest number of ends in a MotionState.
 constexpr std::size_t kEndsInMessage = 8;
 
-/// The constant of EndedMovement.
+/// The constant of EndedMovement for this end.
 std::uint8_t endConstant(aibo_client::EndedHow how);
 
 /// Makes a message with at most kEndsInMessage ends.
-/// @param steady_now, now the same time by two clocks; the stamps are by the second one
+/// @param steady_now, now the same time on the two clocks; the stamps are those of the second one
 MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now);
 
 /// Makes a message, without a stamp, of what the robot can do now.

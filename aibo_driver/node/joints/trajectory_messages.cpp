@@ -25,7 +25,7 @@ std::chrono::nanoseconds waitBeforeStart(const ros::Time& stamp, const ros::Time
   if (wait < -kLongestPast || wait > kLongestWait) {
     throw aibo_client::InvalidArgumentException(
         "header.stamp, when it should begin, is " + std::to_string(std::abs(wait)) +
-        (wait < 0 ? " s ago" : " s ahead") + "; allowed is from 1 s ago to an hour ahead, or 0, which means at once.");
+        (wait < 0 ? " s ago" : " s ahead") + "; it must be from 1 s ago to an hour ahead, or 0, which means at once.");
   }
   return std::chrono::nanoseconds(std::llround(wait * 1e9));
 }

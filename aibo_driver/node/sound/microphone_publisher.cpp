@@ -14,7 +14,7 @@ constexpr std::uint32_t kQueueSize = 64;  // a second
 MicrophonePublisher::MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                          robot_time::RobotClock* robot_clock)
     : frame_id_(parameters.frame("base_link")),
-      settings_({true, parameters.microphone_channels, aibo_client::kSoundRate}),
+      settings_({true, parameters.microphone_channels, aibo_client::kSoundRate, parameters.sound_priority}),
       stamper_(robot_clock, parameters.time_offset) {
   const ros::SubscriberStatusCallback on_change = [this](const ros::SingleSubscriberPublisher&) {
     subscribersChanged();

@@ -7,7 +7,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// More than a full turn means that nothing is known.
+// With a standard deviation of half a turn, the direction is unknown.
 constexpr double kLargestTurnVariance = kPi * kPi;
 
 double square(double value) {

@@ -37,7 +37,7 @@ void WalkCommander::subscribe(const ros::NodeHandle& handle) {
 void WalkCommander::receive(const Twist& message, const movement::Order& order) {
   if (!isFinite(message.linear) || !isFinite(message.angular)) {
     mover_.refuse(order, movement::Movement::Kind::kWalk, {},
-                  "it has a value that is not a number or infinite. Without a good one the robot stops.");
+                  "it has a value that is NaN or infinite. Without a good message the robot stops.");
     return;
   }
   const aibo_client::WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};

@@ -9,18 +9,18 @@
 
 namespace aibo_driver::ball {
 
-constexpr double kBallRadius = 0.0425;  ///< m, the pink ball's
+constexpr double kBallRadius = 0.0425;  ///< m, the radius of the pink ball
 
 /// A ball as the camera sees it.
 struct Ball {
-  double left;      ///< of the middle of the picture, as the tangent of the angle; negative: on the right
-  double distance;  ///< m from the camera, from how large it looks
+  double left;      ///< the tangent of the angle to the left of the picture's middle; negative: to the right
+  double distance;  ///< m from the camera, from its size in the picture
 };
 
-/// Finds the largest round patch of detected pixels. A ball looks as wide as high. The robot's bone is just as pink,
-/// but it has another shape. So it is told from the ball even if both are in the picture.
+/// Finds the largest round patch of detected pixels. A ball looks as wide as it is high. The robot's bone is just as
+/// pink, but it has another shape, so the ball is found even if both are in the picture.
 /// @param mask an image of color_mask: rgb8, black where nothing was detected
-/// @return empty if there is no ball, or if this is no such image
+/// @return empty if there is no ball, or if the image is of another kind
 std::optional<Ball> findBall(const sensor_msgs::Image& mask);
 
 }  // namespace aibo_driver::ball

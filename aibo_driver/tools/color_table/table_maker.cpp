@@ -57,7 +57,7 @@ void checkRegion(const node::BgrImage& picture, const Region& region) {
   }
   if (region.width * region.height < kFewestPixels) {
     throw aibo_client::InvalidArgumentException("the region has " + std::to_string(region.width * region.height) +
-                                                " pixels; it takes at least " + std::to_string(kFewestPixels));
+                                                " pixels; it must have at least " + std::to_string(kFewestPixels));
   }
 }
 

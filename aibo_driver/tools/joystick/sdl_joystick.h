@@ -14,7 +14,7 @@ namespace joystick {
 /// A joystick or gamepad that SDL reads. It may be plugged in and pulled out at any time. There can be only one object
 /// of this class at a time, and only one thread may use it.
 ///
-/// Axes and buttons are ordered as joy_node orders them: first the axes, then two for each hat, in Linux' order.
+/// Axes and buttons are ordered as joy_node orders them: first the axes, then two axes for each hat, in Linux' order.
 class SdlJoystick {
  public:
   /// @param number the number of the joystick; 0 is the first one

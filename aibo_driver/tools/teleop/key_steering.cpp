@@ -35,8 +35,8 @@ aibo_client::WalkVelocity KeySteering::velocity(TimePoint now) const {
   return {direction_.forward * speeds_.forward, direction_.left * speeds_.left, direction_.turn * speeds_.turn};
 }
 
-// When the robot walks backward in a curve, it goes towards the key. For m it goes to the left and back, so it has to
-// turn to the right.
+// A key shows the direction in which the robot goes. For m it goes back and to the left, so it has to turn to
+// the right.
 KeySteering::Direction KeySteering::directionOf(char key) {
   switch (key) {
     case 'i':

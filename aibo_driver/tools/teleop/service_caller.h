@@ -25,7 +25,7 @@ class ServiceCaller {
   template <typename Service>
   void call(const std::string& name, const typename Service::Request& request) {
     if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
-      ROS_WARN_STREAM("The call of " << name << " is left out: the one before it has not ended yet.");
+      ROS_WARN_STREAM(name << " is not called: the previous call has not ended yet.");
       return;
     }
     call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {

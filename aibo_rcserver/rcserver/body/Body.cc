@@ -25,7 +25,7 @@ Body::Body()
   sensor_driver_.Open();
 }
 
-// The robot's table; also creates the command vectors.
+// Finds the robot's table, and creates the command vectors.
 const RobotModel& Body::FindModel() {
   design_[0] = '\0';
   OPENR::GetRobotDesign(design_);
@@ -82,7 +82,7 @@ bool Body::AddVector(OSubject* effector) {
   return true;
 }
 
-// A motion has come to places where ears flick.
+// Flicks the ears that motions want to flick now.
 void Body::FlickEars() {
   for (int ear = 0; ear < model_.number_of_ears; ++ear) {
     if (Joints().Motions().TakeFlick(ear)) {
@@ -107,7 +107,7 @@ void Body::WatchWalk(longword frame) {
                                       -Acceleration("acceleration_up_down"), TouchesFloor()};
   walker.Measured(reading, frame);
   if (walker.GoesSoft()) {
-    OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are soft\n", FallWatch::Words(walker.Fall().Now())));
+    OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are limp\n", FallWatch::Words(walker.Fall().Now())));
   }
   if (walker.WantsMotorsOff()) {
     joint_driver_.Switch(false);

@@ -16,17 +16,17 @@
 #include "rcserver/sound/Microphone.h"
 #include "rcserver/sound/Speaker.h"
 
-/// Joints, sensors, LEDs and ears, opened by the table of the robot's design, and the two gates that they share.
+/// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///
-/// Commands are sent only while something changes: at rest, joints hold and LEDs shine as they were last commanded, and
-/// the first command after a rest is output from the next frame on. It takes two vectors at once, and each READY brings
-/// one more, so that the next vector always waits when one has been output, and an answer to READY may take as long as
-/// a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same). Commands to LEDs and ears go
-/// with those to joints and delay none.
+/// Commands are sent only while something changes. Otherwise, joints and LEDs keep the state that was last commanded,
+/// and the first new command is output from the next frame on. Output begins with two vectors, and each READY is
+/// answered with one more. So a vector always waits while another is output, and the answer to READY may take as long
+/// as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same). Commands to LEDs and ears
+/// share vectors with those to joints and delay none.
 class Body {
  public:
-  /// Opens everything. Parts that do not open are left out, and the console says why: a robot whose design has no table
-  /// has no parts at all.
+  /// Opens everything. Parts that do not open are left out, and the console says why. A robot whose design has no table
+  /// has no parts.
   Body();
 
   /// The design's name, as OPEN-R has it.
@@ -41,20 +41,20 @@ class Body {
   Microphone& Hearing() { return microphone_; }
   Speaker& Voice() { return speaker_; }
 
-  /// Sends the next command vectors if they are due and the robot can take them. Call when something was commanded.
+  /// Sends the next command vectors if they are due and the robot can take them. Call it after every command.
   /// @param effector gate to OVirtualRobotComm.Effector
   void SendCommands(OSubject* effector);
 
-  /// READY has come: sends the next vectors.
+  /// Call on READY: sends the next vectors.
   void EffectorIsReady(OSubject* effector);
 
-  /// Reads what joints and sensors report. A robot that has fallen stops walking, and goes soft; one that has lain down
-  /// to rest has its motors switched off.
+  /// Reads the reports of joints and sensors. A robot that has fallen stops walking, and its motors go off if it stays
+  /// down. The motors also go off when the robot has lain down to rest.
   /// @param[out] frame the last frame in the vector
   /// @return false if there is no report in it
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
 
-  /// Switches the motors off at once, whatever they do.
+  /// Switches the motors off at once, even while the joints move.
   void CutMotors();
 
   /// Switches the motors off, then shuts the robot down. A button press boots it again; with `reboots`, it boots by

@@ -8,7 +8,7 @@ using protocol::version2::CameraSetting;
 
 namespace {
 
-// The same on an ERS-7 and an ERS-210 (Model Information).
+// An ERS-7 and an ERS-210 have the same locator (Model Information).
 const char LOCATOR[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 const int CAMERA = 0;
 

@@ -6,11 +6,10 @@
 #include "protocol/camera_settings.h"
 #include "rcserver/body/Primitives.h"
 
-/// Sets the camera, and knows what it is set to. OPEN-R has no request that reads a setting, so this assumes that the
-/// camera starts as Sony says (protocol::version2::defaultCameraSettings()) and that nobody else sets it.
+/// Sets the camera, and keeps its settings. OPEN-R cannot read a setting back, so this assumes that the camera starts
+/// with Sony's defaults (protocol::version2::defaultCameraSettings()) and that no other object sets it.
 ///
-/// The camera's primitive is opened when it is first needed, so that a robot whose settings nobody changes is left
-/// alone.
+/// The camera's primitive is opened when the first setting is changed.
 class CameraControl {
  public:
   CameraControl();
@@ -22,14 +21,14 @@ class CameraControl {
   /// The camera's primitive, if it is open.
   OPrimitiveID Id() const;
 
-  /// @param value that the setting has (protocol::version2::problemOfCameraValue())
+  /// @param value valid for the setting (protocol::version2::problemOfCameraValue())
   /// @return false if the robot refuses; then nothing changes, and the console says why
   bool Set(protocol::version2::CameraSetting setting, unsigned char value);
 
-  /// What is in force.
+  /// The settings in force.
   const protocol::version2::CameraSettings& Settings() const { return settings_; }
 
-  /// Sets everything as it was at the start, for the next client.
+  /// Restores the defaults for the next client.
   void ClientGone();
 
  private:

@@ -9,17 +9,18 @@
 #include "protocol/color_requests.h"
 #include "rcserver/body/CameraControl.h"
 
-/// Gives the camera its tables, and knows which channels have one. A robot that nobody gives a table is left alone.
+/// Loads tables into the camera, and knows which channels have one. The camera's primitive is opened for the first
+/// table.
 class ColorTables {
  public:
   /// @param camera must outlive this
-  /// @param channels how many the camera has (robot_model.h)
+  /// @param channels number of channels that the camera has (robot_model.h)
   ColorTables(CameraControl& camera, int channels);
   ~ColorTables();
 
   int NumberOfChannels() const { return channels_; }
 
-  /// The channels that have a table which is not empty: bits, as in the pixels of the plane.
+  /// The channels with a non-empty table, as bits like those in the pixels of the plane.
   unsigned char Loaded() const { return loaded_; }
 
   /// Replaces the table of a channel.

@@ -4,6 +4,8 @@
 #include <OPENR/OSyslog.h>
 #include <string.h>
 
+#include "rcserver/SystemMilliseconds.h"
+
 using robot_model::Joint;
 using robot_model::MAX_JOINTS;
 using robot_model::PidGains;
@@ -51,6 +53,7 @@ void JointDriver::Fill(RCRegion* vector) {
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     data[i] = CommandVectors::Add(vector, odataJOINT_COMMAND2, primitives_.Id(i), CommandVectors::FRAMES);
   }
+  joints_.Motions().SetTime(SystemMilliseconds());
   for (int frame = 0; frame < CommandVectors::FRAMES; ++frame) {
     if (state_ == ON) {
       joints_.NextFrame();

@@ -10,15 +10,15 @@
 #include "rcserver/body/Primitives.h"
 #include "rcserver/joints/JointControl.h"
 
-/// Opens the joints by the table of the robot's design, switches their motors, passes their reports on to JointControl,
-/// and commands them to where its planner wants them.
+/// Opens the joints in the table of the robot's design, switches their motors, passes their reports to JointControl,
+/// and commands the positions that its planner computes.
 ///
-/// Gains go on only after the joints' present positions have been commanded and output, so that nothing moves: first
-/// EnableJointGain, then SetJointGain, because OPEN-R ignores a gain that is set earlier (Level2 Reference Guide, pages
-/// 70 and 71). A joint that gets no gain is reported as a fault.
+/// Gains go on only after the joints' current positions have been commanded and output, so that no joint moves.
+/// EnableJointGain comes before SetJointGain, because OPEN-R ignores a gain that is set earlier (Level2 Reference
+/// Guide, pages 70 and 71). A joint that gets no gain is reported as a fault.
 class JointDriver : public MotorSwitch {
  public:
-  /// Opens the joints. If one does not open, the robot counts as one without joints, and the console says why.
+  /// Opens the joints. If one does not open, the robot is treated as having no joints, and the console says why.
   /// @param robot must outlive this
   explicit JointDriver(const robot_model::RobotModel& robot);
   virtual ~JointDriver() {}
@@ -28,21 +28,21 @@ class JointDriver : public MotorSwitch {
   virtual bool AreOn() const { return state_ != OFF; }
   virtual bool Switch(bool on);
 
-  /// True if the joints have to be commanded.
+  /// True if the joints must be commanded.
   bool HasCommand() const;
 
   /// Adds commands to all joints.
   /// @param vector of CommandVectors
   void Fill(RCRegion* vector);
 
-  /// The vector that was filled has been sent.
-  /// @param vectors_ahead sent before it, and not completely output yet
+  /// Call after the filled vector has been sent.
+  /// @param vectors_ahead number of vectors sent before it whose output is not complete
   void Sent(int vectors_ahead);
 
-  /// The output of the oldest vector that was sent is complete, whether it was filled here or not.
+  /// Call when the output of the oldest sent vector is complete, even if it was not filled here.
   void OutputIsComplete();
 
-  /// Passes the joints' reports on.
+  /// Passes the joints' reports to JointControl.
   /// @param[out] frame the last frame in the vector; untouched if no joint reports
   /// @return false if no joint reports
   bool ReadSensors(OSensorFrameVectorData* sensors, longword* frame);
@@ -50,7 +50,7 @@ class JointDriver : public MotorSwitch {
  private:
   enum State {
     OFF,
-    GOING_ON,  ///< present positions are being commanded
+    GOING_ON,  ///< current positions are being commanded
     ON
   };
 
@@ -69,7 +69,7 @@ class JointDriver : public MotorSwitch {
   const robot_model::RobotModel& robot_;
   JointControl joints_;
   State state_;
-  int vectors_until_gains_;  ///< in GOING_ON: vectors that must be output first; 0: none has been sent
+  int vectors_until_gains_;  ///< in GOING_ON: vectors that must be output first; 0 if none has been sent
   int commanded_[robot_model::MAX_JOINTS];
   longword now_;  ///< frame of the last report
 };

@@ -12,7 +12,7 @@ namespace {
 const LightDriver::LedState OFF = {0, false};
 const unsigned char FULL = 255;
 
-// LEDs need one command, which lasts as long as the commands to joints in the same vector.
+// An LED needs one command, which lasts as long as the joint commands in the same vector.
 OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind kind) {
   OCommandValue command;
   if (kind == LED2) {
@@ -26,7 +26,7 @@ OCommandValue CommandOf(const LightDriver::LedState& state, robot_model::LedKind
   return command;
 }
 
-// Ears are commanded frame by frame. JOINT_COMMAND3 has the state at the same place, and no period.
+// Ears are commanded frame by frame. JOINT_COMMAND3 has the state in the same place, but no period.
 OCommandValue CommandOf(bool is_drawn, robot_model::EarKind kind) {
   OCommandValue command;
   const word period = kind == EAR_JOINT4 ? 1 : 0;
@@ -132,7 +132,7 @@ void LightDriver::CommandLed(RCRegion* vector, int led) {
   data->value[0] = CommandOf(commanded_[led], kind);
 }
 
-// Ears that rest are commanded too, so that an ear is let go even if a command is lost.
+// Resting ears are commanded too, so that an ear is released even if a command is lost.
 void LightDriver::CommandEars(RCRegion* vector) {
   OCommandData* data[MAX_EARS] = {};
   for (int i = 0; i < robot_.number_of_ears; ++i) {

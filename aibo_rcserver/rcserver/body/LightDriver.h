@@ -9,14 +9,14 @@
 #include "rcserver/body/Primitives.h"
 #include "robot_model/robot_model.h"
 
-/// Keeps the wanted state of LEDs and ears, and commands those that change. They are numbered by their index in the
-/// robot's table; time is in OPEN-R frames of 8 ms.
+/// Keeps the wanted state of LEDs and ears, and commands changes. LEDs and ears are numbered by their index in the
+/// robot's table. Time is in OPEN-R frames of 8 ms.
 ///
-/// An ear is moved by a magnet, which must not stay energised (Model Information ERS-7). So an ear is drawn for 128 ms,
-/// as in Sony's samples, and let go; then it rests for as long before it can be drawn again.
+/// A magnet moves an ear and must not stay energised (Model Information ERS-7). So an ear is drawn for 128 ms, as in
+/// Sony's samples, and released. It then rests for 128 ms before it can be drawn again.
 class LightDriver {
  public:
-  /// How an LED shines.
+  /// The state of an LED.
   struct LedState {
     unsigned char intensity;  ///< 0..255; 0 or 255 for an LED that is only on or off
     bool is_mode_b;           ///< always false for an LED that is only on or off
@@ -26,9 +26,9 @@ class LightDriver {
     }
   };
 
-  static const int EAR_FRAMES = 16;  ///< for which an ear is drawn, and for which it rests
+  static const int EAR_FRAMES = 16;  ///< how long an ear is drawn, and how long it then rests
 
-  /// All LEDs are off, all ears let go.
+  /// All LEDs are off, and all ears are released.
   /// @param robot must outlive this
   explicit LightDriver(const robot_model::RobotModel& robot);
 
@@ -41,18 +41,18 @@ class LightDriver {
   int FindLed(int identifier) const { return findLedByIdentifier(robot_, identifier); }
   int FindEar(int identifier) const { return findEarByIdentifier(robot_, identifier); }
 
-  /// @return what the LED can show of it
+  /// @return the state that the LED can show
   LedState SetLed(int led, const LedState& wanted);
   const LedState& Led(int led) const { return leds_[led]; }
 
-  /// Draws an ear or lets it go.
-  /// @return true if the ear is drawn now; while it rests, it cannot be
+  /// Draws or releases an ear.
+  /// @return true if the ear is drawn now; a resting ear cannot be drawn
   bool SetEar(int ear, bool draw);
 
-  /// Switches all LEDs off and lets all ears go, for the next client.
+  /// Switches all LEDs off and releases all ears, for the next client.
   void ClientGone();
 
-  /// True if an LED or ear has to be commanded.
+  /// True if an LED or ear must be commanded.
   bool HasCommand() const;
 
   /// Adds all commands to a vector. CommandVectors::FRAMES frames pass for the ears.
@@ -77,7 +77,7 @@ class LightDriver {
   Primitives ear_primitives_;
   LedState leds_[robot_model::MAX_LEDS];
   LedState commanded_[robot_model::MAX_LEDS];  ///< as each LED was last commanded
-  int frames_drawn_[robot_model::MAX_EARS];    ///< frames left until the ear is let go
+  int frames_drawn_[robot_model::MAX_EARS];    ///< frames left until the ear is released
   int frames_to_rest_[robot_model::MAX_EARS];
 };
 

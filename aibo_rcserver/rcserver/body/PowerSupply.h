@@ -6,26 +6,26 @@
 #include <OPENR/OPENR.h>
 #include <OPENR/OPower.h>
 
-/// Observes the pause button and the battery, either of which switches the robot off, as POWERMON.BIN of the SDK does:
-/// without one of the two programs, the pause button does nothing and the battery is run down. A battery that is being
-/// charged is never low.
+/// Observes the pause button and the battery, as the SDK's POWERMON.BIN does. Either one switches the robot off. If
+/// neither program runs, the pause button does nothing and the battery runs down. A battery that is being charged never
+/// counts as low.
 class PowerSupply {
  public:
   enum Alarm { NO_ALARM, PAUSE_PRESSED, BATTERY_LOW };
 
   PowerSupply() : was_pressed_(false), was_low_(false), is_observing_(false) {}
 
-  /// Asks OPEN-R to call an entry whenever button or battery change (Level2 Reference Guide, page 79). If it refuses,
-  /// the console says so.
+  /// Asks OPEN-R to call an entry whenever the button or the battery changes (Level2 Reference Guide, page 79). If it
+  /// refuses, the console says so.
   void Observe(const OServiceEntry& entry);
   void Unobserve();
 
-  /// Checks the present status. Call once at the start, because OPEN-R reports only changes. A button that is pressed
-  /// already is ignored until it is pressed again: it may have booted the robot.
+  /// Checks the current status. Call it once at the start, because OPEN-R reports only changes. A button that is
+  /// already pressed is ignored until it is pressed again, because it may have booted the robot.
   Alarm LookNow();
 
   /// Checks a status.
-  /// @return an alarm when it begins; if both begin, the button's
+  /// @return an alarm when it begins; if both begin at once, PAUSE_PRESSED
   Alarm Look(const OPowerStatus& status);
 
  private:

@@ -17,10 +17,10 @@ const robot_model::RobotModel EMPTY_ROBOT = {"", 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0
 /// Opens the primitives of a table and finds them again.
 class Primitives {
  public:
-  /// Most rows of a table.
+  /// Most rows that a table can have.
   static const int MAX_ROWS = 32;
 
-  /// What Find() returns for a primitive that is not one of these.
+  /// Returned by Find() for a primitive that is not open here.
   static const int NOT_OPEN = -1;
 
   Primitives();
@@ -48,7 +48,7 @@ class Primitives {
   OPrimitiveID ids_[MAX_ROWS];
 };
 
-/// Goes through the reports in a sensor vector that come from the primitives of one table; skips all others.
+/// Iterates over the reports in a sensor vector that come from the primitives of one table.
 class SensorReports {
  public:
   /// Both must outlive this.
@@ -86,7 +86,7 @@ class SensorReports {
 };
 
 /// Two command vectors that take turns: one is filled while the other is output. Each covers FRAMES frames of 8 ms.
-/// OPEN-R would take 16 frames at once; the fewer, the sooner a new command takes effect.
+/// OPEN-R takes up to 16 frames in a vector, but with fewer, a new command takes effect sooner.
 class CommandVectors {
  public:
   static const int FRAMES = 4;
@@ -95,12 +95,12 @@ class CommandVectors {
   CommandVectors();
   ~CommandVectors() { Destroy(); }
 
-  /// @param most_entries that a vector can have, one for each primitive that is commanded
+  /// @param most_entries the most entries in a vector, one for each commanded primitive
   /// @return false if OPEN-R refuses
   bool Create(int most_entries);
 
   /// A vector that is not being output.
-  /// @return NULL if both are
+  /// @return NULL if both are being output
   RCRegion* FindFree();
 
   /// Removes all entries.

@@ -8,12 +8,13 @@ namespace {
 
 const longword FRAMES_BETWEEN_POWER = 125;  // 1 s
 
-// From per cent to millionths.
+// The charge in millionths. OPEN-R has it in per cent.
 int ChargeOf(const OPowerStatus& status) {
   return std::min<int>(status.remainingCapacity, 100) * 10000;
 }
 
-// From tenths of a kelvin to millionths of a degree Celsius. No battery is hotter than 1000 kelvin.
+// The temperature in millionths of a degree Celsius. OPEN-R has it in tenths of a kelvin. Readings above 1000 K are
+// clamped, so that the result fits.
 int TemperatureOf(const OPowerStatus& status) {
   return (std::min<int>(status.temperature, 10000) * 2 - 5463) * 50000;
 }

@@ -21,18 +21,18 @@ class SensorDriver {
   int NumberOfSensors() const { return robot_.number_of_sensors; }
   const robot_model::Sensor& Sensor(int sensor) const { return robot_.sensors[sensor]; }
 
-  /// False as long as the sensor has measured nothing.
+  /// False until the sensor has measured something.
   bool HasValue(int sensor) const { return has_value_[sensor]; }
 
-  /// 0 as long as the sensor has measured nothing.
+  /// 0 until the sensor has measured something.
   int Value(int sensor) const { return values_[sensor]; }
 
-  /// Keeps the values that the sensors report.
+  /// Stores the values that the sensors report.
   /// @param[out] frame the last frame in the vector; untouched if no sensor reports
   /// @return false if no sensor reports
   bool Read(OSensorFrameVectorData* vector, longword* frame);
 
-  /// Keeps one value.
+  /// Stores one value.
   void Measured(int sensor, int value);
 
  private:

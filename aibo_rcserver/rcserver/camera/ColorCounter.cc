@@ -13,7 +13,7 @@ namespace {
 const size_t LARGEST_WIDTH = 104;
 const size_t LARGEST_HEIGHT = 80;
 
-// What has been counted of one channel. Sums of columns and rows fit: an ERS-7's plane has 8320 pixels.
+// The counts of one channel. The sums of columns and rows fit, because an ERS-7's plane has 8320 pixels.
 struct Count {
   unsigned pixels;
   unsigned sum_x;
@@ -24,7 +24,7 @@ struct Count {
   unsigned bottom;  // the last row
 };
 
-// Adds the pixels from column `begin` up to `end`, without it.
+// Adds the pixels from column `begin` up to, but not including, column `end`.
 void AddRun(unsigned begin, unsigned end, unsigned y, Count* count) {
   const unsigned pixels = end - begin;
   if (count->pixels == 0) {

@@ -7,36 +7,36 @@
 
 #include "protocol/color_requests.h"
 
-/// The plane of one camera image. Each pixel is a byte with a bit for each channel that has detected it, from channel 0
-/// in the lowest bit up (ocdtCHANNEL0 in OPENR/ODataFormats.h).
+/// The colour detection plane of one camera image. Each pixel is a byte with a bit for each channel that has detected
+/// it. Channel 0 is the lowest bit (ocdtCHANNEL0 in OPENR/ODataFormats.h).
 ///
-/// The camera overwrites the beginning of the last row (OPENR/OFbkImage.h), so that row is not part of the result, as
-/// in Sony's sample BallTrackingHead7.
+/// The camera overwrites the beginning of the last row (OPENR/OFbkImage.h), so that row is ignored, as in Sony's sample
+/// BallTrackingHead7.
 struct ColorPlane {
   const unsigned char* pixels;  ///< NULL: the camera's image has no such plane
   size_t width;                 ///< pixels
-  size_t height;                ///< pixels, with the last row
+  size_t height;                ///< pixels, including the last row
   size_t stride;                ///< bytes from one row to the next
 
-  /// How many rows have pixels.
+  /// Number of rows with valid pixels.
   size_t Rows() const { return height - 1; }
 };
 
-/// Counts the pixels of each channel, and finds their centroid and the box around them. Goes through the plane once,
-/// run by run, so that its time hardly depends on the number of channels.
+/// Counts the pixels of each channel, and finds their centroid and bounding box. It scans the plane once, run by run,
+/// so its time hardly depends on the number of channels.
 /// @param channels bits of the channels that are wanted
-/// @param[out] regions count and regions are set: one for each of these channels
+/// @param[out] regions its count and regions are set, with one region for each of these channels
 void countColors(const ColorPlane& plane, unsigned char channels, protocol::version2::ColorRegions* regions);
 
 /// Most bytes of a packed plane that is sent.
 const size_t MAX_PACKED_PLANE_SIZE = 80 * (104 + 1);
 
-/// True if a plane is not larger than an ERS-7's, so that it can be sent.
+/// True if a plane can be sent because it is not larger than an ERS-7's.
 bool canPackPlane(const ColorPlane& plane);
 
 /// Packs the plane row by row (protocol::version2::packColorPlane()). Its last row becomes empty.
 /// @param out room for MAX_PACKED_PLANE_SIZE bytes
-/// @return how many bytes it is
+/// @return the number of bytes
 size_t packPlane(const ColorPlane& plane, unsigned char* out);
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_COUNTER_H

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-// Names and comments of the states: report, section 3.3.2.
+// The names and comments of the states are those of the report, section 3.3.2.
 enum ImageObserverState {
   IOS_IDLE,        ///< do nothing
   IOS_PICTURE,     ///< take a picture
@@ -19,23 +19,24 @@ struct PictureOrder {
   unsigned char layer;            ///< protocol::version2::Layer; always 0 in version 1
   unsigned short request_number;  ///< of the `F` that asked for it, in version 2; 0 in a stream and in version 1
   bool is_of_stream;              ///< false: it is owed to an `F` or `M`
-  bool is_for_stick;              ///< owed to an `M`: the memory stick gets it, and not the client
+  bool is_for_stick;              ///< owed to an `M`, so it is stored on the memory stick and not sent
 };
 
 /// Decides which camera images become pictures, and of which kind.
 ///
-/// Every `F` is answered by exactly one picture, each from a different camera image, in the order of the requests.
-/// Pictures owed to `F` go before those of the stream, and remain owed when the stream stops.
+/// Every `F` is answered with exactly one picture, each from a different camera image, in the order of the requests.
+/// Pictures owed to `F` are sent before those of the stream, and remain owed when the stream stops.
 class ImageObserver {
  public:
-  /// Most pictures that can be owed at once: eight seconds of them. Only a client that floods the server reaches it.
+  /// Most pictures that can be owed at once: those of eight seconds. Only a client that floods the server reaches this
+  /// limit.
   static const size_t MAX_OWED = 256;
 
   ImageObserver();
 
   ImageObserverState State() const { return state_; }
 
-  /// The JPEG quality of the stream, or of the last one.
+  /// The JPEG quality of the current or last stream.
   unsigned char StreamQuality() const { return stream_order_.quality; }
 
   /// True unless the camera's images are known to lack the bands for double resolution.
@@ -57,17 +58,17 @@ class ImageObserver {
   /// `W` of version 2: stops the stream, if there is one.
   void StopStream();
 
-  /// A camera image has arrived and could be sent now. Leaves IOS_STOPSEND, which lasts for one image.
+  /// Call when a camera image has arrived and could be sent now. Leaves IOS_STOPSEND, which lasts for one image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
   /// @param[out] order the picture to make of it
   /// @return true if a picture is to be made of this image
   bool ImageArrived(unsigned image_count, PictureOrder* order);
 
-  /// A picture that has not been sent yet is made again from a later image.
+  /// Call when a picture that has not been sent is made again from a later image.
   /// @param order from ImageArrived()
   void TakeAgain(const PictureOrder& order, unsigned image_count);
 
-  /// True if a picture is still wanted: it is owed, or the stream still has its quality and layer.
+  /// True if a picture is still wanted: it is owed, or the stream's quality and layer have not changed.
   /// @param order from ImageArrived()
   bool Wants(const PictureOrder& order) const;
 

@@ -14,10 +14,10 @@ using protocol::version2::PictureDatagram;
 
 namespace {
 
-// Bytes that the IPStack may hold to be sent: twice a packet, as in Sony's sample UDPEchoServer. So few datagrams wait.
+// Size of the IPStack's send buffer: two packets, as in Sony's sample UDPEchoServer, so that few datagrams wait.
 const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
-const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // a byte more, to tell longer ones
+const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // one more byte, to detect longer datagrams
 const size_t PARITY_OFFSET = DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
 const size_t RECEIVE_OFFSET = PARITY_OFFSET + MAX_DATAGRAM_SIZE;
 
@@ -147,12 +147,12 @@ void PictureDatagrams::Close() {
   is_sending_parity_ = false;
 }
 
-// True if the last part that was sent is the last one of its group.
+// True if the part that was sent last ends its group.
 bool PictureDatagrams::GroupEnds() const {
   return unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
 }
 
-// The header takes the place of the end of the part before it, which the IPStack has already.
+// The header overwrites the end of the previous part, which the IPStack has already taken.
 void PictureDatagrams::SendPart() {
   byte* const datagram = buffer_.Bytes() + unsent_part_ * DATAGRAM_PART_SIZE;
   const size_t part_size = protocol::version2::sizeOfPart(next_.jpeg_size, unsent_part_);
@@ -183,13 +183,13 @@ void PictureDatagrams::SendDatagram(byte* datagram, size_t content_size) {
                           static_cast<int>(DATAGRAM_HEADER_SIZE + content_size));
   send.continuation = reinterpret_cast<void*>(endpoint_number_);
   if (send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) != ANT_SUCCESS) {
-    number_of_parts_ = 0;  // the rest of this picture is lost; the next one may fare better
+    number_of_parts_ = 0;  // drop the rest of this picture
     is_sending_parity_ = false;
     ++next_.picture;
   }
 }
 
-// If the IPStack refuses, each picture waits for the end of the patience.
+// If the IPStack refuses, no acknowledgement is received, so each picture waits for the timeout.
 void PictureDatagrams::Receive() {
   UDPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), static_cast<int>(RECEIVE_SIZE));
   receive.continuation = reinterpret_cast<void*>(endpoint_number_);

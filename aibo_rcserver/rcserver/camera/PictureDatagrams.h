@@ -11,38 +11,39 @@
 #include "protocol/picture_datagram.h"
 #include "rcserver/SharedBuffer.h"
 
-/// What a client's requests can do about datagrams.
+/// Lets a client's requests switch datagrams on and off.
 class DatagramSwitch {
  public:
   virtual ~DatagramSwitch() {}
 
-  /// Has the pictures of the stream sent to this port of the client's computer from now on. A picture that is being
-  /// sent to another port is dropped.
-  /// @param port 0: they are not sent as datagrams any more
-  /// @return false if the IPStack refuses; then they are not sent as datagrams
+  /// Sends the stream's pictures to this port of the client's computer from now on. Drops a picture that is being sent
+  /// to another port.
+  /// @param port 0 stops sending datagrams
+  /// @return false if the IPStack refuses; then no datagrams are sent
   virtual bool SendTo(Port port) = 0;
 };
 
-/// Sends pictures to the client, and to nobody else, in datagrams that no network has to cut
-/// (protocol/picture_datagram.h). One datagram is under way at a time: the next follows when the IPStack has taken it.
+/// Sends pictures only to the client, in datagrams that no network has to fragment (protocol/picture_datagram.h). Each
+/// datagram follows after the IPStack has accepted the previous one.
 ///
-/// UDP itself does not slow a sender down, and on a slow radio link old pictures would fill the queue of the radio. So
-/// at most MOST_UNACKNOWLEDGED pictures are on their way: the client acknowledges each, and without an acknowledgement
-/// the next one goes after a while.
+/// UDP has no flow control, and on a slow radio link old pictures would fill the radio's queue. So at most
+/// MOST_UNACKNOWLEDGED pictures are in flight. The client acknowledges each picture. Without an acknowledgement, the
+/// next picture is sent after a timeout.
 ///
-/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that they become whole even if they
-/// lose a datagram.
+/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that the client can rebuild a lost
+/// datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
-  /// Two, so that the radio does not wait for the acknowledgement.
+  /// Most pictures in flight: two, so that the radio does not idle while an acknowledgement is on its way.
   static const unsigned MOST_UNACKNOWLEDGED = 2;
 
-  /// Frames without an acknowledgement until the next picture goes all the same: this many, and PATIENCE_PER_PART for
-  /// each part of the last picture. A part takes 12 ms at 1 Mbit/s.
+  /// Timeout for an acknowledgement, in frames: PATIENCE, and PATIENCE_PER_PART for each part of the last picture. A
+  /// part takes 12 ms at 1 Mbit/s.
   static const longword PATIENCE = 6;
   static const longword PATIENCE_PER_PART = 2;
 
-  /// About 2 s at full rate: if more than one datagram in 300 is lost, nearly all pictures have parities.
+  /// Pictures that have parities after a loss: about 2 s at full rate. If more than one datagram in 300 is lost, nearly
+  /// all pictures have parities.
   static const unsigned PROTECTED_PICTURES = 64;
 
   PictureDatagrams();
@@ -64,22 +65,22 @@ class PictureDatagrams : public DatagramSwitch {
   /// True if pictures of the stream go as datagrams.
   bool IsOn() const { return port_ != 0; }
 
-  /// True while there is a picture that has not been sent completely.
+  /// True while a picture has not been sent completely.
   bool HasPicture() const { return unsent_part_ < number_of_parts_ || is_sending_parity_; }
 
-  /// False while enough pictures are on their way.
+  /// False while too many pictures are unacknowledged.
   /// @param now OPEN-R frame
   bool MaySend(longword now) const;
 
-  /// Begins to send a picture. Only if IsOn() and not HasPicture().
-  /// @param jpeg of `size` bytes, is copied
+  /// Begins to send a picture. Call it only if IsOn() and not HasPicture().
+  /// @param jpeg `size` bytes, which are copied
   /// @param now OPEN-R frame
   void Send(const protocol::version2::ImageHeader& image, const byte* jpeg, size_t size, longword now);
 
-  /// The IPStack's answer to a datagram: sends the next one, if there is one.
+  /// Handles the IPStack's answer to a datagram, and sends the next one if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
 
-  /// A datagram has come. Only the client's acknowledgements and reports of losses count.
+  /// Handles a received datagram. All but the client's acknowledgements and reports of losses are ignored.
   void Received(const UDPEndpointReceiveMsg& answer);
 
  private:
@@ -100,7 +101,7 @@ class PictureDatagrams : public DatagramSwitch {
   antStackRef stack_;
   SharedBuffer buffer_;  ///< room for the header of a datagram, the JPEG, a datagram with a parity, a received one
   antModuleRef endpoint_;
-  size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be told
+  size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be recognised
   unsigned receiver_;       ///< the client's address
   Port port_;               ///< 0: there is no endpoint
   protocol::version2::PictureDatagram next_;
@@ -108,8 +109,8 @@ class PictureDatagrams : public DatagramSwitch {
   size_t number_of_parts_;
   bool has_parities_;         ///< the picture that is being sent
   bool is_sending_parity_;    ///< of the group before unsent_part_
-  unsigned to_be_protected_;  ///< pictures that shall have parities
-  unsigned acknowledged_;     ///< pictures, counted from the first
+  unsigned to_be_protected_;  ///< number of next pictures that get parities
+  unsigned acknowledged_;     ///< number of acknowledged pictures
   longword last_begun_;       ///< frame in which a picture was last begun
 };
 

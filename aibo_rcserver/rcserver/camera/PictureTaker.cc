@@ -43,7 +43,7 @@ bool FindDetail(OFbkImageVectorData* image_vector, DetailBands* detail) {
   return true;
 }
 
-// Copies rows of some planes in turn.
+// Copies the rows of several planes alternately.
 void CopyRows(const CameraImage& image, const unsigned char* const* planes, size_t count, unsigned char* out) {
   for (size_t row = 0; row < image.height; ++row) {
     for (size_t plane = 0; plane < count; ++plane) {
@@ -76,7 +76,7 @@ void PictureTaker::CountImage(OFbkImageVectorData* image) {
   if (y.IsValid()) {
     image_count_ += static_cast<unsigned short>(y.FieldCounter() - image_count_);
   }
-  // A layer that has one band of fine detail has all three.
+  // A layer with one band of fine detail has all three.
   has_detail_ = OFbkImage(info, data, ofbkimageBAND_Y_HH).IsValid();
 }
 

@@ -12,9 +12,9 @@
 #include "rcserver/ReportLimit.h"
 #include "rcserver/camera/ImageObserver.h"
 
-/// Counts camera images, has pictures made of them one at a time, and reports on the console when a stream begins and
-/// stops. While a picture is being made, the newest image waits to be the next, so that an encoder that takes longer
-/// than the camera is never idle.
+/// Counts camera images, passes them to PictureEncoder one at a time, and reports on the console when a stream begins
+/// and stops. While a picture is being made, the newest image waits to be the next, so that a slow encoder is never
+/// idle.
 class PictureTaker {
  public:
   PictureTaker();
@@ -30,17 +30,16 @@ class PictureTaker {
   /// Call for each image of the camera.
   void CountImage(OFbkImageVectorData* image);
 
-  /// The camera's own count of images, which has 16 bits, continued to 32.
+  /// The camera's 16-bit image count, extended to 32 bits.
   unsigned ImageCount() const { return image_count_; }
 
-  /// True if the image counted last has the bands for double resolution.
+  /// True if the last counted image has the bands for double resolution.
   bool HasDetail() const { return has_detail_; }
 
-  /// True if there is room for an image to wait.
+  /// True if an image can wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
 
-  /// Keeps the image that was counted last to make the next picture of it, in place of one that waits. Only if
-  /// HasRoom().
+  /// Keeps the last counted image for the next picture, and replaces an image that waits. Call it only if HasRoom().
   /// @param image is copied
   /// @param settings of the camera
   /// @return NULL, or why no picture can be made
@@ -57,13 +56,14 @@ class PictureTaker {
   /// True if an image waits and the encoder is ready for it.
   bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
 
-  /// Has the picture of the waiting image made. Only if MayBegin().
+  /// Passes the waiting image to the encoder. Call it only if MayBegin().
   void Begin();
 
-  /// The client is gone: drops the picture that is being made and the image that waits, and ends the stream's report.
+  /// Call when the client is gone. Drops the picture that is being made and the waiting image, and ends the stream's
+  /// report.
   void Forget();
 
-  /// PictureEncoder has finished a picture.
+  /// Call when PictureEncoder has finished a picture.
   /// @return false if the picture was dropped meanwhile
   bool Take(const EncodedPicture& picture);
 
@@ -71,11 +71,11 @@ class PictureTaker {
   /// @{
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }
-  void CountSent();  ///< it is being sent
+  void CountSent();  ///< call when the picture is being sent
   /// @}
 
-  /// Reports on the console if the stream has begun, or stopped: with how many pictures, and how many camera images
-  /// were left out. Call when requests have been handled.
+  /// Reports on the console if the stream has begun or stopped. The report at the end has the numbers of pictures sent
+  /// and of camera images left out. Call it after requests have been handled.
   void ReportStream(const ImageObserver& camera, longword now, ReportLimit* limit);
 
  private:
@@ -95,7 +95,7 @@ class PictureTaker {
   bool is_streaming_;              ///< as last reported
   unsigned last_sent_;             ///< image count of the stream's last picture
   unsigned long pictures_sent_;    ///< in the stream
-  unsigned long images_left_out_;  ///< of the camera, in the stream
+  unsigned long images_left_out_;  ///< camera images, in the stream
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H

@@ -10,7 +10,8 @@
 #include "file_keeper/FileJob.h"
 #include "objects/RegionSender.h"
 
-/// Has motions and pictures read and written, one job at a time. The FileResult comes later (Session::FileDone()).
+/// Has FileKeeper read and write motions and pictures, one job at a time. The FileResult comes later
+/// (Session::FileDone()).
 class FileJobs {
  public:
   virtual ~FileJobs() {}
@@ -18,19 +19,19 @@ class FileJobs {
   /// False if FileKeeper does not run.
   virtual bool IsThere() const = 0;
 
-  /// Begins a job. If FileKeeper is still at work for an earlier client, it waits. Only one job for each client at
-  /// once.
+  /// Begins a job. If FileKeeper is still working for an earlier client, the job waits. A client may have only one job
+  /// at a time.
   /// @param name empty for LIST, and to STORE a picture
   /// @param content, size for STORE: up to largestFile() bytes, which are copied; otherwise NULL and 0
   /// @return the job's ticket, which comes back with its result; not 0
   virtual unsigned Post(FileJob::Operation operation, FileKind kind, const protocol::FileName& name,
                         const unsigned char* content, size_t size) = 0;
 
-  /// The client is gone: its job is not begun any more.
+  /// Call when the client is gone. Its job is dropped if it has not begun.
   virtual void ClientGone() = 0;
 };
 
-/// Sends jobs to FileKeeper, each when it is ready for it.
+/// Sends each job to FileKeeper when FileKeeper is ready.
 class FileDesk : public FileJobs {
  public:
   FileDesk() : has_job_(false) {}
@@ -75,7 +76,7 @@ class FileDesk : public FileJobs {
 
  private:
   RegionSender<FileJob, 2> jobs_;
-  bool has_job_;  ///< in its memory, not sent
+  bool has_job_;  ///< a job is in memory but has not been sent
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H

@@ -41,8 +41,7 @@ FileOrder::Outcome FileOrder::Post(FileJob::Operation operation, FileKind kind, 
   return PENDING;
 }
 
-// What version 1 tells by FILE_MISSING is the same as before there were reasons: reading has failed, or there was
-// nothing to delete.
+// Version 1 has only FILE_MISSING, which means that a read has failed or that there was no file to delete.
 FileOrder::Outcome FileOrder::Finish(const FileResult& result) {
   ticket_ = 0;
   const bool needs_file = operation_ == FileJob::READ || operation_ == FileJob::DELETE;

@@ -1,5 +1,5 @@
 /// @file FileOrder.h
-/// The request that the memory stick is at work for.
+/// The request that waits for the memory stick.
 #ifndef AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
 #define AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
 
@@ -9,14 +9,14 @@
 #include "protocol/text.h"
 #include "rcserver/files/FileJobs.h"
 
-/// There is one such request at a time, whether it is about a motion or a picture. It is PENDING from Prepare() or
-/// Post() to Finish(), or until a problem ends it.
+/// There is one such request at a time, about a motion or a picture. It is PENDING from Prepare() or Post() until
+/// Finish() or a problem ends it.
 class FileOrder {
  public:
   enum Outcome {
     DONE,
-    PENDING,      ///< the camera or FileKeeper is at work
-    REFUSED,      ///< not allowed, the memory stick is full, anything else
+    PENDING,      ///< the camera or FileKeeper is working
+    REFUSED,      ///< any other failure, such as a full memory stick
     FILE_MISSING  ///< there is no such file, or it cannot be read
   };
 
@@ -26,7 +26,7 @@ class FileOrder {
   /// @param jobs must outlive this
   explicit FileOrder(FileJobs& jobs);
 
-  /// A new client: forgets the request that an earlier client left pending.
+  /// Call for a new client. Drops the request that an earlier client left pending.
   void Begin();
 
   /// Why the last request was REFUSED or FILE_MISSING, in words that a user can act on.
@@ -35,7 +35,7 @@ class FileOrder {
   /// True while a request is PENDING: Prepare() and Post() must not be called for a new one.
   bool IsPending() const { return is_prepared_ || ticket_ != 0; }
 
-  /// Begins a request whose job comes later, by Post().
+  /// Begins a request whose job follows later with Post().
   /// @return PENDING, or REFUSED if FileKeeper does not run
   Outcome Prepare();
 
@@ -54,11 +54,11 @@ class FileOrder {
   /// True if this is the result that the pending request waits for.
   bool Awaits(const FileResult& result) const { return ticket_ != 0 && result.ticket == ticket_; }
 
-  /// Finishes the pending request. Only if Awaits().
+  /// Finishes the pending request. Call it only if Awaits().
   /// @return never PENDING
   Outcome Finish(const FileResult& result);
 
-  /// Keeps the reason why the request fails, which then is not PENDING any more.
+  /// Ends the request and keeps the reason for the failure.
   /// @param format as for printf(); the text has fewer than MAX_PROBLEM_SIZE bytes
   /// @return the outcome
   Outcome Fail(Outcome outcome, const char* format, ...);
@@ -71,7 +71,7 @@ class FileOrder {
 
   FileJobs& jobs_;
   bool is_prepared_;
-  unsigned ticket_;  ///< of the job; 0: FileKeeper is not at work for the client
+  unsigned ticket_;  ///< of the job; 0 if FileKeeper is not working for the client
   FileJob::Operation operation_;
   FileKind kind_;
   protocol::FileName name_;

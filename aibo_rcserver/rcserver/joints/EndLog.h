@@ -1,15 +1,15 @@
 /// @file EndLog.h
-/// How motions, walks and postures have ended.
+/// Records how motions, walks and postures have ended.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_END_LOG_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_END_LOG_H
 
 #include "protocol/text.h"
 #include "protocol/version2.h"
 
-/// Why something ends. A plain structure, so that constants need no constructor when the object starts.
+/// Why a motion, walk or posture ends. This is a plain structure, so that constants need no constructor at start-up.
 struct EndReason {
   unsigned char how;   ///< END_DONE and so on
-  const char* format;  ///< of the words for the user, in which %s stands for the joint; a literal
+  const char* format;  ///< text for the user, with %s for the joint; a literal
   const char* joint;   ///< its name in the robot's table, or ""
 
   static EndReason Of(unsigned char how, const char* format, const char* joint = "") {
@@ -21,10 +21,10 @@ struct EndReason {
   void Describe(char* text) const;
 };
 
-/// Keeps what has ended, until the client and the console have been told.
+/// Keeps each end until the client and the console have been told.
 class EndLog {
  public:
-  /// Room for the words of an EndReason.
+  /// Room for the text of an EndReason.
   static const int MAX_TEXT_SIZE = 160;
 
   /// More than can end at once: four motions, a walk and a posture. When there are more, the oldest is forgotten.
@@ -36,8 +36,8 @@ class EndLog {
     unsigned char what;  ///< ENDED_MOTION, ENDED_WALK or ENDED_POSTURE
     unsigned char how;   ///< END_DONE and so on
     char name[protocol::MAX_FILE_NAME_SIZE + 1];
-    char reason[MAX_TEXT_SIZE];  ///< in words, such as "left_front_knee was commanded"; empty if it is done
-    bool is_for_client;          ///< false if the client that asked for it has gone
+    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; empty for END_DONE
+    bool is_for_client;          ///< false if the client that requested it has gone
   };
 
   EndLog();
@@ -49,13 +49,13 @@ class EndLog {
   /// @return false if there is none
   bool Take(Reader reader, End* end);
 
-  /// The next client hears nothing of what has ended so far.
+  /// Drops the ends that the client has not taken, so that the next client does not get them.
   void ClientGone() { taken_[CLIENT] = added_; }
 
  private:
   End ends_[MAX_ENDS];
-  unsigned added_;     ///< how many so far
-  unsigned taken_[2];  ///< by each reader
+  unsigned added_;     ///< number of ends so far
+  unsigned taken_[2];  ///< number of ends taken by each reader
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_END_LOG_H

@@ -125,7 +125,7 @@ void JointControl::MotorsGoOff() {
   walker_.MotorsGoOff(reason);
 }
 
-// The difference is right even after the numbers have begun again at 0.
+// The difference stays correct when the numbers overflow.
 void JointControl::FindCommandedSince(unsigned number, bool* commanded) const {
   for (int i = 0; i < NumberOfJoints(); ++i) {
     commanded[i] = static_cast<int>(last_commands_[i] - number) > 0;
@@ -192,7 +192,7 @@ bool JointControl::TakeRecovery(int joint) {
 }
 
 void JointControl::ClientGone() {
-  // The limits go first: with low ones left by the client, a joint would take long to stop.
+  // The limits are reset first, because a joint would stop slowly with low limits of the last client.
   for (int i = 0; i < NumberOfJoints(); ++i) {
     planner_.SetSpeedLimit(i, robot_.joints[i].highest_speed);
     planner_.SetAccelerationLimit(i, defaultAcceleration(robot_.joints[i]));
@@ -222,7 +222,7 @@ void JointControl::Commanded(int joint) {
   walker_.LeaveAlone(joint);
 }
 
-// A motion that moves it ends, and one that was requested before must not move it.
+// Ends a motion that moves the joint, and keeps motions that were requested earlier from moving it.
 void JointControl::Take(int joint) {
   motions_.StopMotionOf(joint, EndReason::Of(END_REPLACED, "the robot was told to walk or to take a posture"));
   last_commands_[joint] = number_of_commands_;

@@ -1,5 +1,5 @@
 /// @file JointControl.h
-/// The robot's joints: where they should be, where they are, and their faults.
+/// The robot's joints: their targets, their positions and their faults.
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
@@ -14,7 +14,7 @@ class MotorSwitch {
  public:
   virtual ~MotorSwitch() {}
 
-  /// True from the moment they are switched on, although it takes them a little longer to pull.
+  /// True from the moment they are switched on, although the gains follow a little later.
   virtual bool AreOn() const = 0;
 
   /// When on, the joints hold where they are; when off, they can be moved by hand.
@@ -22,22 +22,22 @@ class MotorSwitch {
   virtual bool Switch(bool on) = 0;
 };
 
-/// A joint's report, one every 4 frames.
+/// A joint's report. There is one every 4 frames.
 struct JointReading {
   int position;   ///< measured, in microradian
-  int reference;  ///< where it was commanded to be at that time, in microradian
-  int duty;       ///< of its motor: -FULL_DUTY is full power backward, FULL_DUTY full power forward
+  int reference;  ///< commanded at that time, in microradian
+  int duty;       ///< of its motor: -FULL_DUTY is full power backward, and FULL_DUTY is full power forward
 };
 
 /// OJointValue::pwmDuty at full power, as Tekkotsu reads it on real robots.
 const int FULL_DUTY = 512;
 
-/// Finds out when one joint does not follow its commands.
+/// Detects when a joint does not follow its commands.
 ///
-/// A joint that is off its reference by more than TOLERANCE and has not moved by MOVEMENT for PATIENCE does not follow.
-/// With its motor at HIGH_DUTY or more, something holds it: it is jammed. With less, the robot does not even try. All
-/// four numbers are our choice: large enough for a joint that lags behind in a fast motion or hangs under its load, and
-/// small enough to spare a motor that pushes in vain.
+/// A joint does not follow if it is more than TOLERANCE away from its reference and has moved less than MOVEMENT for
+/// PATIENCE. If its motor duty is HIGH_DUTY or more, it is jammed. If it is less, the motor is not being driven towards
+/// the reference. All four numbers are our choice. They tolerate a joint that lags in a fast motion or sags under its
+/// load, and they stop a blocked motor before it overheats.
 class JointWatch {
  public:
   enum Verdict {
@@ -54,7 +54,7 @@ class JointWatch {
 
   JointWatch() : position_(0), since_(0) {}
 
-  /// Starts again with the joint at this position.
+  /// Restarts the watch with the joint at this position.
   void Reset(int position, unsigned frame);
 
   /// Call for each reading.
@@ -63,24 +63,24 @@ class JointWatch {
   Verdict Look(const JointReading& reading, unsigned frame);
 
  private:
-  int position_;    ///< where the joint last moved or was at its reference
-  unsigned since_;  ///< frame of that
+  int position_;    ///< where the joint last moved or reached its reference
+  unsigned since_;  ///< frame in which it was there
 };
 
-/// Finds out when a joint that did not follow its commands follows them again: since it was held, it and its reference
-/// have moved by JointWatch::MOVEMENT, and then it has been within JointWatch::TOLERANCE of its reference for
-/// JointWatch::PATIENCE. A joint that is only moved by hand does not follow.
+/// Detects when a joint with a fault follows its commands again. Since it was held, both the joint and its reference
+/// must have moved by JointWatch::MOVEMENT. The joint must then have stayed within JointWatch::TOLERANCE of its
+/// reference for JointWatch::PATIENCE. Moving a joint by hand is not enough.
 class JointRecovery {
  public:
   JointRecovery() : is_awaited_(false), held_at_(0), since_(0) {}
 
-  /// The joint is held at this position.
+  /// Call when the joint is held at this position.
   void Reset(int position, unsigned frame);
 
-  /// The joint has a fault.
+  /// Call when the joint has a fault.
   void Await() { is_awaited_ = true; }
 
-  /// There is no fault to recover from.
+  /// Call when there is no fault to recover from.
   void Forget() { is_awaited_ = false; }
 
   /// Call for each reading.
@@ -93,8 +93,8 @@ class JointRecovery {
   unsigned since_;  ///< frame of the last reading at which it did not follow
 };
 
-/// Connects clients' commands and motions with the motors; independent of OPEN-R. Joints are numbered by their index in
-/// the robot's table (robot_model.h), angles are in microradian, time is in OPEN-R frames of 8 ms.
+/// Connects clients' commands and motions to the motors. It does not depend on OPEN-R. Joints are numbered by their
+/// index in the robot's table (robot_model.h), angles are in microradian, and time is in OPEN-R frames of 8 ms.
 class JointControl {
  public:
   /// @param robot must outlive this
@@ -114,69 +114,70 @@ class JointControl {
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  /// A client's command: as MotionPlanner::SetTargets(), but motions, walks and postures that move one of these joints
-  /// end.
+  /// Carries out a client's command with MotionPlanner::SetTargets(). Motions, walks and postures that move one of
+  /// these joints end.
   void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
 
-  /// A client's order to hold: the joint brakes within its limits and stays where it stops. What moves it ends.
+  /// Carries out a client's order to hold: the joint brakes within its limits and holds its position. A motion, walk or
+  /// posture that moves it ends.
   void Stop(int joint);
 
   /// The same for all joints.
   void StopAll();
 
-  /// A client's order to walk or to take a posture: see Walker. Motions that move the legs end when it begins.
+  /// Carries out a client's order to walk or to take a posture (Walker). Motions that move the legs end when it begins.
   protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
   void Take(protocol::version2::Posture posture);
 
-  /// A motion has begun: a walk or a posture ends if it moves the legs.
+  /// Call when a motion has begun. A walk or a posture ends if the motion moves the legs.
   void MotionHasBegun();
 
-  /// The motors are being switched off: everything that moves ends.
+  /// Call when the motors are being switched off. All motions, walks and postures end.
   void MotorsGoOff();
 
-  /// How many commands and orders to hold clients have given.
+  /// Number of commands and orders to hold from clients so far.
   unsigned NumberOfCommands() const { return number_of_commands_; }
 
-  /// Finds the joints that clients have commanded, or told to hold, since NumberOfCommands() was `number`. A motion
-  /// that was requested then must not move them.
+  /// Finds the joints that clients have commanded or told to hold since NumberOfCommands() was `number`. A motion that
+  /// was requested at that time must not move them.
   /// @param[out] commanded room for one element for each joint
   void FindCommandedSince(unsigned number, bool* commanded) const;
 
-  /// One frame passes: the planner's positions are those at its end.
+  /// Advances by one frame. Afterwards, the planner's positions are those at the frame's end.
   void NextFrame();
 
   /// True if a joint has not arrived yet, a motion is being played, or the robot walks or takes a posture.
   bool AreMoving() const;
 
-  /// The joint is at this position, at rest, and holds it.
+  /// Call when the joint is at rest and holds this position.
   void Hold(int joint, int position, unsigned frame);
 
   /// A joint has reported.
-  /// @param driven its motor pulls, so the joint is watched: if it does not follow, it is held where it is and its
-  ///   motion ends
+  /// @param driven true if its motor is on. The joint is then watched: if it does not follow, it holds its current
+  ///   position and its motion ends
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
   /// Records a fault that JointWatch cannot find. TakeFault() returns it.
   void Failed(int joint, JointWatch::Verdict fault);
 
-  /// How the robot is, by where its joints last were.
+  /// The robot's posture, from the last reported positions.
   protocol::version2::Posture Posture() const { return walker_.Now(positions_); }
 
   /// Where the joint was when it last reported.
   int Position(int joint) const { return positions_[joint]; }
 
-  /// The duty of its motor then, of FULL_DUTY.
+  /// The motor's duty in the joint's last report, relative to FULL_DUTY.
   int Duty(int joint) const { return duties_[joint]; }
 
-  /// The fault found since the last call.
+  /// The fault found since the last call, if any.
   JointWatch::Verdict TakeFault(int joint);
 
   /// True once after the joint has begun to follow its commands again.
   bool TakeRecovery(int joint);
 
   /// Resets everything for the next client: motions end, all joints stop and hold, limits are the robot's own, faults
-  /// are forgotten. A walk goes on until the robot stands; if it lies down to rest, it goes on.
+  /// are forgotten. A walk ends in the stand. A robot that is lying down to rest continues.
   void ClientGone();
 
  private:
@@ -197,7 +198,7 @@ class JointControl {
   JointRecovery recoveries_[robot_model::MAX_JOINTS];
   bool has_recovered_[robot_model::MAX_JOINTS];
   unsigned number_of_commands_;
-  unsigned last_commands_[robot_model::MAX_JOINTS];  ///< the number of each joint's last one
+  unsigned last_commands_[robot_model::MAX_JOINTS];  ///< number of each joint's last command
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H

@@ -12,8 +12,8 @@ int FramesOfRamp(int difference, int acceleration) {
   return difference > 0 ? (difference - 1) / acceleration : 0;
 }
 
-// 1 + 2 + ... + n. Sums of distances can exceed 32 bits, so they are doubles. They are still whole numbers, and exact
-// far beyond any motion.
+// 1 + 2 + ... + n. Sums of distances can exceed 32 bits, so they are doubles. They are still exact whole numbers for
+// any motion.
 double SumUpTo(int n) {
   return 0.5 * n * (n + 1.0);
 }
@@ -79,7 +79,7 @@ int JointMotion::WantedStep() {
   const double distance = DistanceIn(frames_left_, cruise);
   const double missing = target_ - position_ - distance;
   if (missing > 0) {
-    // The right speed lies between this one and the next, so some frames take the next.
+    // The ideal speed lies between this one and the next higher one, so some frames use the higher one.
     fraction_of_step_ += missing / (DistanceIn(frames_left_, cruise + 1) - distance);
     if (fraction_of_step_ >= 1) {
       fraction_of_step_ -= 1;
@@ -114,8 +114,8 @@ void JointMotion::Advance(int step) {
   Review();
 }
 
-// Applies a lower acceleration limit as soon as that is possible, and plans a later arrival if the planned one has
-// become impossible.
+// Applies a lower acceleration limit as soon as possible, and plans a later arrival if the planned one has become
+// impossible.
 void JointMotion::Review() {
   const bool stops_within_a_frame = step_ >= -wanted_acceleration_ && step_ <= wanted_acceleration_;
   if (stops_within_a_frame) {
@@ -126,8 +126,8 @@ void JointMotion::Review() {
   }
 }
 
-// The distance to where the joint stands after this number of frames, with this cruising speed. It grows with the
-// speed. Valid only if the joint can stop in that many frames.
+// The distance that the joint covers in this number of frames, stop included, with this cruising speed. It grows with
+// the speed. Valid only if the joint can stop in that many frames.
 double JointMotion::DistanceIn(int frames, int cruise) const {
   // Backward motion is mirrored forward motion.
   const int sign = cruise < 0 ? -1 : 1;
@@ -150,7 +150,7 @@ double JointMotion::DistanceIn(int frames, int cruise) const {
   return sign * (first + middle + last);
 }
 
-// If this is true for a number of frames, it is true for all greater ones.
+// If this is true for a number of frames, it is also true for all higher numbers.
 bool JointMotion::CanArriveIn(int frames) const {
   const bool can_stop = abs(step_) <= (frames + 1.0) * acceleration_;
   const double distance = target_ - position_;

@@ -12,7 +12,7 @@ namespace {
 
 const int FRAMES_PER_SECOND = 1000 / FRAME_MILLISECONDS;
 
-// One microradian per frame, in microradian/s, and per frame squared, in microradian/s^2.
+// One microradian per frame in microradian/s, and one microradian per frame squared in microradian/s^2.
 const int SPEED_UNIT = FRAMES_PER_SECOND;
 const int ACCELERATION_UNIT = FRAMES_PER_SECOND * FRAMES_PER_SECOND;
 
@@ -20,8 +20,8 @@ int Clamped(int value, int low, int high) {
   return std::min(std::max(value, low), high);
 }
 
-// The follower's lower limit while the leader may be anywhere in the span. It is highest at one end of the span: see
-// robot_model::Coupling.
+// The follower's lower limit if the leader may be anywhere in the span. The limit is highest at one end of the span
+// (robot_model::Coupling).
 int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
   return std::max(coupledLowest(coupling, leader.low), coupledLowest(coupling, leader.high));
 }
@@ -119,7 +119,7 @@ void MotionPlanner::NextFrame() {
     const int wanted = motions_[i].WantedStep();
     const int allowed = AllowedStep(i, wanted);
     if (allowed != wanted) {
-      // It may wait for another joint of the same command, which must not wait for it in turn.
+      // It may have to wait for another joint of the same command, which must not wait for it in turn.
       LeaveCommand(i);
     }
     motions_[i].Advance(allowed);
@@ -132,7 +132,7 @@ int MotionPlanner::Speed(int joint) const {
 }
 
 // Adapts targets to limits and couplings.
-// @param[out] posture the targets of all joints then
+// @param[out] posture the resulting targets of all joints
 // @param[in,out] commanded true for each joint with a new target
 void MotionPlanner::FitTargets(JointTarget* targets, int count, int* posture, bool* commanded) const {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
@@ -171,7 +171,7 @@ void MotionPlanner::MakePartnersFit(int joint) {
     if (coupling.follower == joint) {
       Hold(coupling.leader);
     } else if (coupling.leader == joint) {
-      // A follower that was bent out of its limits by hand is left where it is.
+      // A follower that was moved out of its limits by hand is not commanded.
       const int stops_at = motions_[coupling.follower].BrakingSpan().low;
       if (Target(coupling.follower) < stops_at) {
         motions_[coupling.follower].Aim(std::min(lowest, stops_at));
@@ -192,7 +192,7 @@ void MotionPlanner::ArriveTogether() {
   }
 }
 
-// The step that hits nothing and is nearest to the wanted one. Braking never hits anything.
+// The safe step that is nearest to the wanted one. Braking is always safe.
 int MotionPlanner::AllowedStep(int joint, int wanted) const {
   if (IsAllowed(joint, motions_[joint].SpanAfter(wanted))) {
     return wanted;
@@ -206,7 +206,7 @@ int MotionPlanner::AllowedStep(int joint, int wanted) const {
   return allowed;
 }
 
-// If two joints touch already, or one is outside its limits, as they may be after SetPosition(), none may go deeper.
+// After SetPosition(), two joints may touch, or a joint may be outside its limits. Then no joint may go farther out.
 bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
   const JointMotion::Span now = motions_[joint].BrakingSpan();
   const Joint& limits = robot_.joints[joint];

@@ -15,9 +15,10 @@ const EndReason STOPPED_BY_CLIENT = {END_STOPPED, "the client stopped it", ""};
 
 const int MotionPlayer::MAX_PLAYING;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
+const int MotionPlayer::HELD_UP;
 
 MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
-    : planner_(planner), robot_(robot), ends_(ends) {
+    : planner_(planner), robot_(robot), ends_(ends), now_(0) {
   problem_[0] = '\0';
   changes_[0] = '\0';
 }
@@ -94,9 +95,9 @@ bool MotionPlayer::TakeFlick(int ear) {
 void MotionPlayer::NextFrame() {
   for (int i = 0; i < MAX_PLAYING; ++i) {
     if (motions_[i].IsPlaying()) {
-      motions_[i].NextFrame(planner_);
+      motions_[i].NextFrame(planner_, now_);
       if (!motions_[i].IsPlaying()) {
-        Report(motions_[i], EndReason::Of(END_DONE, ""));
+        ReportDone(motions_[i]);
       }
     }
   }
@@ -127,7 +128,7 @@ bool MotionPlayer::FindsJointsFree(const PlayedMotion& motion) {
 bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded) {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (commanded[i] && motion.Moves(i)) {
-      sprintf(problem_, "%s was commanded while the file of %s was being read; that command counts",
+      sprintf(problem_, "%s was commanded while the file of %s was being read; that command takes precedence",
               robot_.joints[i].name, motion.Name());
       return false;
     }
@@ -135,7 +136,7 @@ bool MotionPlayer::FindsJointsUncommanded(const PlayedMotion& motion, const bool
   return true;
 }
 
-// The motion that moves a joint: there is one at most. MAX_PLAYING if there is none.
+// The only motion that moves a joint, or MAX_PLAYING if there is none.
 int MotionPlayer::FindMoving(int joint) const {
   int i = 0;
   while (i < MAX_PLAYING && !(motions_[i].IsPlaying() && motions_[i].Moves(joint))) {
@@ -147,6 +148,18 @@ int MotionPlayer::FindMoving(int joint) const {
 void MotionPlayer::Stop(PlayedMotion& motion, const EndReason& reason) {
   motion.Stop(planner_);
   Report(motion, reason);
+}
+
+void MotionPlayer::ReportDone(const PlayedMotion& motion) {
+  const int longer = static_cast<int>(motion.Elapsed(now_) - motion.Played());
+  char words[EndLog::MAX_TEXT_SIZE] = "";
+  if (longer >= HELD_UP) {
+    const unsigned took = (motion.Elapsed(now_) + 5) / 10;
+    const unsigned should = (motion.Played() + 5) / 10;
+    sprintf(words, "the robot's program was held up, so it took %u.%02u s instead of %u.%02u s", took / 100, took % 100,
+            should / 100, should % 100);
+  }
+  Report(motion, EndReason::Of(END_DONE, "%s", words));
 }
 
 void MotionPlayer::Report(const PlayedMotion& motion, const EndReason& reason) {

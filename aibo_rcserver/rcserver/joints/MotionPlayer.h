@@ -13,8 +13,8 @@
 ///
 /// Its memory has a fixed size: MAX_PLAYING files of mtn::MAX_FILE_SIZE, 256 KiB.
 ///
-/// A motion is over when it has been played or stopped, when one of its joints is commanded otherwise, or when one of
-/// its joints does not follow. It always ends as a whole: half a motion can make the robot fall.
+/// A motion ends when it has been played or stopped, or when one of its joints gets another command or does not follow.
+/// It always ends as a whole, because half a motion can make the robot fall.
 class MotionPlayer {
  public:
   /// Most motions at once: head, tail, mouth and legs.
@@ -22,6 +22,10 @@ class MotionPlayer {
 
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
+
+  /// A motion that took longer than it should by this time or more, in milliseconds, was held up, and its end says so.
+  /// Vectors of 32 ms and their queue make a difference of up to 64 ms. Our choice.
+  static const int HELD_UP = 100;
 
   /// All must outlive this.
   MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
@@ -35,13 +39,13 @@ class MotionPlayer {
   /// @param repetitions not below 1
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is refused
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
-  ///   command has precedence over the motion. NULL: no joint was
-  /// @return NULL, or why it is not played, in words that a user can act on
+  ///   command takes precedence over the motion. NULL if no joint was commanded
+  /// @return NULL, or an error text that tells the user why it is not played
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
                    const bool* commanded);
 
-  /// What the motion that Play() has begun last does differently than its file says, in one line such as "2 positions
-  /// are clipped, by up to 3.0 degrees (left_hind_knee at 2832 ms)"; empty if it is played as it is.
+  /// How the last motion that Play() began differs from its file, in one line such as "2 positions are clipped, by up
+  /// to 1.8 degrees (right_hind_elevator at 656 ms)"; empty if it is played as it is.
   const char* Changes() const { return changes_; }
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.
@@ -54,7 +58,7 @@ class MotionPlayer {
   /// Stops the motion that moves this joint, if there is one.
   void StopMotionOf(int joint, const EndReason& reason);
 
-  /// Every motion ends with its present repetition.
+  /// Makes every motion end after its current repetition.
   void EndRepetitions();
 
   bool IsPlaying() const;
@@ -66,6 +70,10 @@ class MotionPlayer {
   /// may have ears.
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
+
+  /// Call before NextFrame(), once for all frames that are computed at this time.
+  /// @param now in milliseconds, on a clock that runs on while the robot's program is held up; may overflow
+  void SetTime(unsigned now) { now_ = now; }
 
   /// Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
@@ -79,12 +87,14 @@ class MotionPlayer {
   bool FindsJointsUncommanded(const PlayedMotion& motion, const bool* commanded);
   int FindMoving(int joint) const;
   void Stop(PlayedMotion& motion, const EndReason& reason);
+  void ReportDone(const PlayedMotion& motion);
   void Report(const PlayedMotion& motion, const EndReason& reason);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
   EndLog& ends_;
   PlayedMotion motions_[MAX_PLAYING];
+  unsigned now_;  ///< milliseconds
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -13,7 +13,8 @@ using robot_model::RobotModel;
 
 const int PlayedMotion::APPROACH_SPEED;
 
-PlayedMotion::PlayedMotion() : phase_(OVER), repetitions_left_(0), key_frame_(0), milliseconds_(0), duration_(0) {
+PlayedMotion::PlayedMotion()
+    : phase_(OVER), repetitions_left_(0), key_frame_(0), milliseconds_(0), duration_(0), begun_(0), played_(0) {
   name_[0] = '\0';
   problem_[0] = '\0';
   std::fill(begin_, begin_ + MAX_JOINTS, 0);
@@ -37,6 +38,7 @@ bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const Rob
 void PlayedMotion::Start(int repetitions) {
   phase_ = BEGINNING;
   repetitions_left_ = repetitions;
+  played_ = 0;
 }
 
 void PlayedMotion::DescribeChanges(const MotionPlanner& planner, char* text) const {
@@ -53,7 +55,9 @@ bool PlayedMotion::SharesJoint(const PlayedMotion& other, int* joint) const {
   return false;
 }
 
-void PlayedMotion::NextFrame(MotionPlanner& planner) {
+void PlayedMotion::NextFrame(MotionPlanner& planner, unsigned now) {
+  begun_ = played_ == 0 ? now : begun_;
+  played_ += robot_model::FRAME_MILLISECONDS;
   if (phase_ == ARRIVING && HaveArrived(planner)) {
     Repeat();
   }
@@ -99,7 +103,7 @@ void PlayedMotion::Approach(MotionPlanner& planner) {
   planner.SetTargets(targets, fitted_.numberOfJoints(), static_cast<int>(seconds * 1000));
 }
 
-// From the key frame where the joints are now to this one, if the motion has it.
+// Moves the joints from the current key frame to this one, if the motion has it.
 void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
   key_frame_ = key_frame;
   if (key_frame < fitted_.numberOfKeyFrames()) {
@@ -130,7 +134,7 @@ void PlayedMotion::PassTime(const MotionPlanner& planner) {
   }
 }
 
-// The motion is at key_frame_.
+// Flicks the ears whose value changes at key_frame_.
 void PlayedMotion::FlickEars() {
   for (int ear = 0; ear < MAX_EARS; ++ear) {
     flicks_[ear] = fitted_.flicks(key_frame_, ear) || flicks_[ear];

@@ -11,25 +11,25 @@
 #include "rcserver/joints/MotionPlanner.h"
 #include "robot_model/robot_model.h"
 
-/// Plays one motion file a number of times: sets the targets of its joints, frame by frame.
+/// Plays one motion file a number of times by setting the targets of its joints, frame by frame.
 ///
-/// First the joints move to the first key frame, all together, none faster than APPROACH_SPEED. Then, in each frame of
-/// 8 ms, their targets are on the straight line between two key frames. Because the planner can stop at every target,
-/// the joints lag behind this line by up to 50 ms, and cut corners by the distance they need to stop. When they have
+/// All joints first move to the first key frame together, none faster than APPROACH_SPEED. Then, in each frame of 8 ms,
+/// their targets are on the straight line between two key frames. Because the planner can stop at every target, the
+/// joints lag behind this line by up to 50 ms, and cut corners by the distance they need to stop. When they have
 /// arrived at the last key frame, the next repetition begins like the first; a motion whose last key frame equals its
 /// first one continues without a stop.
 ///
-/// FittedMotion says what becomes of positions that a joint cannot reach, and of steps between key frames that are too
-/// fast for the joints' speed limits: those in force when the step begins count.
+/// FittedMotion adapts positions that a joint cannot reach, and steps between key frames that are too fast for the
+/// joints' speed limits. The limits at the beginning of the step count.
 class PlayedMotion {
  public:
-  /// Greatest speed on the way to the first key frame, in microradian/s: 90 degrees a second, so that the robot neither
-  /// frightens people nor falls, wherever its joints were. Our choice.
+  /// Highest speed on the way to the first key frame, in microradian/s: 90 degrees per second, our choice. From any
+  /// posture, this is slow enough not to startle people or make the robot fall.
   static const int APPROACH_SPEED = 1570796;
 
   PlayedMotion();
 
-  /// Where the file for Load() goes. Not while IsPlaying().
+  /// Buffer for the file for Load(). Do not use it while IsPlaying().
   unsigned char* Room() { return file_; }
 
   /// Reads the motion that is in Room().
@@ -45,14 +45,21 @@ class PlayedMotion {
   /// @param repetitions not below 1
   void Start(int repetitions);
 
-  /// The present repetition is the last one.
+  /// How long it has been played so far if nothing has held it up, in milliseconds.
+  unsigned Played() const { return played_; }
+
+  /// How long it has been played so far, in milliseconds.
+  /// @param now as for NextFrame()
+  unsigned Elapsed(unsigned now) const { return now - begun_; }
+
+  /// Makes the current repetition the last one.
   void EndRepetitions() { repetitions_left_ = 1; }
 
   bool IsPlaying() const { return phase_ != OVER; }
   const char* Name() const { return name_; }
   bool Moves(int joint) const { return fitted_.moves(joint); }
 
-  /// What is played differently than the file says, in one line; see FittedMotion::describe().
+  /// How the motion differs from its file, in one line; see FittedMotion::describe().
   /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if nothing is
   void DescribeChanges(const MotionPlanner& planner, char* text) const;
 
@@ -60,10 +67,11 @@ class PlayedMotion {
   /// @param[out] joint that one
   bool SharesJoint(const PlayedMotion& other, int* joint) const;
 
-  /// Sets the targets for the next frame. Only if IsPlaying().
-  void NextFrame(MotionPlanner& planner);
+  /// Sets the targets for the next frame. Call it only if IsPlaying().
+  /// @param now in milliseconds, on any clock; may overflow
+  void NextFrame(MotionPlanner& planner, unsigned now);
 
-  /// True once for each time that an ear has to flick: when the motion has come to a key frame where its value changes.
+  /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
 
@@ -96,10 +104,12 @@ class PlayedMotion {
   protocol::MotionName name_;
   mtn::Motion motion_;
   mtn::FittedMotion fitted_;
-  int repetitions_left_;                ///< with the present one
+  int repetitions_left_;                ///< including the current one
   int key_frame_;                       ///< in PLAYING: the one that the joints move to, from 1
   int milliseconds_;                    ///< in PLAYING: since the previous key frame
   int duration_;                        ///< in PLAYING: milliseconds from the previous key frame to this one
+  unsigned begun_;                      ///< when its first frame was computed, in milliseconds
+  unsigned played_;                     ///< milliseconds
   int begin_[robot_model::MAX_JOINTS];  ///< positions in the previous key frame
   int end_[robot_model::MAX_JOINTS];    ///< positions in key_frame_, or in the last one
   bool flicks_[robot_model::MAX_EARS];  ///< ears that have to flick

@@ -30,13 +30,13 @@ const int LEG_JOINTS = NUMBER_OF_LEGS * JOINTS_OF_A_LEG;
 
 const double MICRO = 1e-6;
 
-// Velocities change by this many times the highest ones in a second.
+// Change of the velocity in a second, relative to the highest velocity.
 const double SLEW = 2;
 
-// Frames until joints have followed their commands: these are up to 8 frames ahead, and servos lag by some. Our choice.
+// Frames until joints have followed their commands. Commands are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
 
-// Frames after which a robot that lies on its side goes soft: 1 s.
+// Frames after which the motors of a robot on its side go off: 1 s.
 const unsigned FRAMES_TO_SOFTEN = 125;
 
 const Velocity NO_VELOCITY = {0, 0, 0};
@@ -101,7 +101,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
   }
 }
 
-// False if it has no legs of an ERS-7.
+// False if the robot does not have the legs of an ERS-7.
 bool Walker::FindJoints() {
   for (int i = 0; i < LEG_JOINTS; ++i) {
     const int number = i % JOINTS_OF_A_LEG;
@@ -361,7 +361,7 @@ int Walker::FindSlowJoint() const {
   return NO_JOINT;
 }
 
-// Where the planner has the legs.
+// The planned angles of the legs.
 void Walker::FindLegs(LegAngles* legs) const {
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     legs[i].rotator = planner_.Position(joints_[i][0]) * MICRO;
@@ -396,7 +396,7 @@ void Walker::Begin(bool is_walk, Posture posture) {
   TakeNextPosture();
 }
 
-// Begins the next posture of the way, or what comes after the last one.
+// Begins the next posture of the way. After the last one, finishes the order.
 void Walker::TakeNextPosture() {
   if (way_begun_ == way_size_) {
     if (is_walk_ && !ends_) {
@@ -449,7 +449,7 @@ void Walker::LevelHead(int milliseconds) {
   planner_.SetTargets(targets, count, milliseconds);
 }
 
-// The first reason counts.
+// Only the first reason is kept.
 void Walker::EndWalkInStand(const EndReason& reason) {
   if (IsWalk() && !ends_) {
     ends_ = true;
@@ -512,7 +512,7 @@ void Walker::StandsAfterWalk() {
   }
 }
 
-// The posture that should have followed the walk will not.
+// Cancels the posture that was to follow the walk.
 void Walker::ReplaceNext(const EndReason& reason) {
   if (has_next_) {
     has_next_ = false;

@@ -14,17 +14,17 @@
 #include "robot_model/robot_model.h"
 
 /// Sets the targets of the legs' joints, frame by frame, while the robot walks or takes a posture. It does one of the
-/// two at a time; head, tail and mouth are left alone, except that the head is levelled while the robot lies down to
+/// two at a time. It does not move head, tail and mouth, except that it levels the head while the robot lies down to
 /// rest.
 ///
-/// A walk begins in the stand: from any other posture, the robot first rises, slowly. Its velocity changes by twice the
-/// highest one in a second, and it ends in the stand. A walk that is not steered for STEERING_TIMEOUT_MS ends.
+/// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
+/// by twice the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// The planner keeps all limits, as for motions and commands. What the feet really do is TakeVelocity().
+/// The planner enforces all limits, as for motions and commands. TakeVelocity() returns the velocity that results.
 class Walker {
  public:
-  /// Greatest speed of a joint on the way to a posture, in microradian/s: 45 degrees a second. Our choice: half of what
-  /// motions take, because the legs bear the robot.
+  /// Highest speed of a joint on the way to a posture, in microradian/s: 45 degrees per second. Our choice: half of the
+  /// speed of motions, because the legs carry the robot.
   static const int POSTURE_SPEED = 785398;
 
   /// Frames without Steer() after which a walk ends.
@@ -34,36 +34,38 @@ class Walker {
   /// All must outlive this.
   Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
 
-  /// False if the robot's legs are not an ERS-7's. Then nothing else may be called but what asks.
+  /// False if the robot's legs are not an ERS-7's. Then only functions that read the state may be called.
   bool CanWalk() const { return can_walk_; }
 
   /// The numbers of the gait, with its limits.
   const GaitParameters& Parameters() const { return gait_.Parameters(); }
 
-  /// Why the robot cannot take a posture now, in words that a user can act on; NULL if it can.
+  /// An error text that tells the user why the robot cannot take a posture now; NULL if it can.
   const char* Problem();
 
-  /// The same for a walk. To be called each time that the robot is told to walk: after a walk was refused, or ended by
-  /// anything but its client's steering, its client has to let go, that is, to steer with zeros or not at all for
-  /// STEERING_TIMEOUT_MS. Otherwise a client that steers again and again would overrule what has ended the walk.
+  /// The same for a walk. Call it each time that the robot is told to walk. After a walk was refused, or ended for any
+  /// reason but its client's steering, the client has to let go: it must send zero velocities, or nothing for
+  /// STEERING_TIMEOUT_MS. Otherwise a client that keeps steering would restart the walk at once.
   const char* ProblemOfWalk(bool motors_are_on);
 
-  /// Walks, or goes on walking, with another velocity. All 0 ends the walk, and is ignored without one. Otherwise only
-  /// if there is no ProblemOfWalk(); the speed limits of the legs are the robot's own from then on.
-  /// @return the velocity that is walked: Gait::Limited()
+  /// Starts a walk, or changes its velocity. A zero velocity ends the walk, and is ignored without a walk. Any other
+  /// velocity is allowed only if there is no ProblemOfWalk(), and resets the speed limits of the legs to the robot's
+  /// own.
+  /// @return the velocity after Gait::Limited()
   protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
 
-  /// Takes a posture. A walk ends in the stand first. Only if there is no Problem().
+  /// Takes a posture. A walk first ends in the stand. Call it only if there is no Problem().
   void Take(protocol::version2::Posture posture);
 
-  /// Ends what is being done at once: the legs brake, stop and hold. A client that steers has to let go first.
+  /// Ends the walk or posture at once: the legs brake, stop and hold. A client that steers has to let go before the
+  /// next walk.
   void Stop(const EndReason& reason);
 
-  /// The same for motors that are being switched off. A robot that has lain down to rest is done with that.
+  /// The same when the motors are being switched off. A robot that has lain down to rest has then finished.
   void MotorsGoOff(const EndReason& reason);
 
-  /// The client is gone. A walk ends in the stand, a posture at once, except that the robot goes on to rest: half
-  /// crouched, with its motors on, it would get hot. The next client is told of neither.
+  /// Call when the client is gone. A walk ends in the stand, and a posture ends at once. Lying down to rest continues,
+  /// because a robot that stays half crouched with its motors on gets hot. The next client is told of neither.
   void ClientGone();
 
   /// True if this is a joint of a leg.
@@ -75,39 +77,38 @@ class Walker {
   /// True if this joint is levelled when the robot lies down to rest, as it was told last.
   bool Levels(int joint) const;
 
-  /// Something else decides where this joint is: it is not levelled any more.
+  /// Call when the joint gets another command. It is not levelled any more.
   void LeaveAlone(int joint);
 
   /// True while the robot walks or takes a posture.
   bool IsActive() const { return activity_ != IDLE; }
 
-  /// The same, unless it has only to wait for its motors to go off.
+  /// The same, but false while the robot only waits for its motors to go off.
   bool IsMoving() const { return activity_ != IDLE && !is_resting_; }
 
   /// Sets the targets for the next frame. Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
 
-  /// Looks at how the legs have moved. Call after MotionPlanner::NextFrame().
+  /// Records how the legs have moved. Call it after MotionPlanner::NextFrame().
   void HaveMoved();
 
-  /// What the accelerometer and the paws say: a robot that has fallen or is carried stops.
+  /// Checks the accelerometer and the paws. A robot that has fallen or is carried stops.
   /// @param frame OPEN-R frame
   void Measured(FallWatch::Reading reading, unsigned frame);
 
-  /// True if the motors have to go off, which MotorsGoOff() confirms: the robot has lain down to rest; or
-  /// GoesSoft().
+  /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
   bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
 
-  /// True if the robot has been lying on its side or its back for a second, and its legs were last moved here. They
-  /// must not push against whatever is there.
+  /// True if the robot has been lying on its side or its back for a second and this class moved the legs last. The legs
+  /// must not push against obstacles.
   bool GoesSoft() const { return goes_soft_; }
 
-  /// True once after the legs have gone soft.
+  /// True once after the motors have been switched off because of a fall.
   bool TakeSoftened();
 
   const FallWatch& Fall() const { return fall_watch_; }
 
-  /// How the robot is.
+  /// The robot's current posture.
   /// @param positions where its joints are, by the robot's table
   protocol::version2::Posture Now(const int* positions) const;
 
@@ -116,7 +117,7 @@ class Walker {
   protocol::version2::WalkState State() const;
   double Phase() const { return phase_; }
 
-  /// How fast it has walked since the last call: WalkedVelocity::Take().
+  /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
   /// @}
 
@@ -151,40 +152,40 @@ class Walker {
   WalkedVelocity walked_;
   FallWatch fall_watch_;
   EndLog& ended_;
-  int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< in the robot's table
+  int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< indices in the robot's table
   bool can_walk_;
   Activity activity_;
-  bool has_legs_;    ///< nobody else has moved them since
-  bool is_resting_;  ///< lies, and waits until the joints have followed
-  bool has_rested_;  ///< they have
+  bool has_legs_;    ///< nothing else has moved the legs since
+  bool is_resting_;  ///< the robot lies, and waits until the joints have followed
+  bool has_rested_;  ///< the joints have followed
   bool goes_soft_;
   bool has_softened_;
   bool is_orphan_;        ///< the client that gave the order has gone
-  bool next_is_orphan_;   ///< the same for the posture next_
+  bool next_is_orphan_;   ///< the same for next_
   unsigned measured_;     ///< frame
   unsigned rests_since_;  ///< frame
   char problem_[EndLog::MAX_TEXT_SIZE];
-  bool must_let_go_;                 ///< the client, before it can walk again
+  bool must_let_go_;                 ///< the client must let go before it can walk again
   unsigned last_asked_;              ///< frame in which the robot was told to walk
-  char why_[EndLog::MAX_TEXT_SIZE];  ///< the client must let go
+  char why_[EndLog::MAX_TEXT_SIZE];  ///< why the client must let go
 
   /// @name What is being done
   /// @{
   bool is_walk_;
-  protocol::version2::Posture posture_;  ///< if it is no walk
+  protocol::version2::Posture posture_;  ///< if this is not a walk
   protocol::version2::Posture way_[Postures::MAX_WAY];
   int way_size_;
-  int way_begun_;  ///< how many of its postures
+  int way_begun_;  ///< number of its postures that have begun
   static const int LEVELLED = 3;
   int head_[LEVELLED];     ///< the joints that are levelled
-  bool levels_[LEVELLED];  ///< and nothing else has moved them since
+  bool levels_[LEVELLED];  ///< whether each is still to be levelled
   /// @}
 
   /// @name The walk
   /// @{
-  bool ends_;  ///< in the stand, for end_reason_
+  bool ends_;  ///< the walk ends in the stand, for end_reason_
   EndReason end_reason_;
-  bool has_next_;  ///< then posture next_ is taken
+  bool has_next_;  ///< the posture next_ follows the walk
   protocol::version2::Posture next_;
   protocol::version2::Velocity wanted_;
   protocol::version2::Velocity velocity_;

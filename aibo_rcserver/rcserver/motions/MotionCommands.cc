@@ -7,10 +7,13 @@ MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, 
     : joints_(joints),
       motors_(motors),
       order_(order),
+      next_said_(0),
       repetitions_(0),
       leave_out_(false),
       commands_(0),
-      cancelled_why_(NULL) {}
+      cancelled_why_(NULL) {
+  memset(said_, 0, sizeof(said_));
+}
 
 MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out) {
   if (CheckPlay() != FileOrder::DONE) {
@@ -80,7 +83,7 @@ MotionCommands::Outcome MotionCommands::CheckPlay() {
     return order_.Fail(FileOrder::REFUSED, "the motors are off; switch them on first");
   }
   if (joints_.Motions().FindRoom() == NULL) {
-    return order_.Fail(FileOrder::REFUSED, "%d motions are being played, which is the most; stop one first",
+    return order_.Fail(FileOrder::REFUSED, "%d motions are already being played; stop one first",
                        MotionPlayer::MAX_PLAYING);
   }
   return FileOrder::DONE;
@@ -98,8 +101,25 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
     return order_.Fail(FileOrder::REFUSED, "%s", problem);
   }
   joints_.MotionHasBegun();
-  if (Changes()[0] != '\0') {
+  if (IsNews(Changes())) {
     OSYSPRINT(("RCServer: %s: %s\n", order_.Name(), Changes()));
   }
   return FileOrder::DONE;
+}
+
+// A motion that is played again and again would fill the console.
+bool MotionCommands::IsNews(const char* changes) {
+  if (changes[0] == '\0') {
+    return false;
+  }
+  for (int i = 0; i < MAX_SAID; ++i) {
+    if (strcmp(said_[i].name, order_.Name()) == 0 && strcmp(said_[i].changes, changes) == 0) {
+      return false;
+    }
+  }
+  Said& said = said_[next_said_];
+  next_said_ = (next_said_ + 1) % MAX_SAID;
+  strcpy(said.name, order_.Name());
+  strcpy(said.changes, changes);
+  return true;
 }

@@ -10,7 +10,7 @@
 #include "rcserver/joints/JointControl.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
-/// the FileOrder has the reason.
+/// FileOrder::Problem() tells the reason.
 ///
 /// A request that needs the memory stick is PENDING until Finish(). Play(), Upload(), Delete() and List() must not be
 /// called while the FileOrder has a request PENDING.
@@ -21,22 +21,22 @@ class MotionCommands {
   /// All must outlive this.
   MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order);
 
-  /// Begins to play a motion: PENDING until its file has been read. Commands to its joints that come meanwhile have
+  /// Begins to play a motion: PENDING until its file has been read. Commands that its joints get meanwhile take
   /// precedence.
   /// @param repetitions not below 1
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is REFUSED
   Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out);
 
-  /// Once Play() is DONE: what is played differently than the file says (MotionPlayer::Changes()). The console has it,
-  /// too.
+  /// Once Play() is DONE: how the motion differs from its file (MotionPlayer::Changes()). The console shows this, too,
+  /// but only once for the same motion with the same changes.
   const char* Changes() const { return joints_.Motions().Changes(); }
 
-  /// Stops a motion, if it is being played.
+  /// Stops a motion if it is being played.
   /// @param name empty: all of them
   void Stop(const protocol::MotionName& name);
 
-  /// If this motion's file is still being read, Play() will be REFUSED.
-  /// @param name empty: whichever it is
+  /// Makes Play() end as REFUSED if this motion's file is still being read.
+  /// @param name empty for any motion
   /// @param why follows the name of the motion, as in "NOD.MTN ..."; must outlive this
   void Cancel(const protocol::MotionName& name, const char* why);
 
@@ -46,32 +46,44 @@ class MotionCommands {
 
   Outcome Delete(const protocol::MotionName& name);
 
-  /// Lists all motions: in FileResult::list when it is DONE.
+  /// Lists all motions. The list is in FileResult::list when the request is DONE.
   Outcome List();
 
-  /// Finishes the pending request, if it is one of these.
+  /// Finishes the pending request if it is about motions.
   /// @return never PENDING
   Outcome Finish(const FileResult& result);
 
  private:
+  // What the console has said about a motion.
+  struct Said {
+    protocol::MotionName name;
+    char changes[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
+  };
+
+  // As many as a memory stick usually has; the oldest is forgotten.
+  static const int MAX_SAID = 16;
+
   MotionCommands(const MotionCommands&);
   MotionCommands& operator=(const MotionCommands&);
 
   Outcome CheckPlay();
   Outcome FinishPlay(const FileResult& result);
+  bool IsNews(const char* changes);
 
   JointControl& joints_;
   const MotorSwitch& motors_;
   FileOrder& order_;
   mtn::Motion checked_;       ///< the upload that is checked
-  mtn::FittedMotion fitted_;  ///< the same
+  mtn::FittedMotion fitted_;  ///< the upload, fitted to the robot
+  Said said_[MAX_SAID];
+  int next_said_;
 
   /// @name The motion to be played, while its file is being read
   /// @{
   int repetitions_;            ///< how often the motion is to be played
   bool leave_out_;             ///< without the joints that the robot does not have
-  unsigned commands_;          ///< how many commands there had been when it was requested
-  const char* cancelled_why_;  ///< why the motion is not to be played after all, or NULL
+  unsigned commands_;          ///< JointControl::NumberOfCommands() at the request
+  const char* cancelled_why_;  ///< why the motion was cancelled, or NULL
   /// @}
 };
 

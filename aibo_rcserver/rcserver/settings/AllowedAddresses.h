@@ -5,10 +5,10 @@
 
 #include <stddef.h>
 
-/// A list of IPv4 addresses, which are numbers here: 127.0.0.1 is 0x7f000001. Its memory has a fixed size.
+/// A list of IPv4 addresses as numbers: 127.0.0.1 is 0x7f000001. Its memory has a fixed size.
 class AllowedAddresses {
  public:
-  /// Most entries of a list.
+  /// Most entries in a list.
   static const int MAX_RANGES = 32;
 
   /// Any address.

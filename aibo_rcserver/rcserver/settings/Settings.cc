@@ -10,7 +10,7 @@
 
 namespace {
 
-// The settings. Those with a value are yes or no; the others are the first ones, at these indices.
+// The settings. The first ones, at these indices, have their own parsers; all others are yes or no.
 enum { ALLOWED_ADDRESSES, SILENT_CLIENT_SECONDS };
 const struct {
   const char* name;
@@ -42,7 +42,7 @@ void SkipByteOrderMark(FILE* file) {
   }
 }
 
-// Reads lines NAME=VALUE into settings, whichever system's line ends the file has.
+// Reads lines NAME=VALUE into settings. Accepts the line ends of all systems.
 class Reader {
  public:
   explicit Reader(Settings* settings) : settings_(*settings), number_(0), last_(0), is_text_(true) {
@@ -52,13 +52,13 @@ class Reader {
   // Reads the next line. False at the end of the file.
   bool Next(FILE* file);
 
-  // From 1.
+  // The line's number, from 1.
   int Number() const { return number_; }
 
-  // In capitals, without comment.
+  // The line in capitals, without its comment.
   const char* Line() const { return line_; }
 
-  // Sets what the line says. The problem with it, or NULL.
+  // Applies the line's setting. Returns the problem, or NULL.
   const char* Set();
 
  private:
@@ -104,8 +104,8 @@ bool Reader::Next(FILE* file) {
 
 const char* Reader::Set() {
   if (!is_text_) {
-    // A comment with a line end that is none here may hide a setting: editors show a new line at a form feed, and some
-    // at NEL and U+2028, which begin with a byte above 0x7f in every encoding but ASCII.
+    // Some editors show a new line at a form feed, NEL or U+2028, which is not a line end here. So a setting could be
+    // hidden in a comment. NEL and U+2028 begin with a byte above 0x7f in every encoding.
     return "it has a character that is not ASCII or is a control character, or more than 1023 characters";
   }
   const char* const name = SkipSpaces(line_);
@@ -154,7 +154,7 @@ const char* Reader::ReadSeconds(const char* value) {
   return NULL;
 }
 
-// What holds when nothing can be relied on: a line that is wrong may have been meant to keep others out.
+// The settings when the file has a wrong line, which may have been meant to keep others out.
 void MakeSafe(Settings* settings) {
   *settings = Settings();
   settings->motors_at_boot = false;
@@ -174,7 +174,7 @@ const char* SettingsFileName() {
   return SETTINGS_FILE + sizeof(SETTINGS_FOLDER);
 }
 
-// Whatever the case of the letters. The SDK has no strcasecmp().
+// Ignores the case of the letters. The SDK has no strcasecmp().
 bool BeginsWith(const char* text, const char* beginning) {
   while (*beginning != '\0' &&
          tolower(static_cast<unsigned char>(*text)) == tolower(static_cast<unsigned char>(*beginning))) {
@@ -194,7 +194,7 @@ bool IsLookAlike(const char* name) {
   return (BeginsWith(name, "RCSERVER") || BeginsWith(name, "RCSERV~")) && !IsSettingsFile(name);
 }
 
-// Copies the first name in the settings' folder that is of this kind. False if there is none.
+// Copies the first matching name in the settings folder. False if there is none.
 bool FindInFolder(const HostSettings& host, bool (*is_wanted)(const char* name), char (&found)[64]) {
   char path[MAX_PATH_SIZE];
   DIR* const folder = pathOnMemoryStick(host, SETTINGS_FOLDER, path) ? opendir(path) : NULL;
@@ -212,7 +212,7 @@ bool FindInFolder(const HostSettings& host, bool (*is_wanted)(const char* name),
   return entry != NULL;
 }
 
-// Each address in a print of its own: OSYSPRINT() cuts off what is longer than 242 characters.
+// Prints each address separately, because OSYSPRINT() truncates at 242 characters.
 void ReportWhoMayConnect(const AllowedAddresses& addresses) {
   if (addresses.IsAny()) {
     OSYSPRINT(("RCServer: any address may connect\n"));

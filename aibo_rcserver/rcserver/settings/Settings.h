@@ -9,14 +9,14 @@
 #include "objects/HostSettings.h"
 #include "rcserver/settings/AllowedAddresses.h"
 
-/// Where they are on the memory stick.
+/// The folder of the settings file on the memory stick.
 const char SETTINGS_FOLDER[] = "OPEN-R/MW/CONF";
 const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
 
-/// Longest line of the file that is read, without its comment.
+/// Longest line that is accepted, without its comment.
 const size_t MAX_SETTINGS_LINE_SIZE = 1023;
 
-/// Constructed with the defaults: nothing dangerous is allowed.
+/// The constructor sets the defaults, which allow nothing dangerous.
 struct Settings {
   Settings()
       : allow_upload(false),
@@ -32,7 +32,7 @@ struct Settings {
 
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
   bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
-  bool allow_pictures;                 ///< ALLOW_PICTURES: onto the memory stick, and from it to the client
+  bool allow_pictures;                 ///< ALLOW_PICTURES: clients take pictures onto the memory stick and fetch them
   bool allow_microphone;               ///< ALLOW_MICROPHONE: clients hear what the robot hears
   bool allow_sound;                    ///< ALLOW_SOUND: clients play sound and set the volume
   bool allow_shut_down;                ///< ALLOW_SHUT_DOWN
@@ -40,7 +40,7 @@ struct Settings {
   bool motors_at_boot;                 ///< MOTORS_AT_BOOT: joints hold where they are when the robot has booted
   bool power_monitor;                  ///< POWER_MONITOR: pause button and low battery switch the robot off
   AllowedAddresses allowed_addresses;  ///< ALLOWED_ADDRESSES
-  unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: then a client counts as silent
+  unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: after this time, a client counts as silent
 };
 
 /// Receives the problems in the file, line by line.
@@ -49,18 +49,19 @@ class SettingsProblems {
   virtual ~SettingsProblems() {}
 
   /// @param line from 1
-  /// @param text the problem, and the line
+  /// @param text the problem and the line's text
   virtual void Report(int line, const char* text) = 0;
 };
 
-/// Reads lines NAME=VALUE. Empty lines and comments after a # are skipped, upper and lower case are the same, and lines
-/// may end as on any system. If any line is wrong, the file counts for nothing, because that line may have been meant
-/// to prevent something: only 127.0.0.1 may connect, motors are off at boot, and all else is as without the file.
+/// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, case does not matter, and the
+/// line ends of all systems are accepted. If any line is wrong, the whole file is ignored, because that line may have
+/// been a restriction. Then only 127.0.0.1 may connect, the motors are off at boot, and all other settings have their
+/// defaults.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
-/// Reads RCSERVER.CFG from the memory stick, and names on the console each line that is wrong, and who may connect.
-/// Without the file, the defaults hold. If it cannot be read, or another file beside it has a name that begins with
-/// RCSERVER, the same holds as for a wrong line.
+/// Reads RCSERVER.CFG from the memory stick. The console shows each wrong line and who may connect. Without the file,
+/// the defaults hold. An unreadable file, or another file there whose name begins with RCSERVER, counts as a wrong
+/// line.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

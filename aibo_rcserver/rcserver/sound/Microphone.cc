@@ -10,9 +10,9 @@ namespace {
 const int CHANNELS = 2;
 const unsigned FULL_RATE = 16000;
 
-// A half-band low-pass: from 4.6 kHz on, which 8 kHz cannot tell from lower tones, 20 dB are lost, from 5 kHz on 43 dB,
-// below 3 kHz nothing. Factors for the samples 1, 3, 5... before and after the one in the middle, which has a half; all
-// others have 0. Kaiser's window with beta = 5. Their sum is 32768.
+// A half-band low-pass filter against aliasing at 8 kHz. It attenuates by 20 dB from 4.6 kHz and by 43 dB from 5 kHz,
+// and passes frequencies below 3 kHz. These are the coefficients of the samples 1, 3, 5... before and after the middle
+// one, whose coefficient is a half. All others are 0. The window is Kaiser's with beta = 5. The sum is 32768.
 const int FACTORS[] = {10281, -3018, 1393, -652, 267, -79};
 const int MIDDLE_FACTOR = 16384;
 const int FACTOR_SHIFT = 15;
@@ -35,8 +35,9 @@ void Microphone::Start(OObserver* gate) {
 }
 
 void Microphone::Set(const MicrophoneSettings& settings) {
-  if (settings.on != settings_.on) {
-    if (settings.on) {
+  const bool on = (settings.mode & protocol::version2::MICROPHONE_ON) != 0;
+  if (on != IsOn()) {
+    if (on) {
       gate_->AssertReady();
     } else {
       gate_->DeassertReady();
@@ -49,9 +50,7 @@ void Microphone::Set(const MicrophoneSettings& settings) {
 }
 
 void Microphone::ClientGone() {
-  if (IsOn()) {
-    Set(MicrophoneSettings());
-  }
+  Set(MicrophoneSettings());
 }
 
 void Microphone::AskForMore() {
@@ -91,7 +90,7 @@ HeardSound Microphone::Convert(OSoundVectorData* vector, unsigned char* out) {
   return heard;
 }
 
-// What the sample in the middle of the last 23 becomes.
+// The filtered value of the middle one of the last 23 samples.
 int Microphone::Filtered(int channel) const {
   const int* const last = last_[channel];
   const int middle = next_ + RING_SIZE - (2 * NUMBER_OF_FACTORS - 1);

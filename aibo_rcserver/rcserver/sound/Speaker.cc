@@ -29,7 +29,7 @@ const unsigned MOST_STARVED = protocol::version2::SPEAKER_TIMEOUT_MS * (SAMPLES_
 // Model Information ERS-7, 3.1.2.
 const longword VOLUMES[MAX_VOLUME + 1] = {ospkvolinfdB, ospkvol25dB, ospkvol18dB, ospkvol10dB};
 
-// Positions may overflow, so only their difference counts.
+// Positions may overflow, so only their differences are compared.
 bool IsAfter(unsigned position, unsigned other) {
   return static_cast<int>(position - other) > 0;
 }
@@ -104,8 +104,6 @@ const char* Speaker::Begin() {
   vectors_until_end_ = 0;
   begin_ = 0;
   end_ = 0;
-  is_in_gap_ = false;
-  starved_ = 0;
   gaps_ = 0;
   missing_ = 0;
   return NULL;
@@ -114,9 +112,10 @@ const char* Speaker::Begin() {
 const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   const unsigned after = part.position + size;
   if (!is_playing_ || has_last_) {
-    return "there is no sound that could go on; one begins with the sample at position 0";
+    return "no sound is being played; one begins with the sample at position 0";
   }
-  if (size > SPEAKER_CAPACITY || IsAfter(after, begin_ + SPEAKER_CAPACITY)) {
+  const unsigned most = begin_ + SPEAKER_CAPACITY;
+  if (size > SPEAKER_CAPACITY || IsAfter(part.position, most) || IsAfter(after, most)) {
     return "the robot has no room for so many samples yet; the answers tell how many may follow";
   }
   while (IsAfter(part.position, end_)) {
@@ -134,7 +133,7 @@ const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   return NULL;
 }
 
-// Takes the place of a sample that has not come.
+// Replaces a sample that has not come.
 void Speaker::AddSilence() {
   samples_[end_ % SPEAKER_CAPACITY] = 0;
   ++end_;
@@ -196,15 +195,14 @@ unsigned char Speaker::Volume() const {
 
 void Speaker::ClientGone() {
   is_playing_ = false;
-  vectors_until_end_ = 0;
   number_of_ends_ = 0;
   if (volume_ != VOLUME_OF_ROBOT) {
     SetVolume(VOLUME_OF_ROBOT);
   }
 }
 
-// Opens the speaker, unless it is open already, and sets its volume, because the robot's own switch may have moved.
-// Muting it at volume 0 is our choice: -infinity dB should do.
+// Opens the speaker, unless it is already open, and sets its volume, because the robot's own switch may have moved. At
+// volume 0, it also mutes the speaker, which is our choice: -infinity dB should suffice.
 bool Speaker::Open() {
   if (!primitives_.IsOpen(SPEAKER)) {
     char design[orobotdesignNAME_MAX + 1] = "";
@@ -279,11 +277,11 @@ RCRegion* Speaker::FindFree() {
   return NULL;
 }
 
-// Behind the last sample there is silence, which does not count.
+// Silence after the last sample does not count.
 void Speaker::Fill(RCRegion* vector) {
   OSoundVectorData* const data = VectorIn(vector);
   OSoundInfo* const info = data->GetInfo(0);
-  // The guide says odataSOUND (page 63). All of Sony's samples, which ran on robots, have this.
+  // The guide says odataSOUND (page 63), but all of Sony's samples, which ran on robots, use this type.
   info->Set(odataSOUND_VECTOR, primitives_.Id(SPEAKER), VECTOR_SAMPLES * sizeof(short));
   info->format = osoundformatPCM;
   info->channel = osoundchannelMONO;

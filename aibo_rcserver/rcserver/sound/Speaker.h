@@ -1,5 +1,5 @@
 /// @file Speaker.h
-/// What the robot plays.
+/// Sound for the robot's speaker.
 #ifndef AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
 #define AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
 
@@ -10,15 +10,13 @@
 #include "protocol/sound_requests.h"
 #include "rcserver/body/Primitives.h"
 
-/// Plays one sound at a time, sample by sample as time passes: what has not come in time is silence, and is left out
-/// when it comes.
+/// Plays one sound at a time. A sample that has not come in time is replaced by silence, and is dropped when it comes.
 ///
-/// OVirtualRobotAudioComm takes two vectors at first, and one more for each READY, which says that one has been output
-/// (Level2 Reference Guide, page 44). The speaker is opened for the first sound, so that a robot that nobody lets play
-/// one is left alone.
+/// OVirtualRobotAudioComm takes two vectors at first, and one more for each READY, which means that one has been output
+/// (Level2 Reference Guide, page 44). The speaker is opened when the first sound is played.
 class Speaker {
  public:
-  /// Samples of a vector, 32 ms, as in Sony's samples SoundPlay and SoundAgent.
+  /// Samples in a vector: 32 ms, as in Sony's samples SoundPlay and SoundAgent.
   static const int VECTOR_SAMPLES = 512;
 
   Speaker();
@@ -31,13 +29,16 @@ class Speaker {
   /// @return NULL, or why they are not played; then nothing changes
   const char* Play(const protocol::version2::PlayedSound& part);
 
-  /// How many samples there is room for.
+  /// Number of samples that there is room for.
   unsigned Room() const;
 
-  /// READY has come.
+  /// True if little of the present sound waits, and more is to come.
+  bool IsShort() const { return is_playing_ && !has_last_ && Room() > protocol::version2::SPEAKER_CAPACITY / 2; }
+
+  /// Call on READY.
   void IsReady();
 
-  /// Takes out how a sound has ended.
+  /// Takes out the report of a sound that has ended.
   /// @return false if none has
   bool TakeEnd(protocol::version2::SoundEnd* end);
 
@@ -48,13 +49,13 @@ class Speaker {
   /// The volume in force.
   unsigned char Volume() const;
 
-  /// Falls silent: only vectors that are on their way are still played, at most 64 ms.
+  /// Stops the sound. Vectors that have already been sent are still played, at most 64 ms.
   void ClientGone();
 
  private:
   static const int NUMBER_OF_VECTORS = 2;
 
-  // A client that sends another sound knows how the one before has ended; and that one may have ended, too.
+  // Two sounds can end before the reports are taken: one that a new sound replaces, and the new one.
   static const int MOST_ENDS = 2;
 
   Speaker(const Speaker&);
@@ -77,11 +78,11 @@ class Speaker {
   MemoryRegionID memories_[NUMBER_OF_VECTORS];
   RCRegion* regions_[NUMBER_OF_VECTORS];
   int vectors_on_their_way_;  ///< sent, and their output is not complete
-  unsigned char volume_;      ///< that a client has set, or VOLUME_OF_ROBOT
+  unsigned char volume_;      ///< set by a client, or VOLUME_OF_ROBOT
 
   bool is_playing_;
   bool has_last_;          ///< the sound ends at end_
-  int vectors_until_end_;  ///< 0, or how many have to be output until the sound has been played
+  int vectors_until_end_;  ///< vectors to be output until the sound has ended, or 0
   unsigned begin_;         ///< position of the next sample for a vector
   unsigned end_;           ///< position after the last sample that waits
   bool is_in_gap_;

@@ -12,8 +12,8 @@ using robot_model::Point;
 
 namespace {
 
-// How far something has come that speeds up evenly for `easing`, moves on, and slows down evenly for `easing` at the
-// end. All in parts of its whole way and time.
+// The position of a point that accelerates evenly for `easing`, moves on, and slows down evenly for `easing` at the
+// end. Positions and times are shares of the whole.
 // @param from its speed at both ends
 double Eased(double time, double easing, double from) {
   const double top = (1 - easing * from) / (1 - easing);
@@ -67,7 +67,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     const double time = LegPhase(leg, phase);
     const double in_air = (time - parameters_.duty) / (1 - parameters_.duty);
     const double lift = in_air >= 0 ? effort * Lift(in_air) : 0;
-    // With the floor's speed, the foot needs these seconds from here to its middle.
+    // The time in seconds that the foot needs from here to the middle of its line at the floor's speed.
     const double ahead = PlaceAt(time + parameters_.margin) * with_floor * parameters_.period - parameters_.lag;
     const Point foot = {middle.x + ahead * (velocity.forward - velocity.turn * middle.y),
                         middle.y + ahead * (velocity.left + velocity.turn * middle.x), middle.z + lift};

@@ -1,27 +1,27 @@
 /// @file Gait.h
-/// How the legs move when the robot walks.
+/// The motion of the legs when the robot walks.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 #define AIBO_RCSERVER_RCSERVER_WALK_GAIT_H
 
 #include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
 
-/// The numbers of the gait. The defaults were found with the bench in test/physics, which counts falls, ways and the
-/// loads of the motors; none has been tried on a robot yet.
+/// The numbers of the gait. The defaults were found with the bench in test/physics, which measures falls, distances and
+/// motor loads. None has been tried on a robot yet.
 struct GaitParameters {
   GaitParameters();
 
   double period;  ///< s; in this time, each foot makes one step
 
-  /// Share of the period in which a foot is on the floor. Two feet always are, from 0.5 on.
+  /// Share of the period in which a foot is on the floor. From 0.5 on, two feet always are.
   double duty;
 
-  /// Share of the period for which a foot moves with the floor already before it touches down, and still after it has
-  /// lifted off. Motors follow late; a foot that is still turning round when it touches the floor drags the robot.
+  /// Share of the period for which a foot moves with the floor before it touches down and after it has lifted off.
+  /// Motors lag, and a foot that still moves forward when it touches the floor drags the robot.
   double margin;
 
-  /// s; feet stand where they would be this much later. Motors follow late, so feet on the floor are ahead of where
-  /// they should be, and the robot would lean back.
+  /// s; feet are placed where they would be this much later. Motors lag, so feet on the floor are ahead of their
+  /// planned places, and the robot would lean back.
   double lag;
 
   double height;       ///< m; of the shoulders over the floor
@@ -31,15 +31,15 @@ struct GaitParameters {
   double outward;      ///< m; where a foot stands, farther from the middle of the body than its shoulder
   double nose_down;    ///< rad; how far the body leans forward
 
-  /// Share of its way to the front in which a foot turns from the floor's speed to its own; the same before it moves
-  /// with the floor again. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
+  /// Share of its way to the front in which a foot changes from the floor's speed to its own. The change back takes the
+  /// same share. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
   double easing;
 
-  /// Share of its way through the air in which a foot begins to rise; the same for the end of its rise, the beginning
-  /// of its fall and the end of its fall. 0..0.25; effects as of `easing`.
+  /// Share of its way through the air in which a foot begins to rise. The end of the rise and both ends of the fall
+  /// take the same share. 0..0.25; it acts like `easing`.
   double lift_easing;
 
-  /// Highest velocities, each without the others. Less than that is left if several come together.
+  /// Highest velocities, each without the others. Combined velocities are limited further.
   protocol::version2::WalkLimits highest;
 };
 
@@ -50,16 +50,16 @@ struct GaitParameters {
 /// A pure function: it has no state, and the same arguments give the same angles. A robot that stands still is a robot
 /// that walks with velocity 0 and effort 0, whatever the phase is.
 ///
-/// The angles are not limited. With a velocity that Limited() returns, they are within the limits and couplings of the
-/// joints, and so are their speeds: a test sweeps them.
+/// The angles are not limited. With a velocity from Limited(), the angles and their speeds are within the limits and
+/// couplings of the joints. A test checks all velocities.
 class Gait {
  public:
   explicit Gait(const GaitParameters& parameters = GaitParameters()) : parameters_(parameters) {}
 
   const GaitParameters& Parameters() const { return parameters_; }
 
-  /// The velocity of the same direction that the legs can walk. Forward, sideways and turning share their speed: the
-  /// parts of the highest velocities that they take add up to 1 at most.
+  /// The highest velocity in this direction that the legs can walk. Forward, sideways and turning velocities, each
+  /// divided by its highest value, add up to 1 at most.
   protocol::version2::Velocity Limited(const protocol::version2::Velocity& wanted) const;
 
   /// True while a leg's foot is on the floor.
@@ -70,10 +70,10 @@ class Gait {
   /// a margin of a frame or more, a pair of legs always does so from one frame to the next.
   bool MovesWithFloor(robot_model::Leg leg, double phase) const;
 
-  /// Where the legs are.
+  /// Computes the angles of the legs.
   /// @param phase of the step, 0..1
   /// @param velocity that Limited() has returned
-  /// @param effort 0..1: how much of the lift is made; less than 1 to begin and to end a walk
+  /// @param effort 0..1: share of the lift; less than 1 at the beginning and the end of a walk
   /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
   void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
                    robot_model::LegAngles* angles) const;

@@ -18,20 +18,21 @@ namespace {
 
 const double DEGREE = 3.14159265358979323846 / 180;
 
-// Sitting, the body leans back by 25 degrees, and all paws are on the floor. Lying, it is on its belly.
+// In the sitting posture, the body leans back by 25 degrees, and all paws are on the floor. A lying robot is on its
+// belly.
 const LegAngles FRONT_SITS = {-35 * DEGREE, 5 * DEGREE, 15 * DEGREE};
 const LegAngles HIND_SITS = {60 * DEGREE, 5 * DEGREE, 115 * DEGREE};
 const LegAngles FRONT_RESTS = {65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 const LegAngles HIND_RESTS = {-65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 
-// How far a foot may be from a way, in metres, with the robot still on it. Our choice: more than loads and slipping
-// joints make, less than the length of a shank.
+// Largest distance of a foot from a way, in metres, at which the robot still counts as on it. Our choice: more than
+// load and joint slip cause, less than the length of a shank.
 const double NEAR = 0.03;
 
-// Places on a way that are looked at; they are less than NEAR apart.
+// Number of checked places on a way. They are less than NEAR apart.
 const int PLACES = 16;
 
-// Where feet may be when the robot stands. Our choice: from half crouching to straight legs.
+// Range of foot positions in which the robot counts as standing. Our choice: from half crouched to straight legs.
 const double LOWEST_STAND = -0.07;  // m; foot below the body's origin
 const double STAND_SLANT = 0.03;    // m; difference in height between two feet
 const double STAND_AROUND = 0.06;   // m; from the foot's place, seen from above

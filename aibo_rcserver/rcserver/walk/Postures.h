@@ -7,18 +7,18 @@
 #include "rcserver/walk/Gait.h"
 #include "robot_model/legs.h"
 
-/// Knows how the legs are in each posture, and in which order to take postures to come from anywhere to one of them, so
-/// that the robot never stands on folded legs.
+/// Knows the leg angles of each posture, and the order in which to take postures to get to one from anywhere, so that
+/// the robot never stands on folded legs.
 ///
 /// Between standing and sitting, and between standing and lying, all joints move at once, and the feet slide over the
-/// floor. All other ways lead over these. From a posture that is not known, the robot lies down first: its legs slide
-/// apart, so that the feet stay around the body all the way down.
+/// floor. All other ways are made of these. From an unknown posture, the robot first lies down. Its legs slide apart,
+/// so that the feet stay around the body all the way down.
 class Postures {
  public:
-  /// The most postures on a way.
+  /// Most postures on a way.
   static const int MAX_WAY = 3;
 
-  /// @param gait whose posture without velocity is that of standing
+  /// @param gait its posture at zero velocity is standing
   explicit Postures(const Gait& gait);
 
   /// The angles of the four legs in a posture, in the order of robot_model::Leg.
@@ -27,15 +27,14 @@ class Postures {
   /// Finds the way to a posture.
   /// @param here the angles of the four legs now
   /// @param[out] way room for MAX_WAY postures to take one after the other; the last is the wanted one
-  /// @return how many there are
+  /// @return the number of postures
   int FindWay(const robot_model::LegAngles* here, protocol::version2::Posture wanted,
               protocol::version2::Posture* way) const;
 
-  /// True if the feet are below the body and about where they are when the robot stands: it can stand up straight at
-  /// once.
+  /// True if the feet are below the body and near their places in the stand, so that the robot can stand up at once.
   bool Stands(const robot_model::LegAngles* here) const;
 
-  /// True if the feet are near where they are in this posture.
+  /// True if the feet are near their places in this posture.
   bool Is(protocol::version2::Posture posture, const robot_model::LegAngles* here) const {
     return IsBetween(posture, posture, here);
   }

@@ -27,7 +27,7 @@ Point Mean(const Point* points, int count) {
   return mean;
 }
 
-// The rigid motion of the body that comes nearest to that of the feet on the floor.
+// The rigid motion of the body that fits the feet on the floor best.
 // @param steps of the body in a frame, seen from each foot
 // @param count at least 2
 Velocity RigidVelocity(const Point* places, const Point* steps, int count) {

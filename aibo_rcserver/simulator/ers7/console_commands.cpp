@@ -1,5 +1,7 @@
 #include "simulator/ers7/console_commands.h"
 
+#include <OPENR/OUnits.h>
+
 #include <cmath>
 #include <iomanip>
 #include <map>
@@ -20,6 +22,9 @@ const char kHelp[] =
     "lie SIDE          lets it fall on its left, right or back, or puts it back on its feet\n"
     "stick STATE       makes the memory stick ready, full, locked, out or slow\n"
     "hear FILE         lets its microphones hear a WAV file of 16 kHz, or silence\n"
+    "joint NAME        tells where a joint really is, in degrees: head_pan...\n"
+    "light NAME        tells the intensity of an LED, 0 to 255: face_1...\n"
+    "ear NAME          tells whether the magnet draws an ear: left_ear, right_ear\n"
     "where             tells where it really is: x and y in metres, yaw in radian\n"
     "help              prints this list\n";
 
@@ -105,6 +110,22 @@ std::string toText(const Place& place) {
   return text.str();
 }
 
+/// The answer to a question about a part; nothing if there is no such question.
+std::optional<std::string> tell(const SimulatedErs7& robot, const std::string& question, const std::string& part) {
+  std::ostringstream text;
+  text << "ok: " << question << " " << part << " ";
+  if (question == "joint") {
+    text << std::fixed << std::setprecision(2) << degrees(robot.joints().named(part).position() / 1e6);
+  } else if (question == "light") {
+    text << robot.led(part).intensity;
+  } else if (question == "ear") {
+    text << (robot.ear(part).isDrawn() ? "drawn" : "let go");
+  } else {
+    return std::nullopt;
+  }
+  return text.str() + "\n";
+}
+
 }  // namespace
 
 std::optional<std::string> obeyConsole(SimulatedErs7& robot, const std::string& line) {
@@ -116,6 +137,10 @@ std::optional<std::string> obeyConsole(SimulatedErs7& robot, const std::string& 
     return "ok: where " + toText(robot.pose()) + "\n";
   }
   try {
+    const auto told = words.size() == 2 ? tell(robot, words[0], words[1]) : std::nullopt;
+    if (told) {
+      return told;
+    }
     if (words.size() == 2 && obey(robot, words[0], words[1])) {
       return "ok: " + words[0] + " " + words[1] + "\n";
     }

@@ -12,14 +12,14 @@
 
 namespace simulated_ers7 {
 
-/// Reusable regions for the robot's data: as many as the slowest observer keeps. Not thread-safe.
+/// Reusable regions for the robot's data. The pool grows to the number of regions that observers keep. Not thread-safe.
 class RegionPool {
  public:
   /// @param size of each region, in bytes
   /// @param prepare writes a region's constant part once
   RegionPool(std::size_t size, std::function<void(RCRegion*)> prepare) : size_(size), prepare_(std::move(prepare)) {}
 
-  /// A region to which only the pool refers: a used one, or a new one if all are in use.
+  /// A region to which only the pool refers. It is new if all others are in use.
   RCRegion* freeRegion() {
     for (const auto& region : regions_) {
       if (region->NumberOfReference() == 1) {

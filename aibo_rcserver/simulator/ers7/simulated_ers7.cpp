@@ -15,8 +15,12 @@
 namespace simulated_ers7 {
 namespace {
 
-const robot_model::RobotModel& model() {
-  return *robot_model::findRobotModel("ERS-7");
+const robot_model::RobotModel& modelOf(const std::string& design) {
+  const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str());
+  if (model == nullptr) {
+    throw std::invalid_argument("there is no simulated " + design + "; there are ERS-7 and ERS-210");
+  }
+  return *model;
 }
 
 ODataType typeOf(robot_model::SensorKind kind) {
@@ -39,16 +43,15 @@ ODataType typeOf(robot_model::SensorKind kind) {
 }
 
 /// The joints, then the sensors that are primitives.
-std::vector<SensorFrameEntry> sensorFrameEntries() {
+std::vector<SensorFrameEntry> sensorFrameEntries(const robot_model::RobotModel& model) {
   std::vector<SensorFrameEntry> entries;
-  entries.reserve(static_cast<std::size_t>(model().number_of_joints) +
-                  static_cast<std::size_t>(model().number_of_sensors));
-  for (int i = 0; i < model().number_of_joints; ++i) {
+  entries.reserve(static_cast<std::size_t>(model.number_of_joints) + static_cast<std::size_t>(model.number_of_sensors));
+  for (int i = 0; i < model.number_of_joints; ++i) {
     entries.push_back({jointPrimitive(static_cast<std::size_t>(i)), odataJOINT_VALUE});
   }
-  for (int i = 0; i < model().number_of_sensors; ++i) {
-    if (model().sensors[i].locator != nullptr) {
-      entries.push_back({sensorPrimitive(static_cast<std::size_t>(i)), typeOf(model().sensors[i].kind)});
+  for (int i = 0; i < model.number_of_sensors; ++i) {
+    if (model.sensors[i].locator != nullptr) {
+      entries.push_back({sensorPrimitive(static_cast<std::size_t>(i)), typeOf(model.sensors[i].kind)});
     }
   }
   return entries;
@@ -82,21 +85,22 @@ std::unique_ptr<PictureSource> makePictures(const SimulatedErs7::Options& option
 }  // namespace
 
 SimulatedErs7::SimulatedErs7(const Options& options)
-    : primitives_(model()),
-      joints_(model(), options.seed),
-      sensors_(model(), scene_, options.seed),
+    : model_(modelOf(options.design)),
+      primitives_(model_),
+      joints_(model_, options.seed),
+      sensors_(model_, scene_, options.seed),
       battery_(options.battery_minutes),
-      leds_(static_cast<std::size_t>(model().number_of_leds)),
-      ears_(static_cast<std::size_t>(model().number_of_ears)),
+      leds_(static_cast<std::size_t>(model_.number_of_leds)),
+      ears_(static_cast<std::size_t>(model_.number_of_ears)),
       travel_(joints_.legs(), joints_.head()),
       sound_(options.speaker_file, options.hears_itself),
-      sensor_regions_(sensorFramesSize(sensorFrameEntries().size()),
-                      [](RCRegion* region) { prepareSensorFrames(region, sensorFrameEntries()); }),
+      sensor_regions_(sensorFramesSize(sensorFrameEntries(model_).size()),
+                      [this](RCRegion* region) { prepareSensorFrames(region, sensorFrameEntries(model_)); }),
       pictures_(makePictures(options, scene_)),
       camera_(*pictures_, kCameraPrimitive) {}
 
 std::string SimulatedErs7::design() const {
-  return model().design;
+  return model_.design;
 }
 
 OStatus SimulatedErs7::openPrimitive(const char* locator, OPrimitiveID* id) {
@@ -128,6 +132,10 @@ void SimulatedErs7::hear(const std::string& file) {
 
 OStatus SimulatedErs7::setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) {
   return forJoints(id, [&](Joint& joint) { return joint.setGains({pg, ig, dg, ps, is, ds}); });
+}
+
+OStatus SimulatedErs7::setDefaultJointGain(OPrimitiveID id) {
+  return forJoints(id, [](Joint& joint) { return joint.setGains(joint.model().gains); });
 }
 
 OStatus SimulatedErs7::enableJointGain(OPrimitiveID id) {
@@ -222,9 +230,10 @@ bool SimulatedErs7::takesCommand(OPrimitiveID id, ODataType type) const {
     case PrimitiveKind::kJoint:
       return type == odataJOINT_COMMAND2;
     case PrimitiveKind::kLed:
-      return type == (model().leds[primitive->index].kind == robot_model::LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3);
+      return type == (model_.leds[primitive->index].kind == robot_model::LED2 ? odataLED_COMMAND2 : odataLED_COMMAND3);
     case PrimitiveKind::kEar:
-      return type == odataJOINT_COMMAND4;
+      return type == (model_.ears[primitive->index].kind == robot_model::EAR_JOINT3 ? odataJOINT_COMMAND3
+                                                                                    : odataJOINT_COMMAND4);
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:
     case PrimitiveKind::kSound:
@@ -255,6 +264,7 @@ void SimulatedErs7::obey(const openr_host::EffectorCommand& command) {
     case PrimitiveKind::kLed:
       return simulated_ers7::obey(command, &leds_[primitive.index]);
     case PrimitiveKind::kEar:
+      // JOINT_COMMAND3 has the state at the same place.
       return ears_[primitive.index].energise(valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1);
     case PrimitiveKind::kCamera:
     case PrimitiveKind::kSensor:
@@ -267,7 +277,7 @@ void SimulatedErs7::passFrameOfEars() {
   for (std::size_t i = 0; i < ears_.size(); ++i) {
     if (ears_[i].passFrame()) {
       OSYSLOG1((osyslogWARNING, "%s was energised for %d ms without a pause and is too hot now: let it go",
-                model().ears[i].name, static_cast<int>(8 * Ear::kMostFramesEnergised)));
+                model_.ears[i].name, static_cast<int>(8 * Ear::kMostFramesEnergised)));
     }
   }
 }
@@ -281,17 +291,17 @@ void SimulatedErs7::press(const std::string& button, bool pressed) {
 }
 
 const Led& SimulatedErs7::led(const std::string& name) const {
-  const int index = robot_model::findLedByName(model(), name.c_str());
+  const int index = robot_model::findLedByName(model_, name.c_str());
   if (index == robot_model::NO_LED) {
-    throw std::invalid_argument("the ERS-7 has no LED \"" + name + "\"");
+    throw std::invalid_argument("the " + design() + " has no LED \"" + name + "\"");
   }
   return leds_[static_cast<std::size_t>(index)];
 }
 
 const Ear& SimulatedErs7::ear(const std::string& name) const {
-  const int index = robot_model::findEarByName(model(), name.c_str());
+  const int index = robot_model::findEarByName(model_, name.c_str());
   if (index == robot_model::NO_EAR) {
-    throw std::invalid_argument("the ERS-7 has no ear \"" + name + "\"");
+    throw std::invalid_argument("the " + design() + " has no ear \"" + name + "\"");
   }
   return ears_[static_cast<std::size_t>(index)];
 }
@@ -302,8 +312,8 @@ RCRegion* SimulatedErs7::captureSensors(longword frame) {
   for (const Joint& joint : joints_.all()) {
     writeSensorFrames(region, entry++, frame, joint.readings().data());
   }
-  for (int i = 0; i < model().number_of_sensors; ++i) {
-    if (model().sensors[i].locator != nullptr) {
+  for (int i = 0; i < model_.number_of_sensors; ++i) {
+    if (model_.sensors[i].locator != nullptr) {
       writeSensorFrames(region, entry++, frame, sensors_.readings(static_cast<std::size_t>(i)).data());
     }
   }

@@ -2,8 +2,8 @@
 /// A simulated Sony Aibo ERS-7 for openr_host::Machine.
 ///
 /// It has a camera, 18 joints (joint.h), sensors (sensors.h), LEDs, ears, a battery, microphones and a speaker
-/// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls to and fro (scene.h), or shows
-/// photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
+/// (speaker_and_microphones.h). It stands in a room and looks at a ball that rolls back and forth (scene.h), or its
+/// camera shows photographs (photographs.h). The legs lift and tilt the body, and carry it through the room (travel.h).
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SIMULATED_ERS7_H
 
@@ -30,6 +30,10 @@
 namespace simulated_ers7 {
 
 struct SimulatedErs7Options {
+  /// The robot's model in robot_model.h. An ERS-210 has that robot's joints, sensors, LEDs and ears, but walks on the
+  /// ERS-7's legs, and sees through its camera with the neck at rest.
+  std::string design = "ERS-7";
+
   /// Photographs for the camera; if empty, the camera sees the scene.
   std::string images_folder;
 
@@ -39,10 +43,10 @@ struct SimulatedErs7Options {
   /// How long a full battery lasts, above 0. Sony says about one and a half hours of play.
   double battery_minutes = 90;
 
-  /// WAV file that gets what the speaker plays; empty: none.
+  /// WAV file for the sound that the speaker plays; empty for none.
   std::string speaker_file;
 
-  /// How much of that comes to the microphones, 0..1.
+  /// Share of the speaker's sound that reaches the microphones, 0..1.
   double hears_itself = 0;
 
   /// Seed of the noise of camera, joints and sensors. The same seed gives the same images and readings.
@@ -58,6 +62,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   using Options = SimulatedErs7Options;
 
   /// @throw PhotographError, SoundError the text names the folder or file and a remedy
+  /// @throw std::invalid_argument there is no such model
   explicit SimulatedErs7(const Options& options = Options());
 
   std::string design() const override;
@@ -66,10 +71,11 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* result,
                            size_t result_size) override;
 
-  /// For joints (joint.h). oprimitiveID_UNDEF means all open joints; then one of several errors is returned. A
-  /// primitive that is not open or no joint gives oINVALID_PRIMITIVE_ID.
+  /// The following functions are for joints (joint.h). oprimitiveID_UNDEF means all open joints; if several fail, one
+  /// of the errors is returned. A primitive that is not open or is not a joint gives oINVALID_PRIMITIVE_ID.
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override;
 
+  OStatus setDefaultJointGain(OPrimitiveID id) override;
   OStatus enableJointGain(OPrimitiveID id) override;
   OStatus disableJointGain(OPrimitiveID id) override;
 
@@ -85,12 +91,12 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
   OStatus setCdtVectorData(const OCdtVectorData& tables) override;
 
-  /// Joints stay where they are. LEDs go out, ears are let go, and the camera's settings are reset. Buttons, battery,
-  /// memory stick, jammed joints and the robot's place do not change.
+  /// Joints keep their positions. LEDs go out, ears are released, and the camera's settings are reset. Buttons,
+  /// battery, memory stick, jammed joints and the robot's place do not change.
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even without gain (joint.h). LEDs accept odataLED_COMMAND2 or
-  /// odataLED_COMMAND3, depending on their kind in robot_model.h. Ears accept odataJOINT_COMMAND4.
+  /// odataLED_COMMAND3, ears odataJOINT_COMMAND3 or odataJOINT_COMMAND4, depending on their kind in robot_model.h.
   bool takesCommand(OPrimitiveID id, ODataType type) const override;
 
   /// Ignores commands that are no longer accepted.
@@ -108,13 +114,13 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
     return sound_.passFrame(frame, played);
   }
 
-  /// From now on, the microphones hear this file, once; "silence": nothing.
-  /// @throw SoundError it cannot be heard
+  /// From now on, the microphones hear this file once, or nothing if it is "silence".
+  /// @throw SoundError the file cannot be used
   void hear(const std::string& file);
 
   const CameraSettings& cameraSettings() const { return camera_.settings(); }
 
-  /// With their true positions.
+  /// The joints, with their true positions.
   const Joints& joints() const { return joints_; }
 
   /// The true pose.
@@ -152,6 +158,7 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   void obey(const openr_host::EffectorCommand& command);
   void passFrameOfEars();
 
+  const robot_model::RobotModel& model_;
   PrimitiveTable primitives_;
   Joints joints_;
   Scene scene_;

@@ -18,10 +18,10 @@ enum class StickState {
   kSlow     ///< each job takes StickSlot::kSlowJob
 };
 
-/// What OPEN-R's programs notice of the memory stick itself. Its content is a folder on this computer.
+/// The state of the memory stick as OPEN-R's programs see it. Its content is a folder on this computer.
 class StickSlot {
  public:
-  /// Longer than anything known of a real stick.
+  /// Longer than any known job on a real stick.
   static constexpr std::chrono::milliseconds kSlowJob{2000};
 
   void set(StickState state) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/object_library.h"
 #include "simulator/openr_host/objects/system.h"
 #include "simulator/openr_host/objects/virtual_robot_audio_comm.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
@@ -26,6 +27,14 @@ std::ifstream openConfiguration(const std::string& path) {
     throw BootError(path + ": cannot be read");
   }
   return file;
+}
+
+std::string namesOf(const std::map<std::string, ObjectDescription>& catalog) {
+  std::string names;
+  for (const auto& entry : catalog) {
+    names += (names.empty() ? "" : ", ") + entry.first;
+  }
+  return names;
 }
 
 std::string portProblem(const std::string& bind_address, std::uint16_t robot_port, std::uint16_t host_port, int error) {
@@ -110,15 +119,17 @@ void Machine::createObjects() {
   }
   for (const auto& object_file : object_files) {
     const auto found = options_.catalog.find(object_file.name);
-    if (found == options_.catalog.end()) {
-      std::string known;
-      for (const auto& entry : options_.catalog) {
-        known += (known.empty() ? "" : ", ") + entry.first;
-      }
-      throw ConfigurationError(path, object_file.line,
-                               object_file.name + " is not an object of this program; it has " + known);
+    if (found != options_.catalog.end()) {
+      system_->create(found->second);
+      continue;
     }
-    system_->create(found->second);
+    const std::string library = "OPEN-R/MW/OBJS/" + object_file.name;
+    if (!isOnMemoryStick(options_.memory_stick, library)) {
+      throw ConfigurationError(path, object_file.line,
+                               object_file.name + " is neither on the memory stick nor an object of this program, " +
+                                   "which has " + namesOf(options_.catalog));
+    }
+    system_->create(loadObject(findOnMemoryStick(options_.memory_stick, library).string()));
   }
 }
 

@@ -44,15 +44,16 @@ struct MachineOptions {
   std::string bind_address = "127.0.0.1";
 
   /// For each port of the robot, the port of this computer; 0 means any free one (Machine::hostPort()). boot() opens
-  /// these ports, and the same ones after a reboot. Any other port has the same number on both sides, and opens when an
-  /// object listens on it.
+  /// these ports for TCP, and the same ones after a reboot. Any other port, and UDP, opens when an object listens on it
+  /// or binds it; UDP has the numbers given here, too. Any other port has the same number on both sides.
   std::map<std::uint16_t, std::uint16_t> ports = {{kConsolePort, kConsolePort}};
 
   /// The folder of the memory stick, with OPEN-R/MW/CONF/OBJECT.CFG in any case. Connected objects need CONNECT.CFG
   /// beside it, and FindDesignData() needs DESIGNDB.CFG.
   std::string memory_stick;
 
-  /// The objects for the files in OBJECT.CFG, by name in capitals: {"RCSERVER.BIN", describeRCServer()}.
+  /// The objects for the files in OBJECT.CFG, by name in capitals: {"RCSERVER.BIN", describeRCServer()}. Others are
+  /// loaded from OPEN-R/MW/OBJS on the memory stick (object_library.h).
   std::map<std::string, ObjectDescription> catalog;
 
   /// Gets what the console prints. May be null; must outlive the machine.

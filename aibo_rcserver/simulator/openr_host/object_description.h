@@ -30,6 +30,7 @@ struct ObserverDescription {
 };
 
 struct ObjectDescription {
+  std::shared_ptr<void> library;  ///< keeps loaded code in memory (object_library.h); first, so that it goes last
   std::string name;
   /// SCHED_PRIORITY in the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are the class: an
   /// object never runs while one of a higher class runs. Ordinary applications have 128.

@@ -48,6 +48,7 @@ class VirtualRobot {
   virtual OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size,
                                    void* result, size_t result_size) = 0;
   virtual OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) = 0;
+  virtual OStatus setDefaultJointGain(OPrimitiveID /*id*/) { return oNOT_SUPPORTED; }
   virtual OStatus enableJointGain(OPrimitiveID id) = 0;
   virtual OStatus disableJointGain(OPrimitiveID id) = 0;
   virtual OStatus getJointValue(OPrimitiveID id, OJointValue* value) = 0;

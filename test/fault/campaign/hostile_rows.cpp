@@ -15,6 +15,7 @@
 #include "campaign/experiment.h"
 #include "campaign/interposers.h"
 #include "hostile/attacks.h"
+#include "support/memory_stick.h"
 #include "support/picture_server.h"
 #include "support/resources.h"
 #include "support/simulated_robot.h"
@@ -34,12 +35,13 @@ constexpr milliseconds kAttackTime{300};
 constexpr std::size_t kMostLines = 30;
 constexpr std::size_t kLongestLine = 1200;
 
-/// A client that wants pictures and joints, and counts what it gets.
+/// A client that wants pictures, joints and sound, and counts what it gets.
 class HonestClient {
  public:
   HonestClient(int port, int version, int mark) : client_(options(port, version), callbacks(mark)) {
     client_.setStreaming(true);
     client_.setTelemetryPeriod(4);
+    client_.setMicrophone({true, 2, 16000});
     client_.start();
   }
 
@@ -184,6 +186,12 @@ class HostileRobotExperiment : public Experiment {
     if (measured > most + 1) {
       outcome->violations.push_back(std::to_string(measured) + " measurements were delivered");
     }
+    // Twice the frames, and a second for each connection.
+    const double most_sounds =
+        2 * 125 * seconds + 125 * static_cast<double>(after.connections - before.connections + 1);
+    if (const auto sounds = static_cast<double>(after.sounds - before.sounds); sounds > most_sounds) {
+      outcome->violations.push_back(std::to_string(sounds) + " pieces of sound were delivered");
+    }
     if (const std::size_t size = interposers::takeLargestAllocation(kMark); size > kMostAtOnce) {
       outcome->violations.push_back("the client has allocated " + std::to_string(size) + " bytes at once");
     }
@@ -306,7 +314,8 @@ class HostileClientExperiment : public Experiment {
   }
 
   const int mark_;
-  SimulatedRobot robot_;
+  test_support::MemoryStick stick_{"ALLOW_MICROPHONE=yes\n"};
+  SimulatedRobot robot_{{"--memory-stick", stick_.path().string()}};
   Resources before_;
   std::size_t output_ = 0;
 };

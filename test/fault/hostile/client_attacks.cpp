@@ -19,13 +19,17 @@ using test_support::UdpSocket;
 
 const std::string kVersion2 = {'X', 2};
 
-// A frame's header for version 2.
-std::string header(char kind, unsigned size) {
-  std::string bytes = {kind, 0, 0, 1};
+std::string bigEndian(unsigned value) {
+  std::string bytes;
   for (int shift = 24; shift >= 0; shift -= 8) {
-    bytes += static_cast<char>(size >> shift & 0xFF);
+    bytes += static_cast<char>(value >> shift & 0xFF);
   }
   return bytes;
+}
+
+// A frame's header for version 2.
+std::string header(char kind, unsigned size) {
+  return std::string({kind, 0, 0, 1}) + bigEndian(size);
 }
 
 std::string anyBytes(Random& random, int most) {
@@ -192,6 +196,22 @@ std::string tableOfNonsense(Random& random) {
   return table + payload + on + std::string({0, 1, 1, 0});
 }
 
+std::string soundRequest(char part, const std::string& payload) {
+  std::string frame = header('A', static_cast<unsigned>(payload.size())) + payload;
+  frame[1] = part;
+  return frame;
+}
+
+// Sounds that begin again and again, never began, or go on in a day; any volume; the microphone on and off.
+std::string soundOfNonsense(Random& random) {
+  static const std::vector<unsigned> positions = {0, 0, 1, 1000, 16000, 0x7FFFFFFF, 0x80003C00, 0xFFFFFFFF};
+  const std::string samples(random() % 2 * 2 * (1 + random() % 16384), 'x');
+  const std::string part =
+      bigEndian(positions[random() % positions.size()]) + std::string({char(random() % 2), 0, 0, 0});
+  return soundRequest(2, part + samples) + soundRequest(3, {static_cast<char>(random())}) +
+         soundRequest(1, {char(random() % 2), char(1 + random() % 3), 0x3E, char(0x80)});
+}
+
 }  // namespace
 
 const std::vector<ClientAttack>& clientAttacks() {
@@ -234,6 +254,10 @@ const std::vector<ClientAttack>& clientAttacks() {
       {"tables", "colour tables of nonsense, and what they detect",
        [](const Target& target, Random& random, TimePoint end) {
          sendAgainAndAgain(target.port, kVersion2, random() % 2 == 0, end, [&] { return tableOfNonsense(random); });
+       }},
+      {"sound", "sounds of nonsense, any volume, the microphone on and off",
+       [](const Target& target, Random& random, TimePoint end) {
+         sendAgainAndAgain(target.port, kVersion2, random() % 2 == 0, end, [&] { return soundOfNonsense(random); });
        }},
       {"datagrams", "a stream by UDP, and wrong answers to its datagrams",
        [](const Target& target, Random& random, TimePoint end) { floodByDatagrams(target.port, random, end); }},

@@ -9,6 +9,7 @@
 
 #include "hostile/attacks.h"
 #include "protocol/color_requests.h"
+#include "protocol/sound_requests.h"
 #include "protocol/version2.h"
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
@@ -128,6 +129,20 @@ Bytes impossibleColors(Random& random, unsigned count) {
   return makeFrame(version2::COLORS_PUSH, 0, payload);
 }
 
+// What it hears in pieces of a sample and of a second, of any time, and ends of sounds that nobody plays.
+Bytes impossibleSound(Random& random, unsigned count) {
+  const Bytes samples(count % 8 == 0 ? 64000 : 4, 1);
+  const auto frame_number = static_cast<unsigned>(random());
+  const bool is_end = count % 3 == 0;
+  Bytes frame = makeFrame(
+      version2::SOUND_PUSH, 0,
+      is_end ? version2_frames::encoded(version2::SoundEnd{anyByte(random), count, count, count})
+             : version2_frames::encoded(version2::HeardSound{
+                   frame_number, static_cast<unsigned short>(samples.size() / 4), 2, samples.data(), samples.size()}));
+  frame[1] = is_end ? version2::SOUND_SPEAKER : version2::SOUND_MICROPHONE;
+  return frame;
+}
+
 std::string nonsenseHello(Random& random, unsigned count) {
   const std::string tail =
       "\nserver=x\nframe_number=4294967295\ncapabilities=\nlimits=1:-2147483647:2147483647:2147483647\n";
@@ -223,6 +238,7 @@ std::vector<RobotAttack> version2Attacks() {
   };
   const auto values = [](Random&, unsigned count) { return impossibleTelemetry(count); };
   const auto colors = [](Random& random, unsigned count) { return impossibleColors(random, count); };
+  const auto sound = [](Random& random, unsigned count) { return impossibleSound(random, count); };
   const auto telemetry = [](Random&, unsigned count) {
     return makeFrame('t', 0, makeTelemetry(4 * count, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}}));
   };
@@ -252,6 +268,7 @@ std::vector<RobotAttack> version2Attacks() {
       {"html", "texts that look like HTML", 2, floodOf(html)},
       {"values", "impossible values", 2, floodOf(values)},
       {"colors", "colours of more pixels than there are", 2, floodOf(colors)},
+      {"sound", "sound of any time, in pieces of any size", 2, floodOf(sound)},
       {"telemetry", "measurements as fast as the network allows", 2, floodOf(telemetry)},
       {"stamps", "frame numbers that jump", 2, floodOf(stamps)},
       {"pictures", "damaged and dangerous JPEGs", 2, floodOf(pictures)},

@@ -10,6 +10,10 @@
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/PlayMotionActionGoal.h>
 #include <aibo_driver/PlayMotionActionResult.h>
+#include <aibo_driver/PlaySound.h>
+#include <aibo_driver/PlaySoundActionGoal.h>
+#include <aibo_driver/Say.h>
+#include <aibo_driver/Sound.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/UploadMotion.h>
 #include <control_msgs/FollowJointTrajectoryActionGoal.h>
@@ -19,6 +23,7 @@
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
+#include <sys/stat.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
@@ -31,10 +36,13 @@
 #include <thread>
 #include <vector>
 
+#include "support/memory_stick.h"
 #include "support/resources.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
+#include "support/temporary_folder.h"
+#include "unit/sound/wav_files.h"
 
 namespace {
 
@@ -148,7 +156,8 @@ class HostileNode : public testing::Test {
     expectPlain(call.response.message);
   }
 
-  SimulatedRobot robot_;
+  test_support::MemoryStick stick_{"ALLOW_MICROPHONE=yes\n"};
+  SimulatedRobot robot_{{"--memory-stick", stick_.path().string()}};
   DriverProcess driver_{"/victim", robot_.port(), {}, {}, AIBO_DRIVER_NODE_WITH_ACTIONS};
   ros::NodeHandle node_{"/victim"};
   TopicListener<sensor_msgs::JointState> joints_{"/victim/joint_states"};
@@ -319,6 +328,46 @@ TEST_F(HostileNode, WhoseNamesAreQuotedInAnswersResultsAndStates) {
   aibo_driver::FetchPicture::Request fetched;
   fetched.name = name;
   expectPlainAnswer<aibo_driver::FetchPicture>("fetch_picture", fetched);
+  aibo_driver::PlaySound::Request sound;
+  sound.file = name;
+  expectPlainAnswer<aibo_driver::PlaySound>("play_sound", sound);
+  aibo_driver::Say::Request say;
+  say.text = name;
+  expectPlainAnswer<aibo_driver::Say>("say", say);
+  say.text = "hello";
+  say.voice = name;
+  expectPlainAnswer<aibo_driver::Say>("say", say);
+}
+
+TEST_F(HostileNode, ThatPlaysAndSaysAsFastAsItCan) {
+  const test_support::TemporaryFolder folder;
+  const std::string sound = folder.path("sound.wav").string();
+  const std::string pipe = folder.path("pipe.wav").string();
+  writeSoundFile(sound, tone(16000));
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const ros::Publisher goals = publisher<aibo_driver::PlaySoundActionGoal>("play_sound/goal");
+  const ros::Publisher cancels = publisher<actionlib_msgs::GoalID>("play_sound/cancel");
+  const auto send = [&](const std::string& file, const std::string& text, const std::string& voice) {
+    aibo_driver::PlaySoundActionGoal goal;
+    goal.goal_id.id = names_.next();
+    goal.goal.file = file;
+    goal.goal.text = text;
+    goal.goal.voice = voice;
+    goals.publish(goal);
+  };
+  attack([&] {
+    for (const std::string& file : {sound, std::string("/dev/zero"), pipe, names_.next(), sound + '\0'}) {
+      send(file, "", "");
+    }
+    send("", std::string(1'000'000, '9'), "");
+    send("", std::string("--stdin\0$(reboot)", 17), names_.next());
+    cancels.publish(actionlib_msgs::GoalID());
+    std::this_thread::sleep_for(milliseconds(1));
+  });
+}
+
+TEST_F(HostileNode, ThatListensAndGoesAsOftenAsItCan) {
+  attack([&] { TopicListener<aibo_driver::Sound>("/victim/microphone").waitForCount(1, milliseconds(20)); });
 }
 
 TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {

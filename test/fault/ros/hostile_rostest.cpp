@@ -1,5 +1,6 @@
 // The driver's node with a robot that attacks it. AIBO_WHOLE_CAMPAIGN makes each attack longer.
 
+#include <aibo_driver/Sound.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
@@ -63,6 +64,7 @@ class Hostile : public testing::TestWithParam<int> {
     ASSERT_TRUE(goesOn()) << "before the attack";
     joints_.clear();
     battery_.clear();
+    sounds_.clear();
     const std::size_t log = driver_.output().size();
     const double work = processorSeconds(driver_.pid());
     const auto begin = steady_clock::now();
@@ -97,6 +99,8 @@ class Hostile : public testing::TestWithParam<int> {
         EXPECT_LT(std::abs(velocity), kMostSpeed);
       }
     }
+    // Twice the frames, and a second for each of a few connections.
+    EXPECT_LT(static_cast<double>(sounds_.count()), 2 * 125 * seconds + 125 * 15);
     for (const auto& message : battery_.waitForCount(0)) {
       EXPECT_LE(message->percentage, 1.05F);
     }
@@ -108,6 +112,7 @@ class Hostile : public testing::TestWithParam<int> {
   TopicListener<sensor_msgs::Image> images_{name_ + "/camera/image_raw"};
   TopicListener<sensor_msgs::JointState> joints_{name_ + "/joint_states"};
   TopicListener<sensor_msgs::BatteryState> battery_{name_ + "/battery"};
+  TopicListener<aibo_driver::Sound> sounds_{name_ + "/microphone"};
   DriverProcess driver_{name_, server_.port(), {"_adaptive:=true"}};
   Resources before_;
 };

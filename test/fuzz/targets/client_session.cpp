@@ -149,7 +149,7 @@ class Client {
   void wantPicture() { add(callForPicture(static_cast<int>(input_.takeByte() % 101), std::nullopt)); }
 
   Call takeCall() {
-    const unsigned kind = input_.takeByte() % 11;
+    const unsigned kind = input_.takeByte() % 13;
     const bool is_first = input_.takeByte() % 2 == 0;
     const Bytes content(1 + input_.takeByte());
     switch (kind) {
@@ -173,6 +173,10 @@ class Client {
         return callForPosture(is_first ? protocol::version2::POSTURE_STAND : protocol::version2::POSTURE_SIT);
       case 9:
         return callToSavePicture(is_first ? 0 : 1);
+      case 11:
+        return callToPlaySamples({++sounds_, 0, 2, is_first}, {1, 2});
+      case 12:
+        return callToPlaySamples({sounds_, 2, is_first ? 2U : 0U, true}, std::vector<std::int16_t>(is_first ? 2 : 0));
       default:
         return is_first ? callForStickPictures() : callToFetchPicture("AIBO0001.JPG");
     }
@@ -217,13 +221,14 @@ class Client {
     wish_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
     wish_.jpeg_quality = 1 + static_cast<int>(bits % 100);
     wish_.format = {static_cast<Resolution>(bits / 4 % 4), 1 + static_cast<int>(bits % 7)};
+    wish_.microphone = {(bits & 16U) != 0, 1 + static_cast<int>(bits & 1U), (bits & 8U) != 0 ? 8000 : 16000};
     wish_.camera.gain = 1 + static_cast<int>(bits % 3);
     wish_.camera.auto_exposure = (bits & 16U) != 0;
     wish_.colors = {(bits & 32U) != 0, 1, (bits & 64U) != 0};
     wish_.color_tables[bits % wish_.color_tables.size()] = (bits & 32U) != 0 ? table_ : nullptr;
   }
 
-  static Callbacks callbacks() {
+  Callbacks callbacks() {
     Callbacks callbacks;
     callbacks.on_picture = [](const PicturePtr& picture) {
       require(inspectJpeg(picture->jpeg.data(), picture->jpeg.size()).good(), "a damaged picture is not published");
@@ -235,11 +240,21 @@ class Client {
       const auto pixels = static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height);
       require(colors.mask.empty() || colors.mask.size() == pixels, "a mask is whole");
     };
+    callbacks.on_heard = [](const HeardSound& sound) {
+      require(sound.samples.size() <= 2 * 16000 && sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0,
+              "sound is whole, and no more than a second");
+    };
+    callbacks.on_sound_ended = [this](const SoundEnd& end) {
+      require(end.sound > ended_sound_ && end.sound <= sounds_, "a sound ends once");
+      ended_sound_ = end.sound;
+    };
     callbacks.log = [](LogLevel, const std::string& line) { require(!line.empty(), "a line says something"); };
     return callbacks;
   }
 
   FuzzInput& input_;
+  std::uint64_t sounds_ = 1;  ///< the newest one
+  std::uint64_t ended_sound_ = 0;
   Notifier notifier_{callbacks()};
   Counters counters_;
   ServerHabits habits_;

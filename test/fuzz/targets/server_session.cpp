@@ -4,10 +4,14 @@
 #include "rcserver/Session.h"
 
 #include <OPENR/ODataFormats.h>
+#include <OPENR/OObserver.h>
 #include <OPENR/OPENRAPI.h>
+#include <OPENR/OSubject.h>
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <deque>
 #include <filesystem>
 #include <iterator>
 #include <optional>
@@ -15,14 +19,59 @@
 #include "file_keeper/StickFiles.h"
 #include "fuzz_input.h"
 #include "robot_model/robot_model.h"
+#include "simulator/openr_host/objects/object_memory.h"
 #include "support/temporary_folder.h"
 
 namespace fs = std::filesystem;
 namespace version2 = protocol::version2;
 
-// OPEN-R's calls need a machine, which this server does not have: its camera takes every setting and every table. See
-// the link options in CMakeLists.txt.
+namespace {
+
+openr_host::VectorMemory sound_memory;
+std::deque<RCRegion*> played_sound;  // vectors that the speaker has not output yet
+bool is_microphone_read = false;
+
+}  // namespace
+
+// OPEN-R's calls need a machine, which this server does not have: its camera takes every setting and every table, and
+// its speaker everything. See the link options in CMakeLists.txt.
 extern "C" {
+OStatus __wrap__ZN8OSubject7SetDataEP8RCRegion(OSubject* /*gate*/, RCRegion* region) {
+  region->AddReference();
+  played_sound.push_back(region);
+  return oSUCCESS;
+}
+OStatus __wrap__ZN8OSubject15NotifyObserversEv(OSubject* /*gate*/) {
+  return oSUCCESS;
+}
+int __wrap__ZNK8OSubject7IsReadyEv(const OSubject* /*gate*/) {
+  return 1;
+}
+OStatus __wrap__ZN9OObserver11AssertReadyEv(OObserver* /*gate*/) {
+  is_microphone_read = true;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN9OObserver13DeassertReadyEv(OObserver* /*gate*/) {
+  is_microphone_read = false;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR14GetRobotDesignEPc(char* design) {
+  std::strcpy(design, "ERS-7");
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR15GetVolumeSwitchEPh(OVolumeSwitch* volume) {
+  *volume = ovolumeSW2;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR18NewSoundVectorDataEmmPjPP16OSoundVectorData(std::size_t count, std::size_t size,
+                                                                      MemoryRegionID* id, OSoundVectorData** vector) {
+  *vector = sound_memory.createSounds(count, size);
+  *id = (*vector)->vectorInfo.memRegionID;
+  return oSUCCESS;
+}
+OStatus __wrap__ZN5OPENR21DeleteSoundVectorDataEj(MemoryRegionID id) {
+  return sound_memory.destroy(id, odataSOUND_VECTOR) ? oSUCCESS : oINVALID_ARG;
+}
 OStatus __wrap__ZN5OPENR13OpenPrimitiveEPKcPj(const char* /*locator*/, OPrimitiveID* id) {
   *id = 1;
   return oSUCCESS;
@@ -94,6 +143,44 @@ class FreePorts final : public DatagramSwitch {
   bool SendTo(Port) override { return true; }
 };
 
+// The system's end of microphone and speaker. It forgets what it has not output when it goes.
+class SoundGates {
+ public:
+  SoundGates() : heard_(1024 + sizeof(OSoundVectorData)) {}
+  ~SoundGates() {
+    while (outputVector()) {
+    }
+  }
+  SoundGates(const SoundGates&) = delete;
+  SoundGates& operator=(const SoundGates&) = delete;
+
+  // False if there is none.
+  static bool outputVector() {
+    if (played_sound.empty()) {
+      return false;
+    }
+    played_sound.front()->RemoveReference();
+    played_sound.pop_front();
+    return true;
+  }
+
+  // The microphone's next vector, 16 ms. Its values do not matter.
+  OSoundVectorData* heardVector(unsigned frame) {
+    void* const base = heard_.data();
+    auto* const vector = static_cast<OSoundVectorData*>(base);
+    vector->info[0].frameNumber = frame;
+    vector->info[0].dataOffset = sizeof(OSoundVectorData);
+    vector->info[0].dataSize = 1024;
+    return vector;
+  }
+
+  OSubject speaker;
+  OObserver microphone;
+
+ private:
+  Bytes heard_;
+};
+
 // Does a job on the memory stick only when doJob() is called.
 class SlowFiles final : public FileJobs {
  public:
@@ -142,7 +229,8 @@ Settings settingsOf(unsigned bits) {
   settings.allow_shut_down = (bits & 4U) != 0;
   settings.allow_reboot = (bits & 8U) != 0;
   settings.allow_pictures = (bits & 16U) != 0;
-  settings.allow_sound = false;  // the speaker asks OPEN-R, which does not run here
+  settings.allow_microphone = (bits & 32U) != 0;
+  settings.allow_sound = (bits & 64U) == 0;
   return settings;
 }
 
@@ -155,6 +243,8 @@ class Server {
     for (int joint = 0; joint < joints_.NumberOfJoints(); ++joint) {
       joints_.Hold(joint, posture[static_cast<std::size_t>(joint)], 0);
     }
+    microphone_.Start(&gates_.microphone);
+    speaker_.Start(&gates_.speaker);
     session_.Begin();
   }
 
@@ -203,8 +293,21 @@ class Server {
       if (now_ % 16 == 0) {
         finishFileJob();
       }
+      passSound();
       answer();
     }
+  }
+
+  void passSound() {
+    if (now_ % 4 == 0 && SoundGates::outputVector()) {
+      speaker_.IsReady();
+    }
+    if (now_ % 2 == 0 && is_microphone_read) {
+      session_.Heard(gates_.heardVector(now_));
+      microphone_.AskForMore();
+    }
+    require(speaker_.Room() <= version2::SPEAKER_CAPACITY, "no more samples wait than there is room for");
+    require(settings_.allow_microphone || !microphone_.IsOn(), "nobody hears what the owner does not allow");
   }
 
   void checkJoints() {
@@ -329,6 +432,7 @@ class Server {
   ColorTables colors_{camera_, kRobot.number_of_color_channels};
   Microphone microphone_;
   Speaker speaker_;
+  SoundGates gates_;
   FreePorts datagrams_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};

@@ -136,10 +136,10 @@ TEST(JpegInspectorTest, BytesBehindTheEndAreRefused) {
   const Bytes jpeg = test_pictures::make();
   Bytes longer = jpeg;
   longer.push_back(0);
-  EXPECT_EQ("bytes behind its end", problemOf(longer));
+  EXPECT_EQ("bytes after its end", problemOf(longer));
   Bytes twice = jpeg;
   twice.insert(twice.end(), jpeg.begin(), jpeg.end());
-  EXPECT_EQ("bytes behind its end", problemOf(twice));
+  EXPECT_EQ("bytes after its end", problemOf(twice));
 }
 
 TEST(JpegInspectorTest, BytesThatAreNotAJpegAreRefused) {
@@ -193,7 +193,7 @@ TEST(JpegInspectorTest, AScanThatIsNotTheOnlyOneOfABaselinePictureIsRefused) {
   Bytes jpeg = test_pictures::make();
   jpeg.at(jpeg.size() / 2) = 0xFF;
   jpeg.at(jpeg.size() / 2 + 1) = kSos;
-  EXPECT_EQ("a marker amid its compressed data", problemOf(jpeg));
+  EXPECT_EQ("a marker within its compressed data", problemOf(jpeg));
 }
 
 TEST(JpegInspectorTest, APictureWithoutItsTablesIsRefused) {

@@ -18,7 +18,7 @@ namespace {
 
 using TimePoint = ReplyParser::TimePoint;
 
-TimePoint at(int milliseconds) {
+TimePoint timeAt(int milliseconds) {
   return TimePoint() + std::chrono::milliseconds(milliseconds);
 }
 
@@ -62,12 +62,12 @@ TEST_F(ReplyParserTest, APictureIsFoundWhereverItIsCutInTwo) {
     pictures_.clear();
     times_.clear();
     const auto middle = reply.begin() + static_cast<std::ptrdiff_t>(cut);
-    feed(Bytes(reply.begin(), middle), at(10));
+    feed(Bytes(reply.begin(), middle), timeAt(10));
     EXPECT_FALSE(parser_.betweenReplies());
-    feed(Bytes(middle, reply.end()), at(20));
+    feed(Bytes(middle, reply.end()), timeAt(20));
     EXPECT_TRUE(parser_.betweenReplies());
     EXPECT_THAT(pictures_, ElementsAre(kPayload));
-    EXPECT_THAT(times_, ElementsAre(at(10))) << "the time is that of the first byte";
+    EXPECT_THAT(times_, ElementsAre(timeAt(10))) << "the time is that of the first byte";
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <future>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/fault.h"
@@ -123,7 +124,19 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
   EXPECT_EQ("A 1 1 2 31 64", request());
   wish_.microphone.on = false;
   EXPECT_EQ("A 1 0 2 31 64", request());
+  wish_.microphone.channels = 1;
   EXPECT_EQ("", request());
+}
+
+TEST_F(SoundTest, TheRobotIsToldThatSoundGoesBeforePicturesEvenIfNobodyListens) {
+  begin();
+  wish_.microphone.before_pictures = true;
+  EXPECT_EQ("A 1 2 2 62 128", request());
+  EXPECT_EQ("", request());
+  wish_.microphone.on = true;
+  EXPECT_EQ("A 1 3 2 62 128", request());
+  wish_.microphone.before_pictures = false;
+  EXPECT_EQ("A 1 1 2 62 128", request());
 }
 
 TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForIt) {
@@ -191,6 +204,33 @@ TEST_F(SoundTest, PiecesThatAreNoWholeFramesHaveNoGaps) {
 }
 
 // The rate of a push is that of the settings, so one from before a change would be misunderstood.
+TEST_F(SoundTest, AfterAGapWithinAFrameTheNextOneIsCountedAsEver) {
+  listen(1);
+  push(700, std::vector<std::int16_t>(100), 1);
+  push(705, std::vector<std::int16_t>(28), 1);
+  push(705, std::vector<std::int16_t>(100), 1);
+  push(707, std::vector<std::int16_t>(128), 1);
+  EXPECT_EQ(128U, heard_.at(3).missing);
+}
+
+TEST_F(SoundTest, OfTwoChangesTheAnswerToTheSecondCounts) {
+  begin();
+  wish_.microphone = {true, 1, 16000};
+  EXPECT_EQ("A 1 1 1 62 128", request());
+  const int first = number_;
+  wish_.microphone.samples_per_second = 8000;
+  EXPECT_EQ("A 1 1 1 31 64", request());
+  const int second = std::exchange(number_, first);
+  agree(1, 16000);
+  push(700, std::vector<std::int16_t>(256), 1);
+  EXPECT_THAT(heard_, IsEmpty());
+  number_ = second;
+  agree(1, 8000);
+  push(702, std::vector<std::int16_t>(128), 1);
+  ASSERT_THAT(heard_, SizeIs(1));
+  EXPECT_EQ(8000, heard_[0].samples_per_second);
+}
+
 TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   listen(2);
   wish_.microphone.samples_per_second = 8000;
@@ -203,9 +243,32 @@ TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
 
+TEST_F(SoundTest, NothingIsMissingAfterAPauseInWhichNobodyListened) {
+  listen();
+  push(700, kSixteenMilliseconds);
+  wish_.microphone.on = false;
+  EXPECT_EQ("A 1 0 2 62 128", request());
+  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 2, 16000})));
+  push(702, kSixteenMilliseconds);
+  EXPECT_THAT(heard_, SizeIs(1)) << "the microphones are off";
+  wish_.microphone.on = true;
+  EXPECT_EQ("A 1 1 2 62 128", request());
+  agree(2, 16000);
+  push(1000, kSixteenMilliseconds);
+  push(1002, kSixteenMilliseconds);
+  ASSERT_THAT(heard_, SizeIs(3));
+  EXPECT_EQ(0U, heard_[1].missing);
+  EXPECT_EQ(0U, heard_[2].missing);
+  EXPECT_EQ(0U, counters_.snapshot().sound_gaps);
+}
+
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
   begin();
   push(700, kSixteenMilliseconds);
+  wish_.microphone = {true, 1, 16000};
+  request();
+  agree(1, 16000);
+  push(702, kSixteenMilliseconds, 2);
   EXPECT_THAT(heard_, IsEmpty());
 }
 
@@ -219,6 +282,39 @@ TEST_F(SoundTest, MoreThanTwiceTheSoundThatWasAskedForIsDroppedAndLoggedOnce) {
   EXPECT_LE(1000U / 2, heard_.size());
   EXPECT_EQ(1000U, heard_.size() + counters_.snapshot().thinned_sounds);
   EXPECT_EQ(1, logged("more than twice as much sound"));
+}
+
+// Short pieces must not earn the right to send long ones.
+TEST_F(SoundTest, NoMixtureOfPiecesIsMoreThanTwiceTheSoundThatWasAskedFor) {
+  listen(1);
+  const std::vector<std::int16_t> second(16000);
+  std::size_t samples = 0;
+  for (int i = 0; i < 10000; ++i) {
+    push(700, i % 10 == 9 ? second : std::vector<std::int16_t>(1), 1);
+    now_ += std::chrono::microseconds(100);
+  }
+  for (const HeardSound& sound : heard_) {
+    samples += sound.samples.size();
+  }
+  EXPECT_GE(3U * 16000, samples) << "in one second";
+  EXPECT_GE(3U * 125, heard_.size()) << "deliveries";
+}
+
+// Users fill gaps with silence, and a robot can say anything.
+TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
+  listen();
+  std::uint64_t missing = 0;
+  for (unsigned i = 0; i < 1000; ++i) {
+    push(i * (i % 2 == 0 ? 100 : 0x01000000), kSixteenMilliseconds);
+    missing += heard_.back().missing;
+    now_ += milliseconds(16);
+  }
+  EXPECT_GE(22U * 16000, missing) << "in 16 seconds";
+  now_ += seconds(3600);
+  const unsigned frame = heard_.back().frame_number + 2;
+  push(frame, kSixteenMilliseconds);
+  push(frame + 3600 * 125, kSixteenMilliseconds);
+  EXPECT_EQ((3600 * 125 - 2) * 128U, heard_.back().missing) << "an hour without sound";
 }
 
 TEST_F(SoundTest, APushOfMoreThanASecondIsDropped) {
@@ -296,6 +392,18 @@ TEST_F(SoundTest, AStoppedSoundEndsAtOnce) {
   EXPECT_EQ("1 stopped, 2 refused", ends());
 }
 
+TEST_F(SoundTest, ASoundThatTheRobotHasEndedDoesNotGoOnAndEndsOnce) {
+  begin();
+  play({1, 0, 500, false});
+  const auto answer = add(callToPlaySamples({1, 500, 1, false}, {7}), milliseconds(2000));
+  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
+  pushEnd(version2::END_REFUSED, 32500);
+  receive(makeSoundFrame(2, number_, encoded(version2::SpeakerRoom{100})));
+  EXPECT_TRUE(done(answer));
+  connection_.sound.connectionLost();
+  EXPECT_EQ("1 refused", ends());
+}
+
 TEST_F(SoundTest, ASoundThatTheRobotRefusesHasNotBegunAndHasNoEnd) {
   begin();
   auto answer = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));
@@ -362,6 +470,16 @@ TEST_F(SoundClientTest, ASoundDoesNotGoOnOverTheNextConnection) {
     return client().statistics().connections == 2 && client().status().state == ConnectionState::kConnected;
   }));
   EXPECT_THROW(client().playSamples(sound, {1}, false, kTimeout), CommandException);
+}
+
+TEST_F(SoundClientTest, TheMicrophonesAreAskedForAgainOverTheNextConnection) {
+  std::optional<ScriptedPeer> peer(connectVersion2("F A"));
+  client().setMicrophone({true, 2, 16000});
+  EXPECT_EQ("A 1 1 2 62 128", version2_frames::textOf(peer->readRequest()));
+  peer.reset();
+  ScriptedPeer next = server_.accept();
+  next.agreeToVersion2("F A");
+  EXPECT_EQ("A 1 1 2 62 128", version2_frames::textOf(next.readRequest()));
 }
 
 TEST_F(SoundClientTest, TheRobotSaysWhichVolumeIsInForce) {

@@ -110,7 +110,7 @@ TEST_F(TelemetryIntakeTest, AWalkThatIsFasterThanLegsMoveIsDropped) {
     EXPECT_FALSE(delivered_.back().walk);
   }
   EXPECT_EQ(counters_.impossible_values, 3);
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("the velocity of the walk forward is 2147; possible is -1 to 1")));
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("the velocity of the walk forward is 2147; it can be -1 to 1")));
 }
 
 TEST_F(TelemetryIntakeTest, ARobotOfUnknownDesignMayBeAnyInTheTables) {
@@ -137,7 +137,7 @@ TEST_F(TelemetryIntakeTest, AnImpossiblePositionIsDroppedCountedAndLoggedOnce) {
   EXPECT_EQ(counters_.telemetry, 10U);
   EXPECT_EQ(counters_.impossible_values, 10U);
   EXPECT_THAT(log_, ElementsAre("robot:54321 sent an impossible value, which is dropped: the position of "
-                                "left_front_knee is 2147.48; possible is -0.723599 to 2.41657."));
+                                "left_front_knee is 2147.48; it can be -0.723599 to 2.41657."));
 }
 
 TEST_F(TelemetryIntakeTest, TelemetryOfNothingElseIsDroppedAsAWhole) {
@@ -154,7 +154,7 @@ TEST_F(TelemetryIntakeTest, AJointThatIsThereTwiceCountsOnce) {
   ASSERT_THAT(delivered_, SizeIs(1));
   EXPECT_THAT(delivered_[0].joints, SizeIs(1));
   EXPECT_EQ(counters_.impossible_values, 1U);
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("left_front_knee is there twice")));
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("left_front_knee appears twice")));
 }
 
 TEST_F(TelemetryIntakeTest, AnImpossibleDutyIsDroppedAndItsPositionIsNot) {
@@ -163,7 +163,7 @@ TEST_F(TelemetryIntakeTest, AnImpossibleDutyIsDroppedAndItsPositionIsNot) {
   EXPECT_FALSE(delivered_[0].joints.at(0).duty);
   EXPECT_EQ(delivered_[0].joints.at(1).duty, -1.0);
   EXPECT_EQ(counters_.impossible_values, 1U);
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("the duty of left_front_knee is 2.147; possible is -1 to 1.")));
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("the duty of left_front_knee is 2.147; it can be -1 to 1.")));
 }
 
 TEST_F(TelemetryIntakeTest, ReadingsThatASensorCanHaveAreDelivered) {
@@ -194,12 +194,12 @@ TEST_F(TelemetryIntakeTest, ReadingsThatNoSensorCanHaveAreDroppedAndNamed) {
   EXPECT_FALSE(isDelivered(kHeadTouch, kLargest));
   EXPECT_FALSE(isDelivered(kPaw, 2));
   EXPECT_EQ(counters_.impossible_values, 10U);
-  EXPECT_THAT(log_, ElementsAre(HasSubstr("battery is 2147.48; possible is 0 to 1.05."),
-                                HasSubstr("temperature is 300; possible is -40 to 125."),
-                                HasSubstr("range_far is -0.01; possible is 0 to 3."),
-                                HasSubstr("acceleration_front_back is 2000; possible is -39.2266 to 39.2266."),
-                                HasSubstr("head_touch is 2147.48; possible is 0 to 800."),
-                                HasSubstr("paw_left_front is 2; possible is 0 to 1.")));
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("battery is 2147.48; it can be 0 to 1.05."),
+                                HasSubstr("temperature is 300; it can be -40 to 125."),
+                                HasSubstr("range_far is -0.01; it can be 0 to 3."),
+                                HasSubstr("acceleration_front_back is 2000; it can be -39.2266 to 39.2266."),
+                                HasSubstr("head_touch is 2147.48; it can be 0 to 800."),
+                                HasSubstr("paw_left_front is 2; it can be 0 to 1.")));
 }
 
 TEST_F(TelemetryIntakeTest, WhatComesTooOftenIsThinnedToTwiceTheRateAskedForAndThatIsSaidOnce) {

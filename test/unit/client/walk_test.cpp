@@ -54,7 +54,7 @@ TEST_F(WalkTest, AServerThatCannotWalkIsNotAsked) {
     EXPECT_THAT(complaintOf<CommandException>([&] {
                   client().steer({0.1, 0, 0});
                 }),
-                HasSubstr("(a test 1.0) has no request to walk; it takes an ERS-7 with a newer RCServer"));
+                HasSubstr("(a test 1.0) has no request to walk; this needs an ERS-7 with a newer RCServer"));
     EXPECT_THAT(complaintOf<CommandException>([&] { client().takePosture(Posture::kSit, seconds(20)); }),
                 HasSubstr("(a test 1.0) has no request to take postures"));
   }

@@ -54,6 +54,7 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_TRUE(parameters.camera == aibo_client::CameraSettings());
   EXPECT_DOUBLE_EQ(parameters.telemetry_rate, 31.25);
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 3.0);
+  EXPECT_DOUBLE_EQ(parameters.motion_speed_limit, 20.0);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 1.0);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.5);
   EXPECT_FALSE(parameters.slow_down);
@@ -119,6 +120,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   XmlRpcValue values;
   values["robot"] = "ERS-210";
   values["joint_speed_limit"] = 2;
+  values["motion_speed_limit"] = 1.5;
   values["speed_scale"] = 0.5;
   values["approach_speed"] = 0.25;
   values["slow_down"] = XmlRpcValue(true);
@@ -127,6 +129,7 @@ TEST(DriverParameters, OfTheJointsAreRead) {
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.robot, "ERS-210");
   EXPECT_DOUBLE_EQ(parameters.joint_speed_limit, 2);
+  EXPECT_DOUBLE_EQ(parameters.motion_speed_limit, 1.5);
   EXPECT_DOUBLE_EQ(parameters.speed_scale, 0.5);
   EXPECT_DOUBLE_EQ(parameters.approach_speed, 0.25);
   EXPECT_TRUE(parameters.slow_down);
@@ -138,6 +141,7 @@ TEST(DriverParameters, OfTheJointsAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("robot", "ERS-8"), HasSubstr("ERS-7 or ERS-210"));
   EXPECT_THAT(refusal("telemetry_rate", 50), HasSubstr("messages a second, 0..31.25"));
   EXPECT_THAT(refusal("joint_speed_limit", 0), HasSubstr("rad/s, 0.1..20"));
+  EXPECT_THAT(refusal("motion_speed_limit", 21), HasSubstr("rad/s, 0.1..20"));
   EXPECT_THAT(refusal("speed_scale", 1.5), HasSubstr("0.1..1"));
   EXPECT_THAT(refusal("approach_speed", -1.0), HasSubstr("rad/s, 0.05..20"));
   EXPECT_THAT(refusal("slow_down", 1), HasSubstr("true or false"));
@@ -202,7 +206,7 @@ TEST(DriverParameters, AreRead) {
 
 TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
   EXPECT_EQ(refusal("port", 0),
-            "Parameter /aibo/aibo_driver/port is 0; allowed is a whole number, 1..65535. "
+            "Parameter /aibo/aibo_driver/port is 0; it must be a whole number, 1..65535. "
             "'rosparam delete NAME' removes a parameter that was set before.");
   EXPECT_THAT(refusal("port", 65536), HasSubstr("1..65535"));
   EXPECT_THAT(refusal("jpeg_quality", 101), HasSubstr("1..100"));
@@ -214,11 +218,11 @@ TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
 
 TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
   EXPECT_THAT(refusal("port", "abc"),
-              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; allowed is a whole number, 1..65535."));
+              StartsWith("Parameter /aibo/aibo_driver/port is the text 'abc'; it must be a whole number, 1..65535."));
   EXPECT_THAT(refusal("jpeg_quality", 85.5), HasSubstr("a whole number"));
   EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
   EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
-  EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; allowed is"));
+  EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; it must be"));
 }
 
 TEST(DriverParameters, AreRefusedAllAtOnce) {
@@ -230,8 +234,8 @@ TEST(DriverParameters, AreRefusedAllAtOnce) {
     parse(values);
     FAIL() << "accepted";
   } catch (const aibo_client::InvalidArgumentException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("port is 0; allowed is a whole number, 1..65535."));
-    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; allowed is a number of seconds, 0.05..60."));
+    EXPECT_THAT(error.what(), HasSubstr("port is 0; it must be a whole number, 1..65535."));
+    EXPECT_THAT(error.what(), HasSubstr("read_timeout is 61; it must be a number of seconds, 0.05..60."));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "node/camera/camera_options.h"
+
 namespace aibo_driver::node {
 
 using aibo_client::Picture;
@@ -118,6 +120,65 @@ TEST_F(LinkMeterTest, AServerOfVersion1TellsNeitherAgeNorLoss) {
   const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(100));
   EXPECT_EQ(reading.pictures, 2U);
   EXPECT_FALSE(reading.mean_age || reading.worst_age || reading.loss);
+}
+
+TEST_F(LinkMeterTest, HasTheLatencySinceTheFirstByte) {
+  Picture picture;
+  picture.first_byte_time = begin_;
+  meter_.add(picture, 0, 1, begin_ + milliseconds(2));
+  meter_.add(picture, 0, 1, begin_ + milliseconds(4));
+  const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(100));
+  EXPECT_DOUBLE_EQ(reading.mean_latency, 0.003);
+  EXPECT_DOUBLE_EQ(reading.max_latency, 0.004);
+  picture.first_byte_time = begin_ + milliseconds(110);
+  meter_.add(picture, 0, 1, begin_ + milliseconds(111));
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(200)).mean_latency, 0.001) << "each reading starts again";
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(300)).max_latency, 0);
+}
+
+TEST_F(LinkMeterTest, DoesNotDivideByZero) {
+  const LinkMeter::Reading reading = meter_.read(begin_, kCameraRate);
+  EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 0);
+  EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 0);
+}
+
+class SlowStreamTest : public ::testing::Test {
+ protected:
+  // Lets a second pass in which this many pictures come.
+  double slowForAfter(int pictures, double asked_rate = kCameraRate) {
+    for (int i = 0; i < pictures; ++i) {
+      meter_.add(Picture(), 0, 1, now_);
+    }
+    now_ += std::chrono::seconds(1);
+    return meter_.read(now_, asked_rate).slow_for;
+  }
+
+  LinkMeter::SteadyTime now_{std::chrono::hours(1)};
+  LinkMeter meter_{now_};
+};
+
+TEST_F(SlowStreamTest, IsMeasuredFromHalfOfTheRateThatIsAskedFor) {
+  EXPECT_DOUBLE_EQ(slowForAfter(30), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(15), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 1);
+  EXPECT_DOUBLE_EQ(slowForAfter(0), 2);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 3);
+  EXPECT_DOUBLE_EQ(slowForAfter(15), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 1) << "it begins again";
+}
+
+TEST_F(SlowStreamTest, OfEveryThirdImageIsSlowWithHalfOfThose) {
+  EXPECT_DOUBLE_EQ(slowForAfter(10, frameRateOf(3)), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(5, frameRateOf(3)), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(4, frameRateOf(3)), 1);
+}
+
+TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 0) << "it may have begun a moment ago";
+  EXPECT_DOUBLE_EQ(slowForAfter(1), 1);
+  EXPECT_DOUBLE_EQ(slowForAfter(0, 0), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 0);
+  EXPECT_DOUBLE_EQ(slowForAfter(14), 1);
 }
 
 }  // namespace

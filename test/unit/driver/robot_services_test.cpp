@@ -128,7 +128,7 @@ TEST_F(RobotServicesTest, SayWhatTheRobotPlaysDifferently) {
 TEST_F(RobotServicesTest, LetAMotionMoveAllJointsAsFastAsTheirLimitsAllow) {
   play("nod");
   ASSERT_EQ(client_.told.size(), table_.size() + 1);
-  EXPECT_EQ(client_.told.front(), "V 1:3.00");
+  EXPECT_EQ(client_.told.front(), "V 1:3.19");
   EXPECT_EQ(lastTold(), "play NOD.MTN 1");
 }
 

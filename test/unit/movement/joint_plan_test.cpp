@@ -237,7 +237,7 @@ TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
 TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
   EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
-              AllOf(HasSubstr("head_pan was last measured 0.8 s ago"), HasSubstr("allowed is 0.3 s")));
+              AllOf(HasSubstr("head_pan was last measured 0.8 s ago"), HasSubstr("at most 0.3 s are allowed")));
 }
 
 TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
@@ -332,7 +332,7 @@ TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
     advance(now);
   }
   EXPECT_EQ(endOf(commanded), EndedHow::kUnknown) << "it is near its target since before the command";
-  EXPECT_EQ(reasonOf(commanded), "nothing has measured head_pan since");
+  EXPECT_EQ(reasonOf(commanded), "no measurement of head_pan has come since");
 }
 
 TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "aibo_client/exceptions.h"
 
 namespace aibo_driver::movement {
@@ -32,14 +34,18 @@ TEST(JointTable, ScalesTheSpeedLimitsOfAllJoints) {
   EXPECT_NEAR(table.speedLimit(*table.findByName("neck_tilt")), 0.5 * 3.185226, 1e-6);
 }
 
-TEST(JointTable, ListsTheSpeedLimitsInForce) {
-  JointTable table("ERS-7", 4);
-  table.setSpeedScale(0.5);
-  const std::vector<aibo_client::JointSpeedLimit> limits = table.speedLimits();
-  ASSERT_EQ(limits.size(), table.size());
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    EXPECT_EQ(limits[i].id, table[i].id);
-    EXPECT_DOUBLE_EQ(limits[i].speed, table.speedLimit(i));
+TEST(JointTable, MotionsMayBeAsFastAsTheJointsUnlessTheyAreLimited) {
+  const JointTable own("ERS-7", 1);
+  JointTable limited("ERS-7", 1, 4);
+  limited.setSpeedScale(0.5);
+  const std::vector<aibo_client::JointSpeedLimit> free = own.motionSpeedLimits();
+  const std::vector<aibo_client::JointSpeedLimit> slow = limited.motionSpeedLimits();
+  ASSERT_EQ(free.size(), own.size());
+  ASSERT_EQ(slow.size(), own.size());
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    EXPECT_EQ(free[i].id, own[i].id);
+    EXPECT_DOUBLE_EQ(free[i].speed, own[i].own_speed);
+    EXPECT_DOUBLE_EQ(slow[i].speed, 0.5 * std::min(4.0, own[i].own_speed));
   }
 }
 

@@ -23,6 +23,7 @@ using aibo_client::TimeoutException;
 namespace {
 
 using std::chrono::milliseconds;
+using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -459,16 +460,28 @@ TEST_F(MoverTest, WhatCameBeforeTheConnectionDoesNotAct) {
 
 // ---- The robot's own movements
 
-TEST_F(MoverTest, PlaysAMotionWithTheSpeedLimitsOfAllJointsAndEndsTrajectories) {
+TEST_F(MoverTest, PlaysAMotionAtTheRobotsOwnSpeedsAndEndsTrajectories) {
   command("head_pan", 0.1);
   const auto followed = follow("head_pan", 1.0, 1.0);
   client_.told.clear();
   mover_.play(order(), "NOD.MTN", 2);
   EXPECT_EQ(client_.told.back(), "play NOD.MTN 2");
   client_.told.pop_back();
-  EXPECT_THAT(client_.told, SizeIs(table_.size() - 1)) << "that of the trajectory's joint is in force";
+  EXPECT_THAT(client_.told, SizeIs(table_.size()));
   EXPECT_THAT(client_.told, Each(StartsWith("V ")));
+  EXPECT_THAT(client_.told, Contains("V 2:10.06"));
   EXPECT_EQ(reasonOf(followed), "/user plays NOD.MTN");
+}
+
+TEST_F(MoverTest, ACommandAfterAMotionKeepsItsOwnSpeedLimit) {
+  mover_.play(order(), "NOD.MTN", 1);
+  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
+  command("head_pan", 0.1);
+  ASSERT_GE(client_.told.size(), 2u);
+  const std::string limit = client_.told[client_.told.size() - 2];
+  EXPECT_THAT(limit, StartsWith("V 2:"));
+  EXPECT_LE(std::stod(limit.substr(4)), 3.0);
+  EXPECT_THAT(client_.told.back(), StartsWith("J 2:")) << "the limit goes first";
 }
 
 TEST_F(MoverTest, AMotionPlaysUntilTheRobotReportsItsEnd) {

@@ -73,9 +73,9 @@ TEST_F(FittedMotionTest, positionsAtALimitToAThousandthOfADegreeAreInIt) {
 }
 
 TEST_F(FittedMotionTest, positionsBeyondALimitByAFewDegreesAreClippedAndDescribedInOneLine) {
-  ASSERT_TRUE(fit("at 0 left_hind_knee 122 head_pan 0\nat 1600 left_hind_knee 125 head_pan 89\nat 3200\n"));
+  ASSERT_TRUE(fit("at 0 left_front_knee 122 head_pan 0\nat 1600 left_front_knee 125 head_pan 89\nat 3200\n"));
   EXPECT_THAT(posture(1), ElementsAre(microradians(122), microradians(88)));
-  EXPECT_EQ(description(), "4 positions are clipped, by up to 3.0 degrees (left_hind_knee at 1600 ms)");
+  EXPECT_EQ(description(), "4 positions are clipped, by up to 3.0 degrees (left_front_knee at 1600 ms)");
   ASSERT_TRUE(fit("at 0 head_pan 90.04\n"));
   EXPECT_EQ(description(), "1 position is clipped, by up to 2.0 degrees (head_pan at 0 ms)");
 }

@@ -172,6 +172,15 @@ TEST_F(SoundPairTest, ASoundIsStopped) {
   EXPECT_EQ(2, client_->setVolume(2, seconds(10)));
 }
 
+TEST_F(SoundPairTest, ASoundEndsWithItsConnection) {
+  write("long.wav", ramp(16000 * 60));
+  start({});
+  const auto playback = player_->play(aibo_driver::sound::openSoundFile(path("long.wav")));
+  robot_.reset();
+  ASSERT_TRUE(await([this] { return !ends_.empty(); }));
+  EXPECT_EQ(EndedHow::kLost, playback->end()->how);
+}
+
 TEST_F(SoundPairTest, WithoutALineInTheSettingsNothingIsHeard) {
   stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "");
   start({});

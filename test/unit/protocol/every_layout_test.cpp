@@ -76,7 +76,7 @@ const Layout kLayouts[] = {
     layout<ColorSettings>("ColorSettings", hex("00 01 01 00"), {3}),
     layout<ColorTable>("ColorTable", hex("06 00 00 00") + Bytes(4 * COLOR_SEGMENTS, 128), {1, 2, 3}),
     layout<ColorRegions>("ColorRegions", hex(kColorRegions), {14, 15, 17, 18, 19, 37, 38, 39}),
-    layout<MicrophoneSettings>("MicrophoneSettings", hex("01 02 3e 80")),
+    layout<MicrophoneSettings>("MicrophoneSettings", hex("03 02 3e 80")),
     layout<HeardSound>("HeardSound", hex(kHeardSound), {7}),
     layout<PlayedSound>("PlayedSound", hex(kPlayedSound), {5, 6, 7}, {8, 10}),
     layout<SpeakerRoom>("SpeakerRoom", hex("00 00 3c 00")),

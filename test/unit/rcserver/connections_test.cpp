@@ -227,7 +227,7 @@ TEST_F(StrangersTest, AreCountedOnTheConsoleOnceAMinute) {
   }
   const std::string text = console_.str();
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1) << text;
-  EXPECT_EQ(timesSaid("is no client"), 1U);
+  EXPECT_EQ(timesSaid("is not a client"), 1U);
   passFrames(60 * 125);
   auto browser = connect();
   browser->send(webPage("POST"));

@@ -21,9 +21,6 @@ using ::testing::Each;
 using ::testing::IsEmpty;
 using ::testing::Le;
 
-const std::string kLayerHigh(1, '\0');
-const std::string kStreamOff = {0, 0, 0, 1};
-
 std::string portPayload(int port) {
   return payloadOf(DatagramPort{static_cast<unsigned short>(port)});
 }

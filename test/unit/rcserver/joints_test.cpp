@@ -28,7 +28,7 @@ constexpr int kLeftFrontRotator = 11;
 constexpr int kTailPan = 51;
 
 // More than enough for any motion with the standard limits.
-constexpr unsigned kLongestMotion = 500;
+constexpr unsigned kLongestWay = 500;
 
 class JointsTest : public FakeRobotFixture {
  protected:
@@ -111,7 +111,7 @@ TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
     const short target = centidegreesFromMicroradians(before[i] + (joint.highest - before[i]) / 4);
     expectAnswer(request('J', joint.identifier), 'j', joint.identifier, centidegreesFromMicroradians(before[i]));
     expectAnswer(request('J', joint.identifier, target), 'j', joint.identifier, target);
-    passFrames(kLongestMotion);
+    passFrames(kLongestWay);
     expectAnswer(request('J', joint.identifier), 'j', joint.identifier, target);
     std::vector<int> expected = before;
     expected[i] = microradiansFromCentidegrees(target);
@@ -121,14 +121,14 @@ TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
 
 TEST_F(JointsTest, TargetBeyondTheLimitsIsClampedAndTheReplySaysSo) {
   expectAnswer(request('J', kHeadPan, 32767), 'j', kHeadPan, 8800);
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   EXPECT_EQ(robot_.joint("head_pan").position, 1535890);
   expectAnswer(request('J', kNeckTilt, 100), 'j', kNeckTilt, 0);
 }
 
 TEST_F(JointsTest, IdentifierZeroSetsAllJointsWithinTheirLimits) {
   expectAnswer(request('J', 0, 1000), 'j', 0, 1000);
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
     const Joint& joint = robot_.model.joints[i];
     EXPECT_EQ(robot_.joints[i].position, std::min(std::max(174533, joint.lowest), joint.highest)) << joint.name;
@@ -151,7 +151,7 @@ TEST_F(JointsTest, JointMovesFromTheNextFrameOnWithinItsLimits) {
   passFrames(50);
   path.clear();
   expectAnswer(request('J', kHeadPan, 4000), 'j', kHeadPan, 4000);
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   EXPECT_GT(path[0], 0);
   const int highest_step = joint.highest_speed / 125;
   const int highest_change = robot_model::defaultAcceleration(joint) / 125 / 125;
@@ -172,7 +172,7 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
   std::vector<int>& path = robot_.joint("neck_tilt").path;
   path.clear();
   answerTo(request('J', kNeckTilt, -7000));
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   for (size_t i = 1; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - path[i - 1]), microradiansFromCentidegrees(3000) / 125);
   }
@@ -180,7 +180,17 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
 
 TEST_F(JointsTest, SpeedLimitIsClampedToTheJointsRange) {
   expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
-  expectAnswer(request('V', kNeckTilt, -1), 'v', kNeckTilt, 1);
+  expectAnswer(request('V', kNeckTilt, 1), 'v', kNeckTilt, 1);
+}
+
+TEST_F(JointsTest, LimitsWithWhichAJointCannotMoveAreRefused) {
+  for (const char letter : {'V', 'A'}) {
+    answerTo(request(letter, kNeckTilt, 3000));
+    for (const int limit : {0, -1, -32768}) {
+      expectError(request(letter, kNeckTilt, limit));
+    }
+    expectAnswer(request(letter, kNeckTilt), letter == 'V' ? 'v' : 'a', kNeckTilt, 3000);
+  }
 }
 
 TEST_F(JointsTest, LimitsTooLargeForVersion1ReadAsItsLargestValue) {
@@ -194,7 +204,7 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
   std::vector<int>& path = robot_.joint("tail_pan").path;
   path.clear();
   answerTo(request('J', kTailPan, 4000));
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   for (size_t i = 2; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - 2 * path[i - 1] + path[i - 2]), microradiansFromCentidegrees(5000) / 125 / 125);
   }
@@ -220,7 +230,7 @@ TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   robot_.joint("head_pan").jammed = true;
   answerTo(request('J', kHeadPan, 5000));
   answerTo(request('J', kTailPan, 3000));
-  passFrames(kLongestMotion);
+  passFrames(kLongestWay);
   EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
   EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "its motor still pushes";
   EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));

@@ -26,7 +26,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 constexpr unsigned kLongestMotion = 2000;
-constexpr int kHeadPan = 2;
+constexpr int kPan = 2;
 
 const char kFolder[] = "OPEN-R/MW/DATA/P";
 
@@ -142,7 +142,7 @@ TEST_F(Version1MotionsTest, uploadsAndDeletesOnlyIfAllowed) {
   start("");
   EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "e0 0");
   EXPECT_EQ(answerTo(fileRequest('D', "NOD.MTN", 0)), "e0 0");
-  EXPECT_EQ(answerTo(request('J', kHeadPan)).substr(0, 2), "j2") << "the content was skipped";
+  EXPECT_EQ(answerTo(request('J', kPan)).substr(0, 2), "j2") << "the content was skipped";
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
@@ -154,7 +154,7 @@ TEST_F(Version1MotionsTest, uploadsInPiecesOfAnySize) {
   }
   const std::string content = motionBytes(text);
   ASSERT_GT(content.size(), 2U * 1024);
-  const std::string bytes = upload("new.mtn", content) + request('J', kHeadPan);
+  const std::string bytes = upload("new.mtn", content) + request('J', kPan);
   for (size_t begin = 0; begin < bytes.size(); begin += 700) {
     client_->send(bytes.substr(begin, 700));
     machine_->runPending();
@@ -269,6 +269,7 @@ TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
   EXPECT_EQ(answerTo(play("", 0, TELL_CHANGES)), "p");
   EXPECT_EQ(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
             "p2 positions are clipped, by up to 3.0 degrees (head_pan at 160 ms)");
+  EXPECT_EQ(console_.str().find("FAST.MTN: 2"), console_.str().rfind("FAST.MTN: 2")) << "the console has it once";
   EXPECT_EQ(answerTo(play("", 0)), "p");
   EXPECT_EQ(answerTo(::frame('V', 0, 1, std::string("\2\0\0\0\0\x0f\x42\x40", 8))).front(), 'v') << "1 rad/s";
   EXPECT_THAT(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),

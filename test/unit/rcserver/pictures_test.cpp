@@ -18,9 +18,6 @@ using ::testing::HasSubstr;
 using ::testing::Le;
 using ::testing::Not;
 
-const std::string kLayerHigh(1, '\0');
-const std::string kStreamOff = {0, 0, 0, 1};
-
 std::string moveHeadPan(int microradians) {
   std::string payload = {0, 0, 1, 0, 2, 0, 0, 0};
   for (const int shift : {24, 16, 8, 0}) {

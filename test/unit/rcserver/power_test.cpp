@@ -21,7 +21,6 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 constexpr int kPowerCode = 4;
-constexpr unsigned kFramesASecond = 125;
 constexpr int kSmallBuffer = 4096;
 
 class PowerTest : public FakeRobotFixture {

@@ -34,6 +34,12 @@ using test_support::TestClient;
 /// may be waiting.
 constexpr unsigned kUntilMeasured = 12;
 
+constexpr unsigned kFramesASecond = 125;
+
+/// Payloads of requests: for a picture of the highest layer, and that ends a stream of them.
+inline const std::string kLayerHigh(1, '\0');
+inline const std::string kStreamOff = {0, 0, 0, 1};
+
 /// A request of version 1.
 inline std::string request(char letter, int identifier) {
   return {letter, static_cast<char>(identifier)};

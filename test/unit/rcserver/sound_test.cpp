@@ -237,6 +237,23 @@ TEST_F(SoundTest, NothingIsHeardBeforeAndAfter) {
   EXPECT_THAT(heard_, IsEmpty());
 }
 
+// The filter for 8 kHz looks at the last samples, and there are none.
+TEST_F(SoundTest, WhatWasHeardBeforeAPauseIsNotHeardAfterIt) {
+  for (const unsigned char channels : {'\2', '\1'}) {
+    robot_.sound = [](size_t) { return OSoundSampleStereo16{20000, 20000}; };
+    listen(channels, 8000);
+    pass(10);
+    ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{false, channels, 8000}));
+    robot_.sound = [](size_t) { return OSoundSampleStereo16{0, 0}; };
+    pass(10);
+    heard_.clear();
+    listen(channels, 8000);
+    pass(10);
+    ASSERT_THAT(heard_[0], Not(IsEmpty()));
+    EXPECT_THAT(heard_[0], Each(0)) << static_cast<int>(channels) << " channels";
+  }
+}
+
 TEST_F(SoundTest, TheMicrophoneIsRefusedUnlessTheOwnerAllowsIt) {
   for (const char* settings : {"", "ALLOW_MICROPHONE=no\n"}) {
     startWith(settings);
@@ -307,6 +324,20 @@ TEST_F(SoundTest, ASoundEndsAlsoIfItsLastSamplesComeTooLate) {
   EXPECT_EQ(ends_[0].missing, ends_[0].samples - 2000);
 }
 
+// The server would fill days with silence, and do nothing else meanwhile.
+TEST_F(SoundTest, SamplesThatAreFarAheadAreRefused) {
+  const unsigned end = 16000;
+  for (const unsigned ahead : {SPEAKER_CAPACITY, 1U << 30, (1U << 31) - SPEAKER_CAPACITY, (1U << 31) - 1}) {
+    for (const unsigned size : {1U, SPEAKER_CAPACITY}) {
+      play(0, samplesOf(mark, 0, end));
+      expectRefusal(ask(SOUND_SPEAKER, playedPayload(end + ahead, Samples(size, 1))), CODE_REFUSED, "no room");
+      EXPECT_EQ(play(0, {}), SPEAKER_CAPACITY - end + 2 * kVector) << ahead << " ahead, " << size;
+      play(0, {}, true);
+      pass(10);
+    }
+  }
+}
+
 TEST_F(SoundTest, WhatIsLeftOutIsSilence) {
   play(0, samplesOf(mark, 0, 3000));
   play(3500, samplesOf(mark, 3500, 5000));
@@ -340,7 +371,140 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   const size_t played = robot_.played.size();
   pass(20);
   EXPECT_EQ(robot_.played.size(), played);
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound is being played");
+}
+
+// All samples of the first sound are in a vector that is being output.
+TEST_F(SoundTest, ASoundThatReplacesTheEndOfAnotherIsPlayedToItsEnd) {
+  play(0, samplesOf(mark, 0, 300), true);
+  play(0, samplesOf(mark, 1000, 5000), true);
+  pass(60);
+  ASSERT_THAT(ends_, SizeIs(2));
+  EXPECT_EQ(ends_[0].how, END_REPLACED);
+  EXPECT_EQ(ends_[1].how, END_DONE);
+  EXPECT_EQ(ends_[1].samples, 4000U);
+  const Samples second(robot_.played.begin() + kVector, robot_.played.begin() + kVector + 4000);
+  EXPECT_EQ(second, samplesOf(mark, 1000, 5000));
+}
+
+TEST_F(SoundTest, GapsOfOneSoundAreNotThoseOfTheNext) {
+  play(0, samplesOf(mark, 0, 100));
+  pass(30);
+  play(0, samplesOf(mark, 0, 100), true);
+  pass(30);
+  ASSERT_THAT(ends_, SizeIs(2));
+  EXPECT_EQ(ends_[0].gaps, 1U);
+  EXPECT_EQ(ends_[1].gaps, 0U);
+  EXPECT_EQ(ends_[1].missing, 0U);
+}
+
+TEST_F(SoundTest, EachOfTwoGapsCounts) {
+  play(0, samplesOf(mark, 0, 1000));
+  play(1500, samplesOf(mark, 1500, 2000));
+  play(2500, samplesOf(mark, 2500, 3000), true);
+  pass(40);
+  ASSERT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_[0].gaps, 2U);
+  EXPECT_EQ(ends_[0].missing, 1000U);
+}
+
+// The two seconds of silence that end a sound begin with each sample that comes.
+TEST_F(SoundTest, ASoundThatStuttersIsNotEnded) {
+  for (unsigned part = 0; part < 4; ++part) {
+    const unsigned at = part * SPEAKER_CAPACITY;
+    play(at, samplesOf(mark, at, at + 100), part == 3);
+    pass(part == 3 ? 60 : 15000 / SAMPLES_PER_FRAME);
+  }
+  ASSERT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_[0].how, END_DONE);
+  EXPECT_EQ(ends_[0].gaps, 3U);
+}
+
+TEST_F(SoundTest, ARefusedRequestChangesNothing) {
+  play(0, samplesOf(mark, 0, 3000));
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, Samples(SPEAKER_CAPACITY + 1, 7))), CODE_REFUSED, "no room");
+  play(3000, samplesOf(mark, 3000, 4000));
+  play(4000, {}, true);  // the last samples have come already
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound that could go on");
+  pass(50);
+  ASSERT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_[0].how, END_DONE);
+  EXPECT_EQ(ends_[0].samples, 4000U);
+  robot_.played.resize(4000);
+  EXPECT_EQ(robot_.played, samplesOf(mark, 0, 4000));
+}
+
+TEST_F(SoundTest, AnEndForWhichThereIsNoRoomIsToldLater) {
+  play(0, samplesOf(mark, 0, 1000), true);
+  stallBehind("");
+  passFrames(30);
+  for (int i = 0; i < 100 && ends_.empty(); ++i) {
+    pass(1);
+  }
+  ASSERT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_[0].how, END_DONE);
+}
+
+// Sound of another kind that still waits would be taken for it.
+TEST_F(SoundTest, AfterAChangeNothingComesThatWasHeardBefore) {
+  disconnect();
+  connectVersion2(2048);
+  robot_.sound = [](size_t) { return OSoundSampleStereo16{1000, 1000}; };
+  listen(1);
+  passFrames(100);
+  send(frame('A', SOUND_MICROPHONE, 7, payloadOf(MicrophoneSettings{false, 1, kRate})));
+  bool is_off = false;
+  for (int i = 0; i < 200; ++i) {
+    machine_->runPending();
+    while (const auto next = client_->nextFrame()) {
+      EXPECT_FALSE(is_off && next->header.kind == SOUND_PUSH && next->header.id == SOUND_MICROPHONE);
+      is_off = is_off || next->header.request_number == 7;
+    }
+  }
+  EXPECT_TRUE(is_off);
+}
+
+TEST_F(SoundTest, WhatAClientDidNotReadIsNotHeardByTheNext) {
+  disconnect();
+  connectVersion2(2048);
+  robot_.sound = [](size_t) { return OSoundSampleStereo16{1000, 1000}; };
+  listen();
+  passFrames(125);
+  disconnect();
+  connectVersion2();
+  heard_.clear();
+  pass(10);
+  EXPECT_THAT(heard_, IsEmpty());
+}
+
+TEST_F(SoundTest, TheMicrophoneMayAlwaysBeSwitchedOff) {
+  startWith("");
+  connectVersion2();
+  EXPECT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{false, 2, kRate})).header.kind, 'a');
+}
+
+// Each takes a moment, and the robot serves its joints meanwhile.
+TEST_F(SoundTest, TenThousandBeginsAndAThousandSwitchesLeaveAServerThatPlaysAndHears) {
+  robot_.hears_itself = true;
+  for (int i = 0; i < 10000; ++i) {
+    send(frame('A', SOUND_SPEAKER, 1 + i % 1000, playedPayload(0, {1, 2, 3})) +
+         (i % 10 == 0 ? frame('A', SOUND_MICROPHONE, 1, payloadOf(MicrophoneSettings{i % 20 == 0, 2, kRate})) : ""));
+    while (client_->nextFrame()) {
+    }
+  }
+  replies_.clear();
+  play(0, {}, true);
+  pass(20);
+  ends_.clear();
+  heard_.clear();
+  missing_ = 0;
+  listen();
+  pass(4);  // until the next vector of the microphones begins
+  playAll(mark, 3000);
+  ASSERT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_[0].how, END_DONE);
+  EXPECT_EQ(missing_, 0U);
+  EXPECT_GE(heardSince(mark(0)).size(), 3000U);
 }
 
 TEST_F(SoundTest, AClientThatGoesFallsSilentAndTheNextOneBeginsAnew) {
@@ -371,6 +535,17 @@ TEST_F(SoundTest, AClientThatGoesFallsSilentAndTheNextOneBeginsAnew) {
   EXPECT_EQ(ends_[0].gaps, 0U);
 }
 
+TEST_F(SoundTest, AnEndThatAClientDidNotReadIsNotToldToTheNext) {
+  play(0, samplesOf(mark, 0, 1000), true);
+  stallBehind("");  // there is no room for the end
+  passFrames(30);
+  disconnect();
+  connectVersion2();
+  ends_.clear();
+  pass(10);
+  EXPECT_THAT(ends_, IsEmpty());
+}
+
 TEST_F(SoundTest, TheVolumeIsTheRobotsUntilAClientSetsOne) {
   EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, "")).step, 2);
   EXPECT_THAT(robot_.speaker_requests, IsEmpty()) << "reading leaves the speaker alone";
@@ -392,9 +567,12 @@ TEST_F(SoundTest, ASpeakerThatCannotBeUsedIsTold) {
   robot_.refuses_speaker = true;
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, {1, 2}, true)), CODE_REFUSED, "the robot's console says why");
   expectRefusal(ask(SOUND_VOLUME, payloadOf(Volume{1})), CODE_REFUSED, "does not take this volume");
+  EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, "")).step, 2) << "that of the robot's switch, as before";
   EXPECT_THAT(console_.str(), ::testing::HasSubstr("the speaker does not take sound of 16 kHz"));
   robot_.refuses_speaker = false;
   playAll(mark, 1000);
+  robot_.played.resize(1000);
+  EXPECT_EQ(robot_.played, samplesOf(mark, 0, 1000));
   ASSERT_THAT(ends_, SizeIs(1));
   EXPECT_EQ(ends_[0].how, END_DONE);
 }
@@ -426,6 +604,26 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
     const sword expected = mark(first_frame_ * SAMPLES_PER_FRAME + i);
     ASSERT_TRUE(heard_[0][i] == expected || heard_[0][i] == 0) << i;
   }
+}
+
+TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
+  const auto pictures = [this] {
+    pass(25);
+    replies_.clear();
+    pass(25);
+    return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
+  };
+  answerTo('W', 85, kStreamOn);
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_GT(pictures(), 4) << "sound waits for pictures unless the client wants the opposite";
+  ASSERT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{SOUND_FIRST, 2, kRate})).header.kind, 'a');
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_LE(pictures(), 1) << "one in 0.25 s";
+  play(0, samplesOf(mark, 0, SPEAKER_CAPACITY));
+  EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
+  play(0, samplesOf(mark, 0, 4000), true);
+  EXPECT_GT(pictures(), 4) << "no more is to come";
+  EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
 }
 
 /// With the time that the robot's processor takes. Parameter: milliseconds that PictureEncoder needs for a picture.

@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr unsigned char kHeadPan = 2;
+constexpr unsigned char kPanJoint = 2;
 
 /// Parameter: milliseconds that PictureEncoder needs for a picture.
 class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface<int> {
@@ -78,7 +78,7 @@ class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface
   int moveHead(int microradian, int duration) {
     std::vector<int>& path = robot_.joint("head_pan").path;
     path.clear();
-    const std::string payload = bytesOf(duration, 2) + std::string("\1\0", 2) + static_cast<char>(kHeadPan) +
+    const std::string payload = bytesOf(duration, 2) + std::string("\1\0", 2) + static_cast<char>(kPanJoint) +
                                 std::string(3, '\0') + bytesOf(microradian, 4);
     send(frame('J', 0, 1000, payload));
     int frames = 0;

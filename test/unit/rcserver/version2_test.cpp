@@ -25,13 +25,13 @@ using ::testing::ElementsAre;
 using ::testing::Field;
 using ::testing::HasSubstr;
 
-constexpr unsigned char kNeckTilt = 1;
-constexpr unsigned char kHeadPan = 2;
+constexpr unsigned char kNeckTiltId = 1;
+constexpr unsigned char kPanId = 2;
 constexpr unsigned char kLeftFrontKnee = 13;
-constexpr unsigned char kTailPan = 51;
+constexpr unsigned char kTailPanId = 51;
 constexpr unsigned char kNoJoint = 99;
 
-constexpr unsigned kLongestMotion = 500;
+constexpr unsigned kLongestCommand = 500;
 
 std::string pictureOf(Layer layer) {
   return payloadOf(PictureRequest{layer});
@@ -160,7 +160,7 @@ TEST_F(Version2Test, BytesAfterTheRequestForVersion2BelongToIt) {
 TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
   disconnect();
   auto client = connectServed();
-  client->send(request('J', kHeadPan));
+  client->send(request('J', kPanId));
   const std::optional<Reply> reply = await(*client);
   ASSERT_TRUE(reply);
   EXPECT_EQ(reply->letter, 'j');
@@ -208,7 +208,7 @@ TEST_F(Version2Test, HelloHasTheTime) {
 }
 
 TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
-  send(frame('J', 0, 1, targets({{kHeadPan, 1000000}}, 60000)));
+  send(frame('J', 0, 1, targets({{kPanId, 1000000}}, 60000)));
   passFrames(620);
   EXPECT_FALSE(client_->ended());
   passFrames(9);
@@ -216,7 +216,7 @@ TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
   EXPECT_THAT(console_.str(), HasSubstr("silent for 5 s"));
   passFrames(100);
   const int held = positionOf("head_pan");
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), held);
 }
 
@@ -449,9 +449,9 @@ TEST_F(Version2Test, StreamStopsWhenItIsSwitchedOff) {
 
 TEST_F(Version2Test, JointsMoveToTheirTargets) {
   const std::vector<int> before = positions();
-  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kHeadPan, 500000}, {kTailPan, -300000}}))),
-              ElementsAre(std::make_pair(kHeadPan, 500000), std::make_pair(kTailPan, -300000)));
-  passFrames(kLongestMotion);
+  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kPanId, 500000}, {kTailPanId, -300000}}))),
+              ElementsAre(std::make_pair(kPanId, 500000), std::make_pair(kTailPanId, -300000)));
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), 500000);
   EXPECT_EQ(positionOf("tail_pan"), -300000);
   EXPECT_EQ(positionOf("left_front_knee"),
@@ -459,9 +459,9 @@ TEST_F(Version2Test, JointsMoveToTheirTargets) {
 }
 
 TEST_F(Version2Test, JointsCommandedTogetherArriveTogether) {
-  answerTo('J', 0, targets({{kLeftFrontKnee, 1000000}, {kHeadPan, 100000}, {kTailPan, -300000}}, 2000));
+  answerTo('J', 0, targets({{kLeftFrontKnee, 1000000}, {kPanId, 100000}, {kTailPanId, -300000}}, 2000));
   const size_t begin = robot_.joint("head_pan").path.size();
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   std::vector<size_t> arrivals;
   for (const char* const name : {"left_front_knee", "head_pan", "tail_pan"}) {
     const std::vector<int>& path = robot_.joint(name).path;
@@ -473,14 +473,14 @@ TEST_F(Version2Test, JointsCommandedTogetherArriveTogether) {
 }
 
 TEST_F(Version2Test, TargetsAreClampedAndTheReplySaysSo) {
-  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kHeadPan, 2000000000}, {kNeckTilt, -2000000000}}))),
-              ElementsAre(std::make_pair(kHeadPan, 1535890), std::make_pair(kNeckTilt, -1308997)));
+  EXPECT_THAT(acceptedBy(answerTo('J', 0, targets({{kPanId, 2000000000}, {kNeckTiltId, -2000000000}}))),
+              ElementsAre(std::make_pair(kPanId, 1535890), std::make_pair(kNeckTiltId, -1308997)));
 }
 
 TEST_F(Version2Test, UnknownJointRefusesTheWholeRequest) {
   const std::vector<int> before = positions();
-  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 500000}, {kNoJoint, 0}, {kTailPan, 0}})), CODE_REFUSED, "99");
-  passFrames(kLongestMotion);
+  expectRefusal(answerTo('J', 0, targets({{kPanId, 500000}, {kNoJoint, 0}, {kTailPanId, 0}})), CODE_REFUSED, "99");
+  passFrames(kLongestCommand);
   EXPECT_EQ(positions(), before);
 }
 
@@ -491,23 +491,30 @@ TEST_F(Version2Test, RequestForNoJointIsAnswered) {
 // --------------------------------------------------------------------------------------------------------------- V
 
 TEST_F(Version2Test, SpeedLimitsAreSetAndRead) {
-  EXPECT_THAT(limitsIn(answerTo('V', 0, limits({{kHeadPan, 1000000}, {kNeckTilt, 2000000000}}))),
-              ElementsAre(std::make_pair(kHeadPan, 1000000), std::make_pair(kNeckTilt, 3185226)));
+  EXPECT_THAT(limitsIn(answerTo('V', 0, limits({{kPanId, 1000000}, {kNeckTiltId, 2000000000}}))),
+              ElementsAre(std::make_pair(kPanId, 1000000), std::make_pair(kNeckTiltId, 3185226)));
   const Values all = limitsIn(answerTo('V', 0));
   ASSERT_EQ(all.size(), 18U);
-  EXPECT_THAT(all, ::testing::Contains(std::make_pair(kHeadPan, 1000000)));
-  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  EXPECT_THAT(all, ::testing::Contains(std::make_pair(kPanId, 1000000)));
+  answerTo('J', 0, targets({{kPanId, 1000000}}));
   std::vector<int>& path = robot_.joint("head_pan").path;
   path.clear();
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   for (size_t i = 1; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - path[i - 1]), 1000000 / 125);
   }
 }
 
 TEST_F(Version2Test, SpeedLimitForAnUnknownJointRefusesTheWholeRequest) {
-  expectRefusal(answerTo('V', 0, limits({{kHeadPan, 1000000}, {kNoJoint, 1}})), CODE_REFUSED, "99");
-  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
+  expectRefusal(answerTo('V', 0, limits({{kPanId, 1000000}, {kNoJoint, 1}})), CODE_REFUSED, "99");
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kPanId, 10057460)));
+}
+
+TEST_F(Version2Test, ASpeedLimitWithWhichAJointCannotMoveRefusesTheWholeRequest) {
+  for (const int limit : {0, -1}) {
+    expectRefusal(answerTo('V', 0, limits({{kPanId, 1000000}, {kNeckTiltId, limit}})), CODE_REFUSED, "above 0");
+  }
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kPanId, 10057460)));
 }
 
 // --------------------------------------------------------------------------------------------------------------- T
@@ -566,7 +573,7 @@ TEST_F(Version2Test, TelemetryHasTheDutyOfAllJointsIfItIsAskedFor) {
 
 TEST_F(Version2Test, TelemetryFollowsTheMotionFrameByFrame) {
   answerTo('T', 0, period(4));
-  send(frame('J', 0, 1, targets({{kHeadPan, 1000000}}, 1000)));
+  send(frame('J', 0, 1, targets({{kPanId, 1000000}}, 1000)));
   nextFrame();
   passFrames(200);
   const std::vector<Telemetry> all = telemetry();
@@ -583,7 +590,7 @@ TEST_F(Version2Test, TelemetryAndRepliesCostTheStreamNoPicture) {
   int pictures = 0;
   int measurements = 0;
   for (int i = 0; i < 200; ++i) {
-    send(frame('J', 0, 1 + i, targets({{kHeadPan, 1000 * i}})));
+    send(frame('J', 0, 1 + i, targets({{kPanId, 1000 * i}})));
     takeImage();
     while (const std::optional<Frame> next = client_->nextFrame()) {
       pictures += next->header.kind == PICTURE ? 1 : 0;
@@ -625,8 +632,8 @@ TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
     EXPECT_TRUE(joint.gain);
     EXPECT_NE(joint.gains.proportional, 0);
   }
-  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
-  passFrames(kLongestMotion);
+  answerTo('J', 0, targets({{kPanId, 1000000}}));
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), 1000000);
 }
 
@@ -641,7 +648,7 @@ TEST_F(Version2Test, JointThatGetsNoGainIsNamed) {
 }
 
 TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
-  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  answerTo('J', 0, targets({{kPanId, 1000000}}));
   passFrames(10);
   motorsAfter(std::string(1, '\0'));
   passFrames(kUntilMeasured);
@@ -651,15 +658,15 @@ TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
   passFrames(100);
   const std::vector<int> bent = positions();
   motorsAfter("\1");
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   EXPECT_EQ(positions(), bent);
 }
 
 TEST_F(Version2Test, JointsAreNotCommandedWhileTheMotorsAreOff) {
   motorsAfter(std::string(1, '\0'));
-  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 1000000}})), CODE_REFUSED, "motors are off");
+  expectRefusal(answerTo('J', 0, targets({{kPanId, 1000000}})), CODE_REFUSED, "motors are off");
   motorsAfter("\1");
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), 0);
 }
 
@@ -668,8 +675,8 @@ TEST_F(Version2Test, TargetSetWhileTheMotorsAreGoingOnIsReachedWithoutAJump) {
   passFrames(kUntilMeasured);
   std::vector<int>& path = robot_.joint("head_pan").path;
   path.clear();
-  send(frame('O', 0, 1001, "\1") + frame('J', 0, 1002, targets({{kHeadPan, 1000000}})));
-  passFrames(kLongestMotion);
+  send(frame('O', 0, 1001, "\1") + frame('J', 0, 1002, targets({{kPanId, 1000000}})));
+  passFrames(kLongestCommand);
   EXPECT_EQ(path.back(), 1000000);
   for (size_t i = 1; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - path[i - 1]), 10057460 / 125);
@@ -690,7 +697,7 @@ class HoldTest : public Version2Test {
   // Head and tail are under way for a while yet.
   void SetUp() override {
     Version2Test::SetUp();
-    answerTo('J', 0, targets({{kHeadPan, 1500000}, {kTailPan, -700000}}, 4000));
+    answerTo('J', 0, targets({{kPanId, 1500000}, {kTailPanId, -700000}}, 4000));
     passFrames(200);
   }
 
@@ -711,22 +718,22 @@ TEST_F(HoldTest, EverythingStopsWithinAMomentAndNothingTurnsBack) {
   EXPECT_LT(positionOf("head_pan"), before + 100000);
   const std::vector<int>& path = robot_.joint("head_pan").path;
   EXPECT_TRUE(std::is_sorted(path.begin(), path.end()));
-  answerTo('J', 0, targets({{kHeadPan, 0}}));
+  answerTo('J', 0, targets({{kPanId, 0}}));
   passFrames(200);
   EXPECT_EQ(positionOf("head_pan"), 0) << "it can be commanded again";
 }
 
 TEST_F(HoldTest, TheJointsNamedStopAndTheOthersGoOn) {
-  EXPECT_EQ(answerTo('I', HOLD_JOINTS, {static_cast<char>(kHeadPan), 1}).header.kind, 'i');
+  EXPECT_EQ(answerTo('I', HOLD_JOINTS, {static_cast<char>(kPanId), 1}).header.kind, 'i');
   EXPECT_FALSE(moves("head_pan"));
   EXPECT_TRUE(moves("tail_pan"));
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("tail_pan"), -700000);
 }
 
 TEST_F(HoldTest, WhatCannotBeHeldIsRefusedAndEverythingGoesOn) {
-  expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kHeadPan), static_cast<char>(kNoJoint)}), CODE_REFUSED,
-                "this robot has no joint 99, so nothing of the request was done");
+  expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kPanId), static_cast<char>(kNoJoint)}), CODE_REFUSED,
+                "this robot has no joint 99, so the whole request was refused");
   expectRefusal(answerTo('I', HOLD_JOINTS), CODE_REFUSED, "bad request: no joint is named");
   expectRefusal(answerTo('I', HOLD_EVERYTHING, "\2"), CODE_REFUSED, "bad request: the payload");
   expectRefusal(answerTo('I', 2), CODE_REFUSED, "bad request: the id is neither 0");
@@ -751,7 +758,7 @@ class JamTest : public Version2Test {
 
   void commandHead(int position) {
     live();
-    answerTo('J', 0, targets({{kHeadPan, position}}));
+    answerTo('J', 0, targets({{kPanId, position}}));
     passFrames(4 * JointWatch::PATIENCE);
   }
 
@@ -805,8 +812,8 @@ TEST_F(JamTest, IsNotTheNextClients) {
 
 TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
   robot_.joint("head_pan").jammed = true;
-  answerTo('J', 0, targets({{kHeadPan, 1000000}, {kTailPan, 500000}}, 2000));
-  passFrames(kLongestMotion);
+  answerTo('J', 0, targets({{kPanId, 1000000}, {kTailPanId, 500000}}, 2000));
+  passFrames(kLongestCommand);
   const std::optional<Frame> pushed = client_->nextFrame();
   ASSERT_TRUE(pushed);
   EXPECT_EQ(pushed->header.request_number, 0);
@@ -819,8 +826,8 @@ TEST_F(Version2Test, JammedJointIsNamedOnceAndTheOthersGoOn) {
 TEST_F(Version2Test, JointWhoseGainWentOffIsReportedAsNotFollowing) {
   robot_.joint("head_pan").gain = false;
   robot_.joint("head_pan").duty = 0;
-  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
-  passFrames(kLongestMotion);
+  answerTo('J', 0, targets({{kPanId, 1000000}}));
+  passFrames(kLongestCommand);
   const std::optional<Frame> pushed = client_->nextFrame();
   ASSERT_TRUE(pushed);
   expectRefusal(*pushed, CODE_JOINT_FAULT, "head_pan does not follow");
@@ -845,7 +852,7 @@ TEST_F(Version2Test, MalformedRequestsAreRefusedAndTheConnectionGoesOn) {
   for (const auto& [kind, payload] : malformed) {
     expectRefusal(answerTo(kind, 0, payload), CODE_REFUSED, "bad request");
   }
-  expectRefusal(answerTo('J', 0, targets({{kHeadPan, 1}, {kHeadPan, 2}})), CODE_REFUSED, "twice");
+  expectRefusal(answerTo('J', 0, targets({{kPanId, 1}, {kPanId, 2}})), CODE_REFUSED, "twice");
   EXPECT_STREQ(hello().robot, "ERS-7");
 }
 
@@ -906,20 +913,20 @@ TEST_F(Version2Test, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply
 // -------------------------------------------------------------------------------------------------------- client gone
 
 TEST_F(Version2Test, WhenTheClientGoesOnlyTheJointsHold) {
-  answerTo('V', 0, limits({{kHeadPan, 500000}}));
+  answerTo('V', 0, limits({{kPanId, 500000}}));
   answerTo('T', 0, period(4));
   answerTo('W', 85, stream(true));
-  answerTo('J', 0, targets({{kHeadPan, 1000000}}));
+  answerTo('J', 0, targets({{kPanId, 1000000}}));
   passFrames(50);
   ASSERT_GT(positionOf("head_pan"), 0);
   reconnect();
   passFrames(50);
   const int held = positionOf("head_pan");
   EXPECT_LT(held, 900000);
-  passFrames(kLongestMotion);
+  passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), held);
   EXPECT_FALSE(client_->nextFrame()) << "stream or telemetry of the last client";
-  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kHeadPan, 10057460)));
+  EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kPanId, 10057460)));
 }
 
 }  // namespace

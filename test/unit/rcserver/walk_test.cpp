@@ -18,8 +18,6 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-constexpr unsigned kFramesASecond = 125;
-
 std::string steering(int forward, int left = 0, int turn = 0) {
   const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};
   return payloadOf(velocity);
@@ -380,7 +378,7 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   EXPECT_FALSE(isLimp());
   pass(70);
   EXPECT_TRUE(isLimp());
-  EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are soft"));
+  EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are limp"));
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its side: its motors go off"));
 }
 

@@ -76,6 +76,8 @@ class FakeRobot : public Robot {
     }
     wishes.append(words.join(", "));
   }
+  void say(const QString& text) override { wishes.append("say " + text); }
+  void stopSound() override { wishes.append("stop sound"); }
   void walk(double forward, double left, double turn) override {
     wishes.append(
         QString("walk %1 %2 %3").arg(forward + 0.0, 0, 'f', 2).arg(left + 0.0, 0, 'f', 2).arg(turn + 0.0, 0, 'f', 2));

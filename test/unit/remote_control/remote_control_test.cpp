@@ -399,11 +399,22 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
   for (const char* name : {"near", "far", "chest"}) {
     Q_EMIT robot_.distanceMeasured({name, 0.25, 0.5});
   }
-  for (const char* page : {"Move", "Camera", "Motions", "Joints", "Lights", "Sensors"}) {
+  for (const char* page : {"Move", "Camera", "Motions", "Joints", "Lights", "Sensors", "Sound"}) {
     open(page);
     EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
     EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
   }
+}
+
+TEST_F(RemoteControlTest, FiguresDoNotChangeItsWidth) {
+  robot_.connectIt();
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.batteryMeasured(1, 25);
+  Q_EMIT robot_.linkMeasured({12.3, 0.004, 0});
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  Q_EMIT robot_.linkMeasured({12345.6, 999.999, 0.123});
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
 }
 
 TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
@@ -445,6 +456,19 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   EXPECT_TRUE(find<QLabel>("movement")->isHidden()) << "also in version 1";
 }
 
+TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
+  Q_EMIT robot_.movementChanged("moved by walk from /anna; last ended: posture stand, done", false);
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden()) << "there is no connection";
+  robot_.connectIt();
+  open("Move");
+  EXPECT_EQ(textOf("who_moves"), "moved by walk from /anna");
+  const int width = window_.minimumSizeHint().width();
+  Q_EMIT robot_.movementChanged("moved by walk from /" + QString(300, 'a'), false);
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_TRUE(find<QLabel>("who_moves")->isHidden());
+}
+
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   Q_EMIT robot_.answered(false, "stand: the robot fell");
   EXPECT_TRUE(textOf("status").endsWith("stand: the robot fell"));
@@ -478,6 +502,47 @@ TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
   robot_.connectIt();
   Q_EMIT robot_.driversFound({"/aardvark", "/aibo", "/right"});
   EXPECT_EQ(chooser->currentText(), "/aibo") << "not the first of them";
+}
+
+TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
+  robot_.connectIt();
+  open("Sound");
+  EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
+  Q_EMIT robot_.heard(-20);
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "") << "somebody else listens";
+  EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum());
+  find<QAbstractButton>("listen")->click();
+  EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 1u);
+  Q_EMIT robot_.heard(-20.4);
+  EXPECT_EQ(find<QProgressBar>("level")->value(), -20);
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
+  EXPECT_TRUE(QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); },
+                              10000));
+  open("Move");
+  EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
+  open("Sound");
+  EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 1u);
+  find<QAbstractButton>("listen")->click();
+  EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
+}
+
+TEST_F(RemoteControlTest, TheRobotSaysASentenceAndTheEscapeKeyStopsIt) {
+  robot_.connectIt();
+  open("Sound");
+  auto* text = find<QLineEdit>("say_text");
+  text->setFocus();
+  robot_.take();
+  QTest::keyClick(text, Qt::Key_Space);
+  EXPECT_EQ(robot_.take(), QStringList("stop")) << "nothing has been written";
+  QTest::keyClicks(text, "Good dog");
+  EXPECT_EQ(robot_.take(), QStringList());
+  QTest::keyClick(text, Qt::Key_Escape);
+  EXPECT_EQ(robot_.take(), QStringList("stop"));
+  QTest::keyClick(text, Qt::Key_Return);
+  EXPECT_EQ(robot_.take(), QStringList("say Good dog"));
+  EXPECT_EQ(click("Silence"), QStringList("stop sound"));
+  text->clear();
+  EXPECT_EQ(click("Say"), QStringList());
 }
 
 TEST_F(RemoteControlTest, TouchedPlacesLightUp) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -93,6 +94,18 @@ TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
   EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - begin);
 }
 
+TEST_F(PlayerTest, TheNewestAnswerSaysHowMuchRoomThereIs) {
+  std::chrono::steady_clock::time_point full;
+  robot_.on_samples = [this, &full, told = robot_.on_samples](bool is_last) {
+    robot_.room_for_samples = 0;
+    full = is_last ? full : std::chrono::steady_clock::now();
+    told(is_last);
+  };
+  player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce));
+  robot_.waitForLast();
+  EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - full);
+}
+
 TEST_F(PlayerTest, ASoundThatEndsBeforeItIsKnownHasEnded) {
   player_.ended({1, EndedHow::kDone, 3, 0, 0});
   EXPECT_TRUE(player_.play(std::make_unique<Ramp>(3))->end());
@@ -118,6 +131,31 @@ TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
   player_.ended({2, EndedHow::kStopped, 0, 0, 0});
   player_.stop();
   EXPECT_TRUE(robot_.told.empty());
+}
+
+TEST_F(PlayerTest, EndsOfOtherSoundsDoNotPileUp) {
+  for (std::uint64_t sound = 2; sound < 100; ++sound) {
+    player_.ended({sound, EndedHow::kDone, 3, 0, 0});
+  }
+  robot_.room_for_samples = 0;
+  for (std::uint64_t sound = 1; sound < 50; ++sound) {
+    EXPECT_FALSE(player_.play(std::make_unique<Ramp>(5))->end()) << sound;
+  }
+}
+
+TEST_F(PlayerTest, WhyNoMoreSamplesWereSentIsInTheEnd) {
+  std::promise<void> fails;
+  robot_.on_samples = [&, pieces = 0](bool) mutable {
+    if (++pieces == 2) {
+      fails.set_value();
+      throw aibo_client::NetworkException("the answer did not come");
+    }
+  };
+  const auto playback = player_.play(std::make_unique<Ramp>(1000000));
+  fails.get_future().wait();
+  player_.finish();
+  player_.ended({1, EndedHow::kRefused, 0, 0, 0});
+  EXPECT_THAT(playback->end()->message, HasSubstr("The robot has ended it: the answer did not come"));
 }
 
 TEST_F(PlayerTest, WithoutAConnectionNothingPlays) {

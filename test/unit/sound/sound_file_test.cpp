@@ -2,8 +2,10 @@
 #include "sound/sound_file.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -17,6 +19,8 @@ using namespace aibo_driver::sound;
 using aibo_driver::files::FileException;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
 
 namespace {
 
@@ -111,6 +115,47 @@ TEST_F(SoundFileTest, ImpossibleSoundsAreRefused) {
   EXPECT_THAT(complaintAbout("slow.wav"), HasSubstr("20 samples/s"));
 }
 
+TEST_F(SoundFileTest, SamplesThatAreNoNumbersAreSilence) {
+  const float samples[] = {NAN, INFINITY, -INFINITY, 1e30F, 0.5F};
+  SF_INFO info = {};
+  info.samplerate = 16000;
+  info.channels = 1;
+  info.format = SF_FORMAT_WAV | SF_FORMAT_FLOAT;
+  SNDFILE* const file = ::sf_open(path("a.wav").c_str(), SFM_WRITE, &info);
+  ::sf_write_float(file, samples, 5);
+  ::sf_close(file);
+  EXPECT_THAT(readAll("a.wav"), ElementsAre(0, 32767, -32768, 32767, 16384));
+}
+
+// Its size costs neither time nor memory.
+TEST_F(SoundFileTest, AFileOfFourGigabytesBeginsAtOnce) {
+  writeSoundFile(path("a.wav"), Samples(10000, 7));
+  {
+    std::fstream file(path("a.wav"), std::ios::in | std::ios::out | std::ios::binary);
+    const std::string huge = "\xf0\xff\xff\xff";
+    file.seekp(4) << huge;
+    file.seekp(40) << huge;
+  }
+  std::filesystem::resize_file(path("a.wav"), std::uintmax_t{0xfffffff8});
+  const auto source = openSoundFile(path("a.wav"));
+  EXPECT_EQ(Samples(10000, 7), source->read(10000));
+  EXPECT_EQ(Samples(10000, 0), source->read(10000));
+}
+
+TEST_F(SoundFileTest, AFileThatIsCutOffWhileItPlaysEnds) {
+  writeSoundFile(path("a.wav"), Samples(100000, 7));
+  const auto source = openSoundFile(path("a.wav"));
+  EXPECT_THAT(source->read(1000), SizeIs(1000));
+  std::filesystem::resize_file(path("a.wav"), 44);
+  EXPECT_GT(50000U, source->read(100000).size());
+  EXPECT_THAT(source->read(1), IsEmpty());
+}
+
+TEST_F(SoundFileTest, APipeIsNotOpened) {
+  ASSERT_EQ(0, ::mkfifo(path("pipe.wav").c_str(), 0600));
+  EXPECT_THAT(complaintAbout("pipe.wav"), HasSubstr("not a regular file"));
+}
+
 TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
   {
     Recording recording(path("heard.wav"), {true, 2, 16000});
@@ -121,6 +166,8 @@ TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
     recording.add(sound);
     sound.missing = 2;
     sound.samples = {3, 5};
+    recording.add(sound);
+    sound.channels = 1;  // it was on its way when the settings were changed
     recording.add(sound);
     EXPECT_EQ(4.0 / 16000, recording.seconds());
   }

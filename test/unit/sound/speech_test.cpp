@@ -54,7 +54,12 @@ TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
 
 TEST_F(SpeechTest, AFailureIsReported) {
   install("exit 1");
-  EXPECT_THROW(speak("hello", ""), FileException);
+  try {
+    speak("hello", "xx");
+    FAIL() << "it has spoken";
+  } catch (const FileException& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("is there a voice 'xx'?"));
+  }
 }
 
 TEST_F(SpeechTest, WithoutTheProgramTheAnswerSaysWhatToInstall) {

@@ -79,7 +79,7 @@ struct Callbacks {
   /// counts. Colours that come more than twice as often as requested are dropped, and so are regions that contradict
   /// themselves.
   std::function<void(const DetectedColors& colors)> on_colors;
-  /// What the robot has heard, in order. More than twice as much as requested is dropped.
+  /// What the robot has heard, in order. Sound beyond twice the requested amount is dropped.
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;

@@ -12,8 +12,8 @@ namespace aibo_client {
 /// How to reach the robot, and how long to wait for it. The constructor of RcServerClient checks every option.
 struct ClientOptions {
   std::string host = "127.0.0.1";  ///< name or address of the robot; not empty
-  int port = 54321;                ///< 1..65535; the RCServer's port (report, section 2.2)
-  int jpeg_quality = 85;           ///< 1..100, for the stream (report, section 3.3.3, gives 85 as the standard)
+  int port = 54321;                ///< 1..65535; the RCServer's port (section 2.2 of the report that README.md names)
+  int jpeg_quality = 85;           ///< 1..100, for the stream; the report gives 85 as the standard (section 3.3.3)
   int protocol_version = 0;        ///< 0: the newest version that the server speaks; 1: version 1, without asking
   PictureTransport picture_transport = PictureTransport::kTcp;  ///< see setPictureTransport()
   std::chrono::milliseconds connect_timeout{2000};              ///< 50 ms..60 s, including the name lookup

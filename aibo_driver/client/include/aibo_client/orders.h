@@ -10,8 +10,8 @@
 
 namespace aibo_client {
 
-/// How long an order may wait before it is sent, unless its caller says otherwise. An order to move is meant for now.
-/// After this time its user has seen that nothing moves. The value is our choice.
+/// How long an order may wait before it is sent, unless its caller says otherwise. An order to move is meant for now:
+/// after this time the user has seen that nothing moves. The value is our choice.
 constexpr std::chrono::milliseconds kLongestOrderWait{500};
 
 /// The terms of an order to move.
@@ -41,7 +41,7 @@ struct Refusal {
   RefusalCause cause = RefusalCause::kRobot;
   std::vector<int> ids;     ///< the ids of the joints, LEDs or ears concerned; empty for a walk
   std::string reason;       ///< the reason in words for the user, without a full stop
-  std::uint64_t order = 0;  ///< OrderTerms::number; 0 means none, several, or not known
+  std::uint64_t order = 0;  ///< OrderTerms::number; 0 if there is none, if there are several, or if it is not known
 };
 
 /// The robot's answer to a call that had ended with a TimeoutException.

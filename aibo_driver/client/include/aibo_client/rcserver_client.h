@@ -313,7 +313,7 @@ class RcServerClient {
   /// to allow it (ALLOW_UPLOAD). Pictures go on meanwhile. A version 1 server gets no other request until the upload is
   /// done.
   /// @param name the name of the file, as for playMotion()
-  /// @param content the file's bytes, 1..65523: a request of version 2 has no room for more beside a name. This
+  /// @param content the file's bytes, 1..65523, because a request of version 2 has no room for more beside a name. This
   ///   project's RCServer accepts motions of up to 64000 bytes
   /// @param timeout the longest time to wait, 1 ms..1 h
   /// @throw Exception the exceptions of playMotion()
@@ -372,19 +372,19 @@ class RcServerClient {
   /// @throw Exception the exceptions of playMotion()
   void rebootRobot(std::chrono::milliseconds timeout);
 
-  /// Sends the next samples of a sound, and waits for the robot's answer. Whatever else waits goes before them or waits
-  /// for one such request only, so sound does not hold up hold(). At first, send kMostSamplesAtOnce. Then keep ahead of
-  /// the robot: it plays silence in place of samples that come too late. After 2 s without samples it ends the sound.
+  /// Sends the next samples of a sound, and waits for the robot's answer. Other requests are sent first, or wait for at
+  /// most one request with samples, so sound does not delay hold(). At first, send kMostSamplesAtOnce. Then keep ahead
+  /// of the robot: it plays silence in place of samples that come too late. After 2 s without samples it ends the
+  /// sound.
   ///
   /// A sound belongs to one connection: a reconnect ends it. If this call throws, the sound cannot go on. The robot's
   /// RCSERVER.CFG can forbid sounds (ALLOW_SOUND).
-  /// @param sound 0 begins a sound, which replaces one that plays; then the number that this call has returned
-  /// @param samples mono, kSoundRate a second; 1..kMostSamplesAtOnce, and no more than the last answer had room for and
-  ///   the robot has played since
+  /// @param sound 0 begins a new sound, which replaces the present one; otherwise the number that this call returned
+  /// @param samples mono, kSoundRate a second; 1..kMostSamplesAtOnce, and no more than SoundProgress::room of the
+  ///   last answer plus what the robot has played since
   /// @param is_last true: the sound ends with these samples
   /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion(); CommandException also if the sound has ended, or another one has
-  /// begun
+  /// @throw Exception the exceptions of playMotion(); CommandException also if the sound has ended or was replaced
   SoundProgress playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                             std::chrono::milliseconds timeout);
 
@@ -402,9 +402,9 @@ class RcServerClient {
 
   /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
   ///
-  /// A version 1 server sends none by itself. While telemetry is wanted, the client asks it for joints and sensors in
-  /// turn, 20 of each a second whatever the period, so that the answers hardly slow the stream of pictures down. Such a
-  /// server does not say which robot it runs on, so the client assumes an ERS-7.
+  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for 20 of
+  /// each a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not say
+  /// which robot it runs on, so the client assumes an ERS-7.
   ///
   /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException frames is out of range

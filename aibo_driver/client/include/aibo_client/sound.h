@@ -13,26 +13,31 @@
 
 namespace aibo_client {
 
-/// The robot plays so many samples a second.
+/// The samples per second of the sounds that the robot plays.
 constexpr int kSoundRate = 16000;
 
-/// RcServerClient::playSamples() takes so many samples at once, 128 ms. They delay a request to stop by 33 ms on a link
-/// of 1 Mbit/s.
+/// The most samples that RcServerClient::playSamples() takes at once, 128 ms. They delay a request to stop by 33 ms on
+/// a link of 1 Mbit/s.
 constexpr std::size_t kMostSamplesAtOnce = 2048;
 
-/// Volumes go from 0, which is silent, to this.
+/// The highest volume. The lowest is 0, which is silent.
 constexpr int kLoudestVolume = 3;
-/// The volume that the robot's own switch says.
+/// The volume that the robot's own volume switch selects.
 constexpr int kVolumeOfRobot = 255;
 
-/// Selects what the robot should send of what it hears.
+/// Selects the sound that the robot should send.
 struct MicrophoneSettings {
   bool on = false;
   int channels = 2;                ///< 2: left and right; 1: the mean of both
   int samples_per_second = 16000;  ///< 8000 or 16000
+  /// On a link that is too slow for both: true: pictures wait until all that was heard has been sent, and while less
+  /// than half a second waits for the speaker; false: sound waits for each picture, and is left out if it comes too
+  /// late. It counts for playSamples() even if `on` is false.
+  bool before_pictures = false;
 
   bool operator==(const MicrophoneSettings& other) const {
-    return on == other.on && channels == other.channels && samples_per_second == other.samples_per_second;
+    return on == other.on && channels == other.channels && samples_per_second == other.samples_per_second &&
+           before_pictures == other.before_pictures;
   }
   bool operator!=(const MicrophoneSettings& other) const { return !(*this == other); }
 };
@@ -44,23 +49,23 @@ struct HeardSound {
   std::uint64_t connection_number = 0;            ///< as in Telemetry
   int channels = 0;
   int samples_per_second = 0;
-  /// So many samples of each channel are missing before this sound, because the connection was too slow. It is 0 for
-  /// the first sound after a pause.
+  /// How many samples of each channel are missing before this piece, because the connection was too slow. It is 0 for
+  /// the first piece after a pause.
   std::uint32_t missing = 0;
-  std::vector<std::int16_t> samples;  ///< left and right in turn
+  std::vector<std::int16_t> samples;  ///< with two channels, left and right in turn
 };
 
-/// A sound that the robot plays, after some of its samples were sent.
+/// The progress of a sound that the robot plays.
 struct SoundProgress {
   std::uint64_t sound = 0;  ///< the sound's number
-  std::size_t room = 0;  ///< so many more samples may follow now. As the sound plays, kSoundRate more may each second
+  std::size_t room = 0;  ///< how many more samples may follow now; while the sound plays, kSoundRate more each second
 };
 
 /// How a sound has ended.
 struct SoundEnd {
   std::uint64_t sound = 0;  ///< SoundProgress::sound
-  /// kDone: it was played to its end. kReplaced, kStopped: by a later call. kRefused: the robot ended it, because no
-  /// samples came for 2 s. kLost: the connection broke.
+  /// kDone: the sound was played to its end. kReplaced, kStopped: a later call ended it. kRefused: the robot ended it,
+  /// because no samples came for 2 s. kLost: the connection broke.
   EndedHow how = EndedHow::kUnknown;
   /// @name What the robot says if it ended the sound by itself; otherwise 0
   /// @{

@@ -48,11 +48,11 @@ struct ClientStatistics {
   std::uint64_t bytes_received = 0;       ///< bytes read from the socket
   std::uint64_t telemetry = 0;            ///< telemetry delivered
   std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
-  std::uint64_t thinned_telemetry = 0;  ///< telemetry dropped: it came more than twice as often as it was asked for
-  std::uint64_t thinned_colors = 0;     ///< detected colours dropped: they came more than twice as often as asked for
-  std::uint64_t sounds = 0;             ///< pieces of what the robot heard, delivered
-  std::uint64_t sound_gaps = 0;         ///< how often sound was missing between two of them
-  std::uint64_t thinned_sounds = 0;     ///< pieces dropped: more than twice as much came as was asked for
+  std::uint64_t thinned_telemetry = 0;  ///< telemetry dropped: it came more than twice as often as requested
+  std::uint64_t thinned_colors = 0;     ///< detected colours dropped: they came more than twice as often as requested
+  std::uint64_t sounds = 0;             ///< pieces of heard sound that were delivered
+  std::uint64_t sound_gaps = 0;         ///< how often sound was missing between two pieces
+  std::uint64_t thinned_sounds = 0;     ///< pieces dropped: more than twice as much came as requested
   std::uint64_t impossible_values = 0;  ///< values dropped from telemetry or detected colours: no robot can have them
   std::uint64_t refusals = 0;           ///< requests that the robot refused
 

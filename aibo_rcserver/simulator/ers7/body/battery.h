@@ -7,17 +7,17 @@
 
 namespace simulated_ers7 {
 
-/// Discharges at a constant rate and warms up slowly. An empty battery has no effect, because the objects should have
-/// shut the robot down before. Sony's battery holds 2200 mAh at 7.4 V. Temperatures and times are our choice.
+/// Discharges at a constant rate and warms up slowly. An empty battery has no effect, because the objects should shut
+/// the robot down earlier. Sony's battery holds 2200 mAh at 7.4 V. Temperatures and times are our choice.
 class Battery {
  public:
   static constexpr int kCapacity = 2200;           ///< mAh
   static constexpr double kFirstTemperature = 25;  ///< degree Celsius
-  static constexpr double kLastTemperature = 38;   ///< reached in the end
-  static constexpr double kSecondsToWarmUp = 600;  ///< two thirds of the difference are reached by then
-  static constexpr double kLowCharge = 0.1;        ///< the status reports a low battery from here on
+  static constexpr double kLastTemperature = 38;   ///< final temperature
+  static constexpr double kSecondsToWarmUp = 600;  ///< time constant
+  static constexpr double kLowCharge = 0.1;        ///< at and below this charge, the status reports a low battery
 
-  /// Begins full.
+  /// The battery is full at first.
   /// @param minutes until it is empty, above 0
   explicit Battery(double minutes) : minutes_(minutes) {}
 
@@ -28,7 +28,7 @@ class Battery {
   void setCharge(double charge) { charge_ = charge; }
   double charge() const { return charge_; }
 
-  /// In degrees Celsius.
+  /// The temperature in degrees Celsius.
   double temperature() const { return temperature_; }
 
   /// The battery's part of OPENR::GetPowerStatus(), without the motors' bit.

@@ -7,7 +7,7 @@ const Eigen::Translation3d kNeckInBody(robot_model::NECK_FORWARD, 0, robot_model
 const Eigen::Translation3d kHeadOnNeck(0, 0, robot_model::NECK_LENGTH);
 const Eigen::Translation3d kCameraInHead(robot_model::CAMERA_FORWARD, 0, robot_model::CAMERA_UP);
 
-/// A positive angle looks up: a negative rotation about y, which points left.
+/// A positive angle tilts up. This is a negative rotation about y, which points left.
 Eigen::AngleAxisd tilt(double angle) {
   return Eigen::AngleAxisd(-angle, Eigen::Vector3d::UnitY());
 }

@@ -8,15 +8,16 @@
 namespace simulated_ers7 {
 namespace {
 
-/// The duty with the standard gain, at the distance that the joint moves in a frame at its highest speed.
+/// The duty with the standard gain, if the distance to the command is the joint's movement in a frame at its highest
+/// speed.
 constexpr double kStiffness = 1.0 / 3;
 
-/// The share of the difference to the duty's speed that the motor makes up in a frame. With kStiffness, a larger one
+/// The share of the difference to the duty's speed that the motor corrects in a frame. With kStiffness, a larger share
 /// would overshoot.
 constexpr double kResponse = 0.75;
 
-/// A joint rests below these values, in microradians and microradians per frame. No sensor measures less, and a joint
-/// at rest keeps the picture still.
+/// A joint is at rest below these values, in microradians and microradians per frame. No sensor resolves less, and a
+/// joint at rest keeps the picture still.
 constexpr double kStandstill = 1;
 
 word encoderSteps(double position, const robot_model::Joint& model) {

@@ -15,13 +15,12 @@ namespace simulated_ers7 {
 /// The motor's duty is proportional to the distance between position and command. The speed is proportional to the
 /// duty, up to the joint's highest speed. Angles are in microradians, time in OPEN-R frames of 8 ms.
 ///
-/// Limits and highest speeds come from robot_model.h. The rest is our choice, for a quick servo that does not
-/// overshoot:
+/// Limits and highest speeds come from robot_model.h. All other properties are our choice, for a quick servo that does
+/// not overshoot:
 /// - With the standard gains, the motor has full duty if the distance is at least what the joint moves in 3 frames at
-/// its
-///   highest speed. In each frame the speed makes up three quarters of its difference to the duty's speed. So a joint
-///   follows a steadily moving command 3 frames (24 ms) behind, and at the end the distance halves in each frame. A
-///   lower proportional gain makes the joint softer; the other gains and the shifts have no effect.
+/// its highest speed. In each frame, the difference between the speed and the duty's speed shrinks by three quarters.
+/// So a joint follows a steadily moving command with a lag of 3 frames (24 ms), and at the end the distance halves in
+/// each frame. A lower proportional gain makes the joint softer; the other gains and the shifts have no effect.
 /// - A joint carries no weight. Without gain or power it stops at once and stays where it is.
 /// - A joint without gain does not move, but remembers its command. When the gain returns, it snaps to the command at
 /// its
@@ -29,10 +28,10 @@ namespace simulated_ers7 {
 ///   fails.
 class Joint {
  public:
-  /// An OSensorFrameVectorData has as many.
+  /// Number of readings in an OSensorFrameVectorData.
   static constexpr int kReadings = 4;
 
-  /// 0.05 degree. Readings are wrong by up to one step.
+  /// 0.05 degree in microradians. Readings have errors of up to one step.
   static constexpr int kEncoderStep = 873;
 
   /// The reported value at full duty forward. Tekkotsu reads OJointValue::pwmDuty like this.
@@ -54,7 +53,7 @@ class Joint {
 
   void disableGain();
 
-  /// Without power the gain has no effect until the power is back.
+  /// Without power, the gain has no effect.
   void setPower(bool on) { powered_ = on; }
 
   /// Sets the target from the next frame on. Beyond the mechanical limits, the motor stalls at the stop.
@@ -62,14 +61,14 @@ class Joint {
 
   void jam(bool jammed) { jammed_ = jammed; }
 
-  /// Call after 8 ms.
+  /// Call every 8 ms.
   /// @param error_of_reading the measured position minus the true one
   void passFrame(int error_of_reading);
 
   /// The true position, without the encoder's error. While the joint moves, it is not a whole number.
   double position() const { return position_; }
 
-  /// One reading at the end of each of the last frames, the latest one last. Before the first frame they show the first
+  /// One reading at the end of each of the last frames, in order of time. Before the first frame, they have the first
   /// position. `signal` and `refSignal` count encoder steps from the lower mechanical limit.
   const std::array<OJointValue, kReadings>& readings() const { return readings_; }
 

@@ -1,5 +1,6 @@
 #include "simulator/ers7/body/joints.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -46,7 +47,8 @@ HeadAngles restingHead() {
 Joints::Joints(const robot_model::RobotModel& model, std::uint64_t seed) : model_(model), random_(seed) {
   for (int i = 0; i < model_.number_of_joints; ++i) {
     const robot_model::Joint& joint = model_.joints[i];
-    joints_.emplace_back(joint, restingPosition(joint.name));
+    const int position = kDegrees.count(joint.name) != 0 ? restingPosition(joint.name) : 0;
+    joints_.emplace_back(joint, std::clamp(position, joint.lowest, joint.highest));
   }
 }
 
@@ -69,7 +71,7 @@ void Joints::setPower(bool on) {
 }
 
 void Joints::passFrame() {
-  // Numbers from std::uniform_int_distribution differ between libraries.
+  // std::uniform_int_distribution is not used, because its numbers differ between libraries.
   constexpr std::uint64_t kErrors = 2 * Joint::kEncoderStep + 1;
   for (Joint& joint : joints_) {
     joint.passFrame(static_cast<int>(random_() % kErrors) - Joint::kEncoderStep);
@@ -77,15 +79,17 @@ void Joints::passFrame() {
 }
 
 HeadAngles Joints::head() const {
-  HeadAngles angles;
-  angles.neck_tilt = joints_[0].position() / 1e6;
-  angles.head_pan = joints_[1].position() / 1e6;
-  angles.head_tilt = joints_[2].position() / 1e6;
+  HeadAngles angles = restingHead();
+  if (robot_model::findJointByName(model_, "neck_tilt") != robot_model::NO_JOINT) {
+    angles.neck_tilt = named("neck_tilt").position() / 1e6;
+  }
+  angles.head_pan = named("head_pan").position() / 1e6;
+  angles.head_tilt = named("head_tilt").position() / 1e6;
   return angles;
 }
 
 std::array<LegAngles, kLegs> Joints::legs() const {
-  // In the table, a leg's three joints are neighbours.
+  // In the tables, a leg's three joints are neighbours.
   constexpr std::size_t kFirstJoints[kLegs] = {4, 7, 10, 13};
   std::array<LegAngles, kLegs> legs;
   for (std::size_t leg = 0; leg < kLegs; ++leg) {

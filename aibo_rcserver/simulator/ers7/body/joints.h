@@ -16,17 +16,17 @@
 
 namespace simulated_ers7 {
 
-/// In microradians. The posture is our own: the robot stands on bent legs, with its feet under shoulders and hips,
-/// kStandingHeight below them, and looks at the ball.
+/// The joint's first position, in microradians. The posture is our choice: the robot stands on bent legs, with its feet
+/// kStandingHeight below shoulders and hips, and looks at the ball.
 /// @param joint its name in robot_model.h
 /// @throw std::out_of_range the ERS-7 has no such joint
 int restingPosition(const std::string& joint);
 
-/// The head looks at the ball and, behind it, the station.
+/// The head looks at the ball and at the station behind it.
 HeadAngles restingHead();
 
-/// All joints, in the order of the robot's table. They begin in the resting posture, without power. They can pass
-/// through each other; the objects have to avoid that.
+/// All joints, in the order of the robot's table. They begin in the resting posture, without power. A joint that an
+/// ERS-7 lacks begins at 0. Collisions between legs and body are not simulated.
 class Joints {
  public:
   /// @param seed of the encoders' errors; the same seed and commands give the same readings
@@ -45,6 +45,7 @@ class Joints {
   /// Call after 8 ms.
   void passFrame();
 
+  /// A robot without neck_tilt has an ERS-7's neck at rest.
   HeadAngles head() const;
 
   /// Indexed by Leg.

@@ -7,24 +7,24 @@
 
 namespace simulated_ers7 {
 
-/// Keeps its last command. Every frame brings a new command or none, so a command's period is ignored.
+/// An LED keeps its last command. Each frame has one command or none, so a command's period is ignored.
 struct Led {
   int intensity = 0;  ///< 0..255; 0 or 255 for an LED without levels
   OLED3Mode mode = oled3_MODE_A;
 };
 
-/// A magnet draws the ear, but must not stay energised (Model Information ERS-7). Sony gives no time. Here, a magnet
-/// that is energised for a second without a pause gets too hot: it lets go, and does nothing for five seconds.
+/// A magnet draws the ear, but must not stay energised (Model Information ERS-7). Sony gives no limit. Here, a magnet
+/// that is energised for a second without a pause overheats: it releases the ear, and does not work for five seconds.
 class Ear {
  public:
   static constexpr longword kMostFramesEnergised = 125;
   static constexpr longword kFramesToCoolDown = 625;
 
-  /// Takes effect in the next frame, until the next command.
+  /// Takes effect in the next frame, and lasts until the next command.
   void energise(bool on) { told_to_ = on; }
 
   /// Call after 8 ms.
-  /// @return true if the magnet got too hot in this frame
+  /// @return true if the magnet overheated in this frame
   bool passFrame() {
     if (frames_to_cool_ > 0) {
       --frames_to_cool_;

@@ -4,7 +4,9 @@ namespace simulated_ers7 {
 
 PrimitiveTable::PrimitiveTable(const robot_model::RobotModel& model) {
   add("PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1", kCameraPrimitive, {PrimitiveKind::kCamera, 0});
-  add("PRM:/s1-Speaker:S1", kSpeakerPrimitive, {PrimitiveKind::kSound, 0});
+  const bool has_speaker_in_head = std::string(model.design) == "ERS-210";
+  add(has_speaker_in_head ? "PRM:/r1/c1/c2/c3/s1-Speaker:S1" : "PRM:/s1-Speaker:S1", kSpeakerPrimitive,
+      {PrimitiveKind::kSound, 0});
   add("PRM:/r1/c1/c2/c3/m1-Mic:M1", kMicrophonePrimitive, {PrimitiveKind::kSound, 0});
   for (std::size_t i = 0; i < static_cast<std::size_t>(model.number_of_joints); ++i) {
     add(model.joints[i].locator, jointPrimitive(i), {PrimitiveKind::kJoint, i});

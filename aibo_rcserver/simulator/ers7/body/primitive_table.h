@@ -1,5 +1,5 @@
 /// @file primitive_table.h
-/// The ERS-7's primitives: their locators for OPENR::OpenPrimitive(), and which of them are open.
+/// The robot's primitives: their locators for OPENR::OpenPrimitive(), and which of them are open.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_PRIMITIVE_TABLE_H
 
@@ -30,29 +30,29 @@ constexpr OPrimitiveID earPrimitive(std::size_t ear) {
   return ledPrimitive(robot_model::MAX_LEDS) + static_cast<OPrimitiveID>(ear);
 }
 
-/// Those of speaker and microphones.
+/// The primitives of speaker and microphones.
 constexpr OPrimitiveID kSpeakerPrimitive = earPrimitive(robot_model::MAX_EARS);
 constexpr OPrimitiveID kMicrophonePrimitive = kSpeakerPrimitive + 1;
 
 enum class PrimitiveKind { kCamera, kJoint, kSensor, kLed, kEar, kSound };
 
-/// What a number stands for.
+/// The device of a primitive's number.
 struct Primitive {
   PrimitiveKind kind;
   std::size_t index;  ///< index in the robot's table of this kind; 0 for the camera and sound
 };
 
-/// A primitive always has the same number. It stays open until it was closed as often as opened.
+/// A primitive always has the same number. It stays open until it has been closed as often as it was opened.
 class PrimitiveTable {
  public:
   explicit PrimitiveTable(const robot_model::RobotModel& model);
 
-  /// @param locator as in Sony's Model Information ERS-7: "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
+  /// @param locator as in Sony's Model Information: "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1"
   /// @param[out] id unchanged unless oSUCCESS is returned
-  /// @return oNOT_FOUND if the ERS-7 has nothing there, oINVALID_ARG for null pointers
+  /// @return oNOT_FOUND if the robot has nothing there, oINVALID_ARG for null pointers
   OStatus open(const char* locator, OPrimitiveID* id);
 
-  /// @param id oprimitiveID_UNDEF closes all that are open
+  /// @param id oprimitiveID_UNDEF closes all open primitives
   /// @return oINVALID_PRIMITIVE_ID if it is not open
   OStatus close(OPrimitiveID id);
 

@@ -12,7 +12,7 @@ OSensorFrameVectorData* vectorIn(RCRegion* region) {
   return static_cast<OSensorFrameVectorData*>(base);
 }
 
-/// Counted from the beginning of the header.
+/// The offset of the data from the beginning of the header.
 std::size_t dataOffset(std::size_t entries) {
   return offsetof(OSensorFrameVectorData, info) + entries * sizeof(OSensorFrameInfo);
 }

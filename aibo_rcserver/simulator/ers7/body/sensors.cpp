@@ -22,10 +22,12 @@ namespace {
 
 constexpr double kGravity = 9.80665;
 
-// Places are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are as high as the camera.
+// The positions are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are at the camera's
+// height.
 const std::map<std::string, RangeFinder> kRangeFinders = {
     {"range_near", {true, Vector3d(0.0769, 0.0028, -0.0146), 0, 6, 0}},
     {"range_far", {true, Vector3d(0.0769, -0.0080, -0.0146), 0, 6, 3}},
+    {"range_head", {true, Vector3d(0.0769, 0, -0.0146), 0, 4, 0}},  // the ERS-210's; place and period are our choice
     {"range_chest", {false, Vector3d(0.109136, 0, -0.003384), std::acos(-1.0) / 6, 5, 0}},
 };
 
@@ -49,7 +51,8 @@ Ray rayOf(const RangeFinder& finder, const Situation& situation) {
 }
 
 bool canBePressed(const robot_model::Sensor& sensor) {
-  return sensor.kind == robot_model::SENSOR_TOUCH || sensor.kind == robot_model::SENSOR_SWITCH;
+  return sensor.kind == robot_model::SENSOR_TOUCH || sensor.kind == robot_model::SENSOR_SWITCH ||
+         sensor.kind == robot_model::SENSOR_FORCE;
 }
 
 }  // namespace
@@ -85,9 +88,13 @@ std::function<int(const Situation&)> Sensors::measurementOf(const robot_model::S
       }
       return [this, sensor](const Situation&) { return static_cast<int>(sensors_[sensor].pressed); };
     case robot_model::SENSOR_FORCE:
+      return [this, sensor](const Situation&) {
+        return sensors_[sensor].pressed ? sensors_[sensor].model->highest / 2 : 0;
+      };
     case robot_model::SENSOR_TEMPERATURE:
+      return [](const Situation&) { return kRoomTemperature; };
     case robot_model::SENSOR_CHARGE:
-      break;  // the ERS-7 has no force sensors; temperature and charge belong to its battery
+      break;  // the battery's
   }
   return [](const Situation&) { return 0; };
 }
@@ -124,7 +131,7 @@ int Sensors::distance(std::size_t sensor, const RangeFinder& finder, const Situa
   }
   const double distance = 1e6 * scene_.castRay(rayOf(finder, situation)).distance;
   if (distance >= model.highest) {
-    return static_cast<int>(model.highest);  // no echo, no error
+    return static_cast<int>(model.highest);  // without an echo, the reading has no error
   }
   const double measured = distance + errorUpTo(static_cast<int>(kDistanceError * distance));
   return static_cast<int>(std::clamp<double>(measured, model.lowest, model.highest));
@@ -139,7 +146,7 @@ int Sensors::acceleration(std::size_t sensor, const Vector3d& axis, const Situat
 }
 
 int Sensors::errorUpTo(int most) {
-  // Numbers from std::uniform_int_distribution differ between libraries.
+  // std::uniform_int_distribution is not used, because its numbers differ between libraries.
   return static_cast<int>(random_() % (2 * static_cast<std::uint64_t>(most) + 1)) - most;
 }
 

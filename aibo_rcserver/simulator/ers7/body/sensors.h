@@ -33,22 +33,24 @@ struct RangeFinder;
 /// All sensors in the order of the robot's table, in the units of robot_model.h.
 ///
 /// Distance sensors cast rays into the scene from head and body; the robot's own legs are not in the scene. A distance
-/// outside the range (Model Information ERS-7) reads as the end of the range. Near and far take turns and measure every
-/// 48 ms, the chest every 40 ms (Sony: about 50 and 40 ms). Values repeat in between. Errors are up to kDistanceError
-/// of the distance (our choice).
+/// outside the range (Model Information ERS-7) reads as the end of the range. The near and far sensors measure
+/// alternately, each every 48 ms, and the chest sensor every 40 ms (Sony: about 50 and 40 ms). Values repeat in
+/// between. Errors are up to kDistanceError of the distance (our choice).
 ///
 /// Acceleration is gravity along the axes forward, right and up: up-down is -9.8 m/s^2 on a level robot, and front-back
-/// is positive if the nose points down. A change of speed feels opposite: speeding up forward makes front-back
-/// negative. Turning and tilting add nothing. Errors are up to kAccelerationError (our choice).
+/// is positive if the nose points down. An acceleration of the body has the opposite sign: speeding up forward makes
+/// front-back negative. Turning and tilting add nothing. Errors are up to kAccelerationError (our choice).
 ///
-/// A pressed touch sensor reads kTouchStrength, half of its range, and otherwise less than 3. A paw's switch is on
-/// while the foot is on the floor (stance.h) or the switch is pressed. Other switches are on while pressed. The WLAN
-/// switch is on at first.
+/// A touch sensor reads kTouchStrength, half of its range, while it is pressed, and less than 3 otherwise. An ERS-210's
+/// force sensors read half of their range while pressed, and otherwise 0; its temperature sensor kRoomTemperature. A
+/// paw's switch is on while the foot is on the floor (stance.h) or the switch is pressed. Other switches are on while
+/// pressed. The WLAN switch is on at first.
 class Sensors {
  public:
   static constexpr double kDistanceError = 0.01;
   static constexpr int kAccelerationError = 50000;  ///< micrometres/s^2
   static constexpr int kTouchStrength = 40;
+  static constexpr int kRoomTemperature = 25000000;  ///< millionths of a degree Celsius
 
   using Readings = std::array<OSensorValue, Joint::kReadings>;
 
@@ -56,14 +58,15 @@ class Sensors {
   /// @param seed of the errors; the same seed and situations give the same readings
   Sensors(const robot_model::RobotModel& model, const Scene& scene, std::uint64_t seed);
 
-  /// Call after 8 ms. Everything is measured at the end of this time.
+  /// Call every 8 ms. All sensors measure at the end of this time.
   void passFrame(const Situation& situation);
 
   /// @param name as in robot_model.h
-  /// @throw std::invalid_argument there is no such sensor, or it cannot be pressed; the text names those that can
+  /// @throw std::invalid_argument there is no such sensor, or it cannot be pressed; the text names the sensors that can
+  ///   be pressed
   void press(const std::string& name, bool pressed);
 
-  /// One reading at the end of each of the last frames, the latest one last; 0 before the first frame.
+  /// One reading at the end of each of the last frames, in order of time; 0 before the first frame.
   const Readings& readings(std::size_t sensor) const { return sensors_[sensor].readings; }
 
  private:

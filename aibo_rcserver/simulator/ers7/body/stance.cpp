@@ -10,8 +10,8 @@ namespace {
 using Eigen::Vector3d;
 using robot_model::FOOT_RADIUS;
 
-/// How far the weight may be outside its three supports, in metres (our choice). With less, a robot that lifts a paw
-/// would tip onto that paw. A real robot leans away instead.
+/// Largest distance of the weight from the triangle of its supports, in metres (our choice). With a smaller value, a
+/// robot that lifts a paw would tip onto that paw. A real robot leans away instead.
 constexpr double kBalance = 0.02;
 
 constexpr double kTolerance = 1e-6;
@@ -20,7 +20,7 @@ Vector3d toVector(const robot_model::Point& point) {
   return {point.x, point.y, point.z};
 }
 
-/// A robot leans so that its weight is this far inside its supports, in metres (our choice).
+/// The robot leans until its weight is this far inside its supports, in metres (our choice).
 constexpr double kLeaning = 0.005;
 
 double above(const Floor& floor, const Vector3d& point) {
@@ -31,7 +31,7 @@ double cross(const Vector3d& a, const Vector3d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-/// Three supports, counterclockwise.
+/// Three supports in counterclockwise order.
 struct Triangle {
   Triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c)
       : corners{a, cross(b - a, c - a) > 0 ? b : c, cross(b - a, c - a) > 0 ? c : b} {}
@@ -60,7 +60,7 @@ struct Triangle {
     return {slope, corners[0].z() - slope.dot(corners[0].head<2>())};
   }
 
-  /// The body's origin. If that is not inside by kLeaning, a point further towards the middle that is.
+  /// The body's origin, or a point towards the middle that is inside by kLeaning.
   Eigen::Vector2d weight() const {
     const Vector3d middle = (corners[0] + corners[1] + corners[2]) / 3;
     double share = 0;
@@ -112,7 +112,7 @@ Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope) {
   return floor;
 }
 
-// There always is such a plane, because the belly has corners, too.
+// Such a plane always exists, because the belly has corners, too.
 Rest restOn(const Supports& supports) {
   std::optional<Rest> best;
   for (std::size_t i = 0; i < supports.size(); ++i) {

@@ -16,15 +16,15 @@ using robot_model::LegAngles;
 
 constexpr std::size_t kLegs = robot_model::NUMBER_OF_LEGS;
 
-/// In metres. A foot this high above the floor still presses its switch (our choice): joints are a few hundredths of a
-/// degree off their commands, and real floors are not flat.
+/// In metres. A foot up to this height above the floor still presses its switch (our choice), because joints are a few
+/// hundredths of a degree off their commands and real floors are not flat.
 constexpr double kPawTravel = 0.003;
 
-/// In metres.
+/// The centre of a foot in the body's frame, in metres.
 Eigen::Vector3d footInBody(Leg leg, const LegAngles& angles);
 
-/// What the robot can rest on: the centres of its feet, then the corners of its belly, in the body, in metres. All are
-/// balls with the radius of a foot.
+/// The supports that the robot can rest on: the centres of its feet, then the corners of its belly, in the body's
+/// frame, in metres. Each is a ball with the radius of a foot.
 using Supports = std::array<Eigen::Vector3d, 2 * kLegs>;
 
 Supports supportsOf(const std::array<LegAngles, kLegs>& legs);
@@ -41,12 +41,12 @@ Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope);
 
 struct Rest {
   Floor floor;
-  /// Seen from above, from the body's origin. The robot leans to have its weight over its supports.
+  /// The weight seen from above, relative to the body's origin. The robot leans to keep it over its supports.
   Eigen::Vector2d weight;
 };
 
-/// Finds three supports that surround the weight, which is in the body's origin, at least nearly. No other support may
-/// be below their plane. Of several such planes, the most level one counts. Nothing slides.
+/// Finds three supports that surround the weight, which is in the body's origin, or nearly do. No other support is
+/// below their plane. Of several such planes, the most level one is chosen. The supports do not slide.
 Rest restOn(const Supports& supports);
 
 struct Stance {

@@ -11,10 +11,10 @@ namespace {
 using Eigen::Vector2d;
 
 /// Finds the slope with the least cost: the weight's height above the floor, plus the square of the change of slope
-/// divided by 2 * reach. This is an implicit step of tipping, so it neither overshoots nor trembles.
+/// divided by 2 * reach. This is an implicit integration step, so it neither overshoots nor oscillates.
 ///
 /// The height is the greatest of several linear functions of the slope, one for each support. So at the least cost,
-/// one, two or three supports touch the floor, and each choice of them determines the slope.
+/// one, two or three supports touch the floor, and these determine the slope.
 class LeastCost {
  public:
   LeastCost(const Supports& supports, const Vector2d& weight, const Vector2d& before, double reach)

@@ -22,7 +22,8 @@ using robot_model::FOOT_RADIUS;
 
 constexpr double kGravity = 9.80665;
 
-/// The body's radius of gyration about the vertical, in metres: that of a box as large as body and legs, 28 by 18 cm.
+/// The body's radius of gyration about the vertical axis, in metres, for a box of the size of body and legs, 28 by 18
+/// cm.
 constexpr double kGyration = 0.096;
 
 /// In m/s. Below this speed of a foot, friction grows with the speed.
@@ -32,15 +33,15 @@ constexpr double kHoldSeconds = 0.5;
 constexpr double kLiftHeight = 0.25;
 constexpr double kAccelerometerSeconds = 0.02;
 
-/// Balls around the body that feel obstacles (our choice, from the look of the body). The head's ball keeps things away
-/// from the camera.
+/// Balls around the body that detect obstacles (our choice, estimated from the body's shape). The head's ball keeps
+/// things away from the camera.
 const Vector3d kChest(0.06, 0, 0);
 const Vector3d kRump(-0.06, 0, 0);
 const Vector3d kFace(0.03, 0, 0);  // in the head
 constexpr double kBumperRadii[] = {0.09, 0.09, 0.075};
 
-/// Corners of back and head on which the robot may lie, raised like those of the belly (our choice, from the look of
-/// the body).
+/// Corners of back and head on which the robot may lie, raised like those of the belly (our choice, estimated from the
+/// body's shape).
 const Vector3d kBack[] = {
     {0.085, 0.045, 0.045}, {0.085, -0.045, 0.045}, {-0.085, 0.045, 0.045}, {-0.085, -0.045, 0.045}};
 const Vector3d kHead[] = {{0.04, 0, 0.03}, {-0.03, 0, 0.03}, {0.09, 0, -0.02}, {0.04, 0.04, 0}, {0.04, -0.04, 0}};
@@ -79,7 +80,7 @@ Supports turned(const Isometry3d& pose, const Supports& supports) {
   return result;
 }
 
-/// The share of its full load that a support bears at this height.
+/// The share of its full load that a support carries at this height.
 double loadAt(double height) {
   return std::clamp(1 - height / kPawTravel, 0.0, 1.0);
 }
@@ -126,12 +127,12 @@ Vector3d dragged(const std::vector<Contact>& contacts, const Vector3d& before) {
   return velocity;
 }
 
-/// How far something is inside a bumper, as a negative number.
+/// How far an obstacle is inside a bumper, as a negative number.
 double intrusion(const Scene& scene, const Vector3d& middle, double radius) {
   return std::min(0.0, scene.clearance(middle) - radius);
 }
 
-/// The horizontal direction away from the closest thing.
+/// The horizontal direction away from the closest obstacle.
 Vector2d wayOut(const Scene& scene, const Vector3d& point) {
   constexpr double kStep = 0.001;
   const auto slope = [&](const Vector3d& along) {
@@ -240,8 +241,8 @@ Travel::Bumpers Travel::bumpers() const {
   return {stance_.body * kChest, stance_.body * kRump, stance_.body * (headInBody(head_) * kFace)};
 }
 
-/// Takes back movement that led further into something. The body may already have been inside, for instance because the
-/// ball rolled there.
+/// Takes back movement that led further into an obstacle. The body may already have been inside, for instance because
+/// the ball rolled there.
 void Travel::stopAtObstacles(const Bumpers& before, const Scene& scene) {
   constexpr int kRounds = 4;  // in a corner, several bumpers touch several things
   Vector2d taken_back = Vector2d::Zero();

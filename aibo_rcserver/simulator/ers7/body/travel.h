@@ -1,5 +1,5 @@
 /// @file travel.h
-/// Where the simulated robot is in its room, and how its legs take it there.
+/// The simulated robot's place in its room, and its movement by its legs.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_BODY_TRAVEL_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_BODY_TRAVEL_H
 
@@ -19,7 +19,7 @@ struct Place {
   double yaw = 0;  ///< radians to the left; not limited to a full turn
 };
 
-/// What the robot lies or stands on.
+/// The side on which the robot lies or stands.
 enum class Side { kFeet, kLeft, kRight, kBack };
 
 /// Friction of feet and belly: at most this share of the weight pushes the robot along. Our choice, for rubber on a
@@ -29,18 +29,18 @@ constexpr double kFriction = 0.6;
 /// The robot begins at rest over the room's origin and faces along x. The same movements always lead to the same place.
 ///
 /// Feet and belly stay where they touch the floor, so the legs push the body. Friction limits how fast it speeds up,
-/// slows down and turns. Feet that pull against each other slip, and the strongest win: in each frame the robot wastes
-/// as little energy as possible in friction. Walls and the scene's bodies stop it.
+/// slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so that friction takes
+/// as little energy as possible. Walls and the scene's bodies stop it.
 ///
 /// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
-/// the floor bears less. Feet do not roll. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
-/// Only trunk and head feel obstacles. The legs pass through lower things, and nothing pushes the ball.
+/// the floor carries less. Feet do not roll. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
+/// Only trunk and head collide with obstacles. The legs pass through lower things, and nothing pushes the ball.
 class Travel {
  public:
   Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head);
 
   /// Call after 8 ms.
-  /// @param legs,head their present angles
+  /// @param legs,head their current angles
   /// @param scene possible obstacles
   void passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
 
@@ -62,7 +62,7 @@ class Travel {
   const Stance& stance() const { return stance_; }
 
   /// The body's acceleration in the room, in m/s^2, without gravity. It is smoothed to a bandwidth of 8 Hz (our
-  /// choice); otherwise each foot that touches the floor would be a blow.
+  /// choice); otherwise each foot that touches the floor would cause a spike.
   const Eigen::Vector3d& acceleration() const { return acceleration_; }
 
  private:
@@ -91,13 +91,13 @@ class Travel {
   Step step_ = Step::Zero();
   Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
-  bool is_settled_ = false;  ///< the last frame changed nothing, and the next one does not either unless a joint moves
+  bool is_settled_ = false;  ///< nothing changes until a joint moves
 
   bool is_lifted_ = false;
   Side wanted_side_ = Side::kFeet;
   Eigen::Quaterniond hold_ = Eigen::Quaterniond::Identity();  ///< the attitude of the held or lying robot
   Side side_ = Side::kFeet;                                   ///< the side that hold_ is for
-  double held_ = 0;                                           ///< 0: stands freely, 1: has the attitude hold_
+  double held_ = 0;                                           ///< 0 stands freely, 1 has the attitude hold_
   double raised_ = 0;                                         ///< metres
 };
 

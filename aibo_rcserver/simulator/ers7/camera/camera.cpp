@@ -69,8 +69,8 @@ Camera::Image::Image(RCRegion* region_)
       largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
       others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
 
-/// With colour detection everything is drawn, because its result is in the tag of layer H. A photograph that is already
-/// there needs only a new tag, which announceFbkImage() has written.
+/// With colour detection, the whole image is drawn, because the result is in the tag of layer H. If the same photograph
+/// is already in the region, only its tag changes, and announceFbkImage() has written this.
 void Camera::drawLargestColors(Image& image) {
   if (image.exposure.colors.isOn()) {
     openr_host::FilledOnRead::read(otherBands(image.region));

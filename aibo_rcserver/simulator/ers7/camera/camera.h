@@ -33,7 +33,7 @@ struct CameraSettings {
 /// The number of images finished up to and including this OPEN-R frame. The first one is finished in frame 0.
 ///
 /// The camera's own clock gives 29.88 images per second, but it is read every 8 ms. So most images come 32 ms after the
-/// one before, and some 40 ms. 60 images in 251 frames make 33.47 ms on average, as measured on an ERS-7 (Tekkotsu,
+/// previous one, and some 40 ms. 60 images in 251 frames make 33.47 ms on average, as measured on an ERS-7 (Tekkotsu,
 /// profilerun_ERS7_2.0).
 constexpr longword imagesUpTo(longword frame) {
   constexpr std::uint64_t kImages = 60;
@@ -50,7 +50,7 @@ constexpr longword imageAfter(longword frame) {
   return next;
 }
 
-/// Where the robot holds its camera.
+/// The pose of the robot's camera.
 struct CameraPose {
   HeadAngles head = restingHead();
   Eigen::Isometry3d body{Eigen::Translation3d(0, 0, kStandingHeight)};  ///< the body's pose in the scene (scene.h)
@@ -78,7 +78,7 @@ class PictureSource {
 
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
 ///
-/// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an unread image costs next to
+/// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an unread image costs almost
 /// nothing. If only Y, Cr and Cb of layer H are read, only these are drawn. A picture always shows the moment when it
 /// was taken.
 class Camera {
@@ -92,7 +92,7 @@ class Camera {
   bool imageDue(longword frame);
 
   /// Takes an image and detects its colours. Only the camera refers to the image's region (region_pool.h). Its pixels
-  /// must not be read after the camera is gone.
+  /// must not be read after the camera has been destroyed.
   RCRegion* capture(longword frame, const CameraPose& pose = CameraPose());
 
   /// Carries out OPENR::ControlPrimitive().

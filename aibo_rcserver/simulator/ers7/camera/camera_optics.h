@@ -23,7 +23,7 @@ constexpr double kVerticalFieldOfView = 45.2;
 double focalLengthX();
 double focalLengthY();
 
-/// Has length 1.
+/// The direction of a point in the picture, of length 1.
 Eigen::Vector3d directionOf(const Eigen::Vector2d& place);
 
 /// The point in the picture's plane for a point in front of the camera (x > 0); it may be outside the picture.

@@ -18,7 +18,7 @@ const Color kCornerLight(0.70, 0.74, 0.80);
 /// The share of its light that a pixel gives to each neighbour.
 constexpr double kBlur = 0.20;
 
-/// Several pixels of a row, which the processor calculates together.
+/// Several pixels of a row that are computed together with vector instructions.
 using Numbers = Eigen::Map<Eigen::ArrayXd>;
 using ConstNumbers = Eigen::Map<const Eigen::ArrayXd>;
 
@@ -59,7 +59,7 @@ constexpr std::uint64_t kRandomValues = 4096;
 constexpr float kNoiseY = 1.5f;
 constexpr float kNoiseColor = 1.0f;
 
-/// Steele's splittable generator ("SplitMix64"): it is fast.
+/// Steele's fast splittable generator ("SplitMix64").
 class FastRandom {
  public:
   explicit FastRandom(std::uint64_t seed) : state_(seed) {}
@@ -106,8 +106,8 @@ double exposureOf(const CameraSettings& settings) {
              : gainOf(settings) * std::pow(2.0, static_cast<double>(ocamparamSHUTTER_MID) - settings.shutter);
 }
 
-/// The room's light has 5000 K. It looks bluish with the setting for lamps (2856 K), and warm with that for daylight
-/// (6500 K).
+/// The room's light has 5000 K. It looks bluish with the setting for lamps (2856 K), and warm with the setting for
+/// daylight (6500 K).
 Color whiteBalanceOf(const CameraSettings& settings) {
   if (settings.auto_white_balance || settings.white_balance == ocamparamWB_FL_MODE) {
     return Color::Ones();

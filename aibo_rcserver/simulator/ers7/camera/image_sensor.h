@@ -12,7 +12,8 @@
 
 namespace simulated_ers7 {
 
-/// Blurs a little, as small lenses do, and darkens the corners, red more than blue, as on real robots. Not thread-safe.
+/// Blurs the picture slightly, as small lenses do, and darkens the corners, red more than blue, as on real robots. Not
+/// thread-safe.
 class Lens {
  public:
   Lens();
@@ -21,7 +22,7 @@ class Lens {
   const LightImage& project(const LightImage& light);
 
  private:
-  LightImage transmission_;  ///< the share that reaches each pixel
+  LightImage transmission_;  ///< share of the light that reaches each pixel
   LightImage blurred_across_;
   LightImage projected_;
 };

@@ -18,7 +18,7 @@ class PhotographError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// .jpg, .jpeg and .ppm, in small or capital letters.
+/// True for names that end in .jpg, .jpeg or .ppm, in lower or upper case.
 bool isPhotographName(const std::filesystem::path& file);
 
 /// Reads a JPEG or a binary PPM (P6, 8 bits) of up to 100 million pixels, crops it evenly to the shape of the camera's
@@ -26,8 +26,8 @@ bool isPhotographName(const std::filesystem::path& file);
 /// @throw PhotographError the file cannot be read, or is damaged or of another format
 YCrCbImage readPhotograph(const std::filesystem::path& file);
 
-/// Shows a folder's photographs again and again, in the order of their names. They have no noise. The camera's settings
-/// and the head have no effect.
+/// Shows a folder's photographs in an endless loop, in the order of their names. They have no noise. The camera's
+/// settings and the head have no effect.
 class PhotoShow : public PictureSource {
  public:
   /// Ignores subfolders and other files.

@@ -65,14 +65,14 @@ Illumination meanOfCorners(const Block<Illumination>& light, size_t pixel) {
               mean(light[kBlockCorners[2]], light[kBlockCorners[3]], across), down);
 }
 
-/// True if nobody could see the difference.
+/// True if the difference is invisible.
 bool lookTheSame(const Illumination& one, const Illumination& other) {
   constexpr double kVisible = 0.015;
   return std::abs(one.lamp - other.lamp) < kVisible && std::abs(one.openness - other.openness) < kVisible;
 }
 
-/// Calculates the light at the corners and one place between them. If the light there is the mean of the corners, all
-/// other pixels are means, too. Otherwise they are calculated as well.
+/// Calculates the light at the corners and one point between them. If the light at this point is the mean of the
+/// corners, all other pixels are interpolated. Otherwise they are calculated.
 /// @param is_flat the block shows a single plane
 template <typename Calculate>
 void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* light) {
@@ -89,7 +89,7 @@ void illuminate(bool is_flat, const Calculate& calculate, Block<Illumination>* l
   }
 }
 
-/// In pixels: where a ball may appear along an axis of the picture, between the tangents from the camera.
+/// The range of pixels in which a ball may appear along an axis of the picture, between the tangents from the camera.
 /// @param ahead,aside the ball's centre; aside is positive in the direction of the axis
 std::pair<double, double> extentOf(double ahead, double aside, double radius, double focal_length, double size) {
   const double distance = std::hypot(ahead, aside);

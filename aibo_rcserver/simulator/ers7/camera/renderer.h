@@ -20,11 +20,11 @@ using LightImage = std::vector<Color>;
 /// The luminance's fine detail in each pixel, relative to its light: 0 for an even pixel.
 using DetailImage = std::vector<FineDetail>;
 
-/// Casts a ray through every pixel, and four at the edges of surfaces to smooth them. Where light on floor and walls
-/// hardly changes, only every fourth pixel of every fourth row is calculated. Only the bodies near a pixel are
+/// Casts a ray through every pixel, and four rays at the edges of surfaces to smooth them. Where the light on floor and
+/// walls hardly changes, only every fourth pixel of every fourth row is calculated. Only the bodies near a pixel are
 /// considered.
 ///
-/// While the camera rests, only the surroundings of moving bodies are drawn again. This gives the same picture in a
+/// While the camera is still, only the surroundings of moving bodies are drawn again. This gives the same picture in a
 /// fraction of the time. Not thread-safe.
 class Renderer {
  public:
@@ -39,7 +39,7 @@ class Renderer {
   const DetailImage& detail() const { return detail_; }
 
  private:
-  /// What the centre of a pixel shows, to find edges.
+  /// The surface at the centre of a pixel, used to find edges.
   struct Seen {
     Surface surface;
     Eigen::Vector3d normal;

@@ -19,10 +19,10 @@ class SceneView : public PictureSource {
   /// @param scene set to each picture's time; must outlive the view
   SceneView(Scene& scene, std::uint64_t seed) : scene_(scene), renderer_(scene), sensor_(seed) {}
 
-  /// Begins with restingHead().
+  /// The head's pose is restingHead() at first.
   void setHead(const HeadAngles& angles) override { head_ = angles; }
 
-  /// Begins level, kStandingHeight above the floor.
+  /// The body is level and kStandingHeight above the floor at first.
   void setBody(const Eigen::Isometry3d& in_room) override { body_ = in_room; }
 
   /// In the room.

@@ -19,9 +19,9 @@ struct YCrCbImage {
   Plane cr = Plane(kSize);
   Plane cb = Plane(kSize);
 
-  /// What Y lacks of the luminance at twice the width and height. For each four pixels: lower minus upper ones (LH),
-  /// right minus left ones (HL), and one diagonal minus the other (HH), each as a quarter of the difference plus 128.
-  /// See fineDetailOf().
+  /// The difference between Y and the luminance at twice the width and height. For each four pixels: lower minus upper
+  /// ones (LH), right minus left ones (HL), and one diagonal minus the other (HH), each as a quarter of the difference
+  /// plus 128. See fineDetailOf().
   Plane y_lh = Plane(kSize, 128);
   Plane y_hl = Plane(kSize, 128);
   Plane y_hh = Plane(kSize, 128);

@@ -18,11 +18,12 @@ struct Appearance {
   double gloss = 0;  ///< strength of the highlight: 0 is cloth, 1 is varnish
 };
 
-/// The mean over the area of a pixel. It is calculated, not sampled, so lines stay clean at any distance.
+/// The mean appearance over the area of a pixel. It is integrated and not sampled, so that lines are free of aliasing
+/// at any distance.
 /// @param footprint size of the pixel along x, y and z of the room, in metres
 Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint);
 
-/// How far from it a body changes the light on other surfaces, in metres; at least its reach().
+/// Distance up to which a body changes the light on other surfaces, in metres; at least its reach().
 double lightReach(const Body& body);
 
 struct Illumination {

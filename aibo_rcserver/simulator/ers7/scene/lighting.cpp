@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// From the centre of the carpet. The lamp is above, to the left of and behind the robot.
+// The direction from the centre of the carpet to the lamp, which is above, to the left of and behind the robot.
 const Vector3d kToLamp = Vector3d(-0.42, 0.50, 0.76).normalized();
 const Color kLampLight(0.96, 0.91, 0.82);
 // Ambient light: cool from above, warm and weak from the floor.
@@ -90,7 +90,7 @@ double highlight(const Vector3d& normal, const Vector3d& direction) {
 }  // namespace
 
 double lightReach(const Body& body) {
-  constexpr double kLengthOfShadow = 2.6;  // a multiple of reach(); beyond it nobody sees the shadow
+  constexpr double kLengthOfShadow = 2.6;  // a multiple of reach(); farther shadows are invisible
   return kLengthOfShadow * body.reach();
 }
 

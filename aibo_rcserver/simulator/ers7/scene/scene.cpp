@@ -53,7 +53,7 @@ Body makeBone() {
 const Vector3d kStation(1.42, 0.42, 0);
 constexpr double kStationYaw = 0.45;
 
-/// A plate to lie on, with a dock for the robot's belly.
+/// A plate on which the robot lies, with a dock for its belly.
 Body makeStation() {
   return Body(kStation, kStationYaw,
               {{Box{{0, 0, 0.012}, {0.15, 0.13, 0.012}}, Surface::kStation},
@@ -75,7 +75,7 @@ Body makeCube(double x, double y, double yaw, double size, Surface surface) {
   return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
 }
 
-/// In bodies_.
+/// The ball's index in bodies_.
 constexpr size_t kBall = 0;
 
 SceneHit castRayAtRoom(const Ray& ray) {

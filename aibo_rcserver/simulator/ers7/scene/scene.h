@@ -11,8 +11,8 @@
 
 namespace simulated_ers7 {
 
-/// Sizes and places in metres, times in seconds, in the frame of Scene. They are invented, but ball and bone are about
-/// as large as the originals.
+/// Sizes and places are in metres, and times in seconds, in the frame of Scene. They are invented, but ball and bone
+/// have about the size of the originals.
 
 /// Opposite corners of the room.
 constexpr double kLowestCorner[] = {-1.6, -1.9, 0};
@@ -54,7 +54,7 @@ struct Part {
   Surface surface;
 };
 
-/// A thing on the floor: shapes that move together.
+/// An object on the floor, made of shapes that move together.
 class Body {
  public:
   /// @param position the origin of its frame, in the room
@@ -72,7 +72,7 @@ class Body {
 
   const std::vector<Part>& parts() const { return parts_; }
 
-  /// Between the room's frame and the body's.
+  /// Conversions between the room's frame and the body's.
   Eigen::Vector3d pointToBody(const Eigen::Vector3d& point) const { return turnToBody(point - position_); }
   Eigen::Vector3d turnToBody(const Eigen::Vector3d& vector) const {
     return {cos_yaw_ * vector.x() + sin_yaw_ * vector.y(), cos_yaw_ * vector.y() - sin_yaw_ * vector.x(), vector.z()};
@@ -118,18 +118,18 @@ class Scene {
  public:
   Scene();
 
-  /// Moves the ball, which rolls to and fro along the halfway line once in kBallPeriod.
+  /// Moves the ball, which rolls back and forth along the halfway line once in kBallPeriod.
   /// @param seconds since the robot was switched on
   void setTime(double seconds);
 
-  /// What a ray from inside the room hits first. The room is closed, so there is always something.
+  /// The first hit of a ray from inside the room. There always is one, because the room is closed.
   /// @param among the ray passes through all other bodies
   SceneHit castRay(const Ray& ray, BodySet among = kAllBodies) const;
 
   /// At most eight bodies. The room itself is not one of them.
   const std::vector<Body>& bodies() const { return bodies_; }
 
-  /// Where a ray hits the plane of the room that another ray hit.
+  /// The point where a ray hits the same plane of the room as another ray.
   static SceneHit castRayAtPlane(const Ray& ray, const SceneHit& plane) {
     const double distance = (plane.point - ray.origin).dot(plane.normal) / ray.direction.dot(plane.normal);
     const Eigen::Vector3d point = ray.at(distance);

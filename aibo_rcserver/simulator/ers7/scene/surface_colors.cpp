@@ -67,7 +67,7 @@ double repeatedCoverage(const Span& span, double period, double thickness) {
   return coverage(span, band, band + thickness) + coverage(span, band + period, band + period + thickness);
 }
 
-/// A square of pseudo-random numbers in 0..1. It is too large for the eye to notice repetition, and small enough for
+/// A square of pseudo-random numbers in 0..1. It is so large that its repetition is not visible, and small enough for
 /// the processor's cache.
 constexpr std::size_t kGridSize = 128;
 
@@ -88,7 +88,7 @@ double cellValue(int64_t x, int64_t y) {
   return kGrid[static_cast<std::size_t>(y) % kGridSize * kGridSize + static_cast<std::size_t>(x) % kGridSize];
 }
 
-/// Mean 0, between -1 and 1, with bumps of size 1.
+/// Noise between -1 and 1 with mean 0 and bumps of size 1.
 double smoothNoise(double x, double y) {
   const int64_t column = wholeBelow(x);
   const int64_t row = wholeBelow(y);

@@ -42,7 +42,7 @@ OStatus SpeakerAndMicrophones::control(OPrimitiveRequest request, void* param, s
   return oSUCCESS;
 }
 
-/// The loudest is 1.
+/// The loudest volume has gain 1.
 double SpeakerAndMicrophones::gain() const {
   if (is_mute_ || volume_ == ospkvolinfdB) {
     return 0;

@@ -1,5 +1,5 @@
 /// @file speaker_and_microphones.h
-/// What the simulated robot plays and hears.
+/// The simulated robot's speaker and microphones.
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_SOUND_SPEAKER_AND_MICROPHONES_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_SOUND_SPEAKER_AND_MICROPHONES_H
 
@@ -18,12 +18,13 @@
 
 namespace simulated_ers7 {
 
-/// The speaker and both microphones (Model Information ERS-7, 3.1.2 and 3.2.2). The loudest volume plays samples as
-/// they are, the others as much softer as Sony says.
+/// The speaker and both microphones (Model Information ERS-7, 3.1.2 and 3.2.2). The loudest volume plays samples
+/// unchanged. The others are softer by Sony's decibels.
 class SpeakerAndMicrophones {
  public:
-  /// @param speaker_file WAV file that gets what the speaker plays, without the pauses between sounds; empty: none
-  /// @param hears_itself how much of what the speaker plays comes to the microphones, 0..1
+  /// @param speaker_file WAV file for the sound that the speaker plays, without the pauses between sounds; empty for
+  ///   none
+  /// @param hears_itself share of the speaker's sound that reaches the microphones, 0..1
   /// @throw SoundError the file cannot be written
   SpeakerAndMicrophones(const std::string& speaker_file, double hears_itself);
 
@@ -35,10 +36,10 @@ class SpeakerAndMicrophones {
   /// Plays and hears for 8 ms.
   openr_host::MicrophoneFrame passFrame(longword frame, const openr_host::SpeakerFrame* played);
 
-  /// From the next frame on, the microphones hear this, once; then silence.
+  /// From the next frame on, the microphones hear these samples once, then silence.
   void hear(std::vector<OSoundSampleStereo16> samples);
 
-  /// As when the robot boots.
+  /// Restores the state after boot.
   void reset();
 
  private:
@@ -50,7 +51,7 @@ class SpeakerAndMicrophones {
   OSpeakerVolume volume_ = ospkvol10dB;
   bool is_mute_ = false;
   std::vector<OSoundSampleStereo16> heard_;
-  std::optional<longword> heard_since_;  ///< empty until somebody listens
+  std::optional<longword> heard_since_;  ///< empty until an object listens
 };
 
 }  // namespace simulated_ers7

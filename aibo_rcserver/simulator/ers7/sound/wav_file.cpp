@@ -9,7 +9,7 @@ namespace {
 constexpr std::uint32_t kRate = 16000;
 constexpr std::size_t kHeaderSize = 44;
 
-/// What a chunk "fmt " begins with.
+/// The beginning of a chunk "fmt ".
 struct Format {
   std::uint16_t encoding;
   std::uint16_t channels;
@@ -19,7 +19,7 @@ struct Format {
   std::uint16_t bits;
 };
 constexpr std::uint16_t kPcm = 1;
-constexpr std::uint16_t kExtensible = 0xfffe;  ///< some programs write PCM so
+constexpr std::uint16_t kExtensible = 0xfffe;  ///< some programs use this for PCM
 
 Format formatOf(std::uint16_t channels) {
   const auto block = static_cast<std::uint16_t>(2 * channels);
@@ -33,7 +33,7 @@ Value valueAt(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
-/// The content of a chunk, as much as there is of it; empty if there is none.
+/// The content of a chunk, truncated if the file is; empty if there is no such chunk.
 std::string chunk(const std::string& bytes, const std::string& name) {
   for (std::size_t offset = 12; offset + 8 <= bytes.size();) {
     const std::size_t size = valueAt<std::uint32_t>(bytes, offset + 4);

@@ -22,13 +22,13 @@ class SoundError : public std::runtime_error {
 };
 
 /// Reads a WAV file: PCM, 16 bits, 16 kHz, one channel, which both microphones hear, or two.
-/// @throw SoundError it is another one, or cannot be read
+/// @throw SoundError the file has another format or cannot be read
 std::vector<OSoundSampleStereo16> readWav(const std::string& path);
 
-/// Writes a WAV file, mono, of what the speaker plays. The file is complete when this is destroyed.
+/// Writes the speaker's sound to a mono WAV file. The file is complete when this object is destroyed.
 class WavWriter {
  public:
-  /// @throw SoundError it cannot be written
+  /// @throw SoundError the file cannot be written
   explicit WavWriter(const std::string& path);
   ~WavWriter();
   WavWriter(const WavWriter&) = delete;

@@ -36,6 +36,15 @@ std::size_t sizeOf(antOperation operation) {
       return sizeof(UDPEndpointReceiveMsg);
     case antOperation_UDPClose:
       return sizeof(UDPEndpointCloseMsg);
+    case antOperation_DNSGetServerAddresses:
+      return sizeof(DNSEndpointGetServerAddressesMsg);
+    case antOperation_DNSGetDefaultDomainName:
+      return sizeof(DNSEndpointGetDefaultDomainNameMsg);
+    case antOperation_DNSGetHostByName:
+    case antOperation_DNSGetHostByAddr:
+      return sizeof(DNSEndpointHostMsg);
+    case antOperation_DNSClose:
+      return sizeof(DNSEndpointCloseMsg);
   }
   return 0;
 }
@@ -97,6 +106,10 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
     case antOperation_UDPReceive:
       passData<UDPEndpointReceiveMsg>(message, &UdpEndpoint::receive);
       break;
+    case antOperation_DNSGetHostByName:
+    case antOperation_DNSGetHostByAddr:
+      pass<DNSEndpointHostMsg>(message, &DnsEndpoint::askForHost);
+      break;
     default:
       answerAtOnce(message.message());
       deliver_(message);
@@ -121,6 +134,10 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
     case antOperation_UDPBind:
     case antOperation_UDPClose:
       return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
+    case antOperation_DNSGetServerAddresses:
+    case antOperation_DNSGetDefaultDomainName:
+    case antOperation_DNSClose:
+      return answerDns(static_cast<DNSEndpointBaseMsg&>(message));
     default:
       // Other requests wait for the other side, and would block the only thread.
       return ANT_FAIL;
@@ -147,9 +164,20 @@ antError IpStack::answerUdp(UDPEndpointBaseMsg& message) {
   if (endpoint == nullptr) {
     message.error = UDP_OPERATION_INVALID;
   } else if (message.operation == antOperation_UDPBind) {
-    endpoint->bind(static_cast<UDPEndpointBindMsg&>(message), bind_address_);
+    auto& bind = static_cast<UDPEndpointBindMsg&>(message);
+    const auto taken = ports_.find(bind.port);
+    endpoint->bind(bind, bind_address_, taken == ports_.end() ? bind.port : taken->second.listener.port());
   } else {
     endpoint->close(static_cast<UDPEndpointCloseMsg&>(message));
+  }
+  return ANT_SUCCESS;
+}
+
+antError IpStack::answerDns(DNSEndpointBaseMsg& message) {
+  if (auto* endpoint = find<DnsEndpoint>(message.module)) {
+    endpoint->answer(message);
+  } else {
+    message.error = DNS_OPERATION_INVALID;
   }
   return ANT_SUCCESS;
 }
@@ -182,6 +210,8 @@ void IpStack::createEndpoint(antEnvCreateEndpointMsg& message) {
     endpoint = std::make_unique<TcpEndpoint>(message.poolSize, deliver_);
   } else if (message.protocol == EndpointType_UDP) {
     endpoint = std::make_unique<UdpEndpoint>(message.poolSize, deliver_);
+  } else if (message.protocol == EndpointType_DNS) {
+    endpoint = std::make_unique<DnsEndpoint>(deliver_);
   } else {
     message.error = ANT_FAIL;
     return;

@@ -38,13 +38,13 @@ UDPEndpointError udpErrorOf(int error) {
 UdpEndpoint::UdpEndpoint(int pool_size, const Deliver& deliver)
     : pool_size_(pool_size), deliver_(deliver), sending_(deliver), receiving_(deliver) {}
 
-void UdpEndpoint::bind(UDPEndpointBindMsg& message, const std::string& bind_address) {
+void UdpEndpoint::bind(UDPEndpointBindMsg& message, const std::string& bind_address, Port host_port) {
   if (socket_.isOpen()) {
     message.error = UDP_OPERATION_INVALID;
     return;
   }
   FileDescriptor socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  const sockaddr_in local = SocketAddress::parse(bind_address, message.port).system();
+  const sockaddr_in local = SocketAddress::parse(bind_address, host_port).system();
   if (!socket.isOpen() || ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&local), sizeof(local)) != 0) {
     message.error = udpErrorOf(errno);
     return;
@@ -53,7 +53,7 @@ void UdpEndpoint::bind(UDPEndpointBindMsg& message, const std::string& bind_addr
   socket_ = std::move(socket);
   const auto bound = SocketAddress::ofSocket(socket_.get());
   message.address = bound.address;
-  message.port = bound.port;
+  message.port = message.port == IP_PORT_ANY ? bound.port : message.port;
   message.error = UDP_SUCCESS;
 }
 

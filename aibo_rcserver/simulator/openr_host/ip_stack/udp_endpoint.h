@@ -23,7 +23,8 @@ class UdpEndpoint : public Endpoint {
 
   /// These requests are answered at once.
   /// @param bind_address an address of this computer
-  void bind(UDPEndpointBindMsg& message, const std::string& bind_address);
+  /// @param host_port this computer's port for the robot's; 0 if the robot's may be any
+  void bind(UDPEndpointBindMsg& message, const std::string& bind_address, Port host_port);
   void close(UDPEndpointCloseMsg& message);
 
   /// These requests are answered later, or at once with an error.

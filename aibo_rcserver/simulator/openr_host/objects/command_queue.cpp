@@ -1,5 +1,7 @@
 #include "simulator/openr_host/objects/command_queue.h"
 
+#include <OPENR/OSyslog.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
@@ -41,11 +43,8 @@ OCommandInfo readInfo(const RCRegion& region, std::size_t entry) {
   return info;
 }
 
-void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, std::size_t entries,
-           const VirtualRobot& robot) {
+void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, std::size_t entries) {
   const std::string name = "its entry " + text(entry) + " for primitive " + text(info.primitiveID);
-  require(robot.takesCommand(info.primitiveID, info.type),
-          name + ": it is not open, or does not accept commands of type " + text(info.type));
   require(info.numFrames <= ocommandMAX_FRAMES,
           name + ": numFrames is " + text(info.numFrames) + ", the most is " + text(ocommandMAX_FRAMES));
   require(info.frameSize == sizeof(OCommandValue),
@@ -55,21 +54,6 @@ void check(const OCommandInfo& info, const RCRegion& region, std::size_t entry, 
       begin >= kInfoOffset + entries * sizeof(info) && begin <= region.Size() &&
           info.numFrames * sizeof(OCommandValue) <= region.Size() - begin,
       name + ": dataOffset " + text(begin) + " is outside the data of its region of " + text(region.Size()) + " bytes");
-}
-
-// Only numFrames frames are processed (page 48), so an entry without frames is ignored.
-std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot) {
-  const std::size_t count = readHeader(region).numData;
-  std::vector<OCommandInfo> entries;
-  entries.reserve(count);
-  for (std::size_t entry = 0; entry < count; ++entry) {
-    const OCommandInfo info = readInfo(region, entry);
-    if (info.numFrames > 0) {
-      check(info, region, entry, count, robot);
-      entries.push_back(info);
-    }
-  }
-  return entries;
 }
 
 /// How many frames a value lasts. LEDs and an ERS-7's ears have this in their values (page 50), at the same offset.
@@ -85,6 +69,30 @@ longword framesOf(const EffectorCommand& command) {
 }
 
 }  // namespace
+
+// Only numFrames frames are processed (page 48), so an entry without frames is ignored.
+std::vector<OCommandInfo> CommandQueue::readEntries(const RCRegion& region, const VirtualRobot& robot) {
+  const std::size_t count = readHeader(region).numData;
+  std::vector<OCommandInfo> entries;
+  entries.reserve(count);
+  for (std::size_t entry = 0; entry < count; ++entry) {
+    const OCommandInfo info = readInfo(region, entry);
+    if (info.numFrames > 0 && isTaken(info, robot)) {
+      check(info, region, entry, count);
+      entries.push_back(info);
+    }
+  }
+  return entries;
+}
+
+bool CommandQueue::isTaken(const OCommandInfo& info, const VirtualRobot& robot) {
+  const bool is_taken = robot.takesCommand(info.primitiveID, info.type);
+  if (!is_taken && ignored_.insert({info.primitiveID, info.type}).second) {
+    OSYSLOG1((osyslogWARNING, "commands ignored: primitive %u is not open, or takes no commands of type %u",
+              info.primitiveID, info.type));
+  }
+  return is_taken;
+}
 
 void CommandQueue::add(RCRegion& region, const VirtualRobot& robot) {
   Vector vector{reference(&region), {}, readHeader(region).wait};

@@ -3,6 +3,8 @@
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_COMMAND_QUEUE_H
 
 #include <deque>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "simulator/openr_host/objects/gates.h"
@@ -17,7 +19,8 @@ namespace openr_host {
 /// free (RCRegion::NumberOfReference()) changes the movement.
 class CommandQueue {
  public:
-  /// Checks a vector, and keeps a reference to its region until its last frame is output.
+  /// Checks a vector, and keeps a reference to its region until its last frame is output. An entry of another type than
+  /// its primitive takes is ignored and logged once; Sony's own player of motions sends such entries.
   /// @throw std::invalid_argument the vector is malformed; the text says why
   void add(RCRegion& region, const VirtualRobot& robot);
 
@@ -45,7 +48,11 @@ class CommandQueue {
   /// @return true if the entry goes on in a later frame
   static bool output(const RCRegion& region, Entry* entry, EffectorCommands* commands);
 
+  std::vector<OCommandInfo> readEntries(const RCRegion& region, const VirtualRobot& robot);
+  bool isTaken(const OCommandInfo& info, const VirtualRobot& robot);
+
   std::deque<Vector> vectors_;
+  std::set<std::pair<OPrimitiveID, ODataType>> ignored_;
 };
 
 }  // namespace openr_host

@@ -61,6 +61,13 @@ bool SubjectService::isWanted() const {
                      [](const Connection& c) { return c.readiness != Readiness::kDeassertReady; });
 }
 
+void SubjectService::clear() {
+  for (auto& connection : connections_) {
+    connection.set.clear();
+    connection.kept.clear();
+  }
+}
+
 void SubjectService::setData(RCRegion* region) {
   for (auto& connection : connections_) {
     connection.set.push_back(reference(region));
@@ -75,7 +82,7 @@ void SubjectService::notifyAll() {
 
 void SubjectService::notify(Connection& connection) {
   Regions data = std::exchange(connection.set, {});
-  if (!enabled_ || data.empty() || connection.readiness == Readiness::kDeassertReady) {
+  if (data.empty() || connection.readiness == Readiness::kDeassertReady) {
     return;
   }
   connection.kept = std::move(data);

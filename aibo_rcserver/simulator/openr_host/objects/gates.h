@@ -66,9 +66,6 @@ class SubjectService {
 
   const SubjectID& id() const { return id_; }
 
-  /// A subject begins disabled, and sends nothing while it is.
-  void enable(bool enabled) { enabled_ = enabled; }
-
   void connect(const ObserverID& observer);
 
   /// Sends the observer the data that was kept for it.
@@ -81,6 +78,9 @@ class SubjectService {
 
   /// True if an observer could receive data sent now, at once or later.
   bool isWanted() const;
+
+  /// Deletes the data that waits for observers or for the next notification.
+  void clear();
 
   /// Adds data to the next notification.
   void setData(RCRegion* region);
@@ -102,7 +102,6 @@ class SubjectService {
 
   System& system_;
   const SubjectID id_;
-  bool enabled_ = false;
   std::vector<Connection> connections_;
 };
 

@@ -58,8 +58,9 @@ void OSubject::Register(OID object, int index) {
   }
 }
 
-void OSubject::Enable(bool enabled) {
-  registered(service_).enable(enabled);
+OStatus OSubject::ClearBuffer() {
+  registered(service_).clear();
+  return oSUCCESS;
 }
 
 OStatus OSubject::SetData(RCRegion* region) {

@@ -70,7 +70,8 @@ class System::Running {
 
 System::System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
                Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send)
-    : robot_(robot),
+    : memory_stick_(memory_stick),
+      robot_(robot),
       console_(console_output, std::move(on_console_line)),
       ip_stack_(
           bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
@@ -148,6 +149,7 @@ void System::connect(const std::string& subject_name, const std::string& observe
 }
 
 void System::start() {
+  handleMessages();
   for (auto& object : objects_) {
     const Running running(*this, object);
     requireSuccess(object.object->DoStart(OSystemEvent()), object.description.name, "DoStart");

@@ -20,6 +20,7 @@
 #include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
 #include "simulator/openr_host/objects/processor.h"
+#include "simulator/openr_host/objects/robot_clock.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -49,6 +50,11 @@ class System {
   VirtualRobot& robot() { return robot_; }
   VectorMemory& vectorMemory() { return vector_memory_; }
   DesignData& designData() { return design_data_; }
+  RobotClock& robotClock() { return robot_clock_; }
+  /// The memory that NewRegion() has given.
+  SharedBuffers& regions() { return regions_; }
+  /// The folder of the memory stick.
+  const std::string& memoryStick() const { return memory_stick_; }
 
   /// Makes handling take time from now on.
   /// @param now returns the time since the creation of the machine's clock
@@ -72,7 +78,8 @@ class System {
   /// @param subject, observer from serviceNames()
   /// @throw std::runtime_error an object has not registered its services
   void connect(const std::string& subject, const std::string& observer);
-  /// Calls DoStart() of all objects.
+  /// Calls DoStart() of all objects. The messages that they were sent when they were connected come first: the
+  /// effectors and the speaker are ready by then, as Sony's samples expect, which send data from DoStart().
   /// @throw std::runtime_error an object fails; the text names it
   void start();
   /// For OPENR::Shutdown(). Has no effect until the machine reads shutdownRequest().
@@ -154,11 +161,14 @@ class System {
   SubjectService& subject(const SubjectID& id);
   ObserverService& observer(const ObserverID& id);
 
+  const std::string memory_stick_;
   VirtualRobot& robot_;
   Console console_;
   IpStack ip_stack_;
   VectorMemory vector_memory_;
   DesignData design_data_;
+  SharedBuffers regions_;
+  RobotClock robot_clock_;
   std::deque<LoadedObject> objects_;  ///< in the order of creation
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;

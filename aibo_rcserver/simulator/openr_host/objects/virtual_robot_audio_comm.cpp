@@ -55,10 +55,14 @@ ObjectDescription VirtualRobotAudioComm::describe(VirtualRobot& robot) {
   ObjectDescription description;
   description.name = "OVirtualRobotAudioComm";
   description.subjects.push_back({"OVirtualRobotAudioComm.Mic.OSoundVectorData.S", nullptr, nullptr});
-  description.observers.push_back(
-      {"OVirtualRobotAudioComm.Speaker.OSoundVectorData.O", nullptr, [](OObject& object, const ONotifyEvent& event) {
-         static_cast<VirtualRobotAudioComm&>(object).takeSound(event);
-       }});
+  description.observers.push_back({"OVirtualRobotAudioComm.Speaker.OSoundVectorData.O",
+                                   [](OObject& object, const OConnectEvent& event) {
+                                     static_cast<VirtualRobotAudioComm&>(object).speaker_->AssertReady(
+                                         event.SenderID());
+                                   },
+                                   [](OObject& object, const ONotifyEvent& event) {
+                                     static_cast<VirtualRobotAudioComm&>(object).takeSound(event);
+                                   }});
   description.create = [&robot] { return std::make_unique<VirtualRobotAudioComm>(robot); };
   return description;
 }
@@ -72,14 +76,8 @@ OStatus VirtualRobotAudioComm::DoInit(const OSystemEvent& /*event*/) {
   return oSUCCESS;
 }
 
-OStatus VirtualRobotAudioComm::DoStart(const OSystemEvent& /*event*/) {
-  microphone_->enable(true);
-  speaker_->AssertReady();
-  return oSUCCESS;
-}
-
 OStatus VirtualRobotAudioComm::DoStop(const OSystemEvent& /*event*/) {
-  microphone_->enable(false);
+  microphone_->clear();
   speaker_->DeassertReady();
   sounds_.clear();
   return oSUCCESS;

@@ -34,7 +34,6 @@ class VirtualRobotAudioComm : public OObject {
   explicit VirtualRobotAudioComm(VirtualRobot& robot) : robot_(robot) {}
 
   OStatus DoInit(const OSystemEvent& event) override;
-  OStatus DoStart(const OSystemEvent& event) override;
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 

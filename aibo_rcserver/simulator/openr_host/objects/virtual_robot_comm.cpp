@@ -22,7 +22,10 @@ ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::fun
   description.subjects.push_back({"OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", nullptr, nullptr});
   description.subjects.push_back({"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", nullptr, nullptr});
   description.observers.push_back(
-      {"OVirtualRobotComm.Effector.OCommandVectorData.O", nullptr,
+      {"OVirtualRobotComm.Effector.OCommandVectorData.O",
+       [](OObject& object, const OConnectEvent& event) {
+         static_cast<VirtualRobotComm&>(object).effector_->AssertReady(event.SenderID());
+       },
        [](OObject& object, const ONotifyEvent& event) { static_cast<VirtualRobotComm&>(object).takeCommands(event); }});
   description.create = [&robot, on_image] { return std::make_unique<VirtualRobotComm>(robot, on_image); };
   return description;
@@ -39,16 +42,9 @@ OStatus VirtualRobotComm::DoInit(const OSystemEvent& /*event*/) {
   return oSUCCESS;
 }
 
-OStatus VirtualRobotComm::DoStart(const OSystemEvent& /*event*/) {
-  image_sensor_->enable(true);
-  sensor_->enable(true);
-  effector_->AssertReady();
-  return oSUCCESS;
-}
-
 OStatus VirtualRobotComm::DoStop(const OSystemEvent& /*event*/) {
-  image_sensor_->enable(false);
-  sensor_->enable(false);
+  image_sensor_->clear();
+  sensor_->clear();
   effector_->DeassertReady();
   commanders_.clear();
   return oSUCCESS;

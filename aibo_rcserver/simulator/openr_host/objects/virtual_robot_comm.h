@@ -22,7 +22,8 @@ namespace openr_host {
 /// 44).
 ///
 /// Any number of objects may command the body at the same time, each its own primitives. An object gets READY whenever
-/// one of its vectors is complete. To avoid gaps, it first sends two vectors, and then one for each READY.
+/// one of its vectors is complete, and first when it is connected. To avoid gaps, it first sends two vectors, and then
+/// one for each READY.
 class VirtualRobotComm : public OObject {
  public:
   /// @param on_image called before observers get an image; may be empty
@@ -32,7 +33,6 @@ class VirtualRobotComm : public OObject {
       : robot_(robot), on_image_(std::move(on_image)) {}
 
   OStatus DoInit(const OSystemEvent& event) override;
-  OStatus DoStart(const OSystemEvent& event) override;
   OStatus DoStop(const OSystemEvent& event) override;
   OStatus DoDestroy(const OSystemEvent& event) override;
 

@@ -41,7 +41,7 @@ class UDPEndpointBaseMsg : public antEnvMsg {
 class UDPEndpointBindMsg : public UDPEndpointBaseMsg {
  public:
   /// @param local IP_ADDR_ANY; on Linux the machine's bind address counts
-  /// @param local_port IP_PORT_ANY means any free one from 1024 up; on Linux it is the same port of this computer
+  /// @param local_port IP_PORT_ANY means any free one from 1024 up; on Linux the machine's ports count
   UDPEndpointBindMsg(const antModuleRef& endpoint, const IPAddress& local, Port local_port)
       : UDPEndpointBaseMsg(antOperation_UDPBind, endpoint), address(local), port(local_port) {}
 

@@ -63,7 +63,12 @@ enum antOperation {
   antOperation_UDPBind,
   antOperation_UDPSend,
   antOperation_UDPReceive,
-  antOperation_UDPClose
+  antOperation_UDPClose,
+  antOperation_DNSGetServerAddresses,
+  antOperation_DNSGetDefaultDomainName,
+  antOperation_DNSGetHostByName,
+  antOperation_DNSGetHostByAddr,
+  antOperation_DNSClose
 };
 
 class antEnvMsg {

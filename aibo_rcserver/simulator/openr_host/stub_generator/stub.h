@@ -35,13 +35,15 @@ StubConfiguration readStub(std::istream& text, const std::string& file);
 /// def.h: numOfSubject, numOfObserver, and the indices sbjNAME and obsNAME, like the SDK's stubgen2.
 std::string writeDef(const StubConfiguration& stub);
 
-/// entry.h: the indices entryNAME into Extra_Entry, like the SDK's stubgen2.
+/// entry.h: Entry_Notify, with a selector for each obsNAME, and the indices entryNAME into Extra_Entry, like the SDK's
+/// stubgen2.
 std::string writeEntry(const StubConfiguration& stub);
 
 /// OBJECTNAME_stub.h, which declares describeOBJECTNAME() for MachineOptions::catalog.
 std::string writeDescriptionHeader(const StubConfiguration& stub);
 
-/// OBJECTNAME_stub.cc, which defines describeOBJECTNAME(). It needs the class OBJECTNAME in OBJECTNAME.h.
+/// OBJECTNAME_stub.cc, which defines describeOBJECTNAME(), and with OPENR_OBJECT_LIBRARY the function that loadObject()
+/// calls. It needs the class OBJECTNAME in OBJECTNAME.h.
 /// @param priority from the object's .ocf, 0..255
 std::string writeDescription(const StubConfiguration& stub, int priority);
 

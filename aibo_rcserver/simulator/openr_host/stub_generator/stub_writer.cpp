@@ -16,6 +16,15 @@ std::string callOf(const StubConfiguration& stub, const std::string& function, c
          "(argument); }";
 }
 
+/// `const Selector NAME[] = {0, 1, 2};`
+void writeSelectors(std::ostream& out, const std::string& name, std::size_t count) {
+  out << "\nconst Selector " << name << "[] = {";
+  for (std::size_t i = 0; i < count; ++i) {
+    out << (i == 0 ? "" : ", ") << i;
+  }
+  out << "};\n";
+}
+
 void writeIndexes(std::ostream& out, const std::string& prefix, const std::vector<StubService>& services) {
   int index = 0;
   for (const auto& service : services) {
@@ -48,18 +57,15 @@ std::string writeDef(const StubConfiguration& stub) {
 }
 
 std::string writeEntry(const StubConfiguration& stub) {
-  std::ostringstream names;
-  std::ostringstream selectors;
+  std::ostringstream out;
+  out << kOrigin << "#ifndef ENTRY_H\n#define ENTRY_H\n\n#include <OPENR/OPENR.h>\n\n";
   int index = 0;
   for (const auto& function : stub.extra_functions) {
-    names << "const int entry" << function << " = " << index << ";\n";
-    selectors << (index == 0 ? "" : ", ") << index;
-    ++index;
+    out << "const int entry" << function << " = " << index++ << ";\n";
   }
-  std::ostringstream out;
-  out << kOrigin << "#ifndef ENTRY_H\n#define ENTRY_H\n\n#include <OPENR/OPENR.h>\n\n" << names.str();
-  if (index > 0) {
-    out << "\nconst Selector Extra_Entry[] = {" << selectors.str() << "};\n";
+  writeSelectors(out, "Entry_Notify", stub.observers.size());
+  if (!stub.extra_functions.empty()) {
+    writeSelectors(out, "Extra_Entry", stub.extra_functions.size());
   }
   out << "\n#endif  // ENTRY_H\n";
   return out.str();
@@ -89,7 +95,11 @@ std::string writeDescription(const StubConfiguration& stub, int priority) {
     out << "  description.extra_entries.push_back(\n      " << callOf(stub, function, "ANTENVMSG") << ");\n";
   }
   out << "  description.create = [] { return std::make_unique<" << stub.object_name << ">(); };\n"
-      << "  return description;\n}\n";
+      << "  return description;\n}\n\n"
+      << "#ifdef OPENR_OBJECT_LIBRARY\n"
+      << "extern \"C\" __attribute__((visibility(\"default\"))) void describeLoadedObject("
+      << "openr_host::ObjectDescription* description) {\n"
+      << "  *description = describe" << stub.object_name << "();\n}\n#endif\n";
   return out.str();
 }
 

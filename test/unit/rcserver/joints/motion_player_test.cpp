@@ -14,6 +14,7 @@
 
 namespace {
 
+using protocol::version2::END_DONE;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -244,6 +245,25 @@ TEST_F(MotionPlayerTest, aLowerSpeedLimitMakesItLongerFromTheNextStepOn) {
   planner_.SetSpeedLimit(joint("head_pan"), 349066);  // 20 degrees a second: 2 s for each step
   const double seconds = static_cast<double>(pathOf("head_pan").size()) * kFrame / 1000;
   EXPECT_NEAR(seconds, 8, 0.2);
+}
+
+TEST_F(MotionPlayerTest, tellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
+  const auto endOf = [this](unsigned held_up_ms) {
+    planner_.SetPosition(joint("head_pan"), 0);
+    EXPECT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\n")), "");
+    unsigned now = 0xffffff00;  // it overflows
+    for (int frame = 0; player_->IsPlaying() && frame < kPatience; ++frame) {
+      player_->SetTime(now += kFrame + (frame == 50 ? held_up_ms : 0));
+      passFrame();
+    }
+    EndLog::End end = {};
+    EXPECT_TRUE(ends_.Take(EndLog::CLIENT, &end));
+    EXPECT_EQ(end.how, END_DONE);
+    return std::string(end.reason);
+  };
+  EXPECT_EQ(endOf(64), "");
+  EXPECT_EQ(endOf(970), "the robot's program was held up, so it took 1.78 s instead of 0.82 s");
+  EXPECT_EQ(endOf(0), "") << "the next one is in time";
 }
 
 TEST_F(MotionPlayerTest, playsAMotionThatEndsWhereItBeganOnceClipped) {

@@ -149,5 +149,13 @@ TEST_F(ConsoleCommandsTest, OtherLinesAreNoCommands) {
   EXPECT_THAT(say("help"), HasSubstr("battery PERCENT"));
 }
 
+TEST_F(ConsoleCommandsTest, TellsWhereJointsAreAndWhatLightsAndEarsDo) {
+  EXPECT_EQ(say("joint neck_tilt"), "ok: joint neck_tilt -25.00\n");
+  EXPECT_THAT(say("joint nose"), StartsWith("error: "));
+  EXPECT_EQ(say("light face_1"), "ok: light face_1 0\n");
+  EXPECT_THAT(say("light nose"), StartsWith("error: "));
+  EXPECT_EQ(say("ear left_ear"), "ok: ear left_ear let go\n");
+}
+
 }  // namespace
 }  // namespace simulated_ers7

@@ -9,8 +9,8 @@
 namespace simulated_ers7 {
 namespace {
 
-const double kDegree = std::acos(-1.0) / 180 * 1e6;  // in microradian
-constexpr double kFrame = 0.008;                     // in seconds
+const double kMicroradiansADegree = std::acos(-1.0) / 180 * 1e6;
+constexpr double kFrame = 0.008;  // in seconds
 
 const robot_model::RobotModel& model() {
   return *robot_model::findRobotModel("ERS-7");
@@ -50,7 +50,7 @@ TEST(Joint, SettlesWithinATenthOfADegree12FramesAfterTheTimeAtHighestSpeed) {
     joint.command(model_of_joint.highest);
     const double way = model_of_joint.highest - model_of_joint.lowest;
     pass(joint, static_cast<int>(std::ceil(way / highestStep(model_of_joint))) + 12);
-    EXPECT_NEAR(joint.position(), model_of_joint.highest, 0.1 * kDegree) << model_of_joint.name;
+    EXPECT_NEAR(joint.position(), model_of_joint.highest, 0.1 * kMicroradiansADegree) << model_of_joint.name;
     pass(joint, 15);
     EXPECT_EQ(joint.position(), model_of_joint.highest) << model_of_joint.name << " does not come to rest";
   }
@@ -65,7 +65,7 @@ TEST(Joint, FollowsASteadilyMovingCommand24MillisecondsBehind) {
     joint.passFrame(0);
     EXPECT_LE(i * step - joint.position(), 3 * step) << "frame " << i;
   }
-  EXPECT_NEAR(60 * step - joint.position(), 2 * step, 0.01 * kDegree)
+  EXPECT_NEAR(60 * step - joint.position(), 2 * step, 0.01 * kMicroradiansADegree)
       << "one step is already made at the end of a frame";
 }
 
@@ -221,7 +221,7 @@ TEST(Joint, HasNoSpeedLeftAtItsStop) {
 TEST(Joint, ItsSignalsCountTheEncodersStepsFromTheMechanicalLimit) {
   const robot_model::Joint& model_of_joint = jointModel("tail_pan");  // -60 degrees
   Joint joint(model_of_joint, 0);
-  joint.command(static_cast<int>(30 * kDegree));
+  joint.command(static_cast<int>(30 * kMicroradiansADegree));
   joint.passFrame(0);
   EXPECT_NEAR(reading(joint).signal, 60 / 0.05, 1);
   EXPECT_NEAR(reading(joint).refSignal, 90 / 0.05, 1);

@@ -13,7 +13,7 @@ namespace {
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 
-const robot_model::RobotModel& model() {
+const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
@@ -27,18 +27,18 @@ Vector3d foot(const Joints& joints, const std::string& leg, const Vector3d& knee
 }
 
 TEST(Joints, StartInAnAllowedPosture) {
-  const Joints joints(model(), 1);
+  const Joints joints(ers7(), 1);
   std::vector<int> posture;
   for (const Joint& joint : joints.all()) {
     posture.push_back(static_cast<int>(joint.position()));
   }
   std::vector<int> allowed = posture;
-  robot_model::clampPosture(model(), allowed.data());
+  robot_model::clampPosture(ers7(), allowed.data());
   EXPECT_EQ(posture, allowed);
 }
 
 TEST(Joints, StartWithAllFeetOnTheFloor) {
-  const Joints joints(model(), 1);
+  const Joints joints(ers7(), 1);
   for (const char* leg : {"left_front", "right_front"}) {
     const Vector3d place = foot(joints, leg, {0.009, 0, -0.0695}, {-0.00503, 0, -0.06524});
     EXPECT_NEAR(place.z(), -kStandingHeight, 0.001) << leg;
@@ -52,7 +52,7 @@ TEST(Joints, StartWithAllFeetOnTheFloor) {
 }
 
 TEST(Joints, GiveTheAnglesOfTheHead) {
-  Joints joints(model(), 1);
+  Joints joints(ers7(), 1);
   joints.setPower(true);
   for (const char* name : {"neck_tilt", "head_pan", "head_tilt"}) {
     Joint& joint = joints.named(name);
@@ -71,7 +71,7 @@ TEST(Joints, GiveTheAnglesOfTheHead) {
 }
 
 TEST(Joints, HaveEncoderErrorsOfUpToATwentiethOfADegree) {
-  Joints joints(model(), 1);
+  Joints joints(ers7(), 1);
   int most = 0;
   for (int i = 0; i < 100; ++i) {
     joints.passFrame();
@@ -84,9 +84,9 @@ TEST(Joints, HaveEncoderErrorsOfUpToATwentiethOfADegree) {
 }
 
 TEST(Joints, GiveTheSameReadingsForTheSameSeedOnly) {
-  Joints joints(model(), 7);
-  Joints same(model(), 7);
-  Joints other(model(), 8);
+  Joints joints(ers7(), 7);
+  Joints same(ers7(), 7);
+  Joints other(ers7(), 8);
   int differences = 0;
   for (int i = 0; i < 20; ++i) {
     joints.passFrame();
@@ -102,7 +102,7 @@ TEST(Joints, GiveTheSameReadingsForTheSameSeedOnly) {
 }
 
 TEST(Joints, NameAnUnknownJointInTheirError) {
-  Joints joints(model(), 1);
+  Joints joints(ers7(), 1);
   try {
     joints.named("left_wing");
     FAIL() << "no error";

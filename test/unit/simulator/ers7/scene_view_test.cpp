@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 const double kDegree = std::acos(-1.0) / 180;
 
-HeadAngles angles(double neck_tilt, double head_pan, double head_tilt) {
+HeadAngles degrees(double neck_tilt, double head_pan, double head_tilt) {
   HeadAngles head;
   head.neck_tilt = neck_tilt * kDegree;
   head.head_pan = head_pan * kDegree;
@@ -26,7 +26,7 @@ HeadAngles angles(double neck_tilt, double head_pan, double head_tilt) {
 }
 
 /// The robot's view when it looks around.
-const HeadAngles kViews[] = {angles(-25, 0, 10), angles(-10, 40, 0), angles(-30, -25, 0), angles(0, 0, 0)};
+const HeadAngles kViews[] = {degrees(-25, 0, 10), degrees(-10, 40, 0), degrees(-30, -25, 0), degrees(0, 0, 0)};
 
 /// Chroma at half the width and height, as in a 4:2:0 JPEG.
 YCrCbImage::Plane quartered(const YCrCbImage::Plane& plane) {
@@ -86,7 +86,7 @@ TEST(SceneView, AtQuality85APictureHas3To6KilobytesAsInTheReport) {
 TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   Scene scene;
   SceneView view(scene, 1);
-  for (const HeadAngles& head : {angles(-25, 0, 10), angles(-35, 12, 10), angles(-20, -10, 0)}) {
+  for (const HeadAngles& head : {degrees(-25, 0, 10), degrees(-35, 12, 10), degrees(-20, -10, 0)}) {
     view.setHead(head);
     const YCrCbImage& picture = view.picture(0.3, 1, CameraSettings());
     const Vector3d seen = view.camera().inverse() * scene.ballCenter();
@@ -194,7 +194,7 @@ double sharpness(const YCrCbImage& picture) {
 TEST(SceneView, FineDetailIsThatOfTheEdges) {
   Scene scene;
   SceneView view(scene, 1);
-  view.setHead(angles(-25, 0, 10));
+  view.setHead(degrees(-25, 0, 10));
   const YCrCbImage& picture = view.picture(1, 30, CameraSettings());
   EXPECT_GT(sharpness(picture), 2000);
 }

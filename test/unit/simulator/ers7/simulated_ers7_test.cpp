@@ -598,5 +598,94 @@ TEST_F(SimulatedErs7Test, AMissingFolderOfPicturesIsAnError) {
   EXPECT_THROW(SimulatedErs7{options}, PhotographError);
 }
 
+// Level2 Reference Guide, page 72.
+TEST_F(SimulatedErs7Test, TheStandardGainMovesAJointOnceItIsEnabled) {
+  const OPrimitiveID id = openJoint("head_pan");
+  robot_.setMotorPower(opowerON);
+  EXPECT_EQ(robot_.setDefaultJointGain(id), oGAIN_DISABLED);
+  robot_.enableJointGain(id);
+  EXPECT_EQ(robot_.setDefaultJointGain(id), oSUCCESS);
+  robot_.passFrame(0, {jointCommand(id, 100000)});
+  for (longword frame = 1; frame < 20; ++frame) {
+    robot_.passFrame(frame, {});
+  }
+  EXPECT_NEAR(robot_.joints().named("head_pan").position(), 100000, 10);
+  EXPECT_EQ(robot_.setDefaultJointGain(oprimitiveID_UNDEF), oSUCCESS);
+}
+
+class SimulatedErs210Test : public testing::Test {
+ protected:
+  SimulatedErs210Test() : robot_(options()) { robot_.setMotorPower(opowerON); }
+
+  static SimulatedErs7::Options options() {
+    SimulatedErs7::Options options;
+    options.design = "ERS-210";
+    return options;
+  }
+
+  OPrimitiveID open(const char* locator) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    EXPECT_EQ(robot_.openPrimitive(locator, &id), oSUCCESS) << locator;
+    return id;
+  }
+
+  int sensor(const char* locator) {
+    OSensorValue value = {};
+    EXPECT_EQ(robot_.getSensorValue(open(locator), &value), oSUCCESS) << locator;
+    return value.value;
+  }
+
+  SimulatedErs7 robot_;
+};
+
+// Model Information ERS-210, section 2: its joints, sensors and LEDs.
+TEST_F(SimulatedErs210Test, ItsOwnJointsMove) {
+  EXPECT_EQ(robot_.design(), "ERS-210");
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-210");
+  openr_host::EffectorCommands commands;
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    const OPrimitiveID id = open(model.joints[i].locator);
+    robot_.enableJointGain(id);
+    robot_.setDefaultJointGain(id);
+    commands.push_back({id, odataJOINT_COMMAND2, {}});
+    const OJointCommandValue2 value{model.joints[i].highest, 0};
+    std::memcpy(&commands.back().value, &value, sizeof(value));
+  }
+  for (longword frame = 0; frame < 250; ++frame) {
+    robot_.passFrame(frame, commands);
+  }
+  for (int i = 0; i < model.number_of_joints; ++i) {
+    EXPECT_NEAR(robot_.joints().named(model.joints[i].name).position(), model.joints[i].highest, 1);
+  }
+}
+
+TEST_F(SimulatedErs210Test, ItsOwnSensorsLightsAndEarsWork) {
+  robot_.press("head_front", true);
+  const OPrimitiveID led = open("PRM:/r6/l1-LED2:l1");
+  const OPrimitiveID ear = open("PRM:/r1/c1/c2/c3/e1-Joint3:j5");
+  EXPECT_TRUE(robot_.takesCommand(ear, odataJOINT_COMMAND3));
+  EXPECT_FALSE(robot_.takesCommand(ear, odataJOINT_COMMAND4));
+  const OLEDCommandValue2 on{oledON, 1, 0};
+  const OJointValue3 drawn = ojoint3_STATE1;
+  openr_host::EffectorCommands commands{{led, odataLED_COMMAND2, {}}, {ear, odataJOINT_COMMAND3, {}}};
+  std::memcpy(&commands[0].value, &on, sizeof(on));
+  std::memcpy(&commands[1].value, &drawn, sizeof(drawn));
+  robot_.passFrame(0, commands);
+  EXPECT_EQ(robot_.led("tail_blue").intensity, 255);
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
+  EXPECT_GT(sensor("PRM:/r1/c1/c2/c3/f2-Sensor:f2"), 0);
+  EXPECT_EQ(sensor("PRM:/r1/c1/c2/c3/f1-Sensor:f1"), 0);
+  EXPECT_GE(sensor("PRM:/r1/c1/c2/c3/p1-Sensor:p1"), 100000);
+  EXPECT_GT(sensor("PRM:/r6/t1-Sensor:t1"), 0);
+  open("PRM:/r1/c1/c2/c3/s1-Speaker:S1");
+  open(kCameraLocator);
+}
+
+TEST(SimulatedRobotTest, AnUnknownModelIsNamed) {
+  SimulatedErs7::Options options;
+  options.design = "ERS-9";
+  EXPECT_THROW(SimulatedErs7 robot(options), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace simulated_ers7

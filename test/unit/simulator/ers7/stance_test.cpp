@@ -11,7 +11,7 @@
 namespace simulated_ers7 {
 namespace {
 
-const double kDegree = std::acos(-1.0) / 180;
+const double kOneDegree = std::acos(-1.0) / 180;
 
 /// All legs straight down: the feet are then 0.1348 m under the shoulders in front, 0.1358 m behind.
 const std::array<LegAngles, kLegs> kStraight = {};
@@ -35,13 +35,13 @@ TEST(StanceTest, FeetAreAtTheEndsOfTheLegsLinks) {
   EXPECT_TRUE(
       footInBody(robot_model::RIGHT_HIND_LEG, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
   LegAngles forward{};
-  forward.rotator = 90 * kDegree;
+  forward.rotator = 90 * kOneDegree;
   EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, forward).x(), 0.065 + 0.13474, 1e-9);
   LegAngles aside{};
-  aside.elevator = 90 * kDegree;
+  aside.elevator = 90 * kOneDegree;
   EXPECT_NEAR(footInBody(robot_model::RIGHT_FRONT_LEG, aside).y(), -(0.0625 + 0.13474), 1e-9);
   LegAngles bent{};
-  bent.knee = 90 * kDegree;
+  bent.knee = 90 * kOneDegree;
   EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, bent).x(), 0.065 + 0.009 + 0.06524, 1e-9)
       << "front legs bend forward";
   EXPECT_NEAR(footInBody(robot_model::LEFT_HIND_LEG, bent).x(), -0.065 - 0.009 - 0.06628, 1e-9)
@@ -51,7 +51,7 @@ TEST(StanceTest, FeetAreAtTheEndsOfTheLegsLinks) {
 TEST(StanceTest, TheNoseGoesDownWithTheFrontLegs) {
   auto legs = kStraight;
   for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::RIGHT_FRONT_LEG}) {
-    legs[leg].elevator = 45 * kDegree;
+    legs[leg].elevator = 45 * kOneDegree;
   }
   const Stance stance = standOn(legs);
   // By hand: the front feet are 0.13474 cos 45 - 0.0047 sin 45 = 0.09195 m under the shoulders, the hind feet 0.13578
@@ -64,7 +64,7 @@ TEST(StanceTest, ALiftedFootLeavesTheFloorAndTheOtherThreeStay) {
   for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
                         robot_model::RIGHT_HIND_LEG}) {
     auto legs = kStraight;
-    legs[leg].knee = 90 * kDegree;
+    legs[leg].knee = 90 * kOneDegree;
     const Stance stance = standOn(legs);
     for (std::size_t i = 0; i < kLegs; ++i) {
       EXPECT_EQ(stance.paw_down[i], i != leg) << "leg " << leg << ", paw " << i;
@@ -75,7 +75,7 @@ TEST(StanceTest, ALiftedFootLeavesTheFloorAndTheOtherThreeStay) {
 TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   auto legs = kStraight;
   for (LegAngles& leg : legs) {
-    leg.elevator = 88 * kDegree;
+    leg.elevator = 88 * kOneDegree;
   }
   const Stance stance = standOn(legs);
   EXPECT_NEAR(stance.body.translation().z(), 0.045, 0.001);
@@ -87,7 +87,7 @@ TEST(StanceTest, NothingIsEverBelowTheFloor) {
   std::uint64_t random = 1;
   const auto angle = [&random](double lowest, double highest) {
     random = random * 6364136223846793005u + 1442695040888963407u;
-    return (lowest + (highest - lowest) * static_cast<double>(random >> 40) / (1 << 24)) * kDegree;
+    return (lowest + (highest - lowest) * static_cast<double>(random >> 40) / (1 << 24)) * kOneDegree;
   };
   for (int posture = 0; posture < 2000; ++posture) {
     std::array<LegAngles, kLegs> legs;

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 template <typename Function>
-std::string errorOf(const Function& function) {
+std::string problemOf(const Function& function) {
   try {
     function();
   } catch (const std::exception& error) {
@@ -35,7 +35,7 @@ std::vector<std::string> objects(const std::string& text, const std::string& des
 }
 
 std::string objectError(const std::string& text) {
-  return errorOf([&] { objects(text); });
+  return problemOf([&] { objects(text); });
 }
 
 TEST(ObjectConfigurationTest, ReadsOneObjectPerLine) {
@@ -87,7 +87,7 @@ std::vector<std::string> connections(const std::string& text) {
 }
 
 std::string connectionError(const std::string& text) {
-  return errorOf([&] { connections(text); });
+  return problemOf([&] { connections(text); });
 }
 
 TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnyWhiteSpaceBetween) {
@@ -149,9 +149,9 @@ TEST(DesignDatabaseTest, FindsTheFileOfAKeywordForTheModel) {
 
 TEST(DesignDatabaseTest, NamesFileAndLineOfAMalformedLine) {
   for (const char* broken : {"SOUND", "SOUND OPEN-R/X.WAV", "SOUND /MS/", "SOUND /MS/X.WAV /MS/Y.WAV"}) {
-    EXPECT_THAT(errorOf([&] { designFiles("\n" + std::string(broken)); }), StartsWith("DESIGNDB.CFG:2: ")) << broken;
+    EXPECT_THAT(problemOf([&] { designFiles("\n" + std::string(broken)); }), StartsWith("DESIGNDB.CFG:2: ")) << broken;
   }
-  EXPECT_THAT(errorOf([&] { designFiles("A /MS/X\nA /MS/Y\n"); }), StartsWith("DESIGNDB.CFG:2: a second A"));
+  EXPECT_THAT(problemOf([&] { designFiles("A /MS/X\nA /MS/Y\n"); }), StartsWith("DESIGNDB.CFG:2: a second A"));
 }
 
 TEST(MemoryStickTest, FindsAFileIgnoringCase) {
@@ -164,9 +164,9 @@ TEST(MemoryStickTest, FindsAFileIgnoringCase) {
 TEST(MemoryStickTest, NamesTheMissingFolderAndItsParent) {
   const test_support::TemporaryFolder stick;
   stick.write("OPEN-R/MW/x", "");
-  EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
+  EXPECT_THAT(problemOf([&] { findOnMemoryStick(stick.path(), "OPEN-R/MW/CONF/OBJECT.CFG"); }),
               AllOf(HasSubstr("OPEN-R/MW/CONF/OBJECT.CFG"), HasSubstr("no CONF in " + stick.path().string())));
-  EXPECT_THAT(errorOf([&] { findOnMemoryStick(stick.path() / "nowhere", "OPEN-R"); }), HasSubstr("nowhere"));
+  EXPECT_THAT(problemOf([&] { findOnMemoryStick(stick.path() / "nowhere", "OPEN-R"); }), HasSubstr("nowhere"));
 }
 
 }  // namespace

@@ -67,6 +67,7 @@ class FakeRobot : public VirtualRobot {
     return record("setJointGain", {id, pg, ig, dg, ps, is, ds});
   }
 
+  OStatus setDefaultJointGain(OPrimitiveID id) override { return record("setDefaultJointGain", {id}); }
   OStatus enableJointGain(OPrimitiveID id) override { return record("enableJointGain", {id}); }
   OStatus disableJointGain(OPrimitiveID id) override { return record("disableJointGain", {id}); }
   OStatus setMotorPower(OPower power) override { return record("setMotorPower", {power}); }

@@ -290,7 +290,10 @@ TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBootAndTheOthersAreStopped) {
 
 TEST_F(MachineTest, BootErrorsNameStickFileAndLine) {
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "# objects\n/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
-  EXPECT_THAT(bootError(), AllOf(HasSubstr("OBJECT.CFG:2: OTHER.BIN is not an object"), HasSubstr("ECHO.BIN")));
+  EXPECT_THAT(bootError(),
+              AllOf(HasSubstr("OBJECT.CFG:2: OTHER.BIN is neither on the memory stick"), HasSubstr("ECHO.BIN")));
+  stick_.write("OPEN-R/MW/OBJS/OTHER.BIN", "for the robot");
+  EXPECT_THAT(bootError(), AllOf(HasSubstr("OTHER.BIN: cannot be loaded"), HasSubstr("scripts/openr_object")));
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "[ERS-210]\n/MS/OPEN-R/MW/OBJS/ECHO.BIN\n");
   EXPECT_THAT(bootError(), HasSubstr("no object for ERS-7"));
   stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", kObjects);

@@ -1,9 +1,13 @@
 // The calls of OPENRAPI.h that need no robot.
+#include <MCOOP.h>
 #include <OPENR/OCalendarTime.h>
 #include <OPENR/OList.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OUnits.h>
 #include <gmock/gmock.h>
+
+#include <cstdlib>
+#include <ctime>
 
 #include "support/temporary_folder.h"
 #include "test_system.h"
@@ -49,6 +53,36 @@ TEST_F(OpenrApiTest, DesignDataStaysInMemoryUntilItIsDeleted) {
     EXPECT_EQ(OPENR::FindDesignData("EMPTY", &id, &data, &size), oDESIGNDATA_SIZE_ZERO);
     EXPECT_EQ(OPENR::FindDesignData("GONE", &id, &data, &size), oNOT_FOUND);
     EXPECT_EQ(OPENR::FindDesignData("text", &id, &data, &size), oNOT_FOUND);
+  });
+}
+
+// Level2 Reference Guide, pages 82 and 83. Seconds count from 2000 (NTP, a sample in the SDK).
+TEST_F(OpenrApiTest, TheClockCanBeSet) {
+  asObject([] {
+    OTime time;
+    ASSERT_EQ(OPENR::GetTime(&time), oSUCCESS);
+    EXPECT_LE(std::abs(time.GetClock() + 946684800 - std::time(nullptr)), 2);
+    ASSERT_EQ(OPENR::SetTime(OTime(1000, 9)), oSUCCESS);
+    ASSERT_EQ(OPENR::SetTimeDifference(-5), oSUCCESS);
+    EXPECT_EQ(OPENR::SetTimeDifference(13), oFAIL);
+    ASSERT_EQ(OPENR::GetTime(&time), oSUCCESS);
+    EXPECT_GE(time.GetClock(), 1000);
+    EXPECT_LE(time.GetClock(), 1100);
+    sbyte difference = 0;
+    ASSERT_EQ(OPENR::GetTimeDifference(&difference), oSUCCESS);
+    EXPECT_EQ(difference, -5);
+  });
+}
+
+// Declared in the SDK's MCOOP.h.
+TEST_F(OpenrApiTest, ARegionIsDeletedOnce) {
+  asObject([] {
+    void* region = nullptr;
+    ASSERT_EQ(NewRegion(5000, &region), sSUCCESS);
+    static_cast<byte*>(region)[4999] = 1;
+    EXPECT_EQ(DeleteRegion(region), sSUCCESS);
+    EXPECT_EQ(DeleteRegion(region), sFAIL);
+    EXPECT_EQ(NewRegion(0, &region), sFAIL);
   });
 }
 
@@ -150,12 +184,15 @@ TEST(OListTest, HasRoomForItsItems) {
 }
 
 TEST(OTimeTest, CalendarTimeIsLocal) {
-  const OCalendarTime time(OTime(1078012800, 9));  // 29 February 2004, 00:00 in Greenwich
+  const OCalendarTime time(OTime(131328000, 9));  // 29 February 2004, 00:00 in Greenwich
   EXPECT_EQ(time.year_, 4);
   EXPECT_EQ(time.month_, 2);
   EXPECT_EQ(time.day_, 29);
   EXPECT_EQ(time.hour_, 9);
   EXPECT_EQ(time.dow_, 0);
+  char text[32];
+  time.RFC2822(text);
+  EXPECT_STREQ(text, "Sun, 29 Feb 2004 09:00:00 +0900");
   OTime other;
   EXPECT_EQ(other.SetTimeDif(13), oINVALID_ARG);
   EXPECT_EQ(other.GetTimeDif(), 0);

@@ -186,13 +186,20 @@ TEST_F(ReadyNotifyTest, DataSetSeveralTimesArrivesInOneNotification) {
   EXPECT_THAT(received_, ElementsAre("one", "two"));
 }
 
-TEST_F(ReadyNotifyTest, ASubjectThatIsNotEnabledSendsNothing) {
+// Level2 Reference Guide, page 20. DISABLE_ALL_SUBJECT does this, and ENABLE_ALL_SUBJECT nothing (core_macro.h).
+TEST_F(ReadyNotifyTest, ClearBufferDeletesWhatWaits) {
   boot();
+  notify("kept");
+  test_.as(sender_, [&] {
+    sender_.subject().SetData("set", 3);
+    EXPECT_EQ(sender_.subject().ClearBuffer(), oSUCCESS);
+    sender_.subject().NotifyObservers();
+  });
   assertReady(receiver_);
-  test_.as(sender_, [&] { sender_.subject().Enable(false); });
-  notify("data");
-  test_.run();
   EXPECT_THAT(received_, IsEmpty());
+  notify("next");
+  test_.run();
+  EXPECT_THAT(received_, ElementsAre("next"));
 }
 
 TEST_F(ReadyNotifyTest, ARegionIsFreeWhenEveryObserverIsDoneWithIt) {

@@ -121,6 +121,7 @@ TEST(StubWriterTest, EntryHasTheIndexesOfTheExtraFunctions) {
                            "const Selector Extra_Entry[] = {0, 1};\n"}) {
     EXPECT_THAT(entry, HasSubstr(line));
   }
+  EXPECT_THAT(entry, HasSubstr("const Selector Entry_Notify[] = {0, 1};\n"));
   const std::string none = replaced(replaced(kSample, "Extra : UpdatePowerStatus()\n", ""), "Extra : SendCont()\n", "");
   EXPECT_THAT(writeEntry(parse(none)), testing::Not(HasSubstr("Extra_Entry")));
 }

@@ -60,9 +60,10 @@ class TestObject : public OObject {
   }
 
   OStatus DoStart(const OSystemEvent& /*event*/) override {
-    subject_->Enable(true);
+    is_started_ = true;
     return oSUCCESS;
   }
+  bool isStarted() const { return is_started_; }
 
   OStatus DoDestroy(const OSystemEvent& /*event*/) override {
     subject_.reset();
@@ -73,6 +74,7 @@ class TestObject : public OObject {
  private:
   std::unique_ptr<OSubject> subject_;
   std::unique_ptr<OObserver> observer_;
+  bool is_started_ = false;
 };
 
 /// A system of test objects, which the test runs.

@@ -13,7 +13,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr uint32 kBufferSize = 64 * 1024;
+constexpr uint32 kSharedSize = 64 * 1024;
 const IPAddress kThisComputer(127, 0, 0, 1);
 
 class UdpEndpointTest : public testing::Test {
@@ -34,7 +34,7 @@ class UdpEndpointTest : public testing::Test {
       }
     };
     test_.boot();
-    antEnvCreateSharedBufferMsg message(kBufferSize);
+    antEnvCreateSharedBufferMsg message(kSharedSize);
     call(message);
     buffer_ = static_cast<byte*>(message.buffer.GetAddress());
   }
@@ -66,7 +66,7 @@ class UdpEndpointTest : public testing::Test {
     std::memcpy(buffer_, text.data(), text.size());
     post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, static_cast<int>(text.size())));
   }
-  byte* inbox() const { return buffer_ + kBufferSize / 2; }
+  byte* inbox() const { return buffer_ + kSharedSize / 2; }
   void receive(const antModuleRef& endpoint, int size) { post(UDPEndpointReceiveMsg(endpoint, inbox(), size)); }
   std::string inboxText(std::size_t size) const { return {reinterpret_cast<const char*>(inbox()), size}; }
   bool haveAnswers(std::size_t count) {
@@ -98,6 +98,25 @@ TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSender) {
   EXPECT_EQ(inboxText(5), "hello");
   EXPECT_EQ(received_[0].address, kThisComputer);
   EXPECT_EQ(received_[0].port, client_port);
+}
+
+TEST_F(UdpEndpointTest, APortOfTheRobotMayBeAnotherOneOfTheComputer) {
+  constexpr Port kRobotPort = 7;  // only root may open it
+  const Port host_port = test_.system.ipStack().takePort(kRobotPort, 0);
+  for (int round = 0; round < 2; ++round) {
+    answers_.clear();
+    const auto server = create();
+    EXPECT_EQ(bind(server, kRobotPort), kRobotPort);
+    const auto client = create();
+    bind(client);
+    receive(server, 100);
+    sendTo(client, host_port, "hello");
+    ASSERT_TRUE(haveAnswers(2));
+    EXPECT_EQ(inboxText(5), "hello");
+    UDPEndpointCloseMsg close(server);
+    call(close);
+    EXPECT_EQ(close.error, UDP_SUCCESS);
+  }
 }
 
 TEST_F(UdpEndpointTest, BytesThatDoNotFitIntoTheBufferAreLost) {
@@ -171,7 +190,7 @@ TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
   post(UDPEndpointSendMsg(endpoint, kThisComputer, port, own, sizeof(own)));
   post(UDPEndpointReceiveMsg(endpoint, own, sizeof(own)));
   post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, 0));
-  post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, kBufferSize));
+  post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, kSharedSize));
   ASSERT_TRUE(haveAnswers(4));
   EXPECT_THAT(answers_, ElementsAre(Answer{antOperation_UDPSend, UDP_BUFFER_INVALID},
                                     Answer{antOperation_UDPReceive, UDP_BUFFER_INVALID},

@@ -246,10 +246,6 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithAReasonAndTheNextOneI
       {"its numData is 3, its maxNumData only 2", [](OCommandVectorData& vector) { vector.SetNumData(3); }},
       {"no room for numData 1000000",
        [](OCommandVectorData& vector) { vector.vectorInfo.numData = vector.vectorInfo.maxNumData = 1000000; }},
-      {"entry 1 for primitive 77: it is not open",
-       [](OCommandVectorData& vector) { vector.GetInfo(1)->primitiveID = 77; }},
-      {"does not accept commands of type 260",
-       [](OCommandVectorData& vector) { vector.GetInfo(1)->type = odataLED_COMMAND2; }},
       {"numFrames is 17, the most is 16", [](OCommandVectorData& vector) { vector.GetInfo(1)->numFrames = 17; }},
       {"frameSize is 0 instead of 8", [](OCommandVectorData& vector) { vector.GetInfo(1)->frameSize = 0; }},
       {"dataOffset 0 is outside the data", [](OCommandVectorData& vector) { vector.GetInfo(1)->dataOffset = 0; }},
@@ -282,6 +278,48 @@ TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithAReasonAndTheNextOneI
   }
 }
 
+// Level2 Reference Guide, page 48: the type belongs to each entry. The player of motions in Sony's sample MoNet sends
+// JOINT_COMMAND2 to the ears, too.
+TEST_F(VirtualRobotCommTest, AnEntryThatItsPrimitiveDoesNotTakeIsIgnoredAloneAndSaidOnce) {
+  const RegionReference vector = makeVector({{1, {10, 20}}, {77, {5}}, {2, {30, 40}}});
+  vectorIn(vector).GetInfo(2)->type = odataLED_COMMAND2;
+  for (int i = 0; i < 2; ++i) {
+    send({vector});
+    pass(2);
+  }
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10))), Pair(101, ElementsAre(Pair(1, 20))),
+                                            Pair(102, ElementsAre(Pair(1, 10))), Pair(103, ElementsAre(Pair(1, 20)))));
+  const std::string text = test_.output.str();
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
+  EXPECT_THAT(text, AllOf(HasSubstr("WARNING"), HasSubstr("primitive 77 is not open, or takes no commands of type 259"),
+                          HasSubstr("primitive 2 is not open, or takes no commands of type 260")));
+}
+
+TEST_F(VirtualRobotCommTest, AVectorOfIgnoredEntriesIsFreeInTheNextFrame) {
+  const RegionReference vector = makeVector({{77, {10, 20}}});
+  send({vector});
+  EXPECT_EQ(readies_, 1);
+  pass(1);
+  EXPECT_EQ(readies_, 2);
+  EXPECT_EQ(vector->NumberOfReference(), 1);
+}
+
+// Level2 Reference Guide, page 44. Sony's sample SoundPlay sends from DoStart(), and then expects the first READY after
+// the output.
+TEST(VirtualRobotCommStartTest, TheEffectorIsReadyBeforeDoStart) {
+  TestSystem test;
+  test.system.create(VirtualRobotComm::describe(test.robot, nullptr));
+  TestObject& mover = test.add("Mover");
+  bool was_ready = false;
+  mover.on_ready = [&](const OReadyEvent& event) { was_ready = event.IsAssert() && !mover.isStarted(); };
+  test.system.initialize();
+  test.system.connect("Mover.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
+  test.system.start();
+  EXPECT_TRUE(was_ready);
+  EXPECT_TRUE(mover.isStarted());
+  EXPECT_TRUE(mover.subject().IsReady());
+}
+
 TEST_F(VirtualRobotCommTest, ARegionTooSmallForAVectorIsRefused) {
   auto* region = new RCRegion(sizeof(ODataVectorInfo) - 1);
   send({reference(region)});
@@ -291,7 +329,8 @@ TEST_F(VirtualRobotCommTest, ARegionTooSmallForAVectorIsRefused) {
 }
 
 TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOncePerFrame) {
-  const RegionReference vector = makeVector({{77, {10}}});
+  const RegionReference vector = makeVector({{1, {10}}});
+  vectorIn(vector).GetInfo(0)->frameSize = 0;
   int left = 100;  // limit in case of an error
   mover_.on_ready = [&](const OReadyEvent&) {
     if (--left > 0) {
@@ -456,15 +495,16 @@ TEST_F(VirtualRobotCommTest, CallsForJointsAndSensorsGoToTheRobot) {
       robot_.calls.clear();
       robot_.joint_status = status;
       EXPECT_EQ(OPENR::SetJointGain(7, 1, 2, 3, 4, 5, 6), status);
+      EXPECT_EQ(OPENR::SetDefaultJointGain(7), status);
       EXPECT_EQ(OPENR::EnableJointGain(oprimitiveID_UNDEF), status);
       EXPECT_EQ(OPENR::DisableJointGain(8), status);
       EXPECT_EQ(OPENR::GetJointValue(9, &joint), status);
       EXPECT_EQ(OPENR::GetSensorValue(10, &sensor), status);
       EXPECT_EQ(OPENR::SetMotorPower(opowerON), status);
       EXPECT_EQ(OPENR::GetPowerStatus(&power), status);
-      EXPECT_THAT(robot_.calls,
-                  ElementsAre("setJointGain 7 1 2 3 4 5 6", "enableJointGain 4294967295", "disableJointGain 8",
-                              "getJointValue 9", "getSensorValue 10", "setMotorPower 1", "getPowerStatus"));
+      EXPECT_THAT(robot_.calls, ElementsAre("setJointGain 7 1 2 3 4 5 6", "setDefaultJointGain 7",
+                                            "enableJointGain 4294967295", "disableJointGain 8", "getJointValue 9",
+                                            "getSensorValue 10", "setMotorPower 1", "getPowerStatus"));
     }
     EXPECT_EQ(joint.value, 1000);
     EXPECT_EQ(sensor.value, 2000);

@@ -3,6 +3,7 @@
 #define OPENR_OCALENDARTIME_H
 
 #include <OPENR/OTime.h>
+#include <stdio.h>
 
 /// An OTime's local date and time of day.
 class OCalendarTime {
@@ -13,7 +14,7 @@ class OCalendarTime {
   OCalendarTime(time_t clock, sbyte timeDif) { SetTime(OTime(clock, timeDif)); }
 
   OStatus SetTime(const OTime& time) {
-    const time_t local = time.GetLocalTime();
+    const time_t local = otimeSTART_CLOCK + time.GetLocalTime();
     struct tm parts;
     if (gmtime_r(&local, &parts) == 0) {
       return oINVALID_ARG;
@@ -27,6 +28,14 @@ class OCalendarTime {
     dow_ = parts.tm_wday;
     timeDif_ = time.GetTimeDif();
     return oSUCCESS;
+  }
+
+  /// @param[out] text such as "Sun, 29 Feb 2004 09:00:00 +0900"; room for 32 characters
+  void RFC2822(char* text) const {
+    static const char kDays[] = "SunMonTueWedThuFriSat";
+    static const char kMonths[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
+    sprintf(text, "%.3s, %d %.3s %d %02d:%02d:%02d %c%02d00", kDays + 3 * dow_, day_, kMonths + 3 * (month_ - 1),
+            otimeSTART_YEAR + year_, hour_, min_, sec_, timeDif_ < 0 ? '-' : '+', timeDif_ < 0 ? -timeDif_ : timeDif_);
   }
 
   int year_;   ///< since otimeSTART_YEAR

@@ -17,7 +17,8 @@
 #include <OPENR/OStatus.h>
 #include <Types.h>
 
-typedef longword OPrimitiveID;       ///< an open joint, sensor, LED, camera...
+typedef longword OPrimitiveID;  ///< an open joint, sensor, LED, camera...
+typedef longword OPrimitiveType;
 typedef longword ODesignDataID;      ///< a design database file in memory
 typedef longword OVRSyncKey;         ///< a key that makes effectors start together
 typedef longword OPrimitiveRequest;  ///< to a primitive (OPrimitiveControl.h)
@@ -25,6 +26,7 @@ typedef longword OMemoryStickStatus;
 typedef byte OVolumeSwitch;
 
 const OPrimitiveID oprimitiveID_UNDEF = 0xffffffffU;  ///< all open primitives, in calls that accept it
+const OPrimitiveType oprimitiveUNDEF = 0;
 const ODesignDataID odesigndataID_UNDEF = 0xffffffffU;
 
 const OMemoryStickStatus omemorystickUNDEF = 0xffffffffU;

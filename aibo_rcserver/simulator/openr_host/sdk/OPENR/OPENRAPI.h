@@ -8,6 +8,7 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
+#include <OPENR/OTime.h>
 
 namespace OPENR {
 
@@ -71,6 +72,10 @@ OStatus DivideSyncKey(OVRSyncKey key, OVRSyncKey* key1, OVRSyncKey* key2);
 /// @return oGAIN_DISABLED, and no gain is set, before EnableJointGain()
 OStatus SetJointGain(OPrimitiveID primitiveID, word pg, word ig, word dg, word ps, word is, word ds);
 
+/// Sets the servo's standard gains (page 72; Model Information, "PID gains").
+/// @return as SetJointGain()
+OStatus SetDefaultJointGain(OPrimitiveID primitiveID);
+
 /// Makes the gain effective; it is 0 until SetJointGain() (page 70). The servo then pulls the joint to its last
 /// commanded position, so command the present position first.
 /// @return oALERT_JOINT_UNCONTROLLABLE if the potentiometer is broken
@@ -106,6 +111,13 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volSW);
 
 /// Whether there is a memory stick, and whether it can be written (Level2 Reference Guide, page 81).
 OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
+
+/// The robot's clock (Level2 Reference Guide, pages 82 and 83). On Linux it begins with this computer's, and setting it
+/// lasts until the robot shuts down.
+OStatus SetTime(const OTime& time);
+OStatus GetTime(OTime* time);
+OStatus SetTimeDifference(sbyte timeDifference);
+OStatus GetTimeDifference(sbyte* timeDifference);
 
 /// Stops all objects and switches the robot off, soon after the calling entry point returns.
 /// @param condition when to boot again: with obcbBOOT_TIMER after bootTime seconds, otherwise when the robot is

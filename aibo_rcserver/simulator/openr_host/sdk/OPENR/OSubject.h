@@ -28,16 +28,17 @@ class OSubject {
   /// Adds a copy of `size` bytes.
   OStatus SetData(const void* data, size_t size);
 
-  /// Sends the data to every observer, depending on its state. Does nothing without data or before Enable().
+  /// Sends the data to every observer, depending on its state. Does nothing without data.
   OStatus NotifyObservers();
+
+  /// Deletes what waits for observers (page 20).
+  OStatus ClearBuffer();
 
   /// Not 0 if an observer has the state ASSERT-READY.
   int IsReady() const;
 
   /// For REGISTER_ALL_ENTRY.
   void Register(OID object, int index);
-  /// For ENABLE_ALL_SUBJECT and DISABLE_ALL_SUBJECT.
-  void Enable(bool enabled);
 
  private:
   friend class openr_host::System;

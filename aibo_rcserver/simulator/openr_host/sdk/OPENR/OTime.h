@@ -9,7 +9,10 @@
 const sbyte otimeTIME_DIF_UNDEF = 0x7F;
 const int otimeSTART_YEAR = 2000;
 
-/// The robot's time: universal time, and the offset of its time zone.
+/// From 1970 to 2000, in seconds.
+const time_t otimeSTART_CLOCK = 946684800;
+
+/// The robot's time: universal time, in seconds since 1 January 2000, and the offset of its time zone.
 class OTime {
  public:
   OTime() : clock_(0), timeDif_(0) {}

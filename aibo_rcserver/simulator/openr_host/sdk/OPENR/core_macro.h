@@ -4,6 +4,11 @@
 #ifndef OPENR_CORE_MACRO_H
 #define OPENR_CORE_MACRO_H
 
+// Sony's header includes the object's entry.h, and objects may rely on that.
+#if __has_include("entry.h")
+#include "entry.h"
+#endif
+
 #include <OPENR/OObserver.h>
 #include <OPENR/OSubject.h>
 
@@ -28,14 +33,14 @@
 /// description.
 #define SET_ALL_READY_AND_NOTIFY_ENTRY static_cast<void>(0)
 
-/// The first step of DoStart.
-#define ENABLE_ALL_SUBJECT OPENR_FOR_ALL(numOfSubject, subject[i_]->Enable(true))
+/// The first step of DoStart. It does nothing, as in the SDK: a subject may notify from DoInit() on.
+#define ENABLE_ALL_SUBJECT static_cast<void>(0)
 
 /// The second step of DoStart.
 #define ASSERT_READY_TO_ALL_OBSERVER OPENR_FOR_ALL(numOfObserver, observer[i_]->AssertReady())
 
 /// The first step of DoStop.
-#define DISABLE_ALL_SUBJECT OPENR_FOR_ALL(numOfSubject, subject[i_]->Enable(false))
+#define DISABLE_ALL_SUBJECT OPENR_FOR_ALL(numOfSubject, subject[i_]->ClearBuffer())
 
 /// The second step of DoStop.
 #define DEASSERT_READY_TO_ALL_OBSERVER OPENR_FOR_ALL(numOfObserver, observer[i_]->DeassertReady())

@@ -1,0 +1,176 @@
+// Shows the simulated robot's room in rviz: the floor, what stands on it, and the ball that rolls there. The frame odom
+// begins where the driver starts, so the room is in its right place if the robot has not walked before that.
+
+#include <aibo_driver/CameraState.h>
+#include <ros/ros.h>
+#include <visualization_msgs/MarkerArray.h>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <variant>
+
+#include "node/node.h"
+#include "simulator/ers7/scene/light.h"
+#include "simulator/ers7/scene/scene.h"
+
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using simulated_ers7::Body;
+using simulated_ers7::Box;
+using simulated_ers7::Capsule;
+using visualization_msgs::Marker;
+
+constexpr double kWholePart = 0.05;   // m; each part has one colour
+constexpr double kBallsPeriod = 0.1;  // s
+constexpr double kSecondsPerFrame = 0.008;
+
+std_msgs::ColorRGBA toColor(const simulated_ers7::Color& linear) {
+  const auto on_screen = [](double light) {
+    return static_cast<float>(std::pow(std::clamp(light, 0.0, 1.0), 1 / 2.2));
+  };
+  std_msgs::ColorRGBA color;
+  color.r = on_screen(linear[0]);
+  color.g = on_screen(linear[1]);
+  color.b = on_screen(linear[2]);
+  color.a = 1;
+  return color;
+}
+
+geometry_msgs::Point toPoint(const Vector3d& place) {
+  geometry_msgs::Point point;
+  point.x = place.x();
+  point.y = place.y();
+  point.z = place.z();
+  return point;
+}
+
+Marker emptyMarker(int id) {
+  Marker marker;
+  marker.header.frame_id = "odom";
+  marker.ns = "room";
+  marker.id = id;
+  marker.pose.orientation.w = 1;
+  return marker;
+}
+
+// Covers a part of the floor with tiles of two triangles each, in the mean colours that the camera would see there.
+void pave(Marker& marker, const Vector3d& lowest, const Vector3d& highest, double tile) {
+  for (double x = lowest.x(); x < highest.x() - tile / 2; x += tile) {
+    for (double y = lowest.y(); y < highest.y() - tile / 2; y += tile) {
+      const Vector3d middle(x + tile / 2, y + tile / 2, 0);
+      const simulated_ers7::SceneHit hit{0, middle, Vector3d::UnitZ(), middle, simulated_ers7::Surface::kFloor};
+      const std_msgs::ColorRGBA color = toColor(simulated_ers7::appearanceOf(hit, {tile, tile, 0}).albedo);
+      const double corners[][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+      for (const auto& corner : corners) {
+        marker.points.push_back(toPoint({x + corner[0] * tile, y + corner[1] * tile, lowest.z()}));
+        marker.colors.push_back(color);
+      }
+    }
+  }
+}
+
+// The carpet lies on the parquet. Both are a little lower than in truth, or they would flicker where the feet touch
+// them.
+Marker floorMarker(Marker marker) {
+  using namespace simulated_ers7;
+  marker.type = Marker::TRIANGLE_LIST;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1;
+  pave(marker, {kLowestCorner[0], kLowestCorner[1], -0.006}, {kHighestCorner[0], kHighestCorner[1], 0}, 0.1);
+  pave(marker, {kCarpetX - kCarpetHalfLength, -kCarpetHalfWidth, -0.003},
+       {kCarpetX + kCarpetHalfLength, kCarpetHalfWidth, 0}, 2 * kLineHalfWidth);
+  return marker;
+}
+
+// A marker's cylinder has no round ends. None of the room's rods needs them.
+Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker marker) {
+  const Vector3d forward = body.turnToRoom(Vector3d::UnitX());
+  Quaterniond turn(Eigen::AngleAxisd(std::atan2(forward.y(), forward.x()), Vector3d::UnitZ()));
+  Vector3d middle;
+  Vector3d size;
+  if (const auto* box = std::get_if<Box>(&part.shape)) {
+    marker.type = Marker::CUBE;
+    middle = box->center;
+    size = 2 * box->half_size;
+  } else {
+    const auto& capsule = std::get<Capsule>(part.shape);
+    const Vector3d along = capsule.end - capsule.start;
+    marker.type = along.isZero() ? Marker::SPHERE : Marker::CYLINDER;
+    middle = (capsule.start + capsule.end) / 2;
+    size = {2 * capsule.radius, 2 * capsule.radius, along.isZero() ? 2 * capsule.radius : along.norm()};
+    turn = turn * Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along.isZero() ? Vector3d::UnitZ().eval() : along);
+  }
+  const simulated_ers7::SceneHit hit{0, body.position(), Vector3d::UnitZ(), middle, part.surface};
+  marker.color = toColor(simulated_ers7::appearanceOf(hit, Vector3d::Constant(kWholePart)).albedo);
+  marker.pose.position = toPoint(body.position() + body.turnToRoom(middle));
+  marker.pose.orientation.w = turn.w();
+  marker.pose.orientation.x = turn.x();
+  marker.pose.orientation.y = turn.y();
+  marker.pose.orientation.z = turn.z();
+  marker.scale.x = size.x();
+  marker.scale.y = size.y();
+  marker.scale.z = size.z();
+  return marker;
+}
+
+class Room {
+ public:
+  explicit Room(ros::NodeHandle handle) {
+    constexpr bool kLatched = true;
+    room_ = handle.advertise<visualization_msgs::MarkerArray>("room", 1, kLatched);
+    ball_ = handle.advertise<Marker>("room/ball", 1);
+    state_ = handle.subscribe("camera/state", 1, &Room::receiveState, this);
+    timer_ = handle.createTimer(ros::Duration(kBallsPeriod), [this](const ros::TimerEvent&) { publishBall(); });
+    publishRoom();
+  }
+
+ private:
+  void publishRoom() const {
+    visualization_msgs::MarkerArray markers;
+    markers.markers.push_back(floorMarker(emptyMarker(0)));
+    for (const Body& body : scene_.bodies()) {
+      for (const simulated_ers7::Part& part : body.parts()) {
+        if (part.surface != simulated_ers7::Surface::kBall) {
+          markers.markers.push_back(partMarker(body, part, emptyMarker(static_cast<int>(markers.markers.size()))));
+        }
+      }
+    }
+    room_.publish(markers);
+  }
+
+  // The ball's place depends on the time since the robot was switched on.
+  void receiveState(const aibo_driver::CameraState::ConstPtr& state) {
+    switched_on_ = state->header.stamp - ros::Duration(state->frame_number * kSecondsPerFrame);
+  }
+
+  void publishBall() {
+    if (switched_on_.isZero() || ball_.getNumSubscribers() == 0) {
+      return;
+    }
+    scene_.setTime((ros::Time::now() - switched_on_).toSec());
+    for (const Body& body : scene_.bodies()) {
+      if (body.parts().front().surface == simulated_ers7::Surface::kBall) {
+        ball_.publish(partMarker(body, body.parts().front(), emptyMarker(0)));
+      }
+    }
+  }
+
+  simulated_ers7::Scene scene_;
+  ros::Time switched_on_;
+  ros::Publisher room_;
+  ros::Publisher ball_;
+  ros::Subscriber state_;
+  ros::Timer timer_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "aibo_room");
+  return aibo_driver::node::runNode("node aibo_room", [] {
+    return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"));
+  });
+}

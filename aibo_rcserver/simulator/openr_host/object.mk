@@ -1,0 +1,48 @@
+# Builds an OPEN-R object as a shared library, which aibo_rcserver loads from its memory stick (object_library.h).
+# scripts/openr_object runs it with these variables; paths must not contain spaces.
+#   FOLDER      the object's sources, with stub.cfg and perhaps an .ocf
+#   BUILD       a folder for what is built; LIBRARY: the file to build
+#   GENERATOR   openr_stub_generator
+# Sources in the folder `common` beside FOLDER are a library for all objects there. CXXFLAGS and LIBS add options.
+HOST := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
+COMMON := $(wildcard $(FOLDER)/../common)
+NAME := $(shell sed -n 's/^[ \t]*ObjectName[ \t]*:[ \t]*\([A-Za-z_0-9]*\).*/\1/p' $(FOLDER)/stub.cfg)
+PRIORITY := $(or $(shell cat $(FOLDER)/*.ocf 2> /dev/null | awk '$$1 == "object" { print $$5; exit }'),128)
+
+# An object of 2004 is not C++17, and may forget to return a value: then only unoptimised code goes on, as on the robot.
+# Nothing but its description is visible, so two objects may have equal names.
+OPTIONS = -O0 -g -fPIC -fvisibility=hidden -fno-gnu-unique -MMD -MP -I$(BUILD) -I$(FOLDER) \
+  $(if $(COMMON),$(patsubst %,-I%,$(sort $(dir $(shell find $(COMMON) -name '*.h'))))) \
+  -I$(HOST)/sdk -I$(HOST)/../..
+CXX_OPTIONS = -std=gnu++98 -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast $(OPTIONS) $(CXXFLAGS)
+# Its files are on the memory stick (objects/stick_files.cpp).
+WRAPPED = fopen open opendir stat __xstat unlink remove mkdir rmdir rename
+
+sources_in = $(filter-out %Stub.cc,$(shell find $(1) -name '*.cc' -o -name '*.cpp' -o -name '*.c'))
+object_of = $(foreach source,$(1),$(BUILD)/$(2)/$(subst /,-,$(source:$(3)/%=%)).o)
+OWN := $(call sources_in,$(FOLDER))
+SHARED := $(if $(COMMON),$(call sources_in,$(COMMON)))
+OWN_OBJECTS := $(call object_of,$(OWN),own,$(FOLDER))
+SHARED_OBJECTS := $(call object_of,$(SHARED),common,$(COMMON))
+
+$(LIBRARY): $(OWN_OBJECTS) $(BUILD)/stub.o $(if $(SHARED),$(BUILD)/common.a)
+	$(CXX) -shared -o $@ $^ $(WRAPPED:%=-Wl,--wrap=%) $(LIBS)
+
+$(BUILD)/common.a: $(SHARED_OBJECTS)
+	$(AR) rcs $@ $^
+
+$(BUILD)/$(NAME)_stub.cc: $(FOLDER)/stub.cfg $(wildcard $(FOLDER)/*.ocf) $(GENERATOR) $(HOST)/object.mk
+	mkdir -p $(BUILD)/own $(BUILD)/common
+	$(GENERATOR) $< $(PRIORITY) $(BUILD) $(BUILD)
+
+$(BUILD)/stub.o: $(BUILD)/$(NAME)_stub.cc
+	$(CXX) -std=gnu++14 -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast $(OPTIONS) $(CXXFLAGS) -DOPENR_OBJECT_LIBRARY -c -o $@ $<
+
+define compile
+$(2): $(1) $(BUILD)/$(NAME)_stub.cc
+	$(if $(filter %.c,$(1)),$$(CC) $$(OPTIONS) $$(CXXFLAGS),$$(CXX) $$(CXX_OPTIONS)) -c -o $$@ $$<
+endef
+$(foreach source,$(OWN),$(eval $(call compile,$(source),$(call object_of,$(source),own,$(FOLDER)))))
+$(foreach source,$(SHARED),$(eval $(call compile,$(source),$(call object_of,$(source),common,$(COMMON)))))
+
+-include $(OWN_OBJECTS:.o=.d) $(SHARED_OBJECTS:.o=.d) $(BUILD)/stub.d
