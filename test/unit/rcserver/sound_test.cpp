@@ -425,7 +425,7 @@ TEST_F(SoundTest, ARefusedRequestChangesNothing) {
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, Samples(SPEAKER_CAPACITY + 1, 7))), CODE_REFUSED, "no room");
   play(3000, samplesOf(mark, 3000, 4000));
   play(4000, {}, true);  // the last samples have come already
-  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound that could go on");
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "begins with the sample at position 0");
   pass(50);
   ASSERT_THAT(ends_, SizeIs(1));
   EXPECT_EQ(ends_[0].how, END_DONE);
