@@ -24,7 +24,8 @@ void Version2::CarryOut<REQUEST_SOUND>() {
 // Drops sound that was recorded with the earlier settings.
 void Version2::SetMicrophone() {
   MicrophoneSettings wanted;
-  if (Decode(&wanted) && ((wanted.mode & MICROPHONE_ON) == 0 || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
+  if (Decode(&wanted) &&
+      ((wanted.mode & MICROPHONE_ON) == 0 || IsAllowed(&Settings::allow_microphone, LISTEN.setting))) {
     robot_.microphone.Set(wanted);
     outbox_.Sound().Drop();
     Reply(wanted);
