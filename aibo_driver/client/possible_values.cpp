@@ -1,8 +1,6 @@
 #include "client/possible_values.h"
 
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <limits>
 
 #include "client/units.h"
@@ -18,52 +16,16 @@ constexpr ValueRange kEverything = {-kInfinity, kInfinity};
 constexpr double kPositionMargin = 0.2;   // rad
 constexpr double kTwoTurns = 4 * 3.1416;  // rad
 
-/// Holds at most one part of each design. It allocates no memory, because it is made for each measured value.
-template <typename Part>
-class Parts {
- public:
-  void add(const Part& part) { parts_[count_++] = &part; }
-  bool empty() const { return count_ == 0; }
-  const Part& front() const { return *parts_[0]; }
-  const Part* const* begin() const { return parts_.data(); }
-  const Part* const* end() const { return parts_.data() + count_; }
-
- private:
-  std::array<const Part*, 2> parts_{};
-  std::size_t count_ = 0;
-};
-
-Parts<robot_model::RobotModel> modelsFor(const std::string& design) {
-  Parts<robot_model::RobotModel> models;
+/// Calls a function with each model that the robot may be.
+template <typename Use>
+void forEachModel(const std::string& design, const Use& use) {
   if (const robot_model::RobotModel* const model = robot_model::findRobotModel(design.c_str())) {
-    models.add(*model);
-  } else {
-    models.add(*robot_model::findRobotModel("ERS-7"));
-    models.add(*robot_model::findRobotModel("ERS-210"));
+    use(*model);
+    return;
   }
-  return models;
-}
-
-Parts<robot_model::Joint> jointsFor(const std::string& design, int id) {
-  Parts<robot_model::Joint> joints;
-  for (const robot_model::RobotModel* const model : modelsFor(design)) {
-    const int index = robot_model::findJointByIdentifier(*model, id);
-    if (index != robot_model::NO_JOINT) {
-      joints.add(model->joints[index]);
-    }
+  for (const char* const known : {"ERS-7", "ERS-210"}) {
+    use(*robot_model::findRobotModel(known));
   }
-  return joints;
-}
-
-Parts<robot_model::Sensor> sensorsFor(const std::string& design, int id) {
-  Parts<robot_model::Sensor> sensors;
-  for (const robot_model::RobotModel* const model : modelsFor(design)) {
-    const int index = robot_model::findSensorByIdentifier(*model, id);
-    if (index != robot_model::NO_SENSOR) {
-      sensors.add(model->sensors[index]);
-    }
-  }
-  return sensors;
 }
 
 ValueRange hull(const ValueRange& one, const ValueRange& other) {
@@ -89,18 +51,25 @@ ValueRange possibleReadings(const robot_model::Sensor& sensor) {
 
 ValueRange possiblePositions(const std::string& design, int id) {
   ValueRange range = kNothing;
-  for (const robot_model::Joint* const joint : jointsFor(design, id)) {
-    range = hull(range, {fromMicro(joint->mechanical_lowest) - kPositionMargin,
-                         fromMicro(joint->mechanical_highest) + kPositionMargin});
-  }
+  forEachModel(design, [&](const robot_model::RobotModel& model) {
+    const int index = robot_model::findJointByIdentifier(model, id);
+    if (index != robot_model::NO_JOINT) {
+      const robot_model::Joint& joint = model.joints[index];
+      range = hull(range, {fromMicro(joint.mechanical_lowest) - kPositionMargin,
+                           fromMicro(joint.mechanical_highest) + kPositionMargin});
+    }
+  });
   return range.lowest <= range.highest ? range : ValueRange{-kTwoTurns, kTwoTurns};
 }
 
 ValueRange possibleReadings(const std::string& design, int id) {
   ValueRange range = kNothing;
-  for (const robot_model::Sensor* const sensor : sensorsFor(design, id)) {
-    range = hull(range, possibleReadings(*sensor));
-  }
+  forEachModel(design, [&](const robot_model::RobotModel& model) {
+    const int index = robot_model::findSensorByIdentifier(model, id);
+    if (index != robot_model::NO_SENSOR) {
+      range = hull(range, possibleReadings(model.sensors[index]));
+    }
+  });
   return range.lowest <= range.highest ? range : kEverything;
 }
 

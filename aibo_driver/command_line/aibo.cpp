@@ -44,8 +44,6 @@ int runAndReport(const std::vector<std::string>& words) {
     return fail(output, error.what(), 128 + interruption());
   } catch (const aibo_client::InvalidArgumentException& error) {
     return fail(output, error.what(), kWrongUsage);
-  } catch (const boost::program_options::error& error) {
-    return fail(output, error.what() + std::string(" (`aibo help` lists commands and options)"), kWrongUsage);
   } catch (const OutputException& error) {
     output.note(std::string("aibo: ") + error.what());
     return kFailed;

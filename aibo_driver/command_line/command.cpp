@@ -4,16 +4,34 @@
 
 #include "command_line/commands/commands.h"
 #include "command_line/help.h"
+#include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
 
+std::string Arguments::get(const std::string& option) const {
+  const auto found = values.find(option);
+  return found == values.end() ? "" : found->second;
+}
+
+double Arguments::number(const std::string& option, double lowest, double highest) const {
+  return parseNumber("--" + option, get(option), lowest, highest);
+}
+
+int Arguments::wholeNumber(const std::string& option, int lowest, int highest) const {
+  return parseWholeNumber("--" + option, get(option), lowest, highest);
+}
+
 const std::vector<Command>& allCommands() {
-  static const std::vector<Command> commands = {
-      doctorCommand(),  pictureCommand(),   watchCommand(),  snapCommand(),   picturesCommand(), fetchCommand(),
-      jointsCommand(),  moveCommand(),      walkCommand(),   standCommand(),  sitCommand(),      restCommand(),
-      motionsCommand(), playCommand(),      uploadCommand(), deleteCommand(), sensorsCommand(),  batteryCommand(),
-      listenCommand(),  playSoundCommand(), sayCommand(),    motorsCommand(), stopCommand(),     helpCommand(),
-      manualCommand(),  completionCommand()};
+  static const std::vector<Command> commands = [] {
+    std::vector<Command> all;
+    for (const auto& commands_of :
+         {doctorCommands, cameraCommands, memoryStickCommands, jointCommands, legCommands, motionCommands, bodyCommands,
+          soundCommands, powerCommands, helpCommands, manualCommands}) {
+      const std::vector<Command> more = commands_of();
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    return all;
+  }();
   return commands;
 }
 

@@ -2,8 +2,7 @@
 #ifndef AIBO_DRIVER_COMMAND_LINE_COMMAND_H
 #define AIBO_DRIVER_COMMAND_LINE_COMMAND_H
 
-#include <boost/program_options.hpp>
-#include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,15 +30,27 @@ class FailedException : public aibo_client::Exception {
 /// The words that the user typed behind the name of a command, and the options for all commands.
 struct Arguments {
   RobotAddress robot;
-  std::vector<std::string> words;                ///< the words that are not options
-  boost::program_options::variables_map values;  ///< the command's own options
+  std::vector<std::string> words;             ///< the words that are not options
+  std::map<std::string, std::string> values;  ///< the options that were given or have a default, by their long names
 
   bool has(const std::string& option) const { return values.count(option) > 0; }
 
-  template <typename Value>
-  const Value& get(const std::string& option) const {
-    return values[option].as<Value>();
-  }
+  /// @return the value as it was typed; empty if the option has neither a value nor a default
+  std::string get(const std::string& option) const;
+
+  /// @throw InvalidArgumentException the value is not a number from lowest to highest
+  double number(const std::string& option, double lowest, double highest) const;
+
+  /// @throw InvalidArgumentException the value is not a whole number from lowest to highest
+  int wholeNumber(const std::string& option, int lowest, int highest) const;
+};
+
+/// An option of a command, or of all commands.
+struct Option {
+  std::string name;           ///< "seconds", or "output,o" if it has a letter, too
+  std::string argument;       ///< what the help calls its value; empty if it takes no value
+  std::string default_value;  ///< empty if it has none
+  std::string meaning;        ///< for the help
 };
 
 struct Example {
@@ -50,24 +61,15 @@ struct Example {
 /// A command. Help, manual, completion and the parser of arguments all use this description.
 struct Command {
   std::string name;
-  std::string synopsis;  ///< the command's words, such as "JOINT=ANGLE..."; empty if it has none
-  std::string summary;   ///< a few words
-  std::string details;   ///< whole sentences
+  /// The command's words, such as "FILE [NAME]" or "JOINT=ANGLE..."; empty if it has none. The parser allows as many
+  /// words as it says: a word in brackets may be left out, and the last one may be repeated if it ends with three dots.
+  std::string synopsis;
+  std::string summary;  ///< a few words
+  std::string details;  ///< whole sentences
   std::vector<Example> examples;
-  std::size_t fewest_words = 0;
-  std::size_t most_words = 0;
-  std::vector<std::string> completions;  ///< completions of its words; "FILE" stands for files
-  void (*add_options)(boost::program_options::options_description& options) = nullptr;  ///< null if it has no options
-  ExitStatus (*run)(const Arguments& arguments, Output& output) = nullptr;
-
-  /// The command's own options.
-  boost::program_options::options_description options() const {
-    boost::program_options::options_description options("Options of " + name);
-    if (add_options != nullptr) {
-      add_options(options);
-    }
-    return options;
-  }
+  ExitStatus (*run)(const Arguments& arguments, Output& output);
+  std::vector<Option> options = {};           ///< the command's own options
+  std::vector<std::string> completions = {};  ///< completions of its words; "FILE" stands for files
 };
 
 /// All commands, in the order of the help.

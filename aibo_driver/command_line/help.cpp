@@ -10,6 +10,8 @@ namespace {
 
 namespace po = boost::program_options;
 
+constexpr const char* kCommonTitle = "Options of all commands";
+
 ExitStatus showHelp(const Arguments& arguments, Output& output) {
   if (arguments.words.empty()) {
     output.result(generalHelp(), Json::object({{"help", generalHelp()}}));
@@ -41,31 +43,46 @@ std::string wrapped(const std::string& text) {
 
 }  // namespace
 
-po::options_description commonOptions() {
-  po::options_description options("Options of all commands");
-  options.add_options()("host", po::value<std::string>()->value_name("NAME"),
-                        "the robot's name or address; the default is $AIBO_HOST, or else 127.0.0.1")(
-      "port", po::value<std::string>()->default_value("54321")->value_name("N"), "its RCServer's port")(
-      "timeout", po::value<std::string>()->default_value("5")->value_name("S"),
-      "longest time to wait for the connection, 0.1 to 60")("json", "results for scripts, as JSON")(
-      "help", "explains a command")("version", "shows the version of this program");
+const std::vector<Option>& commonOptions() {
+  static const std::vector<Option> options = {
+      {"host", "NAME", "", "the robot's name or address; the default is $AIBO_HOST, or else 127.0.0.1"},
+      {"port", "N", "54321", "its RCServer's port"},
+      {"timeout", "S", "5", "longest time to wait for the connection, 0.1 to 60"},
+      {"json", "", "", "results for scripts, as JSON"},
+      {"help", "", "", "explains a command"},
+      {"version", "", "", "shows the version of this program"}};
   return options;
+}
+
+po::options_description describe(const std::string& title, const std::vector<Option>& options) {
+  po::options_description description(title);
+  for (const Option& option : options) {
+    if (option.argument.empty()) {
+      description.add_options()(option.name.c_str(), option.meaning.c_str());
+      continue;
+    }
+    auto* const value = po::value<std::string>()->value_name(option.argument);
+    if (!option.default_value.empty()) {
+      value->default_value(option.default_value);
+    }
+    description.add_options()(option.name.c_str(), value, option.meaning.c_str());
+  }
+  return description;
 }
 
 std::string generalHelp() {
   std::string text =
-      "usage: aibo [--host NAME] [--port N] [--json] COMMAND ...\n\n"
-      "Talks to the RCServer of an Aibo, without ROS.\n\n";
+      "usage: aibo [--host NAME] [--port N] [--json] COMMAND ...\n\nTalks to the RCServer of an Aibo, without ROS.\n\n";
   for (const Command& command : allCommands()) {
     char line[128];
     std::snprintf(line, sizeof line, "  %-11s %s\n", command.name.c_str(), command.summary.c_str());
     text += line;
   }
   std::ostringstream options;
-  options << commonOptions();
+  options << describe(kCommonTitle, commonOptions());
   return text + "\n" + options.str() +
-         "\n`aibo help COMMAND` explains a command, with examples.\n"
-         "`source <(aibo completion)` lets bash complete them. `aibo manual | man -l -` is the manual.";
+         "\n`aibo help COMMAND` explains a command, with examples.\n`source <(aibo completion)` lets bash complete "
+         "them. `aibo manual | man -l -` is the manual.";
 }
 
 std::string helpOf(const Command& command) {
@@ -77,24 +94,21 @@ std::string helpOf(const Command& command) {
     text += line;
   }
   std::ostringstream options;
-  if (command.add_options != nullptr) {
-    options << "\n" << command.options();
+  if (!command.options.empty()) {
+    options << "\n" << describe("Options of " + command.name, command.options);
   }
-  options << "\n" << commonOptions();
+  options << "\n" << describe(kCommonTitle, commonOptions());
   text += options.str();
   return text.substr(0, text.find_last_not_of('\n') + 1);
 }
 
-Command helpCommand() {
-  Command command;
-  command.name = "help";
-  command.synopsis = "[COMMAND]";
-  command.summary = "explains a command, or lists all";
-  command.details = "It needs no robot.";
-  command.examples = {{"help move", "explains how joints are moved"}};
-  command.most_words = 1;
-  command.run = showHelp;
-  return command;
+std::vector<Command> helpCommands() {
+  return {{"help",
+           "[COMMAND]",
+           "explains a command, or lists all",
+           "It needs no robot.",
+           {{"help move", "explains how joints are moved"}},
+           showHelp}};
 }
 
 }  // namespace aibo_driver::command_line

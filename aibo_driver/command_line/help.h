@@ -3,14 +3,20 @@
 #ifndef AIBO_DRIVER_COMMAND_LINE_HELP_H
 #define AIBO_DRIVER_COMMAND_LINE_HELP_H
 
+#include <boost/program_options.hpp>
 #include <string>
+#include <vector>
 
 #include "command_line/command.h"
 
 namespace aibo_driver::command_line {
 
 /// The options that are common to all commands.
-boost::program_options::options_description commonOptions();
+const std::vector<Option>& commonOptions();
+
+/// The options in the form in which Boost parses and prints them.
+/// @param title the line above them in the help
+boost::program_options::options_description describe(const std::string& title, const std::vector<Option>& options);
 
 /// Lists all commands, one in a line.
 std::string generalHelp();
@@ -18,9 +24,8 @@ std::string generalHelp();
 /// Describes one command in full.
 std::string helpOf(const Command& command);
 
-Command helpCommand();        ///< help [COMMAND]
-Command manualCommand();      ///< manual: the manual page (roff)
-Command completionCommand();  ///< completion: a script for bash
+std::vector<Command> helpCommands();    ///< help
+std::vector<Command> manualCommands();  ///< manual (in roff) and completion (a script for bash)
 
 }  // namespace aibo_driver::command_line
 

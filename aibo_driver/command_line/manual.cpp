@@ -7,8 +7,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-namespace po = boost::program_options;
-
 /// Escapes a text for roff, so that none of its characters is a request.
 std::string roff(const std::string& text) {
   std::string escaped;
@@ -18,9 +16,10 @@ std::string roff(const std::string& text) {
   return (escaped.rfind('.', 0) == 0 || escaped.rfind('\'', 0) == 0 ? "\\&" : "") + escaped;
 }
 
-std::string roffOf(const po::options_description& options) {
+std::string roffOf(const std::vector<Option>& options) {
   std::string text;
-  for (const auto& option : options.options()) {
+  const auto description = describe("", options);
+  for (const auto& option : description.options()) {
     const std::string argument = option->format_parameter();
     text += ".TP\n.B " + roff(option->format_name()) + (argument.empty() ? "" : " \\fR" + roff(argument)) + "\n" +
             roff(option->description()) + "\n";
@@ -31,7 +30,7 @@ std::string roffOf(const po::options_description& options) {
 std::string roffOf(const Command& command) {
   std::string text = ".SS " + roff(command.name + (command.synopsis.empty() ? "" : " " + command.synopsis)) + "\n" +
                      roff(command.name + ": " + command.summary + ". " + command.details) + "\n" +
-                     roffOf(command.options());
+                     roffOf(command.options);
   for (const Example& example : command.examples) {
     text += ".TP\n.B " + roff("aibo " + example.arguments) + "\n" + roff(example.effect) + "\n";
   }
@@ -49,13 +48,14 @@ std::string manual() {
     text += roffOf(command);
   }
   return text +
-         ".SH EXIT STATUS\n"
-         ".TP\n.B 0\ndone\n"
-         ".TP\n.B 1\nthe robot refused, or did not do what it was told; a file could not be read or written\n"
-         ".TP\n.B 2\nwrong arguments\n"
-         ".TP\n.B 3\nno connection to the robot, or it was lost\n"
-         ".TP\n.B 130\nCtrl\\-C; for watch this is the usual end, and the status is 0\n"
-         ".SH ENVIRONMENT\n.TP\n.B AIBO_HOST\nname or address of the robot, unless \\-\\-host is given";
+         ".SH EXIT STATUS\n.TP\n.B 0\ndone\n.TP\n.B 1\nthe robot refused, or did not do what it was told; a file could "
+         "not be read or written\n.TP\n.B 2\nwrong arguments\n.TP\n.B 3\nno connection to the robot, or it was "
+         "lost\n.TP\n.B 130\nCtrl\\-C; for watch this is the usual end, and the status is 0\n.SH ENVIRONMENT\n.TP\n.B "
+         "AIBO_HOST\nname or address of the robot, unless \\-\\-host is given";
+}
+
+std::string longName(const Option& option) {
+  return option.name.substr(0, option.name.find(','));
 }
 
 /// The options and words that bash offers behind a command.
@@ -69,10 +69,9 @@ std::string completionOf(const Command& command) {
       words += " " + word;
     }
   }
-  const po::options_description options = command.options();
-  for (const auto& option : options.options()) {
-    words += " --" + option->long_name();
-    files = option->long_name() == "output" || option->long_name() == "save" ? " -f" : files;
+  for (const Option& option : command.options) {
+    words += " --" + longName(option);
+    files = option.argument == "FILE" || option.argument == "FOLDER" ? " -f" : files;
   }
   return "    " + command.name + ") COMPREPLY=($(compgen" + files + " -W \"" + words + " $common\" -- \"$word\")) ;;\n";
 }
@@ -85,9 +84,8 @@ std::string completion() {
     names += (names.empty() ? "" : " ") + command.name;
     cases += completionOf(command);
   }
-  const po::options_description options = commonOptions();
-  for (const auto& option : options.options()) {
-    common += (common.empty() ? "--" : " --") + option->long_name();
+  for (const Option& option : commonOptions()) {
+    common += (common.empty() ? "--" : " --") + longName(option);
   }
   return "# bash completion of aibo: source <(aibo completion)\n"
          "_aibo() {\n"
@@ -105,10 +103,8 @@ std::string completion() {
          "    '') COMPREPLY=($(compgen -W \"$names $common\" -- \"$word\")) ;;\n"
          "    help) COMPREPLY=($(compgen -W \"$names\" -- \"$word\")) ;;\n" +
          cases +
-         "  esac\n"
-         "  if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *= ]]; then compopt -o nospace; fi\n"
-         "}\n"
-         "complete -F _aibo aibo";
+         "  esac\n  if [[ ${#COMPREPLY[@]} -eq 1 && ${COMPREPLY[0]} == *= ]]; then compopt -o nospace; fi\n}\ncomplete "
+         "-F _aibo aibo";
 }
 
 ExitStatus showManual(const Arguments&, Output& output) {
@@ -123,24 +119,19 @@ ExitStatus showCompletion(const Arguments&, Output& output) {
 
 }  // namespace
 
-Command manualCommand() {
-  Command command;
-  command.name = "manual";
-  command.summary = "prints the manual page";
-  command.details = "In roff, for man. Where the program is installed, `man aibo` shows it.";
-  command.examples = {{"manual | man -l -", "shows it from anywhere"}};
-  command.run = showManual;
-  return command;
-}
-
-Command completionCommand() {
-  Command command;
-  command.name = "completion";
-  command.summary = "prints the completion for bash";
-  command.details = "Put `source <(aibo completion)` into ~/.bashrc.";
-  command.examples = {{"completion > ~/.local/share/bash-completion/completions/aibo", "installs it"}};
-  command.run = showCompletion;
-  return command;
+std::vector<Command> manualCommands() {
+  return {{"manual",
+           "",
+           "prints the manual page",
+           "The page is in roff, for man. Where the program is installed, `man aibo` shows it.",
+           {{"manual | man -l -", "shows it from anywhere"}},
+           showManual},
+          {"completion",
+           "",
+           "prints the completion for bash",
+           "Put `source <(aibo completion)` into ~/.bashrc.",
+           {{"completion > ~/.local/share/bash-completion/completions/aibo", "installs it"}},
+           showCompletion}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -24,7 +24,7 @@ bool wantsJson(const std::vector<std::string>& words);
 /// Parses the words. The first word that is no option is the command. Its options and the common ones may be anywhere
 /// behind it.
 /// @param words the words without the program's name
-/// @throw InvalidArgumentException, boost::program_options::error something is wrong; the message says what
+/// @throw InvalidArgumentException something is wrong; the message says what
 CommandLine parse(const std::vector<std::string>& words);
 
 }  // namespace aibo_driver::command_line

@@ -32,7 +32,7 @@ struct RobotAddress {
 struct ArrivedPicture {
   aibo_client::PicturePtr picture;
   std::chrono::steady_clock::time_point time;
-  double age = 0;  ///< s, at this time; that of the freshest picture counts as 0, and so does one that is not known
+  double age = 0;  ///< s, beyond the age of the freshest picture; 0 if it is not known
 };
 
 /// The data that a robot has sent so far.

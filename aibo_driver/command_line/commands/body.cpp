@@ -101,24 +101,19 @@ ExitStatus showBattery(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command sensorsCommand() {
-  Command command;
-  command.name = "sensors";
-  command.summary = "shows what the sensors measure";
-  command.details = "Distances, accelerations, buttons and touch, the battery. A server of version 1 takes a second.";
-  command.examples = {{"sensors", "one line a sensor"}, {"--json sensors", "the same for scripts"}};
-  command.run = showSensors;
-  return command;
-}
-
-Command batteryCommand() {
-  Command command;
-  command.name = "battery";
-  command.summary = "shows how full and how warm the battery is";
-  command.details = "The charge goes from 0 to 1 in JSON.";
-  command.examples = {{"battery", "such as 87 % charged, 29 degrees Celsius"}};
-  command.run = showBattery;
-  return command;
+std::vector<Command> bodyCommands() {
+  return {{"sensors",
+           "",
+           "shows what the sensors measure",
+           "It shows distances, accelerations, buttons, touch and the battery. A server of version 1 takes a second.",
+           {{"sensors", "one line a sensor"}, {"--json sensors", "the same for scripts"}},
+           showSensors},
+          {"battery",
+           "",
+           "shows how full and how warm the battery is",
+           "The charge goes from 0 to 1 in JSON.",
+           {{"battery", "such as 87 % charged, 29 degrees Celsius"}},
+           showBattery}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -22,31 +22,31 @@ using aibo_client::Resolution;
 
 namespace {
 
-namespace po = boost::program_options;
 using node::LinkMeter;
 using std::chrono::steady_clock;
 
 constexpr double kLongestWatch = 7 * 24 * 3600;  // s
 constexpr std::chrono::milliseconds kPictureTimeout{5000};
 
-/// Options of both commands. No command sets the camera, because the robot resets its camera when its client
-/// disconnects.
-void addCameraOptions(po::options_description& options) {
-  options.add_options()("quality,q", po::value<std::string>()->default_value("85")->value_name("N"),
-                        "of the JPEG, 1 to 100")(
-      "resolution", po::value<std::string>()->default_value("208x160")->value_name("WxH"), node::kResolutionNames)(
-      "white-balance", po::value<std::string>()->value_name("NAME"), "indoor, outdoor, fluorescent or auto")(
-      "gain", po::value<std::string>()->value_name("NAME"), "low, mid or high")(
-      "shutter", po::value<std::string>()->value_name("NAME"), "slow, mid or fast")(
-      "auto-exposure", "lets the camera choose gain and shutter speed");
+/// The options of a command, and those of both. No command sets the camera for good, because the robot resets its
+/// camera when its client disconnects.
+std::vector<Option> withCameraOptions(std::vector<Option> options) {
+  const std::vector<Option> common = {{"quality,q", "N", "85", "of the JPEG, 1 to 100"},
+                                      {"resolution", "WxH", "208x160", node::kResolutionNames},
+                                      {"white-balance", "NAME", "", "indoor, outdoor, fluorescent or auto"},
+                                      {"gain", "NAME", "", "low, mid or high"},
+                                      {"shutter", "NAME", "", "slow, mid or fast"},
+                                      {"auto-exposure", "", "", "lets the camera choose gain and shutter speed"}};
+  options.insert(options.end(), common.begin(), common.end());
+  return options;
 }
 
 int qualityIn(const Arguments& arguments) {
-  return parseWholeNumber("--quality", arguments.get<std::string>("quality"), 1, 100);
+  return arguments.wholeNumber("quality", 1, 100);
 }
 
 Resolution resolutionIn(const Arguments& arguments) {
-  const std::string& name = arguments.get<std::string>("resolution");
+  const std::string name = arguments.get("resolution");
   const std::optional<Resolution> resolution = node::resolutionOf(name);
   if (!resolution) {
     throw aibo_client::InvalidArgumentException("--resolution can be " + std::string(node::kResolutionNames) +
@@ -71,17 +71,17 @@ int numberOf(const std::string& option, const std::string& name, const std::vect
 std::optional<CameraSettings> cameraSettingsIn(const Arguments& arguments) {
   CameraSettings settings;
   if (arguments.has("white-balance")) {
-    const std::string& name = arguments.get<std::string>("white-balance");
+    const std::string name = arguments.get("white-balance");
     settings.auto_white_balance = name == "auto";
     if (!settings.auto_white_balance) {
       settings.white_balance = numberOf("white-balance", name, {"indoor", "outdoor", "fluorescent", "auto"});
     }
   }
   if (arguments.has("gain")) {
-    settings.gain = numberOf("gain", arguments.get<std::string>("gain"), {"low", "mid", "high"});
+    settings.gain = numberOf("gain", arguments.get("gain"), {"low", "mid", "high"});
   }
   if (arguments.has("shutter")) {
-    settings.shutter_speed = numberOf("shutter", arguments.get<std::string>("shutter"), {"slow", "mid", "fast"});
+    settings.shutter_speed = numberOf("shutter", arguments.get("shutter"), {"slow", "mid", "fast"});
   }
   settings.auto_exposure = arguments.has("auto-exposure");
   return settings == CameraSettings() ? std::nullopt : std::make_optional(settings);
@@ -113,8 +113,8 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
   }
   if (!robot.received().status.robot.hasCapability("G")) {
     throw aibo_client::CommandException(
-        "this server has no request to set its camera; leave --white-balance, --gain, --shutter and "
-        "--auto-exposure out");
+        "this server has no request to set its camera; leave --white-balance, --gain, --shutter and --auto-exposure "
+        "out");
   }
   robot.client().setCameraSettings(*settings);
   const steady_clock::time_point end = steady_clock::now() + kPictureTimeout;
@@ -128,8 +128,7 @@ PicturePtr takePicture(Robot& robot, const Arguments& arguments) {
 }
 
 ExitStatus picture(const Arguments& arguments, Output& output) {
-  const std::string file =
-      arguments.has("output") ? arguments.get<std::string>("output") : "aibo-" + timeInName() + ".jpg";
+  const std::string file = arguments.has("output") ? arguments.get("output") : "aibo-" + timeInName() + ".jpg";
   resolutionIn(arguments);
   cameraSettingsIn(arguments);
   Robot robot(arguments.robot, output, clientOptionsIn(arguments));
@@ -151,7 +150,7 @@ class Album {
  public:
   Album(const Arguments& arguments, Output& output) : output_(output), plays_(arguments.has("play")) {
     if (arguments.has("save")) {
-      folder_ = arguments.get<std::string>("save");
+      folder_ = arguments.get("save");
       if (!std::filesystem::is_directory(folder_)) {
         throw files::FileException("cannot save to '" + folder_ + "': there is no such folder; make it first");
       }
@@ -183,7 +182,7 @@ class Album {
   unsigned long long saved_ = 0;
 };
 
-/// Takes pictures until a time.
+/// Takes the stream's pictures until a point in time.
 void takeUntil(Robot& robot, LinkMeter& meter, int every, Album& album, steady_clock::time_point end) {
   const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
   while (robot.waitUntil(has_pictures, end - steady_clock::now(), Robot::Loss::kIsTolerated)) {
@@ -204,8 +203,8 @@ void reportSecond(const Robot& robot, LinkMeter& meter, Output& output) {
 }
 
 ExitStatus watch(const Arguments& arguments, Output& output) {
-  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0, kLongestWatch);
-  const int every = parseWholeNumber("--every", arguments.get<std::string>("every"), 1, 65535);
+  const double seconds = arguments.number("seconds", 0, kLongestWatch);
+  const int every = arguments.wholeNumber("every", 1, 65535);
   const aibo_client::StreamFormat format{resolutionIn(arguments), every};
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
   Album album(arguments, output);
@@ -239,46 +238,35 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command pictureCommand() {
-  Command command;
-  command.name = "picture";
-  command.summary = "takes a picture with the robot's camera";
-  command.details =
-      "Without -o, the file gets a name with the time. It replaces nothing but JPEGs. `-o -` writes the picture to the "
-      "standard output. A server of version 1 has 208x160 alone, and no settings of the camera.";
-  command.examples = {{"picture -o aibo.jpg", "saves aibo.jpg"},
-                      {"picture -q 95 --white-balance indoor", "better, for lamps"},
-                      {"picture -o - | feh -", "shows it"}};
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
-                          "file to write; - is the standard output");
-    addCameraOptions(options);
-  };
-  command.run = picture;
-  return command;
-}
-
-Command watchCommand() {
-  Command command;
-  command.name = "watch";
-  command.summary = "streams pictures and shows the link's quality once a second";
-  command.details =
-      "Until Ctrl-C, or for --seconds. The age of a picture counts from the camera's image, beyond the shortest time "
-      "that any picture took; loss is the share of the camera's images that did not come. A server of version 1 tells "
-      "neither. A lost connection is made again. With --json, each second is a document in a line of its own.";
-  command.examples = {{"watch", "pictures a second, data rate, age, loss"},
-                      {"watch --save pictures --seconds 10", "saves each picture in the folder `pictures`"},
-                      {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"}};
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("seconds", po::value<std::string>()->default_value("0")->value_name("S"),
-                          "how long; 0: until Ctrl-C")("save", po::value<std::string>()->value_name("FOLDER"),
-                                                       "saves each picture in this folder")(
-        "play", "writes the pictures (MJPEG) to the standard output, and the figures to the standard error output")(
-        "every", po::value<std::string>()->default_value("1")->value_name("N"), "every n-th image of the camera");
-    addCameraOptions(options);
-  };
-  command.run = watch;
-  return command;
+std::vector<Command> cameraCommands() {
+  return {
+      {"picture",
+       "",
+       "takes a picture with the robot's camera",
+       "Without -o, the file gets a name with the time. It replaces nothing but JPEGs. `-o -` writes the picture to "
+       "the standard output. A server of version 1 has only pictures of 208x160, and no settings of the camera.",
+       {{"picture -o aibo.jpg", "saves aibo.jpg"},
+        {"picture -q 95 --white-balance indoor", "a better picture in the light of lamps"},
+        {"picture -o - | feh -", "shows it"}},
+       picture,
+       withCameraOptions({{"output,o", "FILE", "", "file to write; - is the standard output"}})},
+      {"watch",
+       "",
+       "streams pictures and shows the link's quality once a second",
+       "It ends at Ctrl-C, or after --seconds. The age of a picture counts from the camera's image, beyond the "
+       "shortest time that any picture took; loss is the share of the camera's images that did not come. A server of "
+       "version 1 tells neither. A lost connection is made again. With --json, each second is a document in a line of "
+       "its own.",
+       {{"watch", "pictures a second, data rate, age, loss"},
+        {"watch --save pictures --seconds 10", "saves each picture in the folder `pictures`"},
+        {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"}},
+       watch,
+       withCameraOptions(
+           {{"seconds", "S", "0", "how long to watch; 0: until Ctrl-C"},
+            {"save", "FOLDER", "", "saves each picture in this folder"},
+            {"play", "", "",
+             "writes the pictures (MJPEG) to the standard output, and the figures to the standard error output"},
+            {"every", "N", "1", "every n-th image of the camera"}})}};
 }
 
 }  // namespace aibo_driver::command_line

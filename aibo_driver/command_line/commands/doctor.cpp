@@ -20,7 +20,6 @@ using aibo_client::FaultKind;
 
 namespace {
 
-namespace po = boost::program_options;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
@@ -33,9 +32,8 @@ constexpr double kLongGap = 0.5;        // s, between two pictures
 constexpr double kLowCharge = 0.2;      // the driver's diagnostics have the same limit
 constexpr double kBatteryPatience = 3;  // s
 constexpr char kWlanSwitch[] =
-    " A robot that was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
-    "button, "
-    "and wait until the robot has stopped, before you set it.";
+    " If the robot was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
+    "button, and wait until the robot has stopped, before you set it.";
 
 /// One line of the report.
 struct Finding {
@@ -276,29 +274,22 @@ ExitStatus diagnose(const Arguments& arguments, Output& output) {
     address.host = arguments.words.front();
     address.host_is_given = true;
   }
-  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 1, kLongestTest);
+  const double seconds = arguments.number("seconds", 1, kLongestTest);
   return Doctor(address, seconds, output).run();
 }
 
 }  // namespace
 
-Command doctorCommand() {
-  Command command;
-  command.name = "doctor";
-  command.synopsis = "[HOST]";
-  command.summary = "checks the way to a robot, and says what to do";
-  command.details =
-      "Name, port, server, battery, then the stream for --seconds. It moves nothing. The exit status is 0 if all is "
-      "well, 1 if something is bad, 3 if the robot does not serve this computer.";
-  command.examples = {{"doctor 192.168.1.20", "the first thing to run with a new robot"},
-                      {"--json doctor", "one document, for scripts"}};
-  command.most_words = 1;
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("seconds", po::value<std::string>()->default_value("10")->value_name("S"),
-                          "how long to watch the stream, 1 to 600");
-  };
-  command.run = diagnose;
-  return command;
+std::vector<Command> doctorCommands() {
+  return {{"doctor",
+           "[HOST]",
+           "checks the way to a robot, and says what to do",
+           "It checks name, port, server and battery, and then the stream for --seconds. It moves nothing. The exit "
+           "status is 0 if all is well, 1 if something is bad, 3 if the robot does not serve this computer.",
+           {{"doctor 192.168.1.20", "the first thing to run with a new robot"},
+            {"--json doctor", "one document, for scripts"}},
+           diagnose,
+           {{"seconds", "S", "10", "how long to watch the stream, 1 to 600"}}}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -21,7 +21,6 @@ using aibo_client::InvalidArgumentException;
 
 namespace {
 
-namespace po = boost::program_options;
 using std::chrono::steady_clock;
 
 constexpr double kMargin = 3;            // s, in addition to the time that a way takes
@@ -59,13 +58,13 @@ Move parseMove(const Arguments& arguments) {
   }
   move.speed = movement::kUsualApproachSpeed;
   if (arguments.has("speed")) {
-    move.speed = parseAngularSpeed("--speed", arguments.get<std::string>("speed"));
+    move.speed = parseAngularSpeed("--speed", arguments.get("speed"));
     if (!(move.speed >= kLowestSpeed && move.speed <= movement::kUsualSpeedLimit)) {
       throw InvalidArgumentException("--speed can be 0.6deg/s to 171deg/s (3 rad/s)");
     }
   }
   if (arguments.has("duration")) {
-    move.duration = parseNumber("--duration", arguments.get<std::string>("duration"), 0, kLongestDuration);
+    move.duration = arguments.number("duration", 0, kLongestDuration);
   }
   return move;
 }
@@ -277,41 +276,31 @@ ExitStatus showJoints(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command jointsCommand() {
-  Command command;
-  command.name = "joints";
-  command.summary = "shows where the joints are";
-  command.details = "In degrees; in radians with --json. A server of version 1 takes a second.";
-  command.examples = {{"joints", "one line a joint, with its limits"}};
-  command.run = showJoints;
-  return command;
-}
-
-Command moveCommand() {
-  Command command;
-  command.name = "move";
-  command.synopsis = "JOINT=ANGLE...";
-  command.summary = "moves joints, and waits until they have arrived";
-  command.details =
-      "Angles need a unit, deg or rad. Joints keep to their limits, and what was clamped is said. They move at the "
-      "driver's approach speed, 29 degrees a second, unless --speed or --duration says otherwise. The motors have to "
-      "be "
-      "on. Ctrl-C lets the joints hold. When the command has ended, they hold their positions.";
-  command.examples = {{"move head_pan=30deg", "looks to the left"},
-                      {"move tail_pan=-0.5rad mouth=-20deg --duration 2", "both arrive after 2 s"}};
-  command.fewest_words = 1;
-  command.most_words = 32;
+std::vector<Command> jointCommands() {
+  std::vector<std::string> joints;
   const movement::JointTable table("ERS-7", movement::kUsualSpeedLimit);
   for (const movement::JointProperties& joint : table.joints()) {
-    command.completions.push_back(joint.name + "=");
+    joints.push_back(joint.name + "=");
   }
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("duration", po::value<std::string>()->value_name("S"),
-                          "time after which all arrive together, 0 to 60; longer if the speed does not allow it")(
-        "speed", po::value<std::string>()->value_name("SPEED"), "greatest speed, such as 60deg/s; at most 171deg/s");
-  };
-  command.run = moveJoints;
-  return command;
+  return {
+      {"joints",
+       "",
+       "shows where the joints are",
+       "Angles are in degrees, or in radians with --json. A server of version 1 takes a second.",
+       {{"joints", "one line a joint, with its limits"}},
+       showJoints},
+      {"move",
+       "JOINT=ANGLE...",
+       "moves joints, and waits until they have arrived",
+       "Angles need a unit, deg or rad. Joints keep to their limits, and the command says what was clamped. They move "
+       "at the driver's approach speed, 29 degrees a second, unless --speed or --duration says otherwise. The motors "
+       "have to be on. Ctrl-C lets the joints hold. When the command has ended, they hold their positions.",
+       {{"move head_pan=30deg", "looks to the left"},
+        {"move tail_pan=-0.5rad mouth=-20deg --duration 2", "both arrive after 2 s"}},
+       moveJoints,
+       {{"duration", "S", "", "time after which all arrive together, 0 to 60; longer if the speed does not allow it"},
+        {"speed", "SPEED", "", "greatest speed, such as 60deg/s; at most 171deg/s"}},
+       joints}};
 }
 
 }  // namespace aibo_driver::command_line

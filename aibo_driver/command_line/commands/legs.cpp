@@ -15,8 +15,6 @@ using aibo_client::WalkVelocity;
 
 namespace {
 
-namespace po = boost::program_options;
-
 constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last command
 constexpr double kLongestWalk = 60;                        // s
 constexpr double kLongestPosture = 30;                     // s; lying down from standing takes about 5
@@ -61,7 +59,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
 
 ExitStatus walk(const Arguments& arguments, Output& output) {
   const WalkVelocity velocity = velocityOf(arguments);
-  const double seconds = parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestWalk);
+  const double seconds = arguments.number("seconds", 0.1, kLongestWalk);
   if (velocity.isZero()) {
     throw aibo_client::InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
   }
@@ -99,57 +97,36 @@ ExitStatus rest(const Arguments& arguments, Output& output) {
   return takePosture(arguments, output, Posture::kRest, "rest", "The robot lies, and its motors are off.");
 }
 
-Command postureCommand(const std::string& name, const std::string& summary) {
-  Command command;
-  command.name = name;
-  command.summary = summary;
-  command.details =
-      "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. To stand or sit, the "
-      "robot switches its motors on. A server of version 1 has no such request; a motion such as SIT.MTN may do.";
-  command.examples = {{name, summary}};
-  return command;
+Command postureCommand(const std::string& name, const std::string& summary,
+                       ExitStatus (*run)(const Arguments& arguments, Output& output)) {
+  return {name,
+          "",
+          summary,
+          "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. To stand or sit, "
+          "the robot switches its motors on. A server of version 1 has no such request; a motion such as SIT.MTN may "
+          "do.",
+          {{name, summary}},
+          run};
 }
 
 }  // namespace
 
-Command walkCommand() {
-  Command command;
-  command.name = "walk";
-  command.synopsis = "[forward=SPEED] [left=SPEED] [turn=SPEED]";
-  command.summary = "walks for a short time";
-  command.details =
-      "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
-      "clockwise. The robot keeps to its limits. It stands up first if it has to, and stands at the end. Ctrl-C stops "
-      "it, and so does a lost connection, within half a second. The motors have to be on. A server of version 1 cannot "
-      "walk.";
-  command.examples = {{"walk forward=5cm/s --seconds 3", "about 15 cm"}, {"walk turn=-20deg/s", "to the right"}};
-  command.fewest_words = 1;
-  command.most_words = 3;
-  command.completions = {"forward=", "left=", "turn="};
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("seconds", po::value<std::string>()->default_value("1")->value_name("S"),
-                          "how long, 0.1 to 60");
-  };
-  command.run = walk;
-  return command;
-}
-
-Command standCommand() {
-  Command command = postureCommand("stand", "stands up");
-  command.run = stand;
-  return command;
-}
-
-Command sitCommand() {
-  Command command = postureCommand("sit", "sits down");
-  command.run = sit;
-  return command;
-}
-
-Command restCommand() {
-  Command command = postureCommand("rest", "lies down and switches the motors off");
-  command.run = rest;
-  return command;
+std::vector<Command> legCommands() {
+  return {
+      {"walk",
+       "[forward=SPEED] [left=SPEED] [turn=SPEED]",
+       "walks for a short time",
+       "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
+       "clockwise. The robot keeps to its limits. It stands up first if it has to, and stands at the end. Ctrl-C stops "
+       "it, and so does a lost connection, within half a second. The motors have to be on. A server of version 1 "
+       "cannot walk.",
+       {{"walk forward=5cm/s --seconds 3", "about 15 cm"}, {"walk turn=-20deg/s", "to the right"}},
+       walk,
+       {{"seconds", "S", "1", "how long, 0.1 to 60"}},
+       {"forward=", "left=", "turn="}},
+      postureCommand("stand", "stands up", stand),
+      postureCommand("sit", "sits down", sit),
+      postureCommand("rest", "lies down and switches the motors off", rest)};
 }
 
 }  // namespace aibo_driver::command_line

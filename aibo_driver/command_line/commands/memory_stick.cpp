@@ -10,8 +10,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-namespace po = boost::program_options;
-
 constexpr std::chrono::milliseconds kTimeout{15000};  // a stick may be slow, and a picture may be large
 constexpr const char* kPictureEnding = ".JPG";
 
@@ -20,7 +18,7 @@ bool endsWith(const std::string& text, const std::string& end) {
 }
 
 ExitStatus snap(const Arguments& arguments, Output& output) {
-  const int quality = parseWholeNumber("--quality", arguments.get<std::string>("quality"), 1, 100);
+  const int quality = arguments.wholeNumber("quality", 1, 100);
   Robot robot(arguments.robot, output);
   robot.connect();
   const std::string name = robot.client().takePictureOnRobot(quality, kTimeout);
@@ -40,7 +38,7 @@ ExitStatus fetch(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
   const std::vector<std::uint8_t> jpeg = robot.client().fetchPicture(name, kTimeout);
-  const std::string path = output.picture(arguments.has("output") ? arguments.get<std::string>("output") : name, jpeg);
+  const std::string path = output.picture(arguments.has("output") ? arguments.get("output") : name, jpeg);
   output.result(name + ", " + std::to_string(jpeg.size()) + " bytes: " + path,
                 Json::object({{"picture", name}, {"file", path}, {"bytes", jpeg.size()}}));
   return kDone;
@@ -62,62 +60,37 @@ ExitStatus deleteFile(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command snapCommand() {
-  Command command;
-  command.name = "snap";
-  command.summary = "takes a picture and keeps it on the robot's memory stick";
-  command.details =
-      "It is taken with 208x160 pixels and stored under a new name. RCSERVER.CFG on the robot has to allow it "
-      "(ALLOW_PICTURES). `fetch` gets it.";
-  command.examples = {{"snap", "says its name, such as AIBO0001.JPG"}, {"snap -q 95", "at a high quality"}};
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("quality,q", po::value<std::string>()->default_value("85")->value_name("N"),
-                          "of the JPEG, 1 to 100");
-  };
-  command.run = snap;
-  return command;
-}
-
-Command picturesCommand() {
-  Command command;
-  command.name = "pictures";
-  command.summary = "lists the pictures on the robot's memory stick";
-  command.details = "RCSERVER.CFG on the robot has to allow it (ALLOW_PICTURES).";
-  command.examples = {{"pictures", "one name a line"}};
-  command.run = pictures;
-  return command;
-}
-
-Command fetchCommand() {
-  Command command;
-  command.name = "fetch";
-  command.synopsis = "PICTURE";
-  command.summary = "gets a picture from the robot's memory stick, where it stays";
-  command.details =
-      "Without -o, the file gets the picture's name. It replaces nothing but JPEGs. `-o -` writes the picture to the "
-      "standard output. RCSERVER.CFG on the robot has to allow it (ALLOW_PICTURES).";
-  command.examples = {{"fetch aibo0001", "saves AIBO0001.JPG"}, {"fetch aibo0001 -o me.jpg", "saves me.jpg"}};
-  command.fewest_words = command.most_words = 1;
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("output,o", po::value<std::string>()->value_name("FILE"),
-                          "file to write; - is the standard output");
-  };
-  command.run = fetch;
-  return command;
-}
-
-Command deleteCommand() {
-  Command command;
-  command.name = "delete";
-  command.synopsis = "FILE";
-  command.summary = "deletes a motion or a picture from the robot's memory stick";
-  command.details =
-      "A name without an ending is that of a motion. RCSERVER.CFG on the robot has to allow it (ALLOW_DELETE, and "
-      "ALLOW_PICTURES for pictures).";
-  command.examples = {{"delete wave", "WAVE.MTN is gone"}, {"delete aibo0001.jpg", "AIBO0001.JPG is gone"}};
-  command.fewest_words = command.most_words = 1;
-  command.run = deleteFile;
-  return command;
+std::vector<Command> memoryStickCommands() {
+  return {
+      {"snap",
+       "",
+       "takes a picture and keeps it on the robot's memory stick",
+       "It is taken with 208x160 pixels and stored under a new name. RCSERVER.CFG on the robot has to allow it "
+       "(ALLOW_PICTURES). `fetch` gets it.",
+       {{"snap", "says its name, such as AIBO0001.JPG"}, {"snap -q 95", "at a high quality"}},
+       snap,
+       {{"quality,q", "N", "85", "of the JPEG, 1 to 100"}}},
+      {"pictures",
+       "",
+       "lists the pictures on the robot's memory stick",
+       "RCSERVER.CFG on the robot has to allow it (ALLOW_PICTURES).",
+       {{"pictures", "one name a line"}},
+       pictures},
+      {"fetch",
+       "PICTURE",
+       "gets a picture from the robot's memory stick, where it stays",
+       "Without -o, the file gets the picture's name. It replaces nothing but JPEGs. `-o -` writes the picture to the "
+       "standard output. RCSERVER.CFG on the robot has to allow it (ALLOW_PICTURES).",
+       {{"fetch aibo0001", "saves AIBO0001.JPG"}, {"fetch aibo0001 -o me.jpg", "saves me.jpg"}},
+       fetch,
+       {{"output,o", "FILE", "", "file to write; - is the standard output"}}},
+      {"delete",
+       "FILE",
+       "deletes a motion or a picture from the robot's memory stick",
+       "A name without an ending is that of a motion. RCSERVER.CFG on the robot has to allow it (ALLOW_DELETE, and "
+       "ALLOW_PICTURES for pictures).",
+       {{"delete wave", "WAVE.MTN is gone"}, {"delete aibo0001.jpg", "AIBO0001.JPG is gone"}},
+       deleteFile}};
 }
 
 }  // namespace aibo_driver::command_line

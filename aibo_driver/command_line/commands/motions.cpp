@@ -17,8 +17,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-namespace po = boost::program_options;
-
 constexpr std::chrono::milliseconds kPlayTimeout{2000};
 constexpr std::chrono::milliseconds kFileTimeout{5000};
 constexpr std::chrono::milliseconds kUploadTimeout{15000};
@@ -55,14 +53,13 @@ std::optional<std::string> waitWhileItPlays(Robot& robot, const std::string& nam
 
 ExitStatus play(const Arguments& arguments, Output& output) {
   const std::string name = files::motionFileName(arguments.words.front());
-  const int times = parseWholeNumber("--times", arguments.get<std::string>("times"), 1, 65535);
+  const int times = arguments.wholeNumber("times", 1, 65535);
   const bool limited = arguments.has("seconds");
-  double seconds =
-      limited ? parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongestPlay) : kLongestPlay;
-  const double speed = arguments.has("speed") ? parseAngularSpeed("--speed", arguments.get<std::string>("speed"))
-                                              : movement::kNoSpeedLimit;
+  double seconds = limited ? arguments.number("seconds", 0.1, kLongestPlay) : kLongestPlay;
+  const double speed =
+      arguments.has("speed") ? parseAngularSpeed("--speed", arguments.get("speed")) : movement::kNoSpeedLimit;
   if (!(speed >= kLowestSpeed && speed <= movement::kNoSpeedLimit)) {
-    throw aibo_client::InvalidArgumentException("--speed can be 5.8deg/s (0.1 rad/s) to 1145deg/s (20 rad/s)");
+    throw aibo_client::InvalidArgumentException("--speed must be from 5.8deg/s (0.1 rad/s) to 1145deg/s (20 rad/s)");
   }
   Robot robot(arguments.robot, output);
   robot.connect();
@@ -101,54 +98,34 @@ ExitStatus upload(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command motionsCommand() {
-  Command command;
-  command.name = "motions";
-  command.summary = "lists the motions on the robot's memory stick";
-  command.details = "A server of version 1 cannot list them; it plays them by name all the same.";
-  command.examples = {{"motions", "one name a line"}};
-  command.run = list;
-  return command;
-}
-
-Command playCommand() {
-  Command command;
-  command.name = "play";
-  command.synopsis = "MOTION";
-  command.summary = "plays a motion from the robot's memory stick";
-  command.details =
-      "It stays connected until the motion has ended, because the robot stops its motions when its client goes; Ctrl-C "
-      "stops it. The motors have to be on. Each joint may be as fast as it can, as the motion asks for; --speed sets a "
-      "lower limit.";
-  command.examples = {{"play nod", "plays NOD.MTN once"},
-                      {"play wag --times 3", "three times"},
-                      {"play sit --speed 60deg/s", "more slowly, where it is faster than this"}};
-  command.fewest_words = command.most_words = 1;
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("times", po::value<std::string>()->default_value("1")->value_name("N"),
-                          "how often, 1 to 65535")("speed", po::value<std::string>()->value_name("V"),
-                                                   "limit for all joints, such as 90deg/s")(
-        "seconds", po::value<std::string>()->value_name("S"),
-        "longest time to play; the default is to its end, or 10 if the server does not report ends");
-  };
-  command.run = play;
-  return command;
-}
-
-Command uploadCommand() {
-  Command command;
-  command.name = "upload";
-  command.synopsis = "FILE [NAME]";
-  command.summary = "stores a motion on the robot's memory stick";
-  command.details =
-      "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
-      "motion gets the name of its file: at most eight characters and .MTN.";
-  command.examples = {{"upload wave.mtn", "the robot can now play WAVE.MTN"}};
-  command.fewest_words = 1;
-  command.most_words = 2;
-  command.completions = {"FILE"};
-  command.run = upload;
-  return command;
+std::vector<Command> motionCommands() {
+  return {
+      {"motions",
+       "",
+       "lists the motions on the robot's memory stick",
+       "A server of version 1 cannot list them; it plays them by name all the same.",
+       {{"motions", "one name a line"}},
+       list},
+      {"play",
+       "MOTION",
+       "plays a motion from the robot's memory stick",
+       "It stays connected until the motion has ended, because the robot stops its motions when its client goes; "
+       "Ctrl-C stops it. The motors have to be on. Joints keep to the driver's usual speed limit, 3 rad/s.",
+       {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}},
+       play,
+       {{"times", "N", "1", "how often, 1 to 65535"},
+        {"speed", "V", "", "limit for all joints, such as 90deg/s"},
+        {"seconds", "S", "",
+         "longest time to play; the default is to its end, or 10 if the server does not report ends"}}},
+      {"upload",
+       "FILE [NAME]",
+       "stores a motion on the robot's memory stick",
+       "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
+       "motion gets the name of its file: at most eight characters and .MTN.",
+       {{"upload wave.mtn", "the robot can now play WAVE.MTN"}},
+       upload,
+       {},
+       {"FILE"}}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -40,32 +40,25 @@ ExitStatus stop(const Arguments& arguments, Output& output) {
 
 }  // namespace
 
-Command motorsCommand() {
-  Command command;
-  command.name = "motors";
-  command.synopsis = "on|off";
-  command.summary = "switches the motors of all joints on or off";
-  command.details =
-      "With the motors off, the joints can be moved by hand, and a robot that stands will fall: hold it. They stay as "
-      "they are when the command ends. A server of version 1 has no such request.";
-  command.examples = {{"motors on", "the joints hold where they are"}, {"motors off", "the robot goes limp"}};
-  command.fewest_words = command.most_words = 1;
-  command.completions = {"on", "off"};
-  command.run = switchMotors;
-  return command;
-}
-
-Command stopCommand() {
-  Command command;
-  command.name = "stop";
-  command.summary = "stops everything that moves";
-  command.details =
-      "The joints brake and hold, until the next command. The robot serves one client at a time: while a driver or "
-      "another command is connected, stop there (Ctrl-C, or rosservice call /aibo/stop, which holds until "
-      "/aibo/release). A robot without a client has already stopped.";
-  command.examples = {{"stop", "motions, walks and joints stop"}};
-  command.run = stop;
-  return command;
+std::vector<Command> powerCommands() {
+  return {
+      {"motors",
+       "on|off",
+       "switches the motors of all joints on or off",
+       "With the motors off, the joints can be moved by hand, and a robot that stands will fall: hold it. They stay as "
+       "they are when the command ends. A server of version 1 has no such request.",
+       {{"motors on", "the joints hold where they are"}, {"motors off", "the robot goes limp"}},
+       switchMotors,
+       {},
+       {"on", "off"}},
+      {"stop",
+       "",
+       "stops everything that moves",
+       "The joints brake and hold, until the next command. The robot serves one client at a time: while a driver or "
+       "another command is connected, stop there (Ctrl-C, or rosservice call /aibo/stop, which holds until "
+       "/aibo/release). A robot without a client has already stopped.",
+       {{"stop", "motions, walks and joints stop"}},
+       stop}};
 }
 
 }  // namespace aibo_driver::command_line

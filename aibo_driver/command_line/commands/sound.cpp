@@ -18,7 +18,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-namespace po = boost::program_options;
 using std::chrono::seconds;
 
 constexpr double kLongest = 24 * 3600;  // s
@@ -40,7 +39,7 @@ class Level {
   bool isWhole() const { return count_ >= samples_of_second_; }
 
   /// Begins a new second.
-  /// @return the effective value in dB below the loudest that there is
+  /// @return the effective value, in dB relative to the loudest that there is: 0 or less
   double take() {
     constexpr double kLowest = 1;  // samples are whole numbers
     const double effective = std::sqrt(std::exchange(sum_, 0) / static_cast<double>(std::exchange(count_, 0)));
@@ -61,14 +60,12 @@ void showLevel(Level* level, Output& output) {
 
 void requireSound(const Robot& robot) {
   if (!robot.received().status.robot.hasCapability("A")) {
-    throw aibo_client::CommandException("the robot's server has no sound; it takes a newer RCServer");
+    throw aibo_client::CommandException("the robot's server has no sound: put a newer RCServer on its memory stick");
   }
 }
 
 ExitStatus listen(const Arguments& arguments, Output& output) {
-  const double longest = arguments.has("seconds")
-                             ? parseNumber("--seconds", arguments.get<std::string>("seconds"), 0.1, kLongest)
-                             : kLongest;
+  const double longest = arguments.has("seconds") ? arguments.number("seconds", 0.1, kLongest) : kLongest;
   const aibo_client::MicrophoneSettings settings = {true, arguments.has("mono") ? 1 : 2, aibo_client::kSoundRate};
   Robot robot(arguments.robot, output);
   robot.connect();
@@ -117,8 +114,7 @@ ExitStatus play(const Arguments& arguments, Output& output, std::unique_ptr<soun
   const std::shared_ptr<void> finish(nullptr, [&player](void*) { player->finish(); });
   robot.connect();
   if (arguments.has("volume")) {
-    const int volume =
-        parseWholeNumber("--volume", arguments.get<std::string>("volume"), 0, aibo_client::kLoudestVolume);
+    const int volume = arguments.wholeNumber("volume", 0, aibo_client::kLoudestVolume);
     robot.client().setVolume(volume, Robot::kTimeout);
   }
   const auto playback = player->play(std::move(source));
@@ -131,7 +127,7 @@ ExitStatus play(const Arguments& arguments, Output& output, std::unique_ptr<soun
   }
   const std::optional<sound::PlayedSound> end = playback->end();
   if (!end || end->how != aibo_client::EndedHow::kDone) {
-    throw FailedException(end ? end->message : "It still plays.");
+    throw FailedException(end ? end->message : "the robot does not say that the sound has ended");
   }
   output.result(end->message, Json::object({{"to_its_end", true}, {"message", end->message}}));
   return kDone;
@@ -146,69 +142,40 @@ ExitStatus say(const Arguments& arguments, Output& output) {
   for (const std::string& word : arguments.words) {
     text += (text.empty() ? "" : " ") + word;
   }
-  return play(arguments, output, sound::speak(text, arguments.get<std::string>("voice")));
-}
-
-void addVolume(po::options_description& options) {
-  options.add_options()("volume", po::value<std::string>()->value_name("N"),
-                        "0 (silent) to 3; the default is that of the robot's own switch");
+  return play(arguments, output, sound::speak(text, arguments.get("voice")));
 }
 
 }  // namespace
 
-Command listenCommand() {
-  Command command;
-  command.name = "listen";
-  command.synopsis = "[FILE]";
-  command.summary = "shows how loud it is around the robot, or records it";
-  command.details =
-      "The robot's RCSERVER.CFG has to allow it (ALLOW_MICROPHONE). FILE becomes a WAV file of 16 kHz; it must not "
-      "exist "
-      "yet. Sound that is missing because the link was too slow becomes silence. Ctrl-C ends it.";
-  command.examples = {{"listen", "a line a second with the level in dB"},
-                      {"listen room.wav --seconds 10", "records ten seconds"}};
-  command.most_words = 1;
-  command.completions = {"FILE"};
-  command.add_options = [](po::options_description& options) {
-    options.add_options()("seconds", po::value<std::string>()->value_name("S"), "how long; the default is to Ctrl-C")(
-        "mono", "the mean of both microphones, with half the data");
-  };
-  command.run = listen;
-  return command;
-}
-
-Command playSoundCommand() {
-  Command command;
-  command.name = "play-sound";
-  command.synopsis = "FILE";
-  command.summary = "plays a sound file on the robot";
-  command.details =
-      "WAV, FLAC or Ogg, of any rate. It stays connected until the sound has ended, because the robot ends its sounds "
-      "when its client goes; Ctrl-C stops it.";
-  command.examples = {{"play-sound bark.wav", "to its end"}};
-  command.fewest_words = command.most_words = 1;
-  command.completions = {"FILE"};
-  command.add_options = addVolume;
-  command.run = playSound;
-  return command;
-}
-
-Command sayCommand() {
-  Command command;
-  command.name = "say";
-  command.synopsis = "TEXT...";
-  command.summary = "says a text through the robot's speaker";
-  command.details = "It needs the program espeak-ng on this computer (sudo apt install espeak-ng).";
-  command.examples = {{"say hello", "in English"}, {"say --voice de Guten Morgen", "in German"}};
-  command.fewest_words = 1;
-  command.most_words = 1000;
-  command.add_options = [](po::options_description& options) {
-    addVolume(options);
-    options.add_options()("voice", po::value<std::string>()->default_value("")->value_name("NAME"),
-                          "a voice of espeak-ng, such as de or en-us; the default is English");
-  };
-  command.run = say;
-  return command;
+std::vector<Command> soundCommands() {
+  const Option volume = {"volume", "N", "", "0 (silent) to 3; the default is that of the robot's own switch"};
+  return {
+      {"listen",
+       "[FILE]",
+       "shows how loud it is around the robot, or records it",
+       "The robot's RCSERVER.CFG has to allow it (ALLOW_MICROPHONE). FILE becomes a WAV file of 16 kHz; it must not "
+       "exist yet. Sound that is missing because the link was too slow becomes silence. Ctrl-C ends it.",
+       {{"listen", "a line a second with the level in dB"}, {"listen room.wav --seconds 10", "records ten seconds"}},
+       listen,
+       {{"seconds", "S", "", "how long to listen; the default is until Ctrl-C"},
+        {"mono", "", "", "the mean of both microphones, with half the data"}},
+       {"FILE"}},
+      {"play-sound",
+       "FILE",
+       "plays a sound file on the robot",
+       "The file can be WAV, FLAC or Ogg, with any sample rate. The command stays connected until the sound has ended, "
+       "because the robot ends its sounds when its client goes; Ctrl-C stops it.",
+       {{"play-sound bark.wav", "to its end"}},
+       playSound,
+       {volume},
+       {"FILE"}},
+      {"say",
+       "TEXT...",
+       "says a text through the robot's speaker",
+       "It needs the program espeak-ng on this computer (sudo apt install espeak-ng).",
+       {{"say hello", "in English"}, {"say --voice de Guten Morgen", "in German"}},
+       say,
+       {volume, {"voice", "NAME", "", "a voice of espeak-ng, such as de or en-us; the default is English"}}}};
 }
 
 }  // namespace aibo_driver::command_line
