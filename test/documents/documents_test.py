@@ -1,5 +1,7 @@
 """docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
-name. docs/first_start.md fits on one sheet of paper."""
+name. docs/first_start.md fits on one sheet of paper. Each program that is installed is in a Debian package."""
+import fnmatch
+import os
 import re
 import shutil
 import subprocess
@@ -46,6 +48,18 @@ class SecurityTest(unittest.TestCase):
         self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
         self.assertIn("no test", problem(("settings_test.cpp", "EndLines")))
         self.assertIsNone(problem(("settings_test.cpp", "EndLinesAndComments")))
+
+
+class PackagesTest(unittest.TestCase):
+    def test_have_all_programs(self):
+        installed = set()
+        for script in Path(os.environ["BUILD_FOLDER"]).glob("aibo_*/**/cmake_install.cmake"):
+            installed.update(re.findall(r'lib/aibo_driver" TYPE \w+ FILES "[^"]*/([^"/]+)"\)', script.read_text("utf-8")))
+        self.assertGreater(len(installed), 10)
+        packaged = [Path(line.split()[0]).name for file in sorted((PROJECT / "debian").glob("*.install"))
+                    for line in file.read_text("utf-8").splitlines() if line.startswith("usr/lib/aibo_driver/")]
+        self.assertEqual([program for program in sorted(installed - {"aibo"})
+                          if not any(fnmatch.fnmatch(program, pattern) for pattern in packaged)], [])
 
 
 class FirstStartSheetTest(unittest.TestCase):
