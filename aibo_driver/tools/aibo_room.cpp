@@ -2,16 +2,18 @@
 // begins where the driver starts, so the room is in its right place if the robot has not walked before that.
 
 #include <aibo_driver/CameraState.h>
+#include <aibo_driver/Connection.h>
 #include <ros/ros.h>
 #include <visualization_msgs/MarkerArray.h>
-#include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <memory>
 #include <variant>
 
 #include "node/node.h"
+#include "robot_model/robot_model.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
 
@@ -24,9 +26,9 @@ using simulated_ers7::Box;
 using simulated_ers7::Capsule;
 using visualization_msgs::Marker;
 
-constexpr double kWholePart = 0.05;   // m; each part has one colour
+constexpr double kFootprint = 0.05;   // m; the colour of a part is the mean over this size
 constexpr double kBallsPeriod = 0.1;  // s
-constexpr double kSecondsPerFrame = 0.008;
+constexpr double kSecondsPerFrame = robot_model::FRAME_MILLISECONDS / 1000.0;
 
 std_msgs::ColorRGBA toColor(const simulated_ers7::Color& linear) {
   const auto on_screen = [](double light) {
@@ -104,7 +106,7 @@ Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker mar
     turn = turn * Quaterniond::FromTwoVectors(Vector3d::UnitZ(), along.isZero() ? Vector3d::UnitZ().eval() : along);
   }
   const simulated_ers7::SceneHit hit{0, body.position(), Vector3d::UnitZ(), middle, part.surface};
-  marker.color = toColor(simulated_ers7::appearanceOf(hit, Vector3d::Constant(kWholePart)).albedo);
+  marker.color = toColor(simulated_ers7::appearanceOf(hit, Vector3d::Constant(kFootprint)).albedo);
   marker.pose.position = toPoint(body.position() + body.turnToRoom(middle));
   marker.pose.orientation.w = turn.w();
   marker.pose.orientation.x = turn.x();
@@ -123,6 +125,7 @@ class Room {
     room_ = handle.advertise<visualization_msgs::MarkerArray>("room", 1, kLatched);
     ball_ = handle.advertise<Marker>("room/ball", 1);
     state_ = handle.subscribe("camera/state", 1, &Room::receiveState, this);
+    connection_ = handle.subscribe("connection", 10, &Room::receiveConnection, this);
     timer_ = handle.createTimer(ros::Duration(kBallsPeriod), [this](const ros::TimerEvent&) { publishBall(); });
     publishRoom();
   }
@@ -143,7 +146,19 @@ class Room {
 
   // The ball's place depends on the time since the robot was switched on.
   void receiveState(const aibo_driver::CameraState::ConstPtr& state) {
-    switched_on_ = state->header.stamp - ros::Duration(state->frame_number * kSecondsPerFrame);
+    if (state->frame_number > 0) {
+      switched_on_ = state->header.stamp - ros::Duration(state->frame_number * kSecondsPerFrame);
+    }
+  }
+
+  // The next connection may be to a robot that was switched on at another time.
+  void receiveConnection(const aibo_driver::Connection::ConstPtr& connection) {
+    if (connection->state != aibo_driver::Connection::CONNECTED && !switched_on_.isZero()) {
+      switched_on_ = ros::Time();
+      Marker ball = emptyMarker(0);
+      ball.action = Marker::DELETE;
+      ball_.publish(ball);
+    }
   }
 
   void publishBall() {
@@ -163,6 +178,7 @@ class Room {
   ros::Publisher room_;
   ros::Publisher ball_;
   ros::Subscriber state_;
+  ros::Subscriber connection_;
   ros::Timer timer_;
 };
 

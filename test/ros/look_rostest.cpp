@@ -2,6 +2,7 @@
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
+#include <aibo_driver/Connection.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
 #include <geometry_msgs/PointStamped.h>
@@ -266,6 +267,12 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
   };
   EXPECT_TRUE(swing(ros::Duration(1.5)));
   EXPECT_TRUE(swing(ros::Duration(604.5))) << "the robot was switched on at another time";
+
+  aibo_driver::Connection lost;
+  lost.state = aibo_driver::Connection::DISCONNECTED;
+  robot.publish("connection", lost);
+  ASSERT_TRUE(balls.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }));
+  EXPECT_TRUE(swing(ros::Duration(4.5))) << "the robot has started again";
 }
 
 }  // namespace
