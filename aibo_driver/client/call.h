@@ -128,7 +128,7 @@ Call callToSavePicture(int quality);
 Call callForStickPictures();
 Call callToFetchPicture(const std::string& name);
 Call callToDeletePicture(const std::string& name);
-/// @param samples if there are none, the sound is stopped
+/// @param samples the samples to play; an empty list stops the sound
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
 Call callForVolume(int volume);
 Call callToShutDown();

@@ -8,6 +8,7 @@
 #include "client/picture_intake.h"
 #include "protocol/sound_requests.h"
 #include "protocol/version2.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_client {
 
@@ -15,11 +16,11 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-constexpr std::chrono::milliseconds kFrame{8};
+constexpr std::chrono::milliseconds kFrame{robot_model::FRAME_MILLISECONDS};
 
-// Sound may be late; a robot that is silent for longer is disconnected. And the robot's clock may go faster by a part
-// in so many.
+// Sound can come this late. The client disconnects a robot that is silent for longer.
 constexpr std::chrono::seconds kLongestDelay{5};
+// The robot's clock may be faster than this computer's by one part in this number. Our choice.
 constexpr int kClockTolerance = 64;
 
 template <typename Content>

@@ -104,7 +104,8 @@ QLayout* RemoteControl::makeButtons() {
   take_button_->setToolTip("Takes a fresh picture and saves it in the folder of the page Camera");
   stream_button_ = new QPushButton(this);
   stream_button_->setObjectName("stream");
-  stream_button_->setFixedWidth(fontMetrics().horizontalAdvance("Start stream") + 16);  // the width for either text
+  stream_button_->setText("Start stream");  // the longer of its two texts
+  stream_button_->setMinimumWidth(stream_button_->sizeHint().width());
   stop_button_ = new QPushButton(this);
   stop_button_->setObjectName("stop");
   stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // the width for either text

@@ -5,7 +5,7 @@
 namespace aibo_client {
 
 enum class MotorState {
-  kUnknown,  ///< there is no connection, or the server does not report it
+  kUnknown,  ///< not known: there is no connection, or the server does not report motors
   kOff,      ///< the joints can be moved by hand
   kOn
 };

@@ -18,15 +18,15 @@
 namespace aibo_client {
 
 /// The identifier of a joint.
-/// @throw InvalidArgumentException there is no such joint; the message lists those that there are
+/// @throw InvalidArgumentException no joint has this name; the message lists all names
 int idOfJoint(const std::string& name, const std::string& design = "");
 
 /// The identifier of a sensor.
-/// @throw InvalidArgumentException there is no such sensor; the message lists those that there are
+/// @throw InvalidArgumentException no sensor has this name; the message lists all names
 int idOfSensor(const std::string& name, const std::string& design = "");
 
 /// The identifier of an LED.
-/// @throw InvalidArgumentException there is no such LED; the message lists those that there are
+/// @throw InvalidArgumentException no LED has this name; the message lists all names
 int idOfLed(const std::string& name, const std::string& design = "");
 
 /// The name of a joint, or "joint 99" if no joint has this identifier.

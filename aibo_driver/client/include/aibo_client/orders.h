@@ -41,7 +41,7 @@ struct Refusal {
   RefusalCause cause = RefusalCause::kRobot;
   std::vector<int> ids;     ///< the ids of the joints, LEDs or ears concerned; empty for a walk
   std::string reason;       ///< the reason in words for the user, without a full stop
-  std::uint64_t order = 0;  ///< OrderTerms::number; 0 if there is none, if there are several, or if it is not known
+  std::uint64_t order = 0;  ///< OrderTerms::number; 0 if there is no order, or several, or if it is unknown
 };
 
 /// The robot's answer to a call that had ended with a TimeoutException.

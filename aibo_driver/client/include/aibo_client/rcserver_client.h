@@ -105,7 +105,7 @@ class RcServerClient {
   void setPictureTransport(PictureTransport transport);
 
   /// Sets the camera. It takes effect as setStreaming() does. The robot resets the camera when the connection ends.
-  /// Picture::settings tells which settings a picture was taken with. A server that speaks version 1 or lacks the
+  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 or lacks the
   /// capability `G` cannot set its camera, and a robot may refuse a setting. The log then says so.
   /// @throw InvalidArgumentException a setting is out of range
   void setCameraSettings(const CameraSettings& settings);
