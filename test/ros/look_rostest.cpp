@@ -272,6 +272,8 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
   lost.state = aibo_driver::Connection::DISCONNECTED;
   robot.publish("connection", lost);
   ASSERT_TRUE(balls.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }));
+  balls.clear();
+  EXPECT_TRUE(balls.waitForCount(1, std::chrono::milliseconds(300)).empty()) << "nobody knows where it is";
   EXPECT_TRUE(swing(ros::Duration(4.5))) << "the robot has started again";
 }
 

@@ -404,6 +404,18 @@ TEST_F(SoundTest, ASoundThatTheRobotHasEndedDoesNotGoOnAndEndsOnce) {
   EXPECT_EQ("1 refused", ends());
 }
 
+TEST_F(SoundTest, AStoppedSoundDoesNotBeginAgainWithALateAnswer) {
+  begin();
+  play({1, 0, 500, false});
+  add(callToPlaySamples({1, 500, 1, false}, {7}), milliseconds(2000));
+  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
+  const int late = number_;
+  play({0, 0, 0, true});
+  receive(makeSoundFrame(2, late, encoded(version2::SpeakerRoom{100})));
+  connection_.sound.connectionLost();
+  EXPECT_EQ("1 stopped", ends());
+}
+
 TEST_F(SoundTest, ASoundThatTheRobotRefusesHasNotBegunAndHasNoEnd) {
   begin();
   auto answer = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));

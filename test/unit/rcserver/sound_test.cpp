@@ -607,10 +607,10 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
 }
 
 TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
-  const auto pictures = [this] {
+  const auto pictures = [this](int steps = 25) {
     pass(25);
     replies_.clear();
-    pass(25);
+    pass(steps);
     return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
   };
   answerTo('W', 85, kStreamOn);
@@ -619,6 +619,7 @@ TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   ASSERT_EQ(ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{SOUND_FIRST, 2, kRate})).header.kind, 'a');
   play(0, samplesOf(mark, 0, 4000));
   EXPECT_LE(pictures(), 1) << "one in 0.25 s";
+  EXPECT_GE(pictures(100), 3) << "a client that gets none takes the connection for dead";
   play(0, samplesOf(mark, 0, SPEAKER_CAPACITY));
   EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
   play(0, samplesOf(mark, 0, 4000), true);
