@@ -1,0 +1,68 @@
+"""aibo_hear gives what a robot hears to a program that plays it."""
+import importlib.machinery
+import importlib.util
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from aibo_driver.msg import Sound
+
+PROGRAM = Path(__file__).resolve().parents[2] / 'aibo_driver/tools/aibo_hear'
+loader = importlib.machinery.SourceFileLoader('aibo_hear', str(PROGRAM))
+aibo_hear = importlib.util.module_from_spec(importlib.util.spec_from_loader('aibo_hear', loader))
+loader.exec_module(aibo_hear)
+
+
+def sound(samples, rate=16000, channels=1, missing=0):
+    return Sound(samples=samples, samples_per_second=rate, channels=channels, missing=missing)
+
+
+class HearTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.play_with(('no-such-player',), ('dd', 'status=none', 'of=' + str(self.folder / '{rate}-{channels}')))
+
+    def play_with(self, *players):
+        patch = mock.patch.object(aibo_hear, 'PLAYERS', players)
+        patch.start()
+        self.addCleanup(patch.stop)
+
+    def heard(self, *sounds):
+        """What the players got: a list of samples for each format, by "RATE-CHANNELS"."""
+        ear = aibo_hear.Ear()
+        for each in sounds:
+            ear.hear(each)
+        ear.end()
+        self.assertIsNone(ear.problem)
+        return {path.name: list(memoryview(path.read_bytes()).cast('h')) for path in self.folder.iterdir()}
+
+    def test_plays_silence_for_what_is_missing(self):
+        self.assertEqual(self.heard(sound([1, -2]), sound([3], missing=2)), {'16000-1': [1, -2, 0, 0, 3]})
+
+    def test_bounds_the_silence(self):
+        self.assertEqual(len(self.heard(sound([1], missing=4000000000))['16000-1']), 2 * 16000 + 1)
+
+    def test_starts_another_player_for_another_format(self):
+        self.assertEqual(self.heard(sound([1]), sound([2, 3], channels=2), sound([4], rate=8000)),
+                         {'16000-1': [1], '16000-2': [2, 3], '8000-1': [4]})
+
+    def test_leaves_out_what_no_robot_hears(self):
+        self.assertEqual(self.heard(sound([1], rate=4000000000, missing=4000000000), sound([], channels=0), sound([5])),
+                         {'16000-1': [5]})
+
+    def test_says_that_there_is_no_player(self):
+        self.play_with(('no-such-player',))
+        ear = aibo_hear.Ear()
+        with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:  # it would end this program's rospy
+            ear.hear(sound([1]))
+            ear.hear(sound([2]))
+        ear.end()
+        shut_down.assert_called_once()
+        self.assertIn('alsa-utils', ear.problem)
+
+
+if __name__ == '__main__':
+    unittest.main()
