@@ -30,7 +30,9 @@ Nodder::Nodder()
       rest_(0),
       next_frame_(NOD_FRAMES),
       was_touched_(false),
-      nods_(0) {}
+      nods_(0) {
+  regions_[0] = regions_[1] = NULL;
+}
 
 OStatus Nodder::DoInit(const OSystemEvent&) {
   NEW_ALL_SUBJECT_AND_OBSERVER;
@@ -83,6 +85,11 @@ OStatus Nodder::DoStop(const OSystemEvent&) {
 }
 
 OStatus Nodder::DoDestroy(const OSystemEvent&) {
+  for (int i = 0; i < REGIONS; ++i) {
+    if (regions_[i] != NULL) {
+      regions_[i]->RemoveReference();
+    }
+  }
   DELETE_ALL_SUBJECT_AND_OBSERVER;
   return oSUCCESS;
 }
