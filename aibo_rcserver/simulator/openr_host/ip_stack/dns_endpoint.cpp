@@ -125,6 +125,8 @@ void DnsEndpoint::find(antOperation operation, Found* found) {
 }
 
 void DnsEndpoint::finish() {
+  std::uint64_t count = 0;
+  [[maybe_unused]] const auto size = read(found_->done.get(), &count, sizeof(count));  // the thread's writing is over
   const auto servers = readSettings().servers;
   copyName(found_->name, asking_->name);
   asking_->host_address = found_->address;
