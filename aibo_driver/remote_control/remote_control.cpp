@@ -7,7 +7,9 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QProxyStyle>
 #include <QShortcut>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTime>
 #include <QUrl>
@@ -27,6 +29,15 @@ namespace {
 constexpr int kLongestAnswer = 1000;  // characters; laying out megabytes would delay STOP
 // A frightened user clicks more than once, and must not release what has just been stopped.
 constexpr qint64 kNoReleaseFor = 1000;  // ms
+
+/// Leaves less room around the titles of tabs, so that all of them are visible in rviz on a small screen.
+class NarrowTabs : public QProxyStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    constexpr int kAroundTitle = 8;  // pixels
+    return metric == PM_TabBarTabHSpace ? kAroundTitle : QProxyStyle::pixelMetric(metric, option, widget);
+  }
+};
 
 QString nameOf(RobotCondition::Posture posture) {
   switch (posture) {
@@ -129,6 +140,10 @@ QWidget* RemoteControl::makePages() {
   connect(joints, &JointsPage::moved, &robot_, &Robot::moveJoints);
   connect(&robot_, &Robot::jointsMeasured, joints, &JointsPage::showPositions);
   auto* tabs = new QTabWidget(this);
+  auto* style = new NarrowTabs;
+  style->setParent(tabs);
+  tabs->tabBar()->setStyle(style);
+  tabs->setUsesScrollButtons(false);  // they would hide titles
   const std::pair<const char*, Page*> pages[] = {
       {"Move", new MovePage(robot_, this)},      {"Camera", camera_page_},
       {"Motions", new MotionPage(robot_, this)}, {"Joints", joints},

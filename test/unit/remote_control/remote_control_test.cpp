@@ -404,6 +404,9 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
     EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
     EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
   }
+  window_.resize(window_.minimumSizeHint());
+  const auto* tabs = find<QTabWidget>("")->tabBar();
+  EXPECT_LE(tabs->sizeHint().width(), tabs->width()) << "some titles are hidden";
 }
 
 TEST_F(RemoteControlTest, FiguresDoNotChangeItsWidth) {
