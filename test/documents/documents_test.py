@@ -1,5 +1,5 @@
 """docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
-name. docs/first_start.md fits on one sheet of paper. Each program that is installed is in a Debian package."""
+name. docs/first_start.md fits on one sheet of paper. The Debian packages have everything that is installed."""
 import fnmatch
 import os
 import re
@@ -51,15 +51,53 @@ class SecurityTest(unittest.TestCase):
 
 
 class PackagesTest(unittest.TestCase):
-    def test_have_all_programs(self):
-        installed = set()
-        for script in Path(os.environ["BUILD_FOLDER"]).glob("aibo_*/**/cmake_install.cmake"):
-            installed.update(re.findall(r'lib/aibo_driver" TYPE \w+ FILES "[^"]*/([^"/]+)"\)', script.read_text("utf-8")))
-        self.assertGreater(len(installed), 10)
-        packaged = [Path(line.split()[0]).name for file in sorted((PROJECT / "debian").glob("*.install"))
-                    for line in file.read_text("utf-8").splitlines() if line.startswith("usr/lib/aibo_driver/")]
-        self.assertEqual([program for program in sorted(installed - {"aibo"})
-                          if not any(fnmatch.fnmatch(program, pattern) for pattern in packaged)], [])
+    """What CMake installs, and what debian/*.install puts into packages."""
+
+    @staticmethod
+    def installed():
+        """The paths that CMake installs, such as usr/lib/aibo_driver/aibo_room. Folders stand for their content."""
+        command = re.compile(r'file\(INSTALL DESTINATION "\$\{CMAKE_INSTALL_PREFIX\}/([^"]*)" TYPE \w+'
+                             r'(?: RENAME "([^"]*)")?[^"\n]*? FILES((?:\s+"[^"]*")+)')
+        build = Path(os.environ["BUILD_FOLDER"])
+        paths = set()
+        for script in [build / "cmake_install.cmake", *build.glob("aibo_*/**/cmake_install.cmake")]:
+            for folder, name, files in command.findall(script.read_text("utf-8")):
+                paths.update(f"usr/{folder}/{name or Path(file).name}" for file in re.findall(r'"([^"]*)"', files))
+        return paths - {"usr/lib/aibo_driver/aibo"}  # a link instead
+
+    @staticmethod
+    def packaged():
+        """The patterns in debian/*.install. Packages have a folder lib/ARCHITECTURE, CMake has not."""
+        return {line.split()[0].replace("usr/lib/*/", "usr/lib/") for file in (PROJECT / "debian").glob("*.install")
+                for line in file.read_text("utf-8").splitlines()}
+
+    @staticmethod
+    def contains(pattern, path):
+        return any(fnmatch.fnmatch(str(each), pattern) for each in [Path(path), *Path(path).parents])
+
+    def test_have_everything_that_is_installed(self):
+        installed = self.installed()
+        for part in ("bin/aibo", "lib/aibo_driver/aibo_room", "share/aibo_driver/launch", "share/aibo_driver/msg/Leds.msg",
+                     "share/aibo_driver/srv/Say.srv", "share/man/man1/aibo.1"):
+            self.assertIn(f"usr/{part}", installed)
+        packaged = self.packaged()
+        self.assertEqual([path for path in sorted(installed)
+                          if not any(self.contains(pattern, path) for pattern in packaged)], [])
+
+    def test_name_nothing_that_is_not_installed(self):
+        installed = self.installed()
+        by_catkin = {"usr/lib/cmake/aibo_driver"}  # in a build for a package only
+        self.assertEqual([pattern for pattern in sorted(self.packaged() - by_catkin) if not any(
+            self.contains(pattern, path) or path.startswith(f"{pattern}/") for path in installed)], [])
+
+    def test_have_a_manual_page_for_each_command(self):
+        links = (PROJECT / "debian/aibo-rcserver.links").read_text("utf-8")
+        pages = re.findall(r"call manual,([a-z_]+),", (PROJECT / "debian/rules").read_text("utf-8"))
+        pages += [Path(path).stem for path in self.installed() if "/man1/" in path]
+        commands = re.findall(r"usr/bin/(\w+)$", links, re.MULTILINE)
+        commands += [Path(path).name for path in self.installed() if path.startswith("usr/bin/")]
+        self.assertGreater(len(commands), 2)
+        self.assertEqual(sorted(commands), sorted(pages))
 
 
 class FirstStartSheetTest(unittest.TestCase):
