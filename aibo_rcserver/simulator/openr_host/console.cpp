@@ -1,5 +1,6 @@
 #include "simulator/openr_host/console.h"
 
+#include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <algorithm>
@@ -116,6 +117,9 @@ void Console::acceptListeners() {
   while (auto connection = port_->accept()) {
     Listener listener;
     listener.socket = std::move(connection->socket);
+    // A terminal may be halted for longer than a client may be silent. It still answers the kernel's probes.
+    const int unlimited = 0;
+    setsockopt(listener.socket.get(), IPPROTO_TCP, TCP_USER_TIMEOUT, &unlimited, sizeof(unlimited));
     listener.last_typed = now_();
     if (makeRoom()) {
       listeners_.push_back(std::move(listener));
