@@ -109,9 +109,9 @@ bool Version1::MoveOrReadJoint() {
   if (!MayMove()) {
     return false;
   }
-  MotionPlanner::JointTarget target = {joint, microradiansFromCentidegrees(Value())};
-  robot_.joints.SetTargets(&target, 1, 0);
-  Reply(centidegreesFromMicroradians(target.position));
+  version2::JointTargets target = {0, 1, {{request_.basic.identifier, microradiansFromCentidegrees(Value())}}};
+  robot_.joints.SetTargets(&target);
+  Reply(centidegreesFromMicroradians(target.joints[0].value));
   return true;
 }
 
@@ -127,12 +127,12 @@ bool Version1::MoveAllJoints() {
   if (has_fault || !MayMove()) {
     return false;
   }
-  MotionPlanner::JointTarget targets[robot_model::MAX_JOINTS];
+  version2::JointTargets targets = {0, static_cast<unsigned char>(count), {}};
   for (int i = 0; i < count; ++i) {
-    targets[i].joint = i;
-    targets[i].position = microradiansFromCentidegrees(Value());
+    const version2::JointValue target = {robot_.joints.Identifier(i), microradiansFromCentidegrees(Value())};
+    targets.joints[i] = target;
   }
-  robot_.joints.SetTargets(targets, count, 0);
+  robot_.joints.SetTargets(&targets);
   Reply(Value());
   return true;
 }

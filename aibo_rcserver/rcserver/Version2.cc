@@ -351,15 +351,7 @@ void Version2::CarryOut<REQUEST_JOINTS>() {
   if (IsTooOld() || !HasJoints(wanted.joints, wanted.count)) {
     return;
   }
-  MotionPlanner::JointTarget targets[MAX_JOINTS];
-  for (int i = 0; i < wanted.count; ++i) {
-    targets[i].joint = robot_.joints.Find(wanted.joints[i].id);
-    targets[i].position = wanted.joints[i].value;
-  }
-  robot_.joints.SetTargets(targets, wanted.count, wanted.duration_ms);
-  for (int i = 0; i < wanted.count; ++i) {
-    wanted.joints[i].value = targets[i].position;
-  }
+  robot_.joints.SetTargets(&wanted);
   Reply(wanted);
 }
 

@@ -64,13 +64,20 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
   }
 }
 
-void JointControl::SetTargets(MotionPlanner::JointTarget* targets, int count, int duration) {
+void JointControl::SetTargets(protocol::version2::JointTargets* targets) {
   ++number_of_commands_;
-  for (int i = 0; i < count; ++i) {
-    EndWhatMoves(targets[i].joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(targets[i].joint)));
-    Commanded(targets[i].joint);
+  for (int i = 0; i < targets->count; ++i) {
+    const int joint = Find(targets->joints[i].id);
+    EndWhatMoves(joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(joint)));
+    Commanded(joint);
   }
-  planner_.SetTargets(targets, count, duration);
+  for (int i = 0; i < targets->count; ++i) {
+    planner_.Aim(Find(targets->joints[i].id), targets->joints[i].value);
+  }
+  planner_.Go(targets->duration_ms);
+  for (int i = 0; i < targets->count; ++i) {
+    targets->joints[i].value = planner_.Target(Find(targets->joints[i].id));
+  }
 }
 
 void JointControl::Stop(int joint) {

@@ -114,9 +114,10 @@ class JointControl {
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  /// Carries out a client's command with MotionPlanner::SetTargets(). Motions, walks and postures that move one of
-  /// these joints end.
-  void SetTargets(MotionPlanner::JointTarget* targets, int count, int duration);
+  /// Carries out a client's command with MotionPlanner::Go(). Motions, walks and postures that move one of these joints
+  /// end.
+  /// @param[in,out] targets of joints that the robot has; replaced by the positions accepted
+  void SetTargets(protocol::version2::JointTargets* targets);
 
   /// Carries out a client's order to hold: the joint brakes within its limits and holds its position. A motion, walk or
   /// posture that moves it ends.

@@ -33,6 +33,7 @@ MotionPlanner::MotionPlanner(const robot_model::RobotModel& robot) : robot_(robo
   clampPosture(robot_, posture);
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     motions_[i].Place(posture[i]);
+    is_aimed_[i] = false;
     LeaveCommand(i);
   }
   for (int i = 0; i < robot_.number_of_joints; ++i) {
@@ -48,22 +49,19 @@ void MotionPlanner::SetPosition(int joint, int measured) {
   MakePartnersFit(joint);
 }
 
-int MotionPlanner::SetTarget(int joint, int position) {
-  JointTarget target = {joint, position};
-  SetTargets(&target, 1, 0);
-  return target.position;
+void MotionPlanner::Aim(int joint, int position) {
+  is_aimed_[joint] = true;
+  aims_[joint] = position;
 }
 
-void MotionPlanner::SetTargets(JointTarget* targets, int count, int duration) {
-  int posture[robot_model::MAX_JOINTS];
-  bool commanded[robot_model::MAX_JOINTS] = {false};
-  FitTargets(targets, count, posture, commanded);
-
+void MotionPlanner::Go(int duration) {
+  FitAims();
   const int frames = duration > 0 ? (duration - 1) / FRAME_MILLISECONDS + 1 : 0;
   const unsigned common_command = ++last_command_;
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    if (commanded[i]) {
-      motions_[i].Aim(posture[i]);
+    if (is_aimed_[i]) {
+      is_aimed_[i] = false;
+      motions_[i].Aim(aims_[i]);
       if (frames > 0) {
         motions_[i].Delay(std::max(frames, FramesLeft(i)));
         commands_[i] = common_command;
@@ -75,13 +73,12 @@ void MotionPlanner::SetTargets(JointTarget* targets, int count, int duration) {
   ArriveTogether();
 }
 
-void MotionPlanner::Follow(JointTarget* targets, int count) {
-  int posture[robot_model::MAX_JOINTS];
-  bool commanded[robot_model::MAX_JOINTS] = {false};
-  FitTargets(targets, count, posture, commanded);
+void MotionPlanner::Follow() {
+  FitAims();
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    if (commanded[i]) {
-      motions_[i].Follow(posture[i], defaultAcceleration(robot_.joints[i]) * FOLLOWING / ACCELERATION_UNIT);
+    if (is_aimed_[i]) {
+      is_aimed_[i] = false;
+      motions_[i].Follow(aims_[i], defaultAcceleration(robot_.joints[i]) * FOLLOWING / ACCELERATION_UNIT);
       LeaveCommand(i);
     }
   }
@@ -131,28 +128,18 @@ int MotionPlanner::Speed(int joint) const {
   return motions_[joint].Step() * SPEED_UNIT;
 }
 
-// Adapts targets to limits and couplings.
-// @param[out] posture the resulting targets of all joints
-// @param[in,out] commanded true for each joint with a new target
-void MotionPlanner::FitTargets(JointTarget* targets, int count, int* posture, bool* commanded) const {
+// Adapts what has been aimed to limits and couplings. A follower that is in the way is aimed, too.
+void MotionPlanner::FitAims() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    posture[i] = Target(i);
-  }
-  for (int i = 0; i < count; ++i) {
-    const Joint& limits = robot_.joints[targets[i].joint];
-    posture[targets[i].joint] = Clamped(targets[i].position, limits.lowest, limits.highest);
-    commanded[targets[i].joint] = true;
+    const Joint& limits = robot_.joints[i];
+    aims_[i] = is_aimed_[i] ? Clamped(aims_[i], limits.lowest, limits.highest) : Target(i);
   }
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
-    const int lowest = coupledLowest(coupling, posture[coupling.leader]);
-    if ((commanded[coupling.leader] || commanded[coupling.follower]) && posture[coupling.follower] < lowest) {
-      posture[coupling.follower] = lowest;
-      commanded[coupling.follower] = true;
+    const int lowest = coupledLowest(coupling, aims_[coupling.leader]);
+    if ((is_aimed_[coupling.leader] || is_aimed_[coupling.follower]) && aims_[coupling.follower] < lowest) {
+      Aim(coupling.follower, lowest);
     }
-  }
-  for (int i = 0; i < count; ++i) {
-    targets[i].position = posture[targets[i].joint];
   }
 }
 

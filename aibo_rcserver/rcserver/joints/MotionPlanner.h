@@ -30,12 +30,6 @@
 /// Not thread-safe.
 class MotionPlanner {
  public:
-  /// One joint of a command.
-  struct JointTarget {
-    int joint;     ///< index
-    int position;  ///< in: any value; out: the value accepted
-  };
-
   /// All joints stand at 0, or as near to it as their limits allow, with the robot's highest speeds and default
   /// accelerations.
   /// @param robot must outlive the planner
@@ -47,26 +41,23 @@ class MotionPlanner {
   /// @param measured is clamped to the mechanical limits
   void SetPosition(int joint, int measured);
 
-  /// Sends a joint to a position as fast as its limits allow. Its follower is moved out of the way if necessary.
-  /// @return the position accepted: within the joint's limits, and for a follower not below the lower limit that
-  ///   belongs to its leaders' targets
-  int SetTarget(int joint, int position);
+  /// Aims a joint at a position, for the next Go() or Follow(). If it is aimed twice, the last position counts.
+  /// Target() is afterwards the position accepted: within the joint's limits, and for a follower not below the lower
+  /// limit that belongs to its leaders' targets. A follower in the way of its leader is moved, too.
+  void Aim(int joint, int position);
 
-  /// Sends several joints to their positions. Their order does not matter; if a joint appears twice, its last position
-  /// is used.
-  /// @param[in,out] targets replaced by the positions accepted, see SetTarget()
+  /// Sends the joints that have been aimed to their positions.
   /// @param duration in milliseconds. 0 or less: each joint moves as fast as its own limits allow. Otherwise all of
   ///   them, and followers that are moved out of their way, arrive in the same frame: the first one at or after the end
   ///   of the duration in which all can arrive. New limits may delay it. A joint leaves the group if it gets another
   ///   command or if a coupling holds it back; in the latter case, it still tries to arrive in time.
-  void SetTargets(JointTarget* targets, int count, int duration);
+  void Go(int duration);
 
-  /// Lets joints follow moving targets, such as those of a walk. Each joint is at its target at the end of the next
-  /// frame, or as near to it as it can get. It has no lag, because it need not be able to stop there. Position limits,
-  /// speed limits and couplings hold, but the acceleration may be FOLLOWING times the default. Call it in every frame.
-  /// Otherwise the joints return to their last targets and stop.
-  /// @param[in,out] targets replaced by the positions accepted, see SetTarget()
-  void Follow(JointTarget* targets, int count);
+  /// Lets the joints that have been aimed follow moving targets, such as those of a walk. Each joint is at its target
+  /// at the end of the next frame, or as near to it as it can get. It has no lag, because it need not be able to stop
+  /// there. Position limits, speed limits and couplings hold, but the acceleration may be FOLLOWING times the default.
+  /// Aim and call it in every frame. Otherwise the joints return to their last targets and stop.
+  void Follow();
 
   /// Factor on the default acceleration for joints that Follow() a target: they reach their highest speed in 20 ms.
   /// Walking needs 4.5 times the default at the knees when a foot lifts off. Our choice.
@@ -108,7 +99,7 @@ class MotionPlanner {
   int FramesLeft(int joint) const { return motions_[joint].FramesLeft(); }
 
  private:
-  void FitTargets(JointTarget* targets, int count, int* posture, bool* commanded) const;
+  void FitAims();
   void LeaveCommand(int joint);
   void MakePartnersFit(int joint);
   void ArriveTogether();
@@ -121,6 +112,8 @@ class MotionPlanner {
   int acceleration_limits_[robot_model::MAX_JOINTS];  ///< microradian/s^2
   unsigned commands_[robot_model::MAX_JOINTS];        ///< joints with the same number arrive together
   unsigned last_command_;
+  bool is_aimed_[robot_model::MAX_JOINTS];  ///< for the next Go() or Follow()
+  int aims_[robot_model::MAX_JOINTS];       ///< valid if is_aimed_
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H

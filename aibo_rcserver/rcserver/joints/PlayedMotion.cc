@@ -92,15 +92,13 @@ void PlayedMotion::Stop(MotionPlanner& planner) {
 
 void PlayedMotion::Approach(MotionPlanner& planner) {
   fitted_.posture(0, end_);
-  MotionPlanner::JointTarget targets[MAX_JOINTS];
   int farthest = 0;
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
-    targets[i].joint = fitted_.joint(i);
-    targets[i].position = end_[i];
+    planner.Aim(fitted_.joint(i), end_[i]);
     farthest = std::max(farthest, abs(end_[i] - planner.Position(fitted_.joint(i))));
   }
   const double seconds = static_cast<double>(farthest) / APPROACH_SPEED;
-  planner.SetTargets(targets, fitted_.numberOfJoints(), static_cast<int>(seconds * 1000));
+  planner.Go(static_cast<int>(seconds * 1000));
 }
 
 // Moves the joints from the current key frame to this one, if the motion has it.
@@ -171,10 +169,8 @@ int PlayedMotion::PositionNow(int i) const {
 }
 
 void PlayedMotion::Follow(MotionPlanner& planner) const {
-  MotionPlanner::JointTarget targets[MAX_JOINTS];
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
-    targets[i].joint = fitted_.joint(i);
-    targets[i].position = PositionNow(i);
+    planner.Aim(fitted_.joint(i), PositionNow(i));
   }
-  planner.SetTargets(targets, fitted_.numberOfJoints(), 0);
+  planner.Go(0);
 }

@@ -410,17 +410,17 @@ void Walker::TakeNextPosture() {
   }
   const Posture next = way_[way_begun_++];
   const LegAngles* const legs = postures_.Legs(next);
-  MotionPlanner::JointTarget targets[LEG_JOINTS];
   int farthest = 0;
   for (int i = 0; i < LEG_JOINTS; ++i) {
     const LegAngles& leg = legs[i / JOINTS_OF_A_LEG];
     const int number = i % JOINTS_OF_A_LEG;
-    targets[i].joint = joints_[i / JOINTS_OF_A_LEG][number];
-    targets[i].position = Microradians(number == 0 ? leg.rotator : number == 1 ? leg.elevator : leg.knee);
-    farthest = std::max(farthest, abs(targets[i].position - planner_.Position(targets[i].joint)));
+    const int joint = joints_[i / JOINTS_OF_A_LEG][number];
+    const int target = Microradians(number == 0 ? leg.rotator : number == 1 ? leg.elevator : leg.knee);
+    planner_.Aim(joint, target);
+    farthest = std::max(farthest, abs(target - planner_.Position(joint)));
   }
   const int milliseconds = static_cast<int>(static_cast<double>(farthest) / POSTURE_SPEED * 1000);
-  planner_.SetTargets(targets, LEG_JOINTS, milliseconds);
+  planner_.Go(milliseconds);
   if (!is_walk_ && posture_ == POSTURE_REST && next == POSTURE_REST) {
     LevelHead(milliseconds);
   }
@@ -437,16 +437,12 @@ bool Walker::HaveArrived() const {
 
 // A head that hangs down would hit the floor.
 void Walker::LevelHead(int milliseconds) {
-  MotionPlanner::JointTarget targets[LEVELLED];
-  int count = 0;
   for (int i = 0; i < LEVELLED; ++i) {
     if (levels_[i]) {
-      targets[count].joint = head_[i];
-      targets[count].position = i == 0 ? -174533 : 0;  // the neck 10 degrees forward
-      ++count;
+      planner_.Aim(head_[i], i == 0 ? -174533 : 0);  // the neck 10 degrees forward
     }
   }
-  planner_.SetTargets(targets, count, milliseconds);
+  planner_.Go(milliseconds);
 }
 
 // Only the first reason is kept.
@@ -490,16 +486,13 @@ void Walker::ChangeVelocity() {
 void Walker::SetFeet() {
   LegAngles legs[NUMBER_OF_LEGS];
   gait_.FindPosture(phase_, velocity_, effort_, legs);
-  MotionPlanner::JointTarget targets[LEG_JOINTS];
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const double angles[JOINTS_OF_A_LEG] = {legs[i].rotator, legs[i].elevator, legs[i].knee};
     for (int number = 0; number < JOINTS_OF_A_LEG; ++number) {
-      MotionPlanner::JointTarget& target = targets[i * JOINTS_OF_A_LEG + number];
-      target.joint = joints_[i][number];
-      target.position = Microradians(angles[number]);
+      planner_.Aim(joints_[i][number], Microradians(angles[number]));
     }
   }
-  planner_.Follow(targets, LEG_JOINTS);
+  planner_.Follow();
 }
 
 void Walker::StandsAfterWalk() {

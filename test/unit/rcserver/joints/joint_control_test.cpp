@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -14,8 +17,8 @@ TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
   JointControl joints(ers7());
   const int pan = findJointByName(ers7(), "head_pan");
   joints.Planner().SetAccelerationLimit(pan, 300000);
-  MotionPlanner::JointTarget target = {pan, 1500000};
-  joints.SetTargets(&target, 1, 0);
+  protocol::version2::JointTargets target = {0, 1, {{joints.Identifier(pan), 1500000}}};
+  joints.SetTargets(&target);
   while (joints.Planner().Speed(pan) < 500000) {
     joints.NextFrame();
   }
@@ -119,8 +122,9 @@ class StoppedJointsTest : public ::testing::Test {
  protected:
   // Sends two joints far away, and waits until both are under way.
   void SetUp() override {
-    MotionPlanner::JointTarget targets[] = {{pan_, 1500000}, {tail_, -700000}};
-    joints_.SetTargets(targets, 2, 0);
+    protocol::version2::JointTargets targets = {
+        0, 2, {{joints_.Identifier(pan_), 1500000}, {joints_.Identifier(tail_), -700000}}};
+    joints_.SetTargets(&targets);
     while (joints_.Planner().Speed(pan_) < 500000 || joints_.Planner().Speed(tail_) > -500000) {
       joints_.NextFrame();
     }
@@ -187,120 +191,101 @@ TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
 // ---------------------------------------------------------------------------------------------------- JointWatch
 
 constexpr int kFar = 2 * JointWatch::TOLERANCE;
+constexpr int kMoved = JointWatch::MOVEMENT;
 constexpr unsigned kPeriod = 4;
+constexpr unsigned kPatience = JointWatch::PATIENCE;
 
-class JointWatchTest : public ::testing::Test {
- protected:
-  // Looks at readings for a number of frames; the position grows by `step` from one to the next.
-  JointWatch::Verdict look(unsigned frames, int reference, int duty, int step = 0) {
-    JointWatch::Verdict verdict = JointWatch::FOLLOWS;
-    for (unsigned passed = 0; passed < frames && verdict == JointWatch::FOLLOWS; passed += kPeriod) {
-      frame_ += kPeriod;
-      position_ += step;
-      verdict = watch_.Look({position_, reference, duty}, frame_);
-    }
-    return verdict;
-  }
-
-  JointWatch watch_;
-  unsigned frame_ = 0;
-  int position_ = 0;
+// Readings for a number of frames, or until the watch finds a fault.
+struct Watched {
+  unsigned frames;
+  int reference;
+  int duty;
+  JointWatch::Verdict verdict;  ///< at the end
+  int step = 0;                 ///< by which the position grows from one reading to the next
 };
 
-TEST_F(JointWatchTest, JointThatPushesInVainForHalfASecondIsJammed) {
-  EXPECT_EQ(look(JointWatch::PATIENCE - kPeriod, kFar, 512), JointWatch::FOLLOWS);
-  EXPECT_EQ(look(2 * kPeriod, kFar, 512), JointWatch::JAMMED);
-}
-
-TEST_F(JointWatchTest, DirectionDoesNotMatter) {
-  EXPECT_EQ(look(2 * JointWatch::PATIENCE, -kFar, -512), JointWatch::JAMMED);
-}
-
-TEST_F(JointWatchTest, JointThatDoesNotPushDoesNotFollow) {
-  EXPECT_EQ(look(2 * JointWatch::PATIENCE, kFar, 0), JointWatch::UNCONTROLLABLE);
-}
-
-TEST_F(JointWatchTest, JointThatLagsBehindButMovesFollows) {
-  EXPECT_EQ(look(10 * JointWatch::PATIENCE, 1000 * kFar, 512, JointWatch::MOVEMENT / 10), JointWatch::FOLLOWS);
-}
-
-TEST_F(JointWatchTest, JointThatHangsALittleUnderItsLoadFollows) {
-  EXPECT_EQ(look(10 * JointWatch::PATIENCE, JointWatch::TOLERANCE, 512), JointWatch::FOLLOWS);
-}
-
-TEST_F(JointWatchTest, FaultIsReportedAgainOnlyAfterAnotherHalfSecond) {
-  ASSERT_EQ(look(2 * JointWatch::PATIENCE, kFar, 512), JointWatch::JAMMED);
-  EXPECT_EQ(look(JointWatch::PATIENCE - kPeriod, kFar, 512), JointWatch::FOLLOWS);
-  EXPECT_EQ(look(2 * kPeriod, kFar, 512), JointWatch::JAMMED);
-}
-
-TEST_F(JointWatchTest, RestCountsAsFollowingHoweverLongItLasts) {
-  EXPECT_EQ(look(10 * JointWatch::PATIENCE, 0, 0), JointWatch::FOLLOWS);
-  EXPECT_EQ(look(JointWatch::PATIENCE - kPeriod, kFar, 512), JointWatch::FOLLOWS);
-}
-
-// -------------------------------------------------------------------------------------------------- JointRecovery
-
-class JointRecoveryTest : public ::testing::Test {
- protected:
-  JointRecoveryTest() {
-    recovery_.Reset(0, 0);
-    recovery_.Await();
-  }
-
-  // Looks at the same reading for a number of frames.
-  bool look(unsigned frames, int position, int reference) {
-    for (unsigned passed = 0; passed < frames; passed += kPeriod) {
-      frame_ += kPeriod;
-      if (recovery_.Look({position, reference, 0}, frame_)) {
-        return true;
+TEST(JointWatch, JudgesAJointByItsReadings) {
+  const std::map<std::string, std::vector<Watched>> cases = {
+      {"a joint that pushes in vain for half a second is jammed, and again after another half second",
+       {{kPatience - kPeriod, kFar, 512, JointWatch::FOLLOWS},
+        {2 * kPeriod, kFar, 512, JointWatch::JAMMED},
+        {kPatience - kPeriod, kFar, 512, JointWatch::FOLLOWS},
+        {2 * kPeriod, kFar, 512, JointWatch::JAMMED}}},
+      {"the direction does not matter", {{2 * kPatience, -kFar, -512, JointWatch::JAMMED}}},
+      {"a joint that does not push does not follow", {{2 * kPatience, kFar, 0, JointWatch::UNCONTROLLABLE}}},
+      {"a joint that lags behind but moves follows",
+       {{10 * kPatience, 1000 * kFar, 512, JointWatch::FOLLOWS, kMoved / 10}}},
+      {"a joint that hangs a little under its load follows",
+       {{10 * kPatience, JointWatch::TOLERANCE, 512, JointWatch::FOLLOWS}}},
+      {"rest counts as following, however long it lasts",
+       {{10 * kPatience, 0, 0, JointWatch::FOLLOWS}, {kPatience - kPeriod, kFar, 512, JointWatch::FOLLOWS}}},
+  };
+  for (const auto& [name, readings] : cases) {
+    JointWatch watch;
+    unsigned frame = 0;
+    int position = 0;
+    for (const Watched& reading : readings) {
+      JointWatch::Verdict verdict = JointWatch::FOLLOWS;
+      for (unsigned passed = 0; passed < reading.frames && verdict == JointWatch::FOLLOWS; passed += kPeriod) {
+        frame += kPeriod;
+        position += reading.step;
+        verdict = watch.Look({position, reading.reference, reading.duty}, frame);
       }
+      EXPECT_EQ(verdict, reading.verdict) << name << ", frame " << frame;
     }
-    return false;
   }
+}
 
-  JointRecovery recovery_;
-  unsigned frame_ = 0;
+// The same reading for a number of frames.
+struct Recovery {
+  unsigned frames;
+  int position;
+  int reference;
+  bool has_recovered;
 };
 
-TEST_F(JointRecoveryTest, JointThatHasFollowedACommandForHalfASecondHasRecovered) {
-  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, JointWatch::MOVEMENT, JointWatch::MOVEMENT));
-  EXPECT_TRUE(look(2 * kPeriod, JointWatch::MOVEMENT, JointWatch::MOVEMENT));
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::MOVEMENT, JointWatch::MOVEMENT)) << "reported once";
+TEST(JointRecovery, NeedsACommandThatIsFollowed) {
+  const std::map<std::string, std::vector<Recovery>> cases = {
+      {"a joint that has followed a command for half a second has recovered, once",
+       {{kPatience - kPeriod, kMoved, kMoved, false},
+        {2 * kPeriod, kMoved, kMoved, true},
+        {10 * kPatience, kMoved, kMoved, false}}},
+      {"a joint that is held has not recovered, however long it rests", {{100 * kPatience, 0, 0, false}}},
+      {"a joint that is moved by hand has not recovered", {{10 * kPatience, JointWatch::TOLERANCE, 0, false}}},
+      {"a joint that is commanded and does not move has not", {{10 * kPatience, 0, JointWatch::TOLERANCE, false}}},
+      {"a joint that stays far behind has not", {{10 * kPatience, kMoved, kFar + kMoved, false}}},
+      {"half a second begins again when it falls behind",
+       {{kPatience - kPeriod, kFar, kFar, false},
+        {kPeriod, kFar, 3 * kFar, false},
+        {kPatience - kPeriod, kFar, kFar, false},
+        {2 * kPeriod, kFar, kFar, true}}},
+  };
+  for (const auto& [name, readings] : cases) {
+    JointRecovery recovery;
+    recovery.Reset(0, 0);
+    recovery.Await();
+    unsigned frame = 0;
+    for (const Recovery& reading : readings) {
+      bool has_recovered = false;
+      for (unsigned passed = 0; passed < reading.frames && !has_recovered; passed += kPeriod) {
+        frame += kPeriod;
+        has_recovered = recovery.Look({reading.position, reading.reference, 0}, frame);
+      }
+      EXPECT_EQ(has_recovered, reading.has_recovered) << name << ", frame " << frame;
+    }
+  }
 }
 
-TEST_F(JointRecoveryTest, JointThatIsHeldHasNotRecoveredHoweverLongItRests) {
-  EXPECT_FALSE(look(100 * JointWatch::PATIENCE, 0, 0));
-}
-
-TEST_F(JointRecoveryTest, JointThatIsMovedByHandHasNotRecovered) {
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::TOLERANCE, 0));
-}
-
-TEST_F(JointRecoveryTest, JointThatIsCommandedAndDoesNotMoveHasNotRecovered) {
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, 0, JointWatch::TOLERANCE));
-}
-
-TEST_F(JointRecoveryTest, JointThatStaysFarBehindHasNotRecovered) {
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, JointWatch::MOVEMENT, kFar + JointWatch::MOVEMENT));
-}
-
-TEST_F(JointRecoveryTest, HalfASecondBeginsAgainWhenItFallsBehind) {
-  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, kFar, kFar));
-  EXPECT_FALSE(look(kPeriod, kFar, 3 * kFar));
-  EXPECT_FALSE(look(JointWatch::PATIENCE - kPeriod, kFar, kFar));
-  EXPECT_TRUE(look(2 * kPeriod, kFar, kFar));
-}
-
-TEST_F(JointRecoveryTest, JointThatIsHeldElsewhereHasToMoveFromThere) {
-  recovery_.Reset(kFar, frame_);
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, kFar, kFar)) << "switching the motors on moves nothing";
-  EXPECT_TRUE(look(2 * JointWatch::PATIENCE, 0, 0));
-}
-
-TEST_F(JointRecoveryTest, JointWithoutAFaultDoesNotRecover) {
-  recovery_.Forget();
-  EXPECT_FALSE(look(10 * JointWatch::PATIENCE, kFar, kFar));
+TEST(JointRecovery, BeginsWhereTheJointIsHeldAndOnlyAfterAFault) {
+  JointRecovery recovery;
+  recovery.Reset(0, 0);
+  recovery.Await();
+  recovery.Reset(kFar, 0);
+  EXPECT_FALSE(recovery.Look({kFar, kFar, 0}, 10 * kPatience)) << "switching the motors on moves nothing";
+  EXPECT_TRUE(recovery.Look({0, 0, 0}, 11 * kPatience));
+  recovery.Await();
+  recovery.Forget();
+  EXPECT_FALSE(recovery.Look({kFar, kFar, 0}, 20 * kPatience));
 }
 
 }  // namespace

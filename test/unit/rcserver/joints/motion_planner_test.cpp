@@ -13,8 +13,6 @@ namespace {
 
 using ::testing::Each;
 
-using JointTarget = MotionPlanner::JointTarget;
-
 constexpr int kFramesPerSecond = 125;
 
 const robot_model::RobotModel& ers7() {
@@ -101,6 +99,29 @@ void run(MotionPlanner& planner, int frames) {
   }
 }
 
+struct JointTarget {
+  int joint;
+  int position;
+};
+
+// Sends joints to positions, which are replaced by those accepted.
+void setTargets(MotionPlanner& planner, std::vector<JointTarget>& targets, int duration) {
+  for (const JointTarget& target : targets) {
+    planner.Aim(target.joint, target.position);
+  }
+  planner.Go(duration);
+  for (JointTarget& target : targets) {
+    target.position = planner.Target(target.joint);
+  }
+}
+
+// Returns the position accepted.
+int setTarget(MotionPlanner& planner, int joint, int position) {
+  planner.Aim(joint, position);
+  planner.Go(0);
+  return planner.Target(joint);
+}
+
 // Random commands, which depend only on the seed.
 class RandomClient {
  public:
@@ -140,8 +161,10 @@ class RandomClient {
   }
 
   void follow(MotionPlanner& planner) {
-    std::vector<JointTarget> command = targetsForAll();
-    planner.Follow(command.data(), static_cast<int>(command.size()));
+    for (const JointTarget& target : targetsForAll()) {
+      planner.Aim(target.joint, target.position);
+    }
+    planner.Follow();
   }
 
   void command(MotionPlanner& planner) {
@@ -157,7 +180,7 @@ class RandomClient {
         planner.Hold(joint);
         break;
       case 3:
-        planner.SetTarget(joint, position(joint));
+        setTarget(planner, joint, position(joint));
         break;
       case 4:
         if (between(0, 9) == 0) {
@@ -166,7 +189,7 @@ class RandomClient {
         break;
       default: {
         std::vector<JointTarget> command = targets();
-        planner.SetTargets(command.data(), static_cast<int>(command.size()), between(0, 1) * between(0, 2000));
+        setTargets(planner, command, between(0, 1) * between(0, 2000));
       }
     }
   }
@@ -260,9 +283,9 @@ TEST(MotionPlanner, BeginsInAnAllowedPosture) {
 
 TEST(MotionPlanner, AcceptsPositionsWithinTheLimits) {
   MotionPlanner planner(ers7());
-  EXPECT_EQ(planner.SetTarget(joint("head_pan"), 100000), 100000);
-  EXPECT_EQ(planner.SetTarget(joint("head_pan"), 2000000000), microradians(88));
-  EXPECT_EQ(planner.SetTarget(joint("head_pan"), -2000000000), microradians(-88));
+  EXPECT_EQ(setTarget(planner, joint("head_pan"), 100000), 100000);
+  EXPECT_EQ(setTarget(planner, joint("head_pan"), 2000000000), microradians(88));
+  EXPECT_EQ(setTarget(planner, joint("head_pan"), -2000000000), microradians(-88));
   EXPECT_EQ(planner.Target(joint("head_pan")), microradians(-88));
 }
 
@@ -306,7 +329,7 @@ TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
     }
     resetLimits(planner);
     std::vector<JointTarget> targets = client.targetsForAll();
-    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), 0);
+    setTargets(planner, targets, 0);
     // Within three seconds, every joint can wait for the whole way of another one.
     ASSERT_LE(runUntilAllHaveArrived(planner), 3 * kFramesPerSecond);
     for (const JointTarget& target : targets) {
@@ -323,7 +346,7 @@ TEST(MotionPlanner, NeedsNoMoreTimeThanTheLimitsRequire) {
   const int pan = joint("head_pan");
   planner.SetSpeedLimit(pan, 1000000);
   planner.SetAccelerationLimit(pan, 10000000);
-  planner.SetTarget(pan, 1000000);
+  setTarget(planner, pan, 1000000);
   // 1 s at full speed and 0.1 s of ramps; the first frame moves already.
   EXPECT_NEAR(runUntilAllHaveArrived(planner), 1.1 * kFramesPerSecond, 1);
 }
@@ -334,7 +357,7 @@ TEST(MotionPlanner, LetsJointsWithADurationArriveTogether) {
                                       {joint("tail_pan"), -300000},
                                       {joint("left_front_knee"), 2000000},
                                       {joint("neck_tilt"), -100000}};
-  planner.SetTargets(targets.data(), 4, 1001);
+  setTargets(planner, targets, 1001);
   for (int frame = 1; frame < 126; ++frame) {
     planner.NextFrame();
     for (const JointTarget& target : targets) {
@@ -351,7 +374,7 @@ TEST(MotionPlanner, StretchesADurationThatIsTooShortForOneOfTheJoints) {
   MotionPlanner planner(ers7());
   planner.SetSpeedLimit(joint("tail_pan"), 500000);
   std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("tail_pan"), 500000}};
-  planner.SetTargets(targets.data(), 2, 8);
+  setTargets(planner, targets, 8);
   const int frames = planner.FramesLeft(joint("tail_pan"));
   EXPECT_NEAR(frames, 1.0 * kFramesPerSecond, 2);
   run(planner, frames - 1);
@@ -365,7 +388,7 @@ TEST(MotionPlanner, StretchesADurationThatIsTooShortForOneOfTheJoints) {
 TEST(MotionPlanner, MovesEveryJointAsFastAsItCanWithoutADuration) {
   MotionPlanner planner(ers7());
   std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("neck_tilt"), -1000000}};
-  planner.SetTargets(targets.data(), 2, 0);
+  setTargets(planner, targets, 0);
   EXPECT_LT(planner.FramesLeft(joint("head_pan")), planner.FramesLeft(joint("neck_tilt")));
 }
 
@@ -380,7 +403,7 @@ TEST(MotionPlanner, LetsJointsArriveTogetherWhateverWasCommandedBefore) {
     }
     std::vector<JointTarget> targets = client.targets();
     const int duration = client.between(1, 1000);
-    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
+    setTargets(planner, targets, duration);
     std::vector<int> joints;
     for (const JointTarget& target : targets) {
       if (!isLeader(target.joint) && !isFollower(target.joint)) {
@@ -407,7 +430,7 @@ TEST(MotionPlanner, StopsWithinTheBrakingDistance) {
   RandomClient client(4);
   for (int i = 0; i < 500; ++i) {
     std::vector<JointTarget> targets = client.targetsForAll();
-    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), 0);
+    setTargets(planner, targets, 0);
     run(planner, client.between(0, 40));
     const std::vector<int> from = postureOf(planner);
     std::vector<double> speeds;
@@ -431,8 +454,8 @@ TEST(MotionPlanner, StopsOneJointAndLetsTheOthersGo) {
   MotionPlanner planner(ers7());
   const int pan = joint("head_pan");
   const int tail = joint("tail_pan");
-  planner.SetTarget(pan, 1000000);
-  planner.SetTarget(tail, 500000);
+  setTarget(planner, pan, 1000000);
+  setTarget(planner, tail, 500000);
   run(planner, 5);
   planner.Hold(pan);
   runUntilAllHaveArrived(planner);
@@ -444,8 +467,8 @@ TEST(MotionPlanner, StopsOneJointOfAnArrivalInCommonAtOnce) {
   MotionPlanner planner(ers7());
   const int pan = joint("head_pan");
   const int tail = joint("tail_pan");
-  JointTarget targets[] = {{pan, 1000000}, {tail, 500000}};
-  planner.SetTargets(targets, 2, 4000);
+  std::vector<JointTarget> targets = {{pan, 1000000}, {tail, 500000}};
+  setTargets(planner, targets, 4000);
   run(planner, 250);
   const int held_at = planner.Position(pan);
   planner.Hold(pan);
@@ -465,10 +488,10 @@ TEST(MotionPlanner, AcceptsTheJointsOfACommandInAnyOrder) {
     MotionPlanner planner(ers7());
     MotionPlanner other(ers7());
     std::vector<JointTarget> before = client.targets();
-    planner.SetTargets(before.data(), static_cast<int>(before.size()), 0);
-    other.SetTargets(before.data(), static_cast<int>(before.size()), 0);
-    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), duration);
-    other.SetTargets(reversed.data(), static_cast<int>(reversed.size()), duration);
+    setTargets(planner, before, 0);
+    setTargets(other, before, 0);
+    setTargets(planner, targets, duration);
+    setTargets(other, reversed, duration);
     ASSERT_EQ(targetsOf(planner), targetsOf(other));
     run(planner, 30);
     run(other, 30);
@@ -479,7 +502,7 @@ TEST(MotionPlanner, AcceptsTheJointsOfACommandInAnyOrder) {
 TEST(MotionPlanner, TakesTheLastOfTwoPositionsForOneJoint) {
   MotionPlanner planner(ers7());
   std::vector<JointTarget> targets = {{joint("head_pan"), 1000}, {joint("head_pan"), 2000}};
-  planner.SetTargets(targets.data(), 2, 0);
+  setTargets(planner, targets, 0);
   EXPECT_EQ(planner.Target(joint("head_pan")), 2000);
   EXPECT_EQ(targets[0].position, 2000);
   EXPECT_EQ(targets[1].position, 2000);
@@ -491,7 +514,7 @@ TEST(MotionPlanner, TakesASetOfTargetsThatFitTogetherAsItIs) {
                                       {joint("left_front_rotator"), microradians(100)},
                                       {joint("right_hind_elevator"), microradians(-10)},
                                       {joint("right_hind_rotator"), microradians(10)}};
-  planner.SetTargets(targets.data(), 4, 0);
+  setTargets(planner, targets, 0);
   EXPECT_EQ(targets[0].position, microradians(-2));
   EXPECT_EQ(targets[1].position, microradians(100));
   EXPECT_EQ(targets[2].position, microradians(-10));
@@ -500,18 +523,18 @@ TEST(MotionPlanner, TakesASetOfTargetsThatFitTogetherAsItIs) {
 
 TEST(MotionPlanner, ClampsTheElevatorToItsLimitForTheRotatorsTarget) {
   MotionPlanner planner(ers7());
-  planner.SetTarget(joint("left_front_rotator"), microradians(-60));
-  EXPECT_EQ(planner.SetTarget(joint("left_front_elevator"), microradians(-10)), microradians(-2));
+  setTarget(planner, joint("left_front_rotator"), microradians(-60));
+  EXPECT_EQ(setTarget(planner, joint("left_front_elevator"), microradians(-10)), microradians(-2));
 }
 
 TEST(MotionPlanner, ClampsTheHeadTiltToItsLimitForNeckAndMouth) {
   MotionPlanner planner(ers7());
-  EXPECT_EQ(planner.SetTarget(joint("head_tilt"), microradians(-15)), microradians(-5));
-  planner.SetTarget(joint("neck_tilt"), microradians(-50));
+  EXPECT_EQ(setTarget(planner, joint("head_tilt"), microradians(-15)), microradians(-5));
+  setTarget(planner, joint("neck_tilt"), microradians(-50));
   EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
-  planner.SetTarget(joint("neck_tilt"), 0);
-  EXPECT_EQ(planner.SetTarget(joint("head_tilt"), microradians(-15)), microradians(-5));
-  planner.SetTarget(joint("mouth"), microradians(-50));
+  setTarget(planner, joint("neck_tilt"), 0);
+  EXPECT_EQ(setTarget(planner, joint("head_tilt"), microradians(-15)), microradians(-5));
+  setTarget(planner, joint("mouth"), microradians(-50));
   EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
 }
 
@@ -520,10 +543,10 @@ TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
-  planner.SetTarget(elevator, microradians(-10));
+  setTarget(planner, elevator, microradians(-10));
   runUntilAllHaveArrived(planner);
   planner.SetSpeedLimit(elevator, microradians(4));
-  planner.SetTarget(rotator, microradians(100));
+  setTarget(planner, rotator, microradians(100));
   EXPECT_EQ(planner.Target(elevator), microradians(-2));
   const int frames = runUntilAllHaveArrived(planner);
   // Two seconds for the elevator's 8 degrees, and a third of a second for the rest of the rotator's way.
@@ -537,10 +560,10 @@ TEST(MotionPlanner, LetsAWaitingJointMoveAsFarAsItCan) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
-  planner.SetTarget(elevator, microradians(-10));
+  setTarget(planner, elevator, microradians(-10));
   runUntilAllHaveArrived(planner);
   planner.SetSpeedLimit(elevator, 125);
-  planner.SetTarget(rotator, microradians(100));
+  setTarget(planner, rotator, microradians(100));
   run(planner, 50);
   EXPECT_EQ(planner.Position(rotator), microradians(20));
   EXPECT_EQ(planner.Speed(rotator), 0);
@@ -550,12 +573,12 @@ TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
   MotionPlanner planner(ers7());
   const int rotator = joint("right_hind_rotator");
   const int elevator = joint("right_hind_elevator");
-  planner.SetTarget(rotator, microradians(-100));
+  setTarget(planner, rotator, microradians(-100));
   runUntilAllHaveArrived(planner);
   ASSERT_EQ(planner.Position(elevator), 0);
   planner.SetSpeedLimit(rotator, microradians(50));
   std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
-  planner.SetTargets(targets.data(), 2, 0);
+  setTargets(planner, targets, 0);
   run(planner, kFramesPerSecond / 2);
   EXPECT_EQ(planner.Position(elevator), 0);
   runUntilAllHaveArrived(planner);
@@ -568,10 +591,10 @@ TEST(MotionPlanner, DelaysNoJointForOneThatHasToWaitForAnother) {
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
   const int tail = joint("tail_pan");
-  planner.SetTarget(elevator, microradians(-10));
+  setTarget(planner, elevator, microradians(-10));
   runUntilAllHaveArrived(planner);
   std::vector<JointTarget> targets = {{rotator, microradians(50)}, {tail, 500000}};
-  planner.SetTargets(targets.data(), 2, 4000);
+  setTargets(planner, targets, 4000);
   ASSERT_EQ(planner.Target(elevator), microradians(-5));
   run(planner, 499);
   EXPECT_NE(planner.Position(elevator), microradians(-5));
@@ -589,9 +612,9 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
-  planner.SetTarget(elevator, microradians(-10));
+  setTarget(planner, elevator, microradians(-10));
   runUntilAllHaveArrived(planner);
-  planner.SetTarget(rotator, microradians(100));
+  setTarget(planner, rotator, microradians(100));
   run(planner, 5);
   planner.Hold(elevator);
   EXPECT_LE(runUntilAllHaveArrived(planner), 13);
@@ -602,10 +625,10 @@ TEST(MotionPlanner, DoesNotLowerAnElevatorOntoAHeldRotator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
-  planner.SetTarget(rotator, microradians(-100));
+  setTarget(planner, rotator, microradians(-100));
   runUntilAllHaveArrived(planner);
   std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
-  planner.SetTargets(targets.data(), 2, 0);
+  setTargets(planner, targets, 0);
   run(planner, 5);
   planner.Hold(rotator);
   runUntilAllHaveArrived(planner);
@@ -655,7 +678,7 @@ TEST(MotionPlanner, LeavesAForbiddenPostureWithoutGoingDeeper) {
     }
     const std::vector<int> found = postureOf(planner);
     std::vector<JointTarget> targets = client.targetsForAll();
-    planner.SetTargets(targets.data(), static_cast<int>(targets.size()), client.between(0, 1) * 500);
+    setTargets(planner, targets, client.between(0, 1) * 500);
     for (int frame = 0; frame < 3 * kFramesPerSecond; ++frame) {
       planner.NextFrame();
       const std::vector<int> posture = postureOf(planner);
@@ -675,12 +698,12 @@ int swing(int frame) {
 TEST(MotionPlanner, FollowsATargetThatMovesWithoutLag) {
   MotionPlanner planner(ers7());
   const int knee = joint("left_front_knee");
-  planner.SetTarget(knee, swing(0));
+  setTarget(planner, knee, swing(0));
   runUntilAllHaveArrived(planner);
   for (int frame = 1; frame < 100; ++frame) {
-    JointTarget target = {knee, swing(frame)};
-    planner.Follow(&target, 1);
-    EXPECT_EQ(target.position, swing(frame));
+    planner.Aim(knee, swing(frame));
+    planner.Follow();
+    EXPECT_EQ(planner.Target(knee), swing(frame));
     planner.NextFrame();
     ASSERT_EQ(planner.Position(knee), swing(frame)) << frame;
   }
@@ -690,11 +713,11 @@ TEST(MotionPlanner, FollowsATargetThatMovesWithoutLag) {
 TEST(MotionPlanner, LagsBehindATargetThatMovesIfItHasToBeAbleToStopThere) {
   MotionPlanner planner(ers7());
   const int knee = joint("left_front_knee");
-  planner.SetTarget(knee, swing(0));
+  setTarget(planner, knee, swing(0));
   runUntilAllHaveArrived(planner);
   int farthest = 0;
   for (int frame = 1; frame < 100; ++frame) {
-    planner.SetTarget(knee, swing(frame));
+    setTarget(planner, knee, swing(frame));
     planner.NextFrame();
     farthest = std::max(farthest, std::abs(planner.Position(knee) - swing(frame)));
   }
@@ -726,8 +749,8 @@ TEST(MotionPlanner, StopsAtTheLastTargetWhenThereAreNoMoreToFollow) {
   MotionPlanner planner(ers7());
   const int knee = joint("left_front_knee");
   for (int frame = 1; frame < 20; ++frame) {
-    JointTarget target = {knee, frame * 35000};
-    planner.Follow(&target, 1);
+    planner.Aim(knee, frame * 35000);
+    planner.Follow();
     planner.NextFrame();
   }
   EXPECT_GT(planner.Speed(knee), 4000000);
@@ -738,14 +761,14 @@ TEST(MotionPlanner, StopsAtTheLastTargetWhenThereAreNoMoreToFollow) {
 TEST(MotionPlanner, MovesAJointThatHasFollowedWithItsOwnAccelerationAgain) {
   MotionPlanner planner(ers7());
   const int knee = joint("left_front_knee");
-  JointTarget target = {knee, 35000};
-  planner.Follow(&target, 1);
+  planner.Aim(knee, 35000);
+  planner.Follow();
   planner.NextFrame();
   EXPECT_EQ(planner.Position(knee), 5 * 52796210 / 15625) << "five times the default acceleration";
   planner.Hold(knee);
   planner.NextFrame();
   const int before = planner.Position(knee);
-  planner.SetTarget(knee, microradians(90));
+  setTarget(planner, knee, microradians(90));
   planner.NextFrame();
   EXPECT_EQ(planner.Position(knee) - before, 52796210 / 15625);
 }
@@ -754,7 +777,7 @@ TEST(MotionPlanner, ServesARobotWithoutCouplings) {
   const robot_model::RobotModel& ers210 = *robot_model::findRobotModel("ERS-210");
   MotionPlanner planner(ers210);
   const int roll = findJointByName(ers210, "head_roll");
-  EXPECT_EQ(planner.SetTarget(roll, microradians(-40)), microradians(-29));
+  EXPECT_EQ(setTarget(planner, roll, microradians(-40)), microradians(-29));
   run(planner, 100);
   EXPECT_EQ(planner.Position(roll), microradians(-29));
 }

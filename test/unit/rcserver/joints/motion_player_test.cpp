@@ -422,7 +422,8 @@ TEST_F(StoppedMotionTest, allAreStoppedAtOnce) {
 
 TEST_F(StoppedMotionTest, commandingAJointEndsItsMotion) {
   player_->StopMotionOf(joint("head_tilt"), kCommanded);
-  planner_.SetTarget(joint("head_tilt"), 0);
+  planner_.Aim(joint("head_tilt"), 0);
+  planner_.Go(0);
   passFrames(200);
   EXPECT_NEAR(at("head_tilt"), 0, 1e-4);
   EXPECT_LT(at("head_pan"), 45);

@@ -39,6 +39,12 @@ class WalkerTest : public ::testing::Test {
   int joint(const std::string& name) const { return findJointByName(robot_, name.c_str()); }
   int position(const std::string& name) { return joints_.Planner().Position(joint(name)); }
 
+  // A client commands a joint.
+  void command(const std::string& name, int position) {
+    protocol::version2::JointTargets targets = {0, 1, {{joints_.Identifier(joint(name)), position}}};
+    joints_.SetTargets(&targets);
+  }
+
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
       std::vector<int> before;
@@ -296,13 +302,11 @@ TEST_F(WalkerTest, ARobotThatIsNotSteeredWhileItRisesStandsAndDoesNotWalk) {
 
 TEST_F(WalkerTest, ACommandToALegEndsTheWalkAndOneToTheHeadDoesNot) {
   walk();
-  MotionPlanner::JointTarget head = {joint("head_pan"), 500000};
-  joints_.SetTargets(&head, 1, 0);
+  command("head_pan", 500000);
   steer({0.1, 0, 0}, 100);
   EXPECT_TRUE(walker().IsActive());
   EXPECT_EQ(position("head_pan"), 500000);
-  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
-  joints_.SetTargets(&knee, 1, 0);
+  command("left_front_knee", 500000);
   EXPECT_FALSE(walker().IsActive());
   pass(100);
   EXPECT_EQ(position("left_front_knee"), 500000);
@@ -375,8 +379,7 @@ TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsIt
 TEST_F(WalkerTest, AClientWhoseWalkWasEndedHasToLetGo) {
   walk();
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
-  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
-  joints_.SetTargets(&knee, 1, 0);
+  command("left_front_knee", 500000);
   for (int i = 0; i < 20; ++i) {
     pass(40);
     EXPECT_STREQ(walker().ProblemOfWalk(true),
@@ -451,14 +454,13 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
 }
 
 TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
-  MotionPlanner::JointTarget head = {joint("head_pan"), 500000};
-  joints_.SetTargets(&head, 1, 0);
+  command("head_pan", 500000);
   take(POSTURE_REST);
   EXPECT_EQ(position("head_pan"), 0);
   take(POSTURE_STAND);
   joints_.Take(POSTURE_REST);
   pass(10);
-  joints_.SetTargets(&head, 1, 0);
+  command("head_pan", 500000);
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_EQ(position("head_pan"), 500000);
@@ -563,11 +565,7 @@ TEST_F(WalkerTest, WalksAfterEveryEndLikeTheFirstTime) {
   const std::pair<const char*, std::function<void()>> ends_of_a_walk[] = {
       {"held", [this] { joints_.StopAll(); }},
       {"a leg held", [this] { joints_.Stop(joint("left_front_knee")); }},
-      {"a leg commanded",
-       [this] {
-         MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
-         joints_.SetTargets(&knee, 1, 0);
-       }},
+      {"a leg commanded", [this] { command("left_front_knee", 500000); }},
       {"motors off", [this] { joints_.MotorsGoOff(); }},
       {"a leg failed", [this] { walker().Stop(EndReason::Of(END_REFUSED, "%s does not follow", "left_front_knee")); }},
       {"fallen",
@@ -641,7 +639,7 @@ TEST_F(WalkerTest, TakesEveryPostureFromEveryOtherSlowly) {
 }
 
 TEST_F(WalkerTest, RestsWithTheHeadLevelAndThenWantsTheMotorsOff) {
-  joints_.Planner().SetTarget(joint("neck_tilt"), -1200000);
+  command("neck_tilt", -1200000);
   pass(200);
   joints_.Take(POSTURE_REST);
   while (!isIn(POSTURE_REST)) {
@@ -744,8 +742,7 @@ TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
 
 TEST_F(WalkerTest, LegsThatSomebodyElseHasMovedDoNotGoSoft) {
   walk();
-  MotionPlanner::JointTarget knee = {joint("left_front_knee"), 500000};
-  joints_.SetTargets(&knee, 1, 0);
+  command("left_front_knee", 500000);
   reading_ = kOnItsSide;
   pass(400);
   EXPECT_FALSE(walker().WantsMotorsOff());
