@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <climits>
 #include <string>
 
 #include "layouts.h"
@@ -14,64 +13,11 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsNull;
 
-TEST(MotionUpload, IsANameAndAFile) {
-  const Bytes bytes = hex(kUpload);
-  const auto upload = decoded<MotionUpload>(bytes);
-  EXPECT_STREQ(upload.name, "NOD.MTN");
-  EXPECT_EQ(Bytes(upload.content, upload.content + upload.content_size), bytesOf("OMTN"));
-}
-
 TEST(MotionUpload, MayBeAsLargeAsAFrameAllows) {
   const Bytes content(MAX_MOTION_FILE_SIZE, 0x5a);
   const Bytes bytes = encoded(MotionUpload{"WALK_FWD.MTN", content.data(), content.size()});
   EXPECT_EQ(bytes.size(), MAX_PAYLOAD_TOWARDS_ROBOT);
   EXPECT_EQ(decoded<MotionUpload>(bytes).content_size, MAX_MOTION_FILE_SIZE);
-}
-
-TEST(MotionUpload, IsRefusedWithoutAFile) {
-  EXPECT_THAT(verdict<MotionUpload>(bytesOf("\x07NOD.MTN")), HasSubstr("no motion after its name"));
-}
-
-TEST(MotionUpload, IsRefusedWithAWrongSizeOfTheName) {
-  for (const int size : {12, 127, 255}) {
-    Bytes bytes = hex(kUpload);
-    bytes[0] = static_cast<unsigned char>(size);
-    EXPECT_THAT(verdict<MotionUpload>(bytes), HasSubstr("does not fit")) << size;
-  }
-  for (const int size : {0, 6, 8}) {
-    Bytes bytes = hex(kUpload);
-    bytes[0] = static_cast<unsigned char>(size);
-    EXPECT_THAT(verdict<MotionUpload>(bytes), HasSubstr(".MTN")) << size;
-  }
-  EXPECT_THAT(verdict<MotionUpload>({}), HasSubstr("does not fit"));
-  EXPECT_THAT(verdict<MotionUpload>(hex("ff") + Bytes(MAX_PAYLOAD_TOWARDS_ROBOT - 1, 'A')), HasSubstr(".MTN"));
-  EXPECT_THAT(verdict<MotionUpload>(bytesOf("\x08../A.MTNxyz")), HasSubstr("other characters"));
-}
-
-TEST(MotionToDelete, IsANameWhoseSmallLettersBecomeCapitals) {
-  EXPECT_STREQ(decoded<MotionToDelete>(bytesOf("wag.mtn")).name, "WAG.MTN");
-  EXPECT_THAT(verdict<MotionToDelete>({}), HasSubstr(".MTN"));
-}
-
-TEST(MotionOrder, HasTheRepetitionsAndTheName) {
-  const auto order = decoded<MotionOrder>(hex("ff ff") + bytesOf("WALK_FWD.MTN"));
-  EXPECT_EQ(order.repetitions, USHRT_MAX);
-  EXPECT_STREQ(order.name, "WALK_FWD.MTN");
-}
-
-TEST(MotionOrder, NeedsANameUnlessItStopsAll) {
-  EXPECT_STREQ(decoded<MotionOrder>(hex("00 00") + bytesOf("NOD.MTN")).name, "NOD.MTN");
-  EXPECT_STREQ(decoded<MotionOrder>(hex("00 00")).name, "");
-  EXPECT_EQ(encoded(MotionOrder{}), hex("00 00"));
-  EXPECT_THAT(verdict<MotionOrder>(hex("00 01")), HasSubstr(".MTN"));
-  EXPECT_THAT(verdict<MotionOrder>(hex("00 01") + bytesOf("A/B.MTN")), HasSubstr("other characters"));
-}
-
-TEST(MotionChanges, AreRefusedIfTheyAreNotPlainOrTooLong) {
-  EXPECT_THAT(verdict<MotionChanges>(bytesOf("a\nb")), HasSubstr("plain"));
-  EXPECT_THAT(verdict<MotionChanges>(hex("ff")), HasSubstr("plain"));
-  EXPECT_THAT(verdict<MotionChanges>(Bytes(MAX_MOTION_CHANGES_SIZE, 'a')), IsNull());
-  EXPECT_THAT(verdict<MotionChanges>(Bytes(MAX_MOTION_CHANGES_SIZE + 1, 'a')), HasSubstr("too long"));
 }
 
 FileList listOf(size_t count) {

@@ -106,13 +106,6 @@ TEST(Parity, OfAGroupGivesBackAnyPartOfIt) {
   }
 }
 
-TEST(Replies, NameThePicture) {
-  EXPECT_EQ(decoded<LossReport>(hex("6c 00 00 00 00 00 12 34")).picture, 0x1234U);
-  EXPECT_EQ(decoded<Acknowledgement>(hex("61 00 00 00 00 00 12 34")).picture, 0x1234U);
-  EXPECT_NE(verdict<Acknowledgement>(hex("6c 00 00 00 00 00 12 34")), nullptr);
-  EXPECT_NE(verdict<LossReport>(hex("6c 01 00 00 00 00 12 34")), nullptr);
-}
-
 }  // namespace
 }  // namespace version2
 }  // namespace protocol

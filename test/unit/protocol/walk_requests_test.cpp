@@ -12,15 +12,6 @@ namespace {
 
 using ::testing::StrEq;
 
-TEST(Velocity, IsForwardLeftAndTurn) {
-  const auto velocity = decoded<Velocity>(hex(kVelocity));
-  EXPECT_DOUBLE_EQ(velocity.forward, 0.15);
-  EXPECT_DOUBLE_EQ(velocity.left, -0.06);
-  EXPECT_DOUBLE_EQ(velocity.turn, 1.2);
-  EXPECT_EQ(encoded(Velocity{-32.768, 32.767, -0.001}), hex("80 00 7f ff ff ff 00 00"));
-  EXPECT_EQ(encoded(Velocity{0.0014, 0.0015, -0.0015}), hex("00 01 00 02 ff fe 00 00")) << "rounded to the nearest";
-}
-
 TEST(Velocity, OfEachValueOnTheWireComesBackAsItWas) {
   for (int value = SHRT_MIN; value <= SHRT_MAX; ++value) {
     const Velocity velocity = {value * 1e-3, 0, 0};
