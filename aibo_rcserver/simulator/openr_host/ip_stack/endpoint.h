@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -76,6 +77,13 @@ class PendingMessage {
   const Deliver& deliver_;
   std::optional<Envelope> envelope_;
 };
+
+/// A system's error as the IPStack's.
+template <typename Error>
+Error errorOf(int error, const std::map<int, Error>& errors, Error other) {
+  const auto found = errors.find(error);
+  return found == errors.end() ? other : found->second;
+}
 
 /// True for errors after which a call can be repeated when the socket is ready.
 inline bool isTransient(int error) {

@@ -10,43 +10,30 @@
 namespace openr_host {
 namespace {
 
+const std::map<antOperation, std::size_t> kSizes = {
+    {antOperation_CreateSharedBuffer, sizeof(antEnvCreateSharedBufferMsg)},
+    {antOperation_DestroySharedBuffer, sizeof(antEnvDestroySharedBufferMsg)},
+    {antOperation_CreateEndpoint, sizeof(antEnvCreateEndpointMsg)},
+    {antOperation_TCPListen, sizeof(TCPEndpointListenMsg)},
+    {antOperation_TCPConnect, sizeof(TCPEndpointConnectMsg)},
+    {antOperation_TCPSend, sizeof(TCPEndpointSendMsg)},
+    {antOperation_TCPReceive, sizeof(TCPEndpointReceiveMsg)},
+    {antOperation_TCPClose, sizeof(TCPEndpointCloseMsg)},
+    {antOperation_UDPBind, sizeof(UDPEndpointBindMsg)},
+    {antOperation_UDPSend, sizeof(UDPEndpointSendMsg)},
+    {antOperation_UDPReceive, sizeof(UDPEndpointReceiveMsg)},
+    {antOperation_UDPClose, sizeof(UDPEndpointCloseMsg)},
+    {antOperation_DNSGetServerAddresses, sizeof(DNSEndpointGetServerAddressesMsg)},
+    {antOperation_DNSGetDefaultDomainName, sizeof(DNSEndpointGetDefaultDomainNameMsg)},
+    {antOperation_DNSGetHostByName, sizeof(DNSEndpointHostMsg)},
+    {antOperation_DNSGetHostByAddr, sizeof(DNSEndpointHostMsg)},
+    {antOperation_DNSClose, sizeof(DNSEndpointCloseMsg)},
+};
+
+/// Of an operation's message; 0 if there is no such operation.
 std::size_t sizeOf(antOperation operation) {
-  switch (operation) {
-    case antOperation_CreateSharedBuffer:
-      return sizeof(antEnvCreateSharedBufferMsg);
-    case antOperation_DestroySharedBuffer:
-      return sizeof(antEnvDestroySharedBufferMsg);
-    case antOperation_CreateEndpoint:
-      return sizeof(antEnvCreateEndpointMsg);
-    case antOperation_TCPListen:
-      return sizeof(TCPEndpointListenMsg);
-    case antOperation_TCPConnect:
-      return sizeof(TCPEndpointConnectMsg);
-    case antOperation_TCPSend:
-      return sizeof(TCPEndpointSendMsg);
-    case antOperation_TCPReceive:
-      return sizeof(TCPEndpointReceiveMsg);
-    case antOperation_TCPClose:
-      return sizeof(TCPEndpointCloseMsg);
-    case antOperation_UDPBind:
-      return sizeof(UDPEndpointBindMsg);
-    case antOperation_UDPSend:
-      return sizeof(UDPEndpointSendMsg);
-    case antOperation_UDPReceive:
-      return sizeof(UDPEndpointReceiveMsg);
-    case antOperation_UDPClose:
-      return sizeof(UDPEndpointCloseMsg);
-    case antOperation_DNSGetServerAddresses:
-      return sizeof(DNSEndpointGetServerAddressesMsg);
-    case antOperation_DNSGetDefaultDomainName:
-      return sizeof(DNSEndpointGetDefaultDomainNameMsg);
-    case antOperation_DNSGetHostByName:
-    case antOperation_DNSGetHostByAddr:
-      return sizeof(DNSEndpointHostMsg);
-    case antOperation_DNSClose:
-      return sizeof(DNSEndpointCloseMsg);
-  }
-  return 0;
+  const auto found = kSizes.find(operation);
+  return found == kSizes.end() ? 0 : found->second;
 }
 
 bool hasBuffer(const SharedBuffers& buffers, const TCPEndpointReceiveMsg& message) {

@@ -10,39 +10,18 @@
 namespace openr_host {
 namespace {
 
-/// For a connection that broke.
-TCPEndpointError errorOf(int error) {
-  switch (error) {
-    case EPIPE:
-      return TCP_CONNECTION_CLOSED;
-    case ECONNRESET:
-      return TCP_CONNECTION_RESET;
-    case ETIMEDOUT:
-    case EHOSTUNREACH:
-    case ENETUNREACH:
-      return TCP_CONNECTION_TIMEOUT;
-    default:
-      return TCP_FAIL;
-  }
-}
-
 /// For a connection that was not established.
-TCPEndpointError connectErrorOf(int error) {
-  switch (error) {
-    case ECONNREFUSED:
-      return TCP_PORT_UNREACHABLE;
-    case EHOSTUNREACH:
-      return TCP_HOST_UNREACHABLE;
-    case ENETUNREACH:
-      return TCP_NETWORK_UNREACHABLE;
-    case EINVAL:
-    case EACCES:
-    case EADDRNOTAVAIL:
-      return TCP_ADDRESSERROR;
-    default:
-      return errorOf(error);
-  }
-}
+const std::map<int, TCPEndpointError> kConnectErrors = {
+    {ECONNREFUSED, TCP_PORT_UNREACHABLE}, {EHOSTUNREACH, TCP_HOST_UNREACHABLE}, {ENETUNREACH, TCP_NETWORK_UNREACHABLE},
+    {EINVAL, TCP_ADDRESSERROR},           {EACCES, TCP_ADDRESSERROR},           {EADDRNOTAVAIL, TCP_ADDRESSERROR},
+    {EPIPE, TCP_CONNECTION_CLOSED},       {ECONNRESET, TCP_CONNECTION_RESET},   {ETIMEDOUT, TCP_CONNECTION_TIMEOUT}};
+
+/// For a connection that broke.
+const std::map<int, TCPEndpointError> kErrors = {{EPIPE, TCP_CONNECTION_CLOSED},
+                                                 {ECONNRESET, TCP_CONNECTION_RESET},
+                                                 {ETIMEDOUT, TCP_CONNECTION_TIMEOUT},
+                                                 {EHOSTUNREACH, TCP_CONNECTION_TIMEOUT},
+                                                 {ENETUNREACH, TCP_CONNECTION_TIMEOUT}};
 
 /// Discards received bytes.
 /// @return 0 if the other side has closed the connection, otherwise an error number
@@ -190,7 +169,7 @@ void TcpEndpoint::breakOffUnlessTransient(int error) {
 }
 
 void TcpEndpoint::breakOff(int error) {
-  why_broken_ = state_ == State::kConnecting ? connectErrorOf(error) : errorOf(error);
+  why_broken_ = errorOf(error, state_ == State::kConnecting ? kConnectErrors : kErrors, TCP_FAIL);
   state_ = closing_ ? State::kClosed : State::kBroken;
   socket_.close();
   connecting_.end(why_broken_);

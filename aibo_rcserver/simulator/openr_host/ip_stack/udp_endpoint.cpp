@@ -11,26 +11,15 @@ namespace openr_host {
 namespace {
 
 UDPEndpointError udpErrorOf(int error) {
-  switch (error) {
-    case 0:
-      return UDP_SUCCESS;
-    case EADDRINUSE:
-      return UDP_ADDRESSINUSE;
-    case EADDRNOTAVAIL:
-    case EACCES:
-    case EINVAL:
-      return UDP_ADDRESSERROR;
-    case ECONNREFUSED:
-      return UDP_PORT_UNREACHABLE;
-    case EHOSTUNREACH:
-      return UDP_HOST_UNREACHABLE;
-    case ENETUNREACH:
-      return UDP_NETWORK_UNREACHABLE;
-    case EMSGSIZE:
-      return UDP_MESSAGE_TOO_LONG;
-    default:
-      return UDP_FAIL;
-  }
+  static const std::map<int, UDPEndpointError> kErrors = {{EADDRINUSE, UDP_ADDRESSINUSE},
+                                                          {EADDRNOTAVAIL, UDP_ADDRESSERROR},
+                                                          {EACCES, UDP_ADDRESSERROR},
+                                                          {EINVAL, UDP_ADDRESSERROR},
+                                                          {ECONNREFUSED, UDP_PORT_UNREACHABLE},
+                                                          {EHOSTUNREACH, UDP_HOST_UNREACHABLE},
+                                                          {ENETUNREACH, UDP_NETWORK_UNREACHABLE},
+                                                          {EMSGSIZE, UDP_MESSAGE_TOO_LONG}};
+  return errorOf(error, kErrors, UDP_FAIL);
 }
 
 }  // namespace

@@ -56,24 +56,10 @@ word OFbkImage::FieldCounter() const {
 
 byte OFbkImage::ColorFrequency(OCdtChannel channel) const {
   openr_host::FilledOnRead::read(pointer_);
-  switch (channel) {
-    case ocdtCHANNEL0:
-      return Tag(8);
-    case ocdtCHANNEL1:
-      return Tag(9);
-    case ocdtCHANNEL2:
-      return Tag(10);
-    case ocdtCHANNEL3:
-      return Tag(11);
-    case ocdtCHANNEL4:
-      return Tag(4);
-    case ocdtCHANNEL5:
-      return Tag(5);
-    case ocdtCHANNEL6:
-      return Tag(6);
-    case ocdtCHANNEL7:
-      return Tag(7);
-    default:
-      return 0;
+  for (int i = 0; i < 8; ++i) {
+    if (channel == OCdtChannel{1} << i) {
+      return Tag(i < 4 ? 8 + i : i);
+    }
   }
+  return 0;
 }
