@@ -1,5 +1,6 @@
 // Shows the simulated robot's room in rviz: the floor, what stands on it, and the ball that rolls there. The frame odom
-// begins where the driver starts, so the room is in its right place if the robot has not walked before that.
+// begins where the driver starts, so the room is in its right place if the robot has not walked before that. With the
+// parameter ~on_table, the robot begins on the table.
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
@@ -120,7 +121,8 @@ Marker partMarker(const Body& body, const simulated_ers7::Part& part, Marker mar
 
 class Room {
  public:
-  explicit Room(ros::NodeHandle handle) {
+  /// @param on_table true if the robot begins on the table
+  Room(ros::NodeHandle handle, bool on_table) : scene_(on_table) {
     constexpr bool kLatched = true;
     room_ = handle.advertise<visualization_msgs::MarkerArray>("room", 1, kLatched);
     ball_ = handle.advertise<Marker>("room/ball", 1);
@@ -141,8 +143,14 @@ class Room {
         }
       }
     }
+    for (Marker& marker : markers.markers) {
+      lower(marker);
+    }
     room_.publish(markers);
   }
+
+  // The frame odom is on the ground that the robot stands on at first.
+  void lower(Marker& marker) const { marker.pose.position.z -= scene_.groundAt(Eigen::Vector2d::Zero()); }
 
   // The ball's place depends on the time since the robot was switched on.
   void receiveState(const aibo_driver::CameraState::ConstPtr& state) {
@@ -168,7 +176,9 @@ class Room {
     scene_.setTime((ros::Time::now() - switched_on_).toSec());
     for (const Body& body : scene_.bodies()) {
       if (body.parts().front().surface == simulated_ers7::Surface::kBall) {
-        ball_.publish(partMarker(body, body.parts().front(), emptyMarker(0)));
+        Marker ball = partMarker(body, body.parts().front(), emptyMarker(0));
+        lower(ball);
+        ball_.publish(ball);
       }
     }
   }
@@ -187,6 +197,7 @@ class Room {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_room");
   return aibo_driver::node::runNode("node aibo_room", [] {
-    return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"));
+    return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
+                                  ros::NodeHandle("~").param("on_table", false));
   });
 }

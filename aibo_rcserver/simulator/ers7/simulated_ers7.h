@@ -34,6 +34,9 @@ struct SimulatedErs7Options {
   /// ERS-7's legs, and sees through its camera with the neck at rest.
   std::string design = "ERS-7";
 
+  /// True: the robot begins on a table, and may fall off it (scene.h, travel.h).
+  bool on_table = false;
+
   /// Photographs for the camera; if empty, the camera sees the scene.
   std::string images_folder;
 
@@ -125,6 +128,10 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
 
   /// The true pose.
   const Place& pose() const { return travel_.place(); }
+
+  /// How it stands and moves in the room.
+  const Travel& travel() const { return travel_; }
+  const Scene& scene() const { return scene_; }
 
   /// @param name in robot_model.h, such as "face_1"
   /// @throw std::invalid_argument there is no such LED

@@ -33,6 +33,9 @@ constexpr double kHoldSeconds = 0.5;
 constexpr double kLiftHeight = 0.25;
 constexpr double kAccelerometerSeconds = 0.02;
 
+/// Steepest slope of the body, as a tangent, with a foot beyond an edge (our choice).
+constexpr double kSteepestAtEdge = 0.26;
+
 /// Balls around the body that detect obstacles (our choice, estimated from the body's shape). The head's ball keeps
 /// things away from the camera.
 const Vector3d kChest(0.06, 0, 0);
@@ -143,12 +146,15 @@ Vector2d wayOut(const Scene& scene, const Vector3d& point) {
 
 }  // namespace
 
-Travel::Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head)
+Travel::Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, double ground)
     : legs_(legs),
       supports_(supportsOf(legs)),
+      ground_(ground),
       head_(head),
       floor_(restOn(supports_).floor),
-      stance_(stanceOver(floor_, supports_)) {}
+      stance_(stanceOver(floor_, supports_)) {
+  stance_.body.translation().z() += ground_;
+}
 
 // Things that move in the scene do not push the robot, so it stays where it stands.
 void Travel::passFrame(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene) {
@@ -169,6 +175,7 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   const Supports before = turned(stanceOver(floor_, supports_).body, supports_);
   legs_ = legs;
   supports_ = supportsOf(legs);
+  loseGround(scene);
   head_ = head;
   floor_ = tip(supports_, restOn(supports_), floor_.slope, kFrameSeconds);
   const Stance freely = stanceOver(floor_, supports_);
@@ -179,7 +186,28 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   std::transform(freely.paw_down.begin(), freely.paw_down.end(), stance_.paw_down.begin(),
                  [this](bool is_down) { return is_down && isOnFeet(); });
   stopAtObstacles(bumpers_before, scene);
+  fallOff(scene);
   feelAcceleration(place_before);
+}
+
+/// Moves the supports beyond an edge out of the floor's reach.
+void Travel::loseGround(const Scene& scene) {
+  constexpr double kOutOfReach = 1;
+  is_beyond_edge_ = false;
+  for (Vector3d& support : supports_) {
+    if (isOverEdge((stance_.body * support).head<2>(), scene)) {
+      is_beyond_edge_ = true;
+      support.z() += kOutOfReach;
+    }
+  }
+}
+
+void Travel::fallOff(const Scene& scene) {
+  if (is_beyond_edge_ && (floor_.slope.norm() > kSteepestAtEdge || isOverEdge({place_.x, place_.y}, scene))) {
+    has_fallen_off_ = true;
+    ground_ = 0;
+    lie(Side::kLeft);
+  }
 }
 
 /// Between two sides, the robot first returns to its feet.
@@ -198,7 +226,7 @@ Isometry3d Travel::poseInPlace() const {
   Isometry3d pose = Isometry3d::Identity();
   pose.linear() =
       (AngleAxisd(place_.yaw, Vector3d::UnitZ()) * Quaterniond(freely.linear()).slerp(held_, hold_)).toRotationMatrix();
-  pose.translation() = Vector3d(place_.x, place_.y, freely.translation().z());
+  pose.translation() = Vector3d(place_.x, place_.y, freely.translation().z() + ground_);
   if (!isOnFeet()) {
     const Vector3d up = pose.linear().row(2);
     double lowest = 0;
@@ -207,7 +235,7 @@ Isometry3d Travel::poseInPlace() const {
     std::for_each(std::begin(kBack), std::end(kBack), add);
     const Isometry3d head_in_body = headInBody(head_);
     std::for_each(std::begin(kHead), std::end(kHead), [&](const Vector3d& point) { add(head_in_body * point); });
-    pose.translation().z() = FOOT_RADIUS - lowest + raised_;
+    pose.translation().z() = FOOT_RADIUS - lowest + raised_ + ground_;
   }
   return pose;
 }
@@ -258,6 +286,7 @@ void Travel::stopAtObstacles(const Bumpers& before, const Scene& scene) {
       }
     }
   }
+  is_stopped_ = !taken_back.isZero(0);
   place_.x += taken_back.x();
   place_.y += taken_back.y();
   step_.head<2>() += Eigen::Rotation2Dd(-place_.yaw) * taken_back;

@@ -32,12 +32,16 @@ constexpr double kFriction = 0.6;
 /// slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so that friction takes
 /// as little energy as possible. Walls and the scene's bodies stop it.
 ///
+/// On a table, a foot beyond the edge does not carry. If the body then tips too far, or its weight is beyond the edge,
+/// the robot falls off, and lies on its side on the floor.
+///
 /// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
 /// the floor carries less. Feet do not roll. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
 /// Only trunk and head collide with obstacles. The legs pass through lower things, and nothing pushes the ball.
 class Travel {
  public:
-  Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head);
+  /// @param ground height of the table or floor under it, in metres
+  Travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, double ground = 0);
 
   /// Call after 8 ms.
   /// @param legs,head their current angles
@@ -61,6 +65,15 @@ class Travel {
 
   const Stance& stance() const { return stance_; }
 
+  /// True from the moment at which it falls off a table.
+  bool hasFallenOff() const { return has_fallen_off_; }
+
+  /// True while a foot or a part of the belly is beyond an edge.
+  bool isOverEdge() const { return is_beyond_edge_; }
+
+  /// True while something stops the body.
+  bool isStopped() const { return is_stopped_; }
+
   /// The body's acceleration in the room, in m/s^2, without gravity. It is smoothed to a bandwidth of 8 Hz (our
   /// choice); otherwise each foot that touches the floor would cause a spike.
   const Eigen::Vector3d& acceleration() const { return acceleration_; }
@@ -73,6 +86,9 @@ class Travel {
   using Bumpers = std::array<Eigen::Vector3d, 3>;
 
   bool isOnFeet() const { return held_ == 0 && raised_ == 0; }
+  bool isOverEdge(const Eigen::Vector2d& place, const Scene& scene) const { return scene.groundAt(place) < ground_; }
+  void loseGround(const Scene& scene);
+  void fallOff(const Scene& scene);
   void travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
   void passFrameOfHolding();
   Eigen::Isometry3d poseInPlace() const;
@@ -83,7 +99,11 @@ class Travel {
   void feelAcceleration(const Eigen::Vector3d& before);
 
   std::array<LegAngles, kLegs> legs_;
-  Supports supports_;  ///< in the body
+  Supports supports_;            ///< in the body; one beyond an edge is out of the floor's reach
+  double ground_;                ///< height of what it stands on, in metres
+  bool is_beyond_edge_ = false;  ///< some support is
+  bool has_fallen_off_ = false;
+  bool is_stopped_ = false;
   HeadAngles head_;
   Floor floor_;
   Place place_;

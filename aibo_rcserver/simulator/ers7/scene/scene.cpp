@@ -75,8 +75,29 @@ Body makeCube(double x, double y, double yaw, double size, Surface surface) {
   return Body({x, y, size / 2}, yaw, {{Box{Vector3d::Zero(), Vector3d::Constant(size / 2)}, surface}});
 }
 
-/// The ball's index in bodies_.
+/// Its frame is in the middle of its top.
+Body makeTable() {
+  const double top = 0.02;  // half its thickness
+  const double leg = 0.025;
+  const double length = (kTableHeight - 2 * top) / 2;
+  std::vector<Part> parts = {{Box{{0, 0, -top}, {kTableHalfLength, kTableHalfWidth, top}}, Surface::kWood}};
+  for (const double x : {leg - kTableHalfLength, kTableHalfLength - leg}) {
+    for (const double y : {leg - kTableHalfWidth, kTableHalfWidth - leg}) {
+      parts.push_back({Box{{x, y, length - kTableHeight}, {leg, leg, length}}, Surface::kWood});
+    }
+  }
+  return Body({kTableX, 0, kTableHeight}, 0, std::move(parts));
+}
+
+Body makeBoard() {
+  const Vector3d half_size(kTableHalfLength, kBoardThickness / 2, kBoardHeight / 2);
+  return Body({kTableX, kTableHalfWidth - half_size.y(), kTableHeight + half_size.z()}, 0,
+              {{Box{Vector3d::Zero(), half_size}, Surface::kWood}});
+}
+
+/// Indices in bodies_.
 constexpr size_t kBall = 0;
+constexpr size_t kTable = 6;
 
 SceneHit castRayAtRoom(const Ray& ray) {
   double distance = std::numeric_limits<double>::infinity();
@@ -124,13 +145,17 @@ double Body::distanceInBody(const Vector3d& point) const {
   return distance;
 }
 
-Scene::Scene()
-    : bodies_{makeBall(),
+Scene::Scene(bool has_table)
+    : has_table_(has_table),
+      bodies_{makeBall(),
               makeBone(),
               makeStation(),
               makeStationPole(),
               makeCube(2.05, -0.62, 0.5, 0.14, Surface::kBlueCube),
               makeCube(2.20, -0.40, -0.2, 0.11, Surface::kYellowCube)} {
+  if (has_table_) {
+    bodies_.insert(bodies_.end(), {makeTable(), makeBoard()});
+  }
   setTime(0);
 }
 
@@ -148,12 +173,19 @@ double Scene::clearance(const Vector3d& point) const {
   for (int axis = 0; axis < 2; ++axis) {
     clearance = std::min({clearance, point[axis] - kLowestCorner[axis], kHighestCorner[axis] - point[axis]});
   }
-  for (const Body& body : bodies_) {
-    if ((body.position() - point).norm() - body.reach() < clearance) {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    const Body& body = bodies_[i];
+    if (i != kTable && (body.position() - point).norm() - body.reach() < clearance) {
       clearance = std::min(clearance, body.signedDistance(point));
     }
   }
   return clearance;
+}
+
+double Scene::groundAt(const Eigen::Vector2d& place) const {
+  const bool is_on_table =
+      has_table_ && std::abs(place.x() - kTableX) <= kTableHalfLength && std::abs(place.y()) <= kTableHalfWidth;
+  return is_on_table ? kTableHeight : 0;
 }
 
 SceneHit Scene::castRay(const Ray& ray, BodySet among) const {

@@ -34,6 +34,14 @@ constexpr double kBallX = kCarpetX;
 constexpr double kBallSwing = 0.16;
 constexpr double kBallPeriod = 6.0;
 
+/// The table of a room that has one: the middle of its top, half its size, and a board along its left side.
+constexpr double kTableX = 0.2;
+constexpr double kTableHalfLength = 0.8;
+constexpr double kTableHalfWidth = 0.6;
+constexpr double kTableHeight = 0.7;
+constexpr double kBoardHeight = 0.3;  ///< above the table's top
+constexpr double kBoardThickness = 0.02;
+
 /// A part's material. light.h has its colours.
 enum class Surface {
   kFloor,
@@ -45,7 +53,8 @@ enum class Surface {
   kStationDock,
   kStationPole,
   kBlueCube,
-  kYellowCube
+  kYellowCube,
+  kWood
 };
 
 /// A shape of a body, in the body's frame.
@@ -110,13 +119,14 @@ struct SceneHit {
   Surface surface;
 };
 
-/// A living room with a small soccer carpet, a ball, a bone, a charging station and two toy cubes.
+/// A living room with a small soccer carpet, a ball, a bone, a charging station and two toy cubes. It may have a table
+/// over the origin, with a board along its left side.
 ///
 /// x is the direction in which the robot looks at first, y is to its left, z is up, in metres. The floor is z = 0, and
 /// the robot begins above the origin. The same time always gives the same scene. Not thread-safe.
 class Scene {
  public:
-  Scene();
+  explicit Scene(bool has_table = false);
 
   /// Moves the ball, which rolls back and forth along the halfway line once in kBallPeriod.
   /// @param seconds since the robot was switched on
@@ -136,13 +146,17 @@ class Scene {
     return {distance, point, plane.normal, point, plane.surface};
   }
 
-  /// Distance to the nearest body or wall, in metres; negative inside a body or beyond a wall. Floor and ceiling do not
-  /// count.
+  /// Distance to the nearest body or wall, in metres; negative inside a body or beyond a wall. Floor, table and ceiling
+  /// do not count.
   double clearance(const Eigen::Vector3d& point) const;
+
+  /// The height of the table or floor at a place in the room, in metres.
+  double groundAt(const Eigen::Vector2d& place) const;
 
   const Eigen::Vector3d& ballCenter() const;
 
  private:
+  const bool has_table_;
   std::vector<Body> bodies_;
 };
 

@@ -29,6 +29,7 @@ const Color kPoleBlue(0.03, 0.16, 0.50);
 const Color kPolePink(0.75, 0.10, 0.28);
 const Color kCubeBlue(0.045, 0.16, 0.48);
 const Color kCubeYellow(0.80, 0.52, 0.05);
+const Color kBeech(0.60, 0.42, 0.24);
 
 Color mix(const Color& from, const Color& to, double share) {
   return from + share * (to - from);
@@ -260,6 +261,8 @@ Appearance appearanceOf(const SceneHit& hit, const Eigen::Vector3d& footprint) {
       return {kCubeBlue, 0.2};
     case Surface::kYellowCube:
       return {kCubeYellow, 0.2};
+    case Surface::kWood:
+      return {kBeech, 0.15};
   }
   return {Color::Zero()};
 }

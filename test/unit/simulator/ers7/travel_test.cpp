@@ -273,6 +273,32 @@ TEST_F(TravelTest, ABodyOfTheSceneStopsIt) {
   EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
 }
 
+TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
+  const Scene scene(true);
+  Travel travel(kStanding, {}, kTableHeight);
+  EXPECT_NEAR(travel.stance().body.translation().z(), kTableHeight + kHeight, 1e-6);
+  const double edge = kTableX + kTableHalfLength;
+  bool was_over_edge = false;
+  for (double passed = 0; passed < 20 && !travel.hasFallenOff(); passed += kFrameSeconds) {
+    travel.passFrame(trotting({0.1, 0, 0}, passed), {}, scene);
+    if (travel.isOverEdge()) {
+      was_over_edge = true;
+      EXPECT_GT(travel.place().x, edge - 0.2);
+      EXPECT_FALSE(travel.stance().paw_down[robot_model::LEFT_FRONT_LEG]);
+    } else {
+      EXPECT_NEAR(travel.stance().body.translation().z(), kTableHeight + kHeight, 0.005);
+    }
+  }
+  EXPECT_TRUE(was_over_edge);
+  ASSERT_TRUE(travel.hasFallenOff());
+  EXPECT_LT(travel.place().x, edge + 0.02);
+  for (double passed = 0; passed < 1; passed += kFrameSeconds) {
+    travel.passFrame(kStanding, {}, scene);
+  }
+  EXPECT_LT(travel.stance().body.translation().z(), 0.2) << "it lies on the floor";
+  EXPECT_LT(travel.stance().body.linear()(2, 2), 0.1) << "on its side";
+}
+
 TEST_F(TravelTest, SpeedingUpIsFeltAsAnAccelerationAhead) {
   const auto gone = [](double seconds) {  // at 1 m/s^2
     return reaching([&](Leg leg) { return carriedBack(leg, {seconds / 2, 0, 0}, seconds); });
