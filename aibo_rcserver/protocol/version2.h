@@ -35,8 +35,8 @@ bool agreesToVersion2(const ValueReply& reply);
 struct FrameHeader {
   char kind;  ///< capital letter: request; small letter: reply or push
   /// JPEG quality for `F`, `W` and `M`; TelemetryContent bits for `T`, HoldScope for `I`, CameraSetting for `G`,
-  /// ColorOrder for `Z`, SoundPart for `A`, Posture for `E`, StickPictureRequest for `Y`, bits for `U` and `P`;
-  /// otherwise 0.
+  /// ColorOrder for `Z`, SoundPart for `A`, SteeringOption bits for `S`, Posture for `E`, StickPictureRequest for `Y`,
+  /// bits for `U` and `P`; otherwise 0.
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes

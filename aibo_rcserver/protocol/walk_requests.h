@@ -11,6 +11,14 @@ namespace version2 {
 /// Without a new `S` for this time, a robot stops walking and stands.
 const unsigned STEERING_TIMEOUT_MS = 500;
 
+/// Bits of the id of `S`. A server without the capability GUARD_CAPABILITY ignores them.
+enum SteeringOption {
+  STEER_GUARDED = 1  ///< the walk slows down and ends before edges and walls, and where the robot cannot see
+};
+
+/// The word among the capabilities of a server that knows STEER_GUARDED.
+const char GUARD_CAPABILITY[] = "guard";
+
 /// Payload of `S` and its reply: int16 forward and left in mm/s, int16 turn in mrad/s, uint16 0. All 0: stop walking
 /// and stand. The reply has the velocity in force, within the robot's WalkLimits.
 struct Velocity {

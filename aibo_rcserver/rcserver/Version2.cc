@@ -261,6 +261,9 @@ void Version2::CarryOut<REQUEST_HELLO>() {
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
   CopyText(capabilities_, hello.capabilities);
+  if (joints.Walking().CanWalk()) {
+    sprintf(hello.capabilities + strlen(hello.capabilities), " %s", GUARD_CAPABILITY);
+  }
   hello.frame_number = now_;
   hello.joint_count = static_cast<unsigned char>(joints.NumberOfJoints());
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
@@ -473,15 +476,17 @@ void Version2::CarryOut<REQUEST_STEER>() {
   if (!Decode(&wanted)) {
     return;
   }
+  Walker& walker = robot_.joints.Walking();
+  const bool is_guarded = (request_.id & STEER_GUARDED) != 0;
   if (!wanted.isZero()) {
     if (IsTooOld()) {
       return;
     }
-    if (const char* const problem = robot_.joints.Walking().ProblemOfWalk(robot_.motors.AreOn())) {
+    if (const char* const problem = walker.ProblemOfWalk(robot_.motors.AreOn(), is_guarded ? &wanted : NULL)) {
       return Refuse(CODE_REFUSED, problem);
     }
   }
-  const protocol::version2::Velocity accepted = robot_.joints.Steer(wanted);
+  const protocol::version2::Velocity accepted = robot_.joints.Steer(wanted, is_guarded);
   const protocol::version2::Velocity whole = {WholeThousandths(accepted.forward), WholeThousandths(accepted.left),
                                               WholeThousandths(accepted.turn)};
   Reply(whole);

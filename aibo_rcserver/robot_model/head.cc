@@ -87,6 +87,16 @@ HeadAngles aim(const Point& place, double neck_tilt, Head* head) {
 
 }  // namespace
 
+Point findInBody(const Point& in_head, const HeadAngles& angles) {
+  const double ahead = in_head.x * cos(angles.head_tilt) - in_head.z * sin(angles.head_tilt);
+  const double up = in_head.x * sin(angles.head_tilt) + in_head.z * cos(angles.head_tilt) + NECK_LENGTH;
+  const double x = ahead * cos(angles.head_pan) - in_head.y * sin(angles.head_pan);
+  const Point place = {NECK_FORWARD + x * cos(angles.neck_tilt) - up * sin(angles.neck_tilt),
+                       ahead * sin(angles.head_pan) + in_head.y * cos(angles.head_pan),
+                       NECK_UP + x * sin(angles.neck_tilt) + up * cos(angles.neck_tilt)};
+  return place;
+}
+
 double findViewError(const Point& place, const HeadAngles& angles) {
   const Point way = fromHead(place, angles.neck_tilt);
   const double ahead = way.x * cos(angles.head_pan) + way.y * sin(angles.head_pan);

@@ -27,6 +27,10 @@ struct HeadAngles {
   double head_tilt;  ///< positive looks up
 };
 
+/// The place in the body of a point of the head. In the head, x is ahead, y to the left and z up, from the point where
+/// the axes of head_pan and head_tilt meet.
+Point findInBody(const Point& in_head, const HeadAngles& angles);
+
 /// The angle between the camera's axis and the line from the camera to the place. Joint limits are ignored.
 /// @return 0..pi; a place at pi / 2 or more is behind the camera
 double findViewError(const Point& place, const HeadAngles& angles);

@@ -2,6 +2,8 @@
 
 #include <OPENR/OSyslog.h>
 
+#include <algorithm>
+
 using robot_model::MAX_EARS;
 using robot_model::MAX_JOINTS;
 using robot_model::MAX_LEDS;
@@ -103,9 +105,12 @@ bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
 // The three sensors of the accelerometer measure gravity along their axes: forward, to the right, up.
 void Body::WatchWalk(longword frame) {
   Walker& walker = Joints().Walking();
-  const FallWatch::Reading reading = {-Acceleration("acceleration_front_back"), Acceleration("acceleration_right_left"),
-                                      -Acceleration("acceleration_up_down"), TouchesFloor()};
+  const WalkGuard::Reading around = LookAround();
+  const bool any_paw = std::count(around.paws, around.paws + robot_model::NUMBER_OF_LEGS, true) > 0;
+  const FallWatch::Reading reading = {-Measured("acceleration_front_back"), Measured("acceleration_right_left"),
+                                      -Measured("acceleration_up_down"), any_paw};
   walker.Measured(reading, frame);
+  walker.HaveLooked(around);
   if (walker.GoesSoft()) {
     OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are limp\n", FallWatch::Words(walker.Fall().Now())));
   }
@@ -115,19 +120,27 @@ void Body::WatchWalk(longword frame) {
   ReportWalk();
 }
 
-double Body::Acceleration(const char* sensor) const {
-  const int found = findSensorByName(model_, sensor);
-  return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
+WalkGuard::Reading Body::LookAround() {
+  WalkGuard::Reading reading;
+  reading.chest = Measured("range_chest");
+  reading.near = Measured("range_near");
+  reading.far = Measured("range_far");
+  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+    reading.paws[leg] = Measured(PAWS[leg]) != 0;
+  }
+  double* const angles[] = {&reading.head.neck_tilt, &reading.head.head_pan, &reading.head.head_tilt};
+  static const char* const HEAD[] = {"neck_tilt", "head_pan", "head_tilt"};
+  for (int i = 0; i < 3; ++i) {
+    const int joint = findJointByName(model_, HEAD[i]);
+    *angles[i] = joint == robot_model::NO_JOINT ? 0 : Joints().Position(joint) * 1e-6;
+  }
+  return reading;
 }
 
-bool Body::TouchesFloor() const {
-  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
-    const int paw = findSensorByName(model_, PAWS[leg]);
-    if (paw != robot_model::NO_SENSOR && sensor_driver_.Value(paw) != 0) {
-      return true;
-    }
-  }
-  return false;
+// 0 if there is no such sensor, or if it has not measured yet.
+double Body::Measured(const char* sensor) const {
+  const int found = findSensorByName(model_, sensor);
+  return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
 }
 
 void Body::ReportWalk() {

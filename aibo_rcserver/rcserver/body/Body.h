@@ -69,8 +69,8 @@ class Body {
   const robot_model::RobotModel& FindModel();
   bool AddVector(OSubject* effector);
   void WatchWalk(longword frame);
-  double Acceleration(const char* sensor) const;
-  bool TouchesFloor() const;
+  WalkGuard::Reading LookAround();
+  double Measured(const char* sensor) const;
   void ReportWalk();
   void FlickEars();
 

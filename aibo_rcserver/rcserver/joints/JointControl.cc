@@ -98,11 +98,11 @@ void JointControl::StopAll() {
   }
 }
 
-Velocity JointControl::Steer(const Velocity& wanted) {
+Velocity JointControl::Steer(const Velocity& wanted, bool guarded) {
   if (!walker_.IsActive() && !wanted.isZero()) {
     TakeLegs();
   }
-  return walker_.Steer(wanted);
+  return walker_.Steer(wanted, guarded);
 }
 
 void JointControl::Take(protocol::version2::Posture posture) {

@@ -127,7 +127,7 @@ class JointControl {
   void StopAll();
 
   /// Carries out a client's order to walk or to take a posture (Walker). Motions that move the legs end when it begins.
-  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false);
   void Take(protocol::version2::Posture posture);
 
   /// Call when a motion has begun. A walk or a posture ends if the motion moves the legs.

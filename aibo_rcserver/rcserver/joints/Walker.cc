@@ -30,9 +30,6 @@ const int LEG_JOINTS = NUMBER_OF_LEGS * JOINTS_OF_A_LEG;
 
 const double MICRO = 1e-6;
 
-// Change of the velocity in a second, relative to the highest velocity.
-const double SLEW = 2;
-
 // Frames until joints have followed their commands. Commands are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
 
@@ -65,6 +62,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       robot_(robot),
       postures_(gait_),
       walked_(gait_),
+      guard_(gait_),
       ended_(ends),
       can_walk_(FindJoints()),
       activity_(IDLE),
@@ -83,6 +81,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       posture_(POSTURE_STAND),
       way_size_(0),
       way_begun_(0),
+      is_guarded_(false),
       ends_(false),
       end_reason_(DONE),
       has_next_(false),
@@ -123,7 +122,7 @@ const char* Walker::Problem() {
   return problem_;
 }
 
-const char* Walker::ProblemOfWalk(bool motors_are_on) {
+const char* Walker::ProblemOfWalk(bool motors_are_on, const Velocity* guarded) {
   const bool had_to_let_go = must_let_go_ && measured_ - last_asked_ < static_cast<unsigned>(STEERING_FRAMES);
   last_asked_ = measured_;
   must_let_go_ = true;
@@ -135,6 +134,12 @@ const char* Walker::ProblemOfWalk(bool motors_are_on) {
     strcpy(why_, "the motors were off");
     return "the motors are off; switch them on first";
   }
+  const bool may_object = guarded != NULL && !had_to_let_go && activity_ == IDLE;
+  const char* const objection = may_object ? guard_.Objection(*guarded) : NULL;
+  if (objection != NULL) {
+    strcpy(why_, objection);
+    return objection;
+  }
   must_let_go_ = had_to_let_go;
   if (!must_let_go_) {
     return NULL;
@@ -144,7 +149,7 @@ const char* Walker::ProblemOfWalk(bool motors_are_on) {
   return problem_;
 }
 
-Velocity Walker::Steer(const Velocity& wanted) {
+Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
   if (wanted.isZero()) {
     must_let_go_ = false;
     EndWalkInStand(DONE);
@@ -163,6 +168,10 @@ Velocity Walker::Steer(const Velocity& wanted) {
   is_orphan_ = false;
   ends_ = false;
   frames_since_steered_ = 0;
+  if (guarded && !is_guarded_) {
+    guard_.Forget();
+  }
+  is_guarded_ = guarded;
   wanted_ = gait_.Limited(wanted);
   return wanted_;
 }
@@ -285,6 +294,9 @@ void Walker::HaveMoved() {
   FindLegs(legs);
   if (activity_ == WALKING) {
     walked_.HaveWalked(legs, phase_);
+    if (is_guarded_) {
+      guard_.HaveWalked(walked_.InLastFrame(), velocity_);
+    }
   } else {
     walked_.HaveMoved(legs);
   }
@@ -306,6 +318,30 @@ void Walker::Measured(FallWatch::Reading reading, unsigned frame) {
   goes_soft_ = has_legs_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
   rests_since_ = is_resting_ ? rests_since_ : frame;
   has_rested_ = is_resting_ && frame - rests_since_ >= FRAMES_TO_FOLLOW;
+}
+
+// A robot that has been somewhere else knows nothing about the ground around it.
+void Walker::HaveLooked(const WalkGuard::Reading& reading) {
+  if (!can_walk_ || !is_guarded_) {
+    return;
+  }
+  LegAngles legs[NUMBER_OF_LEGS];
+  FindLegs(legs);
+  if (fall_watch_.Now() != FallWatch::UPRIGHT || !has_legs_ || (activity_ != WALKING && !postures_.Stands(legs))) {
+    guard_.Forget();
+    return;
+  }
+  guard_.Look(reading, legs, phase_, activity_ == WALKING);
+  if (activity_ != WALKING || ends_) {
+    return;
+  }
+  const char* objection = guard_.Objection(velocity_);
+  objection = objection == NULL ? guard_.Objection(wanted_) : objection;
+  if (objection != NULL) {
+    const EndReason reason = {END_REFUSED, objection, ""};
+    MustLetGo(reason);
+    EndWalkInStand(reason);
+  }
 }
 
 bool Walker::TakeSoftened() {
@@ -474,12 +510,15 @@ void Walker::Walk() {
 
 void Walker::ChangeVelocity() {
   const GaitParameters& parameters = gait_.Parameters();
-  const Velocity target = ends_ ? NO_VELOCITY : wanted_;
+  Velocity target = ends_ ? NO_VELOCITY : wanted_;
+  if (is_guarded_) {
+    target.forward = std::min(target.forward, guard_.HighestForward());
+  }
   const bool is_back = velocity_.forward < 0 || (velocity_.forward == 0 && target.forward < 0);
   const double highest = is_back ? parameters.highest.back : parameters.highest.forward;
-  velocity_.forward = Towards(velocity_.forward, target.forward, SLEW * highest * FRAME);
-  velocity_.left = Towards(velocity_.left, target.left, SLEW * parameters.highest.left * FRAME);
-  velocity_.turn = Towards(velocity_.turn, target.turn, SLEW * parameters.highest.turn * FRAME);
+  velocity_.forward = Towards(velocity_.forward, target.forward, SPEED_CHANGE * highest * FRAME);
+  velocity_.left = Towards(velocity_.left, target.left, SPEED_CHANGE * parameters.highest.left * FRAME);
+  velocity_.turn = Towards(velocity_.turn, target.turn, SPEED_CHANGE * parameters.highest.turn * FRAME);
   velocity_ = gait_.Limited(velocity_);
 }
 

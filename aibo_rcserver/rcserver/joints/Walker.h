@@ -10,6 +10,7 @@
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
 #include "rcserver/walk/Postures.h"
+#include "rcserver/walk/WalkGuard.h"
 #include "rcserver/walk/WalkedVelocity.h"
 #include "robot_model/robot_model.h"
 
@@ -46,13 +47,15 @@ class Walker {
   /// The same for a walk. Call it each time that the robot is told to walk. After a walk was refused, or ended for any
   /// reason but its client's steering, the client has to let go: it must send zero velocities, or nothing for
   /// STEERING_TIMEOUT_MS. Otherwise a client that keeps steering would restart the walk at once.
-  const char* ProblemOfWalk(bool motors_are_on);
+  /// @param guarded the velocity to which WalkGuard may object, or NULL
+  const char* ProblemOfWalk(bool motors_are_on, const protocol::version2::Velocity* guarded = NULL);
 
   /// Starts a walk, or changes its velocity. A zero velocity ends the walk, and is ignored without a walk. Any other
   /// velocity is allowed only if there is no ProblemOfWalk(), and resets the speed limits of the legs to the robot's
   /// own.
+  /// @param guarded true if the walk slows down and ends where WalkGuard objects
   /// @return the velocity after Gait::Limited()
-  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted);
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false);
 
   /// Takes a posture. A walk first ends in the stand. Call it only if there is no Problem().
   void Take(protocol::version2::Posture posture);
@@ -95,6 +98,9 @@ class Walker {
   /// Checks the accelerometer and the paws. A robot that has fallen or is carried stops.
   /// @param frame OPEN-R frame
   void Measured(FallWatch::Reading reading, unsigned frame);
+
+  /// Checks the distance sensors and the paws. A guarded walk ends where it must not go on. Call it after Measured().
+  void HaveLooked(const WalkGuard::Reading& reading);
 
   /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
   bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
@@ -150,6 +156,7 @@ class Walker {
   const Gait gait_;
   const Postures postures_;
   WalkedVelocity walked_;
+  WalkGuard guard_;
   FallWatch fall_watch_;
   EndLog& ended_;
   int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< indices in the robot's table
@@ -183,6 +190,7 @@ class Walker {
 
   /// @name The walk
   /// @{
+  bool is_guarded_;
   bool ends_;  ///< the walk ends in the stand, for end_reason_
   EndReason end_reason_;
   bool has_next_;  ///< the posture next_ follows the walk

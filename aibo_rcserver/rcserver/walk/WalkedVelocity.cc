@@ -49,7 +49,7 @@ Velocity RigidVelocity(const Point* places, const Point* steps, int count) {
 }  // namespace
 
 WalkedVelocity::WalkedVelocity(const Gait& gait)
-    : gait_(gait), phase_(0), sum_(NO_VELOCITY), frames_(0), last_(NO_VELOCITY) {
+    : gait_(gait), phase_(0), in_last_frame_(NO_VELOCITY), sum_(NO_VELOCITY), frames_(0), last_(NO_VELOCITY) {
   memset(legs_, 0, sizeof(legs_));
 }
 
@@ -64,10 +64,10 @@ void WalkedVelocity::HaveMoved(const LegAngles* legs) {
 }
 
 void WalkedVelocity::HaveWalked(const LegAngles* legs, double phase) {
-  const Velocity velocity = VelocityTo(legs, phase);
-  sum_.forward += velocity.forward;
-  sum_.left += velocity.left;
-  sum_.turn += velocity.turn;
+  in_last_frame_ = VelocityTo(legs, phase);
+  sum_.forward += in_last_frame_.forward;
+  sum_.left += in_last_frame_.left;
+  sum_.turn += in_last_frame_.turn;
   phase_ = phase;
   HaveMoved(legs);
 }

@@ -25,6 +25,9 @@ class WalkedVelocity {
   /// @param phase of the step at the frame's end, 0..1
   void HaveWalked(const robot_model::LegAngles* legs, double phase);
 
+  /// The velocity in the last frame in which the robot walked.
+  const protocol::version2::Velocity& InLastFrame() const { return in_last_frame_; }
+
   /// The average since the last call; the last value if no frame has passed since. If no foot slips, the sum over all
   /// frames is the distance walked.
   /// @param walks true if the robot walks now
@@ -36,6 +39,7 @@ class WalkedVelocity {
   const Gait& gait_;
   robot_model::LegAngles legs_[robot_model::NUMBER_OF_LEGS];
   double phase_;
+  protocol::version2::Velocity in_last_frame_;
   protocol::version2::Velocity sum_;  ///< over frames
   int frames_;
   protocol::version2::Velocity last_;

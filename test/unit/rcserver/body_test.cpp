@@ -545,7 +545,7 @@ TEST_F(BodyVersion2Test, ShutDownIsTheLastRequestAnswered) {
 TEST_F(BodyVersion2Test, CapabilitiesHaveRebootIfItIsAllowed) {
   startWith("ALLOW_REBOOT=yes");
   reconnect();
-  EXPECT_THAT(textOf(answerTo('H', 0)), HasSubstr(" R\n"));
+  EXPECT_THAT(textOf(answerTo('H', 0)), HasSubstr(" R guard\n"));
 }
 
 }  // namespace

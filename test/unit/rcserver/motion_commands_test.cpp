@@ -307,12 +307,12 @@ TEST_F(Version2MotionsTest, namesTheSettingThatWouldAllowARequest) {
   startVersion2("");
   EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("ALLOW_UPLOAD=yes in RCSERVER.CFG"));
   EXPECT_THAT(answerTo(frame('D', "NOD.MTN")), HasSubstr("ALLOW_DELETE=yes in RCSERVER.CFG"));
-  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N A S E\n"));
+  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N A S E guard\n"));
 }
 
 TEST_F(Version2MotionsTest, uploadsAndDeletes) {
   startVersion2("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
-  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N A S E U D\n"));
+  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N A S E U D guard\n"));
   EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "u");
   EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), motion_);
   EXPECT_EQ(answerTo(play("NEW.MTN", 1)), "p");

@@ -108,6 +108,7 @@ TEST_F(WalkTest, HelloHasItsLimits) {
   ASSERT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
   EXPECT_TRUE(hasCapability(hello, "S"));
   EXPECT_TRUE(hasCapability(hello, "E"));
+  EXPECT_TRUE(hasCapability(hello, GUARD_CAPABILITY));
   const GaitParameters gait;
   EXPECT_DOUBLE_EQ(hello.walk.forward, gait.highest.forward);
   EXPECT_DOUBLE_EQ(hello.walk.back, gait.highest.back);

@@ -40,6 +40,17 @@ TEST(Head, LeansTheNeckForwardToSeeTheFloorInFrontOfThePaws) {
   EXPECT_LT(angles.neck_tilt, -30 * DEGREE);
 }
 
+TEST(Head, APlaceAheadOfTheCameraInTheHeadIsSeenInTheMiddle) {
+  for (const double angle : {-0.5, 0.0, 0.3}) {
+    HeadAngles angles;
+    angles.neck_tilt = 2 * angle - 0.3;
+    angles.head_pan = -angle;
+    angles.head_tilt = angle / 2 + 0.1;
+    const Point ahead = findInBody({CAMERA_FORWARD + 0.5, 0, CAMERA_UP}, angles);
+    EXPECT_LT(findViewError(ahead, angles), 1e-9);
+  }
+}
+
 TEST(Head, ComesAsCloseAsItCanToWhatItCannotSee) {
   HeadAngles angles;
   const double behind = findHeadAngles({-1, 0.5, 0.1}, &angles);

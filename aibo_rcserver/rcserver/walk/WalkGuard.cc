@@ -1,0 +1,354 @@
+#include "rcserver/walk/WalkGuard.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include <algorithm>
+
+#include "robot_model/robot_model.h"
+
+using protocol::version2::Velocity;
+using robot_model::FOOT_RADIUS;
+using robot_model::Leg;
+using robot_model::LegAngles;
+using robot_model::NUMBER_OF_LEGS;
+using robot_model::Point;
+
+namespace {
+
+const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
+
+// From Tekkotsu's kinematic table of the ERS-7. The chest sensor looks down by 30 degrees; the others are in the head.
+const Point CHEST = {0.109136, 0, -0.003384};
+const Point CHEST_LOOKS = {0.866025, 0, -0.5};
+const Point NEAR = {0.0769, 0.0028, -0.0146};
+const Point FAR = {0.0769, -0.0080, -0.0146};
+
+// A sensor that measures more sees nothing (robot_model.h: 0.9, 0.5 and 1.5 m).
+const double MOST_CHEST = 0.88;
+const double MOST_NEAR = 0.48;
+const double MOST_FAR = 1.45;
+
+// A walking robot leans by 10 degrees at most (docs/walking.md). That makes the way to the floor up to 1.5 times as
+// long, and no shorter than 0.78 times.
+const double EDGE_FACTOR = 1.5;
+const double OBSTACLE_FACTOR = 0.75;
+
+// With 3 reports in a row, at least two measurements of a sensor agree: it measures every 40 or 48 ms, and reports
+// come every 32 ms.
+const int REPORTS = 3;
+
+// s; from a change in the room until the legs react to it: 48 for the sensor, 96 for the reports, 64 for the commands
+// ahead, 24 for the servos.
+const double DELAY = 0.23;
+
+// s; after this time, a robot that is told to stop has stopped: the delay, and half of the time that it takes to slow
+// down, because it is half as fast on average.
+const double TIME_TO_STOP = DELAY + 0.5 / SPEED_CHANGE;
+
+const double HALF_WIDTH = 0.11;  // of the body with its legs
+const double HIGHEST_OBSTACLE = 0.15;
+const double LEAST_CLEARANCE = 0.05;
+const double NOTHING_AHEAD = 10;
+const double LEAST_SPEED = 0.02;  // m/s; a slower robot is stopped
+
+// Step of a foot around its place, and what it may leave ground that the robot has walked over.
+const double LONGEST_STEP = 0.04;
+const double MOST_OFF_GROUND = 0.04;
+const double NEAREST_TO_EDGE = 0.05;
+
+// A new pose is remembered after this way or turn.
+const double WAY_BETWEEN_POSES = 0.02;
+const double TURN_BETWEEN_POSES = 0.5;
+const double WAY_BETWEEN_EDGES = 0.02;
+
+// Walking more to the side than this part of ahead is walking where no sensor looks.
+const double MOST_SIDEWAYS = 0.2;
+
+// A paw touches the floor this many seconds after its foot is commanded to be there.
+const double FIRST_TOUCH = 0.10;
+const double LAST_TOUCH = 0.13;
+
+// A paw that has touched the floor in so many steps in a row is believed.
+const int STEPS_TO_BELIEVE = 4;
+
+const int NO_PAW = -1;
+
+const char NO_FLOOR[] = "the floor ends ahead: turn, or walk back";
+const char OBSTACLE[] = "something is in the way ahead: turn, or walk back";
+const char KNOWN_EDGE[] = "the floor ends there";
+const char UNSEEN[] = "no sensor looks there: it walks back and sideways only over ground that it has just walked over";
+const char* const PAWS_WITHOUT_FLOOR[NUMBER_OF_LEGS] = {"the left front paw finds no floor: go back the way it came",
+                                                        "the left hind paw finds no floor: go back the way it came",
+                                                        "the right front paw finds no floor: go back the way it came",
+                                                        "the right hind paw finds no floor: go back the way it came"};
+
+double Square(double value) {
+  return value * value;
+}
+
+}  // namespace
+
+WalkGuard::WalkGuard(const Gait& gait) : gait_(gait) {
+  const Velocity none = {0, 0, 0};
+  LegAngles legs[NUMBER_OF_LEGS];
+  gait_.FindPosture(0, none, 0, legs);
+  const Point front = findFoot(robot_model::LEFT_FRONT_LEG, legs[robot_model::LEFT_FRONT_LEG]);
+  const Point hind = findFoot(robot_model::LEFT_HIND_LEG, legs[robot_model::LEFT_HIND_LEG]);
+  front_corner_.x = front.x + LONGEST_STEP;
+  front_corner_.y = front.y + FOOT_RADIUS;
+  hind_corner_.x = hind.x - LONGEST_STEP;
+  hind_corner_.y = hind.y + FOOT_RADIUS;
+  Forget();
+}
+
+void WalkGuard::Forget() {
+  pose_.x = pose_.y = 0;
+  pose_.TurnTo(0);
+  poses_added_ = 0;
+  edges_added_ = 0;
+  reports_without_floor_ = 0;
+  reports_with_obstacle_ = 0;
+  reach_ = 0;
+  obstacle_ = NOTHING_AHEAD;
+  paw_without_floor_ = NO_PAW;
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    steps_felt_[i] = 0;
+    reports_in_air_[i] = 0;
+    has_touched_[i] = false;
+  }
+  AddPose();
+}
+
+void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded) {
+  const Place step = {FRAME * walked.forward, FRAME * walked.left};
+  const Place place = Outside(pose_, step);
+  pose_.x = place.x;
+  pose_.y = place.y;
+  pose_.TurnTo(pose_.yaw + FRAME * walked.turn);
+  const Pose& last = poses_[(poses_added_ - 1) % MOST_POSES];
+  if (!IsBlind(commanded) && (hypot(pose_.x - last.x, pose_.y - last.y) >= WAY_BETWEEN_POSES ||
+                              fabs(pose_.yaw - last.yaw) >= TURN_BETWEEN_POSES)) {
+    AddPose();
+  }
+}
+
+void WalkGuard::Look(const Reading& reading, const LegAngles* legs, double phase, bool walks) {
+  const Floor floor = FloorUnder(legs);
+  LookAtFloor(reading.chest, floor);
+  LookAhead(reading, floor);
+  FeelFloor(reading, legs, phase, walks);
+}
+
+const char* WalkGuard::Objection(const Velocity& velocity) const {
+  if (paw_without_floor_ != NO_PAW) {
+    return PAWS_WITHOUT_FLOOR[paw_without_floor_];
+  }
+  if (velocity.forward > 0 && reports_without_floor_ >= REPORTS) {
+    return NO_FLOOR;
+  }
+  if (velocity.forward > 0 && HighestForward() < LEAST_SPEED) {
+    return OBSTACLE;
+  }
+  const Pose then = After(velocity);
+  if (ComesToEdge(then)) {
+    return KNOWN_EDGE;
+  }
+  return IsBlind(velocity) && LeavesGround(then) ? UNSEEN : NULL;
+}
+
+// The robot reaches the obstacle after the delay and the way that it needs to slow down.
+double WalkGuard::HighestForward() const {
+  if (reports_with_obstacle_ < REPORTS) {
+    return NOTHING_AHEAD;
+  }
+  const double braking = SPEED_CHANGE * gait_.Parameters().highest.forward;
+  const double way = obstacle_ - reach_ - LEAST_CLEARANCE;
+  return way <= 0 ? 0 : sqrt(Square(braking * DELAY) + 2 * braking * way) - braking * DELAY;
+}
+
+// A foot in the air is higher than the other one, and two diagonal feet at least are on the floor.
+WalkGuard::Floor WalkGuard::FloorUnder(const LegAngles* legs) {
+  Point front = {0, 0, 0};
+  Point hind = {0, 0, 0};
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    const Leg leg = static_cast<Leg>(i);
+    const Point foot = findFoot(leg, legs[i]);
+    Point& lowest = isFront(leg) ? front : hind;
+    if (foot.z < lowest.z) {
+      lowest = foot;
+    }
+  }
+  const double slope = front.x > hind.x ? (front.z - hind.z) / (front.x - hind.x) : 0;
+  const Floor floor = {front.z - FOOT_RADIUS - slope * front.x, slope};
+  return floor;
+}
+
+// NOTHING_AHEAD at most.
+double WalkGuard::Floor::AlongRay(const Point& origin, const Point& direction) const {
+  const double above = origin.z - height - slope * origin.x;
+  const double down = slope * direction.x - direction.z;
+  return down * NOTHING_AHEAD > above ? above / down : NOTHING_AHEAD;
+}
+
+void WalkGuard::LookAtFloor(double distance, const Floor& floor) {
+  const double expected = floor.AlongRay(CHEST, CHEST_LOOKS);
+  const double least = EDGE_FACTOR * expected;
+  if (distance <= least || least > MOST_CHEST) {
+    reports_without_floor_ = 0;
+    return;
+  }
+  ++reports_without_floor_;
+  if (reports_without_floor_ >= REPORTS) {
+    const Place ahead = {CHEST.x + expected * CHEST_LOOKS.x, 0};
+    AddEdge(Outside(pose_, ahead));
+  }
+}
+
+void WalkGuard::LookAhead(const Reading& reading, const Floor& floor) {
+  obstacle_ = NOTHING_AHEAD;
+  if (reading.chest > 0 && reading.chest < OBSTACLE_FACTOR * floor.AlongRay(CHEST, CHEST_LOOKS)) {
+    obstacle_ = CHEST.x + reading.chest * CHEST_LOOKS.x;
+  }
+  const Point tip = {NEAR.x + 1, NEAR.y, NEAR.z};
+  const Point origin = findInBody(NEAR, reading.head);
+  const Point end = findInBody(tip, reading.head);
+  const Point looks = {end.x - origin.x, end.y - origin.y, end.z - origin.z};
+  const double to_floor = floor.AlongRay(origin, looks);
+  if (reading.near < MOST_NEAR) {
+    obstacle_ = std::min(obstacle_, WayTo(origin, looks, reading.near, to_floor));
+  }
+  if (reading.far < MOST_FAR) {
+    obstacle_ = std::min(obstacle_, WayTo(findInBody(FAR, reading.head), looks, reading.far, to_floor));
+  }
+  reach_ = std::max(origin.x, CHEST.x);
+  reports_with_obstacle_ = obstacle_ < NOTHING_AHEAD ? reports_with_obstacle_ + 1 : 0;
+}
+
+// How far ahead of the shoulders the end of a ray is; NOTHING_AHEAD if it is not in the robot's way.
+double WalkGuard::WayTo(const Point& origin, const Point& direction, double distance, double floor) const {
+  const double x = origin.x + distance * direction.x;
+  const double y = origin.y + distance * direction.y;
+  const double z = origin.z + distance * direction.z;
+  const bool is_in_way = distance > 0 && distance < OBSTACLE_FACTOR * floor && direction.x > 0 &&
+                         fabs(y) < HALF_WIDTH && z < HIGHEST_OBSTACLE;
+  return is_in_way ? x : NOTHING_AHEAD;
+}
+
+void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double phase, bool walks) {
+  if (!walks) {
+    paw_without_floor_ = NO_PAW;
+  }
+  const double period = gait_.Parameters().period;
+  const double first = phase + 1 - FIRST_TOUCH / period;
+  const double last = phase + 1 - LAST_TOUCH / period;
+  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
+    const Leg leg = static_cast<Leg>(i);
+    if (!walks || !gait_.IsOnFloor(leg, first - floor(first)) || !gait_.IsOnFloor(leg, last - floor(last))) {
+      steps_felt_[i] = has_touched_[i] ? steps_felt_[i] + 1 : reports_in_air_[i] > 0 ? 0 : steps_felt_[i];
+      has_touched_[i] = false;
+      reports_in_air_[i] = 0;
+      continue;
+    }
+    has_touched_[i] = has_touched_[i] || reading.paws[i];
+    reports_in_air_[i] = has_touched_[i] ? 0 : reports_in_air_[i] + 1;
+    if (reports_in_air_[i] == REPORTS && steps_felt_[i] >= STEPS_TO_BELIEVE) {
+      paw_without_floor_ = i;
+      const Point foot = findFoot(leg, legs[i]);
+      const Place place = {foot.x, foot.y};
+      AddEdge(Outside(pose_, place));
+    }
+  }
+}
+
+bool WalkGuard::IsBlind(const Velocity& velocity) {
+  return velocity.forward < 0 || fabs(velocity.left) > MOST_SIDEWAYS * velocity.forward;
+}
+
+void WalkGuard::Pose::TurnTo(double angle) {
+  yaw = angle;
+  cosine = cos(angle);
+  sine = sin(angle);
+}
+
+// Where the robot stops if it is told to stop now.
+WalkGuard::Pose WalkGuard::After(const Velocity& velocity) const {
+  const double turn = velocity.turn * TIME_TO_STOP;
+  Pose pose = pose_;
+  pose.TurnTo(pose_.yaw + turn / 2);
+  const Place way = {velocity.forward * TIME_TO_STOP, velocity.left * TIME_TO_STOP};
+  const Place place = Outside(pose, way);
+  pose.x = place.x;
+  pose.y = place.y;
+  pose.TurnTo(pose_.yaw + turn);
+  return pose;
+}
+
+// A robot that is near an edge may walk away from it.
+bool WalkGuard::ComesToEdge(const Pose& then) const {
+  for (int i = 0; i < std::min<int>(edges_added_, MOST_EDGES); ++i) {
+    const double way = ToFeet(then, edges_[i]);
+    if (way < NEAREST_TO_EDGE && way < ToFeet(pose_, edges_[i])) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// A foot that is off the ground may come back.
+bool WalkGuard::LeavesGround(const Pose& then) const {
+  for (int i = 0; i < CORNERS; ++i) {
+    const double off = ToGround(Corner(then, i));
+    if (off > MOST_OFF_GROUND && off > ToGround(Corner(pose_, i))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The distance from the ground on which the feet have been.
+double WalkGuard::ToGround(const Place& place) const {
+  double nearest = NOTHING_AHEAD;
+  for (int i = 0; i < std::min<int>(poses_added_, MOST_POSES); ++i) {
+    nearest = std::min(nearest, ToFeet(poses_[i], place));
+  }
+  return nearest;
+}
+
+// The distance of a place from the rectangle of the feet; negative inside.
+double WalkGuard::ToFeet(const Pose& pose, const Place& place) const {
+  const double x = place.x - pose.x;
+  const double y = place.y - pose.y;
+  const double ahead = x * pose.cosine + y * pose.sine;
+  const double off_ahead = std::max(ahead - front_corner_.x, hind_corner_.x - ahead);
+  const double off_aside = fabs(y * pose.cosine - x * pose.sine) - front_corner_.y;
+  return off_ahead > 0 && off_aside > 0 ? hypot(off_ahead, off_aside) : std::max(off_ahead, off_aside);
+}
+
+WalkGuard::Place WalkGuard::Corner(const Pose& pose, int corner) const {
+  Place inside = corner < 2 ? front_corner_ : hind_corner_;
+  inside.y = corner % 2 == 0 ? inside.y : -inside.y;
+  return Outside(pose, inside);
+}
+
+// From the body's frame to the frame in which the robot remembers.
+WalkGuard::Place WalkGuard::Outside(const Pose& pose, const Place& inside) {
+  const Place outside = {pose.x + inside.x * pose.cosine - inside.y * pose.sine,
+                         pose.y + inside.x * pose.sine + inside.y * pose.cosine};
+  return outside;
+}
+
+void WalkGuard::AddPose() {
+  poses_[poses_added_ % MOST_POSES] = pose_;
+  ++poses_added_;
+}
+
+void WalkGuard::AddEdge(const Place& place) {
+  for (int i = 0; i < std::min<int>(edges_added_, MOST_EDGES); ++i) {
+    if (hypot(place.x - edges_[i].x, place.y - edges_[i].y) < WAY_BETWEEN_EDGES) {
+      return;
+    }
+  }
+  edges_[edges_added_ % MOST_EDGES] = place;
+  ++edges_added_;
+}

@@ -1,0 +1,125 @@
+/// @file WalkGuard.h
+/// Keeps a walking robot away from edges and walls.
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H
+#define AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H
+
+#include "protocol/walk_requests.h"
+#include "rcserver/walk/Gait.h"
+#include "robot_model/head.h"
+#include "robot_model/legs.h"
+
+/// Change of a walk's velocity in a second, relative to the highest velocity.
+const double SPEED_CHANGE = 2;
+
+/// Decides from the distance sensors, the paws and the way walked whether the robot may walk on.
+///
+/// - The chest sensor looks at the floor ahead. If the floor is much farther away than the legs put it, there is an
+///   edge. If something is much nearer than the floor, it is in the way.
+/// - The head's sensors see what is in the way while the head looks ahead.
+/// - A paw that has touched the floor in its last steps, and now touches nothing, is beyond an edge.
+/// - No sensor looks back or to the sides. There the robot walks only over ground that it has just walked over, and a
+///   hand's breadth of other ground. It remembers the places of edges, too, and turns without putting a foot there.
+///
+/// It turns on the spot without seeing where its feet go. They leave the ground that they have stood on by up to 7 cm.
+///
+/// Lengths are in metres and angles in radians, in the frames of robot_model/legs.h. All numbers are our choice.
+class WalkGuard {
+ public:
+  /// The measurements of one frame.
+  struct Reading {
+    double chest;  ///< distances; 0 if the sensor has not measured
+    double near;
+    double far;
+    robot_model::HeadAngles head;
+    bool paws[robot_model::NUMBER_OF_LEGS];  ///< pressed
+  };
+
+  /// @param gait must outlive this
+  explicit WalkGuard(const Gait& gait);
+
+  /// Call when the robot may have been moved to another place. It forgets where it has been.
+  void Forget();
+
+  /// Call after a frame in which the robot walked.
+  /// @param walked the velocity of the feet in this frame
+  /// @param commanded the velocity of the gait
+  void HaveWalked(const protocol::version2::Velocity& walked, const protocol::version2::Velocity& commanded);
+
+  /// Call for each report of the sensors while the robot stands or walks.
+  /// @param legs where the legs are commanded, in the order of robot_model::Leg
+  /// @param phase of the step, 0..1
+  /// @param walks true if the robot lifts its feet
+  void Look(const Reading& reading, const robot_model::LegAngles* legs, double phase, bool walks);
+
+  /// Why the robot must not walk with this velocity now, in words for the user; NULL if it may.
+  const char* Objection(const protocol::version2::Velocity& velocity) const;
+
+  /// How fast the robot may walk forward towards what is in its way, in m/s.
+  double HighestForward() const;
+
+ private:
+  struct Pose {
+    double x;
+    double y;
+    double yaw;
+    double cosine;  ///< of yaw
+    double sine;
+
+    void TurnTo(double angle);
+  };
+
+  /// Number of poses and edges that are remembered.
+  static const int MOST_POSES = 48;
+  static const int MOST_EDGES = 32;
+
+  static const int CORNERS = 4;
+
+  struct Place {
+    double x;
+    double y;
+  };
+
+  /// The floor in the body's frame: z = height + slope * x.
+  struct Floor {
+    double height;
+    double slope;
+
+    double AlongRay(const robot_model::Point& origin, const robot_model::Point& direction) const;
+  };
+
+  static Floor FloorUnder(const robot_model::LegAngles* legs);
+  void LookAtFloor(double distance, const Floor& floor);
+  void LookAhead(const Reading& reading, const Floor& floor);
+  double WayTo(const robot_model::Point& origin, const robot_model::Point& direction, double distance,
+               double floor) const;
+  void FeelFloor(const Reading& reading, const robot_model::LegAngles* legs, double phase, bool walks);
+  static bool IsBlind(const protocol::version2::Velocity& velocity);
+  Pose After(const protocol::version2::Velocity& velocity) const;
+  bool ComesToEdge(const Pose& then) const;
+  bool LeavesGround(const Pose& then) const;
+  double ToGround(const Place& place) const;
+  double ToFeet(const Pose& pose, const Place& place) const;
+  Place Corner(const Pose& pose, int corner) const;
+  static Place Outside(const Pose& pose, const Place& inside);
+  void AddPose();
+  void AddEdge(const Place& place);
+
+  const Gait& gait_;
+  Place front_corner_;  ///< where the left feet step at most, from the middle of the shoulders
+  Place hind_corner_;
+  Pose pose_;
+  Pose poses_[MOST_POSES];
+  int poses_added_;
+  Place edges_[MOST_EDGES];
+  int edges_added_;
+  int reports_without_floor_;  ///< in a row
+  int reports_with_obstacle_;
+  double reach_;                                 ///< how far ahead of the middle of the shoulders the robot's nose is
+  double obstacle_;                              ///< how far ahead of it something is in the way
+  int steps_felt_[robot_model::NUMBER_OF_LEGS];  ///< steps in which a paw has touched the floor, in a row
+  int reports_in_air_[robot_model::NUMBER_OF_LEGS];  ///< in which a paw should have touched it and has not, in a row
+  bool has_touched_[robot_model::NUMBER_OF_LEGS];    ///< in this step
+  int paw_without_floor_;                            ///< a robot_model::Leg, or NO_PAW
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_WALK_GUARD_H

@@ -1,0 +1,212 @@
+#include "rcserver/walk/WalkGuard.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using protocol::version2::Velocity;
+using robot_model::LegAngles;
+using robot_model::NUMBER_OF_LEGS;
+using ::testing::HasSubstr;
+using ::testing::IsNull;
+
+constexpr double kNothing = 2;  // m; more than any sensor measures
+
+class WalkGuardTest : public ::testing::Test {
+ protected:
+  // What the sensors measure on a level floor without anything on it, with the head upright.
+  static WalkGuard::Reading onFloor() { return {0.223, kNothing, kNothing, {}, {true, true, true, true}}; }
+
+  static WalkGuard::Reading atEdge() {
+    WalkGuard::Reading reading = onFloor();
+    reading.chest = 0.9;
+    return reading;
+  }
+
+  static WalkGuard::Reading beforeWall(double distance) {
+    WalkGuard::Reading reading = onFloor();
+    reading.near = distance;
+    return reading;
+  }
+
+  void look(const WalkGuard::Reading& reading, int reports = 3) {
+    LegAngles legs[NUMBER_OF_LEGS];
+    gait_.FindPosture(0, {0, 0, 0}, 0, legs);
+    for (int i = 0; i < reports; ++i) {
+      guard_.Look(reading, legs, 0, false);
+    }
+  }
+
+  // Reports come every 4 frames.
+  void walk(const Velocity& velocity, double seconds, const WalkGuard::Reading& reading = onFloor()) {
+    for (int frame = 0; frame < seconds / 0.008; ++frame) {
+      phase_ += 0.008 / gait_.Parameters().period;
+      phase_ -= std::floor(phase_);
+      guard_.HaveWalked(velocity, velocity);
+      if (frame % 4 == 0) {
+        LegAngles legs[NUMBER_OF_LEGS];
+        gait_.FindPosture(phase_, velocity, 1, legs);
+        guard_.Look(reading, legs, phase_, true);
+      }
+    }
+  }
+
+  std::string objection(const Velocity& velocity) const {
+    const char* const text = guard_.Objection(velocity);
+    return text == nullptr ? "" : text;
+  }
+
+  const Gait gait_;
+  WalkGuard guard_{gait_};
+  double phase_ = 0;
+  const Velocity kForward{0.1, 0, 0};
+  const Velocity kBack{-0.05, 0, 0};
+  const Velocity kLeft{0, 0.03, 0};
+  const Velocity kTurn{0, 0, 0.5};
+};
+
+TEST_F(WalkGuardTest, WithoutAnEdgeOrAWallTheRobotMayWalkAheadAndTurn) {
+  look(onFloor());
+  EXPECT_EQ(objection(kForward), "");
+  EXPECT_EQ(objection(kTurn), "");
+  EXPECT_GT(guard_.HighestForward(), 1);
+}
+
+TEST_F(WalkGuardTest, BeforeAnEdgeTheRobotMayTurnAndWalkBackTheWayItCame) {
+  walk(kForward, 3);
+  look(atEdge());
+  EXPECT_THAT(objection(kForward), HasSubstr("the floor ends ahead"));
+  EXPECT_THAT(objection({0.05, 0, 0.5}), HasSubstr("the floor ends ahead"));
+  EXPECT_EQ(objection(kTurn), "");
+  EXPECT_EQ(objection(kBack), "");
+  walk(kBack, 4);
+  look(onFloor());
+  EXPECT_EQ(objection(kForward), "") << "the edge is far away now";
+}
+
+TEST_F(WalkGuardTest, OneMeasurementIsNoEdge) {
+  look(atEdge(), 2);
+  look(onFloor(), 1);
+  look(atEdge(), 2);
+  EXPECT_EQ(objection(kForward), "");
+}
+
+TEST_F(WalkGuardTest, ALeaningBodyMakesTheWayToTheFloorLongerAndIsNoEdge) {
+  WalkGuard::Reading reading = onFloor();
+  reading.chest = 0.32;  // 10 degrees nose up
+  look(reading);
+  EXPECT_EQ(objection(kForward), "");
+  reading.chest = 0.18;  // 8 degrees nose down
+  look(reading);
+  EXPECT_EQ(objection(kForward), "");
+  reading.chest = 0.36;  // a step of 7 cm
+  look(reading);
+  EXPECT_THAT(objection(kForward), HasSubstr("the floor ends ahead"));
+}
+
+TEST_F(WalkGuardTest, TheLegsSayHowFarTheFloorShouldBe) {
+  LegAngles legs[NUMBER_OF_LEGS];
+  GaitParameters high;
+  high.nose_down = -0.2;  // looks farther ahead
+  Gait(high).FindPosture(0, {0, 0, 0}, 0, legs);
+  WalkGuard::Reading reading = onFloor();
+  reading.chest = 0.40;
+  for (int i = 0; i < 3; ++i) {
+    guard_.Look(reading, legs, 0, false);
+  }
+  EXPECT_EQ(objection(kForward), "");
+}
+
+TEST_F(WalkGuardTest, WithoutAChestSensorThereIsNoEdge) {
+  WalkGuard::Reading reading = onFloor();
+  reading.chest = 0;
+  look(reading);
+  EXPECT_EQ(objection(kForward), "");
+}
+
+TEST_F(WalkGuardTest, BeforeAWallTheRobotSlowsDownAndStops) {
+  double before = 1;
+  for (double distance = 0.3; distance > 0.14; distance -= 0.02) {
+    look(beforeWall(distance));
+    EXPECT_EQ(objection(kForward), "") << distance;
+    EXPECT_LT(guard_.HighestForward(), before) << distance;
+    before = guard_.HighestForward();
+  }
+  look(beforeWall(0.05));
+  EXPECT_THAT(objection(kForward), HasSubstr("something is in the way ahead"));
+  EXPECT_EQ(objection(kTurn), "");
+}
+
+TEST_F(WalkGuardTest, TheHeadSpeaksForTheWayAheadOnlyIfItLooksThere) {
+  WalkGuard::Reading reading = beforeWall(0.1);
+  reading.head.head_pan = 1.2;
+  look(reading);
+  EXPECT_EQ(objection(kForward), "") << "it looks to the left";
+  reading.head.head_pan = 0;
+  reading.head.head_tilt = -0.2;
+  reading.head.neck_tilt = -1;
+  look(reading);
+  EXPECT_EQ(objection(kForward), "") << "it sees the floor";
+  reading.head.neck_tilt = 0;
+  reading.head.head_tilt = 0.7;
+  reading.near = 0.3;
+  look(reading);
+  EXPECT_EQ(objection(kForward), "") << "it sees something over its head";
+}
+
+TEST_F(WalkGuardTest, TheChestSeesWhatIsCloserThanTheFloor) {
+  WalkGuard::Reading reading = onFloor();
+  reading.chest = 0.1;
+  look(reading);
+  EXPECT_THAT(objection(kForward), HasSubstr("something is in the way ahead"));
+}
+
+TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
+  look(onFloor());
+  EXPECT_EQ(objection(kLeft), "") << "a little is allowed";
+  walk(kLeft, 1);
+  EXPECT_THAT(objection(kLeft), HasSubstr("no sensor looks there"));
+  EXPECT_THAT(objection({0.1, 0.06, 0}), HasSubstr("no sensor looks there"));
+  EXPECT_THAT(objection({-0.1, 0, 0}), HasSubstr("no sensor looks there"));
+  EXPECT_EQ(objection({0, -0.06, 0}), "") << "back to where it was";
+  guard_.Forget();
+  walk(kForward, 3);
+  EXPECT_EQ(objection(kBack), "");
+  walk(kBack, 3);
+  EXPECT_EQ(objection(kBack), "") << "half of the way";
+  walk(kBack, 4);
+  EXPECT_THAT(objection(kBack), HasSubstr("no sensor looks there")) << "it is where it began";
+}
+
+TEST_F(WalkGuardTest, ItRemembersAnEdgeThatItDoesNotSeeAnyMore) {
+  look(atEdge());
+  walk(kTurn, 3.14, onFloor());  // a quarter to the left, so that the edge is on its right
+  EXPECT_EQ(objection(kForward), "");
+  EXPECT_THAT(objection({0.1, -0.06, 0}), HasSubstr("no sensor looks there"));
+  walk({0, -0.06, 0}, 2.7);
+  EXPECT_THAT(objection({0, 0, -1}), HasSubstr("the floor ends there"));
+}
+
+TEST_F(WalkGuardTest, APawThatFindsNoFloorEndsTheWalk) {
+  walk(kForward, 3);
+  EXPECT_EQ(objection(kForward), "");
+  WalkGuard::Reading reading = onFloor();
+  reading.paws[robot_model::LEFT_FRONT_LEG] = false;
+  walk(kForward, 1, reading);
+  EXPECT_THAT(objection(kForward), HasSubstr("the left front paw finds no floor"));
+  look(onFloor());
+  EXPECT_THAT(objection({0.05, 0, 0.3}), HasSubstr("the floor ends there"));
+  EXPECT_EQ(objection(kBack), "");
+}
+
+TEST_F(WalkGuardTest, APawThatHasNotWorkedIsNotBelieved) {
+  WalkGuard::Reading reading = onFloor();
+  std::fill(std::begin(reading.paws), std::end(reading.paws), false);
+  walk(kForward, 5, reading);
+  EXPECT_EQ(objection(kForward), "");
+}
+
+}  // namespace
