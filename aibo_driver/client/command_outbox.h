@@ -108,6 +108,7 @@ class JointCommands {
 struct SteeringCommand {
   WalkVelocity velocity;
   OrderTerms terms{};
+  int options = 0;  ///< bits of protocol::version2::SteeringOption
 };
 
 /// All commands that wait.

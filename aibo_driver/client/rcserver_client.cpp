@@ -136,7 +136,8 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks,
                                std::unique_ptr<TcpTransport> transport)
-    : motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
+    : steering_bits_(options.guard_walks ? version2::STEER_GUARDED : 0),
+      motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
   checkClientOptions(options);
   loop_ = std::make_unique<ConnectionLoop>(options, std::move(callbacks), std::move(transport));
 }
@@ -264,7 +265,7 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(loop_->address(), shared.status, version2::REQUEST_STEER, kToWalk);
-    shared.commands.steer({velocity, terms});
+    shared.commands.steer({velocity, terms, steering_bits_});
   });
 }
 

@@ -441,7 +441,7 @@ Session::Bytes Version2Session::requestSteering(TimePoint now) {
   const SteeringCommand command = *std::exchange(connection_.commands.steering, std::nullopt);
   const WalkVelocity& wanted = command.velocity;
   const version2::Velocity velocity = {wanted.forward, wanted.left, wanted.turn};
-  return request(version2::STEER, 0, encoded(velocity), now, &Version2Session::onSteered,
+  return request(version2::STEER, command.options, encoded(velocity), now, &Version2Session::onSteered,
                  {RefusedRequest::kWalk, {}, command.terms.number});
 }
 

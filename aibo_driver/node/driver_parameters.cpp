@@ -278,6 +278,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("walk_scale", "times", 0.2, 5.0, &walk.scale);
   reader.read("walk_turn_scale", "times", 0.2, 5.0, &walk.turn_scale);
   reader.read("walk_direction", "rad", -1.0, 1.0, &walk.direction);
+  reader.read("guard", &parameters.client.guard_walks);
   reader.read("cmd_vel_timeout", 0.1, 0.5, &walk.timeout);
   reader.read("publish_odom_tf", &walk.publish_odom_tf);
 

@@ -21,7 +21,8 @@ OTHER_VALUES = {
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0,
     'motion_speed_limit': 4.0, 'speed_scale': 0.5,
-    'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'publish_odom_tf': False,
+    'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'guard': False,
+    'publish_odom_tf': False,
     'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
 
@@ -94,7 +95,8 @@ class LaunchFilesTest(unittest.TestCase):
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
             'aibo.launch': {**driver, **model, **look_at},
-            'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False},
+            'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False,
+                            '/aibo/aibo_room/on_table': False},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
@@ -112,6 +114,11 @@ class LaunchFilesTest(unittest.TestCase):
     def test_demo_passes_on_where_the_robot_is(self):
         given = driver_parameters(resolve('demo.launch', simulation=False, host='aibo.local', port=4711))
         self.assertEqual((given['host'], given['port']), ('aibo.local', 4711))
+
+    def test_demo_guards_walks_unless_it_walks_around_the_ball(self):
+        self.assertIs(driver_parameters(resolve('demo.launch', on_table=True))['guard'], True)
+        self.assertIs(driver_parameters(resolve('demo.launch', walk=True))['guard'], False)
+        self.assertIs(driver_parameters(resolve('demo.launch', walk=True, guard=True))['guard'], True)
 
     def test_teleop_by_joystick_has_its_mapping(self):
         config = resolve('teleop.launch', joy=True, ns='left')

@@ -63,7 +63,9 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   if (velocity.isZero()) {
     throw aibo_client::InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
   }
-  Robot robot(arguments.robot, output);
+  aibo_client::ClientOptions options;
+  options.guard_walks = !arguments.has("unguarded");
+  Robot robot(arguments.robot, output, options);
   robot.connect();
   steer(robot, velocity, seconds);
   if (!waitForEnd(robot, aibo_client::EndedKind::kWalk, "", kLongestPosture)) {
@@ -118,11 +120,14 @@ std::vector<Command> legCommands() {
        "walks for a short time",
        "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
        "clockwise. The robot keeps to its limits. It stands up first if it has to, and stands at the end. Ctrl-C stops "
-       "it, and so does a lost connection, within half a second. The motors have to be on. A server of version 1 "
-       "cannot walk.",
+       "it, and so does a lost connection, within half a second. The robot ends the walk before edges and walls that "
+       "its "
+       "sensors see; backward and sideways, it walks only where it has just walked. The motors have to be on. A server "
+       "of version 1 cannot walk.",
        {{"walk forward=5cm/s --seconds 3", "about 15 cm"}, {"walk turn=-20deg/s", "to the right"}},
        walk,
-       {{"seconds", "S", "1", "how long, 0.1 to 60"}},
+       {{"seconds", "S", "1", "how long, 0.1 to 60"},
+        {"unguarded", "", "", "walk on before edges and walls, and where the robot cannot see"}},
        {"forward=", "left=", "turn="}},
       postureCommand("stand", "stands up", stand),
       postureCommand("sit", "sits down", sit),

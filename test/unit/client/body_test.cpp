@@ -6,6 +6,7 @@
 
 #include "newest_client_fixture.h"
 #include "protocol/motion_requests.h"
+#include "protocol/walk_requests.h"
 
 using namespace aibo_client;
 using protocol::version2::LEAVE_OUT_MISSING_JOINTS;
@@ -107,6 +108,21 @@ TEST_F(BodyTest, JointsThatTheRobotDoesNotHaveAreLeftOutIfItIsAnOption) {
   EXPECT_EQ(LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES, request.header.id);
   peer.send(makeFrame('p', request.header.request_number, {}));
   calls.get();
+}
+
+TEST_F(BodyTest, WalksAreGuardedUnlessAnOptionSaysOtherwise) {
+  for (const bool is_guarded : {true, false}) {
+    ClientOptions options = optionsFor(server_);
+    EXPECT_TRUE(options.guard_walks);
+    options.guard_walks = is_guarded;
+    RcServerClient client(options, recorder_.callbacks());
+    client.start();
+    ScriptedPeer peer = server_.accept();
+    peer.agreeToVersion2("S");
+    ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+    client.steer({0.1, 0, 0});
+    EXPECT_EQ(is_guarded ? protocol::version2::STEER_GUARDED : 0, peer.readRequest().header.id);
+  }
 }
 
 TEST_F(BodyTest, TheRobotIsShutDownAndTheClientWaitsForItsReturn) {

@@ -157,6 +157,8 @@ TEST(DriverParameters, OfTheWalkAreRead) {
   values["walk_direction"] = -0.05;
   values["cmd_vel_timeout"] = 0.2;
   values["publish_odom_tf"] = XmlRpcValue(false);
+  values["guard"] = XmlRpcValue(false);
+  EXPECT_FALSE(parse(values).client.guard_walks);
   const WalkSettings walk = parse(values).walk;
   EXPECT_EQ(walk.speed_limit, 0.1);
   EXPECT_EQ(walk.side_limit, 0);
@@ -177,6 +179,7 @@ TEST(DriverParameters, OfTheWalkAreRefusedOutOfRange) {
   EXPECT_THAT(refusal("walk_direction", 1.5), HasSubstr("rad, -1..1"));
   EXPECT_THAT(refusal("cmd_vel_timeout", 0.6), HasSubstr("seconds, 0.1..0.5"));
   EXPECT_THAT(refusal("publish_odom_tf", 1), HasSubstr("true or false"));
+  EXPECT_THAT(refusal("guard", "off"), HasSubstr("true or false"));
 }
 
 TEST(DriverParameters, AreRead) {

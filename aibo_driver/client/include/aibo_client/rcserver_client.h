@@ -424,7 +424,8 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
  private:
-  const int motion_bits_;  // bits of the id in requests about motions (protocol/motion_requests.h)
+  const int steering_bits_;  // bits of the id in requests to walk (protocol/walk_requests.h)
+  const int motion_bits_;    // bits of the id in requests about motions (protocol/motion_requests.h)
   std::unique_ptr<ConnectionLoop> loop_;
 };
 
