@@ -2,7 +2,6 @@
 #ifndef AIBO_DRIVER_NODE_BODY_FOOTPRINT_PUBLISHER_H
 #define AIBO_DRIVER_NODE_BODY_FOOTPRINT_PUBLISHER_H
 
-#include <geometry_msgs/Vector3.h>
 #include <ros/node_handle.h>
 #include <ros/time.h>
 
@@ -14,6 +13,7 @@
 #include "aibo_client/telemetry.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
+#include "node/body/body_pose.h"
 #include "node/body/sensor_messages.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
@@ -46,8 +46,7 @@ class FootprintPublisher {
   /// Rotator, elevator and knee of each leg in the JointTable.
   std::array<std::array<std::size_t, robot_model::JOINTS_OF_A_LEG>, robot_model::NUMBER_OF_LEGS> leg_joints_;
   Accelerometer accelerometer_;
-  std::optional<geometry_msgs::Vector3> acceleration_;  ///< smoothed
-  ros::Time last_acceleration_;
+  BodyPose pose_;
   std::uint64_t connection_ = 0;
   ros::Publisher publisher_;
 };
