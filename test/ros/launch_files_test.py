@@ -100,7 +100,9 @@ class LaunchFilesTest(unittest.TestCase):
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
-            'playback.launch': {**model, '/use_sim_time': False},
+            'playback.launch': {**model, '/use_sim_time': False, **{'/aibo/aibo_playback/' + name: value for name, value in (
+                ('bag', '/tmp/a.bag'), ('recorded_ns', ''), ('frame_prefix', ''), ('loop', False), ('rate', 1.0),
+                ('start', 0.0), ('wait', 30.0))}},
             'record.launch': {},
             'teleop.launch': {'/aibo/aibo_teleop_keyboard/' + name: speed for name, speed in
                               (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
@@ -148,9 +150,14 @@ class LaunchFilesTest(unittest.TestCase):
     def test_a_recording_has_what_the_driver_publishes(self):
         record = nodes(resolve('record.launch', diagnostics=False, sound=True))['/aibo/record'].args.split()[1:]
         self.assertNotIn('/aibo/microphone', nodes(resolve('record.launch'))['/aibo/record'].args.split())
-        # link_quality is about the running driver, by which a listener knows that one runs.
-        left_out = {'camera/image_raw', 'color_mask', 'color_regions', 'link_quality', '/tf', '/diagnostics'}
-        self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out})
+        left_out = {'camera/image_raw', 'color_mask', '/tf', '/diagnostics'}
+        not_of_the_driver = {'cmd_vel', 'room', 'room/ball'}
+        self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out | not_of_the_driver})
+
+    def test_playback_has_the_recorded_namespace(self):
+        for given in ('team/right', '/team/right'):
+            config = resolve('playback.launch', bag='/tmp/a.bag', recorded_ns=given)
+            self.assertEqual(parameters(config)['/aibo/aibo_playback/recorded_ns'], '/team/right')
 
     def test_playback_can_be_heard(self):
         self.assertNotIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))

@@ -484,7 +484,7 @@ TEST(PythonExample, StandsLooksTakesAPictureAndWalks) {
   const test_support::TemporaryFolder folder;
   // catkin's environment for tests lacks this path when the build folder is new.
   const std::string run = "export PYTHONPATH=" PYTHON_MESSAGES "${PYTHONPATH:+:$PYTHONPATH}; cd " +
-                          folder.path().string() + " && exec " LOOK_AND_WALK " __ns:=/python";
+                          folder.path().string() + " && exec python3 " LOOK_AND_WALK " __ns:=/python";
   Process program({"/bin/sh", "-c", run});
   EXPECT_TRUE(
       walker.state.waitFor([](const MotionState& each) { return lastEnd(each).movement.kind == Movement::POSTURE; }));

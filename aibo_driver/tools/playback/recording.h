@@ -1,0 +1,63 @@
+/// @file recording.h
+#ifndef AIBO_DRIVER_TOOLS_PLAYBACK_RECORDING_H
+#define AIBO_DRIVER_TOOLS_PLAYBACK_RECORDING_H
+
+#include <ros/time.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace aibo_driver::tools {
+
+/// What a bag holds of one robot: the topics in its namespace, and /diagnostics. Left out are tf, which is made again
+/// from the measurements, and decoded pictures, if the robot's JPEGs are there.
+class Recording {
+ public:
+  /// @param path a bag of record.launch, or another one with the driver's topics
+  /// @param recorded_namespace the robot's namespace in the bag; empty if the bag has only one robot
+  /// @throw std::runtime_error the bag cannot be used; the message says why and what to do
+  Recording(const std::string& path, const std::string& recorded_namespace);
+
+  /// The name of the file, without its folder.
+  const std::string& name() const { return name_; }
+
+  /// The robot's namespace in the bag, such as "/aibo".
+  const std::string& nameSpace() const { return name_space_; }
+
+  /// What the driver put before all frames of tf: empty, or with a / at its end.
+  const std::string& framePrefix() const { return frame_prefix_; }
+
+  ros::Time begin() const { return begin_; }
+  ros::Duration length() const { return length_; }
+
+  /// The messages, in the order of their times.
+  rosbag::View& messages() { return *messages_; }
+
+ private:
+  void choose(const std::string& recorded_namespace);
+  void findFramePrefix();
+
+  rosbag::Bag bag_;
+  std::string name_;
+  std::string name_space_;
+  std::string frame_prefix_;
+  ros::Time begin_;
+  ros::Duration length_;
+  std::unique_ptr<rosbag::View> messages_;  // after the bag
+};
+
+/// Changes the stamp of a message, if the message begins with a header and the stamp is not 0.
+/// @param definition the definition of the message
+/// @param change gives the new stamp for an old one
+/// @param message the serialized message
+void changeStamp(const std::string& definition, const std::function<ros::Time(const ros::Time&)>& change,
+                 std::vector<std::uint8_t>& message);
+
+}  // namespace aibo_driver::tools
+
+#endif  // AIBO_DRIVER_TOOLS_PLAYBACK_RECORDING_H

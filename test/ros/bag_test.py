@@ -1,0 +1,211 @@
+"""aibo_bag lists, cuts and exports recordings, and says what is wrong with those that cannot be used."""
+import contextlib
+import csv
+import importlib.machinery
+import importlib.util
+import io
+import os
+import resource
+import shutil
+import signal
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import genpy
+import rosbag
+from sensor_msgs.msg import CompressedImage, JointState
+
+from aibo_driver.msg import Connection, LinkQuality, RobotState
+
+PROGRAM = Path(__file__).resolve().parents[2] / 'aibo_driver/tools/aibo_bag'
+loader = importlib.machinery.SourceFileLoader('aibo_bag', str(PROGRAM))
+aibo_bag = importlib.util.module_from_spec(importlib.util.spec_from_loader('aibo_bag', loader))
+loader.exec_module(aibo_bag)
+
+BEGIN = 1000000000
+JPEG = bytes.fromhex('ffd8ffe0') + bytes(1000)  # aibo_bag does not look into it
+
+
+class BagTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def path(self, name):
+        return str(self.folder / name)
+
+    def record(self, name='walk.bag', robots=('/aibo',), pictures=True):
+        """Ten seconds, with ten measurements and pictures a second."""
+        with rosbag.Bag(self.path(name), 'w') as bag:
+            for robot in robots:
+                self.latch(bag, robot + '/connection', Connection(text='connected'), 0)
+                self.latch(bag, robot + '/robot_state', RobotState(stopped_by='/anna'), 0)
+                self.latch(bag, robot + '/robot_state', RobotState(stopped_by='/bert'), 4)
+                for i in range(100):
+                    stamp = genpy.Time.from_sec(BEGIN + i / 10)
+                    joints = JointState(name=['head_pan', 'mouth'], position=[i / 100, -0.1], velocity=[0.5, 0])
+                    joints.header.stamp = stamp
+                    bag.write(robot + '/joint_states', joints, stamp)
+                    if pictures:
+                        picture = CompressedImage(data=JPEG + bytes([i]))
+                        bag.write(robot + '/camera/image_raw/compressed', picture, stamp)
+                    if i % 10 == 0:
+                        link = LinkQuality(pictures_per_second=29.9, age=0.01, lost=0)
+                        bag.write(robot + '/link_quality', link, stamp)
+        return self.path(name)
+
+    @staticmethod
+    def latch(bag, topic, message, seconds):
+        header = {'topic': topic, 'type': message._type, 'md5sum': message._md5sum,
+                  'message_definition': message._full_text, 'latching': '1'}
+        bag.write(topic, message, genpy.Time(BEGIN + seconds), connection_header=header)
+
+    @staticmethod
+    def run_program(*arguments, **environment):
+        """The exit status, and what it prints to both streams."""
+        out, err = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), \
+                mock.patch.dict(os.environ, environment), mock.patch.object(sys, 'argv', ['aibo_bag', *arguments]):
+            try:
+                aibo_bag.main()
+            except SystemExit as end:
+                print(end.code, file=err)
+                return 2 if end.code == 2 else 1, out.getvalue(), err.getvalue()
+        return 0, out.getvalue(), err.getvalue()
+
+    def succeed(self, *arguments, **environment):
+        status, out, err = self.run_program(*arguments, **environment)
+        self.assertEqual((status, err), (0, ''))
+        return out
+
+    def fail_with(self, text, *arguments, **environment):
+        status, out, err = self.run_program(*arguments, **environment)
+        self.assertEqual(status, 1, out)
+        self.assertIn('aibo_bag: ', err)
+        self.assertIn(text, err)
+        self.assertEqual([file.name for file in self.folder.rglob('*.part')], [])
+
+    def test_lists_what_is_in_it(self):
+        lines = self.succeed('list', self.record()).splitlines()
+        self.assertRegex(lines[0], r'^walk.bag: 0:09 from 2001-09-0\d \d\d:\d\d:\d\d, robot /aibo, 0\.\d MB$')
+        self.assertRegex('\n'.join(lines), r'\n +100 +10\.1/s  /aibo/camera/image_raw/compressed\n')
+
+    def test_a_part_begins_with_what_was_latched(self):
+        out = self.succeed('cut', self.record(), self.path('part.bag'), '--from', '0:05', '--to', '6')
+        self.assertIn('part.bag', out)
+        with rosbag.Bag(self.path('part.bag')) as bag:
+            self.assertEqual((bag.get_start_time(), bag.get_end_time()), (BEGIN + 5, BEGIN + 6))
+            messages = list(bag.read_messages('/aibo/robot_state', return_connection_header=True))
+            self.assertEqual([each.message.stopped_by for each in messages], ['/bert'])
+            self.assertIn(messages[0].connection_header['latching'], ('1', b'1'))
+            self.assertEqual(bag.get_message_count('/aibo/joint_states'), 11)
+        self.assertIn('0:01', self.succeed('list', self.path('part.bag')), 'a part can be used again')
+        self.succeed('joints', self.path('part.bag'), self.path('part.csv'), '--from', '0.5')
+        with open(self.path('part.csv'), encoding='utf-8') as file:
+            self.assertEqual(len(file.readlines()), 1 + 6)
+
+    def test_pictures_are_the_robots_own(self):
+        self.succeed('jpegs', self.record(), self.path('pictures'), '--to', '0.95')
+        files = sorted(self.folder.joinpath('pictures').iterdir())
+        self.assertEqual([file.name for file in files], ['%08.3f.jpg' % (i / 10) for i in range(10)])
+        self.assertEqual(files[3].read_bytes(), JPEG + b'\3')
+
+    def test_a_film_has_the_pace_of_the_pictures(self):
+        recorder = self.folder / 'ffmpeg'
+        recorder.write_text('#!/bin/sh\nfor last; do :; done\ncat > "$last"\n')
+        recorder.chmod(0o755)
+        self.succeed('mp4', self.record(), self.path('walk.mp4'), '--from', '1', '--to', '2',
+                     PATH='%s:%s' % (self.folder, os.environ['PATH']))
+        film = Path(self.path('walk.mp4')).read_bytes()
+        shown = [film[i + len(JPEG)] for i in range(0, len(film), len(JPEG) + 1)]
+        self.assertEqual(shown, [i for i in range(10, 20) for _ in range(3)] + [20])
+
+    def test_a_film_needs_ffmpeg(self):
+        self.fail_with('sudo apt install ffmpeg', 'mp4', self.record(), self.path('walk.mp4'), PATH='/nonexistent')
+        broken = self.folder / 'ffmpeg'
+        broken.write_text('#!/bin/sh\necho "no such encoder" >&2\nexit 1\n')
+        broken.chmod(0o755)
+        self.fail_with('ffmpeg failed: no such encoder', 'mp4', self.path('walk.bag'), self.path('walk.mp4'),
+                       PATH='%s:%s' % (self.folder, os.environ['PATH']))
+
+    @unittest.skipUnless(shutil.which('ffmpeg'), 'needs ffmpeg')
+    def test_ffmpeg_refuses_what_are_no_pictures(self):
+        self.fail_with('ffmpeg failed', 'mp4', self.record(), self.path('walk.mp4'))
+
+    def test_joints_are_a_table(self):
+        self.succeed('joints', self.record(), self.path('walk.csv'))
+        with open(self.path('walk.csv'), encoding='utf-8', newline='') as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 100)
+        self.assertEqual(rows[25], {'time': '2.500', 'stamp': '1000000002.500000', 'head_pan': '0.25', 'mouth': '-0.1',
+                                    'head_pan_speed': '0.5', 'mouth_speed': '0.0'})
+
+    def test_a_plot_shows_the_link(self):
+        try:
+            import matplotlib  # noqa: F401
+        except ImportError:
+            self.skipTest('needs matplotlib')
+        self.succeed('plot', self.record(), self.path('walk.png'), MPLCONFIGDIR=str(self.folder))
+        self.assertEqual(Path(self.path('walk.png')).read_bytes()[:4], b'\x89PNG')
+
+    def test_a_plot_needs_matplotlib(self):
+        with mock.patch.dict(sys.modules, {'matplotlib': None}):
+            self.fail_with('sudo apt install python3-matplotlib', 'plot', self.record(), self.path('walk.png'))
+
+    def test_one_of_several_robots_is_chosen(self):
+        both = self.record(robots=('/left', '/team/right'))
+        self.fail_with('/left, /team/right. Choose one with --robot', 'joints', both, self.path('a.csv'))
+        self.assertIn('robot /left, /team/right,', self.succeed('list', both))
+        self.fail_with('has these robots', 'joints', both, self.path('a.csv'), '--robot', 'middle')
+        self.succeed('joints', both, self.path('a.csv'), '--robot', 'team/right')
+
+    def test_nothing_is_overwritten(self):
+        walk = self.record()
+        self.fail_with('walk.bag exists already', 'cut', walk, walk, '--to', '5')
+        self.succeed('joints', walk, self.path('walk.csv'))
+        self.fail_with('walk.csv exists already', 'joints', walk, self.path('walk.csv'))
+
+    def test_what_cannot_be_used_is_explained(self):
+        self.fail_with('No such file', 'list', self.path('none.bag'))
+        self.folder.joinpath('text.bag').write_text('This is no bag.')
+        self.fail_with('text.bag is no bag', 'list', self.path('text.bag'))
+        rosbag.Bag(self.path('empty.bag'), 'w').close()
+        self.fail_with('empty.bag is empty', 'list', self.path('empty.bag'))
+        self.assertIn('/aibo/joint_states', self.run_program('list', self.path('empty.bag'), self.record())[1])
+        blind = self.record(pictures=False)
+        self.fail_with('has no /aibo/camera/image_raw/compressed', 'jpegs', blind, self.path('pictures'))
+        self.fail_with('has no /aibo/camera/image_raw/compressed', 'mp4', blind, self.path('a.mp4'))
+        self.fail_with('nothing was recorded in this time', 'cut', blind, self.path('a.bag'), '--from', '20')
+        status, _, err = self.run_program('cut', blind, self.path('a.bag'), '--from', '1:xx')
+        self.assertEqual(status, 2)
+        self.assertIn("'1:xx' is no time", err)
+
+    def test_a_bag_that_was_cut_off_can_be_repaired(self):
+        walk = Path(self.record())
+        walk.write_bytes(walk.read_bytes()[:100000])
+        self.fail_with('rosbag reindex', 'list', str(walk))
+
+    def test_damage_is_said(self):
+        walk = Path(self.record())
+        data = bytearray(walk.read_bytes())
+        data[60000:80000] = b'\xff' * 20000
+        walk.write_bytes(data)
+        self.fail_with('damaged', 'joints', str(walk), self.path('a.csv'))
+
+    def test_a_full_disk_leaves_no_half_a_file(self):
+        walk = self.record()
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)  # then writing fails, as on a full disk
+        before = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (4096, before[1]))
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_FSIZE, before)
+        for command, output in (('cut', 'a.bag'), ('joints', 'a.csv')):
+            self.fail_with('File too large', command, walk, self.path(output))
+            self.assertFalse(os.path.exists(self.path(output)))
+
+
+if __name__ == '__main__':
+    unittest.main()

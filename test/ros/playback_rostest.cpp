@@ -1,0 +1,300 @@
+// Recordings, played again by aibo_playback.
+
+#include <aibo_driver/Connection.h>
+#include <aibo_driver/RobotState.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <rosbag/bag.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Imu.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/SetBool.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+#include "support/ros/topic_listener.h"
+#include "support/temporary_folder.h"
+
+namespace {
+
+using aibo_driver::Connection;
+using aibo_driver::RobotState;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TemporaryFolder;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+
+const ros::Time kBegin(1'000'000'000);
+constexpr double kSpeed = 0.1;   // m/s
+constexpr double kPeriod = 0.1;  // s, between two measurements
+
+/// A bag of a robot that walks ahead.
+class WalkBag {
+ public:
+  WalkBag(const std::string& path, std::string name_space, const std::string& frame_prefix = "")
+      : bag_(path, rosbag::bagmode::Write), name_space_(std::move(name_space)), frame_prefix_(frame_prefix) {}
+
+  void connect() {
+    Connection connection;
+    connection.state = Connection::CONNECTED;
+    connection.robot = "ERS-7";
+    writeLatched("connection", connection);
+  }
+
+  void report(const std::string& stopped_by) {
+    RobotState state;
+    state.stopped_by = stopped_by;
+    writeLatched("robot_state", state);
+  }
+
+  void walk(double seconds) {
+    for (double end = time_ + seconds; time_ < end - kPeriod / 2; time_ += kPeriod) {
+      write("imu/data_raw", imu());
+      write("joint_states", joints());
+      write("odom", odom());
+      write("camera/image_raw/compressed", headed<sensor_msgs::CompressedImage>("camera_optical_frame"));
+      write("camera/camera_info", headed<sensor_msgs::CameraInfo>("camera_optical_frame"));
+      write("cmd_vel", geometry_msgs::Twist());
+    }
+  }
+
+ private:
+  template <typename Message>
+  Message headed(const std::string& frame) const {
+    Message message;
+    message.header.stamp = kBegin + ros::Duration(time_) - ros::Duration(0.02);  // it took time to arrive
+    message.header.frame_id = frame_prefix_ + frame;
+    return message;
+  }
+
+  sensor_msgs::Imu imu() const {
+    auto imu = headed<sensor_msgs::Imu>("imu_link");
+    imu.linear_acceleration.z = 9.81;
+    return imu;
+  }
+
+  sensor_msgs::JointState joints() const {
+    auto joints = headed<sensor_msgs::JointState>("");
+    for (const char* leg : {"left_front_", "left_hind_", "right_front_", "right_hind_"}) {
+      for (const char* joint : {"rotator", "elevator", "knee"}) {
+        joints.name.push_back(std::string(leg) + joint);
+        joints.position.push_back(0);
+      }
+    }
+    return joints;
+  }
+
+  nav_msgs::Odometry odom() const {
+    auto odom = headed<nav_msgs::Odometry>("odom");
+    odom.pose.pose.position.x = kSpeed * time_;
+    odom.pose.pose.orientation.w = 1;
+    return odom;
+  }
+
+  template <typename Message>
+  void write(const std::string& topic, const Message& message, const boost::shared_ptr<ros::M_string>& header = {}) {
+    bag_.write(name_space_ + "/" + topic, kBegin + ros::Duration(time_), message, header);
+  }
+
+  template <typename Message>
+  void writeLatched(const std::string& topic, const Message& message) {
+    write(topic, message,
+          boost::make_shared<ros::M_string>(
+              ros::M_string{{"type", ros::message_traits::datatype<Message>()},
+                            {"md5sum", ros::message_traits::md5sum<Message>()},
+                            {"message_definition", ros::message_traits::definition<Message>()},
+                            {"latching", "1"}}));
+  }
+
+  rosbag::Bag bag_;
+  std::string name_space_;
+  std::string frame_prefix_;
+  double time_ = 0;
+};
+
+class PlaybackTest : public ::testing::Test {
+ protected:
+  std::string path(const std::string& name) const { return folder_.path(name).string(); }
+
+  std::string recordAWalk(double seconds = 3) const {
+    WalkBag bag(path("walk.bag"), "/aibo");
+    bag.connect();
+    bag.walk(seconds);
+    return path("walk.bag");
+  }
+
+  static std::vector<std::string> command(const std::string& bag, const std::string& name_space,
+                                          std::vector<std::string> parameters) {
+    parameters.insert(parameters.begin(), {AIBO_PLAYBACK, "__ns:=" + name_space, "_bag:=" + bag});
+    return parameters;
+  }
+
+  // What it says when it cannot play.
+  std::string complaintAbout(const std::string& bag, const std::vector<std::string>& parameters = {}) {
+    // In a namespace of its own, because the master keeps parameters.
+    Process playback(command(bag, "/complaints" + std::to_string(++complaints_), parameters));
+    EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
+    return playback.output();
+  }
+
+ private:
+  TemporaryFolder folder_;
+  int complaints_ = 0;
+};
+
+bool isNow(const ros::Time& stamp) {
+  return std::abs((ros::Time::now() - stamp).toSec()) < 60;
+}
+
+TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
+  TopicListener<sensor_msgs::JointState> joints("/walks/joint_states");
+  TopicListener<sensor_msgs::CompressedImage> pictures("/walks/camera/image_raw/compressed");
+  TopicListener<sensor_msgs::CameraInfo> infos("/walks/camera/camera_info");
+  TopicListener<nav_msgs::Odometry> odom("/walks/odom");
+  TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  TopicListener<Connection> connection("/walks/connection");
+  Process playback(command(recordAWalk(), "/walks", {}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
+
+  // All has arrived, except perhaps the first messages, before all of these listeners were connected.
+  const auto played = joints.waitForCount(0);
+  ASSERT_GT(played.size(), 20u);
+  const auto& end = played.back()->header.stamp;
+  EXPECT_NEAR((end - played[0]->header.stamp).toSec(), kPeriod * static_cast<double>(played.size() - 1), 1e-6);
+  EXPECT_PRED1(isNow, end);
+  ASSERT_GT(pictures.count(), 20u);
+  ASSERT_GT(infos.count(), 20u);
+  EXPECT_EQ(pictures.waitForCount(0).back()->header.stamp, infos.waitForCount(0).back()->header.stamp);
+  ASSERT_GT(odom.count(), 20u);
+  EXPECT_NEAR(odom.waitForCount(0).back()->pose.pose.position.x, 2.9 * kSpeed, 1e-6);
+
+  const auto last = tf.waitFor([&](const tf2_msgs::TFMessage& message) {
+    return !message.transforms.empty() && message.transforms[0].header.stamp == end;
+  });
+  ASSERT_TRUE(last && last->transforms.size() == 2);
+  EXPECT_EQ(last->transforms[0].header.frame_id, "odom");
+  EXPECT_EQ(last->transforms[0].child_frame_id, "base_footprint");
+  EXPECT_NEAR(last->transforms[0].transform.translation.x, 2.8 * kSpeed, 1e-6) << "the odom before these joints";
+  EXPECT_EQ(last->transforms[1].child_frame_id, "base_link");
+  EXPECT_GT(last->transforms[1].transform.translation.z, 0.05);
+
+  const auto says = [&connection](const std::string& text) {
+    return connection.waitFor([&text](const Connection& message) {
+      return message.state == Connection::PLAYBACK && message.robot == "ERS-7" && message.text == text;
+    });
+  };
+  EXPECT_TRUE(says("playback of walk.bag, 0:01 of 0:02"));
+  EXPECT_TRUE(says("playback of walk.bag, 0:02 of 0:02"));
+}
+
+TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
+  {
+    WalkBag bag(path("left.bag"), "/team/left", "left/");
+    bag.connect();
+    bag.report("/anna");
+    bag.walk(1);
+    bag.report("/bert");
+    bag.walk(2);
+  }
+  TopicListener<nav_msgs::Odometry> odom("/other/odom");
+  TopicListener<RobotState> state("/other/robot_state");
+  TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  const std::string bag = path("left.bag");
+  Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=30"}));
+  EXPECT_EQ(playback.waitForExit(std::chrono::seconds(1)), std::nullopt) << "nobody watches yet";
+  TopicListener<Connection> connection("/other/connection");
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
+  EXPECT_NEAR(odom.waitForCount(10).front()->pose.pose.position.x, 2 * kSpeed, 1e-6);
+  ASSERT_EQ(state.waitForCount(1).size(), 1u);
+  EXPECT_EQ(state.waitForCount(1).front()->stopped_by, "/bert");
+  EXPECT_TRUE(tf.waitFor([](const tf2_msgs::TFMessage& message) {
+    return message.transforms.size() == 2 && message.transforms[1].child_frame_id == "left/base_link";
+  }));
+}
+
+TEST_F(PlaybackTest, PausesAndRepeats) {
+  TopicListener<nav_msgs::Odometry> odom("/again/odom");
+  TopicListener<Connection> connection("/again/connection");
+  Process playback(command(recordAWalk(1), "/again", {"_loop:=true", "_rate:=2"}));
+  ASSERT_TRUE(ros::service::waitForService("/again/aibo_playback/pause_playback", ros::Duration(30)));
+  odom.waitForCount(15);
+  std_srvs::SetBool call;
+  call.request.data = 1;
+  ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
+  EXPECT_TRUE(call.response.success) << call.response.message;
+  EXPECT_TRUE(connection.waitFor(
+      [](const Connection& message) { return message.text.find("of 0:00, paused") != std::string::npos; }));
+  EXPECT_FALSE(odom.waitForNext(std::chrono::seconds(1)) && odom.waitForNext(std::chrono::seconds(1)))
+      << "one may have been under way";
+  const auto before = odom.waitForCount(0).back();
+  call.request.data = 0;
+  ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
+  EXPECT_TRUE(call.response.success) << call.response.message;
+  const auto next = odom.waitForNext();
+  ASSERT_TRUE(next);
+  EXPECT_NEAR(std::fmod(next->pose.pose.position.x - before->pose.pose.position.x + kSpeed, kSpeed), kSpeed * kPeriod,
+              1e-6);
+  const auto all = odom.waitForCount(35);
+  ASSERT_GE(all.size(), 35u);
+  for (std::size_t i = 1; i < all.size(); ++i) {
+    EXPECT_GT(all[i]->header.stamp, all[i - 1]->header.stamp) << i;
+  }
+  playback.signal(SIGINT);
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS);
+}
+
+TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
+  EXPECT_THAT(complaintAbout(path("none.bag")), HasSubstr("none.bag cannot be read as a bag: Error opening file"));
+  std::ofstream(path("text.bag")) << "This is no bag.";
+  EXPECT_THAT(complaintAbout(path("text.bag")), HasSubstr("text.bag cannot be read as a bag"));
+  rosbag::Bag(path("empty.bag"), rosbag::bagmode::Write).close();
+  EXPECT_THAT(complaintAbout(path("empty.bag")), HasSubstr("empty.bag is empty"));
+  {
+    rosbag::Bag bag(path("other.bag"), rosbag::bagmode::Write);
+    bag.write("/turtle/cmd_vel", kBegin, geometry_msgs::Twist());
+  }
+  EXPECT_THAT(complaintAbout(path("other.bag")), HasSubstr("has no robot, but only the topics /turtle/cmd_vel"));
+  WalkBag(path("left.bag"), "/left", "left/").walk(1);
+  EXPECT_THAT(complaintAbout(path("left.bag")), HasSubstr("play it with frame_prefix:=left"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),
+              HasSubstr("no robot in /right, but in /left"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_start:=5"}), HasSubstr("start is 5"));
+}
+
+TEST_F(PlaybackTest, ABagThatWasNotClosedIsExplained) {
+  const std::string whole = recordAWalk(60);
+  std::filesystem::resize_file(whole, std::filesystem::file_size(whole) / 2);
+  EXPECT_THAT(complaintAbout(whole), HasSubstr("walk.bag cannot be read as a bag"));
+}
+
+TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
+  const std::string whole = recordAWalk(60);
+  {
+    std::fstream file(whole, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(static_cast<std::streamoff>(std::filesystem::file_size(whole) / 4));
+    file << std::string(20'000, '\xff');
+  }
+  Process playback(command(whole, "/damaged", {"_wait:=0", "_rate:=100"}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
+  EXPECT_THAT(playback.output(), HasSubstr("walk.bag is damaged at 0:"));
+}
+
+TEST_F(PlaybackTest, IsNotPlayedWhereADriverRuns) {
+  const ros::Publisher driver = ros::NodeHandle("/drives").advertise<Connection>("connection", 1);
+  Process playback(command(recordAWalk(), "/drives", {}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
+  EXPECT_THAT(playback.output(), HasSubstr("There is a driver in the namespace /drives already"));
+}
+
+}  // namespace
