@@ -14,6 +14,8 @@ QString colourOf(RobotConnection::State state) {
     case RobotConnection::State::kConnecting:
     case RobotConnection::State::kWaiting:
       return "#ffb300";
+    case RobotConnection::State::kPlayback:
+      return "#1e88e5";
     case RobotConnection::State::kDisconnected:
     case RobotConnection::State::kNoDriver:
     case RobotConnection::State::kNoMaster:
@@ -45,6 +47,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   text_->setObjectName("connection");
   text_->setWordWrap(true);
+  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // names of files may be long
   battery_->setObjectName("battery");
   link_->setObjectName("link");
   link_->setAlignment(Qt::AlignRight);
@@ -74,7 +77,7 @@ void ConnectionBar::showConnection(const RobotConnection& connection) {
   fillChooser();
   lamp_->setStyleSheet("color: " + colourOf(connection.state));
   text_->setText(titleOf(connection));
-  if (!connection.isConnected()) {
+  if (!connection.hasRobot()) {
     battery_->clear();
     link_->clear();
   }

@@ -35,7 +35,7 @@ JointsPage::JointsPage(QWidget* parent) : Page(parent), box_(need(Needs::kMotors
 }
 
 void JointsPage::connectionChanged(const RobotConnection& connection) {
-  if (connection.isConnected() && !connection.robot.isEmpty() && connection.robot != design_) {
+  if (connection.hasRobot() && !connection.robot.isEmpty() && connection.robot != design_) {
     makeSliders(connection.robot);
   }
 }

@@ -55,8 +55,10 @@ void MotionPage::showMotions(const QStringList& names) {
 
 // The robot is asked once for each connection.
 void MotionPage::connectionChanged(const RobotConnection& connection) {
-  movement_->setVisible(connection.isConnected());  // it may have come before the connection
-  const QString robot = connection.protocol_version == 2 ? connection.name_space + connection.address : QString();
+  movement_->setVisible(connection.hasRobot());  // it may have come before the connection
+  const QString robot = connection.isConnected() && connection.protocol_version == 2
+                            ? connection.name_space + connection.address
+                            : QString();
   if (robot == listed_for_) {
     return;
   }

@@ -4,10 +4,12 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
+#include "remote_control/elided_label.h"
+
 namespace aibo_driver::remote_control {
 
 MovePage::MovePage(Robot& robot, QWidget* parent)
-    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)), movement_(new QLabel(this)) {
+    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)), movement_(new ElidedLabel(this)) {
   need(Needs::kFeet, drive_pad_);
   need(Needs::kMotors, head_pad_);
   auto* grid = new QGridLayout(this);
@@ -32,7 +34,6 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
                                 "The joints can be moved by hand. A robot that stands falls!",
                                 [&robot] { robot.setMotors(false); }));
   movement_->setObjectName("who_moves");
-  movement_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // names of nodes may be long
   grid->addWidget(movement_, 2, 0, 1, 2);
   grid->addLayout(buttons, 3, 0, 1, 2);
   connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
@@ -45,8 +46,8 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
 }
 
 void MovePage::connectionChanged(const RobotConnection& connection) {
-  movement_->setVisible(connection.isConnected());  // its text may have come before the connection
-  if (connection.isConnected()) {
+  movement_->setVisible(connection.hasRobot());  // its text may have come before the connection
+  if (connection.hasRobot()) {
     head_pad_->setDesign(connection.robot);
   } else {
     head_pad_->setMeasured(std::nullopt);

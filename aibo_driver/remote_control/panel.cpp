@@ -2,6 +2,9 @@
 
 #include <pluginlib/class_list_macros.hpp>
 
+#include <QGuiApplication>
+#include <QScreen>
+#include <QTimer>
 #include <QVBoxLayout>
 
 namespace aibo_driver::remote_control {
@@ -17,6 +20,18 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), window_(new RemoteControl(r
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(window_);
   connect(window_, &RemoteControl::changed, this, &rviz::Panel::configChanged);
+}
+
+// rviz opens with the size in its configuration, even if the screen is smaller.
+void Panel::onInitialize() {
+  QTimer::singleShot(0, this, [this] {
+    const QSize decoration = window()->frameGeometry().size() - window()->size();
+    const QSize room = QGuiApplication::primaryScreen()->availableSize() - decoration;
+    if (!window()->isMaximized() && window()->size() != window()->size().boundedTo(room)) {
+      window()->resize(window()->size().boundedTo(room));
+      window()->move(QGuiApplication::primaryScreen()->availableGeometry().topLeft());
+    }
+  });
 }
 
 void Panel::load(const rviz::Config& config) {

@@ -17,6 +17,7 @@ class Panel : public rviz::Panel {
  public:
   explicit Panel(QWidget* parent = nullptr);
 
+  void onInitialize() override;
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
 

@@ -161,8 +161,8 @@ QWidget* RemoteControl::makePages() {
 void RemoteControl::connectSignals() {
   auto* space = new QShortcut(Qt::Key_Space, this);
   space->setAutoRepeat(false);
-  connect(space, &QShortcut::activated, this, [this] { robot_.stop(); });
-  connect(space, &QShortcut::activatedAmbiguously, this, [this] { robot_.stop(); });
+  connect(space, &QShortcut::activated, this, &RemoteControl::stop);
+  connect(space, &QShortcut::activatedAmbiguously, this, &RemoteControl::stop);
   connect(stop_button_, &QPushButton::clicked, this, &RemoteControl::pressStopButton);
   connect(take_button_, &QPushButton::clicked, camera_page_, &CameraPage::takePicture);
   connect(stream_button_, &QPushButton::clicked, this, [this] { robot_.setStreaming(!streaming_); });
@@ -179,7 +179,7 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::driversFound, connection_bar_, &ConnectionBar::showDrivers);
   connect(&robot_, &Robot::batteryMeasured, connection_bar_, &ConnectionBar::showBattery);
   connect(&robot_, &Robot::linkMeasured, connection_bar_, [this](const LinkFigures& figures) {
-    if (connection_.isConnected()) {
+    if (connection_.hasRobot()) {
       connection_bar_->showLink(figures);
     }
   });
@@ -215,7 +215,7 @@ bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     event->ignore();  // then it works as a shortcut
   } else if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) {
-    robot_.stop();  // the shortcut does not work in another window
+    stop();  // the shortcut does not work in another window
   }
   return true;
 }
@@ -267,16 +267,27 @@ void RemoteControl::showStopButton() {
     stopped_since_.invalidate();
   }
   stop_button_->setText(releases ? "Release" : "STOP");
-  stop_button_->setToolTip(releases
+  const bool obeys = !connection_.isPlayback();
+  stop_button_->setEnabled(obeys);
+  stop_button_->setToolTip(!obeys ? "Not now: " + connection_.text
+                           : releases
                                ? "Lets the robot move again. Nothing starts by itself."
                                : "Holds everything that moves, at once and until Release. Or press the space bar.");
-  stop_button_->setStyleSheet(QString("background: %1; color: white; font-weight: bold; padding: 6px 18px")
-                                  .arg(releases ? "#1565c0" : "#c62828"));
+  const char* const color = !obeys ? "#9e9e9e" : releases ? "#1565c0" : "#c62828";
+  stop_button_->setStyleSheet(QString("background: %1; color: white; font-weight: bold; padding: 6px 18px").arg(color));
 }
 
 void RemoteControl::pressStopButton() {
   if (isStopped() && stopped_since_.hasExpired(kNoReleaseFor)) {
     robot_.release();
+  } else {
+    stop();
+  }
+}
+
+void RemoteControl::stop() {
+  if (connection_.isPlayback()) {
+    showAnswer(false, "stop: not now: " + connection_.text);
   } else {
     robot_.stop();
   }
@@ -297,7 +308,7 @@ void RemoteControl::showStreaming(bool on) {
 
 void RemoteControl::showWhyNoPicture() {
   stream_button_->setText(streaming_ ? "Stop stream" : "Start stream");
-  if (!connection_.isConnected()) {
+  if (!connection_.hasRobot()) {
     picture_->showText(connection_.text);
   } else if (!streaming_) {
     picture_->showText("The stream is off.");

@@ -45,6 +45,7 @@ class RemoteControl : public QWidget {
   void showCondition(const RobotCondition& condition);
   void showStopButton();
   void pressStopButton();
+  void stop();
   bool isStopped() const;
   void lookAt(const QPointF& place);
   void showStreaming(bool on);

@@ -28,7 +28,8 @@ struct RobotConnection {
     kWaiting,       ///< the namespace is new, and nothing has been heard from its driver yet
     kDisconnected,  ///< the driver has no connection to the robot
     kConnecting,
-    kConnected
+    kConnected,
+    kPlayback  ///< a recording is played, and nobody obeys
   };
 
   State state = State::kNoDriver;
@@ -40,6 +41,10 @@ struct RobotConnection {
 
   bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver && state != State::kWaiting; }
   bool isConnected() const { return state == State::kConnected; }
+  bool isPlayback() const { return state == State::kPlayback; }
+
+  /// Whether what is heard is about a robot, now or when it was recorded.
+  bool hasRobot() const { return isConnected() || isPlayback(); }
 };
 
 /// What the robot can do now, as far as the driver reports it.

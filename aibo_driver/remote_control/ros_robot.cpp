@@ -45,6 +45,19 @@ QString savePicture(const std::vector<std::uint8_t>& jpeg, const QString& folder
   return file.fileName();
 }
 
+RobotConnection::State toState(std::uint8_t state) {
+  switch (state) {
+    case aibo_driver::Connection::CONNECTED:
+      return RobotConnection::State::kConnected;
+    case aibo_driver::Connection::CONNECTING:
+      return RobotConnection::State::kConnecting;
+    case aibo_driver::Connection::PLAYBACK:
+      return RobotConnection::State::kPlayback;
+    default:
+      return RobotConnection::State::kDisconnected;
+  }
+}
+
 QString noDriverText(const QString& name_space) {
   return name_space.isEmpty() ? QString("no driver is running: start one with roslaunch aibo_driver aibo.launch")
                               : "the driver in " + name_space + " does not answer: is it running?";
@@ -186,9 +199,9 @@ RobotConnection RosRobot::connectionNow() const {
   RobotConnection now;
   now.name_space = fromRos(name_space_);
   const aibo_driver::Connection::ConstPtr message = topics_ ? topics_->connection() : nullptr;
-  if (master_answers_ && topics_ && !message && isNew()) {
+  if (master_answers_ && topics_ && !message) {
     now.state = RobotConnection::State::kWaiting;
-    now.text = "waiting for the driver in " + now.name_space;
+    now.text = "waiting for the driver in " + now.name_space + (isNew() ? "" : ": is it running?");
     return now;
   }
   if (!topics_ || !topics_->isHeard() || !message) {
@@ -197,9 +210,7 @@ RobotConnection RosRobot::connectionNow() const {
         master_answers_ ? noDriverText(now.name_space) : QString("the ROS master does not answer: is roscore running?");
     return now;
   }
-  now.state = message->state == aibo_driver::Connection::CONNECTED    ? RobotConnection::State::kConnected
-              : message->state == aibo_driver::Connection::CONNECTING ? RobotConnection::State::kConnecting
-                                                                      : RobotConnection::State::kDisconnected;
+  now.state = toState(message->state);
   now.robot = fromRos(message->robot);
   now.address = fromRos(message->host) + ":" + QString::number(message->port);
   now.protocol_version = message->protocol_version;

@@ -59,7 +59,7 @@ SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
 }
 
 void SensorsPage::connectionChanged(const RobotConnection& connection) {
-  if (!connection.isConnected()) {
+  if (!connection.hasRobot()) {
     showTouched({});
     for (const auto& [name, bar] : bars_) {
       bar->deleteLater();

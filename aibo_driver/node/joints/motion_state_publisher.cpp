@@ -37,8 +37,8 @@ std::string describe(const Movement& movement) {
 std::string describe(const MotionState& state) {
   std::string text;
   for (const Movement& movement : state.movements) {
-    text += (text.empty() ? "moved by " : " and ") + describe(movement);
-    text += movement.source.empty() ? "" : " from " + movement.source;
+    text += text.empty() ? "moved by " : " and ";
+    text += movement.source.empty() ? describe(movement) : movement.source + " (" + describe(movement) + ")";
   }
   text = text.empty() ? "nothing moves the robot" : text;
   if (state.ended.empty()) {

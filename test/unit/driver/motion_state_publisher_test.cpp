@@ -45,9 +45,8 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_THAT(message.movements[1].joints, ElementsAre("head_pan", "neck_tilt"));
   EXPECT_EQ(message.movements[1].end, kNow + ros::Duration(2));
   EXPECT_EQ(message.movements[2].name, "NOD.MTN");
-  EXPECT_EQ(
-      message.text,
-      "moved by command of mouth from /sliders and trajectory of head_pan, neck_tilt from /planner and motion NOD.MTN");
+  EXPECT_EQ(message.text,
+            "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN");
 }
 
 TEST(MotionStateMessage, CanBeMadeAtTheEndOfTime) {

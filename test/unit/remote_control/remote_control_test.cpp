@@ -110,6 +110,32 @@ TEST_F(RemoteControlTest, WithoutAConnectionOnlyStopCanBeClickedAndTheReasonIsTh
   EXPECT_EQ(find<QWidget>("Stand")->toolTip(), "Stands up");
 }
 
+TEST_F(RemoteControlTest, APlaybackIsShownAndCommandsNothing) {
+  const QString where = "playback of walk.bag, 0:12 of 1:30";
+  robot_.disconnectIt(State::kPlayback, where);
+  EXPECT_EQ(textOf("connection"), where);
+  Q_EMIT robot_.batteryMeasured(0.82, 31.4);
+  Q_EMIT robot_.linkMeasured({29.96, 0.012, 0.034});
+  Q_EMIT robot_.movementChanged("moved by /anna (walk)", false);
+  EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
+  EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
+  EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
+  EXPECT_FALSE(find<QLabel>("who_moves")->isHidden());
+  robot_.take();
+  for (QPushButton* button : window_.findChildren<QPushButton*>()) {
+    EXPECT_EQ(button->isEnabled(), button->text() == "Folder...") << button->text().toStdString();
+  }
+  EXPECT_EQ(find<QWidget>("stop")->toolTip(), "Not now: " + where);
+  QTest::keyClick(&window_, Qt::Key_Space);
+  EXPECT_TRUE(textOf("status").endsWith("stop: not now: " + where));
+  EXPECT_EQ(robot_.take(), QStringList());
+  const int width = window_.minimumSizeHint().width();
+  robot_.disconnectIt(State::kPlayback, "playback of " + QString(300, 'a') + ".bag, 0:12 of 1:30");
+  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  robot_.connectIt();
+  EXPECT_EQ(click("stop"), QStringList("stop"));
+}
+
 TEST_F(RemoteControlTest, BeforeAnythingIsKnownOnlyStopCanBeClicked) {
   EXPECT_FALSE(find<QWidget>("take_picture")->isEnabled());
   EXPECT_FALSE(find<QWidget>("Play")->isEnabled());
@@ -460,13 +486,13 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
 }
 
 TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
-  Q_EMIT robot_.movementChanged("moved by walk from /anna; last ended: posture stand, done", false);
+  Q_EMIT robot_.movementChanged("moved by /anna (walk); last ended: posture stand, done", false);
   EXPECT_TRUE(find<QLabel>("who_moves")->isHidden()) << "there is no connection";
   robot_.connectIt();
   open("Move");
-  EXPECT_EQ(textOf("who_moves"), "moved by walk from /anna");
+  EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
   const int width = window_.minimumSizeHint().width();
-  Q_EMIT robot_.movementChanged("moved by walk from /" + QString(300, 'a'), false);
+  Q_EMIT robot_.movementChanged("moved by /" + QString(300, 'a') + " (walk)", false);
   EXPECT_EQ(window_.minimumSizeHint().width(), width);
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_TRUE(find<QLabel>("who_moves")->isHidden());
