@@ -2,6 +2,7 @@
 none, with one that is busy, and with one that is hostile."""
 import itertools
 import json
+import math
 import os
 import re
 import select
@@ -40,15 +41,26 @@ def start(*words, port, **options):
 
 
 class SimulatedRobot:
-    def __init__(self, *options, port=0):
-        self.process = subprocess.Popen([RCSERVER, "--port", str(port), "--no-console", *options],
+    def __init__(self, *options, port=0, console=False):
+        options = (*options, *(["--console-port", "0"] if console else ["--no-console"]))
+        self.process = subprocess.Popen([RCSERVER, "--port", str(port), *options],
                                         stdout=subprocess.PIPE, text=True)
         for line in self.process.stdout:
+            if found := re.match(r"Console on 127\.0\.0\.1:(\d+)", line):
+                self.console_port = int(found[1])
             if found := re.match(r"RCServer listening on 127\.0\.0\.1:(\d+)", line):
                 self.port = int(found[1])
                 break
         self.reader = threading.Thread(target=self.process.stdout.read, daemon=True)
         self.reader.start()
+
+    def ask(self, command):
+        """The robot's answer at its console."""
+        with socket.create_connection(("127.0.0.1", self.console_port)) as console:
+            console.sendall(command.encode() + b"\n")
+            answer = console.makefile().readline().split()
+        assert answer[:2] == ["ok:", command.split()[0]], answer
+        return " ".join(answer[len(command.split()) + 1:])
 
     def end(self):
         self.process.kill()
@@ -343,6 +355,22 @@ class Version2(OnBothVersions, TestCase):
         stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
         self.assertIsNotNone(stream["age"])
         self.assertIsNotNone(stream["loss"])
+
+
+class Example(TestCase):
+    def test_looks_and_walks(self):
+        robot = SimulatedRobot(console=True)
+        self.addCleanup(robot.end)
+        picture = self.folder / "look.jpg"
+        done = subprocess.run([os.environ["LOOK_AND_WALK"], "127.0.0.1", str(picture), str(robot.port)], timeout=120,
+                              check=False)
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(picture.read_bytes()[:2], b"\xff\xd8")
+        self.assertAlmostEqual(float(robot.ask("joint head_pan")), math.degrees(0.5), delta=3)
+        self.assertGreater(float(robot.ask("where").split()[0]), 0.1)
+        done = subprocess.run([os.environ["LOOK_AND_WALK"], "127.0.0.1", "/nowhere/a.jpg", str(robot.port)],
+                              timeout=120, check=False, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stderr), (1, b"Cannot write /nowhere/a.jpg.\n"))
 
 
 class WithPermission(TestCase):
