@@ -1,5 +1,6 @@
 """docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
-name. docs/first_start.md fits on one sheet of paper. The Debian packages have everything that is installed."""
+name. Links between documents lead somewhere. docs/first_start.md fits on one sheet of paper. The Debian packages have
+everything that is installed."""
 import fnmatch
 import os
 import re
@@ -48,6 +49,61 @@ class SecurityTest(unittest.TestCase):
         self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
         self.assertIn("no test", problem(("settings_test.cpp", "EndLines")))
         self.assertIsNone(problem(("settings_test.cpp", "EndLinesAndComments")))
+
+
+def links_in(text):
+    """The targets of links and pictures, without those in examples of code."""
+    text = re.sub(r'^```.*?^```', '', text, flags=re.MULTILINE | re.DOTALL)
+    return re.findall(r'\]\(([^)\s]+)\)', re.sub(r'`[^`\n]*`', '', text))
+
+
+def anchors_in(text):
+    """The anchors that GitHub makes of headings."""
+    text = re.sub(r'^```.*?^```', '', text, flags=re.MULTILINE | re.DOTALL)
+    headings = re.findall(r'^#+ (.+)$', text, flags=re.MULTILINE)
+    texts = [re.sub(r'\[([^]]*)\]\([^)]*\)', r'\1', heading) for heading in headings]
+    return {re.sub(r'[^\w\- ]', '', text).strip().lower().replace(' ', '-') for text in texts}
+
+
+def broken_links(document, text):
+    """What is wrong with the links in the text of a document."""
+    problems = []
+    for link in links_in(text):
+        path, _, anchor = link.partition('#')
+        target = (document.parent / path).resolve() if path else document
+        if re.match(r'\w+:', link):
+            continue
+        if not target.exists():
+            problems.append(f'{link}: there is no such file')
+        elif anchor and anchor not in anchors_in(target.read_text(encoding='utf-8')):
+            problems.append(f'{link}: there is no such heading')
+    return problems
+
+
+class LinksTest(unittest.TestCase):
+    documents = [path for folder in ('.', 'docs', 'aibo_driver', 'aibo_rcserver', 'test', 'benchmark')
+                 for path in sorted((PROJECT / folder).glob('*.md'))]
+
+    def test_lead_somewhere(self):
+        self.assertGreater(len(self.documents), 20)
+        for document in self.documents:
+            with self.subTest(document=document.name):
+                self.assertEqual(broken_links(document, document.read_text(encoding='utf-8')), [])
+
+    def test_a_broken_link_is_found(self):
+        here = PROJECT / 'docs/README.md'
+        self.assertEqual(len(broken_links(here, '[a](nowhere.md) ![b](images/nothing.png) [c](#nothing)')), 3)
+        good = '`[a](nowhere.md)` [b](https://example.org) [c](walking.md#calibration)'
+        self.assertEqual(broken_links(here, good), [])
+
+    def test_the_index_has_every_page_and_each_picture_is_shown(self):
+        folder = PROJECT / 'docs'
+        index = set(links_in((folder / 'README.md').read_text(encoding='utf-8')))
+        self.assertEqual({path.name for path in folder.glob('*.md')} - index, {'README.md'})
+        shown = {(document.parent / link).resolve() for document in self.documents
+                 for link in links_in(document.read_text(encoding='utf-8'))}
+        self.assertEqual([path.name for path in sorted((folder / 'images').iterdir())
+                          if path.suffix != '.dot' and path not in shown], [])
 
 
 class PackagesTest(unittest.TestCase):

@@ -203,9 +203,9 @@ TEST_F(RemoteControlRosTest, WalksWhileThePadIsHeld) {
   user_.open("Move");
   auto* pad = user_.find<AxisPad>("drive_pad");
   QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
-  EXPECT_TRUE(user_.waitForText("movement", "moved by walk"));
+  EXPECT_TRUE(user_.waitForText("movement", "(walk)"));
   QTest::mouseRelease(pad, Qt::LeftButton);
-  EXPECT_TRUE(user_.waitFor([this] { return !user_.textOf("movement").contains("moved by walk"); }));
+  EXPECT_TRUE(user_.waitFor([this] { return !user_.textOf("movement").contains("(walk)"); }));
 }
 
 TEST_F(RemoteControlRosTest, ChangesASetting) {

@@ -226,7 +226,7 @@ TEST_F(WalkCommanderTest, IsSaidInTheMotionState) {
   MotionState message = toMessage(state, {}, ros::Time(1));
   ASSERT_THAT(message.movements, SizeIs(1));
   EXPECT_EQ(message.movements[0].kind, Movement::WALK);
-  EXPECT_EQ(message.text, "moved by walk from /teleop");
+  EXPECT_EQ(message.text, "moved by /teleop (walk)");
   movement::Mover::State posture;
   posture.movements = {{Kind::kPosture, "sit", "", {}, {}}};
   message = toMessage(posture, {}, ros::Time(1));
