@@ -89,6 +89,10 @@ double Square(double value) {
 
 }  // namespace
 
+const int WalkGuard::MOST_POSES;
+const int WalkGuard::MOST_EDGES;
+const int WalkGuard::CORNERS;
+
 WalkGuard::WalkGuard(const Gait& gait) : gait_(gait) {
   const Velocity none = {0, 0, 0};
   LegAngles legs[NUMBER_OF_LEGS];
@@ -230,8 +234,8 @@ double WalkGuard::WayTo(const Point& origin, const Point& direction, double dist
   const double x = origin.x + distance * direction.x;
   const double y = origin.y + distance * direction.y;
   const double z = origin.z + distance * direction.z;
-  const bool is_in_way = distance > 0 && distance < OBSTACLE_FACTOR * floor && direction.x > 0 &&
-                         fabs(y) < HALF_WIDTH && z < HIGHEST_OBSTACLE;
+  const bool is_in_way =
+      distance > 0 && distance < OBSTACLE_FACTOR * floor && fabs(y) < HALF_WIDTH && z < HIGHEST_OBSTACLE;
   return is_in_way ? x : NOTHING_AHEAD;
 }
 
@@ -261,8 +265,9 @@ void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double 
   }
 }
 
+// Also for each velocity backward.
 bool WalkGuard::IsBlind(const Velocity& velocity) {
-  return velocity.forward < 0 || fabs(velocity.left) > MOST_SIDEWAYS * velocity.forward;
+  return fabs(velocity.left) > MOST_SIDEWAYS * velocity.forward;
 }
 
 void WalkGuard::Pose::TurnTo(double angle) {

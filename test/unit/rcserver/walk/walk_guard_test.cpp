@@ -181,6 +181,27 @@ TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
   EXPECT_THAT(objection(kBack), HasSubstr("no sensor looks there")) << "it is where it began";
 }
 
+TEST_F(WalkGuardTest, FromUnknownGroundItMayComeBack) {
+  walk(kLeft, 6);  // in spite of all objections
+  EXPECT_THAT(objection(kLeft), HasSubstr("no sensor looks there"));
+  EXPECT_EQ(objection({0, -0.03, 0}), "");
+}
+
+TEST_F(WalkGuardTest, ElsewhereItKnowsNoGround) {
+  const Velocity right = {0, -0.06, 0};
+  walk(kForward, 3);
+  walk({-0.1, 0, 0}, 3);
+  walk(kTurn, 3.14);  // a quarter to the left, so that it has walked to its right
+  walk(right, 1.5);
+  EXPECT_EQ(objection(right), "");
+  guard_.Forget();
+  walk(kForward, 3);
+  guard_.Forget();
+  walk(kTurn, 3.14);
+  walk(right, 1.5);
+  EXPECT_THAT(objection(right), HasSubstr("no sensor looks there"));
+}
+
 TEST_F(WalkGuardTest, ItRemembersAnEdgeThatItDoesNotSeeAnyMore) {
   look(atEdge());
   walk(kTurn, 3.14, onFloor());  // a quarter to the left, so that the edge is on its right
