@@ -109,10 +109,6 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       adapter_(client_),
       link_quality_(handle_.advertise<LinkQuality>("link_quality", 1)),
       settings_(private_handle, client_, adapter_, joint_table_),
-      stream_services_(
-          parameters_, client_, policy_, [this] { return adapter_.wishedQuality(); },
-          [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }),
-      stick_pictures_(parameters_, client_),
       color_tables_(model_, client_,
                     [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
       mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
@@ -120,10 +116,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
       walk_(parameters_.walk, client_, mover_),
-      postures_(mover_),
       expression_(model_, client_),
-      robot_services_(client_, mover_),
-      sound_services_(client_, player_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
                     microphone_, player_}),
@@ -137,18 +130,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
-  postures_.advertise(posture_threads_.handle());
-  repeatStateOfActionsRarely(handle_);
-  motion_action_ = startPlayMotionServer(motion_thread_.handle(), mover_);
-  trajectory_action_ = startFollowTrajectoryServer(joint_thread_.handle(), joint_table_, measured_joints_, mover_);
   expression_.subscribe(body_thread_.handle());
-  robot_services_.advertise(stop_threads_.handle(), motion_thread_.handle(), body_thread_.handle());
-  stream_services_.advertise(handle_, picture_threads_.handle());
-  stick_pictures_.advertise(body_thread_.handle());
-  sound_services_.advertise(sound_thread_.handle());
-  sound_action_ = startPlaySoundServer(sound_thread_.handle(), player_);
   color_tables_.loadAtStart(parameters_.color_tables);
-  color_tables_.advertise(handle_);
+  advertiseServices();
+  startActions();
   colors_.start([this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); });
   microphone_.start([this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); });
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
@@ -179,6 +164,33 @@ AiboDriver::~AiboDriver() {
   posture_threads_.stop();
   sound_thread_.stop();
   picture_threads_.stop();
+}
+
+void AiboDriver::advertiseServices() {
+  advertise(handle_, streamServices(parameters_, client_, policy_));
+  advertise(handle_, color_tables_.services());
+  advertise(stop_threads_.handle(), stopServices(mover_));
+  advertise(motion_thread_.handle(), motionServices(mover_));
+  advertise(posture_threads_.handle(), postureServices(mover_));
+  advertise(body_thread_.handle(), robotServices(client_));
+  advertise(body_thread_.handle(), stickPictureServices(parameters_, client_));
+  advertise(sound_thread_.handle(), soundServices(client_, player_));
+  advertise(picture_threads_.handle(), takePictureServices(
+                                           parameters_, client_, [this] { return adapter_.wishedQuality(); },
+                                           [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }));
+}
+
+void AiboDriver::advertise(ros::NodeHandle handle, Services services) {
+  for (ros::AdvertiseServiceOptions& each : services) {
+    services_.push_back(handle.advertiseService(each));
+  }
+}
+
+void AiboDriver::startActions() {
+  repeatStateOfActionsRarely(handle_);
+  actions_.push_back(startPlayMotion(motion_thread_.handle(), mover_));
+  actions_.push_back(startFollowTrajectory(joint_thread_.handle(), joint_table_, measured_joints_, mover_));
+  actions_.push_back(startPlaySound(sound_thread_.handle(), player_));
 }
 
 aibo_client::Callbacks AiboDriver::makeCallbacks() {

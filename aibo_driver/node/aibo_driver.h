@@ -9,17 +9,17 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "aibo_client/rcserver_client.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
 #include "movement/mover.h"
+#include "node/actions.h"
 #include "node/body/expression_commander.h"
 #include "node/body/footprint_publisher.h"
 #include "node/body/led_state_publisher.h"
-#include "node/body/play_motion_server.h"
 #include "node/body/power_status.h"
-#include "node/body/robot_services.h"
 #include "node/body/telemetry_publishers.h"
 #include "node/callback_threads.h"
 #include "node/camera/camera_publisher.h"
@@ -28,23 +28,19 @@
 #include "node/camera/color_table_service.h"
 #include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
-#include "node/camera/stick_picture_services.h"
 #include "node/camera/stream_adapter.h"
 #include "node/camera/stream_policy.h"
-#include "node/camera/stream_services.h"
 #include "node/connection_publisher.h"
 #include "node/driver_diagnostics.h"
 #include "node/driver_parameters.h"
-#include "node/joints/follow_trajectory_server.h"
 #include "node/joints/joint_commander.h"
 #include "node/joints/motion_state_publisher.h"
 #include "node/live_settings.h"
 #include "node/only_driver.h"
 #include "node/robot_stamper.h"
+#include "node/services.h"
 #include "node/sound/microphone_publisher.h"
-#include "node/sound/sound_services.h"
 #include "node/walk/odometry_publisher.h"
-#include "node/walk/posture_services.h"
 #include "node/walk/walk_commander.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
@@ -85,6 +81,9 @@ class AiboDriver {
 
   void publishTelemetry(const aibo_client::Telemetry& telemetry);
   void updateConnection(const aibo_client::ConnectionStatus& status);
+  void advertiseServices();
+  void advertise(ros::NodeHandle handle, Services services);
+  void startActions();
   void refused(const aibo_client::Refusal& refusal);
   movement::Mover::Listener makeListener();
   void logEnd(const movement::EndedMovement& ended);
@@ -134,21 +133,15 @@ class AiboDriver {
   StreamAdapter adapter_;
   ros::Publisher link_quality_;
   LiveSettings settings_;
-  StreamServices stream_services_;
-  StickPictureServices stick_pictures_;
   ColorTableService color_tables_;
   text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   movement::Mover mover_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
   WalkCommander walk_;
-  PostureServices postures_;
   ExpressionCommander expression_;
-  RobotServices robot_services_;
-  SoundServices sound_services_;
-  std::unique_ptr<PlaySoundServer> sound_action_;
-  std::unique_ptr<PlayMotionServer> motion_action_;
-  std::unique_ptr<FollowTrajectoryServer> trajectory_action_;
+  std::vector<ros::ServiceServer> services_;
+  std::vector<std::unique_ptr<Action>> actions_;
   DriverDiagnostics diagnostics_;
   ros::SteadyTimer report_timer_;
 };

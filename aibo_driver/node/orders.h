@@ -4,10 +4,6 @@
 #define AIBO_DRIVER_NODE_ORDERS_H
 
 #include <ros/message_event.h>
-#include <ros/node_handle.h>
-#include <ros/service_callback_helper.h>
-
-#include <boost/function.hpp>
 
 #include <string>
 
@@ -26,18 +22,6 @@ movement::Order orderOf(const ros::MessageEvent<Message const>& event) {
 /// The order behind a goal of an action, or behind its cancelling. Call this in the callback.
 /// @param goal_id an id as actionlib's clients make it: the node, a number and a time, with hyphens between them
 movement::Order orderOfGoal(const std::string& goal_id);
-
-/// Advertises a service.
-/// @param serve called with the order, the request and the response; returns true, because roscpp wants that
-template <typename Service, typename Serve>
-ros::ServiceServer advertiseOrder(ros::NodeHandle& handle, const std::string& name, const Serve& serve) {
-  using Event = ros::ServiceEvent<typename Service::Request, typename Service::Response>;
-  const boost::function<bool(Event&)> callback = [serve](Event& event) {
-    return serve(movement::Order{text::plainLine(event.getCallerName()), receivedAt()}, event.getRequest(),
-                 event.getResponse());
-  };
-  return handle.advertiseService(name, callback);
-}
 
 }  // namespace aibo_driver::node
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "node/camera/color_table_file.h"
-#include "node/service_answer.h"
+#include "node/service.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -36,15 +36,12 @@ void ColorTableService::loadAtStart(const std::string& tables) {
   }
 }
 
-void ColorTableService::advertise(const ros::NodeHandle& handle) {
-  service_ = ros::NodeHandle(handle).advertiseService("load_color_table", &ColorTableService::load, this);
+Services ColorTableService::services() {
+  return {service<LoadColorTable>("load_color_table", "No table was loaded",
+                                  [this](auto& call) { return load(call.request); })};
 }
 
-bool ColorTableService::load(LoadColorTable::Request& request, LoadColorTable::Response& response) {
-  return answer(response, "No table was loaded", [&] { return carryOut(request); });
-}
-
-std::string ColorTableService::carryOut(const LoadColorTable::Request& request) {
+std::string ColorTableService::load(const LoadColorTable::Request& request) {
   if (!request.file.empty() && !request.table.empty()) {
     throw ColorTableException("file and table are both given; leave one of them empty.");
   }

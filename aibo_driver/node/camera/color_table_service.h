@@ -3,12 +3,12 @@
 #define AIBO_DRIVER_NODE_CAMERA_COLOR_TABLE_SERVICE_H
 
 #include <aibo_driver/LoadColorTable.h>
-#include <ros/node_handle.h>
 
 #include <functional>
 #include <string>
 
 #include "aibo_client/rcserver_client.h"
+#include "node/services.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_driver::node {
@@ -26,20 +26,16 @@ class ColorTableService {
   /// @param tables files or names for loadColorTable(), separated by blanks or commas
   void loadAtStart(const std::string& tables);
 
-  /// @param handle the driver's namespace
-  void advertise(const ros::NodeHandle& handle);
-
-  /// Carries out a call of the service.
-  bool load(LoadColorTable::Request& request, LoadColorTable::Response& response);
+  /// The service load_color_table. This object must outlive it.
+  Services services();
 
  private:
-  std::string carryOut(const LoadColorTable::Request& request);
+  std::string load(const LoadColorTable::Request& request);
   std::string setTable(int channel, const aibo_client::ColorTablePtr& table);
 
   const robot_model::RobotModel& model_;
   aibo_client::RcServerClient& client_;
   const std::function<void(int channel, const aibo_client::ColorTablePtr& table)> loaded_;
-  ros::ServiceServer service_;
 };
 
 }  // namespace aibo_driver::node

@@ -1,16 +1,24 @@
-#include "node/camera/stick_picture_services.h"
+#include <aibo_driver/DeletePicture.h>
+#include <aibo_driver/FetchPicture.h>
+#include <aibo_driver/ListPictures.h>
+#include <aibo_driver/TakePictureOnRobot.h>
 
 #include <algorithm>
-#include <utility>
+#include <chrono>
+#include <string>
 
 #include "aibo_client/exceptions.h"
 #include "files/files.h"
 #include "node/camera/camera_options.h"
 #include "node/camera/camera_publisher.h"
-#include "node/service_answer.h"
+#include "node/service.h"
+#include "node/services.h"
 
 namespace aibo_driver::node {
 namespace {
+
+// A memory stick is slow.
+constexpr std::chrono::milliseconds kTimeout{15000};
 
 /// @throw InvalidArgumentException the name is empty
 std::string nameOf(const std::string& asked) {
@@ -20,61 +28,52 @@ std::string nameOf(const std::string& asked) {
   return files::pictureFileName(asked);
 }
 
+/// @param folder the folder in which save_to may write
+std::string fetch(aibo_client::RcServerClient* client, const std::string& folder, const std::string& frame_id,
+                  ServiceCall<FetchPicture>* call) {
+  const std::string name = nameOf(call->request.name);
+  sensor_msgs::CompressedImage& image = call->response.image;
+  image.data = client->fetchPicture(name, kTimeout);
+  image.format = CameraPublisher::kFormat;
+  image.header.frame_id = frame_id;
+  const std::string got = "Got " + name + ", " + std::to_string(image.data.size()) + " bytes.";
+  if (call->request.save_to.empty()) {
+    return got;
+  }
+  call->failure = got + " It was not saved";
+  return got + " Saved to '" + files::saveJpeg(folder, call->request.save_to, image.data) + "'.";
+}
+
 }  // namespace
 
-StickPictureServices::StickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client)
-    : picture_folder_(files::pictureFolder(parameters.picture_folder)),
-      frame_id_(parameters.frame(parameters.frame_id)),
-      client_(client) {}
-
-void StickPictureServices::advertise(const ros::NodeHandle& handle) {
-  ros::NodeHandle services(handle);
-  servers_.push_back(services.advertiseService("take_picture_on_robot", &StickPictureServices::takePicture, this));
-  servers_.push_back(services.advertiseService("list_pictures", &StickPictureServices::listPictures, this));
-  servers_.push_back(services.advertiseService("fetch_picture", &StickPictureServices::fetchPicture, this));
-  servers_.push_back(services.advertiseService("delete_picture", &StickPictureServices::deletePicture, this));
-}
-
-bool StickPictureServices::takePicture(TakePictureOnRobot::Request& request, TakePictureOnRobot::Response& response) {
-  return answer(response, "There is no picture", [&] {
-    const int quality = request.quality == 0 ? client_.jpegQuality() : std::min<int>(request.quality, kMaxQuality);
-    response.name = client_.takePictureOnRobot(quality, kTimeout);
-    return response.name + " is on the robot's memory stick, at quality " + std::to_string(quality) +
-           ". fetch_picture gets it.";
-  });
-}
-
-bool StickPictureServices::listPictures(ListPictures::Request&, ListPictures::Response& response) {
-  return answer(response, "The pictures could not be listed", [&] {
-    response.names = client_.listPictures(kTimeout);
-    return "Pictures on the robot: " + std::to_string(response.names.size()) + ".";
-  });
-}
-
-bool StickPictureServices::fetchPicture(FetchPicture::Request& request, FetchPicture::Response& response) {
-  answer(response, "There is no picture", [&] {
-    const std::string name = nameOf(request.name);
-    response.image.data = client_.fetchPicture(name, kTimeout);
-    response.image.format = CameraPublisher::kFormat;
-    response.image.header.frame_id = frame_id_;
-    return "Got " + name + ", " + std::to_string(response.image.data.size()) + " bytes.";
-  });
-  if (!response.success || request.save_to.empty()) {
-    return true;
-  }
-  const std::string got = response.message;
-  response.success = false;
-  return answer(response, got + " It was not saved", [&] {
-    return got + " Saved to '" + files::saveJpeg(picture_folder_, request.save_to, response.image.data) + "'.";
-  });
-}
-
-bool StickPictureServices::deletePicture(DeletePicture::Request& request, DeletePicture::Response& response) {
-  return answer(response, "Nothing was deleted", [&] {
-    const std::string name = nameOf(request.name);
-    client_.deletePicture(name, kTimeout);
-    return name + " was deleted from the robot.";
-  });
+Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client) {
+  const std::string folder = files::pictureFolder(parameters.picture_folder);
+  const std::string frame_id = parameters.frame(parameters.frame_id);
+  return {
+      service<TakePictureOnRobot>("take_picture_on_robot", "There is no picture",
+                                  [&client](auto& call) {
+                                    const int asked = call.request.quality;
+                                    const int quality =
+                                        asked == 0 ? client.jpegQuality() : std::min(asked, kMaxQuality);
+                                    call.response.name = client.takePictureOnRobot(quality, kTimeout);
+                                    return call.response.name + " is on the robot's memory stick, at quality " +
+                                           std::to_string(quality) + ". fetch_picture gets it.";
+                                  }),
+      service<ListPictures>("list_pictures", "The pictures could not be listed",
+                            [&client](auto& call) {
+                              call.response.names = client.listPictures(kTimeout);
+                              return "Pictures on the robot: " + std::to_string(call.response.names.size()) + ".";
+                            }),
+      service<FetchPicture>(
+          "fetch_picture", "There is no picture",
+          [&client, folder, frame_id](auto& call) { return fetch(&client, folder, frame_id, &call); }),
+      service<DeletePicture>("delete_picture", "Nothing was deleted",
+                             [&client](auto& call) {
+                               const std::string name = nameOf(call.request.name);
+                               client.deletePicture(name, kTimeout);
+                               return name + " was deleted from the robot.";
+                             }),
+  };
 }
 
 }  // namespace aibo_driver::node

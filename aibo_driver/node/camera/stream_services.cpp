@@ -1,14 +1,17 @@
-#include "node/camera/stream_services.h"
+#include <aibo_driver/TakePicture.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
 #include <optional>
-#include <utility>
+#include <string>
 
 #include "aibo_client/exceptions.h"
 #include "files/files.h"
 #include "node/camera/camera_options.h"
 #include "node/connection_publisher.h"
-#include "node/service_answer.h"
+#include "node/service.h"
+#include "node/services.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -28,74 +31,71 @@ std::string describePicture(const aibo_client::Picture& picture, int asked_quali
   return text + ".";
 }
 
+std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& request) {
+  const std::optional<aibo_client::Resolution> resolution = resolutionOf(request.resolution);
+  if (!resolution && !request.resolution.empty()) {
+    throw aibo_client::InvalidArgumentException("the resolution '" + text::plainLine(request.resolution) +
+                                                "' is not one of " + kResolutionNames + "; empty means the stream's.");
+  }
+  return resolution;
+}
+
+/// Answers a caller who wants the stream on or off. Success means that the stream is so, or that it will be without the
+/// caller's help.
+template <typename Response>
+std::string answerWish(bool wanted, const StreamPolicy& policy, const DriverParameters& parameters,
+                       const aibo_client::RcServerClient& client, Response* response) {
+  if (!wanted) {
+    return "The stream is off.";
+  }
+  const aibo_client::ConnectionStatus status = client.status();
+  if (status.state != aibo_client::ConnectionState::kConnected) {
+    response->success = false;
+    return "The stream is on for the driver, but the robot does not answer yet; pictures come as soon as it does: " +
+           describeConnection(status, parameters.client) + ".";
+  }
+  return policy.waitsForSubscriber()
+             ? "The stream is on, on demand: pictures come as soon as a camera topic has a subscriber."
+             : "The stream is on.";
+}
+
 }  // namespace
 
-StreamServices::StreamServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
-                               StreamPolicy& policy, std::function<int()> default_quality, ToMessage to_message)
-    : parameters_(parameters),
-      picture_folder_(files::pictureFolder(parameters.picture_folder)),
-      client_(client),
-      policy_(policy),
-      default_quality_(std::move(default_quality)),
-      to_message_(std::move(to_message)) {}
-
-void StreamServices::advertise(const ros::NodeHandle& handle, const ros::NodeHandle& picture_handle) {
-  ros::NodeHandle services(handle);
-  servers_.push_back(services.advertiseService("set_streaming", &StreamServices::setStreaming, this));
-  servers_.push_back(services.advertiseService("toggle_streaming", &StreamServices::toggleStreaming, this));
-  services = picture_handle;
-  servers_.push_back(services.advertiseService("take_picture", &StreamServices::takePicture, this));
-}
-
-bool StreamServices::takePicture(TakePicture::Request& request, TakePicture::Response& response) {
-  const int quality = request.quality == 0 ? default_quality_() : std::min<int>(request.quality, kMaxQuality);
-  const std::optional<aibo_client::Resolution> resolution = resolutionOf(request.resolution);
-  std::string failure = "There is no picture";
-  return answer(response, failure, [&] {
-    if (!resolution && !request.resolution.empty()) {
-      throw aibo_client::InvalidArgumentException("the resolution '" + text::plainLine(request.resolution) +
-                                                  "' is not one of " + kResolutionNames +
-                                                  "; empty means the stream's.");
-    }
+Services takePictureServices(
+    const DriverParameters& parameters, aibo_client::RcServerClient& client,
+    const std::function<int()>& default_quality,
+    const std::function<sensor_msgs::CompressedImage(const aibo_client::Picture&)>& to_message) {
+  const auto take = [&client, default_quality, to_message, timeout = parameters.take_picture_timeout,
+                     folder = files::pictureFolder(parameters.picture_folder)](ServiceCall<TakePicture>& call) {
+    const int asked = call.request.quality;
+    const int quality = asked == 0 ? default_quality() : std::min(asked, kMaxQuality);
     int stream_quality = 0;
     const aibo_client::PicturePtr picture =
-        client_.takePicture(quality, parameters_.take_picture_timeout, &stream_quality, resolution);
-    response.image = to_message_(*picture);
+        client.takePicture(quality, timeout, &stream_quality, resolutionIn(call.request));
+    call.response.image = to_message(*picture);
     const std::string taken = describePicture(*picture, quality, stream_quality);
-    if (request.save_to.empty()) {
+    if (call.request.save_to.empty()) {
       return taken;
     }
-    failure = taken + " It was not saved";
-    return taken + " Saved to '" + files::saveJpeg(picture_folder_, request.save_to, picture->jpeg) + "'.";
-  });
+    call.failure = taken + " It was not saved";
+    return taken + " Saved to '" + files::saveJpeg(folder, call.request.save_to, picture->jpeg) + "'.";
+  };
+  return {service<TakePicture>("take_picture", "There is no picture", take)};
 }
 
-bool StreamServices::setStreaming(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response) {
-  policy_.setWanted(request.data);
-  return answerStreaming(request.data, response);
-}
-
-bool StreamServices::toggleStreaming(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  return answerStreaming(policy_.toggleWanted(), response);
-}
-
-// Success means that the stream is as wanted, or that it will be without the caller's help.
-template <typename Response>
-bool StreamServices::answerStreaming(bool wanted, Response& response) const {
-  const aibo_client::ConnectionStatus status = client_.status();
-  response.success = !wanted || status.state == aibo_client::ConnectionState::kConnected;
-  if (!wanted) {
-    response.message = "The stream is off.";
-  } else if (!response.success) {
-    response.message =
-        "The stream is on for the driver, but the robot does not answer yet; pictures come as soon as it does: " +
-        describeConnection(status, parameters_.client) + ".";
-  } else if (policy_.waitsForSubscriber()) {
-    response.message = "The stream is on, on demand: pictures come as soon as a camera topic has a subscriber.";
-  } else {
-    response.message = "The stream is on.";
-  }
-  return true;
+Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
+                        StreamPolicy& policy) {
+  return {
+      service<std_srvs::SetBool>("set_streaming", "The stream is as before",
+                                 [&](auto& call) {
+                                   policy.setWanted(call.request.data != 0);
+                                   return answerWish(call.request.data != 0, policy, parameters, client,
+                                                     &call.response);
+                                 }),
+      service<std_srvs::Trigger>(
+          "toggle_streaming", "The stream is as before",
+          [&](auto& call) { return answerWish(policy.toggleWanted(), policy, parameters, client, &call.response); }),
+  };
 }
 
 }  // namespace aibo_driver::node

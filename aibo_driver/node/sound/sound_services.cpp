@@ -1,43 +1,41 @@
-#include "node/sound/sound_services.h"
+#include <aibo_driver/PlaySound.h>
+#include <aibo_driver/Say.h>
+#include <aibo_driver/SetVolume.h>
 
-#include "node/service_answer.h"
+#include <cstdint>
+#include <string>
+
+#include "node/service.h"
+#include "node/services.h"
 #include "sound/sound_file.h"
 #include "sound/speech.h"
 
 namespace aibo_driver::node {
 
-void SoundServices::advertise(const ros::NodeHandle& handle) {
-  ros::NodeHandle services(handle);
-  servers_.push_back(services.advertiseService("play_sound", &SoundServices::playSound, this));
-  servers_.push_back(services.advertiseService("say", &SoundServices::say, this));
-  servers_.push_back(services.advertiseService("set_volume", &SoundServices::setVolume, this));
-}
-
-bool SoundServices::playSound(PlaySound::Request& request, PlaySound::Response& response) {
-  if (request.stop) {
-    return answer(response, "Nothing was stopped", [this] {
-      player_.stop();
-      return "No sound plays.";
-    });
-  }
-  return answer(response, "Nothing was played", [&] {
-    player_.play(sound::openSoundFile(request.file));
-    return "'" + request.file + "' plays.";
-  });
-}
-
-bool SoundServices::say(Say::Request& request, Say::Response& response) {
-  return answer(response, "Nothing was said", [&] {
-    player_.play(sound::speak(request.text, request.voice));
-    return "The robot speaks.";
-  });
-}
-
-bool SoundServices::setVolume(SetVolume::Request& request, SetVolume::Response& response) {
-  return answer(response, "The volume was not set", [&] {
-    response.volume = static_cast<std::uint8_t>(client_.setVolume(request.volume, sound::Player::kTimeout));
-    return "The volume is " + std::to_string(response.volume) + ".";
-  });
+Services soundServices(aibo_client::RcServerClient& client, sound::Player& player) {
+  return {
+      service<PlaySound>("play_sound", "Nothing was played",
+                         [&player](auto& call) -> std::string {
+                           if (call.request.stop) {
+                             call.failure = "Nothing was stopped";
+                             player.stop();
+                             return "No sound plays.";
+                           }
+                           player.play(sound::openSoundFile(call.request.file));
+                           return "'" + call.request.file + "' plays.";
+                         }),
+      service<Say>("say", "Nothing was said",
+                   [&player](auto& call) {
+                     player.play(sound::speak(call.request.text, call.request.voice));
+                     return "The robot speaks.";
+                   }),
+      service<SetVolume>("set_volume", "The volume was not set",
+                         [&client](auto& call) {
+                           const int volume = client.setVolume(call.request.volume, sound::Player::kTimeout);
+                           call.response.volume = static_cast<std::uint8_t>(volume);
+                           return "The volume is " + std::to_string(volume) + ".";
+                         }),
+  };
 }
 
 }  // namespace aibo_driver::node

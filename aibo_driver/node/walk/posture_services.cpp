@@ -1,11 +1,12 @@
-#include "node/walk/posture_services.h"
+#include <std_srvs/Trigger.h>
 
+#include <chrono>
 #include <future>
 #include <string>
 
 #include "aibo_client/exceptions.h"
-#include "node/orders.h"
-#include "node/service_answer.h"
+#include "node/service.h"
+#include "node/services.h"
 
 namespace aibo_driver::node {
 
@@ -13,53 +14,34 @@ using aibo_client::Posture;
 
 namespace {
 
-struct Words {
-  const char* failure;
-  const char* success;
-};
+// How long the change from one posture to another may take. The robot needs only a fraction of this time.
+constexpr std::chrono::milliseconds kEndTimeout{30000};
 
-Words wordsFor(Posture posture) {
-  switch (posture) {
-    case Posture::kStand:
-      return {"The robot does not stand", "The robot stands."};
-    case Posture::kSit:
-      return {"The robot does not sit", "The robot sits."};
-    case Posture::kRest:
-      break;
+std::string take(movement::Mover* mover, const movement::Order& order, Posture posture, const std::string& success) {
+  const movement::Mover::Begun begun = mover->takePosture(order, posture);
+  if (begun.end.wait_for(kEndTimeout) == std::future_status::timeout) {
+    throw aibo_client::TimeoutException((begun.remark.empty() ? "it began" : begun.remark) +
+                                        ", but has not said within " + std::to_string(kEndTimeout.count() / 1000) +
+                                        " s that it has finished. motion_state says what it does.");
   }
-  return {"The robot does not rest", "The robot lies down, and its motors are off."};
+  const movement::EndedMovement& end = begun.end.get();
+  if (end.how != aibo_client::EndedHow::kDone) {
+    throw aibo_client::CommandException(end.reason + ".");
+  }
+  return success;
 }
 
 }  // namespace
 
-void PostureServices::advertise(const ros::NodeHandle& handle) {
-  ros::NodeHandle services(handle);
-  const auto advertise = [&](const std::string& name, Posture posture) {
-    servers_.push_back(advertiseOrder<std_srvs::Trigger>(
-        services, name, [this, posture](const movement::Order& order, const auto&, auto& response) {
-          return take(posture, order, response);
-        }));
+Services postureServices(movement::Mover& mover) {
+  const auto posture_service = [&mover](const std::string& name, Posture posture, const std::string& success) {
+    return service<std_srvs::Trigger>(name, "The robot does not " + name, [&mover, posture, success](auto& call) {
+      return take(&mover, call.order, posture, success);
+    });
   };
-  advertise("stand", Posture::kStand);
-  advertise("sit", Posture::kSit);
-  advertise("rest", Posture::kRest);
-}
-
-bool PostureServices::take(Posture posture, const movement::Order& order, std_srvs::Trigger::Response& response) {
-  const Words words = wordsFor(posture);
-  return answer(response, words.failure, [&] {
-    const movement::Mover::Begun begun = mover_.takePosture(order, posture);
-    if (begun.end.wait_for(kEndTimeout) == std::future_status::timeout) {
-      throw aibo_client::TimeoutException((begun.remark.empty() ? "it began" : begun.remark) +
-                                          ", but has not said within " + std::to_string(kEndTimeout.count() / 1000) +
-                                          " s that it has finished. motion_state says what it does.");
-    }
-    const movement::EndedMovement& end = begun.end.get();
-    if (end.how != aibo_client::EndedHow::kDone) {
-      throw aibo_client::CommandException(end.reason + ".");
-    }
-    return words.success;
-  });
+  return {posture_service("stand", Posture::kStand, "The robot stands."),
+          posture_service("sit", Posture::kSit, "The robot sits."),
+          posture_service("rest", Posture::kRest, "The robot lies down, and its motors are off.")};
 }
 
 }  // namespace aibo_driver::node

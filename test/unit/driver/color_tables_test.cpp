@@ -9,6 +9,7 @@
 #include "node/camera/color_table_file.h"
 #include "node/camera/color_table_service.h"
 #include "support/fake_client.h"
+#include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
@@ -109,12 +110,10 @@ class ColorTableServiceTest : public ::testing::Test {
 
   LoadColorTable::Response load(int channel, const std::string& file, const std::string& table = "") {
     LoadColorTable::Request request;
-    LoadColorTable::Response response;
     request.channel = static_cast<std::uint8_t>(channel);
     request.file = file;
     request.table = table;
-    EXPECT_TRUE(service_.load(request, response));
-    return response;
+    return test_support::callService<LoadColorTable>(service_.services(), "load_color_table", request);
   }
 
   test_support::FakeClient client_;

@@ -1,18 +1,25 @@
-#include "node/body/robot_services.h"
-
+#include <aibo_driver/DeleteMotion.h>
+#include <aibo_driver/ListMotions.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "node/services.h"
 #include "support/fake_client.h"
+#include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
 
+using test_support::callService;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -25,32 +32,40 @@ class RobotServicesTest : public ::testing::Test {
  protected:
   RobotServicesTest() { mover_.connected(); }
 
-  static movement::Order order() { return {"/user", std::chrono::steady_clock::now()}; }
-
   std_srvs::SetBool::Response setMotors(bool on) {
-    std_srvs::SetBool::Response response;
-    EXPECT_TRUE(services_.setMotors(order(), on, response));
-    return response;
+    std_srvs::SetBool::Request request;
+    request.data = static_cast<std::uint8_t>(on);
+    return callService<std_srvs::SetBool>(stopServices(mover_), "motors", request);
   }
 
   PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 1, bool stop = false) {
     PlayMotion::Request request;
-    PlayMotion::Response response;
     request.name = name;
     request.repetitions = repetitions;
     request.stop = static_cast<std::uint8_t>(stop);
-    EXPECT_TRUE(services_.playMotion(order(), request, response));
-    return response;
+    return callService<PlayMotion>(motionServices(mover_), "play_motion", request);
   }
 
   UploadMotion::Response upload(const std::string& name, const std::string& file, std::vector<std::uint8_t> data) {
     UploadMotion::Request request;
-    UploadMotion::Response response;
     request.name = name;
     request.file = file;
     request.data = std::move(data);
-    EXPECT_TRUE(services_.uploadMotion(request, response));
-    return response;
+    return callService<UploadMotion>(robotServices(client_), "upload_motion", request);
+  }
+
+  DeleteMotion::Response remove(const std::string& name) {
+    DeleteMotion::Request request;
+    request.name = name;
+    return callService<DeleteMotion>(robotServices(client_), "delete_motion", request);
+  }
+
+  /// Calls stop, release, shut_down or reboot.
+  std_srvs::Trigger::Response call(const std::string& name) {
+    Services services = stopServices(mover_);
+    const Services others = robotServices(client_);
+    services.insert(services.end(), others.begin(), others.end());
+    return callService<std_srvs::Trigger>(services, name);
   }
 
   const std::string& lastTold() const { return client_.told.back(); }
@@ -59,27 +74,23 @@ class RobotServicesTest : public ::testing::Test {
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
-  RobotServices services_{client_, mover_};
 };
 
 TEST_F(RobotServicesTest, StopUntilRelease) {
-  std_srvs::Trigger::Response response;
-  EXPECT_TRUE(services_.stop(order(), response));
+  const auto response = call("stop");
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "The robot holds, and nothing moves it until release is called.");
   EXPECT_THAT(client_.told, ElementsAre("hold"));
   EXPECT_EQ(play("nod").message, "Nothing was played: stopped by /user; call release.");
   EXPECT_EQ(setMotors(true).message, "The motors were not switched: stopped by /user; call release.");
-  EXPECT_TRUE(services_.release(order(), response));
-  EXPECT_EQ(response.message, "The robot may be moved again.");
+  EXPECT_EQ(call("release").message, "The robot may be moved again.");
   EXPECT_TRUE(setMotors(true).success);
   EXPECT_TRUE(play("nod").success);
 }
 
 TEST_F(RobotServicesTest, StopWithoutARobot) {
   client_.problem = "there is no robot";
-  std_srvs::Trigger::Response response;
-  EXPECT_TRUE(services_.stop(order(), response));
+  const auto response = call("stop");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "No order moves the robot any more, but it could not be told to stop: there is no robot");
 }
@@ -150,9 +161,7 @@ TEST_F(RobotServicesTest, DoNotPlayWithoutAName) {
 
 TEST_F(RobotServicesTest, ListTheMotions) {
   client_.motions = {"NOD.MTN", "SIT.MTN"};
-  ListMotions::Request request;
-  ListMotions::Response response;
-  EXPECT_TRUE(services_.listMotions(request, response));
+  const auto response = callService<ListMotions>(robotServices(client_), "list_motions");
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "Motions on the robot: 2.");
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
@@ -201,36 +210,20 @@ TEST_F(RobotServicesTest, UploadNothingWithoutExactlyOneSource) {
 
 TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
   client_.problem = "there is no robot";
-  DeleteMotion::Request request;
-  DeleteMotion::Response response;
-  request.name = "nod";
-  EXPECT_TRUE(services_.deleteMotion(request, response));
+  const auto response = remove("nod");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "Nothing was deleted: there is no robot");
   EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.");
   EXPECT_EQ(play("nod", 0, true).message, "Nothing was stopped: there is no robot");
-  std_srvs::Trigger::Request trigger;
-  std_srvs::Trigger::Response answer;
-  EXPECT_TRUE(services_.shutDown(trigger, answer));
-  EXPECT_EQ(answer.message, "The robot does not shut down: there is no robot");
-  EXPECT_TRUE(services_.reboot(trigger, answer));
-  EXPECT_EQ(answer.message, "The robot does not reboot: there is no robot");
+  EXPECT_EQ(call("shut_down").message, "The robot does not shut down: there is no robot");
+  EXPECT_EQ(call("reboot").message, "The robot does not reboot: there is no robot");
 }
 
 TEST_F(RobotServicesTest, DeleteAMotionShutDownAndReboot) {
-  DeleteMotion::Request request;
-  DeleteMotion::Response response;
-  services_.deleteMotion(request, response);
-  EXPECT_EQ(response.message, "Nothing was deleted: give the name of a motion. list_motions lists them.");
-  request.name = "nod";
-  services_.deleteMotion(request, response);
-  EXPECT_EQ(response.message, "NOD.MTN was deleted from the robot.");
-  std_srvs::Trigger::Request trigger;
-  std_srvs::Trigger::Response answer;
-  services_.shutDown(trigger, answer);
-  EXPECT_TRUE(answer.success);
-  services_.reboot(trigger, answer);
-  EXPECT_TRUE(answer.success);
+  EXPECT_EQ(remove("").message, "Nothing was deleted: give the name of a motion. list_motions lists them.");
+  EXPECT_EQ(remove("nod").message, "NOD.MTN was deleted from the robot.");
+  EXPECT_TRUE(call("shut_down").success);
+  EXPECT_TRUE(call("reboot").success);
   EXPECT_THAT(client_.told, ElementsAre("delete NOD.MTN", "shut down", "reboot"));
 }
 

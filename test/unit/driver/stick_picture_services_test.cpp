@@ -1,18 +1,23 @@
-#include "node/camera/stick_picture_services.h"
-
+#include <aibo_driver/DeletePicture.h>
+#include <aibo_driver/FetchPicture.h>
+#include <aibo_driver/ListPictures.h>
+#include <aibo_driver/TakePictureOnRobot.h>
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <memory>
 #include <string>
 
+#include "node/services.h"
 #include "support/fake_client.h"
+#include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 
 namespace aibo_driver::node {
 namespace {
 
+using test_support::callService;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -27,35 +32,24 @@ class StickPictureServicesTest : public ::testing::Test {
 
   TakePictureOnRobot::Response takePicture(std::uint8_t quality) {
     TakePictureOnRobot::Request request;
-    TakePictureOnRobot::Response response;
     request.quality = quality;
-    EXPECT_TRUE(services_.takePicture(request, response));
-    return response;
+    return callService<TakePictureOnRobot>(services_, "take_picture_on_robot", request);
   }
 
   FetchPicture::Response fetch(const std::string& name, const std::string& save_to = "") {
     FetchPicture::Request request;
-    FetchPicture::Response response;
     request.name = name;
     request.save_to = save_to;
-    EXPECT_TRUE(services_.fetchPicture(request, response));
-    return response;
+    return callService<FetchPicture>(services_, "fetch_picture", request);
   }
 
   DeletePicture::Response remove(const std::string& name) {
     DeletePicture::Request request;
-    DeletePicture::Response response;
     request.name = name;
-    EXPECT_TRUE(services_.deletePicture(request, response));
-    return response;
+    return callService<DeletePicture>(services_, "delete_picture", request);
   }
 
-  ListPictures::Response list() {
-    ListPictures::Request request;
-    ListPictures::Response response;
-    EXPECT_TRUE(services_.listPictures(request, response));
-    return response;
-  }
+  ListPictures::Response list() { return callService<ListPictures>(services_, "list_pictures"); }
 
   DriverParameters parameters() const {
     DriverParameters parameters;
@@ -65,7 +59,7 @@ class StickPictureServicesTest : public ::testing::Test {
 
   test_support::TemporaryFolder folder_;
   test_support::FakeClient client_;
-  StickPictureServices services_{parameters(), client_};
+  Services services_ = stickPictureServices(parameters(), client_);
 };
 
 TEST_F(StickPictureServicesTest, TakeAPictureOfTheDriversQualityOrAnother) {

@@ -1,11 +1,14 @@
-#include "node/camera/stream_services.h"
-
+#include <aibo_driver/TakePicture.h>
 #include <gmock/gmock.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <memory>
 #include <string>
 
+#include "node/services.h"
 #include "support/fake_client.h"
+#include "support/ros/call_service.h"
 
 namespace aibo_driver::node {
 
@@ -13,6 +16,7 @@ using aibo_client::Picture;
 
 namespace {
 
+using test_support::callService;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -30,30 +34,29 @@ class StreamServicesTest : public ::testing::Test {
   TakePicture::Response takePicture(std::uint8_t quality, const std::string& save_to = "",
                                     const std::string& resolution = "") {
     TakePicture::Request request;
-    TakePicture::Response response;
     request.quality = quality;
     request.save_to = save_to;
     request.resolution = resolution;
-    EXPECT_TRUE(services_.takePicture(request, response));
-    return response;
+    return callService<TakePicture>(pictures_, "take_picture", request);
   }
 
   std_srvs::SetBool::Response setStreaming(bool on) {
     std_srvs::SetBool::Request request;
-    std_srvs::SetBool::Response response;
     request.data = static_cast<std::uint8_t>(on);
-    EXPECT_TRUE(services_.setStreaming(request, response));
-    return response;
+    return callService<std_srvs::SetBool>(stream_, "set_streaming", request);
   }
 
   test_support::FakeClient client_;
   StreamPolicy policy_{false, true};
-  StreamServices services_{DriverParameters(), client_, policy_, [] { return 85; },
-                           [](const Picture& picture) {
-                             sensor_msgs::CompressedImage message;
-                             message.data = picture.jpeg;
-                             return message;
-                           }};
+  DriverParameters parameters_;
+  Services stream_ = streamServices(parameters_, client_, policy_);
+  Services pictures_ = takePictureServices(
+      parameters_, client_, [] { return 85; },
+      [](const Picture& picture) {
+        sensor_msgs::CompressedImage message;
+        message.data = picture.jpeg;
+        return message;
+      });
 };
 
 TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
@@ -115,13 +118,10 @@ TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
 }
 
 TEST_F(StreamServicesTest, ToggleTheStream) {
-  std_srvs::Trigger::Request request;
-  std_srvs::Trigger::Response response;
-  EXPECT_TRUE(services_.toggleStreaming(request, response));
+  callService<std_srvs::Trigger>(stream_, "toggle_streaming");
   EXPECT_TRUE(policy_.wanted());
-  EXPECT_TRUE(services_.toggleStreaming(request, response));
+  EXPECT_EQ(callService<std_srvs::Trigger>(stream_, "toggle_streaming").message, "The stream is off.");
   EXPECT_FALSE(policy_.wanted());
-  EXPECT_EQ(response.message, "The stream is off.");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include "node/walk/walk_commander.h"
+#include "node/services.h"
 
 #include <gmock/gmock.h>
 #include <std_srvs/Trigger.h>
@@ -10,14 +11,14 @@
 #include <thread>
 
 #include "node/joints/motion_state_publisher.h"
-#include "node/walk/posture_services.h"
+#include "node/services.h"
 #include "support/fake_client.h"
+#include "support/ros/call_service.h"
 
 namespace aibo_driver::node {
 
 using aibo_client::EndedHow;
 using aibo_client::EndedKind;
-using aibo_client::Posture;
 
 namespace {
 
@@ -80,10 +81,9 @@ class WalkCommanderTest : public ::testing::Test {
     return kinds;
   }
 
-  std_srvs::Trigger::Response take(Posture posture) {
-    std_srvs::Trigger::Response response;
-    EXPECT_TRUE(postures_.take(posture, order("/panel"), response));
-    return response;
+  /// @param posture the name of its service
+  std_srvs::Trigger::Response take(const std::string& posture) {
+    return test_support::callService<std_srvs::Trigger>(postureServices(mover_), posture, {}, "/panel");
   }
 
   test_support::FakeClient client_;
@@ -92,7 +92,6 @@ class WalkCommanderTest : public ::testing::Test {
   WalkSettings settings_;
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
   WalkCommander commander_{settings_, client_, mover_};
-  PostureServices postures_{mover_};
 };
 
 TEST_F(WalkCommanderTest, SendsAVelocityWithinTheLimits) {
@@ -171,7 +170,7 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
     EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
     mover_.ended({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
   };
-  const auto response = take(Posture::kSit);
+  const auto response = take("sit");
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "The robot sits.");
   EXPECT_THAT(toldToWalk(), ElementsAre("sit"));
@@ -182,15 +181,15 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   client_.meanwhile = [this] {
     mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
   };
-  auto response = take(Posture::kStand);
+  auto response = take("stand");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not stand: left_front_knee was commanded.");
   client_.meanwhile = [this] { mover_.disconnected(); };
-  response = take(Posture::kRest);
+  response = take("rest");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("does not rest: the connection to the robot was lost"));
   client_.problem = "there is no robot";
-  response = take(Posture::kSit);
+  response = take("sit");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not sit: there is no robot.");
   EXPECT_THAT(kindsMoving(), IsEmpty());
@@ -198,7 +197,7 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
 
 TEST_F(WalkCommanderTest, HoldsAPostureThatBeginsAfterAStop) {
   client_.meanwhile = [this] { mover_.stop(order("/panel")); };
-  const auto response = take(Posture::kStand);
+  const auto response = take("stand");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("/panel called stop"));
   EXPECT_THAT(toldToWalk(), ElementsAre("stand", "hold", "hold"));
@@ -208,13 +207,13 @@ TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
   std::promise<void> sits;
   client_.meanwhile = [&] { sits.set_value(); };
   std_srvs::Trigger::Response first;
-  std::thread older([&] { postures_.take(Posture::kSit, order("/panel"), first); });
+  std::thread older([&] { first = take("sit"); });
   sits.get_future().wait();
   client_.meanwhile = [this] {
     mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
     mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
   };
-  EXPECT_TRUE(take(Posture::kStand).success);
+  EXPECT_TRUE(take("stand").success);
   older.join();
   EXPECT_FALSE(first.success);
   EXPECT_EQ(first.message, "The robot does not sit: the posture stand was asked for.");

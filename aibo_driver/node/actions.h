@@ -1,0 +1,46 @@
+/// @file actions.h
+/// The driver's actions. followed_action.h has what they share.
+#ifndef AIBO_DRIVER_NODE_ACTIONS_H
+#define AIBO_DRIVER_NODE_ACTIONS_H
+
+#include <ros/node_handle.h>
+
+#include <memory>
+
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "movement/mover.h"
+#include "sound/player.h"
+
+namespace aibo_driver::node {
+
+/// An action, which is served until this is destroyed. The class hides actionlib's headers, which take long to compile.
+class Action {
+ public:
+  Action() = default;
+  virtual ~Action() = default;
+  Action(const Action&) = delete;
+  Action& operator=(const Action&) = delete;
+};
+
+// In all these functions, one thread has to serve the callback queue of the handle. Everything else must outlive the
+// action.
+
+/// Starts play_motion. Several motions of different joints may play at the same time. If a motion does not begin, its
+/// goal is rejected. Otherwise the goal ends with the motion. Cancelling the goal stops the motion.
+///
+/// If a server does not report the ends of motions, each goal succeeds as soon as its motion plays.
+std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover);
+
+/// Starts play_sound. A goal ends with its sound, and cancelling it stops the sound.
+std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Player& player);
+
+/// Starts follow_joint_trajectory of control_msgs. A goal is a trajectory like those of the topic joint_trajectory,
+/// with tolerances. Goals for different joints run side by side. Cancelling a goal stops its joints where they are.
+/// @return null if the driver was built without control_msgs
+std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
+                                              const movement::MeasuredJoints& measured, movement::Mover& mover);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_ACTIONS_H

@@ -1,0 +1,234 @@
+/// @file followed_action.h
+/// What the driver's actions share. Each of their goals begins something and follows it to its end.
+#ifndef AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
+#define AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
+
+#include <actionlib/server/action_server.h>
+#include <ros/console.h>
+#include <ros/steady_timer.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "aibo_client/exceptions.h"
+#include "aibo_client/motion_end.h"
+#include "movement/mover.h"
+#include "node/actions.h"
+#include "node/joints/motion_state_publisher.h"
+#include "node/orders.h"
+#include "text/plain_text.h"
+
+namespace aibo_driver::node {
+
+template <typename Spec>
+using GoalOf = typename Spec::_action_goal_type::_goal_type;
+template <typename Spec>
+using ResultOf = typename Spec::_action_result_type::_result_type;
+template <typename Spec>
+using FeedbackOf = typename Spec::_action_feedback_type::_feedback_type;
+
+/// How a goal ends.
+template <typename Spec>
+struct GoalEnd {
+  enum class State { kSucceeded, kCanceled, kAborted };
+
+  State state = State::kAborted;
+  ResultOf<Spec> result;
+  std::string text;
+};
+
+/// What a goal follows.
+template <typename Spec>
+struct Followed {
+  using Publish = std::function<void(const FeedbackOf<Spec>&)>;
+
+  std::string text;                                  ///< says that it has begun
+  std::function<void(const movement::Order&)> stop;  ///< called when the goal is cancelled; may throw
+  /// Called again and again. It may publish feedback, and returns the goal's end when it has come.
+  std::function<std::optional<GoalEnd<Spec>>(const Publish&)> look;
+};
+
+/// How an action differs from others.
+template <typename Spec>
+struct ActionWay {
+  std::string name;
+  std::string logger;                     ///< for a cancelled goal that could not be stopped
+  std::chrono::milliseconds period{100};  ///< the time between two looks at a goal
+  /// Begins what a goal asks for. If this throws, the goal is rejected.
+  std::function<Followed<Spec>(const GoalOf<Spec>&, const movement::Order&)> begin;
+  /// Makes the result and the text of a rejected goal.
+  std::function<std::pair<ResultOf<Spec>, std::string>(const std::exception&)> refuse;
+};
+
+/// Serves an action. Many goals may go on at a time. A cancelled goal stops what it follows and goes on until that has
+/// ended. Then it ends as canceled, unless it has succeeded.
+template <typename Spec>
+class FollowedAction : public Action {
+ public:
+  FollowedAction(ros::NodeHandle handle, ActionWay<Spec> way) : way_(std::move(way)) {
+    constexpr bool kOneShot = false;
+    constexpr bool kAutostart = false;
+    timer_ = handle.createSteadyTimer(
+        ros::WallDuration(std::chrono::duration<double>(way_.period).count()),
+        [this](const ros::SteadyTimerEvent&) { look(); }, kOneShot, kAutostart);
+    server_ = std::make_unique<Server>(
+        handle, way_.name, [this](const GoalHandle& goal) { accept(goal); },
+        [this](const GoalHandle& goal) { cancel(goal); }, kAutostart);
+    server_->start();
+  }
+
+ private:
+  using Server = actionlib::ActionServer<Spec>;
+  using GoalHandle = typename Server::GoalHandle;
+
+  struct Going {
+    GoalHandle goal;
+    Followed<Spec> followed;
+  };
+
+  void accept(GoalHandle goal) {
+    try {
+      Followed<Spec> followed = way_.begin(*goal.getGoal(), orderOfGoal(goal.getGoalID().id));
+      goal.setAccepted(followed.text);
+      going_.push_back({goal, std::move(followed)});
+      timer_.start();
+    } catch (const std::exception& error) {
+      const auto [result, text] = way_.refuse(error);
+      goal.setRejected(result, text);
+    }
+  }
+
+  void cancel(const GoalHandle& goal) {
+    const auto is_it = [&goal](const Going& going) { return going.goal == goal; };
+    const auto found = std::find_if(going_.begin(), going_.end(), is_it);
+    if (found == going_.end()) {
+      return;
+    }
+    try {
+      found->followed.stop(orderOfGoal(goal.getGoalID().id));
+    } catch (const std::exception& error) {
+      ROS_WARN_STREAM_NAMED(way_.logger, "A goal of " << way_.name << " was cancelled, but what it began was not "
+                                                      << "stopped: " << error.what());
+    }
+    look();
+  }
+
+  void look() {
+    const auto is_over = [](Going& going) { return isOver(&going.goal, going.followed); };
+    going_.erase(std::remove_if(going_.begin(), going_.end(), is_over), going_.end());
+    if (going_.empty()) {
+      timer_.stop();
+    }
+  }
+
+  static bool isOver(GoalHandle* goal, const Followed<Spec>& followed) {
+    const auto end = followed.look([goal](const FeedbackOf<Spec>& feedback) { goal->publishFeedback(feedback); });
+    if (end) {
+      finish(goal, *end);
+    }
+    return end.has_value();
+  }
+
+  static void finish(GoalHandle* goal, const GoalEnd<Spec>& end) {
+    const bool was_cancelled = goal->getGoalStatus().status == actionlib_msgs::GoalStatus::PREEMPTING;
+    if (end.state == GoalEnd<Spec>::State::kSucceeded) {
+      goal->setSucceeded(end.result, end.text);
+    } else if (end.state == GoalEnd<Spec>::State::kCanceled || was_cancelled) {
+      goal->setCanceled(end.result, end.text);
+    } else {
+      goal->setAborted(end.result, end.text);
+    }
+  }
+
+  const ActionWay<Spec> way_;
+  std::unique_ptr<Server> server_;
+  std::vector<Going> going_;
+  ros::SteadyTimer timer_;
+};
+
+/// @name For actions whose result has success, end and message, and whose feedback has a time
+/// @{
+
+/// @param message a sentence for the user
+template <typename Spec>
+GoalEnd<Spec> goalEnd(aibo_client::EndedHow how, const std::string& message) {
+  using aibo_client::EndedHow;
+  using State = typename GoalEnd<Spec>::State;
+  GoalEnd<Spec> end;
+  end.state = how == EndedHow::kDone       ? State::kSucceeded
+              : how == EndedHow::kReplaced ? State::kCanceled
+                                           : State::kAborted;
+  end.result.success = static_cast<std::uint8_t>(how == EndedHow::kDone);
+  end.result.end = endConstant(how);
+  end.result.message = message;
+  end.text = message;
+  return end;
+}
+
+/// A function that makes the result of a rejected goal.
+/// @param failure says what was not done, such as "Nothing was played"
+template <typename Spec>
+auto refuseWith(const std::string& failure) {
+  return [failure](const std::exception& error) {
+    const std::string message = text::plainText(failure + ": " + error.what());
+    return std::make_pair(goalEnd<Spec>(aibo_client::EndedHow::kRefused, message).result, message);
+  };
+}
+
+/// A function that waits for an end and publishes the time since now.
+/// @param end returns an empty value before the end
+template <typename Spec>
+auto lookFor(const std::function<std::optional<GoalEnd<Spec>>()>& end) {
+  return [end, begin = std::chrono::steady_clock::now()](const typename Followed<Spec>::Publish& publish) {
+    const std::optional<GoalEnd<Spec>> over = end();
+    if (!over) {
+      FeedbackOf<Spec> feedback;
+      feedback.time = ros::Duration(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+      publish(feedback);
+    }
+    return over;
+  };
+}
+
+/// The end of a movement. If a server does not report the ends of motions, a goal succeeds as soon as its motion plays.
+/// @param done says that the robot has done it, without a full stop
+template <typename Spec>
+GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& done) {
+  using aibo_client::EndedHow;
+  const std::string& reason = ended.reason;
+  const bool is_done = ended.how == EndedHow::kDone;
+  GoalEnd<Spec> end = goalEnd<Spec>(ended.how, is_done ? done + (reason.empty() ? "" : ": " + reason) + "." : reason);
+  if (ended.how == EndedHow::kUnknown && ended.movement.kind == movement::Movement::Kind::kMotion) {
+    end.state = GoalEnd<Spec>::State::kSucceeded;
+  }
+  return end;
+}
+
+/// A function that waits for the end of a movement.
+/// @param done says that the robot has done it, without a full stop
+/// @throw CommandException the movement was refused
+template <typename Spec>
+auto lookFor(const movement::Mover::Begun& begun, const std::string& done) {
+  const movement::EndedMovement* const at_once = begun.ended();
+  if (at_once != nullptr && at_once->how == aibo_client::EndedHow::kRefused) {
+    throw aibo_client::CommandException(at_once->reason + ".");
+  }
+  return lookFor<Spec>([begun, done]() -> std::optional<GoalEnd<Spec>> {
+    const movement::EndedMovement* const ended = begun.ended();
+    return ended == nullptr ? std::nullopt : std::make_optional(goalEnd<Spec>(*ended, done));
+  });
+}
+
+/// @}
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_FOLLOWED_ACTION_H

@@ -1,0 +1,271 @@
+#include <control_msgs/FollowJointTrajectoryAction.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "movement/joint_plan.h"
+#include "node/followed_action.h"
+#include "node/joints/trajectory_messages.h"
+
+namespace aibo_driver::node {
+
+namespace {
+
+using aibo_client::EndedHow;
+
+using control_msgs::FollowJointTrajectoryAction;
+using control_msgs::FollowJointTrajectoryFeedback;
+using control_msgs::FollowJointTrajectoryGoal;
+using control_msgs::FollowJointTrajectoryResult;
+using Result = FollowJointTrajectoryResult;
+using End = GoalEnd<FollowJointTrajectoryAction>;
+using Following = Followed<FollowJointTrajectoryAction>;
+using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
+
+constexpr std::chrono::milliseconds kPeriod{50};
+constexpr const char* kCancelled = "the goal was cancelled";
+
+/// Thrown if a goal cannot be accepted for another reason than Result::INVALID_GOAL.
+class GoalRefusal : public aibo_client::InvalidArgumentException {
+ public:
+  GoalRefusal(std::int32_t code, const std::string& reason) : InvalidArgumentException(reason), code_(code) {}
+  std::int32_t code() const { return code_; }
+
+ private:
+  std::int32_t code_;
+};
+
+Tolerances tolerancesOf(const std::vector<control_msgs::JointTolerance>& list,
+                        const trajectory_msgs::JointTrajectory& trajectory) {
+  Tolerances tolerances;
+  for (const control_msgs::JointTolerance& tolerance : list) {
+    const auto& names = trajectory.joint_names;
+    if (std::find(names.begin(), names.end(), tolerance.name) == names.end()) {
+      throw aibo_client::InvalidArgumentException("it has a tolerance for " + text::plainLine(tolerance.name) +
+                                                  ", which it does not move");
+    }
+    tolerances[tolerance.name] = tolerance;
+  }
+  return tolerances;
+}
+
+// A tolerance of 0 means the usual tolerance. A tolerance below 0 means that there is none.
+movement::Arrival arrivalOf(const FollowJointTrajectoryGoal& goal) {
+  movement::Arrival arrival;
+  for (const auto& [joint, given] : tolerancesOf(goal.goal_tolerance, goal.trajectory)) {
+    movement::Tolerance& tolerance = arrival.tolerances[joint];
+    if (given.position != 0) {
+      tolerance.position = given.position > 0 ? given.position : std::numeric_limits<double>::infinity();
+    }
+    if (given.velocity > 0) {
+      tolerance.speed = given.velocity;
+    }
+  }
+  const double grace = goal.goal_time_tolerance.toSec();
+  if (grace > 0) {
+    arrival.grace = std::chrono::milliseconds(std::llround(1000 * grace));
+  }
+  return arrival;
+}
+
+bool isBeyond(double error, double tolerance) {
+  return tolerance > 0 && !(std::abs(error) <= tolerance);
+}
+
+/// Describes the first joint that is not within its tolerance. The text is empty if all joints are.
+std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryFeedback& state) {
+  for (std::size_t i = 0; i < state.joint_names.size(); ++i) {
+    const auto found = tolerances.find(state.joint_names[i]);
+    if (found == tolerances.end()) {
+      continue;
+    }
+    const double position = state.error.positions[i];
+    const double velocity = state.error.velocities[i];
+    if (isBeyond(position, found->second.position)) {
+      return state.joint_names[i] + " is " + std::to_string(std::abs(position)) + " rad from where it should be; " +
+             std::to_string(found->second.position) + " rad are allowed";
+    }
+    if (isBeyond(velocity, found->second.velocity)) {
+      return state.joint_names[i] + " is " + std::to_string(std::abs(velocity)) + " rad/s from its speed; " +
+             std::to_string(found->second.velocity) + " rad/s are allowed";
+    }
+  }
+  return "";
+}
+
+void checkJoints(const trajectory_msgs::JointTrajectory& trajectory, const movement::JointTable& table) {
+  for (const std::string& name : trajectory.joint_names) {
+    if (!table.findByName(name)) {
+      throw GoalRefusal(Result::INVALID_JOINTS,
+                        "the " + table.design() + " has no joint '" + text::plainLine(name) + "'");
+    }
+  }
+}
+
+std::chrono::nanoseconds waitFor(const trajectory_msgs::JointTrajectory& trajectory) {
+  try {
+    return waitBeforeStart(trajectory.header.stamp, ros::Time::now());
+  } catch (const aibo_client::InvalidArgumentException& error) {
+    throw GoalRefusal(Result::OLD_HEADER_TIMESTAMP, error.what());
+  }
+}
+
+Result resultOf(std::int32_t code, const std::string& text) {
+  Result result;
+  result.error_code = code;
+  result.error_string = text;
+  return result;
+}
+
+std::pair<Result, std::string> refuse(const std::exception& error) {
+  const auto* const refusal = dynamic_cast<const GoalRefusal*>(&error);
+  return {resultOf(refusal == nullptr ? Result::INVALID_GOAL : refusal->code(), error.what()), error.what()};
+}
+
+End canceled(const std::string& reason) {
+  return {End::State::kCanceled, resultOf(Result::SUCCESSFUL, reason), reason};
+}
+
+End endOf(const movement::EndedMovement& end) {
+  if (end.how == EndedHow::kDone) {
+    return {End::State::kSucceeded, resultOf(Result::SUCCESSFUL, ""), ""};
+  }
+  if (end.how == EndedHow::kReplaced) {
+    return canceled(end.reason);
+  }
+  const bool was_followed = end.how == EndedHow::kNotReached || end.how == EndedHow::kUnknown;
+  const std::int32_t code = was_followed ? Result::GOAL_TOLERANCE_VIOLATED : Result::INVALID_GOAL;
+  return {End::State::kAborted, resultOf(code, end.reason), end.reason};
+}
+
+/// The trajectory of one goal.
+class GoalTrajectory {
+ public:
+  /// Begins it.
+  /// @throw GoalRefusal, InvalidArgumentException, CommandException it does not begin
+  GoalTrajectory(const movement::JointTable& table, const movement::MeasuredJoints& measured, movement::Mover& mover,
+                 const FollowJointTrajectoryGoal& goal, const movement::Order& order);
+
+  /// Holds its joints.
+  /// @throw the exceptions of Mover::cancel()
+  void cancel();
+
+  /// @see Followed
+  std::optional<End> look(const Following::Publish& publish);
+
+ private:
+  std::optional<End> violated(const FollowJointTrajectoryFeedback& state);
+  FollowJointTrajectoryFeedback state() const;
+
+  const movement::JointTable& table_;
+  const movement::MeasuredJoints& measured_;
+  movement::Mover& mover_;
+  std::vector<std::string> joints_;
+  Tolerances path_;
+  movement::Mover::Begun movement_;
+  bool is_cancelled_ = false;
+};
+
+GoalTrajectory::GoalTrajectory(const movement::JointTable& table, const movement::MeasuredJoints& measured,
+                               movement::Mover& mover, const FollowJointTrajectoryGoal& goal,
+                               const movement::Order& order)
+    : table_(table), measured_(measured), mover_(mover), joints_(goal.trajectory.joint_names) {
+  checkJoints(goal.trajectory, table);
+  path_ = tolerancesOf(goal.path_tolerance, goal.trajectory);
+  const movement::Arrival arrival = arrivalOf(goal);
+  const std::chrono::nanoseconds wait = waitFor(goal.trajectory);
+  movement_ = mover.follow(order, toRequest(goal.trajectory), wait, arrival);
+  const movement::EndedMovement* const end = movement_.ended();
+  if (end != nullptr && end->how == EndedHow::kRefused) {
+    throw aibo_client::CommandException(end->reason);
+  }
+}
+
+void GoalTrajectory::cancel() {
+  is_cancelled_ = true;
+  mover_.cancel(movement_.id, kCancelled);
+}
+
+std::optional<End> GoalTrajectory::look(const Following::Publish& publish) {
+  if (is_cancelled_) {
+    return canceled(kCancelled);
+  }
+  const std::size_t moved = mover_.jointsOf(movement_.id).size();
+  if (const movement::EndedMovement* const end = movement_.ended()) {
+    return endOf(*end);
+  }
+  if (moved < joints_.size()) {
+    return canceled("a newer trajectory moves some of its joints");
+  }
+  const FollowJointTrajectoryFeedback now = state();
+  if (now.joint_names.empty()) {
+    return std::nullopt;
+  }
+  publish(now);
+  return violated(now);
+}
+
+// Ends the trajectory if a joint is too far from its path.
+std::optional<End> GoalTrajectory::violated(const FollowJointTrajectoryFeedback& state) {
+  const std::string problem = violation(path_, state);
+  if (problem.empty()) {
+    return std::nullopt;
+  }
+  try {
+    mover_.cancel(movement_.id, problem);
+  } catch (const aibo_client::Exception& error) {
+    ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that failed were not held: " << error.what());
+  }
+  return End{End::State::kAborted, resultOf(Result::PATH_TOLERANCE_VIOLATED, problem), problem};
+}
+
+// Where the joints should be and where they are. It is empty before the beginning and after the end. Each measured
+// position is compared with where the joint should have been when it was measured.
+FollowJointTrajectoryFeedback GoalTrajectory::state() const {
+  FollowJointTrajectoryFeedback state;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const std::size_t joint = *table_.findByName(joints_[i]);
+    const std::optional<movement::MeasuredJoint> measured = measured_.find(joint);
+    if (!measured) {
+      continue;
+    }
+    const auto wanted = mover_.wantedBy(movement_.id, measured->arrival);
+    if (i < wanted.size()) {
+      state.joint_names.push_back(joints_[i]);
+      state.desired.positions.push_back(wanted[i].position);
+      state.desired.velocities.push_back(wanted[i].velocity);
+      state.actual.positions.push_back(measured->position);
+      state.actual.velocities.push_back(measured->velocity);
+      state.error.positions.push_back(wanted[i].position - measured->position);
+      state.error.velocities.push_back(wanted[i].velocity - measured->velocity);
+    }
+  }
+  state.header.stamp = ros::Time::now();
+  return state;
+}
+
+}  // namespace
+
+std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
+                                              const movement::MeasuredJoints& measured, movement::Mover& mover) {
+  ActionWay<FollowJointTrajectoryAction> way;
+  way.name = "follow_joint_trajectory";
+  way.logger = "joints";
+  way.period = kPeriod;
+  way.begin = [&](const FollowJointTrajectoryGoal& goal, const movement::Order& order) -> Following {
+    const auto trajectory = std::make_shared<GoalTrajectory>(table, measured, mover, goal, order);
+    return {"", [trajectory](const movement::Order&) { trajectory->cancel(); },
+            [trajectory](const Following::Publish& publish) { return trajectory->look(publish); }};
+  };
+  way.refuse = refuse;
+  return std::make_unique<FollowedAction<FollowJointTrajectoryAction>>(handle, way);
+}
+
+}  // namespace aibo_driver::node

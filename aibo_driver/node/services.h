@@ -1,0 +1,61 @@
+/// @file services.h
+/// The driver's services, in groups that share a callback queue. service.h has what they share.
+///
+/// If something cannot be done, success is false and message says why. A call itself never fails. All arguments must
+/// outlive the services.
+#ifndef AIBO_DRIVER_NODE_SERVICES_H
+#define AIBO_DRIVER_NODE_SERVICES_H
+
+#include <ros/advertise_service_options.h>
+#include <sensor_msgs/CompressedImage.h>
+
+#include <functional>
+#include <vector>
+
+#include "aibo_client/rcserver_client.h"
+#include "movement/mover.h"
+#include "node/camera/stream_policy.h"
+#include "node/driver_parameters.h"
+#include "sound/player.h"
+
+namespace aibo_driver::node {
+
+/// Services that have not been advertised yet.
+using Services = std::vector<ros::AdvertiseServiceOptions>;
+
+/// stop, release and motors. They must wait for no other service.
+Services stopServices(movement::Mover& mover);
+
+/// play_motion. The name of a motion is enough: see files::motionFileName(). A call waits until the robot has begun.
+Services motionServices(movement::Mover& mover);
+
+/// stand, sit and rest. Each call waits until the robot has taken the posture, at most 30 s. A newer posture ends an
+/// older one, so several threads should serve them.
+Services postureServices(movement::Mover& mover);
+
+/// list_motions, upload_motion, delete_motion, shut_down and reboot. They wait for the robot's memory stick or its
+/// power supply, at most 15 s.
+Services robotServices(aibo_client::RcServerClient& client);
+
+/// take_picture_on_robot, list_pictures, fetch_picture and delete_picture: pictures on the robot's memory stick. The
+/// name of a picture is enough: see files::pictureFileName(). Each call waits at most 15 s.
+Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client);
+
+/// take_picture, which waits for the robot.
+/// @param default_quality returns the quality of a picture if the caller gives none, 1..100; any thread may call it
+/// @param to_message makes the message in the answer; any thread may call it
+Services takePictureServices(
+    const DriverParameters& parameters, aibo_client::RcServerClient& client,
+    const std::function<int()>& default_quality,
+    const std::function<sensor_msgs::CompressedImage(const aibo_client::Picture&)>& to_message);
+
+/// set_streaming and toggle_streaming, which do not wait.
+Services streamServices(const DriverParameters& parameters, const aibo_client::RcServerClient& client,
+                        StreamPolicy& policy);
+
+/// play_sound, say and set_volume. They wait for espeak-ng and for the robot.
+Services soundServices(aibo_client::RcServerClient& client, sound::Player& player);
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_SERVICES_H

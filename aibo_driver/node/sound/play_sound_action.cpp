@@ -1,0 +1,37 @@
+#include <aibo_driver/PlaySoundAction.h>
+
+#include "node/followed_action.h"
+#include "sound/sound_file.h"
+#include "sound/speech.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using End = GoalEnd<PlaySoundAction>;
+
+std::shared_ptr<sound::Playback> play(sound::Player* player, const PlaySoundGoal& goal) {
+  if (goal.file.empty() == goal.text.empty()) {
+    throw aibo_client::InvalidArgumentException("give a file or a text");
+  }
+  return player->play(goal.file.empty() ? sound::speak(goal.text, goal.voice) : sound::openSoundFile(goal.file));
+}
+
+}  // namespace
+
+std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
+  ActionWay<PlaySoundAction> way;
+  way.name = "play_sound";
+  way.logger = "sound";
+  way.begin = [&player](const PlaySoundGoal& goal, const movement::Order&) -> Followed<PlaySoundAction> {
+    const std::shared_ptr<sound::Playback> playback = play(&player, goal);
+    return {"It plays.", [&player, playback](const movement::Order&) { player.stop(playback); },
+            lookFor<PlaySoundAction>([playback]() -> std::optional<End> {
+              const std::optional<sound::PlayedSound> end = playback->end();
+              return end ? std::make_optional(goalEnd<PlaySoundAction>(end->how, end->message)) : std::nullopt;
+            })};
+  };
+  way.refuse = refuseWith<PlaySoundAction>("Nothing was played");
+  return std::make_unique<FollowedAction<PlaySoundAction>>(handle, way);
+}
+
+}  // namespace aibo_driver::node

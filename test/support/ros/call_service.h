@@ -1,0 +1,41 @@
+/// @file call_service.h
+#ifndef TEST_SUPPORT_ROS_CALL_SERVICE_H
+#define TEST_SUPPORT_ROS_CALL_SERVICE_H
+
+#include <gtest/gtest.h>
+#include <ros/advertise_service_options.h>
+#include <ros/serialization.h>
+
+#include <boost/make_shared.hpp>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace test_support {
+
+/// Calls one of these services, as roscpp does, but without a ROS master.
+template <typename Service>
+typename Service::Response callService(const std::vector<ros::AdvertiseServiceOptions>& services,
+                                       const std::string& name, const typename Service::Request& request = {},
+                                       const std::string& caller = "/user") {
+  typename Service::Response response;
+  const auto found = std::find_if(services.begin(), services.end(), [&name](const auto& each) {
+    return each.service == name && each.md5sum == ros::service_traits::md5sum<Service>();
+  });
+  if (found == services.end()) {
+    ADD_FAILURE() << "there is no service " << name << " of this type";
+    return response;
+  }
+  ros::ServiceCallbackHelperCallParams call;
+  call.request = ros::serialization::serializeMessage(request);
+  call.connection_header = boost::make_shared<ros::M_string>();
+  (*call.connection_header)["callerid"] = caller;
+  EXPECT_TRUE(found->helper->call(call)) << "a call of " << name << " fails";
+  ros::serialization::deserializeMessage(call.response, response);
+  return response;
+}
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_CALL_SERVICE_H
