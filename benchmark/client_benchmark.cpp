@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "aibo_client/jpeg_inspector.h"
-#include "client/counters.h"
 #include "client/notifier.h"
 #include "client/reply_parser.h"
 #include "client/version1_session.h"
@@ -86,7 +85,7 @@ void BM_Session(benchmark::State& state) {
   aibo_client::Callbacks callbacks;
   callbacks.on_picture = [](const aibo_client::PicturePtr& p) { benchmark::DoNotOptimize(p.get()); };
   const aibo_client::Notifier notifier(callbacks);
-  aibo_client::Counters counters;
+  aibo_client::ClientStatistics counters;
   aibo_client::ServerHabits habits;
   aibo_client::Connection connection({"robot", std::chrono::milliseconds(500), notifier, counters}, now);
   aibo_client::Version1Session session(connection, habits, aibo_client::Version1Session::VersionAnswer::kNotAsked, now);

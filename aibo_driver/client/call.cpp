@@ -62,10 +62,18 @@ Call makeStickCall(const version2::Request& request, version2::StickPictureReque
   return call;
 }
 
-Call callToGoOff(const version2::Request& request) {
-  Call call = makeCall(request);
-  call.version1 = {static_cast<std::uint8_t>(request.letter), 0, 0, 0};
-  return call;
+/// Reads an answer with one decoder.
+/// @param take called with the decoded payload and the Answer, unless the payload is malformed
+template <typename Payload, typename Take>
+Call::ReadAnswer readAs(const Take& take) {
+  return [take](const unsigned char* bytes, std::size_t size, Answer* answer) {
+    Payload payload;
+    const char* const problem = version2::decode(bytes, size, &payload);
+    if (problem == nullptr) {
+      take(payload, answer);
+    }
+    return problem;
+  };
 }
 
 /// @param read decides which names are accepted
@@ -140,12 +148,8 @@ Call callForPicture(int quality, std::optional<Resolution> resolution) {
 Call callForMotors(bool on) {
   Call call = makeCall(on ? version2::SWITCH_MOTORS_ON : version2::SWITCH_MOTORS_OFF);
   call.payload = encoded(version2::MotorState{on});
-  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
-    version2::MotorState state;
-    const char* const problem = version2::decode(payload, size, &state);
-    answer->motors_on = state.on;
-    return problem;
-  };
+  call.read_answer = readAs<version2::MotorState>(
+      [](const version2::MotorState& state, Answer* answer) { answer->motors_on = state.on; });
   return call;
 }
 
@@ -168,12 +172,9 @@ Call callToPlay(const std::string& name, int repetitions, int bits) {
       makeNamedCall(version2::PLAY_MOTION, version2::MotionOrder{static_cast<unsigned short>(repetitions), ""}, name);
   call.id = bits;
   call.version1 = fileRequest(version2::REQUEST_PLAY, name, repetitions);
-  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
-    version2::MotionChanges changes;
-    const char* const problem = version2::decode(payload, size, &changes);
-    answer->changes.assign(changes.text, problem == nullptr ? changes.text_size : 0);
-    return problem;
-  };
+  call.read_answer = readAs<version2::MotionChanges>([](const version2::MotionChanges& changes, Answer* answer) {
+    answer->changes.assign(changes.text, changes.text_size);
+  });
   return call;
 }
 
@@ -206,12 +207,8 @@ Call callForMotions() {
 Call callToSavePicture(int quality) {
   Call call = makeCall(version2::SAVE_PICTURE);
   call.id = quality;
-  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
-    version2::StickPicture picture;
-    const char* const problem = version2::decode(payload, size, &picture);
-    answer->names.emplace_back(picture.name);
-    return problem;
-  };
+  call.read_answer = readAs<version2::StickPicture>(
+      [](const version2::StickPicture& picture, Answer* answer) { answer->names.emplace_back(picture.name); });
   return call;
 }
 
@@ -223,12 +220,9 @@ Call callForStickPictures() {
 
 Call callToFetchPicture(const std::string& name) {
   Call call = makeStickCall(version2::FETCH_STICK_PICTURE, version2::FETCH_PICTURE, name);
-  call.read_answer = [](const unsigned char* payload, std::size_t size, Answer* answer) {
-    version2::FetchedPicture picture;
-    const char* const problem = version2::decode(payload, size, &picture);
-    answer->file.assign(picture.content, picture.content + (problem == nullptr ? picture.size : 0));
-    return problem;
-  };
+  call.read_answer = readAs<version2::FetchedPicture>([](const version2::FetchedPicture& picture, Answer* answer) {
+    answer->file.assign(picture.content, picture.content + picture.size);
+  });
   return call;
 }
 
@@ -245,12 +239,10 @@ Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& s
   call.id = version2::SOUND_SPEAKER;
   call.payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
   call.sound_part = part;
-  call.read_answer = [sound = part.sound](const unsigned char* payload, std::size_t size, Answer* answer) {
-    version2::SpeakerRoom room;
-    const char* const problem = version2::decode(payload, size, &room);
-    answer->sound = {sound, std::min(room.samples, version2::SPEAKER_CAPACITY)};
-    return problem;
-  };
+  call.read_answer =
+      readAs<version2::SpeakerRoom>([sound = part.sound](const version2::SpeakerRoom& room, Answer* answer) {
+        answer->sound = {sound, std::min(room.samples, version2::SPEAKER_CAPACITY)};
+      });
   return call;
 }
 
@@ -268,12 +260,10 @@ Call callForVolume(int volume) {
   return call;
 }
 
-Call callToShutDown() {
-  return callToGoOff(version2::SHUT_DOWN);
-}
-
-Call callToReboot() {
-  return callToGoOff(version2::REBOOT);
+Call callToGoOff(const version2::Request& request) {
+  Call call = makeCall(request);
+  call.version1 = {static_cast<std::uint8_t>(request.letter), 0, 0, 0};
+  return call;
 }
 
 template <typename Condition>

@@ -131,8 +131,8 @@ Call callToDeletePicture(const std::string& name);
 /// @param samples the samples to play; an empty list stops the sound
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
 Call callForVolume(int volume);
-Call callToShutDown();
-Call callToReboot();
+/// @param request SHUT_DOWN or REBOOT
+Call callToGoOff(const protocol::version2::Request& request);
 /// @}
 
 /// The calls of one connection, in the order in which they were made.

@@ -12,6 +12,20 @@ namespace {
 // An answer may have to wait behind a picture, so it gets at least this much time, even if pictures get less.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
+std::string effectOfMissing(Connection::Missing what) {
+  switch (what) {
+    case Connection::Missing::kStreamFormat:
+      return "for resolution and rate of the stream: it sends every image of its camera, at 208x160";
+    case Connection::Missing::kCameraSettings:
+      return "to set the camera: its settings stay as they are";
+    case Connection::Missing::kColors:
+      return "to detect colours: nothing is detected";
+    case Connection::Missing::kMicrophone:
+      break;
+  }
+  return "for its microphones: nothing is heard";
+}
+
 }  // namespace
 
 void RefusalLog::refused(char letter, const std::string& problem) {
@@ -78,30 +92,12 @@ void Connection::refuse(const Call& call, const std::string& why, TimePoint now)
   answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
 }
 
-std::string Connection::lackOfRequest() const {
-  return robot.server.empty() ? "speaks version 1 of the protocol, which has no request"
-                              : "(" + robot.server + ") has no request";
-}
-
-void Connection::warnOfMissingColors(bool wanted) {
-  if (!std::exchange(warned_of_colors_, wanted) && wanted) {
-    context.warn(lackOfRequest() + " to detect colours: nothing is detected");
-  }
-}
-
-void Connection::warnOfMissingMicrophone(bool wanted) {
-  if (!std::exchange(warned_of_microphone_, wanted) && wanted) {
-    context.warn(lackOfRequest() + " for its microphones: nothing is heard");
-  }
-}
-
-void Connection::warnOfMissingSettings(bool format, bool camera) {
-  if (!std::exchange(warned_of_format_, format) && format) {
-    context.warn(lackOfRequest() +
-                 " for resolution and rate of the stream: it sends every image of its camera, at 208x160");
-  }
-  if (!std::exchange(warned_of_camera_, camera) && camera) {
-    context.warn(lackOfRequest() + " to set the camera: its settings stay as they are");
+void Connection::warnOfMissing(Missing what, bool wanted) {
+  if (!wanted) {
+    missing_.erase(what);
+  } else if (missing_.insert(what).second) {
+    context.warn((robot.server.empty() ? "speaks version 1 of the protocol, which" : "(" + robot.server + ")") +
+                 " has no request " + effectOfMissing(what));
   }
 }
 

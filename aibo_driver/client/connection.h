@@ -7,6 +7,7 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 
 #include "aibo_client/motors_and_posture.h"
@@ -14,7 +15,6 @@
 #include "client/call.h"
 #include "client/color_intake.h"
 #include "client/command_outbox.h"
-#include "client/counters.h"
 #include "client/notifier.h"
 #include "client/picture_intake.h"
 #include "client/sound_intake.h"
@@ -92,15 +92,11 @@ struct Connection {
   /// When a picture that is due now will be overdue.
   TimePoint pictureDeadline() const;
 
-  /// Logs that this server cannot do what is wanted, each time that this changes.
-  /// @param format true if the user wants another resolution or rate than every image at 208x160
-  /// @param camera true if the user wants other camera settings than those at the start
-  void warnOfMissingSettings(bool format, bool camera);
-  /// Does the same for the detection of colours.
-  void warnOfMissingColors(bool wanted);
+  /// What older servers have no request for.
+  enum class Missing { kStreamFormat, kCameraSettings, kColors, kMicrophone };
 
-  /// Does the same for the microphones.
-  void warnOfMissingMicrophone(bool wanted);
+  /// Logs that this server has no request for something, each time that it becomes wanted.
+  void warnOfMissing(Missing what, bool wanted);
 
   /// Logs once that the pictures come by TCP although UDP is wanted.
   /// @param why the reason in words that follow a colon
@@ -127,12 +123,7 @@ struct Connection {
   bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:
-  std::string lackOfRequest() const;
-
-  bool warned_of_format_ = false;
-  bool warned_of_camera_ = false;
-  bool warned_of_colors_ = false;
-  bool warned_of_microphone_ = false;
+  std::set<Missing> missing_;  // what is wanted
 };
 
 }  // namespace aibo_client

@@ -53,7 +53,7 @@ class ConnectionLoop {
   void waitForConnection(std::chrono::milliseconds timeout) const;
   void stop() noexcept;
 
-  ClientStatistics statistics() const { return counters_.snapshot(); }
+  ClientStatistics statistics() const { return counters_; }
 
   /// Calls `read` with the shared state.
   /// @return what `read` returns
@@ -117,7 +117,7 @@ class ConnectionLoop {
   const std::string address_;  // "host:port"
   const Notifier notifier_;
   const std::unique_ptr<TcpTransport> transport_;
-  Counters counters_;
+  ClientStatistics counters_;
 
   std::mutex lifecycle_mutex_;  // makes start() and stop() wait for each other
   std::thread thread_;          // guarded by lifecycle_mutex_

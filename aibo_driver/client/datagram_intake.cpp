@@ -115,7 +115,7 @@ void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
 }
 
 void DatagramIntake::count(SequenceWindow::Verdict verdict) {
-  Counters& counters = context_.counters;
+  ClientStatistics& counters = context_.counters;
   ++counters.datagrams;
   counters.reordered_datagrams += verdict == SequenceWindow::Verdict::kReordered ? 1 : 0;
   counters.duplicate_datagrams += verdict == SequenceWindow::Verdict::kDuplicate ? 1 : 0;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "aibo_client/picture.h"
-#include "client/counters.h"
+#include "aibo_client/status.h"
 #include "client/notifier.h"
 #include "client/stall_detector.h"
 
@@ -20,7 +20,7 @@ struct ConnectionContext {
   std::string address;                     ///< the server's address, for messages
   std::chrono::milliseconds read_timeout;  ///< a server that owes a picture may be silent for this long
   const Notifier& notifier;
-  Counters& counters;
+  ClientStatistics& counters;
   std::uint64_t number = 0;  ///< the number of the connection; the client's first one is 1
 
   /// Logs what the server did, for example "ADDRESS sent something strange.".

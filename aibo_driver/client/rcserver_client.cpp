@@ -103,6 +103,19 @@ void requireRequest(const std::string& address, const ConnectionStatus& status, 
   }
 }
 
+/// Does the same as askWith() if the server knows the request.
+/// @param purpose see requireRequest()
+/// @throw the exceptions of requireRequest()
+template <typename MakeCall>
+Answer askFor(ConnectionLoop* loop, char letter, const char* purpose, const MakeCall& make, milliseconds timeout,
+              const std::string& caller) {
+  const auto make_if_known = [&](Shared& shared) {
+    requireRequest(loop->address(), shared.status, letter, purpose);
+    return make(shared);
+  };
+  return askWith(loop, make_if_known, timeout, caller);
+}
+
 /// Finds the place of these samples in their sound, and updates the place of the next samples in `shared`.
 SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* shared) {
   SoundPart& next = shared->sound;
@@ -253,11 +266,8 @@ bool RcServerClient::setMotors(bool on, milliseconds timeout) {
 
 void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
   checkJointsToHold(joints);
-  loop_->read([this](const Shared& shared) {
-    loop_->requireConnection(shared);
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_HOLD, kToHold);
-  });
-  ask(loop_.get(), callToHold(joints), timeout, "hold()");
+  const auto make_call = [&](const Shared&) { return callToHold(joints); };
+  askFor(loop_.get(), version2::REQUEST_HOLD, kToHold, make_call, timeout, "hold()");
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -270,11 +280,8 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
 }
 
 void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  loop_->read([this](const Shared& shared) {
-    loop_->requireConnection(shared);
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_POSTURE, kToTakePostures);
-  });
-  ask(loop_.get(), withTerms(callForPosture(toProtocol(posture)), terms), timeout, "takePosture()");
+  const auto make_call = [&](const Shared&) { return withTerms(callForPosture(toProtocol(posture)), terms); };
+  askFor(loop_.get(), version2::REQUEST_POSTURE, kToTakePostures, make_call, timeout, "takePosture()");
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
@@ -337,41 +344,36 @@ void RcServerClient::deletePicture(const std::string& name, milliseconds timeout
 }
 
 void RcServerClient::shutDownRobot(milliseconds timeout) {
-  ask(loop_.get(), callToShutDown(), timeout, "shutDownRobot()");
+  ask(loop_.get(), callToGoOff(version2::SHUT_DOWN), timeout, "shutDownRobot()");
 }
 
 void RcServerClient::rebootRobot(milliseconds timeout) {
-  ask(loop_.get(), callToReboot(), timeout, "rebootRobot()");
+  ask(loop_.get(), callToGoOff(version2::REBOOT), timeout, "rebootRobot()");
 }
 
 SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                                           milliseconds timeout) {
   checkRange("samples", static_cast<long long>(samples.size()), 1, kMostSamplesAtOnce);
   const auto make_call = [&](Shared& shared) {
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
     return callToPlaySamples(placeOf(samples.size(), sound, is_last, &shared), samples);
   };
-  return askWith(loop_.get(), make_call, timeout, "playSamples()").sound;
+  return askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "playSamples()").sound;
 }
 
 void RcServerClient::stopSound(milliseconds timeout) {
-  const auto make_call = [this](Shared& shared) {
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
+  const auto make_call = [](Shared& shared) {
     shared.sound = SoundPart();
     return callToPlaySamples({0, 0, 0, true}, {});
   };
-  askWith(loop_.get(), make_call, timeout, "stopSound()");
+  askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "stopSound()");
 }
 
 int RcServerClient::setVolume(int volume, milliseconds timeout) {
   if (volume != kVolumeOfRobot) {
     checkRange("volume", volume, 0, kLoudestVolume);
   }
-  const auto make_call = [&](const Shared& shared) {
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_SOUND, kToPlaySounds);
-    return callForVolume(volume);
-  };
-  return askWith(loop_.get(), make_call, timeout, "setVolume()").volume;
+  const auto make_call = [volume](const Shared&) { return callForVolume(volume); };
+  return askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "setVolume()").volume;
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {

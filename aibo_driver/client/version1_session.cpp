@@ -128,9 +128,10 @@ void Version1Session::add(Call call) {
 // picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
-  connection_.warnOfMissingSettings(wish.format != StreamFormat(), wish.camera != CameraSettings());
-  connection_.warnOfMissingColors(wish.colors.on);
-  connection_.warnOfMissingMicrophone(wish.microphone.on);
+  connection_.warnOfMissing(Connection::Missing::kStreamFormat, wish.format != StreamFormat());
+  connection_.warnOfMissing(Connection::Missing::kCameraSettings, wish.camera != CameraSettings());
+  connection_.warnOfMissing(Connection::Missing::kColors, wish.colors.on);
+  connection_.warnOfMissing(Connection::Missing::kMicrophone, wish.microphone.on);
   connection_.dropTooOld(now);
   if (isAnswerOwed()) {
     return {};

@@ -268,7 +268,7 @@ StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
 // Settings are sent one by one, and before the stream starts, so that its first picture has them.
 Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
   if (!serves(version2::REQUEST_CAMERA)) {
-    connection_.warnOfMissingSettings(false, wish.camera != CameraSettings());
+    connection_.warnOfMissing(Connection::Missing::kCameraSettings, wish.camera != CameraSettings());
     return {};
   }
   const auto wanted = valuesOf(wish.camera);
@@ -325,7 +325,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 // Tables go first, so that the first push has all of them.
 Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
   if (!serves(version2::REQUEST_COLORS)) {
-    connection_.warnOfMissingColors(wish.colors.on);
+    connection_.warnOfMissing(Connection::Missing::kColors, wish.colors.on);
     return {};
   }
   if (wish.colors.on && wish.color_tables != color_tables_) {
@@ -347,7 +347,7 @@ Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
 Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint now) {
   const MicrophoneSettings& wanted = wish.microphone;
   if (!serves(version2::REQUEST_SOUND)) {
-    connection_.warnOfMissingMicrophone(wanted.on);
+    connection_.warnOfMissing(Connection::Missing::kMicrophone, wanted.on);
     return {};
   }
   const MicrophoneSettings& asked = connection_.sound.asked();

@@ -164,9 +164,9 @@ class Client {
       case 4:
         return callForMotions();
       case 5:
-        return callToShutDown();
+        return callToGoOff(protocol::version2::SHUT_DOWN);
       case 6:
-        return callToReboot();
+        return callToGoOff(protocol::version2::REBOOT);
       case 7:
         return callToHold(is_first ? std::vector<int>() : std::vector<int>{2, 52});
       case 8:
@@ -256,7 +256,7 @@ class Client {
   std::uint64_t sounds_ = 1;  ///< the newest one
   std::uint64_t ended_sound_ = 0;
   Notifier notifier_{callbacks()};
-  Counters counters_;
+  ClientStatistics counters_;
   ServerHabits habits_;
   Wish wish_{false, 85, 0};
   ColorTablePtr table_ = std::make_shared<ColorTable>();

@@ -108,7 +108,7 @@ class Receiver {
 
   FuzzInput& input_;
   const Notifier notifier_{Callbacks()};
-  Counters counters_;
+  ClientStatistics counters_;
   const ConnectionContext context_{"robot:54321", std::chrono::milliseconds(500), notifier_, counters_};
   DatagramIntake intake_{context_};
   DatagramIntake::TimePoint now_ = DatagramIntake::TimePoint() + std::chrono::hours(1);

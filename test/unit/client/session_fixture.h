@@ -79,9 +79,9 @@ class SessionFixture : public testing::Test {
       case 'N':
         return aibo_client::callForMotions();
       case 'Q':
-        return aibo_client::callToShutDown();
+        return aibo_client::callToGoOff(protocol::version2::SHUT_DOWN);
       default:
-        return aibo_client::callToReboot();
+        return aibo_client::callToGoOff(protocol::version2::REBOOT);
     }
   }
 
@@ -149,7 +149,7 @@ class SessionFixture : public testing::Test {
   std::vector<std::string> log_;
   std::uint64_t last_order_ = 0;
   aibo_client::Notifier notifier_;
-  aibo_client::Counters counters_;
+  aibo_client::ClientStatistics counters_;
   aibo_client::Wish wish_{false, 85, 0};
   TimePoint now_ = TimePoint() + milliseconds(100000);
   aibo_client::Connection connection_{context(), now_};

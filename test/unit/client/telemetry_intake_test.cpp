@@ -68,7 +68,7 @@ class TelemetryIntakeTest : public ::testing::Test {
   std::vector<Telemetry> delivered_;
   std::vector<std::string> log_;
   Notifier notifier_{callbacks()};
-  Counters counters_;
+  ClientStatistics counters_;
   ConnectionContext context_{"robot:54321", milliseconds(500), notifier_, counters_, 3};
   TelemetryIntake intake_{context_};
   std::uint32_t frame_ = 1000;

@@ -92,7 +92,7 @@ TEST_F(Version2SessionTest, TheHelloIntroducesTheRobot) {
 
 TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   const Notifier notifier{Callbacks()};
-  Counters counters;
+  ClientStatistics counters;
   const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
   Connection connection({"robot:54321", milliseconds(500), notifier, counters}, now);
   Version2Session session(connection, now);

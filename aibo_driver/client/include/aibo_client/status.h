@@ -2,6 +2,7 @@
 #ifndef AIBO_CLIENT_STATUS_H
 #define AIBO_CLIENT_STATUS_H
 
+#include <atomic>
 #include <cstdint>
 #include <string>
 
@@ -35,37 +36,58 @@ struct ConnectionStatus {
   std::string transport_problem;  ///< why they come by TCP although UDP is wanted; empty if all is well
 };
 
-/// Counters since start(). They never decrease.
+/// A number that one thread counts while other threads read it. A copy has the value of that moment.
+class Counter {
+ public:
+  Counter(std::uint64_t value = 0) : value_(value) {}
+  Counter(const Counter& other) : value_(other.value_.load()) {}
+  Counter& operator=(const Counter& other) {
+    value_ = other.value_.load();
+    return *this;
+  }
+  operator std::uint64_t() const { return value_; }
+
+  Counter& operator+=(std::uint64_t more) {
+    value_ += more;
+    return *this;
+  }
+  Counter& operator++() { return *this += 1; }
+
+ private:
+  std::atomic<std::uint64_t> value_;
+};
+
+/// ClientStatistics since start(). They never decrease.
 struct ClientStatistics {
-  std::uint64_t connections = 0;       ///< connections that were established
-  std::uint64_t failed_attempts = 0;   ///< attempts to connect that failed
-  std::uint64_t stalls = 0;            ///< connections given up because a picture or an answer was due and did not come
-  std::uint64_t protocol_errors = 0;   ///< connections given up because the peer broke the protocol
-  std::uint64_t pictures = 0;          ///< good pictures delivered
-  std::uint64_t corrupt_pictures = 0;  ///< pictures dropped: not a whole baseline JPEG of a size the camera has
-  std::uint64_t unexpected_pictures = 0;  ///< good pictures dropped: the stream is off (it was just stopped)
-  std::uint64_t stale_pictures = 0;       ///< good pictures dropped: this process was held up, and they waited unread
-  std::uint64_t bytes_received = 0;       ///< bytes read from the socket
-  std::uint64_t telemetry = 0;            ///< telemetry delivered
-  std::uint64_t dropped_telemetry = 0;  ///< telemetry dropped: this process was held up, and more than 64 waited unread
-  std::uint64_t thinned_telemetry = 0;  ///< telemetry dropped: it came more than twice as often as requested
-  std::uint64_t thinned_colors = 0;     ///< detected colours dropped: they came more than twice as often as requested
-  std::uint64_t sounds = 0;             ///< pieces of heard sound that were delivered
-  std::uint64_t sound_gaps = 0;         ///< how often sound was missing between two pieces
-  std::uint64_t thinned_sounds = 0;     ///< pieces dropped: more than twice as much came as requested
-  std::uint64_t impossible_values = 0;  ///< values dropped from telemetry or detected colours: no robot can have them
-  std::uint64_t refusals = 0;           ///< requests that the robot refused
+  Counter connections;          ///< connections that were established
+  Counter failed_attempts;      ///< attempts to connect that failed
+  Counter stalls;               ///< connections given up because a picture or an answer was due and did not come
+  Counter protocol_errors;      ///< connections given up because the peer broke the protocol
+  Counter pictures;             ///< good pictures delivered
+  Counter corrupt_pictures;     ///< pictures dropped: not a whole baseline JPEG of a size the camera has
+  Counter unexpected_pictures;  ///< good pictures dropped: the stream is off (it was just stopped)
+  Counter stale_pictures;       ///< good pictures dropped: this process was held up, and they waited unread
+  Counter bytes_received;       ///< bytes read from the socket
+  Counter telemetry;            ///< telemetry delivered
+  Counter dropped_telemetry;    ///< telemetry dropped: this process was held up, and more than 64 waited unread
+  Counter thinned_telemetry;    ///< telemetry dropped: it came more than twice as often as requested
+  Counter thinned_colors;       ///< detected colours dropped: they came more than twice as often as requested
+  Counter sounds;               ///< pieces of heard sound that were delivered
+  Counter sound_gaps;           ///< how often sound was missing between two pieces
+  Counter thinned_sounds;       ///< pieces dropped: more than twice as much came as requested
+  Counter impossible_values;    ///< values dropped from telemetry or detected colours: no robot can have them
+  Counter refusals;             ///< requests that the robot refused
 
   /// @name Pictures by UDP
   /// @{
-  std::uint64_t datagrams = 0;            ///< datagrams received from the robot
-  std::uint64_t lost_datagrams = 0;       ///< datagrams that had not come when 64 later ones had been sent
-  std::uint64_t reordered_datagrams = 0;  ///< datagrams that came behind later ones
-  std::uint64_t duplicate_datagrams = 0;  ///< datagrams that came a second time
-  std::uint64_t bad_datagrams = 0;        ///< datagrams dropped: from the robot's address, but no part of a picture
-  std::uint64_t foreign_datagrams = 0;    ///< datagrams dropped: they came from another address
-  std::uint64_t repaired_datagrams = 0;   ///< datagrams that were lost or late and were made from others
-  std::uint64_t lost_pictures = 0;        ///< pictures of which a datagram was lost or came too late
+  Counter datagrams;            ///< datagrams received from the robot
+  Counter lost_datagrams;       ///< datagrams that had not come when 64 later ones had been sent
+  Counter reordered_datagrams;  ///< datagrams that came behind later ones
+  Counter duplicate_datagrams;  ///< datagrams that came a second time
+  Counter bad_datagrams;        ///< datagrams dropped: from the robot's address, but no part of a picture
+  Counter foreign_datagrams;    ///< datagrams dropped: they came from another address
+  Counter repaired_datagrams;   ///< datagrams that were lost or late and were made from others
+  Counter lost_pictures;        ///< pictures of which a datagram was lost or came too late
   /// @}
 };
 
