@@ -55,6 +55,11 @@ std::string checkedName(const std::string& name, protocol::version2::ReadFileNam
   return checked;
 }
 
+void checkSpeedLimit(int joint, double speed) {
+  require(speed > 0 && speed <= kGreatestSpeed, joint,
+          "its speed limit is " + std::to_string(speed) + " rad/s, but has to be above 0 and at most 100");
+}
+
 }  // namespace
 
 void checkRange(const std::string& name, long long value, long long lowest, long long highest, const char* unit) {
@@ -82,6 +87,9 @@ void checkJointTargets(const std::vector<JointTarget>& targets, std::chrono::mil
   checkIds(targets, 1, protocol::version2::MAX_JOINTS, "joint");
   checkRange("duration", duration.count(), 0, 65535, " ms");
   for (const JointTarget& target : targets) {
+    if (target.speed != 0) {
+      checkSpeedLimit(target.id, target.speed);
+    }
     require(std::abs(target.position) <= kFullTurn, target.id,
             "its position is " + std::to_string(target.position) + " rad, but has to be -2 pi..2 pi");
   }
@@ -94,8 +102,7 @@ void checkJointsToHold(const std::vector<int>& joints) {
 void checkJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   checkIds(limits, 1, protocol::version2::MAX_JOINTS, "joint");
   for (const JointSpeedLimit& limit : limits) {
-    require(limit.speed > 0 && limit.speed <= kGreatestSpeed, limit.id,
-            "its speed limit is " + std::to_string(limit.speed) + " rad/s, but has to be above 0 and at most 100");
+    checkSpeedLimit(limit.id, limit.speed);
   }
 }
 

@@ -62,6 +62,11 @@ class LatestById {
     }
   }
 
+  template <typename Condition>
+  void removeIf(const Condition& condition) {
+    items_.erase(std::remove_if(items_.begin(), items_.end(), condition), items_.end());
+  }
+
   /// Removes and returns the oldest items, at most `most` of them.
   std::vector<Item> take(std::size_t most) {
     const auto end = items_.begin() + static_cast<std::ptrdiff_t>(std::min(most, items_.size()));

@@ -49,6 +49,14 @@ void Connection::dropTooOld(TimePoint now) {
   reportDropped();
 }
 
+void Connection::take(CommandOutbox newer) {
+  newer.speed_limits.removeIf([this](const JointSpeedLimit& limit) {
+    return std::exchange(speed_limits_[limit.id], limit.speed) == limit.speed;
+  });
+  commands.append(std::move(newer));
+  reportDropped();
+}
+
 void Connection::reportDropped() {
   for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
     if (!context.notifier.refused(refusal)) {

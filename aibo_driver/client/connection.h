@@ -67,6 +67,9 @@ struct Connection {
   /// When the next order becomes too old.
   TimePoint nextTooOld() const { return std::min(commands.nextTooOld(), calls.nextTooOld()); }
 
+  /// Takes over newer commands. Limits of joints' speeds that were sent over this connection, or will be, are left out.
+  void take(CommandOutbox newer);
+
   /// Reports the orders that were dropped.
   void reportDropped();
 
@@ -123,7 +126,8 @@ struct Connection {
   bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:
-  std::set<Missing> missing_;  // what is wanted
+  std::map<int, double> speed_limits_;  // rad/s, by the joint's id
+  std::set<Missing> missing_;           // what is wanted
 };
 
 }  // namespace aibo_client

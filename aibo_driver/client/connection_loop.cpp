@@ -211,8 +211,7 @@ void ConnectionLoop::takeNews(TimePoint now) {
     call.since = now;
     session_->add(std::move(call));
   }
-  connection_->commands.append(std::move(commands));
-  connection_->reportDropped();
+  connection_->take(std::move(commands));
 }
 
 /// The port for pictures by UDP. It is 0 if they should come by TCP.

@@ -73,16 +73,19 @@ Call withTerms(Call call, const OrderTerms& terms) {
 }
 
 /// Hands a command to the client's thread.
+/// @param letters the requests that it needs
 /// @param parts the name of the commanded parts of the body, for messages
 /// @param add called with the outbox
 template <typename Add>
-void command(ConnectionLoop* loop, char letter, const std::string& parts, const Add& add) {
+void command(ConnectionLoop* loop, const std::vector<char>& letters, const std::string& parts, const Add& add) {
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
     const ConnectionStatus& status = shared.status;
-    if (status.protocol_version > 1 && !status.robot.hasCapability(std::string(1, letter))) {
-      throw CommandException(loop->address() + " (" + status.robot.server + ") does not take the request '" + letter +
-                             "': it has no " + parts + " to command");
+    for (const char letter : letters) {
+      if (status.protocol_version > 1 && !status.robot.hasCapability(std::string(1, letter))) {
+        throw CommandException(loop->address() + " (" + status.robot.server + ") does not take the request '" + letter +
+                               "': it has no " + parts + " to command");
+      }
     }
     add(shared.commands);
   });
@@ -249,14 +252,25 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* s
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
                                    const OrderTerms& terms) {
   checkJointTargets(targets, duration);
-  command(loop_.get(), version2::REQUEST_JOINTS, "joints", [&](CommandOutbox& outbox) {
+  std::vector<JointSpeedLimit> limits;
+  for (const JointTarget& target : targets) {
+    if (target.speed > 0) {
+      limits.push_back({target.id, target.speed});
+    }
+  }
+  std::vector<char> letters = {version2::REQUEST_JOINTS};
+  if (!limits.empty()) {
+    letters.push_back(version2::REQUEST_SPEED_LIMITS);
+  }
+  command(loop_.get(), letters, "joints", [&](CommandOutbox& outbox) {
+    outbox.speed_limits.add(limits);
     outbox.command({duration, targets, terms});
   });
 }
 
 void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   checkJointSpeedLimits(limits);
-  command(loop_.get(), version2::REQUEST_SPEED_LIMITS, "joints",
+  command(loop_.get(), {version2::REQUEST_SPEED_LIMITS}, "joints",
           [&](CommandOutbox& outbox) { outbox.speed_limits.add(limits); });
 }
 
@@ -286,11 +300,11 @@ void RcServerClient::takePosture(Posture posture, milliseconds timeout, const Or
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
   checkLedCommands(leds);
-  command(loop_.get(), version2::REQUEST_LEDS, "LEDs", [&](CommandOutbox& outbox) { outbox.leds.add(leds); });
+  command(loop_.get(), {version2::REQUEST_LEDS}, "LEDs", [&](CommandOutbox& outbox) { outbox.leds.add(leds); });
 }
 
 void RcServerClient::commandEars(bool left, bool right) {
-  command(loop_.get(), version2::REQUEST_EARS, "ears", [&](CommandOutbox& outbox) {
+  command(loop_.get(), {version2::REQUEST_EARS}, "ears", [&](CommandOutbox& outbox) {
     outbox.ears.add({{EarCommand::kLeft, left}, {EarCommand::kRight, right}});
   });
 }
@@ -387,6 +401,10 @@ MotorsAndPosture RcServerClient::motorsAndPosture() const {
 
 ConnectionStatus RcServerClient::status() const {
   return loop_->read([](const Shared& shared) { return shared.status; });
+}
+
+std::string RcServerClient::robotDesign() const {
+  return loop_->read([](const Shared& shared) { return shared.status.robot.design; });
 }
 
 ClientStatistics RcServerClient::statistics() const {

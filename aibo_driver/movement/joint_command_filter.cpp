@@ -41,7 +41,7 @@ JointCommandFilter::JointCommandFilter(const JointTable& table, const MeasuredJo
 std::vector<std::string> JointCommandFilter::filter(const std::vector<std::string>& names,
                                                     const std::vector<double>& positions,
                                                     const std::vector<double>& velocities, SteadyTime now,
-                                                    JointOrders* orders) {
+                                                    JointTargets* targets) {
   const std::string mismatch = describeMismatch(names.size(), positions.size(), velocities.size());
   if (!mismatch.empty()) {
     return {mismatch};
@@ -57,7 +57,7 @@ std::vector<std::string> JointCommandFilter::filter(const std::vector<std::strin
     } else if (!std::isfinite(velocity)) {
       refusals.push_back("The velocity commanded for " + names[i] + " is not a finite number.");
     } else {
-      (*orders)[table_[*index].id] = orderFor(*index, positions[i], velocity, now);
+      (*targets)[table_[*index].id] = targetFor(*index, positions[i], velocity, now);
     }
   }
   return refusals;
@@ -67,7 +67,8 @@ void JointCommandFilter::startApproach() {
   approaches_.assign(table_.size(), std::nullopt);
 }
 
-JointOrder JointCommandFilter::orderFor(std::size_t index, double position, double velocity, SteadyTime now) {
+aibo_client::JointTarget JointCommandFilter::targetFor(std::size_t index, double position, double velocity,
+                                                       SteadyTime now) {
   const JointProperties& joint = table_[index];
   const double target = std::clamp(position, joint.lowest, joint.highest);
   double speed = table_.speedLimit(index);
@@ -75,7 +76,7 @@ JointOrder JointCommandFilter::orderFor(std::size_t index, double position, doub
     speed = std::clamp(std::abs(velocity), kLowestSpeed, speed);
   }
   const double slow = std::min(speed, approach_speed_);
-  return {target, approaches(index, target, slow, now) ? slow : speed};
+  return {joint.id, target, approaches(index, target, slow, now) ? slow : speed};
 }
 
 bool JointCommandFilter::approaches(std::size_t index, double target, double speed, SteadyTime now) {

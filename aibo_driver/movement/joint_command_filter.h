@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "movement/joint_link.h"
 #include "movement/joint_table.h"
+#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 
 namespace aibo_driver::movement {
@@ -39,10 +39,10 @@ class JointCommandFilter {
   /// Filters one command. Its arrays are those of sensor_msgs/JointState.
   /// @param positions rad, one for each name
   /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
-  /// @param[in,out] orders gets an order for each joint that may move, in place of an earlier order to that joint
+  /// @param[in,out] targets gets a target with a speed for each joint that may move, in place of an earlier one
   /// @return what was left out and why, in one sentence for each joint, without numbers that vary
   std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
-                                  const std::vector<double>& velocities, SteadyTime now, JointOrders* orders);
+                                  const std::vector<double>& velocities, SteadyTime now, JointTargets* targets);
 
   /// From now on the robot may have any posture, for example after a new connection. All joints are approached again.
   void startApproach();
@@ -55,7 +55,7 @@ class JointCommandFilter {
     SteadyTime latest_end;
   };
 
-  JointOrder orderFor(std::size_t index, double position, double velocity, SteadyTime now);
+  aibo_client::JointTarget targetFor(std::size_t index, double position, double velocity, SteadyTime now);
   bool approaches(std::size_t index, double target, double speed, SteadyTime now);
   double distance(std::size_t index, double target) const;
   bool isNear(std::size_t index, double target) const;

@@ -85,25 +85,25 @@ std::vector<std::string> JointPlan::Job::names() const {
   return names;
 }
 
-void JointPlan::command(MovementId id, const JointOrders& orders, SteadyTime now) {
+void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime now) {
   for (std::optional<Command>& command : commands_) {
     if (command && !command->is_open && !isRecent(*command, now)) {
       command.reset();
     }
   }
-  for (const auto& [joint_id, order] : orders) {
+  for (const auto& [joint_id, target] : targets) {
     const std::optional<std::size_t> joint = table_.findById(joint_id);
     if (!joint) {
       continue;
     }
     const std::optional<Trajectory::Start> planned = stateOf(*joint, now, 0);
     const std::optional<MeasuredJoint> measured = measured_.find(*joint);
-    const double from = planned ? planned->position : measured ? measured->position : order.position;
+    const double from = planned ? planned->position : measured ? measured->position : target.position;
     endTrajectoriesThatMove(*joint);
     if (commands_[*joint] && commands_[*joint]->id != id) {
       replaceCommand(*joint, table_[*joint].name + " was commanded to go elsewhere");
     }
-    commands_[*joint] = Command{id, true, from, order.position, order.speed, now};
+    commands_[*joint] = Command{id, true, from, target.position, target.speed, now};
   }
 }
 
@@ -128,7 +128,7 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
   std::vector<JointStep> steps;
   for (std::size_t i = 0; i < jobs_.size(); ++i) {
     JointStep step = next(i, now);
-    if (!step.orders.empty()) {
+    if (!step.targets.empty()) {
       steps.push_back(std::move(step));
     }
   }
@@ -136,12 +136,13 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
   return steps;
 }
 
-JointOrders JointPlan::holdingOrders(SteadyTime now, std::optional<MovementId> only) const {
-  JointOrders orders;
+JointTargets JointPlan::holdingTargets(SteadyTime now, std::optional<MovementId> only) const {
+  JointTargets targets;
   for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
     const std::optional<Command>& command = commands_[joint];
     if (command && isRecent(*command, now)) {
-      orders[table_[joint].id] = {command->positionAt(seconds(now - command->begin)), command->speed};
+      const double position = command->positionAt(seconds(now - command->begin));
+      targets[table_[joint].id] = {table_[joint].id, position, command->speed};
     }
   }
   for (std::size_t i = 0; i < jobs_.size(); ++i) {
@@ -151,11 +152,11 @@ JointOrders JointPlan::holdingOrders(SteadyTime now, std::optional<MovementId> o
     }
     for (const std::string& joint : job.names()) {
       if (!isSentByNewer(i, joint)) {
-        orders[table_[*table_.findByName(joint)].id] = orderFor(joint, job.run->sent[*job.placeOf(joint)]);
+        targets[table_[*table_.findByName(joint)].id] = targetFor(joint, job.run->sent[*job.placeOf(joint)]);
       }
     }
   }
-  return orders;
+  return targets;
 }
 
 void JointPlan::end(MovementId id, EndedHow how, const std::string& reason) {
@@ -427,15 +428,16 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   step.duration = milliseconds(std::lround(1000 * ahead));
   for (const std::string& joint : job.names()) {
     if (!isSentByNewer(index, joint)) {
-      step.orders[table_[*table_.findByName(joint)].id] = orderFor(joint, run.sent[*job.placeOf(joint)]);
+      step.targets[table_[*table_.findByName(joint)].id] = targetFor(joint, run.sent[*job.placeOf(joint)]);
     }
   }
   return step;
 }
 
-JointOrder JointPlan::orderFor(const std::string& joint, double position) const {
+aibo_client::JointTarget JointPlan::targetFor(const std::string& joint, double position) const {
   const std::size_t index = *table_.findByName(joint);
-  return {std::clamp(position, table_[index].lowest, table_[index].highest), table_.speedLimit(index)};
+  return {table_[index].id, std::clamp(position, table_[index].lowest, table_[index].highest),
+          table_.speedLimit(index)};
 }
 
 void JointPlan::endThoseThatArrived(SteadyTime now) {

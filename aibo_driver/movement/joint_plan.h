@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "movement/joint_link.h"
 #include "movement/joint_table.h"
+#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
 #include "movement/trajectory.h"
@@ -36,10 +36,10 @@ struct Arrival {
   std::chrono::milliseconds grace{2000};        ///< how late the joints may be
 };
 
-/// Orders that go to the robot together.
+/// Targets that go to the robot together.
 struct JointStep {
   MovementId movement = 0;
-  JointOrders orders;
+  JointTargets targets;
   std::chrono::milliseconds duration{0};
 };
 
@@ -80,9 +80,9 @@ class JointPlan {
   JointPlan(const JointTable& table, const MeasuredJoints& measured, bool slow_down)
       : table_(table), measured_(measured), slow_down_(slow_down), commands_(table.size()) {}
 
-  /// Notes orders that are being sent now.
+  /// Notes targets that are being sent now.
   /// @param id the movement; if it goes on already, its joints get new targets
-  void command(MovementId id, const JointOrders& orders, SteadyTime now);
+  void command(MovementId id, const JointTargets& targets, SteadyTime now);
 
   /// Plans a trajectory.
   /// @param start when it begins; if this time has passed, the points that have passed are left out
@@ -93,14 +93,14 @@ class JointPlan {
              std::chrono::milliseconds oldest);
 
   /// Advances everything to the present time. Call this every kPeriod, and after add().
-  /// @return the orders that have to be sent now
+  /// @return what has to be sent now
   std::vector<JointStep> advance(SteadyTime now);
 
-  /// Orders that make each joint that may be moving stay where it is, without turning back. They are for a robot that
+  /// Targets that make each joint that may be moving stay where it is, without turning back. They are for a robot that
   /// cannot be told to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays where
   /// it was last sent.
   /// @param only the joints of this trajectory; empty means all joints
-  JointOrders holdingOrders(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
+  JointTargets holdingTargets(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
 
   /// Ends a movement, if it has not ended yet.
   /// @param reason in words that follow a colon
@@ -194,7 +194,7 @@ class JointPlan {
   void takeJoints(const Job& newer, Job* older);
   bool isSentByNewer(std::size_t index, const std::string& joint) const;
   JointStep next(std::size_t index, SteadyTime now);
-  JointOrder orderFor(const std::string& joint, double position) const;
+  aibo_client::JointTarget targetFor(const std::string& joint, double position) const;
   void endThoseThatArrived(SteadyTime now);
   std::optional<End> judge(MovementId id, const std::vector<Aim>& aims, std::chrono::milliseconds grace,
                            SteadyTime now) const;

@@ -62,10 +62,10 @@ bool areSame(const EndedMovement& a, const EndedMovement& b) {
          a.movement.joints == b.movement.joints && a.reason == b.reason;
 }
 
-std::vector<std::string> namesOf(const JointOrders& orders, const JointTable& table) {
+std::vector<std::string> namesOf(const JointTargets& targets, const JointTable& table) {
   std::vector<std::string> names;
   for (const JointProperties& joint : table.joints()) {
-    if (orders.count(joint.id) > 0) {
+    if (targets.count(joint.id) > 0) {
       names.push_back(joint.name);
     }
   }
@@ -98,7 +98,6 @@ Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_clien
       client_(client),
       telemetry_wanted_(std::move(telemetry_wanted)),
       clock_(std::move(clock)),
-      link_(client, table.design()),
       filter_(table, measured, approach_speed),
       plan_(table, measured, slow_down) {}
 
@@ -150,16 +149,16 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
-    JointOrders orders;
-    const std::string left_out = listOf(filter_.filter(names, positions, velocities, now, &orders), " ");
-    if (orders.empty()) {
+    JointTargets targets;
+    const std::string left_out = listOf(filter_.filter(names, positions, velocities, now, &targets), " ");
+    if (targets.empty()) {
       return refuse(std::move(movement), reasonOf(left_out));
     }
-    movement.joints = namesOf(orders, table_);
+    movement.joints = namesOf(targets, table_);
     Record* const same = findCommand(movement);
     const MovementId id = same != nullptr ? same->id : last_id_ + 1;
     try {
-      link_.send(orders, milliseconds(0), termsOf(order, id));
+      send(targets, milliseconds(0), termsOf(order, id));
     } catch (const Exception& error) {
       filter_.startApproach();
       return refuse(std::move(movement), reasonOf(error));
@@ -168,7 +167,7 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
       news_.warnings.push_back(left_out);
     }
     overruleWalk(movement);
-    plan_.command(id, orders, now);
+    plan_.command(id, targets, now);
     takeEndsOfPlan();
     return same != nullptr ? Begun{id, same->end, false, ""} : begin(std::move(movement));
   });
@@ -191,7 +190,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     double stretch = 1;
     try {
       checkTelemetry();
-      link_.requireDesign();
+      requireDesign(client_, table_.design());
       const milliseconds oldest = client_.status().protocol_version == 1 ? kFreshVersion1 : kFresh;
       stretch = plan_.add(last_id_ + 1, request, arrival, now + wait, now, oldest);
     } catch (const Exception& error) {
@@ -225,11 +224,11 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     takeEndsOfPlan();
     try {
       // Otherwise the robot would keep lower limits of earlier commands.
-      link_.limitSpeeds(table_.motionSpeedLimits());
+      limitSpeeds(table_.motionSpeedLimits());
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
-    motions_connection_ = link_.connection();
+    motions_connection_ = connections();
     // The movement begins now, because its end may be reported before the robot's answer.
     return begin(std::move(movement));
   });
@@ -496,8 +495,8 @@ void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId>
     return;
   } catch (const CommandException&) {
     const Lock lock(mutex_);
-    link_.send(plan_.holdingOrders(clock_(), only), milliseconds(0));
-    motions_too = motions_too && motions_connection_ == link_.connection();
+    send(plan_.holdingTargets(clock_(), only), milliseconds(0), {});
+    motions_too = motions_too && motions_connection_ == connections();
   }
   if (motions_too) {
     client_.stopMotion("", kTimeout);
@@ -801,7 +800,7 @@ aibo_client::OrderTerms Mover::termsOf(const Order& order, MovementId id) {
 
 // After a new connection the robot may have any posture, and it has stopped whatever moved before.
 void Mover::checkConnection() {
-  const std::uint64_t present = link_.connection();
+  const std::uint64_t present = connections();
   if (connection_ != present) {
     connection_ = present;
     filter_.startApproach();
@@ -831,18 +830,32 @@ void Mover::overruleWalk(const Movement& movement) {
 // Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed
 // limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
-  link_.requireDesign();
+  requireDesign(client_, table_.design());
   plan_.replace(table_.namesOfLegs(), reason);
   takeEndsOfPlan();
   if (client_.status().robot.hasCapability("S")) {
-    link_.limitSpeeds(table_.ownSpeedsOfLegs());
+    limitSpeeds(table_.ownSpeedsOfLegs());
   }
+}
+
+void Mover::send(const JointTargets& targets, milliseconds duration, const aibo_client::OrderTerms& terms) {
+  sendTargets(client_, table_.design(), targets, duration, terms);
+}
+
+void Mover::limitSpeeds(const std::vector<aibo_client::JointSpeedLimit>& limits) {
+  requireDesign(client_, table_.design());
+  client_.setJointSpeedLimits(limits);
+}
+
+// If this number has changed, there is a new connection. Then nothing that was sent over the old one may be repeated.
+std::uint64_t Mover::connections() const {
+  return client_.statistics().connections;
 }
 
 void Mover::sendSteps(const std::vector<JointStep>& steps) {
   for (const JointStep& step : steps) {
     try {
-      link_.send(step.orders, step.duration, {clock_() + OrderGate::kLongestWait, step.movement});
+      send(step.targets, step.duration, {clock_() + OrderGate::kLongestWait, step.movement});
     } catch (const NetworkException& error) {
       end(step.movement, EndedHow::kLost, reasonOf(error));
     } catch (const Exception& error) {

@@ -17,9 +17,9 @@
 #include "aibo_client/motion_end.h"
 #include "aibo_client/rcserver_client.h"
 #include "movement/joint_command_filter.h"
-#include "movement/joint_link.h"
 #include "movement/joint_plan.h"
 #include "movement/joint_table.h"
+#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
 #include "movement/order_gate.h"
@@ -247,6 +247,9 @@ class Mover {
   void checkTelemetry() const;
   void overruleWalk(const Movement& movement);
   void freeLegs(const std::string& reason);
+  void send(const JointTargets& targets, std::chrono::milliseconds duration, const aibo_client::OrderTerms& terms);
+  void limitSpeeds(const std::vector<aibo_client::JointSpeedLimit>& limits);
+  std::uint64_t connections() const;
   void sendSteps(const std::vector<JointStep>& steps);
 
   const JointTable& table_;
@@ -256,7 +259,6 @@ class Mover {
   Listener listener_;
 
   mutable std::mutex mutex_;  ///< guards everything below; never held while waiting for the robot
-  JointLink link_;
   JointCommandFilter filter_;
   JointPlan plan_;
   OrderGate gate_;

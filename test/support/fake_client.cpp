@@ -79,13 +79,20 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds, int* quality_o
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration, const OrderTerms&) {
   std::string text = "J";
   for (const JointTarget& target : targets) {
+    if (target.speed > 0) {
+      setJointSpeedLimits({{target.id, target.speed}});
+    }
     text += " " + std::to_string(target.id) + ":" + number(target.position);
   }
   tell(this, text + " in " + std::to_string(duration.count()));
 }
 void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   for (const JointSpeedLimit& limit : limits) {
-    tell(this, "V " + std::to_string(limit.id) + ":" + number(limit.speed));
+    double& in_force = fake(this).speed_limits[{fake(this).connections, limit.id}];
+    if (in_force != limit.speed) {
+      tell(this, "V " + std::to_string(limit.id) + ":" + number(limit.speed));
+      in_force = limit.speed;
+    }
   }
 }
 bool RcServerClient::setMotors(bool on, milliseconds) {
@@ -185,6 +192,9 @@ MotorsAndPosture RcServerClient::motorsAndPosture() const {
 }
 ConnectionStatus RcServerClient::status() const {
   return static_cast<const FakeClient*>(this)->present;
+}
+std::string RcServerClient::robotDesign() const {
+  return status().robot.design;
 }
 ClientStatistics RcServerClient::statistics() const {
   ClientStatistics statistics;

@@ -4,7 +4,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
@@ -16,12 +18,13 @@ namespace test_support {
 struct FakeClient : public aibo_client::RcServerClient {
   FakeClient() : RcServerClient(aibo_client::ClientOptions(), {}) {}
 
-  std::uint64_t steering_order = 0;           ///< OrderTerms::number of the last velocity
-  std::vector<std::string> told;              ///< requests in short, such as "play NOD.MTN 2"
-  std::string problem;                        ///< unless empty, every request throws a NetworkException with this text
-  std::uint64_t connections = 1;              ///< made so far
-  aibo_client::ConnectionStatus present;      ///< for status()
-  aibo_client::MotorsAndPosture state;        ///< for motorsAndPosture()
+  std::uint64_t steering_order = 0;  ///< OrderTerms::number of the last velocity
+  std::vector<std::string> told;     ///< requests in short, such as "play NOD.MTN 2"
+  std::string problem;               ///< unless empty, every request throws a NetworkException with this text
+  std::uint64_t connections = 1;     ///< made so far
+  std::map<std::pair<std::uint64_t, int>, double> speed_limits;  ///< by connection and joint; told if they change
+  aibo_client::ConnectionStatus present;                         ///< for status()
+  aibo_client::MotorsAndPosture state;                           ///< for motorsAndPosture()
   std::function<void()> meanwhile;            ///< called once, before a call that waits for the robot to move returns
   bool can_hold = true;                       ///< false: hold() is refused, as by version 1
   bool motors_work = true;                    ///< false: the motors stay as they are not wanted

@@ -11,8 +11,8 @@
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "movement/joint_command_filter.h"
-#include "movement/joint_link.h"
 #include "movement/joint_table.h"
+#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 
 namespace aibo_driver::command_line {
@@ -78,21 +78,21 @@ class Mover {
         move_(move),
         table_(robot.model().design, movement::kUsualSpeedLimit),
         measured_(table_),
-        filter_(table_, measured_, move.speed),
-        link_(robot.client(), table_.design()) {}
+        filter_(table_, measured_, move.speed) {}
 
   /// @throw FailedException a joint does not reach its target
   ExitStatus run() {
     requireJoints();
     measure();
-    const movement::JointOrders orders = order();
+    const movement::JointTargets targets = filtered();
     robot_.beginRequest();
-    link_.send(orders, std::chrono::milliseconds(std::lround(1000 * move_.duration)));
+    movement::sendTargets(robot_.client(), table_.design(), targets,
+                          std::chrono::milliseconds(std::lround(1000 * move_.duration)));
     try {
-      waitUntilAccepted(orders);
-      waitUntilArrived(orders);
+      waitUntilAccepted(targets);
+      waitUntilArrived(targets);
     } catch (const Interrupted&) {
-      hold(orders);
+      hold(targets);
       throw;
     }
     report();
@@ -125,43 +125,43 @@ class Mover {
     measured_.update(telemetry);
   }
 
-  movement::JointOrders order() {
-    movement::JointOrders orders;
-    for (const std::string& refusal : filter_.filter(move_.names, move_.positions, {}, steady_clock::now(), &orders)) {
+  movement::JointTargets filtered() {
+    movement::JointTargets targets;
+    for (const std::string& refusal : filter_.filter(move_.names, move_.positions, {}, steady_clock::now(), &targets)) {
       throw InvalidArgumentException(refusal);
     }
     for (std::size_t i = 0; i < move_.names.size(); ++i) {
-      noteIfClamped(move_.names[i], move_.positions[i], orders.at(idOf(move_.names[i])).position,
+      noteIfClamped(move_.names[i], move_.positions[i], targets.at(idOf(move_.names[i])).position,
                     "beyond the joint's limit");
     }
-    return orders;
+    return targets;
   }
 
-  void waitUntilAccepted(const movement::JointOrders& orders) {
-    const auto accepted = [&orders](const Received& received) {
-      return std::all_of(orders.begin(), orders.end(),
-                         [&](const auto& order) { return received.accepted_joints.count(order.first) > 0; });
+  void waitUntilAccepted(const movement::JointTargets& targets) {
+    const auto accepted = [&targets](const Received& received) {
+      return std::all_of(targets.begin(), targets.end(),
+                         [&](const auto& each) { return received.accepted_joints.count(each.first) > 0; });
     };
     if (!robot_.waitUnlessRefused(accepted, Robot::kMeasureTimeout)) {
       throw FailedException("the robot did not say that it accepts the command");
     }
-    for (const auto& [id, order] : orders) {
-      noteIfClamped(nameOf(id), order.position, target(id), "where another joint or the body is in its way");
+    for (const auto& [id, wanted] : targets) {
+      noteIfClamped(nameOf(id), wanted.position, target(id), "where another joint or the body is in its way");
     }
   }
 
   /// Waits until the joints have arrived at their targets. A moment after the expected time, near is enough: under
   /// load, a servo stops a little beside its target.
-  void waitUntilArrived(const movement::JointOrders& orders) {
+  void waitUntilArrived(const movement::JointTargets& targets) {
     double longest = move_.duration;
-    for (const auto& [id, order] : orders) {
-      longest = std::max(longest, std::abs(target(id) - position(id)) / order.speed);
+    for (const auto& [id, wanted] : targets) {
+      longest = std::max(longest, std::abs(target(id) - position(id)) / wanted.speed);
     }
-    const auto within = [&orders](double tolerance) {
-      return [&orders, tolerance](const Received& received) {
-        return std::all_of(orders.begin(), orders.end(), [&](const auto& order) {
-          const double target = received.accepted_joints.at(order.first);
-          return std::abs(received.joints.at(order.first).position - target) <= tolerance;
+    const auto within = [&targets](double tolerance) {
+      return [&targets, tolerance](const Received& received) {
+        return std::all_of(targets.begin(), targets.end(), [&](const auto& each) {
+          const double target = received.accepted_joints.at(each.first);
+          return std::abs(received.joints.at(each.first).position - target) <= tolerance;
         });
       };
     };
@@ -169,13 +169,13 @@ class Mover {
         robot_.waitUnlessRefused(within(kNear), nanosecondsOf(kMargin))) {
       return;
     }
-    throw FailedException("not all joints have arrived: " + whatIsLate(orders));
+    throw FailedException("not all joints have arrived: " + whatIsLate(targets));
   }
 
-  std::string whatIsLate(const movement::JointOrders& orders) const {
+  std::string whatIsLate(const movement::JointTargets& targets) const {
     std::string late;
-    for (const auto& order : orders) {
-      const int id = order.first;
+    for (const auto& each : targets) {
+      const int id = each.first;
       if (std::abs(position(id) - target(id)) > kNear) {
         late += (late.empty() ? "" : ", ") + nameOf(id) + " is at " + inDegrees(position(id)) + " instead of " +
                 inDegrees(target(id));
@@ -186,17 +186,17 @@ class Mover {
   }
 
   /// A server that cannot hold is told to move the joints to where they are.
-  void hold(const movement::JointOrders& orders) {
+  void hold(const movement::JointTargets& targets) {
     std::vector<int> ids;
-    movement::JointOrders here;
-    for (const auto& [id, order] : orders) {
+    movement::JointTargets here;
+    for (const auto& [id, wanted] : targets) {
       ids.push_back(id);
-      here[id] = {position(id), order.speed};
+      here[id] = {id, position(id), wanted.speed};
     }
     if (robot_.reportsEnds()) {
       robot_.client().hold(ids, Robot::kTimeout);
     } else {
-      link_.send(here, std::chrono::milliseconds(0));
+      movement::sendTargets(robot_.client(), table_.design(), here);
       robot_.client().stopMotion("", Robot::kTimeout);  // its answer comes after the answers to the joints
     }
   }
@@ -233,7 +233,6 @@ class Mover {
   const movement::JointTable table_;
   movement::MeasuredJoints measured_;
   movement::JointCommandFilter filter_;
-  movement::JointLink link_;
 };
 
 ExitStatus moveJoints(const Arguments& arguments, Output& output) {

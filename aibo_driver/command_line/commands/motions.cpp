@@ -11,8 +11,8 @@
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "files/files.h"
-#include "movement/joint_link.h"
 #include "movement/joint_table.h"
+#include "movement/joint_targets.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -68,7 +68,7 @@ ExitStatus play(const Arguments& arguments, Output& output) {
     output.note("This server does not say when a motion ends, so it is stopped after 10 s (--seconds).");
   }
   const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit, speed);
-  movement::JointLink(robot.client(), table.design()).limitSpeeds(table.motionSpeedLimits());
+  robot.client().setJointSpeedLimits(table.motionSpeedLimits());
   const std::string changes = robot.client().playMotion(name, times, kPlayTimeout);
   if (!changes.empty()) {
     output.note(name + " plays differently than in its file: " + changes + ".");

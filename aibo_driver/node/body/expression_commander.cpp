@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "movement/joint_link.h"
+#include "movement/joint_targets.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -123,12 +123,34 @@ TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
   EXPECT_EQ(200, next.readRequest().payload.at(4)) << "the first joint that is sent";
 }
 
+TEST_F(JointsTest, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
+  for (int i = 0; i < 2; ++i) {
+    ScriptedPeer peer = connectVersion2();
+    ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
+    client().commandJoints({{1, 0.1, 2.0}, {2, 0.1}}, milliseconds(0));
+    EXPECT_EQ('V', peer.readRequest().header.kind);
+    EXPECT_EQ('J', peer.readRequest().header.kind);
+    client().commandJoints({{1, 0.2, 2.0}}, milliseconds(0));
+    EXPECT_EQ('J', peer.readRequest().header.kind) << "the robot has the limit";
+    peer.close();
+    ASSERT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  }
+}
+
 TEST_F(JointsTest, AServerWithoutJointsGetsNoCommandsToThem) {
-  ScriptedPeer peer = connectVersion2("F W");
+  {
+    ScriptedPeer peer = connectVersion2("F W");
+    EXPECT_THAT(complaintOf<CommandException>([&] {
+                  client().commandJoints({{1, 0}}, milliseconds(0));
+                }),
+                HasSubstr("(a test 1.0) does not take the request 'J'"));
+  }
+  ScriptedPeer peer = connectVersion2("F W J");
+  ASSERT_TRUE(eventually([&] { return client().status().robot.hasCapability("J"); }));
   EXPECT_THAT(complaintOf<CommandException>([&] {
-                client().commandJoints({{1, 0}}, milliseconds(0));
+                client().commandJoints({{1, 0, 1.0}}, milliseconds(0));
               }),
-              HasSubstr("(a test 1.0) does not take the request 'J'"));
+              HasSubstr("does not take the request 'V'"));
 }
 
 TEST_F(JointsTest, TheStateOfTheMotorsIsThatOfTheRobotNotTheOneAskedFor) {
@@ -153,6 +175,7 @@ TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
 
 TEST_F(JointsTest, ArgumentsAreChecked) {
   EXPECT_THROW(client().commandJoints({{0, 0}}, milliseconds(0)), InvalidArgumentException);
+  EXPECT_THROW(client().commandJoints({{1, 0, -1}}, milliseconds(0)), InvalidArgumentException);
   EXPECT_THROW(client().setJointSpeedLimits({}), InvalidArgumentException);
   EXPECT_THROW(client().setTelemetryPeriod(-1), InvalidArgumentException);
   EXPECT_THROW(client().setTelemetryPeriod(65536), InvalidArgumentException);

@@ -112,7 +112,9 @@ class SessionFixture : public testing::Test {
   }
 
   void limitSpeed(const std::vector<aibo_client::JointSpeedLimit>& limits) {
-    connection_.commands.speed_limits.add(limits);
+    aibo_client::CommandOutbox newer;
+    newer.speed_limits.add(limits);
+    connection_.take(std::move(newer));
   }
 
   void commandLeds(const std::vector<aibo_client::LedCommand>& leds) { connection_.commands.leds.add(leds); }

@@ -431,7 +431,7 @@ TEST_F(Version2SessionTest, CommandsThatHadToWaitForLongAreDroppedAndFreshOnesAr
 TEST_F(Version2SessionTest, MotorsAndMotionsDropTheJointCommandsThatAreQueuedBeforeThem) {
   for (const char letter : {'O', 'P'}) {
     commandJoints({{2, 0.5}});
-    limitSpeed({{2, 0.75}});
+    limitSpeed({{2, letter == 'O' ? 0.75 : 0.5}});
     auto answer = ask(letter, letter == 'P' ? "NOD.MTN" : "", 1);
     EXPECT_EQ('V', request().at(0)) << "so that they hold for the motion";
     EXPECT_EQ(letter, request().at(0));
@@ -452,6 +452,19 @@ TEST_F(Version2SessionTest, SpeedLimitsGoFirst) {
   ASSERT_EQ(2, limits.count);
   EXPECT_EQ(750000, limits.joints[0].value);
   EXPECT_EQ("J3", request());
+}
+
+TEST_F(Version2SessionTest, ASpeedLimitThatTheRobotHasIsNotSentAgain) {
+  limitSpeed({{2, 0.75}, {3, 1}});
+  EXPECT_EQ("V2", request());
+  limitSpeed({{2, 0.75}, {3, 1}});
+  EXPECT_EQ("", request());
+  limitSpeed({{2, 0.75}, {3, 2}});
+  EXPECT_EQ("V3", request());
+  version2::SpeedLimits limits;
+  ASSERT_EQ(nullptr, version2::decode(frame_.payload.data(), frame_.payload.size(), &limits));
+  ASSERT_EQ(1, limits.count);
+  EXPECT_EQ(3, limits.joints[0].id);
 }
 
 TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {

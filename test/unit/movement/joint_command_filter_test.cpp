@@ -31,7 +31,7 @@ struct Command {
 };
 
 struct Filtered {
-  JointOrders orders;
+  JointTargets targets;
   std::vector<std::string> refusals;
 };
 
@@ -39,14 +39,14 @@ class JointCommandFilterTest : public ::testing::Test {
  protected:
   Filtered filter(const Command& command) {
     Filtered result;
-    result.refusals = filter_.filter(command.names, command.positions, command.velocities, now_, &result.orders);
+    result.refusals = filter_.filter(command.names, command.positions, command.velocities, now_, &result.targets);
     return result;
   }
 
-  JointOrder order(const Command& command) {
+  aibo_client::JointTarget target(const Command& command) {
     const Filtered result = filter(command);
-    EXPECT_THAT(result.orders, SizeIs(1));
-    return result.orders.empty() ? JointOrder() : result.orders.begin()->second;
+    EXPECT_THAT(result.targets, SizeIs(1));
+    return result.targets.empty() ? aibo_client::JointTarget() : result.targets.begin()->second;
   }
 
   // Ends the approach of a joint.
@@ -69,40 +69,40 @@ class JointCommandFilterTest : public ::testing::Test {
 
 TEST_F(JointCommandFilterTest, PassesPositionsWithinTheLimits) {
   arrive("head_pan", 0);
-  const JointOrders orders = filter({{"head_pan"}, {0.5}, {}}).orders;
-  ASSERT_EQ(orders.count(kHeadPan), 1u);
-  EXPECT_DOUBLE_EQ(orders.at(kHeadPan).position, 0.5);
-  EXPECT_DOUBLE_EQ(orders.at(kHeadPan).speed, kSpeedLimit);
+  const JointTargets targets = filter({{"head_pan"}, {0.5}, {}}).targets;
+  ASSERT_EQ(targets.count(kHeadPan), 1u);
+  EXPECT_DOUBLE_EQ(targets.at(kHeadPan).position, 0.5);
+  EXPECT_DOUBLE_EQ(targets.at(kHeadPan).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, ScalesTheSpeed) {
   arrive("head_pan", 0);
   table_.setSpeedScale(0.5);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {}}).speed, kSpeedLimit / 2);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {kSpeedLimit}}).speed, kSpeedLimit / 2);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {}}).speed, kSpeedLimit / 2);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {kSpeedLimit}}).speed, kSpeedLimit / 2);
 }
 
 TEST_F(JointCommandFilterTest, ClampsPositionsToTheLimits) {
-  EXPECT_NEAR(order({{"head_pan"}, {9.0}, {}}).position, 1.53589, 1e-5);
-  EXPECT_NEAR(order({{"head_pan"}, {-1e300}, {}}).position, -1.53589, 1e-5);
+  EXPECT_NEAR(target({{"head_pan"}, {9.0}, {}}).position, 1.53589, 1e-5);
+  EXPECT_NEAR(target({{"head_pan"}, {-1e300}, {}}).position, -1.53589, 1e-5);
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutWhatIsNotAFiniteNumberAndCarriesOutTheRest) {
   const Filtered result = filter({{"head_pan", "mouth", "neck_tilt"}, {kNan, -0.5, kInfinity}, {}});
-  ASSERT_THAT(result.orders, SizeIs(1));
-  EXPECT_DOUBLE_EQ(result.orders.begin()->second.position, -0.5);
+  ASSERT_THAT(result.targets, SizeIs(1));
+  EXPECT_DOUBLE_EQ(result.targets.begin()->second.position, -0.5);
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan"), HasSubstr("neck_tilt")));
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutAJointWhoseVelocityIsNotAFiniteNumber) {
   const Filtered result = filter({{"head_pan"}, {0.5}, {kNan}});
-  EXPECT_THAT(result.orders, IsEmpty());
+  EXPECT_THAT(result.targets, IsEmpty());
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan")));
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutUnknownNames) {
   const Filtered result = filter({{"left_ear", "head_pan", ""}, {0, 0.5, 0}, {}});
-  EXPECT_THAT(result.orders, SizeIs(1));
+  EXPECT_THAT(result.targets, SizeIs(1));
   EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("'left_ear'"), HasSubstr("''")));
 }
 
@@ -111,54 +111,54 @@ TEST_F(JointCommandFilterTest, RefusesArraysThatDoNotFitTogether) {
        {Command{{"head_pan", "mouth"}, {0.5}, {}}, Command{{"head_pan"}, {}, {}}, Command{{"head_pan"}, {0.5, 0.5}, {}},
         Command{{"head_pan"}, {0.5}, {1, 1}}, Command{}}) {
     const Filtered result = filter(command);
-    EXPECT_THAT(result.orders, IsEmpty());
+    EXPECT_THAT(result.targets, IsEmpty());
     EXPECT_THAT(result.refusals, SizeIs(1));
   }
 }
 
 TEST_F(JointCommandFilterTest, TakesTheLastOfTwoPositionsForOneJoint) {
-  EXPECT_DOUBLE_EQ(order({{"head_pan", "head_pan"}, {0.5, -0.5}, {}}).position, -0.5);
+  EXPECT_DOUBLE_EQ(target({{"head_pan", "head_pan"}, {0.5, -0.5}, {}}).position, -0.5);
 }
 
 TEST_F(JointCommandFilterTest, LimitsTheSpeedToTheVelocityGiven) {
   arrive("head_pan", 0);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {1.5}}).speed, 1.5);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {-1.5}}).speed, 1.5);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means that none is given";
-  EXPECT_GT(order({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {1.5}}).speed, 1.5);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-0.5}, {-1.5}}).speed, 1.5);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means that none is given";
+  EXPECT_GT(target({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyEvenIfItIsRepeated) {
   measure(1.0);
   for (int i = 0; i < 20; ++i) {  // for 2 s, which the way of 1 rad takes
-    EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed) << i;
+    EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed) << i;
     now_ += milliseconds(100);
   }
   now_ += seconds(1);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, StillApproachesWhenThePositionChangesOnTheWay) {
   measure(1.0);
-  order({{"head_pan"}, {0.5}, {}});
+  target({{"head_pan"}, {0.5}, {}});
   now_ += milliseconds(900);
-  order({{"head_pan"}, {-0.5}, {}});
+  target({{"head_pan"}, {-0.5}, {}});
   now_ += milliseconds(2500);  // until 1.5 s, and 2 s for the way from one to the other
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-0.5}, {}}).speed, kApproachSpeed);
   now_ += milliseconds(200);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-0.5}, {}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-0.5}, {}}).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesUntilTheJointIsMeasuredNear) {
   measure(1.0);
-  order({{"head_pan"}, {0.0}, {}});
+  target({{"head_pan"}, {0.0}, {}});
   measure(0.11);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed);
   measure(-0.91);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed) << "no jerk at the end";
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {1.0}, {}}).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "the approach does not begin again";
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-1.0}, {}}).speed, kApproachSpeed) << "no jerk at the end";
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {1.0}, {}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "the approach does not begin again";
 }
 
 // A sine of 0.5 Hz, commanded 50 times a second for 10 s.
@@ -171,7 +171,7 @@ TEST_F(JointCommandFilterTest, CatchesUpWithATargetThatMovesAllTheTime) {
   double last_speed = 0;
   for (int i = 0; i < 500; ++i) {
     measure(position);
-    last_speed = order({{"head_pan"}, {sine(i)}, {}}).speed;
+    last_speed = target({{"head_pan"}, {sine(i)}, {}}).speed;
     const double step = last_speed * 0.02;
     position += std::clamp(sine(i) - position, -step, step);
     now_ += milliseconds(20);
@@ -181,39 +181,39 @@ TEST_F(JointCommandFilterTest, CatchesUpWithATargetThatMovesAllTheTime) {
 
 TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesIfNothingIsMeasured) {
   for (int i = 0; i < 330; ++i) {  // for 6.6 s; 176 degrees at 0.5 rad/s take 6.1 s
-    const double speed = order({{"head_pan"}, {sine(i)}, {}}).speed;
+    const double speed = target({{"head_pan"}, {sine(i)}, {}}).speed;
     EXPECT_TRUE(i > 200 || speed == kApproachSpeed) << i;
     now_ += milliseconds(20);
   }
   now_ += milliseconds(100);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
 TEST_F(JointCommandFilterTest, AssumesThatAnUnmeasuredJointIsFarAway) {
-  order({{"head_pan"}, {0.0}, {}});
+  target({{"head_pan"}, {0.0}, {}});
   now_ += milliseconds(3000);  // 88 degrees at 0.5 rad/s take 3.07 s
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
   arrive("head_pan", 0);
   const Filtered result = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}});
-  ASSERT_THAT(result.orders, SizeIs(2));
-  EXPECT_DOUBLE_EQ(result.orders.at(kHeadPan).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(result.orders.at(kMouth).speed, kApproachSpeed);
+  ASSERT_THAT(result.targets, SizeIs(2));
+  EXPECT_DOUBLE_EQ(result.targets.at(kHeadPan).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(result.targets.at(kMouth).speed, kApproachSpeed);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesAgainAfterStartApproach) {
   arrive("head_pan", 0);
   filter_.startApproach();
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.5}, {}}).speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {}}).speed, kApproachSpeed);
 }
 
 TEST_F(JointCommandFilterTest, ApproachesAtTheVelocityGivenIfThatIsLower) {
   measure(1.0);
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {0.1}}).speed, 0.1);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {0.1}}).speed, 0.1);
   now_ += seconds(9);  // of the 10 that it takes
-  EXPECT_DOUBLE_EQ(order({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
+  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
 }
 
 }  // namespace

@@ -56,8 +56,8 @@ class JointPlanTest : public ::testing::Test {
     return last_id_;
   }
 
-  MovementId command(const JointOrders& orders, double now) {
-    plan_.command(++last_id_, orders, at(now));
+  MovementId command(const JointTargets& targets, double now) {
+    plan_.command(++last_id_, targets, at(now));
     return last_id_;
   }
 
@@ -84,9 +84,9 @@ class JointPlanTest : public ::testing::Test {
   void advance(double now) {
     std::map<int, double> sent;
     for (const JointStep& step : plan_.advance(at(now))) {
-      for (const auto& [id, order] : step.orders) {
-        EXPECT_TRUE(sent.emplace(id, order.position).second) << "joint " << id << " is sent to two places";
-        sent_[id] = order.position;
+      for (const auto& [id, target] : step.targets) {
+        EXPECT_TRUE(sent.emplace(id, target.position).second) << "joint " << id << " is sent to two places";
+        sent_[id] = target.position;
       }
     }
   }
@@ -211,7 +211,7 @@ TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
   const auto running = add(both(0.5, -0.2, 1), 0, 0);
   const auto waiting = add(pan({{1, {0}, {}}}), 5, 0);
   const auto other = add({{"mouth"}, {{1, {-0.2}, {}}}}, 6, 0);
-  command({{kPan, {0.2, 1.0}}}, 0.1);
+  command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
   EXPECT_EQ(endOf(running), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(running), "head_pan was commanded to go elsewhere");
   EXPECT_EQ(endOf(waiting), EndedHow::kReplaced);
@@ -219,7 +219,7 @@ TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
-  const auto commanded = command({{kPan, {1.0, 0.5}}}, 0);
+  const auto commanded = command({{kPan, {kPan, 1.0, 0.5}}}, 0);
   const auto fate = add(pan({{1, {1}, {0}}}), 0.2, 0.2);
   EXPECT_NEAR(wanted(fate, 0.2), 0.1, 1e-6);
   EXPECT_NEAR(velocity(fate, 0.2), 0.5, 1e-6);
@@ -228,7 +228,7 @@ TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
-  command({{kPan, {0.1, 1.0}}}, 0);
+  command({{kPan, {kPan, 0.1, 1.0}}}, 0);
   const auto fate = add(pan({{1, {1}, {0}}}), 0.15, 0.15);
   EXPECT_NEAR(wanted(fate, 0.15), 0.1, 1e-6) << "not yet measured there";
   EXPECT_NEAR(velocity(fate, 0.15), 0, 1e-6);
@@ -250,55 +250,55 @@ TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
 
 TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
   measure(0, 0.9);
-  command({{kPan, {0.1, 0.5}}}, 0);
+  command({{kPan, {kPan, 0.1, 0.5}}}, 0);
   measure(0.5, 0.88);
-  EXPECT_NEAR(plan_.holdingOrders(at(0.5)).at(kPan).position, 0.65, 1e-6);
-  EXPECT_NEAR(plan_.holdingOrders(at(0.5)).at(kPan).speed, 0.5, 1e-9);
-  EXPECT_NEAR(plan_.holdingOrders(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
-  EXPECT_THAT(plan_.holdingOrders(at(4)), IsEmpty());
+  EXPECT_NEAR(plan_.holdingTargets(at(0.5)).at(kPan).position, 0.65, 1e-6);
+  EXPECT_NEAR(plan_.holdingTargets(at(0.5)).at(kPan).speed, 0.5, 1e-9);
+  EXPECT_NEAR(plan_.holdingTargets(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
+  EXPECT_THAT(plan_.holdingTargets(at(4)), IsEmpty());
 }
 
 TEST_F(JointPlanTest, HoldsAJointWhoseCommandIsDoneButMayWaitForTheLink) {
-  const auto commanded = command({{kPan, {0.1, 1.0}}}, 0);
+  const auto commanded = command({{kPan, {kPan, 0.1, 1.0}}}, 0);
   sent_[kPan] = 0.1;
   follow(0, 0.3);
   EXPECT_EQ(endOf(commanded), EndedHow::kDone);
-  command({{kMouth, {-0.4, 1.0}}}, 0.4);
-  EXPECT_EQ(plan_.holdingOrders(at(0.5)).count(kPan), 1u);
+  command({{kMouth, {kMouth, -0.4, 1.0}}}, 0.4);
+  EXPECT_EQ(plan_.holdingTargets(at(0.5)).count(kPan), 1u);
 }
 
 TEST_F(JointPlanTest, ANewCommandBeginsWhereTheOldOneIs) {
-  command({{kPan, {1.0, 1.0}}}, 0);
-  command({{kPan, {0.0, 1.0}}}, 0.5);
-  EXPECT_NEAR(plan_.holdingOrders(at(0.7)).at(kPan).position, 0.3, 1e-6);
+  command({{kPan, {kPan, 1.0, 1.0}}}, 0);
+  command({{kPan, {kPan, 0.0, 1.0}}}, 0.5);
+  EXPECT_NEAR(plan_.holdingTargets(at(0.7)).at(kPan).position, 0.3, 1e-6);
 }
 
 TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   const auto head = add(pan({{1, {1}, {}}}), 0, 0);
   const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0, 0);
   run(0, 0.32);
-  const JointOrders orders = plan_.holdingOrders(at(0.34));
-  EXPECT_NEAR(orders.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
-  EXPECT_THAT(orders, SizeIs(2));
-  EXPECT_THAT(plan_.holdingOrders(at(0.34), mouth), SizeIs(1));
+  const JointTargets targets = plan_.holdingTargets(at(0.34));
+  EXPECT_NEAR(targets.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
+  EXPECT_THAT(targets, SizeIs(2));
+  EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), SizeIs(1));
   EXPECT_THAT(plan_.identifiersOf(head), ElementsAre(kPan));
 }
 
 TEST_F(JointPlanTest, EndsAll) {
   const auto running = add(pan({{1, {1}, {}}}), 0, 0);
   const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
-  const auto commanded = command({{kMouth, {-0.1, 0.1}}}, 0);
+  const auto commanded = command({{kMouth, {kMouth, -0.1, 0.1}}}, 0);
   plan_.endAll(EndedHow::kStopped, "stop was called");
   EXPECT_EQ(endOf(running), EndedHow::kStopped);
   EXPECT_EQ(endOf(waiting), EndedHow::kStopped);
   EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
   EXPECT_TRUE(plan_.empty());
   EXPECT_THAT(plan_.advance(at(0.1)), IsEmpty());
-  EXPECT_THAT(plan_.holdingOrders(at(0.1)), IsEmpty());
+  EXPECT_THAT(plan_.holdingTargets(at(0.1)), IsEmpty());
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
-  const auto mouth = command({{kMouth, {-0.1, 0.4}}}, 0);
+  const auto mouth = command({{kMouth, {kMouth, -0.1, 0.4}}}, 0);
   sent_[kMouth] = -0.1;
   const auto head = add(pan({{2, {1}, {}}}), 0, 0);
   EXPECT_THAT(plan_.jointsOf(mouth), ElementsAre("mouth"));
@@ -315,7 +315,7 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
 }
 
 TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
-  const auto commanded = command({{kMouth, {-0.1, 1.0}}}, 0);
+  const auto commanded = command({{kMouth, {kMouth, -0.1, 1.0}}}, 0);
   const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0);
   run(0, 2.4);
   EXPECT_FALSE(endOf(commanded)) << "it may be late";
@@ -327,7 +327,7 @@ TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
 }
 
 TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
-  const auto commanded = command({{kPan, {0.01, 1.0}}}, 0);
+  const auto commanded = command({{kPan, {kPan, 0.01, 1.0}}}, 0);
   for (double now = 0; now < 6.5; now += 0.032) {
     advance(now);
   }
@@ -349,11 +349,11 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
 }
 
 TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
-  const auto both_joints = command({{kPan, {0.5, 1.0}}, {kMouth, {-0.1, 1.0}}}, 0);
-  const auto pan_only = command({{kPan, {0.2, 1.0}}}, 0.1);
+  const auto both_joints = command({{kPan, {kPan, 0.5, 1.0}}, {kMouth, {kMouth, -0.1, 1.0}}}, 0);
+  const auto pan_only = command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
   EXPECT_FALSE(endOf(both_joints));
   EXPECT_THAT(plan_.jointsOf(both_joints), ElementsAre("mouth"));
-  command({{kMouth, {-0.2, 1.0}}}, 0.2);
+  command({{kMouth, {kMouth, -0.2, 1.0}}}, 0.2);
   EXPECT_EQ(endOf(both_joints), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(pan_only));
 }

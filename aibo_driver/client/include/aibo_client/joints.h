@@ -10,6 +10,7 @@ namespace aibo_client {
 struct JointTarget {
   int id = 0;           ///< 1..255
   double position = 0;  ///< rad, -2 pi..2 pi
+  double speed = 0;     ///< rad/s: the limit of the joint's speed from now on; 0 keeps the present limit
 };
 
 /// The greatest speed of a joint.

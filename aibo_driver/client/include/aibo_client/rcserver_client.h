@@ -161,7 +161,8 @@ class RcServerClient {
                          std::optional<Resolution> resolution = std::nullopt);
 
   /// Sends joints to positions, all in one request. It returns without waiting for the answer. The answer goes to
-  /// on_joints_accepted, or to on_refused if the robot refuses.
+  /// on_joints_accepted, or to on_refused if the robot refuses. Targets with a speed first limit the speeds of their
+  /// joints, as setJointSpeedLimits() does.
   ///
   /// A command is carried out once or not at all. Without a connection it is refused. Commands that have not been sent
   /// when a connection breaks are dropped. If commands come faster than the robot answers, each joint goes to its
@@ -179,13 +180,14 @@ class RcServerClient {
   /// @throw InvalidArgumentException an id, a position, the number of joints or the duration is out of range
   /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
   ///   reason
-  /// @throw CommandException the server has no joints to command
+  /// @throw CommandException the server has no joints to command, or cannot limit their speeds
   /// @throw StoppedException stop() was called
   void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
                      const OrderTerms& terms = {});
 
-  /// Sets how fast joints may move. The limits are sent before later commands to the joints, under the same rules.
-  /// After a reconnect they are not sent again.
+  /// Sets how fast joints may move, whoever moves them. The robot itself keeps the limits. They are sent before later
+  /// commands to the joints, under the same rules, unless the robot has them already. After a reconnect they are not
+  /// sent again.
   /// @param limits 1..32 joints; each joint appears once
   /// @throw Exception the exceptions of commandJoints()
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
@@ -415,6 +417,9 @@ class RcServerClient {
 
   /// A snapshot of the connection's state.
   ConnectionStatus status() const;
+
+  /// The same as status().robot.design, without a copy of everything else.
+  std::string robotDesign() const;
 
   /// A snapshot of the counters.
   ClientStatistics statistics() const;
