@@ -5,7 +5,6 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <memory>
 #include <numeric>
 
 #include "support/raw_client.h"

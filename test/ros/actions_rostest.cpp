@@ -8,9 +8,7 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
 #include <condition_variable>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>

@@ -35,11 +35,9 @@
 #include <vector>
 
 #include "support/memory_stick.h"
-#include "support/proxy/recording_proxy.h"
-#include "support/ros/driver_process.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
 #include "support/simulated_robot.h"
 
 namespace {
@@ -61,13 +59,11 @@ using sensor_msgs::BatteryState;
 using sensor_msgs::Imu;
 using sensor_msgs::Range;
 using test_support::DriverProcess;
+using test_support::DriverUser;
 using test_support::JointListener;
-using test_support::kSafetyNet;
 using test_support::MemoryStick;
-using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -79,29 +75,10 @@ std::string ownTf(const std::string& name_space) {
   return "/tf:=" + name_space + "/tf";
 }
 
-// Robot, proxy and driver, connected with each other, and a user.
-class BodyUser {
+class BodyUser : public DriverUser {
  public:
   explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : robot(robot_options),
-        proxy(robot.port()),
-        connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), {"_stream_on_start:=false", "_read_timeout:=20", ownTf(name_space)}),
-        topics(name_space),
-        name_space_(name_space) {
-    EXPECT_TRUE(waitForConnection(Connection::CONNECTED));
-  }
-
-  bool waitForConnection(std::uint8_t state) {
-    return connection.waitFor([state](const Connection& message) { return message.state == state; }) != nullptr;
-  }
-
-  template <typename Service>
-  typename Service::Response call(const std::string& service, typename Service::Request request = {}) {
-    typename Service::Response response;
-    EXPECT_TRUE(ros::service::call(name_space_ + "/" + service, request, response)) << "the call itself failed";
-    return response;
-  }
+      : DriverUser(name_space, {"_stream_on_start:=false", ownTf(name_space)}, robot_options) {}
 
   PlayMotion::Response play(const std::string& name, int repetitions, bool stop = false) {
     PlayMotion::Request request;
@@ -110,24 +87,6 @@ class BodyUser {
     request.stop = stop;
     return call<PlayMotion>("play_motion", request);
   }
-
-  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
-
-  // The payload of the first request of this kind.
-  std::vector<std::uint8_t> payload(const std::string& kind) {
-    EXPECT_TRUE(proxy.waitForRequest(kind, kSafetyNet));
-    const auto requests = proxy.requestsFromDriver(kind);
-    return requests.empty() ? std::vector<std::uint8_t>() : requests.front().payload;
-  }
-
-  SimulatedRobot robot;
-  RecordingProxy proxy;
-  TopicListener<Connection> connection;
-  DriverProcess driver;
-  TopicPublishers topics;
-
- private:
-  const std::string name_space_;
 };
 
 TEST(RangeFinders, ArePublishedWithFrameAndRange) {
@@ -232,9 +191,7 @@ TEST(Sensors, AreSilentWithoutARobotAndThenPublishOnlyNewValues) {
   TopicListener<Touch> touch("/silent/touch");
   ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
   ASSERT_TRUE(touch.waitFor([](const Touch& message) { return message.chin != 0; }));
-  user.connection.clear();
-  user.robot.kill();
-  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  user.loseRobot();
   touch.clear();
   user.connection.clear();
   user.robot.restart();
@@ -243,20 +200,6 @@ TEST(Sensors, AreSilentWithoutARobotAndThenPublishOnlyNewValues) {
     EXPECT_FALSE(message->chin) << "this robot's chin was never pressed";
   }
   ASSERT_TRUE(user.waitForConnection(Connection::CONNECTED));
-}
-
-TEST(LedsTopic, ReachesTheRobotInOneRequest) {
-  BodyUser user("/leds");
-  Leds message;
-  message.names = {"face", "face_1", "wireless"};
-  message.intensities = {1.0F, 0.0F, 1.0F};
-  message.mode = Leds::MODE_B;
-  user.topics.publish("leds", message);
-  const auto payload = user.payload("L");
-  ASSERT_THAT(payload, SizeIs(15 * 4));
-  // Identifier, intensity, mode and an unused byte, in ascending order: wireless 6, face_1 7 ...
-  EXPECT_THAT(std::vector<std::uint8_t>(payload.begin(), payload.begin() + 12),
-              ElementsAre(6, 255, 1, 0, 7, 0, 1, 0, 8, 255, 1, 0));
 }
 
 // The first LEDs of the table are those of the head, the seventh is face_1.
@@ -273,7 +216,7 @@ TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
   message.names = {"face_1", "wireless"};
   message.intensities = {0.2F};
   message.mode = Leds::MODE_B;
-  user.topics.publish("leds", message);
+  user.publish("leds", message);
   const auto shown = states.waitFor([](const LedStates& each) { return each.intensities.at(5) == 1; });
   ASSERT_TRUE(shown);
   EXPECT_EQ(shown->names.at(6), "face_1");
@@ -288,26 +231,16 @@ TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
   EXPECT_TRUE(states.waitFor([](const LedStates& each) { return areAll(each, 0); }));
 }
 
-TEST(EarsTopic, ReachesTheRobot) {
-  BodyUser user("/ears");
-  Ears message;
-  message.left = 1;
-  user.topics.publish("ears", message);
-  EXPECT_THAT(user.payload("K"), ElementsAre(1, 0));
-}
-
 TEST(Expression, IsDroppedWithoutARobotAndNotSentLater) {
   BodyUser user("/dropped_expression");
-  user.topics.publisherOf<Leds>("leds");
-  user.topics.publisherOf<Ears>("ears");
-  user.connection.clear();
-  user.robot.kill();
-  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  user.publisherOf<Leds>("leds");
+  user.publisherOf<Ears>("ears");
+  user.loseRobot();
   Leds leds;
   leds.names = {"face"};
   leds.intensities = {1.0F};
-  user.topics.publish("leds", leds);
-  user.topics.publish("ears", Ears());
+  user.publish("leds", leds);
+  user.publish("ears", Ears());
   user.waitForWarning("A command to the LEDs was dropped");
   user.waitForWarning("A command to the ears was dropped");
   user.connection.clear();
@@ -349,23 +282,6 @@ TEST(PlayMotionService, PlaysEachMotionOfTheRobotAndStopsIt) {
                          [](double velocity) { return std::abs(velocity) < 0.05; });
     })) << name;
   }
-}
-
-TEST(PlayMotionService, SaysWhyItDoesNotPlay) {
-  BodyUser user("/no_motion");
-  const auto missing = user.play("fly", 1);
-  EXPECT_FALSE(missing.success);
-  EXPECT_THAT(missing.message, HasSubstr("FLY.MTN"));
-  const auto nameless = user.play("", 1);
-  EXPECT_FALSE(nameless.success);
-  EXPECT_THAT(nameless.message, HasSubstr("list_motions"));
-  const auto outside = user.play("../secret.mtn", 1);
-  EXPECT_FALSE(outside.success);
-  user.robot.kill();
-  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
-  const auto nobody = user.play("nod", 1);
-  EXPECT_FALSE(nobody.success);
-  EXPECT_THAT(nobody.message, HasSubstr("no connection to the robot"));
 }
 
 TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -115,33 +114,6 @@ TEST(JointTrajectory, MovesEveryJoint) {
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
 }
 
-TEST(JointCommand, LeavesOutUnknownJointsAndBadNumbersAndNamesThem) {
-  JointUser user("/refused");
-  const double before = user.joints.position("neck_tilt");
-  user.publish(
-      "joint_command",
-      command({{"neck_tilt", std::numeric_limits<double>::quiet_NaN()}, {"third_ear", 1.0}, {"head_pan", 0.5}}));
-  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.5));
-  EXPECT_NEAR(user.joints.position("neck_tilt"), before, JointListener::kTolerance);
-  user.waitForWarning("neck_tilt");
-  user.waitForWarning("third_ear");
-  std_msgs::Float64 infinity;
-  infinity.data = std::numeric_limits<double>::infinity();
-  user.publish("mouth_position_controller/command", infinity);
-  user.waitForWarning("mouth");
-  EXPECT_EQ(user.jointRequests(), 1u);
-}
-
-TEST(JointCommand, WithAVelocityIsCarriedOutNoFaster) {
-  JointUser user("/velocity");
-  JointState message = command({{"head_pan", 0.6}});
-  message.velocity = {0.8};
-  user.publish("joint_command", message);
-  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0.6));
-  EXPECT_LE(user.joints.highestSpeed("head_pan"), 0.8 + kSpeedTolerance);
-  EXPECT_GE(user.joints.highestSpeed("head_pan"), 0.8 - kSpeedTolerance);
-}
-
 TEST(JointCommand, KeepsTheSpeedLimitOfTheParameter) {
   JointUser user("/limit", {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=20"});
   user.publish("joint_command", command({{"head_pan", 1.0}}));
@@ -154,9 +126,7 @@ TEST(JointCommand, WithoutARobotIsDroppedAndNotSentLater) {
   const double before = user.joints.position("head_pan");
   user.publisherOf<JointState>("joint_command");
   const std::size_t connections = user.proxy.connections();
-  user.connection.clear();
-  user.robot.kill();
-  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
+  user.loseRobot();
   user.publish("joint_command", command({{"head_pan", 0.5}}));
   user.waitForWarning("command of head_pan is refused");
   user.robot.restart();
@@ -275,16 +245,6 @@ TEST(PlayMotion, IsNotSlowedDownByTheApproachOfACommandBefore) {
     const auto neck = std::find(state.name.begin(), state.name.end(), "neck_tilt") - state.name.begin();
     return std::abs(state.velocity.at(static_cast<std::size_t>(neck))) > 0.7;
   }));
-}
-
-TEST(Motors, WithoutARobotSayWhyAndWhatToCheck) {
-  JointUser user("/motors_gone");
-  user.connection.clear();
-  user.robot.kill();
-  ASSERT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
-  const std_srvs::SetBool::Response answer = user.setMotors(true);
-  EXPECT_FALSE(answer.success);
-  EXPECT_NE(answer.message, "");
 }
 
 TEST(Diagnostics, SayHowOftenTheJointsAreMeasured) {

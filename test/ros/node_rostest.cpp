@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
+#include <ros/master.h>
 #include <ros/ros.h>
 #include <ros/this_node.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -11,7 +12,12 @@
 #include <trajectory_msgs/JointTrajectory.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
+#include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -31,7 +37,7 @@ using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::Contains;
-using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using ImageListener = TopicListener<sensor_msgs::Image>;
@@ -51,6 +57,59 @@ TEST(Node, StartedInItsNamespaceDoesNotDoubleIt) {
   DriverProcess driver("/aibo", robot.port());
   EXPECT_FALSE(pictures.waitForCount(1).empty());
   EXPECT_FALSE(ros::service::exists("/aibo/aibo/take_picture", false));
+}
+
+/// The topics, services and actions that the driver has according to its document. Actions are named by their goals.
+std::set<std::string> documentedNames() {
+  std::ifstream document(ROS_INTERFACE);
+  const std::regex row("\\| (`[a-zJ][^|]*`) \\| [a-z_]+/[A-Z][^|]*\\|.*");
+  const std::regex name("`([A-Za-z_/]+)`");
+  std::set<std::string> names;
+  std::string heading;
+  std::smatch found;
+  for (std::string line; std::getline(document, line);) {
+    heading = line.rfind("#", 0) == 0 ? line : heading;
+    if (std::regex_match(line, found, row)) {
+      const std::string cell = found[1];
+      for (std::sregex_iterator each(cell.begin(), cell.end(), name); each != std::sregex_iterator(); ++each) {
+        names.insert(each->str(1) + (heading == "### Actions" ? "/goal" : ""));
+      }
+    }
+  }
+  names.erase("follow_joint_trajectory/goal");  // needs control_msgs
+  names.erase("JOINT_position_controller/command");
+  names.insert("head_pan_position_controller/command");
+  return names;
+}
+
+/// All topics and services that the master knows.
+std::set<std::string> namesOfMaster() {
+  XmlRpc::XmlRpcValue answer;
+  XmlRpc::XmlRpcValue state;
+  EXPECT_TRUE(ros::master::execute("getSystemState", ros::this_node::getName(), answer, state, false));
+  std::set<std::string> names;
+  for (int kind = 0; kind < state.size(); ++kind) {  // published, subscribed, services
+    for (int i = 0; i < state[kind].size(); ++i) {
+      names.insert(static_cast<std::string&>(state[kind][i][0]));
+    }
+  }
+  return names;
+}
+
+TEST(Node, HasWhatItsDocumentLists) {
+  const std::set<std::string> names = documentedNames();
+  EXPECT_GT(names.size(), 50U);
+  DriverProcess driver("/document", 1);
+  std::vector<std::string> missing;
+  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+  do {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    const std::set<std::string> known = namesOfMaster();
+    missing.clear();
+    std::copy_if(names.begin(), names.end(), std::back_inserter(missing),
+                 [&known](const std::string& name) { return known.count("/document/" + name) == 0; });
+  } while (!missing.empty() && std::chrono::steady_clock::now() < end);
+  EXPECT_THAT(missing, IsEmpty());
 }
 
 TEST(LookAround, StartedBareCommandsTheDriverUnderAibo) {

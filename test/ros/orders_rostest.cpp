@@ -10,7 +10,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -60,30 +59,6 @@ class OrderUser : public JointUser {
         states(name_space + "/motion_state"),
         robot_states(name_space + "/robot_state") {
     EXPECT_TRUE(states.waitForCount(1).size() > 0);
-  }
-
-  ~OrderUser() { letGo(); }
-
-  // Sends a velocity ten times a second from now on.
-  void steer(double forward) {
-    letGo();
-    ros::Publisher& publisher = publisherOf<Twist>("cmd_vel");
-    steering_ = true;
-    steerer_ = std::thread([this, &publisher, forward] {
-      Twist message;
-      message.linear.x = forward;
-      while (steering_) {
-        publisher.publish(message);
-        std::this_thread::sleep_for(milliseconds(100));
-      }
-    });
-  }
-
-  void letGo() {
-    steering_ = false;
-    if (steerer_.joinable()) {
-      steerer_.join();
-    }
   }
 
   // From any posture to a walk in which the legs move.
@@ -161,10 +136,6 @@ class OrderUser : public JointUser {
 
   TopicListener<MotionState> states;
   TopicListener<RobotState> robot_states;
-
- private:
-  std::atomic<bool> steering_{false};
-  std::thread steerer_;
 };
 
 // With each version of the protocol.

@@ -9,7 +9,6 @@
 #include <memory>
 #include <string>
 
-#include "support/proxy/recording_proxy.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
@@ -20,7 +19,6 @@ namespace {
 using aibo_driver::Connection;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
-using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
@@ -56,22 +54,6 @@ TEST(Recovery, PicturesComeAgainAfterTheReturnOfAKilledRobot) {
   EXPECT_TRUE(driver.isRunning());
 }
 
-TEST(Recovery, ARobotThatFallsSilentIsDisconnectedAndFoundAgain) {
-  SimulatedRobot robot;
-  RecordingProxy proxy(robot.port());
-  CompressedListener pictures("/silence/camera/image_raw/compressed");
-  TopicListener<Connection> connection("/silence/connection");
-  DriverProcess driver("/silence", proxy.port());
-  ASSERT_FALSE(pictures.waitForCount(1).empty());
-  connection.clear();
-  proxy.setMute(true);
-  ASSERT_TRUE(waitForState(connection, Connection::DISCONNECTED));
-  proxy.cut();
-  proxy.setMute(false);
-  pictures.clear();
-  EXPECT_FALSE(pictures.waitForCount(1).empty());
-}
-
 TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   auto robot = std::make_unique<SimulatedRobot>();
   robot->kill();
@@ -90,22 +72,6 @@ TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   robot->restart();
   EXPECT_FALSE(pictures.waitForCount(1).empty());
   EXPECT_TRUE(driver.isRunning());
-}
-
-TEST(Recovery, StampsGoOnIncreasingAfterAReconnect) {
-  SimulatedRobot robot;
-  RecordingProxy proxy(robot.port());
-  CompressedListener pictures("/increase/camera/image_raw/compressed");
-  DriverProcess driver("/increase", proxy.port());
-  ASSERT_FALSE(pictures.waitForCount(10).empty());
-  proxy.cut();
-  ASSERT_TRUE(pictures.waitForNext());
-  const std::size_t so_far = pictures.count();
-  ros::Time last;
-  for (const auto& picture : pictures.waitForCount(so_far + 10)) {
-    EXPECT_GT(picture->header.stamp, last);
-    last = picture->header.stamp;
-  }
 }
 
 }  // namespace

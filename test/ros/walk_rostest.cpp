@@ -19,7 +19,6 @@
 #include <cmath>
 #include <csignal>
 #include <filesystem>
-#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -70,35 +69,13 @@ bool moves(const MotionState& state, int kind) {
 }
 
 // A robot, its driver, and somebody who can steer it.
-class Walker {
+class Walker : public JointUser {
  public:
   explicit Walker(const std::string& name_space, const std::vector<std::string>& parameters = {},
                   const std::vector<std::string>& robot_options = {})
-      : odom(name_space + "/odom"),
-        state(name_space + "/motion_state"),
-        user(name_space, quickWith(name_space, parameters), robot_options) {}
-
-  ~Walker() { letGo(); }
-
-  // Sends a velocity ten times a second from now on.
-  void steer(double forward, double turn = 0) {
-    letGo();
-    ros::Publisher& publisher = user.publisherOf<Twist>("cmd_vel");
-    steering_ = true;
-    thread_ = std::thread([this, &publisher, forward, turn] {
-      while (steering_) {
-        publisher.publish(twist(forward, turn));
-        std::this_thread::sleep_for(std::chrono::milliseconds(100));
-      }
-    });
-  }
-
-  void letGo() {
-    steering_ = false;
-    if (thread_.joinable()) {
-      thread_.join();
-    }
-  }
+      : JointUser(name_space, quickWith(name_space, parameters), robot_options),
+        odom(name_space + "/odom"),
+        state(name_space + "/motion_state") {}
 
   bool waitForWalk() {
     state.clear();
@@ -127,16 +104,11 @@ class Walker {
 
   TopicListener<Odometry> odom;
   TopicListener<MotionState> state;
-  JointUser user;
-
- private:
-  std::atomic<bool> steering_{false};
-  std::thread thread_;
 };
 
 TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   Walker walker("/walk");
-  ASSERT_TRUE(walker.user.call<Trigger>("stand").success);
+  ASSERT_TRUE(walker.call<Trigger>("stand").success);
   ASSERT_TRUE(walker.walks(0.1));
   ASSERT_TRUE(walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; }));
   walker.letGo();
@@ -154,7 +126,7 @@ TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
   Walker walker("/zero");
   ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";
   walker.letGo();
-  walker.user.publish("cmd_vel", twist(0));
+  walker.publish("cmd_vel", twist(0));
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_EQ(lastEnd(*end).how, EndedMovement::DONE);
@@ -163,12 +135,12 @@ TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
 TEST(Walk, IsEndedByStopMotorsAndLegsButNotByTheHead) {
   Walker walker("/ended");
   ASSERT_TRUE(walker.walks(0.1));
-  walker.user.publish("joint_command", command({{"head_pan", 0.5}}));
-  ASSERT_TRUE(walker.user.waitForPanBeyond(0.4));
+  walker.publish("joint_command", command({{"head_pan", 0.5}}));
+  ASSERT_TRUE(walker.waitForPanBeyond(0.4));
   ASSERT_TRUE(walker.waitForEnd(Movement::COMMAND));
   EXPECT_TRUE(moves(*walker.state.waitForCount(1).back(), Movement::WALK)) << "the head is free";
   walker.letGo();
-  EXPECT_TRUE(walker.user.call<Trigger>("stop").success);
+  EXPECT_TRUE(walker.call<Trigger>("stop").success);
   ASSERT_TRUE(walker.waitForEnd());
   EXPECT_TRUE(walker.stands());
 }
@@ -177,7 +149,7 @@ TEST(Walk, IsEndedByACommandToALeg) {
   Walker walker("/leg");
   ASSERT_TRUE(walker.walks(0.1));
   walker.letGo();
-  walker.user.publish("joint_command", command({{"left_front_rotator", 0.0}}));
+  walker.publish("joint_command", command({{"left_front_rotator", 0.0}}));
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_EQ(lastEnd(*end).how, EndedMovement::REPLACED);
@@ -187,21 +159,21 @@ TEST(Walk, IsEndedByACommandToALeg) {
 TEST(Walk, IsEndedByTheMotors) {
   Walker walker("/motors");
   ASSERT_TRUE(walker.walks(0.1));
-  EXPECT_TRUE(walker.user.setMotors(false).success);
+  EXPECT_TRUE(walker.setMotors(false).success);
   EXPECT_TRUE(walker.waitForEnd());
-  walker.user.waitForWarning("walk is refused: .* switched the motors off; let go first");
+  walker.waitForWarning("walk is refused: .* switched the motors off; let go first");
 }
 
 TEST(Walk, DoesNotGoOnAfterTheConnectionWasLost) {
   Walker walker("/lost");
   ASSERT_TRUE(walker.walks(0.1));
   walker.letGo();
-  walker.user.reconnect();
+  walker.reconnect();
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_THAT(lastEnd(*end).reason, HasSubstr("the connection to the robot was lost"));
   EXPECT_TRUE(walker.stands());
-  EXPECT_TRUE(walker.user.proxy.requestsFromDriver("S", 1).empty()) << "nothing is repeated";
+  EXPECT_TRUE(walker.proxy.requestsFromDriver("S", 1).empty()) << "nothing is repeated";
   EXPECT_GT(walker.odom.waitForNext()->pose.pose.position.x, 0) << "the odometry goes on";
 }
 
@@ -213,21 +185,6 @@ TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
   }
   TopicListener<Odometry> odom("/unheard/odom");
   EXPECT_GT(odom.waitForNext()->pose.pose.position.x, 0.02);
-}
-
-TEST(Walk, KeepsToTheLimitsAndDropsWhatIsNotANumber) {
-  Walker walker("/limited", {"_walk_speed_limit:=0.05"});
-  ASSERT_TRUE(walker.walks(0.05));
-  walker.steer(0.5);
-  double sum = 0;
-  const auto all = walker.odom.waitForCount(60);
-  for (const auto& each : all) {
-    sum += each->twist.twist.linear.x;
-  }
-  EXPECT_LT(sum / static_cast<double>(all.size()), 0.055) << "on average, because steps are a bit uneven";
-  walker.letGo();
-  walker.user.publish("cmd_vel", twist(std::numeric_limits<double>::quiet_NaN()));
-  walker.user.waitForWarning("NaN or infinite");
 }
 
 TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
@@ -274,9 +231,9 @@ TEST(Walk, LeavesTheHeadToThoseWhoLookAround) {
 TEST(Walk, IsUnknownToVersion1) {
   TopicListener<tf2_msgs::TFMessage> tf("/walk1/tf");
   Walker walker("/walk1", {}, {"--protocol-version", "1"});
-  walker.user.publish("cmd_vel", twist(0.1));
-  walker.user.waitForWarning("walk is refused.*speaks version 1");
-  const Trigger::Response response = walker.user.call<Trigger>("sit");
+  walker.publish("cmd_vel", twist(0.1));
+  walker.waitForWarning("walk is refused.*speaks version 1");
+  const Trigger::Response response = walker.call<Trigger>("sit");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("speaks version 1"));
   EXPECT_EQ(walker.odom.count(), 0u);
@@ -288,7 +245,7 @@ TEST(Walk, IsUnknownToVersion1) {
 TEST(Posture, IsTakenAndSaidInTheMotionState) {
   Walker walker("/posture");
   for (const std::string name : {"sit", "stand", "rest"}) {
-    const Trigger::Response response = walker.user.call<Trigger>(name);
+    const Trigger::Response response = walker.call<Trigger>(name);
     EXPECT_TRUE(response.success) << response.message;
     EXPECT_TRUE(walker.state.waitFor([&name](const MotionState& each) {
       return !each.movements.empty() && each.movements[0].kind == Movement::POSTURE && each.movements[0].name == name;
@@ -300,9 +257,9 @@ TEST(Posture, IsEndedByStop) {
   Walker walker("/posture_stop");
   std::thread stopper([&walker] {
     EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
-    EXPECT_TRUE(walker.user.call<Trigger>("stop").success);
+    EXPECT_TRUE(walker.call<Trigger>("stop").success);
   });
-  const Trigger::Response response = walker.user.call<Trigger>("sit");
+  const Trigger::Response response = walker.call<Trigger>("sit");
   stopper.join();
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("The robot does not sit: "));
@@ -453,7 +410,7 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   });
-  EXPECT_TRUE(walker.user.waitForPanBeyond(1.0));
+  EXPECT_TRUE(walker.waitForPanBeyond(1.0));
   holds = false;
   hand.join();
   joy.axes[3] = 0;

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <functional>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>

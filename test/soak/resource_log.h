@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <fstream>
 #include <string>
 #include <vector>
 

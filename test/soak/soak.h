@@ -5,8 +5,6 @@
 #include <chrono>
 #include <fstream>
 #include <map>
-#include <optional>
-#include <random>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <sensor_msgs/JointState.h>
 #include <time.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>

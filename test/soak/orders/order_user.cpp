@@ -13,7 +13,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <random>

@@ -3,7 +3,6 @@
 #define TEST_SUPPORT_PROXY_PIPE_H
 
 #include <deque>
-#include <functional>
 #include <optional>
 #include <random>
 #include <utility>

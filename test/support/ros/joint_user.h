@@ -9,16 +9,11 @@
 #include <std_srvs/SetBool.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <string>
 #include <vector>
 
-#include "support/proxy/recording_proxy.h"
-#include "support/ros/driver_process.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
-#include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
-#include "support/simulated_robot.h"
 
 namespace test_support {
 
@@ -26,49 +21,19 @@ namespace test_support {
 inline const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20",
                                              "_approach_speed:=20"};
 
-/// Robot, proxy and driver, connected with each other, and a user who moves the joints.
-class JointUser {
+/// A user who moves the joints.
+class JointUser : public DriverUser {
  public:
   explicit JointUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick,
                      const std::vector<std::string>& robot_options = {}, const std::string& program = AIBO_DRIVER_NODE)
-      : robot(robot_options),
-        proxy(robot.port()),
-        joints(name_space),
-        connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), patient(parameters), {}, program),
-        name_space_(name_space),
-        publishers_(name_space) {
-    EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
+      : DriverUser(name_space, parameters, robot_options, program), joints(name_space) {
     EXPECT_TRUE(joints.messages().waitForNext());
-  }
-
-  template <typename Message>
-  void publish(const std::string& topic, const Message& message) {
-    publishers_.publish(topic, message);
-  }
-
-  // Ready to be published on without delay.
-  template <typename Message>
-  ros::Publisher& publisherOf(const std::string& topic) {
-    return publishers_.publisherOf<Message>(topic);
-  }
-
-  template <typename Service>
-  typename Service::Response call(const std::string& name, typename Service::Request request = {}) {
-    typename Service::Response response;
-    EXPECT_TRUE(ros::service::call(name_space_ + "/" + name, request, response)) << "the call itself failed";
-    return response;
   }
 
   std_srvs::SetBool::Response setMotors(bool on) {
     std_srvs::SetBool::Request request;
     request.data = on;
     return call<std_srvs::SetBool>("motors", request);
-  }
-
-  bool waitForConnection(std::uint8_t state) {
-    return connection.waitFor([state](const aibo_driver::Connection& message) { return message.state == state; }) !=
-           nullptr;
   }
 
   // Breaks the connection and waits for the next one.
@@ -87,27 +52,11 @@ class JointUser {
     return joints.messages().waitFor(isBeyond) != nullptr;
   }
 
-  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
-
   std::size_t jointRequests(std::size_t first_connection = 0) const {
     return proxy.requestsFromDriver("J", first_connection).size();
   }
 
-  SimulatedRobot robot;
-  RecordingProxy proxy;
   JointListener joints;
-  TopicListener<aibo_driver::Connection> connection;
-  DriverProcess driver;
-
- private:
-  // A busy computer may be silent for longer than a robot.
-  static std::vector<std::string> patient(std::vector<std::string> parameters) {
-    parameters.insert(parameters.begin(), "_read_timeout:=20");
-    return parameters;
-  }
-
-  const std::string name_space_;
-  TopicPublishers publishers_;
 };
 
 }  // namespace test_support

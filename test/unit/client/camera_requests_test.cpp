@@ -1,7 +1,6 @@
 // Resolution and rate of the stream, and the camera's settings.
 #include <gmock/gmock.h>
 
-#include <memory>
 #include <string>
 
 #include "client/fault.h"

@@ -3,12 +3,14 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/ros/call_service.h"
+#include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 
@@ -37,7 +39,17 @@ class StreamServicesTest : public ::testing::Test {
     request.quality = quality;
     request.save_to = save_to;
     request.resolution = resolution;
-    return callService<TakePicture>(pictures_, "take_picture", request);
+    return callService<TakePicture>(pictureServices(), "take_picture", request);
+  }
+
+  Services pictureServices() {
+    return takePictureServices(
+        parameters_, client_, [] { return 85; },
+        [](const Picture& picture) {
+          sensor_msgs::CompressedImage message;
+          message.data = picture.jpeg;
+          return message;
+        });
   }
 
   std_srvs::SetBool::Response setStreaming(bool on) {
@@ -50,13 +62,6 @@ class StreamServicesTest : public ::testing::Test {
   StreamPolicy policy_{false, true};
   DriverParameters parameters_;
   Services stream_ = streamServices(parameters_, client_, policy_);
-  Services pictures_ = takePictureServices(
-      parameters_, client_, [] { return 85; },
-      [](const Picture& picture) {
-        sensor_msgs::CompressedImage message;
-        message.data = picture.jpeg;
-        return message;
-      });
 };
 
 TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
@@ -83,6 +88,16 @@ TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
   client_.stream_quality = 85;
   EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85, from the running stream."));
   EXPECT_THAT(takePicture(20).message, HasSubstr("quality 20 would need the stream to be off"));
+}
+
+TEST_F(StreamServicesTest, SaveAPicture) {
+  const test_support::TemporaryFolder folder;
+  parameters_.picture_folder = folder.path().string();
+  const auto answer = takePicture(0, "picture.jpg");
+  EXPECT_TRUE(answer.success);
+  const std::filesystem::path file = std::filesystem::canonical(folder.path()) / "picture.jpg";
+  EXPECT_THAT(answer.message, HasSubstr("Saved to '" + file.string() + "'"));
+  EXPECT_EQ(std::filesystem::file_size(file), answer.image.data.size());
 }
 
 TEST_F(StreamServicesTest, AnswerAPictureThatWasNotSavedAndSayWhy) {

@@ -5,7 +5,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
-#include <functional>
 #include <future>
 #include <limits>
 #include <thread>

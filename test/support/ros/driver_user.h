@@ -1,0 +1,115 @@
+/// @file driver_user.h
+#ifndef TEST_SUPPORT_ROS_DRIVER_USER_H
+#define TEST_SUPPORT_ROS_DRIVER_USER_H
+
+#include <aibo_driver/Connection.h>
+#include <geometry_msgs/Twist.h>
+#include <gtest/gtest.h>
+#include <ros/service.h>
+
+#include <atomic>
+#include <chrono>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "support/proxy/recording_proxy.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
+
+namespace test_support {
+
+/// Robot, proxy and driver, connected with each other, and a user.
+class DriverUser {
+ public:
+  explicit DriverUser(const std::string& name_space, std::vector<std::string> parameters = {},
+                      const std::vector<std::string>& robot_options = {}, const std::string& program = AIBO_DRIVER_NODE)
+      : robot(robot_options),
+        proxy(robot.port()),
+        connection(name_space + "/connection"),
+        driver(name_space, proxy.port(), patient(&parameters), {}, program),
+        name_space_(name_space),
+        publishers_(name_space) {
+    EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
+  }
+
+  ~DriverUser() { letGo(); }
+
+  template <typename Message>
+  void publish(const std::string& topic, const Message& message) {
+    publishers_.publish(topic, message);
+  }
+
+  /// Ready to be published on without delay.
+  template <typename Message>
+  ros::Publisher& publisherOf(const std::string& topic) {
+    return publishers_.publisherOf<Message>(topic);
+  }
+
+  template <typename Service>
+  typename Service::Response call(const std::string& name, typename Service::Request request = {}) {
+    typename Service::Response response;
+    EXPECT_TRUE(ros::service::call(name_space_ + "/" + name, request, response)) << "the call itself failed";
+    return response;
+  }
+
+  /// Sends a velocity ten times a second from now on.
+  void steer(double forward, double turn = 0) {
+    letGo();
+    geometry_msgs::Twist twist;
+    twist.linear.x = forward;
+    twist.angular.z = turn;
+    ros::Publisher& publisher = publisherOf<geometry_msgs::Twist>("cmd_vel");
+    steering_ = true;
+    steerer_ = std::thread([this, &publisher, twist] {
+      while (steering_) {
+        publisher.publish(twist);
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+      }
+    });
+  }
+
+  void letGo() {
+    steering_ = false;
+    if (steerer_.joinable()) {
+      steerer_.join();
+    }
+  }
+
+  bool waitForConnection(std::uint8_t state) {
+    return connection.waitFor([state](const aibo_driver::Connection& message) { return message.state == state; }) !=
+           nullptr;
+  }
+
+  /// Switches the robot off, and waits until the driver knows it.
+  void loseRobot() {
+    connection.clear();
+    robot.kill();
+    EXPECT_TRUE(waitForConnection(aibo_driver::Connection::DISCONNECTED));
+  }
+
+  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
+
+  SimulatedRobot robot;
+  RecordingProxy proxy;
+  TopicListener<aibo_driver::Connection> connection;
+  DriverProcess driver;
+
+ private:
+  /// A busy computer may be silent for longer than a robot, unless a test says otherwise.
+  static std::vector<std::string>& patient(std::vector<std::string>* parameters) {
+    parameters->insert(parameters->begin(), "_read_timeout:=20");
+    return *parameters;
+  }
+
+  const std::string name_space_;
+  TopicPublishers publishers_;
+  std::atomic<bool> steering_{false};
+  std::thread steerer_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_DRIVER_USER_H
