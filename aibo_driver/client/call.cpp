@@ -62,20 +62,6 @@ Call makeStickCall(const version2::Request& request, version2::StickPictureReque
   return call;
 }
 
-/// Reads an answer with one decoder.
-/// @param take called with the decoded payload and the Answer, unless the payload is malformed
-template <typename Payload, typename Take>
-Call::ReadAnswer readAs(const Take& take) {
-  return [take](const unsigned char* bytes, std::size_t size, Answer* answer) {
-    Payload payload;
-    const char* const problem = version2::decode(bytes, size, &payload);
-    if (problem == nullptr) {
-      take(payload, answer);
-    }
-    return problem;
-  };
-}
-
 /// @param read decides which names are accepted
 Call::ReadAnswer readNames(version2::ReadFileName read) {
   return [read](const unsigned char* payload, std::size_t size, Answer* answer) {

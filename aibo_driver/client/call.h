@@ -107,6 +107,20 @@ Call::Bytes encoded(const Payload& payload) {
   return bytes;
 }
 
+/// A Call::read_answer for an answer with this payload of version 2.
+/// @param take called with the decoded payload and the Answer, unless the payload is malformed
+template <typename Payload, typename Take>
+Call::ReadAnswer readAs(const Take& take) {
+  return [take](const unsigned char* bytes, std::size_t size, Answer* answer) {
+    Payload payload;
+    const char* const problem = protocol::version2::decode(bytes, size, &payload);
+    if (problem == nullptr) {
+      take(payload, answer);
+    }
+    return problem;
+  };
+}
+
 /// Makes a call with an empty payload and an empty answer.
 Call makeCall(const protocol::version2::Request& request, const std::string& object = "");
 

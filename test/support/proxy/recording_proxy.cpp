@@ -23,7 +23,6 @@ void RecordingProxy::record(std::size_t number, Direction direction, const std::
     connection.replies.feed(data, size);
     return;
   }
-  connection.from_driver.insert(connection.from_driver.end(), data, data + size);
   for (Request& request : connection.request_scanner.feed(data, size)) {
     if (request.version2) {
       connection.requests.push_back(std::move(request));
@@ -41,15 +40,6 @@ void RecordingProxy::setMute(bool mute) {
 std::vector<Bytes> RecordingProxy::picturesFromRobot() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return pictures_;
-}
-
-std::string RecordingProxy::bytesFromDriver() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  std::string bytes;
-  for (const Connection& connection : connections_) {
-    bytes.append(connection.from_driver.begin(), connection.from_driver.end());
-  }
-  return bytes;
 }
 
 std::vector<Request> RecordingProxy::requestsFromDriver(const std::string& kinds, std::size_t first_connection) const {

@@ -33,9 +33,6 @@ class RecordingProxy {
   /// The JPEGs that the robot has sent since the proxy began, in this order.
   std::vector<Bytes> picturesFromRobot() const;
 
-  /// What the driver has sent since the proxy began.
-  std::string bytesFromDriver() const;
-
   /// How many connections there have been.
   std::size_t connections() const { return proxy_.connections(); }
 
@@ -55,7 +52,6 @@ class RecordingProxy {
     ReplyScanner replies;
     RequestScanner request_scanner;
     std::vector<Request> requests{};
-    Bytes from_driver{};
   };
 
   FaultProxy::Options options(int robot_port);
