@@ -9,6 +9,7 @@
 #include <boost/make_shared.hpp>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,10 @@ typename Service::Response callService(const std::vector<ros::AdvertiseServiceOp
   call.connection_header = boost::make_shared<ros::M_string>();
   (*call.connection_header)["callerid"] = caller;
   EXPECT_TRUE(found->helper->call(call)) << "a call of " << name << " fails";
-  ros::serialization::deserializeMessage(call.response, response);
+  constexpr std::uint32_t kHeader = 5;  // success of the call and size of the response
+  ros::serialization::IStream answer(call.response.buf.get() + kHeader,
+                                     static_cast<std::uint32_t>(call.response.num_bytes) - kHeader);
+  ros::serialization::deserialize(answer, response);
   return response;
 }
 

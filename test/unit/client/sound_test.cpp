@@ -181,8 +181,8 @@ TEST_F(SoundTest, WhatIsMissingBetweenTwoPushesIsCounted) {
     missing.push_back(sound.missing);
   }
   EXPECT_THAT(missing, ElementsAre(0, 0, 3 * 128, 0));
-  EXPECT_EQ(1U, counters_.snapshot().sound_gaps);
-  EXPECT_EQ(4U, counters_.snapshot().sounds);
+  EXPECT_EQ(1U, counters_.sound_gaps);
+  EXPECT_EQ(4U, counters_.sounds);
 }
 
 TEST_F(SoundTest, AtHalfTheRateAFrameHasHalfTheSamples) {
@@ -200,7 +200,7 @@ TEST_F(SoundTest, PiecesThatAreNoWholeFramesHaveNoGaps) {
   push(700, std::vector<std::int16_t>(100), 1);  // begins within the same frame
   push(701, std::vector<std::int16_t>(56), 1);
   push(702, std::vector<std::int16_t>(56), 1);
-  EXPECT_EQ(0U, counters_.snapshot().sound_gaps);
+  EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
 // The rate of a push is that of the settings, so one from before a change would be misunderstood.
@@ -259,7 +259,7 @@ TEST_F(SoundTest, NothingIsMissingAfterAPauseInWhichNobodyListened) {
   ASSERT_THAT(heard_, SizeIs(3));
   EXPECT_EQ(0U, heard_[1].missing);
   EXPECT_EQ(0U, heard_[2].missing);
-  EXPECT_EQ(0U, counters_.snapshot().sound_gaps);
+  EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
@@ -280,7 +280,7 @@ TEST_F(SoundTest, MoreThanTwiceTheSoundThatWasAskedForIsDroppedAndLoggedOnce) {
   }
   EXPECT_GE(1000U / 2 + 64, heard_.size());
   EXPECT_LE(1000U / 2, heard_.size());
-  EXPECT_EQ(1000U, heard_.size() + counters_.snapshot().thinned_sounds);
+  EXPECT_EQ(1000U, heard_.size() + counters_.thinned_sounds);
   EXPECT_EQ(1, logged("more than twice as much sound"));
 }
 
