@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>

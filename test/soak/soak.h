@@ -5,6 +5,8 @@
 #include <chrono>
 #include <fstream>
 #include <map>
+#include <optional>
+#include <random>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,7 @@
 #define TEST_SUPPORT_PROXY_PIPE_H
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <random>
 #include <utility>
