@@ -272,9 +272,7 @@ TEST_F(ConnectionsTest, RequestThatBeginsLikeAMethodIsServedInAnyPieces) {
     client->send(play.substr(0, split));
     machine_->runPending();
     client->send(play.substr(split));
-    const std::optional<Reply> reply = await(*client);
-    ASSERT_TRUE(reply) << split;
-    EXPECT_EQ(reply->letter, 'p') << split << ": the motion is stopped";
+    EXPECT_EQ(awaitLetter(*client), 'p') << split << ": the motion is stopped";
     client->close();
     machine_->runPending();
   }
@@ -325,8 +323,7 @@ class PlayingClientTest : public ConnectionsTest {
  protected:
   void startPlaying(TestClient& client) {
     client.send(fileRequest('P', "WAG.MTN", 1000));
-    const std::optional<Reply> reply = await(client);
-    ASSERT_TRUE(reply && reply->letter == 'p');
+    ASSERT_EQ(awaitLetter(client), 'p');
     machine_->runPending();
   }
 

@@ -30,13 +30,8 @@ struct ReceivedPart {
   std::vector<uint8_t> bytes;
 };
 
-class DatagramsTest : public FakeRobotFixture {
+class DatagramsTest : public Version2Fixture {
  protected:
-  void SetUp() override {
-    start();
-    connectVersion2();
-  }
-
   void switchOn(const UdpSocket& receiver) {
     const Frame answer = answerTo('B', 0, portPayload(receiver.port()));
     ASSERT_EQ(answer.header.kind, 'b');

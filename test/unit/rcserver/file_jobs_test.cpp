@@ -210,9 +210,7 @@ TEST_F(FileJobsTest, AnswersOfVersion1KeepTheOrderOfTheRequests) {
   EXPECT_FALSE(client_->next());
   finishJobs();
   for (const char letter : {'p', 'e', 'e'}) {
-    const std::optional<Reply> reply = await(*client_);
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->letter, letter);
+    EXPECT_EQ(awaitLetter(*client_), letter);
   }
 }
 

@@ -13,13 +13,8 @@ using ::testing::HasSubstr;
 
 constexpr unsigned kOutage = 75;  // frames: 0.6 s
 
-class GuestsTest : public FakeRobotFixture {
+class GuestsTest : public Version2Fixture {
  protected:
-  void SetUp() override {
-    start();
-    connectVersion2();
-  }
-
   // Connects beside the client that is served.
   std::unique_ptr<TestClient> comeWith(const std::string& bytes, const char* from = "127.0.0.1") {
     auto newcomer = connect(0, from);

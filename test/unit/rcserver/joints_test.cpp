@@ -24,7 +24,6 @@ using ::testing::HasSubstr;
 
 constexpr int kNeckTilt = 1;
 constexpr int kHeadPan = 2;
-constexpr int kLeftFrontRotator = 11;
 constexpr int kTailPan = 51;
 
 // More than enough for any motion with the standard limits.
@@ -81,9 +80,7 @@ TEST_F(JointsTest, RobotWithAMissingJointSendsPicturesAndRefusesToMove) {
   expectError(request('J', kHeadPan, 100));
   client_->send(request('F', 85));
   passFrames(FakeRobot::kFramesPerImage);
-  const std::optional<Reply> reply = await(*client_);
-  ASSERT_TRUE(reply);
-  EXPECT_EQ(reply->letter, 'f');
+  EXPECT_EQ(awaitLetter(*client_), 'f');
 }
 
 TEST_F(JointsTest, JointsThatGetNoGainAreNamedOnTheConsoleAndTheOthersHold) {
@@ -249,21 +246,6 @@ class SimulatedJointsTest : public RCServerFixture {
     client_ = connectServed();
   }
 
-  std::vector<double> positions() const {
-    std::vector<double> all;
-    for (const simulated_ers7::Joint& joint : robot_.joints().all()) {
-      all.push_back(joint.position());
-    }
-    return all;
-  }
-
-  int read(int identifier) {
-    client_->send(request('J', identifier));
-    const std::optional<Reply> reply = await(*client_);
-    EXPECT_TRUE(reply && reply->letter == 'j');
-    return reply ? reply->value.value : 0;
-  }
-
   simulated_ers7::SimulatedErs7 robot_;
   std::unique_ptr<TestClient> client_;
 };
@@ -271,14 +253,10 @@ class SimulatedJointsTest : public RCServerFixture {
 // Enough for a good part of any joint's range, and short because rendering camera images takes time.
 constexpr unsigned kMotionOfOneSecond = 125;
 
-// The encoders are off by up to a step of 0.05 degree.
-constexpr double kEncoderError = 2.0 * simulated_ers7::Joint::kEncoderStep;
-
 TEST_F(SimulatedJointsTest, AllMoveAtOnceWithoutAFalseAlarm) {
   for (const int angle : {12000, -12000, 12000, 0}) {
     client_->send(request('J', 0, angle));
-    const std::optional<Reply> reply = await(*client_);
-    ASSERT_TRUE(reply && reply->letter == 'j');
+    ASSERT_EQ(awaitLetter(*client_), 'j');
     passFrames(kMotionOfOneSecond);
   }
   EXPECT_EQ(console_.str().find("jammed"), std::string::npos) << console_.str();

@@ -26,13 +26,8 @@ std::string moveHeadPan(int microradians) {
   return payload;
 }
 
-class PicturesTest : public FakeRobotFixture {
+class PicturesTest : public Version2Fixture {
  protected:
-  void SetUp() override {
-    start();
-    connectVersion2();
-  }
-
   // Afterwards the encoder is at work on the first image.
   bool startsStreamWithSlowEncoder() {
     encoder_.slowDown();

@@ -165,9 +165,7 @@ class RCServerFixture : public ::testing::Test {
   /// Sends requests of version 1 and waits until all have been handled: the last one is answered at once.
   void ask(TestClient& client, const std::string& requests) {
     client.send(requests + kRefused);
-    const std::optional<Reply> reply = await(client);
-    ASSERT_TRUE(reply) << "no answer to the last request";
-    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+    ASSERT_EQ(awaitLetter(client), protocol::REPLY_ERROR) << "no answer to the last request";
     machine_->runPending();
   }
 
@@ -177,6 +175,12 @@ class RCServerFixture : public ::testing::Test {
     EXPECT_TRUE(machine_->runUntil([&] { return (reply = client.next()).has_value() || client.ended(); }))
         << "neither a reply nor an end";
     return reply;
+  }
+
+  /// The letter of the next reply; 0 if the server closes instead.
+  char awaitLetter(TestClient& client) {
+    const std::optional<Reply> reply = await(client);
+    return reply ? reply->letter : '\0';
   }
 
   bool awaitEnd(TestClient& client) {
@@ -342,6 +346,15 @@ class FakeRobotFixture : public RCServerFixture {
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
   int last_number_ = 0;  ///< of a request of version 2
+};
+
+/// The client speaks version 2.
+class Version2Fixture : public FakeRobotFixture {
+ protected:
+  void SetUp() override {
+    start();
+    connectVersion2();
+  }
 };
 
 #endif  // TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H

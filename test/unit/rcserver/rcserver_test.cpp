@@ -114,9 +114,7 @@ TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
   }
   client->send(requests);
   for (int i = 0; i < 10; ++i) {
-    const std::optional<Reply> reply = await(*client);
-    ASSERT_TRUE(reply);
-    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+    ASSERT_EQ(awaitLetter(*client), protocol::REPLY_ERROR);
   }
   machine_->runPending();
   for (int i = 0; i < limit; ++i) {
@@ -155,9 +153,7 @@ TEST_F(RCServerTest, ContentOfARefusedUploadIsNotTakenForRequests) {
     content += "W";
   }
   client->send(header + content);
-  const std::optional<Reply> reply = await(*client);
-  ASSERT_TRUE(reply);
-  EXPECT_EQ(reply->letter, 'e');
+  EXPECT_EQ(awaitLetter(*client), 'e');
   expectNoPictureOfNextImage(*client);
 }
 
@@ -190,9 +186,7 @@ TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply
     ASSERT_LT(sent, 100U * 1024 * 1024) << "the server takes requests without end";
   }
   for (size_t replies = 0; replies < sent / 2; ++replies) {
-    const std::optional<Reply> reply = await(*client);
-    ASSERT_TRUE(reply) << "after " << replies << " of " << sent / 2;
-    ASSERT_EQ(reply->letter, protocol::REPLY_ERROR);
+    ASSERT_EQ(awaitLetter(*client), protocol::REPLY_ERROR) << "after " << replies << " of " << sent / 2;
   }
 }
 

@@ -63,13 +63,8 @@ std::string period(unsigned short frames) {
   return payloadOf(TelemetryPeriod{frames});
 }
 
-class Version2Test : public FakeRobotFixture {
+class Version2Test : public Version2Fixture {
  protected:
-  void SetUp() override {
-    start();
-    connectVersion2();
-  }
-
   // The values of a reply to `J`.
   Values acceptedBy(const Frame& answer) {
     JointTargets accepted = {};
@@ -161,9 +156,7 @@ TEST_F(Version2Test, NextClientSpeaksVersion1UntilItAsks) {
   disconnect();
   auto client = connectServed();
   client->send(request('J', kPanId));
-  const std::optional<Reply> reply = await(*client);
-  ASSERT_TRUE(reply);
-  EXPECT_EQ(reply->letter, 'j');
+  EXPECT_EQ(awaitLetter(*client), 'j');
 }
 
 class NewestVersionTest : public FakeRobotFixture {};

@@ -23,13 +23,8 @@ std::string steering(int forward, int left = 0, int turn = 0) {
   return payloadOf(velocity);
 }
 
-class WalkTest : public FakeRobotFixture {
+class WalkTest : public Version2Fixture {
  protected:
-  void SetUp() override {
-    start();
-    connectVersion2();
-  }
-
   // Steers as a client does, and collects what is pushed.
   void steer(int forward, unsigned frames, int left = 0, int turn = 0) {
     for (unsigned passed = 0; passed < frames; passed += 12) {
@@ -319,9 +314,7 @@ TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
   client_->send(request('J', 2, 1000));
   clock_.step(100);
   machine_->runPending();
-  const std::optional<Reply> reply = await(*client_);
-  ASSERT_TRUE(reply);
-  EXPECT_EQ(reply->letter, 'e');
+  EXPECT_EQ(awaitLetter(*client_), 'e');
   passFrames(20);
   expectAnswer(request('J', 2, 1000), 'j', 2, 1000);
 }

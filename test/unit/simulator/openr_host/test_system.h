@@ -108,6 +108,17 @@ class TestSystem {
     }
   }
 
+  /// Sends regions in one notification.
+  void send(TestObject& sender, const std::vector<RegionReference>& regions) {
+    as(sender, [&] {
+      for (const RegionReference& region : regions) {
+        sender.subject().SetData(region.get());
+      }
+      sender.subject().NotifyObservers();
+    });
+    run();
+  }
+
   /// Handles messages and sockets until `done` returns true.
   /// @param limit in case of an error
   /// @return false if the limit was reached

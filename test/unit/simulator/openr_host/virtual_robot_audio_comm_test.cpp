@@ -86,15 +86,7 @@ class VirtualRobotAudioCommTest : public testing::Test {
     return makeVector(samples.data(), 2 * samples.size(), 16000, 16);
   }
 
-  void send(const std::vector<RegionReference>& vectors) {
-    test_.as(talker_, [&] {
-      for (const RegionReference& vector : vectors) {
-        talker_.subject().SetData(vector.get());
-      }
-      talker_.subject().NotifyObservers();
-    });
-    test_.run();
-  }
+  void send(const std::vector<RegionReference>& vectors) { test_.send(talker_, vectors); }
 
   void jumpTo(longword frame) {
     test_.as(comm_, [&] { comm_.beginFrame(frame); });

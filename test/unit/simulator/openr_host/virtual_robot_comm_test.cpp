@@ -61,17 +61,7 @@ class VirtualRobotCommTest : public testing::Test {
     return made;
   }
 
-  void sendAs(TestObject& sender, const std::vector<RegionReference>& regions) {
-    test_.as(sender, [&] {
-      for (const auto& region : regions) {
-        sender.subject().SetData(region.get());
-      }
-      sender.subject().NotifyObservers();
-    });
-    test_.run();
-  }
-
-  void send(const std::vector<RegionReference>& regions) { sendAs(mover_, regions); }
+  void send(const std::vector<RegionReference>& regions) { test_.send(mover_, regions); }
 
   /// Jumps to this frame; the frames in between are missed.
   void jumpTo(longword frame) {
@@ -160,7 +150,7 @@ TEST_F(VirtualRobotCommTest, SeveralObjectsCommandTheirOwnPrimitivesAndEachGetsI
   int other_readies = 0;
   other_.on_ready = [&](const OReadyEvent&) { ++other_readies; };
   send({makeVector({{1, {10, 20}}}), makeVector({{1, {30, 40}}})});
-  sendAs(other_, {makeVector({{2, {7}}}), makeVector({{2, {8, 9}}})});
+  test_.send(other_, {makeVector({{2, {7}}}), makeVector({{2, {8, 9}}})});
   pass(4);
   EXPECT_THAT(
       robot_.commanded,
