@@ -133,17 +133,6 @@ TEST_F(ConnectionsTest, WhatComesWhileTheMemoryStickIsAtWorkIsAnsweredAfterwards
   }
 }
 
-TEST_F(ConnectionsTest, ConnectionOfAClientTurnedAwayIsFreeAtOnce) {
-  auto silent = connectServed();
-  passFrames(1250 - 20);
-  auto too_early = connect();
-  passFrames(4);
-  EXPECT_TRUE(too_early->ended());
-  passFrames(40);
-  auto next = connect();
-  EXPECT_TRUE(isServed(*next));
-}
-
 // --------------------------------------------------------------------------------------------------- strangers
 
 // What would switch to version 2 and move a joint, and shut the robot down.
@@ -362,19 +351,6 @@ TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
     }
   }
   EXPECT_TRUE(tailMoves());
-}
-
-TEST_F(PlayingClientTest, TimeOfSilenceComesFromTheSettings) {
-  machine_.reset();
-  stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "SILENT_CLIENT_SECONDS=20\n");
-  boot(robot_);
-  passFrames(kUntilMeasured);
-  auto client = connectServed();
-  startPlaying(*client);
-  passFrames(2500 - 420);
-  EXPECT_TRUE(tailMoves());
-  passFrames(20 + 250);
-  EXPECT_FALSE(tailMoves());
 }
 
 // -------------------------------------------------------------------------------------------------------- motors

@@ -89,9 +89,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// From now on images are noise, which makes the largest pictures.
   void showNoise() { noise_ = true; }
 
-  /// From now on images are taken in the frames in which the joints are measured.
-  void takeImagesWhenJointsAreMeasured() { first_frame_of_image_ = 1; }
-
   std::string design() const override { return design_name; }
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
     if (locator == missing_locator) {
@@ -294,7 +291,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::string missing_locator;                        ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {
-    const longword image = (frame + first_frame_of_image_) / kFramesPerImage;
+    const longword image = frame / kFramesPerImage;
     const bool due = image != image_;
     image_ = image;
     return due;
@@ -412,7 +409,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
                                     kMostEntries * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;
-  longword first_frame_of_image_ = 0;
   bool noise_ = false;
   std::minstd_rand random_;
 };

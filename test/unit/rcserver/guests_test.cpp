@@ -74,18 +74,6 @@ TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
   EXPECT_TRUE(isAgreedToVersion2(*next));
 }
 
-TEST_F(GuestsTest, WaitTenSecondsForAClientOfVersion1) {
-  disconnect();
-  auto old = connectServed();
-  passFrames(kOutage);
-  auto early = comeWith(request('X', 2));
-  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*early));
-  passFrames(1250);
-  auto next = comeWith(request('X', 2));
-  EXPECT_TRUE(isAgreedToVersion2(*next));
-  EXPECT_TRUE(old->wasReset());
-}
-
 // A web page's connection would end the one of a client in an outage.
 TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
   passFrames(kOutage);

@@ -56,10 +56,6 @@ class ImageObserverTest : public ::testing::Test {
 
 // rcserver_test.cpp has the table of the four states and four events, with the whole server.
 
-TEST_F(ImageObserverTest, BeginsIdle) {
-  EXPECT_EQ(observer_.State(), IOS_IDLE);
-}
-
 TEST_F(ImageObserverTest, PicturesOwedWhenTheStreamStopsAreSentAfterIt) {
   bringTo(IOS_CONTINUOUS);
   observer_.RequestPicture(ofQuality(20));

@@ -175,11 +175,6 @@ TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
   }
 }
 
-TEST_F(JointsTest, SpeedLimitIsClampedToTheJointsRange) {
-  expectAnswer(request('V', kNeckTilt, 32767), 'v', kNeckTilt, 18250);
-  expectAnswer(request('V', kNeckTilt, 1), 'v', kNeckTilt, 1);
-}
-
 TEST_F(JointsTest, LimitsWithWhichAJointCannotMoveAreRefused) {
   for (const char letter : {'V', 'A'}) {
     answerTo(request(letter, kNeckTilt, 3000));
@@ -188,11 +183,6 @@ TEST_F(JointsTest, LimitsWithWhichAJointCannotMoveAreRefused) {
     }
     expectAnswer(request(letter, kNeckTilt), letter == 'V' ? 'v' : 'a', kNeckTilt, 3000);
   }
-}
-
-TEST_F(JointsTest, LimitsTooLargeForVersion1ReadAsItsLargestValue) {
-  expectAnswer(request('V', kHeadPan), 'v', kHeadPan, 32767);
-  expectAnswer(request('A', kHeadPan), 'a', kHeadPan, 32767);
 }
 
 TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
@@ -205,20 +195,6 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
   for (size_t i = 2; i < path.size(); ++i) {
     ASSERT_LE(std::abs(path[i] - 2 * path[i - 1] + path[i - 2]), microradiansFromCentidegrees(5000) / 125 / 125);
   }
-}
-
-// ----------------------------------------------------------------------------------------- version 1: two or four
-// bytes
-
-// ------------------------------------------------------------------------------------------------------- client gone
-
-TEST_F(JointsTest, NextClientFindsTheRobotsOwnLimits) {
-  answerTo(request('V', kNeckTilt, 1000));
-  answerTo(request('A', kNeckTilt, 1000));
-  disconnect();
-  client_ = connectServed();
-  expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
-  expectAnswer(request('A', kNeckTilt), 'a', kNeckTilt, 32767);
 }
 
 // --------------------------------------------------------------------------------------------------------------- jam

@@ -363,17 +363,6 @@ TEST_F(Version2MotionsTest, reportsAMotionThatAFaultyJointStops) {
   EXPECT_EQ(robot_.joint("head_tilt").position, stopped_at);
 }
 
-TEST_F(Version2MotionsTest, reportsTheEndOfAMotionOnceWhenItIsReached) {
-  startVersion2("");
-  EXPECT_EQ(answerTo(play("NOD.MTN", 1)), "p");
-  passFrames(100);
-  EXPECT_FALSE(client_->nextFrame());
-  passFrames(kLongestMotion);
-  EXPECT_EQ(answer(), "ended 1 0 NOD.MTN\n");
-  passFrames(100);
-  EXPECT_FALSE(client_->nextFrame());
-}
-
 TEST_F(Version2MotionsTest, reportsWhatHasStoppedAMotion) {
   const std::string one_joint("\0\0\1\0\63\0\0\0\0\0\0\0", 12);
   const std::pair<std::string, std::string> orders[] = {

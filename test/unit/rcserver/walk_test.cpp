@@ -168,19 +168,6 @@ TEST_F(WalkTest, EndsInTheStandWhenTheClientSteersSoOrNotAtAll) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: it was not steered for 500 ms"));
 }
 
-TEST_F(WalkTest, ALegThatIsCommandedEndsItAndTheHeadDoesNot) {
-  walk();
-  JointTargets head = {0, 1, {{2, 300000}}};
-  answerTo('J', 0, payloadOf(head));
-  walk();
-  EXPECT_THAT(ends_, IsEmpty());
-  JointTargets knee = {0, 1, {{13, 1000000}}};
-  answerTo('J', 0, payloadOf(knee));
-  pass(50);
-  EXPECT_THAT(ends_, ElementsAre("2 1 walk: left_front_knee was commanded"));
-  EXPECT_EQ(robot_.joint("left_front_knee").position, 1000000);
-}
-
 TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
   walk();
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
@@ -209,16 +196,6 @@ TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
   }
 }
 
-TEST_F(WalkTest, ARestIsFinishedAlthoughTheClientHasGone) {
-  answerTo('E', POSTURE_REST);
-  passFrames(60);
-  EXPECT_FALSE(rests());
-  disconnect();
-  passFrames(6 * kFramesASecond);
-  EXPECT_TRUE(rests());
-  EXPECT_TRUE(isLimp());
-}
-
 // The rest levels the head. What moves it already ends, what is asked for later counts.
 TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
   answerTo('P', 0, playPayload("NOD.MTN", 1000));
@@ -228,12 +205,6 @@ TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
   EXPECT_THAT(ends_, Contains("1 1 NOD.MTN: the robot was told to walk or to take a posture"));
   EXPECT_EQ(robot_.joint("head_tilt").position, 0);
   EXPECT_EQ(robot_.joint("neck_tilt").position, -174533);
-}
-
-TEST_F(WalkTest, ALowSpeedLimitDoesNotKeepItFromWalking) {
-  const SpeedLimits slow = {1, {{13, 1000000}}};
-  answerTo('V', 0, payloadOf(slow));
-  EXPECT_EQ(answerTo('S', 0, steering(50)).header.kind, 's');
 }
 
 std::string told(const Frame& frame) {
@@ -319,20 +290,6 @@ TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
   expectAnswer(request('J', 2, 1000), 'j', 2, 1000);
 }
 
-TEST_F(WalkTest, TakesPosturesAndSaysWhenTheyAreTaken) {
-  const Frame answer = answerTo('E', POSTURE_SIT);
-  EXPECT_EQ(answer.header.kind, 'e');
-  EXPECT_THAT(answer.payload, IsEmpty());
-  pass(20);
-  EXPECT_THAT(ends_, IsEmpty());
-  pass(4 * kFramesASecond);
-  EXPECT_THAT(ends_, ElementsAre("3 0 sit: "));
-  send(frame('E', POSTURE_STAND, 1));
-  pass(3 * kFramesASecond);
-  EXPECT_TRUE(stands());
-  EXPECT_THAT(ends_, ElementsAre("3 0 sit: ", "3 0 stand: "));
-}
-
 TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   walk();
   send(frame('E', POSTURE_REST, 1));
@@ -344,16 +301,6 @@ TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: the robot was told to take a posture", "3 0 rest: "));
   expectRefusal(answerTo('S', 0, steering(10)), CODE_REFUSED, "the motors are off");
   EXPECT_EQ(answerTo('S', 0, steering(0)).header.kind, 's') << "there is nothing to stop";
-}
-
-TEST_F(WalkTest, HoldAndMotorsOffEndIt) {
-  walk();
-  answerTo('I', HOLD_EVERYTHING);
-  pass(70);
-  walk();
-  answerTo('O', 0, std::string(1, '\0'));
-  pass(20);
-  EXPECT_THAT(ends_, ElementsAre("2 2 walk: everything was told to hold", "2 2 walk: the motors were switched off"));
 }
 
 TEST_F(WalkTest, BadRequestsAreRefused) {
@@ -385,17 +332,6 @@ TEST_F(WalkTest, ARobotThatIsLiftedStops) {
   ASSERT_FALSE(ends_.empty());
   EXPECT_THAT(ends_.front(), HasSubstr("2 4 walk: the robot is carried"));
   EXPECT_FALSE(isLimp());
-}
-
-TEST_F(WalkTest, AClientThatGoesLeavesARobotThatStands) {
-  walk();
-  disconnect();
-  passFrames(2 * kFramesASecond);
-  EXPECT_TRUE(stands());
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: the client is gone"));
-  connectVersion2();
-  pass(100);
-  EXPECT_THAT(ends_, IsEmpty());
 }
 
 TEST_F(WalkTest, ALowBatteryEndsItInTheStandAndThenTheRobotRests) {

@@ -204,14 +204,6 @@ TEST_F(MotionPlayerTest, positionsALittleBeyondALimitAreClipped) {
   EXPECT_NEAR(at("head_tilt"), 5, 1e-4) << "its limit for this neck";
 }
 
-TEST_F(MotionPlayerTest, refusesPositionsFarBeyondALimit) {
-  EXPECT_THAT(
-      play("A.MTN", motionBytes("at 0 head_pan 0\nat 1600 head_pan 300\n")),
-      StrEq("A.MTN moves head_pan to 300.0 degrees at 1600 ms, 212.0 beyond what it can do there; up to 5.0 are "
-            "clipped"));
-  EXPECT_FALSE(player_->IsPlaying());
-}
-
 TEST_F(MotionPlayerTest, aJointOutsideOfTheMotionStillRestrictsIt) {
   planner_.SetPosition(joint("neck_tilt"), robot_.joints[joint("neck_tilt")].lowest);
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_tilt 20\nat 800 head_tilt -10\n")), "");
@@ -230,13 +222,6 @@ TEST_F(MotionPlayerTest, aStepThatIsTooFastTakesLongerAndTheNextOneKeepsItsTime)
   EXPECT_LT(distance(path, 331 / kFrame * kFrame, 10), 0.5) << "the other joints wait for it";
   EXPECT_LT(distance(path, 731 / kFrame * kFrame, 35), 0.5);
   EXPECT_NEAR(static_cast<double>(path.size()) * kFrame, 1131, 80);
-}
-
-TEST_F(MotionPlayerTest, aKneeThatWouldBeTooFastReachesItsKeyFrames) {
-  ASSERT_EQ(
-      play("A.MTN", motionBytes("at 0 left_front_knee 0\nat 160 left_front_knee 100\nat 320 left_front_knee 0\n")), "");
-  const std::vector<double> path = pathOf("left_front_knee");
-  EXPECT_GT(*std::max_element(path.begin(), path.end()), 90) << "100, less the way it needs to stop";
 }
 
 TEST_F(MotionPlayerTest, aLowerSpeedLimitMakesItLongerFromTheNextStepOn) {
@@ -307,14 +292,10 @@ TEST_F(MotionPlayerTest, refusesAFileThatIsNotAMotion) {
   EXPECT_FALSE(player_->IsPlaying());
 }
 
-TEST_F(MotionPlayerTest, refusesAMotionOfAnotherRobotsJointByItsName) {
-  EXPECT_THAT(play("A.MTN", motionBytes("robot ERS-210\nat 0 head_roll 0\n")),
-              StrEq("A.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
-}
-
 TEST_F(MotionPlayerTest, leavesOutJointsOfAnotherRobotIfItIsTold) {
   const std::string motion = motionBytes("at 0 PRM:/r1/c1/c2/c3-Joint2:j3 0 head_pan 0\nat 800 head_pan 20\n");
-  EXPECT_THAT(play("A.MTN", motion), HasSubstr("which this robot does not have"));
+  EXPECT_THAT(play("A.MTN", motion),
+              StrEq("A.MTN moves the joint PRM:/r1/c1/c2/c3-Joint2:j3, which this robot does not have"));
   ASSERT_EQ(play("A.MTN", motion, 1, true), "");
   EXPECT_THAT(player_->Changes(), StrEq("1 joint that this robot does not have is left out"));
   pathOf("head_pan");
