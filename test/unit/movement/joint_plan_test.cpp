@@ -284,6 +284,16 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   EXPECT_THAT(plan_.identifiersOf(head), ElementsAre(kPan));
 }
 
+TEST_F(JointPlanTest, ForTheEndOfATrajectoryHoldsNoJointThatWasCommanded) {
+  command({{kMouth, {-0.1, 0.1}}}, 0);
+  const auto head = add(pan({{1, {1}, {}}}), 0, 0);
+  run(0, 0.32);
+  EXPECT_THAT(plan_.holdingOrders(at(0.34)), SizeIs(2));
+  const JointOrders orders = plan_.holdingOrders(at(0.34), head);
+  EXPECT_THAT(orders, SizeIs(1));
+  EXPECT_EQ(orders.count(kPan), 1u);
+}
+
 TEST_F(JointPlanTest, EndsAll) {
   const auto running = add(pan({{1, {1}, {}}}), 0, 0);
   const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
