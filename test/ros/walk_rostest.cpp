@@ -122,6 +122,18 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   EXPECT_TRUE(walker.stands());
 }
 
+TEST(Walk, IsStoppedByTheDriverEachTimeThatNoneComes) {
+  Walker walker("/short", {"_cmd_vel_timeout:=0.2"});
+  for (const char* time : {"first", "second"}) {
+    ASSERT_TRUE(walker.walks(0.1)) << time;
+    walker.state.clear();
+    walker.letGo();
+    const auto end = walker.waitForEnd();
+    ASSERT_TRUE(end) << time;
+    EXPECT_EQ(lastEnd(*end).reason, "no cmd_vel came for 0.2 s") << time;
+  }
+}
+
 TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
   Walker walker("/zero");
   ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";

@@ -262,6 +262,24 @@ TEST_F(SoundTest, NothingIsMissingAfterAPauseInWhichNobodyListened) {
   EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
+TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
+  listen();
+  for (unsigned i = 0; i < 400; ++i) {
+    push(2 * i, kSixteenMilliseconds);
+    now_ += milliseconds(16);
+  }
+  wish_.microphone.on = false;
+  request();
+  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 2, 16000})));
+  wish_.microphone.on = true;
+  request();
+  agree(2, 16000);
+  push(5000, kSixteenMilliseconds);
+  now_ += milliseconds(24);
+  push(5003, kSixteenMilliseconds);
+  EXPECT_EQ(128U, heard_.back().missing);
+}
+
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
   begin();
   push(700, kSixteenMilliseconds);

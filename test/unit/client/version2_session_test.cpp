@@ -905,6 +905,17 @@ TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
   EXPECT_THROW(live(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
+TEST_F(Version2SessionTest, AfterALargeUploadThatWasRefusedPicturesAreDueAsEver) {
+  wish_.streaming = true;
+  request();
+  receive(makeFrame('w', 2, {1, 0, 0, 1}));
+  auto answer = ask('U', "NOD.MTN", 0, Bytes(65523), milliseconds(20000));
+  EXPECT_EQ("U3", request());
+  receive(makeError(3, 0, "the memory stick is full"));
+  live(milliseconds(499));
+  EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
 TEST_F(Version2SessionTest, AMalformedListIsAProtocolError) {
   auto answer = ask('N');
   request();
