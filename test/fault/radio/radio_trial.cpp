@@ -222,7 +222,8 @@ Result run(const Trial& trial) {
     const std::string transport_problem = client.status().transport_problem;
     client.stop();
     const aibo_client::ClientStatistics statistics = client.statistics();
-    result = evaluate(trial, observer, link.begin(), trial.on_busy_computer ? statistics.stale_pictures : 0);
+    result =
+        evaluate(trial, observer, link.begin(), trial.on_busy_computer ? std::uint64_t{statistics.stale_pictures} : 0);
     result.transport_problem = transport_problem;
     result.connections = statistics.connections;
     if (adapter) {

@@ -285,13 +285,13 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
 }
 
 TEST_F(JointPlanTest, ForTheEndOfATrajectoryHoldsNoJointThatWasCommanded) {
-  command({{kMouth, {-0.1, 0.1}}}, 0);
+  command({{kMouth, {kMouth, -0.1, 0.1}}}, 0);
   const auto head = add(pan({{1, {1}, {}}}), 0, 0);
   run(0, 0.32);
-  EXPECT_THAT(plan_.holdingOrders(at(0.34)), SizeIs(2));
-  const JointOrders orders = plan_.holdingOrders(at(0.34), head);
-  EXPECT_THAT(orders, SizeIs(1));
-  EXPECT_EQ(orders.count(kPan), 1u);
+  EXPECT_THAT(plan_.holdingTargets(at(0.34)), SizeIs(2));
+  const JointTargets targets = plan_.holdingTargets(at(0.34), head);
+  EXPECT_THAT(targets, SizeIs(1));
+  EXPECT_EQ(targets.count(kPan), 1u);
 }
 
 TEST_F(JointPlanTest, EndsAll) {
