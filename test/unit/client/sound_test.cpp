@@ -268,6 +268,7 @@ TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
     push(2 * i, kSixteenMilliseconds);
     now_ += milliseconds(16);
   }
+  begin();  // the check of the link
   wish_.microphone.on = false;
   request();
   receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 2, 16000})));

@@ -93,6 +93,9 @@ TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
 TEST_F(StreamServicesTest, SaveAPicture) {
   const test_support::TemporaryFolder folder;
   parameters_.picture_folder = folder.path().string();
+  Picture picture = *client_.picture;
+  picture.jpeg = {0xFF, 0xD8, 0xFF, 0xDA, 0, 2, 0xFF, 0xD9};  // the least that is a JPEG
+  client_.picture = std::make_shared<Picture>(picture);
   const auto answer = takePicture(0, "picture.jpg");
   EXPECT_TRUE(answer.success);
   const std::filesystem::path file = std::filesystem::canonical(folder.path()) / "picture.jpg";
