@@ -15,6 +15,8 @@ void DatagramIntake::begin(TimePoint now) {
   is_protected_ = false;
   to_acknowledge_.reset();
   loss_to_report_.reset();
+  settled_ = now;
+  jumped_.reset();
   expectFrom(now);
 }
 
@@ -71,7 +73,22 @@ std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t
   return whole;
 }
 
-void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
+bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
+  const std::int64_t most = assembly_.lastSettled() + kAtOnce + (now - settled_) / kPicturePeriod;
+  if (number > most && (!jumped_ || now - *jumped_ < kJump)) {
+    jumped_ = jumped_.value_or(now);
+    return false;
+  }
+  jumped_.reset();
+  return true;
+}
+
+bool DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
+  if (!isPlausible(number, now)) {
+    refuse("its picture's number is too far ahead");
+    return false;
+  }
+  settled_ = now;
   const std::uint64_t lost = assembly_.lost();
   assembly_.settle(number);
   context_.counters.lost_pictures += assembly_.lost() - lost;
@@ -80,6 +97,7 @@ void DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
     newest_ = acknowledged_ = number;
     to_acknowledge_ = static_cast<std::uint32_t>(number);
   }
+  return true;
 }
 
 /// @param[out] whole the picture, if this datagram completes it

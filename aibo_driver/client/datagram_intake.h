@@ -32,6 +32,13 @@ class DatagramIntake {
   /// After this many incomplete pictures in a row, the client goes back to TCP. If each picture has 4 datagrams and a
   /// tenth of them is lost, this happens by chance once in three years.
   static constexpr int kMostGivenUp = 20;
+  /// The robot numbers the pictures that it sends, at most one in 32 ms. A picture is plausible if its number is at
+  /// most kAtOnce further ahead of the last good one than the time allows. Otherwise it is probably forged, and counts
+  /// only if no plausible one has come for kJump since the first such picture. A computer that was held up may have
+  /// lost the pictures in between.
+  static constexpr int kAtOnce = 4;
+  static constexpr std::chrono::milliseconds kPicturePeriod{32};
+  static constexpr std::chrono::milliseconds kJump{200};
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}
 
@@ -51,7 +58,8 @@ class DatagramIntake {
   std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
   /// Call this when the JPEG of this whole picture is good.
-  void goodPicture(std::int64_t number, TimePoint now);
+  /// @return false if its number is not plausible; then the picture is to be dropped
+  bool goodPicture(std::int64_t number, TimePoint now);
 
   /// The picture to acknowledge, once. The robot waits for the acknowledgement before it sends more. It is empty if
   /// there is nothing new.
@@ -88,6 +96,7 @@ class DatagramIntake {
   static std::chrono::milliseconds patienceWithBadOnes(std::chrono::milliseconds extra_interval) {
     return kSilence + kMostGivenUp * extra_interval;
   }
+  bool isPlausible(std::int64_t number, TimePoint now);
   void count(SequenceWindow::Verdict verdict);
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
                std::optional<PictureAssembly::Whole>* whole);
@@ -101,6 +110,8 @@ class DatagramIntake {
   bool warned_ = false;
   Expectation datagram_;
   Expectation good_picture_;
+  TimePoint settled_;                // when the last good picture came
+  std::optional<TimePoint> jumped_;  // when the first picture came that is not plausible; empty after one that is
   std::optional<std::uint32_t> to_acknowledge_;
   std::optional<std::uint32_t> loss_to_report_;
   std::int64_t newest_ = -1;        // the newest picture of which a part has come

@@ -53,6 +53,9 @@ class PictureAssembly {
   /// Call this when a whole picture is good. It settles this picture and all before it.
   void settle(std::int64_t number);
 
+  /// The number of the newest good picture; -1 if there is none.
+  std::int64_t lastSettled() const { return last_settled_; }
+
   bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
 
   /// How many pictures before the last good one were not good. This includes pictures of which nothing came.
@@ -82,7 +85,7 @@ class PictureAssembly {
 
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
-  std::int64_t last_settled_ = -1;                 // the number of the newest good picture
+  std::int64_t last_settled_ = -1;
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;

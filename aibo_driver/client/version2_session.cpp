@@ -540,8 +540,7 @@ std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t*
   now_ = now;
   if (const auto whole = datagrams_.arrived(data, size, now)) {
     const auto picture = inspect(whole->jpeg, whole->header, whole->began);
-    if (picture && !isOfTheFuture(whole->header.frame_number)) {
-      datagrams_.goodPicture(whole->number, now);
+    if (picture && !isOfTheFuture(whole->header.frame_number) && datagrams_.goodPicture(whole->number, now)) {
       deliverFromStream(picture);
     }
   }
@@ -616,9 +615,10 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   connection_.robot = makeRobotInfo(hello);
-  if (!ready_ || timeAhead(hello.frame_number) > TimePoint::duration::zero()) {
+  const TimePoint sent = exchanges_.at(reader_.header().request_number).sent;
+  if (!ready_ || timeAhead(hello.frame_number, sent) > TimePoint::duration::zero()) {
     robot_frame_ = hello.frame_number;
-    robot_frame_time_ = now_;
+    robot_frame_time_ = sent;
   }
   served_.reset();
   for (const std::string& word : connection_.robot.capabilities) {
@@ -662,14 +662,14 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
 
 // A forged frame number would make all later pictures look overtaken. Pictures by TCP are really the robot's.
 bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
-  constexpr auto kTolerance = std::chrono::seconds(2);  // the answer to the hello may have come late
-  return timeAhead(frame_number) > kTolerance;
+  constexpr std::chrono::milliseconds kTolerance(100);
+  return timeAhead(frame_number, now_) > kTolerance;
 }
 
-/// How far this frame is ahead of the present one, computed from the answers to the hellos.
-Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number) const {
+/// How far this frame is at least ahead of the robot's frame at that time, computed from an answer to a hello.
+Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number, TimePoint time) const {
   constexpr std::chrono::milliseconds kFrame(8);
-  return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (now_ - robot_frame_time_);
+  return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (time - robot_frame_time_);
 }
 
 // Pictures by TCP and pictures by UDP may overtake each other.

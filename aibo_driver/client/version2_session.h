@@ -128,7 +128,7 @@ class Version2Session final : public Session {
   std::shared_ptr<Picture> inspect(Bytes jpeg, const protocol::version2::ImageHeader& header, TimePoint began);
   void deliverFromStream(const PicturePtr& picture);
   bool isOfTheFuture(std::uint32_t frame_number) const;
-  TimePoint::duration timeAhead(std::uint32_t frame_number) const;
+  TimePoint::duration timeAhead(std::uint32_t frame_number, TimePoint time) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagramPort(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
@@ -150,8 +150,8 @@ class Version2Session final : public Session {
 
   bool ready_ = false;
   std::bitset<256> served_;        // letters of the requests that this server knows
-  std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to the last hello
-  TimePoint robot_frame_time_;     ///< when that answer came
+  std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to a hello
+  TimePoint robot_frame_time_;     ///< when that hello was sent: that frame was not over yet
   TimePoint last_hello_;
   TimePoint next_hello_;
   bool has_asked_for_motors_ = false;

@@ -292,18 +292,46 @@ TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
 }
 
-// A picture of the robot's, sent again with other numbers.
-TEST_F(DatagramsTest, AForgedGoodPictureStopsTheStreamForASecondAtMost) {
+// Pictures of the robot's, sent again with other numbers, twice a second.
+TEST_F(DatagramsTest, AForgedGoodPictureCostsAFewPicturesAtMost) {
   startStream();
   arrive(nextPicture());
-  unsigned far_sequence = 60000;
-  arrive(test_support::makeDatagrams(makeJpeg(1), 60000, 1008, &far_sequence, false));
-  live(milliseconds(1500), [this] {
-    wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0;
+  live(std::chrono::seconds(5), [this] {
+    if (picture_ % 15 == 0) {
+      for (const unsigned ahead : {60000U, 60001U, 65U, 40U, 20U, 3U}) {
+        unsigned sequence = picture_ + ahead;
+        arrive(test_support::makeDatagrams(makeJpeg(1), picture_ + ahead, 1000 + 4 * picture_ + 4, &sequence, false));
+      }
+    }
     arrive(nextPicture());
   });
-  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("somebody sends others in the robot's name"));
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_GE(pictures_.size(), picture_ * 7 / 10);
+  EXPECT_LT(0u, counters_.bad_datagrams);
+}
+
+// A computer that was held up finds some pictures in the system's buffer, which had no room for the ones after them.
+TEST_F(DatagramsTest, AJumpInTheNumbersOfPicturesIsBelievedSoon) {
+  startStream();
+  live(milliseconds(900));
+  arrive(nextPicture());
+  for (int i = 0; i < 20; ++i) {
+    nextPicture();
+  }
+  live(milliseconds(320), [this] { arrive(nextPicture()); });
+  EXPECT_GE(pictures_.size(), 1U + 3U);
+  EXPECT_EQ("", connection_.transport_problem);
+}
+
+TEST_F(DatagramsTest, APictureIsBelievedToBeAsFarAheadAsTheOutageWasLong) {
+  startStream();
+  arrive(nextPicture());
+  for (int i = 0; i < 25; ++i) {
+    nextPicture();
+  }
+  beOutOfReach(milliseconds(800));
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(1, 27));
 }
 
 TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
@@ -503,6 +531,7 @@ TEST_F(DatagramsTest, AnyDatagramOfAGroupWithParityMayBeLost) {
   for (std::size_t lost = 0; lost < datagrams; ++lost) {
     std::vector<Bytes> picture = nextPicture(true);
     picture.erase(picture.begin() + static_cast<std::ptrdiff_t>(std::min(lost, picture.size() - 1)));
+    pass(milliseconds(32));
     arrive(picture);
     ASSERT_EQ(delivered().size(), picture_) << lost;
     EXPECT_EQ(delivered().back(), picture_) << lost;
@@ -581,15 +610,15 @@ TEST_F(DatagramsTest, ANewPortBeginsToCountAgain) {
   startStream();
   live(std::chrono::seconds(1), [this] { arrive(nextPicture()); });
   // The third port follows one over which only the first picture was acknowledged.
-  for (const int more : {1, 2}) {
+  for (const int port : {kPort + 1, kPort + 2}) {
     wish_.datagram_port = 0;
     answer();
-    wish_.datagram_port = kPort + more;
+    wish_.datagram_port = port;
     answer();
     const std::size_t before = pictures_.size();
     replies_.clear();
     unsigned sequence = 0;
-    arrive(test_support::makeDatagrams(makeJpeg(90), 0, 1200 + 4 * static_cast<unsigned>(more), &sequence));
+    arrive(test_support::makeDatagrams(makeJpeg(90), 0, 1000 + 4 * ++picture_, &sequence));
     EXPECT_EQ(before + 1, pictures_.size());
     EXPECT_THAT(replies_, ElementsAre(Bytes({'a', 0, 0, 0, 0, 0, 0, 0})));
     EXPECT_EQ(0u, counters_.reordered_datagrams + counters_.duplicate_datagrams + counters_.lost_datagrams);
