@@ -93,7 +93,7 @@ po::options_description describe(Options& options) {
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
      "how long a full battery lasts")
     ("microphone", po::value(&options.microphone),
-     "WAV file, 16 kHz with 16 bits, that the robot's microphones hear once, from the start")
+     "WAV file, 16 kHz with 16 bits, that the microphones hear once, from when a client listens or plays a sound")
     ("speaker", po::value(&options.robot.speaker_file), "WAV file that gets what the robot's speaker plays")
     ("hears-itself", po::value(&options.robot.hears_itself)->default_value(0),
      "how much of what the speaker plays comes to the microphones, 0 to 1")

@@ -92,6 +92,7 @@ OStatus VirtualRobotAudioComm::DoDestroy(const OSystemEvent& /*event*/) {
 void VirtualRobotAudioComm::beginFrame(longword frame) {
   const longword passed = last_frame_ ? std::min(frame - *last_frame_, kMostFramesCaughtUp) : 1;
   last_frame_ = frame;
+  is_listened_to_ = isListenedTo();
   for (const SubjectID& sender : std::exchange(refused_, {})) {
     speaker_->AssertReady(sender);
   }
@@ -100,13 +101,17 @@ void VirtualRobotAudioComm::beginFrame(longword frame) {
     hear(frame - (left - 1), robot_.passSound(frame - (left - 1), played ? &*played : nullptr));
   }
   microphone_->notifyAll();
-  if (!microphone_->isWanted()) {
+  if (!isListenedTo()) {
     heard_.clear();
   }
 }
 
 bool VirtualRobotAudioComm::isActive() const {
-  return !sounds_.empty() || !refused_.empty() || microphone_->isWanted();
+  return !sounds_.empty() || !refused_.empty() || isListenedTo();
+}
+
+bool VirtualRobotAudioComm::isListenedTo() const {
+  return microphone_->isWanted() && (is_listened_to_ || microphone_->isAnyReady());
 }
 
 void VirtualRobotAudioComm::takeSound(const ONotifyEvent& event) {

@@ -56,6 +56,7 @@ class VirtualRobotAudioComm : public OObject {
   std::vector<sword> readSamples(const RCRegion& region) const;
   std::optional<SpeakerFrame> play();
   void hear(longword frame, const MicrophoneFrame& heard);
+  bool isListenedTo() const;
 
   VirtualRobot& robot_;
   std::unique_ptr<SubjectService> microphone_;
@@ -64,6 +65,7 @@ class VirtualRobotAudioComm : public OObject {
   std::vector<SubjectID> refused_;  ///< senders of a vector that was refused; they get READY in the next frame
   std::vector<OSoundSampleStereo16> heard_;
   std::optional<longword> last_frame_;
+  bool is_listened_to_ = false;  ///< since an object was first ready, until none wants more
 };
 
 }  // namespace openr_host

@@ -31,6 +31,7 @@ class FakeRobot : public VirtualRobot {
   std::set<longword> frames_with_image;
   std::vector<longword> frames_seen;
   std::vector<longword> frames_captured;
+  int sound_frames = 0;                                             ///< calls of passSound()
   std::vector<std::string> calls;                                   ///< "passFrame 3", "setMotorPower 1" ...
   std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
   OStatus joint_status = oSUCCESS;                                  ///< result of all calls for joints and sensors
@@ -106,6 +107,7 @@ class FakeRobot : public VirtualRobot {
 
   /// The microphones hear the number of the sample, the right one its negative.
   MicrophoneFrame passSound(longword frame, const SpeakerFrame* frame_played) override {
+    ++sound_frames;
     if (frame_played != nullptr) {
       played[frame].assign(frame_played->begin(), frame_played->end());
     }

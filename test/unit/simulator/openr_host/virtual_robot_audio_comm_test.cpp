@@ -110,6 +110,28 @@ class VirtualRobotAudioCommTest : public testing::Test {
   std::vector<Heard> heard_;
 };
 
+// So a file that the microphones hear begins when a client listens, not at boot.
+TEST(VirtualRobotAudioComm, HearsNothingBeforeAnObjectIsReady) {
+  TestSystem test;
+  auto& comm = static_cast<VirtualRobotAudioComm&>(test.system.create(VirtualRobotAudioComm::describe(test.robot)));
+  TestObject& listener = test.add("Listener");
+  test.system.initialize();
+  test.system.connect("OVirtualRobotAudioComm.Mic.OSoundVectorData.S", "Listener.In.Data.O");
+  test.system.start();
+  test.run();
+  const auto pass = [&](longword frame) { test.as(comm, [&] { comm.beginFrame(frame); }); };
+  pass(100);
+  EXPECT_FALSE(comm.isActive());
+  EXPECT_EQ(test.robot.sound_frames, 0);
+  test.as(listener, [&] { listener.observer().AssertReady(); });
+  test.run();
+  EXPECT_TRUE(comm.isActive());
+  for (longword frame = 101; frame <= 105; ++frame) {
+    pass(frame);
+  }
+  EXPECT_EQ(test.robot.sound_frames, 5) << "also while it is busy with the vector that came with frame 103";
+}
+
 TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirstLeaveNoGap) {
   EXPECT_EQ(readies_, 1);
   const RegionReference first = makeVector(numbers(1, 256));
