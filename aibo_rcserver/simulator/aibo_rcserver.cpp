@@ -94,7 +94,8 @@ po::options_description describe(Options& options) {
      "how long a full battery lasts")
     ("microphone", po::value(&options.microphone),
      "WAV file, 16 kHz with 16 bits, that the microphones hear once, from when a client listens or plays a sound")
-    ("speaker", po::value(&options.robot.speaker_file), "WAV file that gets what the robot's speaker plays")
+    ("speaker", po::value(&options.robot.speaker_file),
+     "WAV file or pipe that gets what the robot's speaker plays; in bash, >(aplay -q) plays it on this computer")
     ("hears-itself", po::value(&options.robot.hears_itself)->default_value(0),
      "how much of what the speaker plays comes to the microphones, 0 to 1")
     ("encode-time", po::value(&options.encode_time)->default_value(0),

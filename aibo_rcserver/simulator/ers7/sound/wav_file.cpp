@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::uint32_t kRate = 16000;
 constexpr std::size_t kHeaderSize = 44;
+constexpr std::uint32_t kEndless = 0x7ffff000;  ///< the size of the samples, if it is not known
 
 /// The beginning of a chunk "fmt ".
 struct Format {
@@ -72,7 +73,7 @@ std::vector<OSoundSampleStereo16> readWav(const std::string& path) {
   return samples;
 }
 
-WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary) {
+WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary), is_pipe_(file_.tellp() < 0) {
   writeHeader();
   if (!file_.flush()) {
     throw SoundError(path + ": cannot be written");
@@ -80,24 +81,30 @@ WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary) {
 }
 
 WavWriter::~WavWriter() {
-  file_.seekp(0);
-  writeHeader();
+  if (!is_pipe_) {
+    file_.seekp(0);
+    writeHeader();
+  }
 }
 
 void WavWriter::write(const openr_host::SpeakerFrame& samples) {
   file_.write(reinterpret_cast<const char*>(samples.data()), sizeof(samples));
   size_ += static_cast<std::uint32_t>(sizeof(samples));
+  if (is_pipe_) {
+    file_.flush();
+  }
 }
 
 void WavWriter::writeHeader() {
   const auto put = [this](const auto& value) { file_.write(reinterpret_cast<const char*>(&value), sizeof(value)); };
+  const std::uint32_t size = is_pipe_ ? kEndless : size_;
   file_.write("RIFF", 4);
-  put(static_cast<std::uint32_t>(size_ + kHeaderSize - 8));
+  put(static_cast<std::uint32_t>(size + kHeaderSize - 8));
   file_.write("WAVEfmt ", 8);
   put(static_cast<std::uint32_t>(sizeof(Format)));
   put(formatOf(1));
   file_.write("data", 4);
-  put(size_);
+  put(size);
 }
 
 }  // namespace simulated_ers7

@@ -25,7 +25,8 @@ class SoundError : public std::runtime_error {
 /// @throw SoundError the file has another format or cannot be read
 std::vector<OSoundSampleStereo16> readWav(const std::string& path);
 
-/// Writes the speaker's sound to a mono WAV file. The file is complete when this object is destroyed.
+/// Writes the speaker's sound to a mono WAV file, which is complete when this object is destroyed. A pipe gets the
+/// sound at once, so that a program can play it.
 class WavWriter {
  public:
   /// @throw SoundError the file cannot be written
@@ -40,6 +41,7 @@ class WavWriter {
   void writeHeader();
 
   std::ofstream file_;
+  const bool is_pipe_;
   std::uint32_t size_ = 0;  ///< bytes of samples
 };
 

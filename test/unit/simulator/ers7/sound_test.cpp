@@ -1,6 +1,12 @@
 // What the simulated robot plays and hears. Model Information ERS-7, 3.1.2 and 3.2.2.
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstdint>
+#include <cstring>
 #include <fstream>
 
 #include "simulator/ers7/console_commands.h"
@@ -106,6 +112,26 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   obeyConsole(robot_, "hear " + path);
   EXPECT_EQ(obeyConsole(robot_, "hear silence"), "ok: hear silence\n");
   EXPECT_EQ(robot_.passSound(103, nullptr)[0].L, 0);
+}
+
+// So a program can play it on this computer.
+TEST_F(SimulatedSoundTest, APipeGetsTheSoundAtOnce) {
+  const test_support::TemporaryFolder folder;
+  SimulatedErs7::Options options;
+  options.speaker_file = folder.path("pipe").string();
+  ASSERT_EQ(::mkfifo(options.speaker_file.c_str(), 0600), 0);
+  const int reader = ::open(options.speaker_file.c_str(), O_RDONLY | O_NONBLOCK);
+  SimulatedErs7 robot(options);
+  SpeakerFrame frame{};
+  frame.fill(77);
+  robot.passSound(0, &frame);
+  std::array<char, 1000> bytes{};
+  ASSERT_EQ(::read(reader, bytes.data(), bytes.size()), 44 + 256);
+  ::close(reader);
+  std::uint32_t size = 0;
+  std::memcpy(&size, &bytes[40], sizeof(size));
+  EXPECT_GT(size, 1U << 30) << "players stop at the end that a header tells";
+  EXPECT_EQ(bytes[44], 77);
 }
 
 TEST_F(SimulatedSoundTest, AFileThatCannotBeHeardIsNamedWithTheRemedy) {
