@@ -445,6 +445,32 @@ TEST_F(SoundTest, AnEndForWhichThereIsNoRoomIsToldLater) {
   EXPECT_EQ(ends_[0].how, END_DONE);
 }
 
+TEST_F(SoundTest, TwoEndsForWhichThereIsNoRoomAreBothToldLater) {
+  play(0, samplesOf(mark, 0, 1000));
+  stallBehind(frame('A', SOUND_SPEAKER, 77, playedPayload(0, samplesOf(mark, 0, 2000), true)));
+  passFrames(40);
+  for (int i = 0; i < 100 && ends_.size() < 2; ++i) {
+    pass(1);
+  }
+  ASSERT_THAT(ends_, SizeIs(2));
+  EXPECT_EQ(ends_[0].how, END_REPLACED);
+  EXPECT_EQ(ends_[1].how, END_DONE);
+  EXPECT_EQ(ends_[1].samples, 2000U);
+}
+
+// The microphones then send several vectors in one notification.
+TEST_F(SoundTest, WhatIsHeardWhileTheRobotIsHeldUpIsComplete) {
+  robot_.sound = [](size_t i) { return OSoundSampleStereo16{mark(i), mark(i)}; };
+  listen();
+  pass(4);
+  clock_.step(8);
+  pass(8);
+  EXPECT_EQ(missing_, 0U);
+  ASSERT_GE(heard_[0].size(), 16 * SAMPLES_PER_FRAME);
+  const size_t begin = first_frame_ * SAMPLES_PER_FRAME;
+  EXPECT_EQ(heard_[0], samplesOf(mark, begin, begin + heard_[0].size()));
+}
+
 // Sound of another kind that still waits would be taken for it.
 TEST_F(SoundTest, AfterAChangeNothingComesThatWasHeardBefore) {
   disconnect();
