@@ -126,7 +126,7 @@ class PlayUser : public JointUser {
 class FollowUser : public JointUser {
  public:
   explicit FollowUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : JointUser(name_space, kQuick, robot_options, AIBO_DRIVER_NODE_WITH_ACTIONS),
+      : JointUser(name_space, kQuick, robot_options, AIBO_DRIVER_NODE_WITH_ALL),
         client(name_space + "/follow_joint_trajectory") {
     EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
   }

@@ -7,6 +7,7 @@
 #include <aibo_driver/Say.h>
 #include <aibo_driver/SetVolume.h>
 #include <aibo_driver/Sound.h>
+#include <audio_common_msgs/AudioDataStamped.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 
@@ -50,7 +51,7 @@ class SoundUser {
                                             "--speaker", path("played.wav")});
     driver_.emplace(name_space, robot_->port(),
                     std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1"},
-                    std::map<std::string, std::string>{{"PATH", "/nonexistent"}});
+                    std::map<std::string, std::string>{{"PATH", "/nonexistent"}}, AIBO_DRIVER_NODE_WITH_ALL);
     EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(30)));
     TopicListener<Connection> connection(name_space + "/connection");
     EXPECT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
@@ -99,6 +100,27 @@ TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
   }
 }
 
+TEST(Microphone, IsHeardAsAudioToo) {
+  SoundUser user("/audio_user");
+  TopicListener<audio_common_msgs::AudioDataStamped> audio("/audio_user/audio");
+  ASSERT_TRUE(audio.waitForNext()) << "its subscriber alone switches the microphones on";
+  TopicListener<Sound> sounds("/audio_user/microphone");
+  const auto sound = sounds.waitFor([](const Sound& heard) {
+    return heard.missing == 0 && *std::max_element(heard.samples.begin(), heard.samples.end()) > 9000;
+  });
+  ASSERT_TRUE(sound);
+  const auto same = audio.waitFor(
+      [&](const audio_common_msgs::AudioDataStamped& a) { return a.header.stamp == sound->header.stamp; });
+  ASSERT_TRUE(same);
+  EXPECT_EQ(same->header.frame_id, sound->header.frame_id);
+  ASSERT_EQ(same->audio.data.size(), 2 * sound->samples.size());
+  for (std::size_t i = 0; i < sound->samples.size(); ++i) {
+    const int low = same->audio.data[2 * i];
+    const int high = same->audio.data[2 * i + 1];
+    ASSERT_EQ(static_cast<std::int16_t>(high << 8 | low), sound->samples[i]);
+  }
+}
+
 /// Whether the driver's next request for the microphones switches them on.
 bool isSwitchedOn(test_support::ScriptedPeer* robot) {
   namespace version2 = protocol::version2;
@@ -134,6 +156,33 @@ TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConn
   robot.emplace(server.accept());
   robot->agreeToVersion2("F A");
   EXPECT_TRUE(isSwitchedOn(&*robot)) << "over the next connection";
+}
+
+TEST(Microphone, AGapIsSilenceInAudio) {
+  namespace version2 = protocol::version2;
+  test_support::ScriptedServer server;
+  DriverProcess driver("/gap", server.port(), {"_stream_on_start:=false"}, {}, AIBO_DRIVER_NODE_WITH_ALL);
+  test_support::ScriptedPeer robot = server.accept();
+  robot.agreeToVersion2("F A");
+  TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
+  ASSERT_TRUE(isSwitchedOn(&robot));
+  const std::vector<std::uint8_t> samples(4 * version2::SAMPLES_PER_FRAME, 1);
+  for (const unsigned frame : {1000U, 1002U}) {
+    std::vector<std::uint8_t> bytes =
+        version2_frames::makeFrame('a', 0,
+                                   version2_frames::encoded(version2::HeardSound{frame, version2::SAMPLES_PER_FRAME, 2,
+                                                                                 samples.data(), samples.size()}));
+    bytes[1] = version2::SOUND_MICROPHONE;
+    robot.send(bytes);
+    robot.readFrame();  // the client's next sign of life; the second frame is over by then
+  }
+  const auto heard = audio.waitForCount(2);
+  ASSERT_EQ(heard.size(), 2U);
+  EXPECT_EQ(heard[0]->audio.data, samples);
+  std::vector<std::uint8_t> with_silence(samples.size(), 0);
+  with_silence.insert(with_silence.end(), samples.begin(), samples.end());
+  EXPECT_EQ(heard[1]->audio.data, with_silence);
+  EXPECT_NEAR((heard[1]->header.stamp - heard[0]->header.stamp).toSec(), 0.008, 0.004) << "when the silence began";
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {

@@ -5,11 +5,6 @@
 #include <utility>
 
 namespace aibo_driver::node {
-namespace {
-
-constexpr std::uint32_t kQueueSize = 64;  // a second
-
-}  // namespace
 
 MicrophonePublisher::MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                          robot_time::RobotClock* robot_clock)
@@ -20,6 +15,7 @@ MicrophonePublisher::MicrophonePublisher(const ros::NodeHandle& handle, const Dr
     subscribersChanged();
   };
   publisher_ = ros::NodeHandle(handle).advertise<Sound>("microphone", kQueueSize, on_change, on_change);
+  audio_ = advertiseAudio(handle, on_change);
 }
 
 void MicrophonePublisher::start(std::function<void(const aibo_client::MicrophoneSettings&)> listen) {
@@ -45,6 +41,13 @@ void MicrophonePublisher::publish(const aibo_client::HeardSound& sound) {
   message.channels = static_cast<std::uint8_t>(sound.channels);
   message.samples = sound.samples;
   publisher_.publish(message);
+  if (audio_) {
+    audio_->publish(message);
+  }
+}
+
+bool MicrophonePublisher::hasSubscribers() const {
+  return publisher_.getNumSubscribers() > 0 || (audio_ && audio_->hasSubscribers());
 }
 
 void MicrophonePublisher::subscribersChanged() {

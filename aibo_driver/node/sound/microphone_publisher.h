@@ -4,20 +4,25 @@
 
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 
 #include "aibo_client/sound.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
+#include "node/sound/audio_publisher.h"
 
 namespace aibo_driver::node {
 
-/// Publishes what the robot hears, as `microphone`. The robot's microphones are on only while the topic has a
-/// subscriber. Any thread may call every function.
+/// Publishes what the robot hears, as `microphone`, and as `audio` if there is audio_common_msgs. The robot's
+/// microphones are on only while one of the topics has a subscriber. Any thread may call every function.
 class MicrophonePublisher {
  public:
+  static constexpr std::uint32_t kQueueSize = 64;  ///< messages; a second
+
   /// @param handle the driver's namespace
   /// @param robot_clock must outlive the publisher; if it is null, the stamp of a message is its time of arrival
   MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
@@ -33,7 +38,7 @@ class MicrophonePublisher {
   /// It never blocks.
   void publish(const aibo_client::HeardSound& sound);
 
-  bool hasSubscribers() const { return publisher_.getNumSubscribers() > 0; }
+  bool hasSubscribers() const;
 
  private:
   void subscribersChanged();
@@ -44,6 +49,7 @@ class MicrophonePublisher {
   std::mutex mutex_;
   std::function<void(const aibo_client::MicrophoneSettings&)> listen_;  ///< empty unless start() was called
   ros::Publisher publisher_;
+  std::unique_ptr<AudioPublisher> audio_;  ///< null without audio_common_msgs
 };
 
 }  // namespace aibo_driver::node

@@ -158,7 +158,7 @@ class HostileNode : public testing::Test {
 
   test_support::MemoryStick stick_{"ALLOW_MICROPHONE=yes\n"};
   SimulatedRobot robot_{{"--memory-stick", stick_.path().string()}};
-  DriverProcess driver_{"/victim", robot_.port(), {}, {}, AIBO_DRIVER_NODE_WITH_ACTIONS};
+  DriverProcess driver_{"/victim", robot_.port(), {}, {}, AIBO_DRIVER_NODE_WITH_ALL};
   ros::NodeHandle node_{"/victim"};
   TopicListener<sensor_msgs::JointState> joints_{"/victim/joint_states"};
   ros::ServiceClient stop_ = node_.serviceClient<std_srvs::Trigger>("stop");
