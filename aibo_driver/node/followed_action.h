@@ -3,7 +3,6 @@
 #ifndef AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
 #define AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
 
-#include <actionlib/server/action_server.h>
 #include <ros/console.h>
 #include <ros/steady_timer.h>
 
@@ -22,6 +21,7 @@
 #include "aibo_client/motion_end.h"
 #include "movement/mover.h"
 #include "node/actions.h"
+#include "node/bounded_action_server.h"
 #include "node/joints/motion_state_publisher.h"
 #include "node/orders.h"
 #include "text/plain_text.h"
@@ -81,12 +81,12 @@ class FollowedAction : public Action {
         [this](const ros::SteadyTimerEvent&) { look(); }, kOneShot, kAutostart);
     server_ = std::make_unique<Server>(
         handle, way_.name, [this](const GoalHandle& goal) { accept(goal); },
-        [this](const GoalHandle& goal) { cancel(goal); }, kAutostart);
+        [this](const GoalHandle& goal) { cancel(goal); });
     server_->start();
   }
 
  private:
-  using Server = actionlib::ActionServer<Spec>;
+  using Server = BoundedActionServer<Spec>;
   using GoalHandle = typename Server::GoalHandle;
 
   struct Going {

@@ -2,6 +2,7 @@
 // AIBO_WHOLE_CAMPAIGN makes each attack longer, and its limits those of a computer that does nothing else.
 
 #include <actionlib_msgs/GoalID.h>
+#include <actionlib_msgs/GoalStatusArray.h>
 #include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/FetchPicture.h>
 #include <aibo_driver/Leds.h>
@@ -257,6 +258,52 @@ TEST_F(HostileNode, ThatSendsGoalsAsFastAsItCan) {
   });
 }
 
+// actionlib by itself keeps a goal for 5 s after its end, and such a cancel for ever.
+TEST_F(HostileNode, WhoseGoalsAndCancelsAreForgotten) {
+  constexpr int kMany = 200;
+  TopicListener<actionlib_msgs::GoalStatusArray> states("/victim/play_motion/status");
+  const auto hasStateOf = [](const std::string& id) {
+    return [id](const actionlib_msgs::GoalStatusArray& state) {
+      return std::any_of(state.status_list.begin(), state.status_list.end(),
+                         [&id](const actionlib_msgs::GoalStatus& status) { return status.goal_id.id == id; });
+    };
+  };
+  const ros::Publisher goals = publisher<aibo_driver::PlayMotionActionGoal>("play_motion/goal");
+  const ros::Publisher cancels = publisher<actionlib_msgs::GoalID>("play_motion/cancel");
+  for (int i = 0; i < kMany; ++i) {
+    aibo_driver::PlayMotionActionGoal goal;
+    goal.goal_id.id = "goal " + std::to_string(i);
+    goals.publish(goal);
+    actionlib_msgs::GoalID cancel;
+    cancel.id = "cancel " + std::to_string(i);
+    cancels.publish(cancel);
+    std::this_thread::sleep_for(milliseconds(5));  // actionlib's queues hold 50
+  }
+  const auto state = states.waitFor(hasStateOf("cancel " + std::to_string(kMany - 1)));
+  ASSERT_TRUE(state);
+  EXPECT_LT(state->status_list.size(), 40U);
+}
+
+TEST_F(HostileNode, ThatCancelsGoalsOfTheFuture) {
+  TopicListener<aibo_driver::PlayMotionActionResult> results("/victim/play_motion/result");
+  TopicListener<actionlib_msgs::GoalStatusArray> states("/victim/play_motion/status");
+  const ros::Publisher goals = publisher<aibo_driver::PlayMotionActionGoal>("play_motion/goal");
+  const ros::Publisher cancels = publisher<actionlib_msgs::GoalID>("play_motion/cancel");
+  actionlib_msgs::GoalID cancel;
+  cancel.id = "nobody's";
+  cancel.stamp = ros::Time::now() + ros::Duration(3600);
+  cancels.publish(cancel);
+  ASSERT_TRUE(states.waitFor([](const actionlib_msgs::GoalStatusArray& state) { return !state.status_list.empty(); }));
+  aibo_driver::PlayMotionActionGoal goal;
+  goal.goal_id.id = "owner's";
+  goal.goal_id.stamp = ros::Time::now();
+  goal.goal.name = "nod";
+  goals.publish(goal);
+  const auto result = results.waitForNext();
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(result->result.success) << result->status.text;
+}
+
 // Every second goal moves the head, and each of these ends the one before it.
 TEST_F(HostileNode, ThatSendsTrajectoriesAsGoalsAsFastAsItCan) {
   const ros::Publisher goals = publisher<control_msgs::FollowJointTrajectoryActionGoal>("follow_joint_trajectory/goal");
@@ -379,6 +426,63 @@ TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {
     request.request.file = "/proc/kmsg" + std::string(names_.next().size() % 2, '\0');
     EXPECT_TRUE(upload.call(request));
     EXPECT_EQ(request.response.message.find('\x1b'), std::string::npos);
+  });
+}
+
+// As fast as the camera can, and all callers of the driver wait.
+TEST_F(HostileNode, ThatTakesPicturesAsFastAsItCan) {
+  std::vector<std::thread> others;
+  std::atomic<bool> goes_on{true};
+  const auto take = [this](ros::ServiceClient& service) {
+    aibo_driver::TakePicture call;
+    service.call(call);
+  };
+  for (int i = 0; i < 8; ++i) {
+    others.emplace_back([&] {
+      ros::ServiceClient service = node_.serviceClient<aibo_driver::TakePicture>("take_picture");
+      while (goes_on) {
+        take(service);
+      }
+    });
+  }
+  ros::ServiceClient service = node_.serviceClient<aibo_driver::TakePicture>("take_picture", true);
+  attack([&] { take(service); });
+  goes_on = false;
+  for (std::thread& other : others) {
+    other.join();
+  }
+}
+
+// Each node's publisher keeps its last message for whoever subscribes, so each one that comes commands the joints.
+TEST_F(HostileNode, WhosePublishersComeAndGoAsOftenAsTheyCan) {
+  attack([&] {
+    sensor_msgs::JointState message;
+    message.name = {"head_pan", names_.next()};
+    message.position = {0.5, 0};
+    std::vector<ros::Publisher> publishers;
+    for (const char* const topic : {"joint_command", "joint_trajectory", "leds", "cmd_vel"}) {
+      constexpr bool kLatched = true;
+      ros::Publisher commands = node_.advertise<sensor_msgs::JointState>(topic, 1, kLatched);
+      commands.publish(message);
+      publishers.push_back(commands);
+    }
+  });
+}
+
+TEST_F(HostileNode, ThatCommandsAllJointsAndLedsAsFastAsItCan) {
+  const ros::Publisher commands = publisher<sensor_msgs::JointState>("joint_command");
+  const ros::Publisher leds = publisher<aibo_driver::Leds>("leds");
+  sensor_msgs::JointState message = *joints_.waitForNext();
+  aibo_driver::Leds lights;
+  lights.names = {"all"};
+  attack([&] {
+    for (double& position : message.position) {
+      position = position > 0 ? -0.2 : 0.2;
+    }
+    commands.publish(message);
+    lights.intensities = {message.position[0] > 0 ? 1.0F : 0.0F};
+    leds.publish(lights);
+    std::this_thread::sleep_for(std::chrono::microseconds(100));
   });
 }
 

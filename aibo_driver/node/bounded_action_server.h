@@ -1,0 +1,64 @@
+/// @file bounded_action_server.h
+#ifndef AIBO_DRIVER_NODE_BOUNDED_ACTION_SERVER_H
+#define AIBO_DRIVER_NODE_BOUNDED_ACTION_SERVER_H
+
+#include <actionlib/server/action_server.h>
+#include <ros/node_handle.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace aibo_driver::node {
+
+/// An action server that keeps few goals, whatever other nodes send. actionlib keeps each goal for 5 s after its end,
+/// begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and names a
+/// goal that never came. It publishes all that it keeps at each change. One cancel with a time in the future would end
+/// all later goals.
+template <typename Action>
+class BoundedActionServer : public actionlib::ActionServer<Action> {
+ public:
+  using GoalHandle = typename actionlib::ActionServer<Action>::GoalHandle;
+
+  /// How many goals that have ended are kept, together with cancels of goals that have not come yet.
+  static constexpr std::size_t kMostEnded = 32;
+  /// A goal with a longer id (in bytes) is not kept at all after its end. actionlib makes the id of a node's name, a
+  /// number and a time.
+  static constexpr std::size_t kLongestId = 1000;
+
+  /// Call start() afterwards.
+  /// @param handle whose callback queue one thread serves
+  /// @param name of the action
+  /// @param accept, cancel see actionlib::ActionServer; called by that thread
+  template <typename Accept, typename Cancel>
+  BoundedActionServer(const ros::NodeHandle& handle, const std::string& name, const Accept& accept,
+                      const Cancel& cancel)
+      : actionlib::ActionServer<Action>(handle, name, accept, cancel, false), actions_(handle, name) {}
+
+  // actionlib tells of neither a goal that was cancelled before it came nor a cancel of an unknown goal. So this
+  // listens to the same topics, and is called right after actionlib, which subscribed first.
+  void start() {
+    actionlib::ActionServer<Action>::start();
+    watches_ = {actions_.subscribe<typename Action::_action_goal_type>("goal", 1, [this](auto) { forget(); }),
+                actions_.subscribe<actionlib_msgs::GoalID>("cancel", 1, [this](auto) { forget(); })};
+  }
+
+ private:
+  void forget() {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    this->last_cancel_ = std::min(this->last_cancel_, ros::Time::now());
+    const auto has_ended = [](const auto& goal) { return goal.handle_tracker_.expired(); };
+    auto& goals = this->status_list_;
+    goals.remove_if([&](const auto& goal) { return has_ended(goal) && goal.status_.goal_id.id.size() > kLongestId; });
+    auto ended = static_cast<std::size_t>(std::count_if(goals.begin(), goals.end(), has_ended));
+    goals.remove_if([&](const auto& goal) { return has_ended(goal) && ended > kMostEnded && ended-- > 0; });
+  }
+
+  ros::NodeHandle actions_;
+  std::array<ros::Subscriber, 2> watches_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_BOUNDED_ACTION_SERVER_H
