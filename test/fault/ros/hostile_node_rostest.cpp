@@ -6,6 +6,8 @@
 #include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/FetchPicture.h>
 #include <aibo_driver/Leds.h>
+#include <aibo_driver/ListMotions.h>
+#include <aibo_driver/ListPictures.h>
 #include <aibo_driver/LoadColorTable.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
@@ -14,6 +16,7 @@
 #include <aibo_driver/PlaySound.h>
 #include <aibo_driver/PlaySoundActionGoal.h>
 #include <aibo_driver/Say.h>
+#include <aibo_driver/SetVolume.h>
 #include <aibo_driver/Sound.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/UploadMotion.h>
@@ -23,6 +26,8 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/SetCameraInfo.h>
+#include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 #include <sys/stat.h>
 #include <trajectory_msgs/JointTrajectory.h>
@@ -100,22 +105,30 @@ class HostileNode : public testing::Test {
   }
 
   /// Does `once` again and again, and stops the robot meanwhile.
-  void attack(const std::function<void()>& once) {
+  void attack(const std::function<void()>& once) { attackFromAllSides({once}); }
+
+  /// Does all this side by side, again and again, and stops the robot meanwhile.
+  void attackFromAllSides(const std::vector<std::function<void()>>& sides) {
     const std::size_t log = driver_.output().size();
     const auto end = steady_clock::now() + attackTime();
     std::atomic<bool> goes_on{true};
-    std::thread attacker([&] {
-      while (goes_on) {
-        once();
-      }
-    });
+    std::vector<std::thread> attackers;
+    for (const std::function<void()>& once : sides) {
+      attackers.emplace_back([&goes_on, &once] {
+        while (goes_on) {
+          once();
+        }
+      });
+    }
     std::vector<milliseconds> times;
     while (steady_clock::now() < end) {
       times.push_back(stopTime());
       std::this_thread::sleep_for(milliseconds(100));
     }
     goes_on = false;
-    attacker.join();
+    for (std::thread& attacker : attackers) {
+      attacker.join();
+    }
     ASSERT_TRUE(driver_.isRunning()) << driver_.output();
     EXPECT_TRUE(joints_.waitForNext());
     std::sort(times.begin(), times.end());
@@ -140,6 +153,18 @@ class HostileNode : public testing::Test {
     EXPECT_TRUE(stop_.call(stop));
     EXPECT_TRUE(stop.response.success) << stop.response.message;
     return std::chrono::duration_cast<milliseconds>(steady_clock::now() - begin);
+  }
+
+  /// A function that calls a service with the defaults of its request.
+  template <typename Service>
+  std::function<void()> caller(const std::string& name) {
+    constexpr bool kPersistent = true;  // faster
+    ros::ServiceClient service = node_.serviceClient<Service>(name, kPersistent);
+    EXPECT_TRUE(service.waitForExistence(ros::Duration(20))) << name;
+    return [service]() mutable {
+      Service call;
+      service.call(call);
+    };
   }
 
   static void expectPlain(const std::string& text) {
@@ -429,28 +454,27 @@ TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {
   });
 }
 
-// As fast as the camera can, and all callers of the driver wait.
+TEST_F(HostileNode, ThatCallsEveryServiceAsFastAsItCan) {
+  attackFromAllSides(
+      {caller<aibo_driver::PlayMotion>("play_motion"), caller<aibo_driver::PlaySound>("play_sound"),
+       caller<aibo_driver::Say>("say"), caller<aibo_driver::SetVolume>("set_volume"),
+       caller<aibo_driver::ListMotions>("list_motions"), caller<aibo_driver::ListPictures>("list_pictures"),
+       caller<aibo_driver::LoadColorTable>("load_color_table"),
+       caller<sensor_msgs::SetCameraInfo>("camera/set_camera_info"), caller<std_srvs::Trigger>("toggle_streaming"),
+       caller<std_srvs::Trigger>("stand"), caller<std_srvs::Trigger>("rest"), caller<std_srvs::Trigger>("reboot")});
+}
+
+// They are answered in turn by the thread that answers `stop`.
+TEST_F(HostileNode, ThatReleasesAndSwitchesTheMotorsAsFastAsItCan) {
+  attackFromAllSides({caller<std_srvs::SetBool>("motors"), caller<std_srvs::SetBool>("motors"),
+                      caller<std_srvs::SetBool>("motors"), caller<std_srvs::Trigger>("release"),
+                      caller<std_srvs::Trigger>("release"), caller<std_srvs::Trigger>("stop")});
+}
+
 TEST_F(HostileNode, ThatTakesPicturesAsFastAsItCan) {
-  std::vector<std::thread> others;
-  std::atomic<bool> goes_on{true};
-  const auto take = [this](ros::ServiceClient& service) {
-    aibo_driver::TakePicture call;
-    service.call(call);
-  };
-  for (int i = 0; i < 8; ++i) {
-    others.emplace_back([&] {
-      ros::ServiceClient service = node_.serviceClient<aibo_driver::TakePicture>("take_picture");
-      while (goes_on) {
-        take(service);
-      }
-    });
-  }
-  ros::ServiceClient service = node_.serviceClient<aibo_driver::TakePicture>("take_picture", true);
-  attack([&] { take(service); });
-  goes_on = false;
-  for (std::thread& other : others) {
-    other.join();
-  }
+  std::vector<std::function<void()>> sides(8);
+  std::generate(sides.begin(), sides.end(), [this] { return caller<aibo_driver::TakePicture>("take_picture"); });
+  attackFromAllSides(sides);
 }
 
 // Each node's publisher keeps its last message for whoever subscribes, so each one that comes commands the joints.
