@@ -1,5 +1,7 @@
 #include "client/argument_checks.h"
 
+#include <arpa/inet.h>
+
 #include <cmath>
 #include <set>
 
@@ -69,10 +71,44 @@ void checkRange(const std::string& name, long long value, long long lowest, long
   }
 }
 
-void checkClientOptions(const ClientOptions& options) {
-  if (options.host.empty()) {
+std::string addressText(const std::string& host, int port) {
+  const bool is_ipv6 = host.find(':') != std::string::npos;
+  return (is_ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
+}
+
+// People write addresses as web browsers and other programs take them.
+void checkHost(const std::string& host) {
+  const auto refuse = [&host](const std::string& problem) {
+    throw InvalidArgumentException("host is '" + host + "', " + problem);
+  };
+  if (host.empty()) {
     throw InvalidArgumentException("host is empty, but has to be the robot's name or address");
   }
+  if (host.find_first_of("/ \t\n") != std::string::npos) {
+    refuse("but has to be the robot's name or address alone, such as 192.168.1.5, without a scheme, path or blank");
+  }
+  const std::size_t bracket = host.find(']');
+  const std::size_t colon = host.rfind(':');
+  if (host.front() == '[' && bracket != std::string::npos) {
+    const std::string inside = host.substr(1, bracket - 1);
+    refuse(colon == bracket + 1
+               ? "which has a port in it; host has to be '" + inside + "' and port " + host.substr(colon + 1)
+               : "but has to be '" + inside + "', without brackets");
+  }
+  if (colon == std::string::npos) {
+    return;
+  }
+  if (colon == host.find(':')) {
+    refuse("which has a port in it; host has to be '" + host.substr(0, colon) + "' and port " + host.substr(colon + 1));
+  }
+  in6_addr address;
+  if (::inet_pton(AF_INET6, host.substr(0, host.find('%')).c_str(), &address) != 1) {
+    refuse("which is neither a name nor an address");
+  }
+}
+
+void checkClientOptions(const ClientOptions& options) {
+  checkHost(options.host);
   constexpr long long kMinute = 60000;  // ms
   checkRange("port", options.port, 1, 65535);
   checkRange("jpeg_quality", options.jpeg_quality, 1, 100);

@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "aibo_client/options.h"
 #include "client/fault.h"
 
 namespace aibo_client {
@@ -93,7 +94,7 @@ TcpTransport::TcpTransport(Resolver resolver) : name_lookup_(std::move(resolver)
 
 void TcpTransport::connect(const std::string& host, int port, TimePoint deadline) {
   const TimePoint begin = steady_clock::now();
-  address_ = host + ":" + std::to_string(port);
+  address_ = addressText(host, port);
   const std::vector<SocketAddress> addresses = lookUp(host, port, deadline);
   for (std::size_t i = 0; i < addresses.size(); ++i) {
     const bool last = i + 1 == addresses.size();

@@ -70,7 +70,7 @@ void Robot::connect() {
     return;
   }
   if (!in_time && received.status.reason.empty()) {
-    throw aibo_client::TimeoutException(address_.host + ":" + std::to_string(address_.port) +
+    throw aibo_client::TimeoutException(aibo_client::addressText(address_.host, address_.port) +
                                             " did not answer within " + std::to_string(address_.timeout.count()) +
                                             " ms. Is the robot switched on, is its WLAN " +
                                             "up, and is this its address?",

@@ -274,6 +274,7 @@ ExitStatus diagnose(const Arguments& arguments, Output& output) {
   if (!arguments.words.empty()) {
     address.host = arguments.words.front();
     address.host_is_given = true;
+    aibo_client::checkHost(address.host);
   }
   const double seconds = arguments.number("seconds", 1, kLongestTest);
   return Doctor(address, seconds, output).run();

@@ -84,6 +84,37 @@ TEST(ArgumentChecksTest, ANameThatIsDangerousForANewMotionIsRefusedOnlyForThat) 
   }
 }
 
+TEST(ArgumentChecksTest, AHostIsANameOrAnAddressAlone) {
+  for (const char* good : {"aibo", "aibo.local", "192.168.1.5", "::1", "fe80::1%wlan0"}) {
+    EXPECT_NO_THROW(checkHost(good)) << good;
+  }
+  const std::pair<const char*, const char*> wrong[] = {
+      {"robot:54321", "which has a port in it; host has to be 'robot' and port 54321"},
+      {"192.168.1.5:54321", "host has to be '192.168.1.5' and port 54321"},
+      {"[::1]:54321", "host has to be '::1' and port 54321"},
+      {"[::1]", "but has to be '::1', without brackets"},
+      {"::1:x", "neither a name nor an address"},
+      {"http://robot", "without a scheme"},
+      {"robot/", "without a scheme, path"},
+      {"my robot", "or blank"},
+      {"", "host is empty"}};
+  for (const auto& [host, problem] : wrong) {
+    ClientOptions options;
+    options.host = host;
+    try {
+      checkClientOptions(options);
+      ADD_FAILURE() << host;
+    } catch (const InvalidArgumentException& error) {
+      EXPECT_THAT(error.what(), testing::HasSubstr(problem));
+    }
+  }
+}
+
+TEST(ArgumentChecksTest, AnIpv6AddressIsWrittenInBrackets) {
+  EXPECT_EQ("[::1]:54321", addressText("::1", 54321));
+  EXPECT_EQ("aibo:1", addressText("aibo", 1));
+}
+
 TEST(ArgumentChecksTest, TheDefaultOptionsAreAllowed) {
   EXPECT_EQ("", complaintAboutOptions([](ClientOptions&) {}));
 }

@@ -11,7 +11,7 @@ namespace aibo_client {
 
 /// How to reach the robot, and how long to wait for it. The constructor of RcServerClient checks every option.
 struct ClientOptions {
-  std::string host = "127.0.0.1";  ///< name or address of the robot; not empty
+  std::string host = "127.0.0.1";  ///< name or address of the robot, without a port; an IPv6 address without brackets
   int port = 54321;                ///< 1..65535; the RCServer's port (section 2.2 of the report that README.md names)
   int jpeg_quality = 85;           ///< 1..100, for the stream; the report gives 85 as the standard (section 3.3.3)
   int protocol_version = 0;        ///< 0: the newest version that the server speaks; 1: version 1, without asking
@@ -27,6 +27,14 @@ struct ClientOptions {
   /// without the capability "guard" pays no attention to it.
   bool guard_walks = true;
 };
+
+/// Checks ClientOptions::host.
+/// @throw InvalidArgumentException it is empty, or it has a port, a scheme, a path, brackets or a blank; the message
+///   says what it should be
+void checkHost(const std::string& host);
+
+/// The address as people write it: host:port, with an IPv6 address in brackets.
+std::string addressText(const std::string& host, int port);
 
 }  // namespace aibo_client
 
