@@ -1,11 +1,11 @@
 /// @file picture_datagram.h
-/// Pictures by UDP in version 2: the request `B` and its datagrams.
+/// Pictures by UDP in version 2: the requests `B` and `X` and their datagrams.
 ///
 /// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a
 /// header that describes the whole picture, so a receiver can begin with any part.
 ///
 /// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by its parity: the exclusive or of their
-/// bytes. It replaces any one lost datagram of the group.
+/// bytes. It replaces any one lost datagram of the group. After `X`, the receiver can have parts repeated, too.
 #ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 #define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 
@@ -27,6 +27,31 @@ struct DatagramPort {
 };
 
 const Request SEND_DATAGRAMS = {REQUEST_DATAGRAMS, "send its pictures by UDP", 0, NULL};
+
+/// Payload of `X` and its reply: uint16 port, 0 = no datagrams, uint8 1 = only a test, uint8 0, uint32 first sequence,
+/// uint32 first picture. The client chooses the last two at random, so that nobody else knows the numbers of the
+/// datagrams.
+struct DatagramOrder {
+  unsigned short port;
+  bool is_test;
+  unsigned first_sequence;
+  unsigned first_picture;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(port);
+    fields.flag(is_test, "the byte behind the port is not 0 (pictures) or 1 (a test)");
+    fields.zeros(1);
+    fields.number(first_sequence);
+    fields.number(first_picture);
+  }
+};
+
+/// The pictures whose parts the robot can repeat: the last ones that it has begun to send.
+const unsigned KEPT_PICTURES = 3;
+
+const Request SEND_AND_REPEAT_DATAGRAMS = {REQUEST_REPEATED_DATAGRAMS, "send its pictures by UDP and repeat lost parts",
+                                           0, NULL};
 
 const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
 
@@ -111,6 +136,46 @@ struct LossReport {
     fields.number(picture);
   }
 };
+
+/// A receiver of `X` sends this instead of acknowledgements: char `s`, uint8 0, uint16 first part, uint32 picture,
+/// uint32 bits.
+struct DatagramStatus {
+  /// The parts that one status can ask for.
+  static const unsigned MOST_MISSING = 32;
+
+  unsigned short first_part;
+  unsigned picture;  ///< all pictures before it are complete or not wanted any more
+  unsigned missing;  ///< bit i: part first_part + i of this picture has to be repeated
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    char mark = 's';
+    fields.number(mark);
+    fields.require(mark == 's', "the datagram is not a status");
+    fields.zeros(1);
+    fields.number(first_part);
+    fields.number(picture);
+    fields.number(missing);
+  }
+};
+
+const size_t DATAGRAM_STATUS_SIZE = 12;
+
+/// The answer to `X` that is only a test, MAX_DATAGRAM_SIZE bytes: char `x`, 3 x uint8 0, the two numbers of `X`,
+/// zeros. It is as large as a datagram can be, so that it gets through only where the datagrams of pictures do.
+struct TestDatagram {
+  unsigned first_sequence;
+  unsigned first_picture;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.constant(static_cast<unsigned>('x') << 24, "the datagram is not a test");
+    fields.number(first_sequence);
+    fields.number(first_picture);
+  }
+};
+
+const size_t TEST_DATAGRAM_NUMBERS_SIZE = 12;  ///< bytes of a test before its zeros
 
 }  // namespace version2
 }  // namespace protocol

@@ -678,6 +678,9 @@ bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
+  if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(now_)) {
+    return SendLeftOver(*left_over);
+  }
   if (picture_.IsThere() && !SoundGoesFirst()) {
     return SendPicture();
   }
@@ -689,14 +692,25 @@ bool RCServer::SendOutput() {
 
 bool RCServer::SendPicture() {
   const EncodedPicture& picture = picture_.Get();
-  byte* const buffer = client_->SendBuffer();
-  const size_t header_size = session_->EncodePictureHeader(pictures_.Order(), pictures_.Header(), picture.size, buffer);
-  const size_t size = header_size + picture.size;
-  memcpy(buffer + header_size, picture.jpeg, picture.size);
+  const size_t size = PutPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
   picture_.Release();
   pictures_.CountSent();
   last_picture_ = now_;
   return client_->Send(size, true);
+}
+
+// Sends a picture of the stream that the client may not have received by UDP.
+bool RCServer::SendLeftOver(const PictureDatagrams::KeptPicture& picture) {
+  return client_->Send(PutPicture(PictureOrder(), picture.image, picture.jpeg, picture.size), true);
+}
+
+// Puts a picture and its header into the client's send buffer. Returns their size.
+size_t RCServer::PutPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
+                            size_t size) {
+  byte* const buffer = client_->SendBuffer();
+  const size_t header_size = session_->EncodePictureHeader(order, image, size, buffer);
+  memcpy(buffer + header_size, jpeg, size);
+  return header_size + size;
 }
 
 bool RCServer::SendFile() {

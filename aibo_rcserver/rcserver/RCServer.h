@@ -155,6 +155,9 @@ class RCServer : public OObject {
   void ServeClient();
   bool SendOutput();
   bool SendPicture();
+  bool SendLeftOver(const PictureDatagrams::KeptPicture& picture);
+  size_t PutPicture(const PictureOrder& order, const protocol::version2::ImageHeader& image, const byte* jpeg,
+                    size_t size);
   bool SendFile();
   void OfferImage(OFbkImageVectorData* image_vector);
   bool FindOrder(PictureOrder* order);

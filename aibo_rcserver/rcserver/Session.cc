@@ -44,7 +44,7 @@ void Session::End() {
   robot_.joints.ClientGone();
   robot_.lights.ClientGone();
   robot_.camera.ClientGone();
-  robot_.datagrams.SendTo(0);
+  robot_.datagrams.Stop();
   robot_.colors.ClientGone();
   robot_.microphone.ClientGone();
   robot_.speaker.ClientGone();

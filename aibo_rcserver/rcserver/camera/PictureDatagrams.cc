@@ -7,7 +7,10 @@
 
 using protocol::version2::DATAGRAM_HEADER_SIZE;
 using protocol::version2::DATAGRAM_PART_SIZE;
+using protocol::version2::DatagramOrder;
+using protocol::version2::DatagramStatus;
 using protocol::version2::ImageHeader;
+using protocol::version2::KEPT_PICTURES;
 using protocol::version2::MAX_DATAGRAM_SIZE;
 using protocol::version2::PARTS_PER_PARITY;
 using protocol::version2::PictureDatagram;
@@ -17,9 +20,10 @@ namespace {
 // Size of the IPStack's send buffer: two packets, as in Sony's sample UDPEchoServer, so that few datagrams wait.
 const size_t ENDPOINT_POOL_SIZE = 2 * MAX_DATAGRAM_SIZE;
 
-const size_t RECEIVE_SIZE = protocol::version2::ACKNOWLEDGEMENT_SIZE + 1;  // one more byte, to detect longer datagrams
-const size_t PARITY_OFFSET = DATAGRAM_HEADER_SIZE + ENCODED_PICTURE_CAPACITY;
-const size_t RECEIVE_OFFSET = PARITY_OFFSET + MAX_DATAGRAM_SIZE;
+const size_t RECEIVE_SIZE = protocol::version2::DATAGRAM_STATUS_SIZE + 1;  // one more byte, to detect longer datagrams
+const size_t DATAGRAM_OFFSET = KEPT_PICTURES * ENCODED_PICTURE_CAPACITY;
+const size_t PARITY_OFFSET = DATAGRAM_OFFSET + MAX_DATAGRAM_SIZE;
+const size_t RECEIVE_OFFSET = PARITY_OFFSET + DATAGRAM_PART_SIZE;
 
 }  // namespace
 
@@ -27,21 +31,30 @@ const unsigned PictureDatagrams::MOST_UNACKNOWLEDGED;
 const longword PictureDatagrams::PATIENCE;
 const longword PictureDatagrams::PATIENCE_PER_PART;
 const unsigned PictureDatagrams::PROTECTED_PICTURES;
+const longword PictureDatagrams::OLDEST_LEFT_OVER;
 
 PictureDatagrams::PictureDatagrams()
     : object_(),
       buffer_(),
       endpoint_number_(0),
       receiver_(0),
-      port_(0),
-      next_(),
+      order_(),
+      is_sending_(false),
+      next_sequence_(0),
+      next_picture_(0),
+      acknowledged_(0),
+      left_over_(0),
       unsent_part_(0),
       number_of_parts_(0),
       has_parities_(false),
-      is_sending_parity_(false),
+      is_parity_due_(false),
       to_be_protected_(0),
-      acknowledged_(0),
-      last_begun_(0) {}
+      missing_picture_(0),
+      first_missing_(0),
+      missing_(0),
+      is_repairing_(false) {
+  memset(kept_, 0, sizeof(kept_));
+}
 
 bool PictureDatagrams::Create(OID object) {
   object_ = object;
@@ -54,78 +67,126 @@ void PictureDatagrams::Destroy() {
   buffer_.Destroy(stack_);
 }
 
-bool PictureDatagrams::SendTo(Port port) {
+bool PictureDatagrams::SendTo(const DatagramOrder& order) {
+  Stop();
+  order_ = order;
+  if (!Open()) {
+    return false;
+  }
+  if (order.is_test) {
+    SendTest();
+  }
+  return true;
+}
+
+void PictureDatagrams::Stop() {
   Close();
-  return port == 0 || Open(port);
+  left_over_ = 0;
+}
+
+void PictureDatagrams::HandOver() {
+  const unsigned unacknowledged = next_picture_ - acknowledged_;
+  Close();
+  left_over_ = unacknowledged < KEPT_PICTURES ? unacknowledged : KEPT_PICTURES;
+}
+
+const PictureDatagrams::KeptPicture* PictureDatagrams::TakeLeftOver(longword now) {
+  while (left_over_ > 0) {
+    const KeptPicture& oldest = Kept(next_picture_ - left_over_);
+    --left_over_;
+    if (now - oldest.begun <= OLDEST_LEFT_OVER) {
+      return &oldest;
+    }
+  }
+  return NULL;
 }
 
 bool PictureDatagrams::MaySend(longword now) const {
   const longword patience = PATIENCE + PATIENCE_PER_PART * static_cast<longword>(number_of_parts_);
-  return !IsOn() || next_.picture - acknowledged_ < MOST_UNACKNOWLEDGED || now - last_begun_ >= patience;
+  const longword last_begun = kept_[(next_picture_ - 1) % KEPT_PICTURES].begun;
+  const unsigned in_flight = next_picture_ - acknowledged_ - (is_repairing_ ? 1 : 0);
+  return !IsOn() || in_flight < MOST_UNACKNOWLEDGED || now - last_begun >= patience;
 }
 
+// The picture replaces an older one, whose parts cannot be repeated any more.
 void PictureDatagrams::Send(const ImageHeader& image, const byte* jpeg, size_t size, longword now) {
-  last_begun_ = now;
-  memcpy(buffer_.Bytes() + DATAGRAM_HEADER_SIZE, jpeg, size);
-  next_.jpeg_size = static_cast<unsigned>(size);
-  next_.image = image;
+  if (next_picture_ - missing_picture_ == KEPT_PICTURES) {
+    missing_ = 0;
+  }
+  byte* const copy = buffer_.Bytes() + next_picture_ % KEPT_PICTURES * ENCODED_PICTURE_CAPACITY;
+  memcpy(copy, jpeg, size);
+  const KeptPicture picture = {image, copy, size, now};
+  Kept(next_picture_) = picture;
+  ++next_picture_;
   unsent_part_ = 0;
   number_of_parts_ = protocol::version2::numberOfParts(size);
   has_parities_ = to_be_protected_ > 0;
   to_be_protected_ -= has_parities_ ? 1 : 0;
-  SendPart();
+  SendNext();
 }
 
 // A datagram that could not be sent counts as lost on the way.
 void PictureDatagrams::Sent(const UDPEndpointSendMsg& answer) {
-  if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_ || !HasPicture()) {
-    return;
-  }
-  if (is_sending_parity_) {
-    is_sending_parity_ = false;
-  } else {
-    ++unsent_part_;
-    is_sending_parity_ = has_parities_ && GroupEnds();
-  }
-  if (is_sending_parity_) {
-    SendParity();
-  } else if (HasPicture()) {
-    SendPart();
-  } else {
-    ++next_.picture;
+  if (order_.port != 0 && reinterpret_cast<size_t>(answer.continuation) == endpoint_number_) {
+    is_sending_ = false;
+    SendNext();
   }
 }
 
 void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
-  if (port_ == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_) {
+  if (order_.port == 0 || reinterpret_cast<size_t>(answer.continuation) != endpoint_number_) {
     return;
   }
   const bool is_from_client =
-      answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == port_;
+      answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == order_.port;
   const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
   protocol::version2::Acknowledgement whole;
   protocol::version2::LossReport loss;
+  DatagramStatus status;
   if (decode(ReceiveBuffer(), size, &whole) == NULL) {
-    if (whole.picture <= next_.picture && whole.picture >= acknowledged_) {
-      acknowledged_ = whole.picture + 1;
-    }
-  } else if (decode(ReceiveBuffer(), size, &loss) == NULL && loss.picture <= next_.picture) {
+    Acknowledge(whole.picture + 1);
+  } else if (decode(ReceiveBuffer(), size, &status) == NULL) {
+    Acknowledge(status.picture);
+    Repeat(status);
+  } else if (decode(ReceiveBuffer(), size, &loss) == NULL && next_picture_ - loss.picture <= PROTECTED_PICTURES) {
     to_be_protected_ = PROTECTED_PICTURES;
   }
   Receive();
 }
 
-bool PictureDatagrams::Open(Port port) {
+// The numbers are compared by their distances, because they may pass the largest number.
+void PictureDatagrams::Acknowledge(unsigned next_picture) {
+  if (next_picture != acknowledged_ && next_picture - acknowledged_ <= next_picture_ - acknowledged_) {
+    acknowledged_ = next_picture;
+    is_repairing_ = false;
+  }
+}
+
+void PictureDatagrams::Repeat(const DatagramStatus& status) {
+  const unsigned behind = next_picture_ - status.picture;
+  if (status.missing == 0 || status.picture != acknowledged_ || behind == 0 || behind > KEPT_PICTURES) {
+    return;
+  }
+  const size_t sent = behind == 1 ? unsent_part_ : protocol::version2::numberOfParts(Kept(status.picture).size);
+  const size_t count = sent < status.first_part ? 0 : sent - status.first_part;
+  is_repairing_ = true;
+  missing_picture_ = status.picture;
+  first_missing_ = status.first_part;
+  missing_ = count < DatagramStatus::MOST_MISSING ? status.missing & ((1u << count) - 1) : status.missing;
+  SendNext();
+}
+
+bool PictureDatagrams::Open() {
   antEnvCreateEndpointMsg create(EndpointType_UDP, ENDPOINT_POOL_SIZE);
   if (create.Call(stack_, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
+    order_.port = 0;
     return false;
   }
   endpoint_ = create.moduleRef;
   ++endpoint_number_;
-  port_ = port;
-  next_.sequence = 0;
-  next_.picture = 0;
-  acknowledged_ = 0;
+  next_sequence_ = order_.first_sequence;
+  next_picture_ = order_.first_picture;
+  acknowledged_ = order_.first_picture;
   to_be_protected_ = 0;
   UDPEndpointBindMsg bind(endpoint_, IP_ADDR_ANY, IP_PORT_ANY);
   if (bind.Call(stack_, sizeof(bind)) != ANT_SUCCESS || bind.error != UDP_SUCCESS) {
@@ -137,55 +198,93 @@ bool PictureDatagrams::Open(Port port) {
 }
 
 void PictureDatagrams::Close() {
-  if (port_ != 0) {
+  if (order_.port != 0) {
     UDPEndpointCloseMsg close(endpoint_);
     close.Call(stack_, sizeof(close));
   }
-  port_ = 0;
+  order_.port = 0;
+  is_sending_ = false;
+  is_repairing_ = false;
+  missing_ = 0;
+  is_parity_due_ = false;
   unsent_part_ = 0;
   number_of_parts_ = 0;
-  is_sending_parity_ = false;
 }
 
-// True if the part that was sent last ends its group.
-bool PictureDatagrams::GroupEnds() const {
-  return unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
-}
-
-// The header overwrites the end of the previous part, which the IPStack has already taken.
-void PictureDatagrams::SendPart() {
-  byte* const datagram = buffer_.Bytes() + unsent_part_ * DATAGRAM_PART_SIZE;
-  const size_t part_size = protocol::version2::sizeOfPart(next_.jpeg_size, unsent_part_);
-  if (has_parities_) {
-    byte* const parity = ParityBuffer() + DATAGRAM_HEADER_SIZE;
-    if (unsent_part_ % PARTS_PER_PARITY == 0) {
-      memset(parity, 0, part_size);
-    }
-    protocol::version2::addToParity(datagram + DATAGRAM_HEADER_SIZE, part_size, parity);
+// Repeated parts go first, because the client waits for them.
+void PictureDatagrams::SendNext() {
+  if (is_sending_) {
+    return;
   }
-  next_.is_parity = false;
-  next_.part = static_cast<unsigned short>(unsent_part_);
-  SendDatagram(datagram, part_size);
+  if (missing_ != 0) {
+    SendMissingPart();
+  } else if (is_parity_due_) {
+    SendParity();
+  } else if (unsent_part_ < number_of_parts_) {
+    SendPart();
+  }
+}
+
+void PictureDatagrams::SendPart() {
+  const KeptPicture& picture = Kept(next_picture_ - 1);
+  const size_t part = unsent_part_;
+  const byte* const content = picture.jpeg + part * DATAGRAM_PART_SIZE;
+  ++unsent_part_;
+  if (has_parities_) {
+    const size_t size = protocol::version2::sizeOfPart(picture.size, part);
+    if (part % PARTS_PER_PARITY == 0) {
+      memset(ParityBuffer(), 0, size);
+    }
+    protocol::version2::addToParity(content, size, ParityBuffer());
+    is_parity_due_ = unsent_part_ % PARTS_PER_PARITY == 0 || unsent_part_ == number_of_parts_;
+  }
+  SendContent(next_picture_ - 1, false, part, content);
 }
 
 void PictureDatagrams::SendParity() {
-  const size_t first_part = (unsent_part_ - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY;
-  next_.is_parity = true;
-  next_.part = static_cast<unsigned short>(first_part);
-  SendDatagram(ParityBuffer(), protocol::version2::sizeOfPart(next_.jpeg_size, first_part));
+  is_parity_due_ = false;
+  SendContent(next_picture_ - 1, true, (unsent_part_ - 1) / PARTS_PER_PARITY * PARTS_PER_PARITY, ParityBuffer());
 }
 
-// @param datagram room for its header, and behind it its content
-void PictureDatagrams::SendDatagram(byte* datagram, size_t content_size) {
-  encode(next_, datagram);
-  ++next_.sequence;
-  UDPEndpointSendMsg send(endpoint_, IPAddress(static_cast<uint32>(receiver_)), port_, datagram,
-                          static_cast<int>(DATAGRAM_HEADER_SIZE + content_size));
+void PictureDatagrams::SendMissingPart() {
+  unsigned bit = 0;
+  while ((missing_ >> bit & 1) == 0) {
+    ++bit;
+  }
+  missing_ &= ~(1u << bit);
+  const size_t part = first_missing_ + bit;
+  SendContent(missing_picture_, false, part, Kept(missing_picture_).jpeg + part * DATAGRAM_PART_SIZE);
+}
+
+// @param part for a parity, the first part of its group; the content has the size of this part
+void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part, const byte* content) {
+  const KeptPicture& kept = Kept(picture);
+  const PictureDatagram header = {is_parity, static_cast<unsigned short>(part), next_sequence_,
+                                  picture,   static_cast<unsigned>(kept.size),  kept.image};
+  const size_t size = protocol::version2::sizeOfPart(kept.size, part);
+  ++next_sequence_;
+  encode(header, DatagramBuffer());
+  memcpy(DatagramBuffer() + DATAGRAM_HEADER_SIZE, content, size);
+  SendDatagram(DATAGRAM_HEADER_SIZE + size);
+}
+
+void PictureDatagrams::SendTest() {
+  const protocol::version2::TestDatagram test = {order_.first_sequence, order_.first_picture};
+  memset(DatagramBuffer(), 0, MAX_DATAGRAM_SIZE);
+  encode(test, DatagramBuffer());
+  SendDatagram(MAX_DATAGRAM_SIZE);
+}
+
+// Sends the contents of DatagramBuffer(). If the IPStack refuses, the rest of the picture is dropped.
+void PictureDatagrams::SendDatagram(size_t size) {
+  UDPEndpointSendMsg send(endpoint_, IPAddress(static_cast<uint32>(receiver_)), order_.port, DatagramBuffer(),
+                          static_cast<int>(size));
   send.continuation = reinterpret_cast<void*>(endpoint_number_);
-  if (send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) != ANT_SUCCESS) {
-    number_of_parts_ = 0;  // drop the rest of this picture
-    is_sending_parity_ = false;
-    ++next_.picture;
+  is_sending_ = send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) == ANT_SUCCESS;
+  if (!is_sending_) {
+    missing_ = 0;
+    is_parity_due_ = false;
+    unsent_part_ = number_of_parts_;
   }
 }
 
@@ -196,10 +295,14 @@ void PictureDatagrams::Receive() {
   receive.Send(stack_, object_, Extra_Entry[entryAcknowledgementCont], sizeof(receive));
 }
 
-byte* PictureDatagrams::ReceiveBuffer() const {
-  return buffer_.Bytes() + RECEIVE_OFFSET;
+byte* PictureDatagrams::DatagramBuffer() const {
+  return buffer_.Bytes() + DATAGRAM_OFFSET;
 }
 
 byte* PictureDatagrams::ParityBuffer() const {
   return buffer_.Bytes() + PARITY_OFFSET;
+}
+
+byte* PictureDatagrams::ReceiveBuffer() const {
+  return buffer_.Bytes() + RECEIVE_OFFSET;
 }

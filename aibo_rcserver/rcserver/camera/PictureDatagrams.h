@@ -16,11 +16,17 @@ class DatagramSwitch {
  public:
   virtual ~DatagramSwitch() {}
 
-  /// Sends the stream's pictures to this port of the client's computer from now on. Drops a picture that is being sent
-  /// to another port.
-  /// @param port 0 stops sending datagrams
+  /// Sends the stream's pictures to this port of the client's computer from now on, or only a test. Drops a picture
+  /// that is being sent to another port.
+  /// @param order its port is not 0
   /// @return false if the IPStack refuses; then no datagrams are sent
-  virtual bool SendTo(Port port) = 0;
+  virtual bool SendTo(const protocol::version2::DatagramOrder& order) = 0;
+
+  /// Stops sending datagrams.
+  virtual void Stop() = 0;
+
+  /// Stops sending datagrams. Pictures that the client may not have yet are kept, so that they can be sent by TCP.
+  virtual void HandOver() = 0;
 };
 
 /// Sends pictures only to the client, in datagrams that no network has to fragment (protocol/picture_datagram.h). Each
@@ -30,11 +36,12 @@ class DatagramSwitch {
 /// MOST_UNACKNOWLEDGED pictures are in flight. The client acknowledges each picture. Without an acknowledgement, the
 /// next picture is sent after a timeout.
 ///
-/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that the client can rebuild a lost
-/// datagram.
+/// A client may have lost parts repeated while their picture is in flight. When it reports a loss, the next
+/// PROTECTED_PICTURES have parities, so that the client can rebuild a lost datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
-  /// Most pictures in flight: two, so that the radio does not idle while an acknowledgement is on its way.
+  /// Most pictures in flight: two, so that the radio does not idle while an acknowledgement is on its way. One that
+  /// only lacks parts that are being repeated does not count.
   static const unsigned MOST_UNACKNOWLEDGED = 2;
 
   /// Timeout for an acknowledgement, in frames: PATIENCE, and PATIENCE_PER_PART for each part of the last picture. A
@@ -45,6 +52,9 @@ class PictureDatagrams : public DatagramSwitch {
   /// Pictures that have parities after a loss: about 2 s at full rate. If more than one datagram in 300 is lost, nearly
   /// all pictures have parities.
   static const unsigned PROTECTED_PICTURES = 64;
+
+  /// A picture that was begun this many frames ago is too old to be handed over to TCP: 200 ms.
+  static const longword OLDEST_LEFT_OVER = 25;
 
   PictureDatagrams();
   virtual ~PictureDatagrams() {}
@@ -60,13 +70,15 @@ class PictureDatagrams : public DatagramSwitch {
   /// A client is connected from this address.
   void ClientConnected(unsigned address) { receiver_ = address; }
 
-  virtual bool SendTo(Port port);
+  virtual bool SendTo(const protocol::version2::DatagramOrder& order);
+  virtual void Stop();
+  virtual void HandOver();
 
   /// True if pictures of the stream go as datagrams.
-  bool IsOn() const { return port_ != 0; }
+  bool IsOn() const { return order_.port != 0 && !order_.is_test; }
 
   /// True while a picture has not been sent completely.
-  bool HasPicture() const { return unsent_part_ < number_of_parts_ || is_sending_parity_; }
+  bool HasPicture() const { return is_sending_ || HasUnsent(); }
 
   /// False while too many pictures are unacknowledged.
   /// @param now OPEN-R frame
@@ -80,38 +92,66 @@ class PictureDatagrams : public DatagramSwitch {
   /// Handles the IPStack's answer to a datagram, and sends the next one if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
 
-  /// Handles a received datagram. All but the client's acknowledgements and reports of losses are ignored.
+  /// Handles a received datagram. All but the client's answers to pictures are ignored.
   void Received(const UDPEndpointReceiveMsg& answer);
+
+  /// A picture that is kept.
+  struct KeptPicture {
+    protocol::version2::ImageHeader image;
+    const byte* jpeg;
+    size_t size;
+    longword begun;  ///< OPEN-R frame in which it was begun
+  };
+
+  /// Takes the oldest picture that HandOver() has kept and that is not too old. It is valid until the next call.
+  /// @param now OPEN-R frame
+  /// @return NULL if there is none
+  const KeptPicture* TakeLeftOver(longword now);
 
  private:
   PictureDatagrams(const PictureDatagrams&);
   PictureDatagrams& operator=(const PictureDatagrams&);
 
-  bool Open(Port port);
+  bool Open();
   void Close();
-  bool GroupEnds() const;
+  bool HasUnsent() const { return missing_ != 0 || is_parity_due_ || unsent_part_ < number_of_parts_; }
+  void Acknowledge(unsigned next_picture);
+  void Repeat(const protocol::version2::DatagramStatus& status);
+  void SendNext();
   void SendPart();
   void SendParity();
-  void SendDatagram(byte* datagram, size_t content_size);
+  void SendMissingPart();
+  void SendContent(unsigned picture, bool is_parity, size_t part, const byte* content);
+  void SendTest();
+  void SendDatagram(size_t size);
   void Receive();
-  byte* ReceiveBuffer() const;
+  KeptPicture& Kept(unsigned picture) { return kept_[picture % protocol::version2::KEPT_PICTURES]; }
+  byte* DatagramBuffer() const;
   byte* ParityBuffer() const;
+  byte* ReceiveBuffer() const;
 
   OID object_;
   antStackRef stack_;
-  SharedBuffer buffer_;  ///< room for the header of a datagram, the JPEG, a datagram with a parity, a received one
+  SharedBuffer buffer_;  ///< room for the kept JPEGs, a datagram, a parity, and a received datagram
   antModuleRef endpoint_;
   size_t endpoint_number_;  ///< different for each endpoint, so that answers to earlier ones can be recognised
   unsigned receiver_;       ///< the client's address
-  Port port_;               ///< 0: there is no endpoint
-  protocol::version2::PictureDatagram next_;
-  size_t unsent_part_;
-  size_t number_of_parts_;
-  bool has_parities_;         ///< the picture that is being sent
-  bool is_sending_parity_;    ///< of the group before unsent_part_
-  unsigned to_be_protected_;  ///< number of next pictures that get parities
-  unsigned acknowledged_;     ///< number of acknowledged pictures
-  longword last_begun_;       ///< frame in which a picture was last begun
+  protocol::version2::DatagramOrder order_;  ///< port 0: there is no endpoint
+  bool is_sending_;                          ///< a datagram has not been answered by the IPStack yet
+  unsigned next_sequence_;                   ///< number of the next datagram
+  unsigned next_picture_;                    ///< number of the next picture; the one before it is the current one
+  unsigned acknowledged_;                    ///< the client has, or has given up, all pictures before this number
+  unsigned left_over_;                       ///< how many of the last pictures are to be sent by TCP
+  size_t unsent_part_;                       ///< of the current picture
+  size_t number_of_parts_;                   ///< of the current picture
+  bool has_parities_;                        ///< the current picture
+  bool is_parity_due_;                       ///< of the group before unsent_part_
+  unsigned to_be_protected_;                 ///< number of next pictures that get parities
+  unsigned missing_picture_;                 ///< the picture with the parts that are to be repeated
+  size_t first_missing_;                     ///< bit 0 of missing_ is this part
+  unsigned missing_;                         ///< as in DatagramStatus
+  bool is_repairing_;                        ///< the oldest picture that is not acknowledged
+  KeptPicture kept_[protocol::version2::KEPT_PICTURES];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_DATAGRAMS_H

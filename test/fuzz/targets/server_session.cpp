@@ -140,7 +140,9 @@ class ObedientMotors final : public MotorSwitch {
 // An IPStack that always has an endpoint, and sends nothing.
 class FreePorts final : public DatagramSwitch {
  public:
-  bool SendTo(Port) override { return true; }
+  bool SendTo(const version2::DatagramOrder&) override { return true; }
+  void Stop() override {}
+  void HandOver() override {}
 };
 
 // The system's end of microphone and speaker. It forgets what it has not output when it goes.

@@ -122,6 +122,9 @@ void decodeAsEverything(const Bytes& payload) {
   decodeAs<version2::DatagramPort>(payload);
   decodeAs<version2::Acknowledgement>(payload);
   decodeAs<version2::LossReport>(payload);
+  decodeAs<version2::DatagramOrder>(payload);
+  decodeAs<version2::DatagramStatus>(payload);
+  decodeAs<version2::TestDatagram>(payload);
   decodeAs<version2::Velocity>(payload);
   decodeAs<version2::MotionUpload>(payload);
   decodeAs<version2::MotionToDelete>(payload);

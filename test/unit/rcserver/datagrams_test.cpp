@@ -60,6 +60,17 @@ class DatagramsTest : public Version2Fixture {
     return parts;
   }
 
+  // All that come within some frames, as the client reads what the robot can send.
+  std::vector<Frame> morePicturesByTcp() {
+    std::vector<Frame> pictures;
+    for (int i = 0; i < 20; ++i) {
+      const std::vector<Frame> some = picturesByTcp();
+      pictures.insert(pictures.end(), some.begin(), some.end());
+      machine_->runPending();
+    }
+    return pictures;
+  }
+
   // The frames with pictures that have come by TCP; others are skipped.
   std::vector<Frame> picturesByTcp() {
     std::vector<Frame> pictures;
@@ -402,6 +413,198 @@ TEST_F(DatagramsTest, AnIPStackThatSendsNothingLosesPicturesAndNothingElse) {
   EXPECT_EQ(textOf(answerTo('B', 0, portPayload(0))), portPayload(0));
   takeImage();
   EXPECT_EQ(picturesByTcp().size(), 1U);
+}
+
+/// A client that has lost parts repeated.
+class RepeatedDatagramsTest : public DatagramsTest {
+ protected:
+  static std::string orderPayload(int port, bool is_test, unsigned sequence, unsigned picture) {
+    return payloadOf(DatagramOrder{static_cast<unsigned short>(port), is_test, sequence, picture});
+  }
+
+  void orderTo(const UdpSocket& receiver, unsigned sequence = 5000, unsigned picture = 700) {
+    acknowledges_ = false;
+    const std::string order = orderPayload(receiver.port(), false, sequence, picture);
+    const Frame answer = answerTo('X', 0, order);
+    ASSERT_EQ(answer.header.kind, 'x');
+    EXPECT_EQ(textOf(answer), order);
+    answerTo('W', 85, kStreamOn);
+  }
+
+  void tell(UdpSocket& receiver, unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
+    const std::string bytes = payloadOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing});
+    receiver.reply({bytes.begin(), bytes.end()});
+  }
+
+  /// The parts of the next picture.
+  std::vector<ReceivedPart> nextPicture(UdpSocket& receiver) {
+    takeImage();
+    return partsAt(receiver);
+  }
+};
+
+TEST_F(RepeatedDatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
+  UdpSocket receiver;
+  answerTo('W', 85, kStreamOn);
+  answerTo('X', 0, orderPayload(receiver.port(), true, 0x12345678, 0x9abcdef0));
+  machine_->runPending();
+  const auto datagram = receiver.next();
+  ASSERT_TRUE(datagram.has_value());
+  EXPECT_EQ(datagram->size(), MAX_DATAGRAM_SIZE);
+  TestDatagram test{};
+  EXPECT_EQ(decode(datagram->data(), TEST_DATAGRAM_NUMBERS_SIZE, &test), nullptr);
+  EXPECT_EQ(test.first_sequence, 0x12345678U);
+  EXPECT_EQ(test.first_picture, 0x9abcdef0U);
+  EXPECT_EQ(std::count(datagram->begin() + TEST_DATAGRAM_NUMBERS_SIZE, datagram->end(), 0),
+            static_cast<long>(MAX_DATAGRAM_SIZE - TEST_DATAGRAM_NUMBERS_SIZE));
+  for (int i = 0; i < 3; ++i) {
+    takeImage();
+  }
+  EXPECT_FALSE(receiver.next().has_value());
+  EXPECT_EQ(picturesByTcp().size(), 3U);
+}
+
+TEST_F(RepeatedDatagramsTest, NumbersBeginAsOrderedAndPassTheLargestOne) {
+  UdpSocket receiver;
+  orderTo(receiver, 0xffffffff, 0xfffffffe);
+  for (const unsigned picture : {0xfffffffeU, 0xffffffffU, 0U, 1U}) {
+    const std::vector<ReceivedPart> parts = nextPicture(receiver);
+    ASSERT_FALSE(parts.empty()) << picture;
+    EXPECT_EQ(parts[0].header.picture, picture);
+    EXPECT_EQ(parts[0].header.sequence == 0xffffffff, picture == 0xfffffffe);
+    tell(receiver, picture + 1);
+  }
+}
+
+TEST_F(RepeatedDatagramsTest, MissingPartsAreRepeatedAlone) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  const std::vector<ReceivedPart> first = nextPicture(receiver);
+  const std::vector<ReceivedPart> second = nextPicture(receiver);
+  ASSERT_GE(second.size(), 4U);
+  for (const std::vector<ReceivedPart>* picture : {&first, &second}) {
+    tell(receiver, (*picture)[0].header.picture, 1, 5);
+    const std::vector<ReceivedPart> repeated = partsAt(receiver);
+    ASSERT_EQ(repeated.size(), 2U);
+    for (int i = 0; i < 2; ++i) {
+      const ReceivedPart& original = (*picture)[static_cast<size_t>(1 + 2 * i)];
+      EXPECT_EQ(repeated[i].header.part, original.header.part);
+      EXPECT_EQ(repeated[i].header.picture, original.header.picture);
+      EXPECT_GT(repeated[i].header.sequence, second.back().header.sequence);
+      EXPECT_EQ(repeated[i].bytes, original.bytes);
+    }
+  }
+}
+
+TEST_F(RepeatedDatagramsTest, AWholePictureCanBeRepeated) {
+  UdpSocket receiver;
+  orderTo(receiver);
+  const std::vector<ReceivedPart> picture = nextPicture(receiver);
+  tell(receiver, 700, 0, ~0U);
+  EXPECT_EQ(joined(partsAt(receiver)), joined(picture));
+}
+
+TEST_F(RepeatedDatagramsTest, WhatIsNotKeptIsNotRepeated) {
+  UdpSocket receiver;
+  orderTo(receiver);
+  for (unsigned picture = 700; picture < 703; ++picture) {
+    EXPECT_FALSE(nextPicture(receiver).empty());
+    tell(receiver, picture + 1);
+  }
+  for (const unsigned picture : {700U, 699U, 703U, 704U, 0U}) {
+    tell(receiver, picture, 0, ~0U);
+    EXPECT_THAT(partsAt(receiver), IsEmpty()) << picture;
+  }
+  tell(receiver, 703, 9, ~0U);
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+  EXPECT_FALSE(nextPicture(receiver).empty());
+}
+
+TEST_F(RepeatedDatagramsTest, AStatusAcknowledgesAllPicturesBeforeIt) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  EXPECT_FALSE(nextPicture(receiver).empty());
+  EXPECT_FALSE(nextPicture(receiver).empty());
+  EXPECT_THAT(nextPicture(receiver), IsEmpty());
+  tell(receiver, 702);
+  EXPECT_FALSE(nextPicture(receiver).empty());
+  EXPECT_FALSE(nextPicture(receiver).empty());
+  tell(receiver, 703);
+  EXPECT_FALSE(nextPicture(receiver).empty());
+}
+
+// Otherwise the radio would idle while a part is repeated.
+TEST_F(RepeatedDatagramsTest, APictureThatIsRepairedDoesNotHoldUpTheNextButOne) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  nextPicture(receiver);
+  nextPicture(receiver);
+  EXPECT_THAT(nextPicture(receiver), IsEmpty());
+  tell(receiver, 700, 1, 1);
+  EXPECT_EQ(nextPicture(receiver).front().header.picture, 700U) << "the repeated part";
+  EXPECT_THAT(nextPicture(receiver), IsEmpty()) << "two others are on their way";
+  tell(receiver, 701);
+  EXPECT_THAT(nextPicture(receiver), IsEmpty()) << "the same";
+  tell(receiver, 702);
+  EXPECT_FALSE(nextPicture(receiver).empty());
+}
+
+TEST_F(RepeatedDatagramsTest, OnlyTheClientsStatusCounts) {
+  UdpSocket receiver;
+  UdpSocket stranger;
+  orderTo(receiver);
+  EXPECT_FALSE(nextPicture(receiver).empty());
+  const std::string bytes = payloadOf(DatagramStatus{0, 700, 1});
+  stranger.send(receiver.senderPort(), {bytes.begin(), bytes.end()});
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+}
+
+TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  nextPicture(receiver);
+  tell(receiver, 701);
+  const std::vector<ReceivedPart> second = nextPicture(receiver);
+  const std::vector<ReceivedPart> third = nextPicture(receiver);
+  ASSERT_FALSE(third.empty());
+  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  const std::vector<Frame> pictures = morePicturesByTcp();
+  ASSERT_EQ(pictures.size(), 2U);
+  size_t i = 0;
+  for (const std::vector<ReceivedPart>* expected : {&second, &third}) {
+    const std::vector<uint8_t>& payload = pictures[i++].payload;
+    EXPECT_EQ(std::vector<uint8_t>(payload.begin() + IMAGE_HEADER_SIZE, payload.end()), joined(*expected));
+  }
+  takeImage();
+  EXPECT_EQ(morePicturesByTcp().size(), 1U);
+  EXPECT_THAT(partsAt(receiver), IsEmpty());
+}
+
+TEST_F(RepeatedDatagramsTest, OldPicturesAreNotSentByTcp) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  nextPicture(receiver);
+  answerTo('W', 85, kStreamOff);
+  passFrames(40);  // more than 200 ms
+  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  EXPECT_THAT(picturesByTcp(), IsEmpty());
+}
+
+TEST_F(RepeatedDatagramsTest, TheNextClientGetsNothingOfTheLastOnes) {
+  UdpSocket receiver;
+  orderTo(receiver);
+  nextPicture(receiver);
+  answerTo('X', 0, orderPayload(0, false, 0, 0));
+  orderTo(receiver);
+  nextPicture(receiver);
+  reconnect();
+  passFrames(1);
+  EXPECT_THAT(picturesByTcp(), IsEmpty());
 }
 
 }  // namespace
