@@ -109,10 +109,11 @@ void Connection::warnOfMissing(Missing what, bool wanted) {
   }
 }
 
-void Connection::giveUpDatagrams(const std::string& why) {
+void Connection::giveUpDatagrams(const std::string& why, LogLevel level) {
   transport = PictureTransport::kTcp;
-  transport_problem = why;
-  context.warn("sends its pictures by TCP, not by UDP: " + why);
+  if (why != std::exchange(transport_problem, why)) {
+    context.notifier.log(level, context.address + " sends its pictures by TCP, not by UDP: " + why + ".");
+  }
 }
 
 Connection::TimePoint Connection::pictureDeadline() const {

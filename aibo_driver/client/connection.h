@@ -101,9 +101,10 @@ struct Connection {
   /// Logs that this server has no request for something, each time that it becomes wanted.
   void warnOfMissing(Missing what, bool wanted);
 
-  /// Logs once that the pictures come by TCP although UDP is wanted.
+  /// Logs that the pictures come by TCP although UDP is wanted, or why they cannot come by UDP.
   /// @param why the reason in words that follow a colon
-  void giveUpDatagrams(const std::string& why);
+  /// @param level kWarn if the user wants UDP and nothing else
+  void giveUpDatagrams(const std::string& why, LogLevel level = LogLevel::kWarn);
 
   /// How long the answer to a request may take.
   std::chrono::milliseconds answerLimit() const;
@@ -122,7 +123,7 @@ struct Connection {
   std::string robot_message;            ///< the robot's last report without a request, if it still holds
   MotorsAndPosture motors_and_posture;  ///< the last report of the robot
   PictureTransport transport = PictureTransport::kTcp;  ///< the transport of the stream's pictures
-  std::string transport_problem;                        ///< why UDP is not tried any more; empty if it may be tried
+  std::string transport_problem;                        ///< why the pictures do not come by UDP; empty if they may
   bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:

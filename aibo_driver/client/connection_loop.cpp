@@ -26,7 +26,7 @@ constexpr int kMostDatagramsAtOnce = 512;
 bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
   return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
          a.advice == b.advice && a.robot_message == b.robot_message && a.transport == b.transport &&
-         a.transport_problem == b.transport_problem;
+         a.wanted_transport == b.wanted_transport && a.transport_problem == b.transport_problem;
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
 ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks,
                                std::unique_ptr<TcpTransport> transport)
     : options_(options),
-      address_(options.host + ":" + std::to_string(options.port)),
+      address_(addressText(options.host, options.port)),
       notifier_(std::move(callbacks)),
       transport_(std::move(transport)),
       next_attempt_(steady_clock::now()),
@@ -143,6 +143,7 @@ void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
   connection_->transport_problem = datagrams_blocked_;
+  connection_->lets_no_datagram_through = !datagrams_blocked_.empty();
   if (options_.protocol_version == 1) {
     beginVersion1(Version1Session::VersionAnswer::kNotAsked);
     return;
@@ -220,22 +221,16 @@ int ConnectionLoop::datagramPort(const Wish& wish) {
   if (wish.transport_changes != std::exchange(transport_changes_, wish.transport_changes)) {
     connection.transport_problem.clear();
     connection.lets_no_datagram_through = false;
-    datagrams_blocked_.clear();
   }
-  const bool is_wanted = wish.transport == PictureTransport::kUdp && session_->ready();
-  if (is_wanted && connection.transport_problem.empty() && !transport_->datagrams().isOpen()) {
-    if (!connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_DATAGRAMS))) {
-      connection.giveUpDatagrams("its server has no request for it");
-    } else if (!transport_->openDatagrams()) {
-      connection.giveUpDatagrams("this computer has no free socket");
-    }
-  }
-  if (connection.lets_no_datagram_through) {
-    datagrams_blocked_ = connection.transport_problem;
-  }
-  if (wish.transport == PictureTransport::kTcp || !connection.transport_problem.empty()) {
+  // A robot that repeats datagrams is asked for a test before UDP is tried again.
+  const bool may_try = connection.transport_problem.empty() || wish.transport == PictureTransport::kAuto ||
+                       connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_REPEATED_DATAGRAMS));
+  if (wish.transport == PictureTransport::kTcp || !may_try) {
     transport_->datagrams().close();
+  } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams()) {
+    connection.giveUpDatagrams("this computer has no free socket");
   }
+  datagrams_blocked_ = connection.lets_no_datagram_through ? connection.transport_problem : "";
   return transport_->datagrams().port();
 }
 
@@ -253,6 +248,9 @@ void ConnectionLoop::listen() {
     connection_->pictures.foundEmpty(now);
   }
   session_->checkDeadlines(now);
+  for (const Session::Bytes& reply : session_->takeReplies(now)) {
+    transport_->datagrams().reply(reply.data(), reply.size());
+  }
   updateMotorsAndPosture(connection_->motors_and_posture);
   reportSession();
 }
@@ -271,8 +269,8 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
       continue;
     }
     connection_->pictures.bytesArrived(now);
-    for (const Session::Bytes& reply : session_->datagramArrived(buffer_.data(), size, now)) {
-      transport_->datagrams().reply(reply.data(), reply.size());
+    if (session_->datagramArrived(buffer_.data(), size, now)) {
+      transport_->datagrams().replyToLastSender();
     }
   }
   return false;
@@ -281,7 +279,7 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
 void ConnectionLoop::reportSession() {
   const bool is_known = read([this](const Shared& shared) {
     return shared.status.robot_message == connection_->robot_message &&
-           shared.status.transport == connection_->transport &&
+           shared.status.transport == connection_->transport && shared.status.wanted_transport == wish_.transport &&
            shared.status.transport_problem == connection_->transport_problem;
   });
   if (is_known) {
@@ -291,6 +289,7 @@ void ConnectionLoop::reportSession() {
   updateStatus([this](ConnectionStatus& status) {
     status.robot_message = connection_->robot_message;
     status.transport = connection_->transport;
+    status.wanted_transport = wish_.transport;
     status.transport_problem = connection_->transport_problem;
   });
 }

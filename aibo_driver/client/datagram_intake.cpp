@@ -1,22 +1,35 @@
 #include "client/datagram_intake.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "client/call.h"
 
 namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
-void DatagramIntake::begin(TimePoint now) {
+void DatagramIntake::begin(const Start& start, bool with_repetition, TimePoint now) {
   on_ = true;
   used_ = true;
+  repeats_ = with_repetition;
+  waits_until_ = with_repetition ? now + kConfirmation : now;
+  start_ = start;
   window_ = {};
-  assembly_ = {};
+  assembly_ = PictureAssembly(with_repetition ? version2::KEPT_PICTURES : PictureAssembly::kMostReordered);
+  pace_ = {};
+  requests_ = {};
   newest_ = acknowledged_ = -1;
   is_protected_ = false;
   to_acknowledge_.reset();
   loss_to_report_.reset();
   settled_ = now;
   jumped_.reset();
+  expectFrom(now);
+}
+
+void DatagramIntake::confirmed(TimePoint now) {
+  waits_until_ = now;
   expectFrom(now);
 }
 
@@ -39,44 +52,71 @@ DatagramIntake::TimePoint DatagramIntake::Expectation::deadline(std::chrono::mil
   return tcp_worked ? std::max(last + patience, *tcp_worked + kGrace) : TimePoint::max();
 }
 
-std::optional<PictureAssembly::Whole> DatagramIntake::arrived(const std::uint8_t* data, std::size_t size,
-                                                              TimePoint now) {
+bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   version2::PictureDatagram datagram = {};
   if (const char* problem = version2::decodePictureDatagram(data, size, &datagram)) {
     refuse(problem);
-    return std::nullopt;
+    return false;
   }
+  datagram.sequence -= start_.sequence;
+  datagram.picture -= start_.picture;
   const std::uint64_t lost = window_.lost();
   const bool shows_loss = datagram.sequence > window_.next();
   const SequenceWindow::Verdict verdict =
       datagram.picture > datagram.sequence ? SequenceWindow::Verdict::kImpossible : window_.add(datagram.sequence);
   if (verdict == SequenceWindow::Verdict::kImpossible) {
     refuse("its number is impossible");
-    return std::nullopt;
+    return false;
   }
   context_.counters.lost_datagrams += window_.lost() - lost;
   count(verdict);
   const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
   if (is_believed) {
     something_came_ = true;
+    // After an outage, the pictures before it are too old to be repeated.
+    if (repeats_ && now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
+      settle(std::int64_t{datagram.picture} - 1, now);
+    }
     datagram_ = {now, std::nullopt};
+    pace_.arrived(datagram, now);
+    requests_.arrived(now);
   }
-  if (shows_loss && is_believed) {
+  if (shows_loss && is_believed && (!repeats_ || pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size)))) {
     loss_to_report_ = datagram.picture;
   }
   const bool is_far_ahead = assembly_.isFarAhead(datagram.picture);
-  std::optional<PictureAssembly::Whole> whole;
-  addPart(datagram, data, now, &whole);
-  if (!is_far_ahead) {
+  addPart(datagram, data, now);
+  if (!is_far_ahead && !repeats_) {
     acknowledge(datagram);
   }
+  return is_believed;
+}
+
+std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
+  if (!on_ || now < waits_until_) {
+    return std::nullopt;
+  }
+  auto whole = assembly_.takeWhole(now, patience());
+  if (whole && repeats_) {
+    if (!isPlausible(whole->number, now)) {
+      return std::nullopt;
+    }
+    settle(whole->number, now);
+  }
   return whole;
+}
+
+DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
+  constexpr int kDatagrams = 6;
+  return repeats_ ? std::clamp<TimePoint::duration>(kDatagrams * pace_.spacing(), kLeastPatience, kMostPatience)
+                  : TimePoint::duration::zero();
 }
 
 bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
   const std::int64_t most = assembly_.lastSettled() + kAtOnce + (now - settled_) / kPicturePeriod;
   if (number > most && (!jumped_ || now - *jumped_ < kJump)) {
     jumped_ = jumped_.value_or(now);
+    refuse("its picture's number is too far ahead");
     return false;
   }
   jumped_.reset();
@@ -84,15 +124,14 @@ bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
 }
 
 bool DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
-  if (!isPlausible(number, now)) {
-    refuse("its picture's number is too far ahead");
+  if (!repeats_ && !isPlausible(number, now)) {
     return false;
   }
-  settled_ = now;
-  const std::uint64_t lost = assembly_.lost();
-  assembly_.settle(number);
-  context_.counters.lost_pictures += assembly_.lost() - lost;
   good_picture_ = {now, std::nullopt};
+  if (repeats_) {
+    return true;
+  }
+  settle(number, now);
   if (number > newest_) {  // the picture was far ahead
     newest_ = acknowledged_ = number;
     to_acknowledge_ = static_cast<std::uint32_t>(number);
@@ -100,16 +139,46 @@ bool DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
   return true;
 }
 
-/// @param[out] whole the picture, if this datagram completes it
-void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
-                             std::optional<PictureAssembly::Whole>* whole) {
+void DatagramIntake::settle(std::int64_t number, TimePoint now) {
+  settled_ = now;
   const std::uint64_t lost = assembly_.lost();
+  assembly_.settle(number);
+  context_.counters.lost_pictures += assembly_.lost() - lost;
+}
+
+std::vector<DatagramIntake::Bytes> DatagramIntake::takeReplies(TimePoint now) {
+  std::vector<Bytes> replies;
+  if (!on_) {
+    return replies;
+  }
+  if (repeats_) {
+    if (auto status = requests_.next(assembly_, pace_.spacing(), now)) {
+      status->picture += start_.picture;
+      replies.push_back(encoded(*status));
+    }
+  } else if (const auto picture = std::exchange(to_acknowledge_, std::nullopt)) {
+    replies.push_back(encoded(version2::Acknowledgement{*picture}));
+  }
+  if (const auto picture = std::exchange(loss_to_report_, std::nullopt)) {
+    replies.push_back(encoded(version2::LossReport{*picture + start_.picture}));
+  }
+  return replies;
+}
+
+DatagramIntake::TimePoint DatagramIntake::nextLook() const {
+  if (!on_ || !repeats_) {
+    return TimePoint::max();
+  }
+  const TimePoint whole = assembly_.endOfWaiting(patience());
+  return std::min(whole == TimePoint::max() ? whole : std::max(whole, waits_until_),
+                  requests_.deadline(assembly_, pace_.spacing()));
+}
+
+void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now) {
   const std::uint64_t repaired = assembly_.repaired();
-  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now, whole) ==
-      PictureAssembly::Result::kContradiction) {
+  if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now) == PictureAssembly::Result::kContradiction) {
     refuse("other parts of its picture describe the picture differently");
   }
-  context_.counters.lost_pictures += assembly_.lost() - lost;
   context_.counters.repaired_datagrams += assembly_.repaired() - repaired;
 }
 

@@ -7,19 +7,36 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <utility>
+#include <vector>
 
+#include "client/link_pace.h"
 #include "client/picture_assembly.h"
 #include "client/picture_intake.h"
+#include "client/repeat_requests.h"
 #include "client/sequence_window.h"
 
 namespace aibo_client {
 
-/// Receives the pictures of one connection that come by UDP. It also decides whether they should come by TCP instead.
-/// It does no I/O and reads no clock.
+/// Receives the pictures of one connection that come by UDP. It also notices when they should come by TCP instead. It
+/// does no I/O and reads no clock.
 class DatagramIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
+  using Bytes = std::vector<std::uint8_t>;
+
+  /// The numbers of the first datagram and the first picture.
+  struct Start {
+    std::uint32_t sequence = 0;
+    std::uint32_t picture = 0;
+  };
+
+  /// Pictures by UDP wait for the robot's answer by TCP, because pictures by TCP may come before it. They wait no
+  /// longer than this.
+  static constexpr std::chrono::milliseconds kConfirmation{100};
+  /// If the robot repeats parts, a whole picture waits for those before it: for the time for six datagrams, but within
+  /// these limits.
+  static constexpr std::chrono::milliseconds kLeastPatience{30};
+  static constexpr std::chrono::milliseconds kMostPatience{100};
 
   /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
   /// has come in spite of time for kMostGivenUp, most datagrams get lost, or somebody forges them.
@@ -42,8 +59,13 @@ class DatagramIntake {
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}
 
-  /// Call this when the robot begins or ends to send the stream's pictures as datagrams.
-  void begin(TimePoint now);
+  /// Call this when a robot is asked to send the stream's pictures as datagrams that count from 0.
+  void begin(TimePoint now) { begin({}, false, now); }
+  /// The same for a robot that repeats parts, and counts from this start.
+  void beginWithRepetition(const Start& start, TimePoint now) { begin(start, true, now); }
+  /// Call this when the robot has answered that request.
+  void confirmed(TimePoint now);
+  /// Call this when the pictures come by TCP again.
   void end() { on_ = false; }
   bool on() const { return on_; }
 
@@ -54,20 +76,22 @@ class DatagramIntake {
   void heardByTcp(TimePoint now);
 
   /// Call this when a datagram has come from the robot's address.
-  /// @return the picture that it completes; call goodPicture() if its JPEG is good
-  std::optional<PictureAssembly::Whole> arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
+  /// @return true if it was the robot that sent it, as far as its numbers show that
+  bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
+
+  /// The next whole picture, in order. Call goodPicture() if its JPEG is good. It is empty if there is none yet; then
+  /// look again after a datagram, or at nextLook().
+  std::optional<PictureAssembly::Whole> takeWhole(TimePoint now);
 
   /// Call this when the JPEG of this whole picture is good.
   /// @return false if its number is not plausible; then the picture is to be dropped
   bool goodPicture(std::int64_t number, TimePoint now);
 
-  /// The picture to acknowledge, once. The robot waits for the acknowledgement before it sends more. It is empty if
-  /// there is nothing new.
-  std::optional<std::uint32_t> takeAcknowledgement() { return std::exchange(to_acknowledge_, std::nullopt); }
+  /// What to send back to the robot now: which pictures have come, and what was lost.
+  std::vector<Bytes> takeReplies(TimePoint now);
 
-  /// A picture with a loss, to be reported so that the robot protects the next pictures. It is empty if there is
-  /// nothing new.
-  std::optional<std::uint32_t> takeLossReport() { return std::exchange(loss_to_report_, std::nullopt); }
+  /// The latest time to call takeWhole() and takeReplies() again.
+  TimePoint nextLook() const;
 
   /// The latest time to look at problem() again.
   /// @param extra_interval see PictureIntake::extraInterval()
@@ -97,26 +121,33 @@ class DatagramIntake {
     return kSilence + kMostGivenUp * extra_interval;
   }
   bool isPlausible(std::int64_t number, TimePoint now);
+  TimePoint::duration patience() const;
+  void begin(const Start& start, bool with_repetition, TimePoint now);
   void count(SequenceWindow::Verdict verdict);
-  void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now,
-               std::optional<PictureAssembly::Whole>* whole);
+  void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
+  void settle(std::int64_t number, TimePoint now);
   void acknowledge(const protocol::version2::PictureDatagram& datagram);
   void refuse(const std::string& problem);
 
   const ConnectionContext& context_;
   bool on_ = false;
+  bool repeats_ = false;
+  TimePoint waits_until_;  // for the robot's answer
+  Start start_;
   bool used_ = false;
   bool something_came_ = false;
   bool warned_ = false;
   Expectation datagram_;
   Expectation good_picture_;
-  TimePoint settled_;                // when the last good picture came
+  TimePoint settled_;                // when the last picture was settled
   std::optional<TimePoint> jumped_;  // when the first picture came that is not plausible; empty after one that is
   std::optional<std::uint32_t> to_acknowledge_;
   std::optional<std::uint32_t> loss_to_report_;
   std::int64_t newest_ = -1;        // the newest picture of which a part has come
   std::int64_t acknowledged_ = -1;  // the newest picture that was acknowledged
   bool is_protected_ = false;       // the newest picture has parities
+  LinkPace pace_;
+  RepeatRequests requests_;
   SequenceWindow window_;
   PictureAssembly assembly_;
 };

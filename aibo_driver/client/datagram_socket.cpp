@@ -61,7 +61,7 @@ std::optional<DatagramSocket::Origin> DatagramSocket::receive(std::uint8_t* buff
 }
 
 void DatagramSocket::reply(const std::uint8_t* data, std::size_t size) const {
-  ::sendto(socket_.get(), data, size, MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&sender_), sender_size_);
+  ::sendto(socket_.get(), data, size, MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&receiver_), receiver_size_);
 }
 
 // The sender's port does not matter, because the robot chooses it.

@@ -37,7 +37,13 @@ class DatagramSocket {
   /// @return who sent it: the connection's peer or somebody else; empty if no datagram has come
   std::optional<Origin> receive(std::uint8_t* buffer, std::size_t capacity, std::size_t* size);
 
-  /// Sends a datagram to the sender of the last one that was received. It may be lost.
+  /// Replies go to the sender of the datagram that was received last, from now on.
+  void replyToLastSender() {
+    receiver_ = sender_;
+    receiver_size_ = sender_size_;
+  }
+
+  /// Sends a datagram to the sender that replyToLastSender() has chosen. It may be lost.
   void reply(const std::uint8_t* data, std::size_t size) const;
 
  private:
@@ -47,6 +53,8 @@ class DatagramSocket {
   sockaddr_storage peer_ = {};
   sockaddr_storage sender_ = {};
   socklen_t sender_size_ = 0;
+  sockaddr_storage receiver_ = {};
+  socklen_t receiver_size_ = 0;
 };
 
 }  // namespace aibo_client

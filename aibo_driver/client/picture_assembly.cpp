@@ -8,7 +8,8 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& datagram, const unsigned char* bytes,
-                                             TimePoint now, std::optional<Whole>* whole) {
+                                             TimePoint now) {
+  newest_has_parity_ = newest_has_parity_ || (datagram.is_parity && datagram.picture == newest_);
   Incomplete* const picture = find(datagram, now);
   if (picture == nullptr || picture->jpeg.size() != datagram.jpeg_size ||
       picture->header.frame_number != datagram.image.frame_number) {
@@ -19,16 +20,83 @@ PictureAssembly::Result PictureAssembly::add(const version2::PictureDatagram& da
   }
   repair(*picture, datagram.part / version2::PARTS_PER_PARITY);
   if (picture->missing == 0) {
-    *whole = Whole{datagram.picture, picture->header, std::move(picture->jpeg), picture->began};
-    incomplete_.erase(datagram.picture);
-    far_ahead_.erase(datagram.picture);
+    picture->completed = now;
   }
   return Result::kTaken;
 }
 
+std::optional<PictureAssembly::Whole> PictureAssembly::takeWhole(TimePoint now, TimePoint::duration patience) {
+  for (auto* const place : {&incomplete_, &far_ahead_}) {
+    const auto is_whole = [](const auto& each) { return each.second.missing == 0; };
+    const auto oldest = std::find_if(place->begin(), place->end(), is_whole);
+    if (oldest == place->end()) {
+      continue;
+    }
+    const std::int64_t number = oldest->first;
+    if (isFarAhead(number) || number <= nextWanted() || now >= oldest->second.completed + patience) {
+      Whole whole = {number, oldest->second.header, std::move(oldest->second.jpeg), oldest->second.began};
+      place->erase(oldest);
+      return whole;
+    }
+  }
+  return std::nullopt;
+}
+
+PictureAssembly::TimePoint PictureAssembly::endOfWaiting(TimePoint::duration patience) const {
+  TimePoint end = TimePoint::max();
+  for (const auto& [number, picture] : incomplete_) {
+    end = picture.missing == 0 ? std::min(end, picture.completed + patience) : end;
+  }
+  return end;
+}
+
+/// The oldest picture that is not settled and that a robot can still repeat.
+std::int64_t PictureAssembly::nextWanted() const {
+  return std::max(last_settled_ + 1, newest_ - static_cast<std::int64_t>(most_incomplete_) + 1);
+}
+
+version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
+  const std::int64_t number = nextWanted();
+  const bool has_newer = newest_ > number;
+  version2::DatagramStatus status = {0, static_cast<unsigned>(number), 0};
+  const auto found = incomplete_.find(number);
+  if (found == incomplete_.end()) {
+    status.missing = has_newer ? ~0U : 0;  // nothing of it has come
+    return status;
+  }
+  const Incomplete& picture = found->second;
+  for (std::size_t part = 0; part < picture.has_part.size(); ++part) {
+    if (picture.has_part[part] || !(all_sent || has_newer || isLost(picture, part))) {
+      continue;
+    }
+    status.first_part = status.missing == 0 ? static_cast<unsigned short>(part) : status.first_part;
+    const std::size_t bit = part - status.first_part;
+    status.missing |= bit < version2::DatagramStatus::MOST_MISSING ? 1U << bit : 0;
+  }
+  return status;
+}
+
+/// True if later datagrams have come, and no parity can replace the part.
+bool PictureAssembly::isLost(const Incomplete& picture, std::size_t part) {
+  const std::size_t group = part / version2::PARTS_PER_PARITY;
+  const std::size_t begin = group * version2::PARTS_PER_PARITY;
+  const std::size_t end = std::min(begin + version2::PARTS_PER_PARITY, picture.sent);
+  if (part >= picture.sent) {
+    return false;
+  }
+  const auto first = picture.has_part.begin();
+  return !picture.is_protected || !picture.parities[group].empty() ||
+         picture.sent > begin + version2::PARTS_PER_PARITY ||
+         std::count(first + static_cast<std::ptrdiff_t>(begin), first + static_cast<std::ptrdiff_t>(end), false) > 1;
+}
+
 void PictureAssembly::settle(std::int64_t number) {
+  if (number <= last_settled_) {
+    return;
+  }
   lost_ += static_cast<std::uint64_t>(number - last_settled_ - 1);
   last_settled_ = number;
+  newest_ = std::max(newest_, number);
   incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(number));
   far_ahead_.clear();
   given_up_in_a_row_ = 0;
@@ -38,6 +106,8 @@ void PictureAssembly::settle(std::int64_t number) {
 bool PictureAssembly::take(const version2::PictureDatagram& datagram, const unsigned char* bytes, Incomplete& picture) {
   const std::size_t part = datagram.part;
   const std::size_t size = version2::sizeOfPart(datagram.jpeg_size, part);
+  const std::size_t sent = part + (datagram.is_parity ? version2::PARTS_PER_PARITY : 1);
+  picture.sent = std::max(picture.sent, std::min(sent, picture.has_part.size()));
   if (datagram.is_parity) {
     std::vector<std::uint8_t>& parity = picture.parities[part / version2::PARTS_PER_PARITY];
     if (!parity.empty()) {
@@ -93,16 +163,22 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   }
   far_ahead_.clear();
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  if (&place == &incomplete_ && incomplete_.size() == kMostIncomplete) {
+  if (&place == &incomplete_ && incomplete_.size() == most_incomplete_) {
     giveUpOldest();
   }
-  place[number] = {datagram.image,
-                   std::vector<std::uint8_t>(datagram.jpeg_size),
-                   std::vector<bool>(parts),
-                   std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
-                   parts,
-                   now};
-  return &place[number];
+  Incomplete& picture = place[number];
+  picture = {datagram.image,
+             std::vector<std::uint8_t>(datagram.jpeg_size),
+             std::vector<bool>(parts),
+             std::vector<std::vector<std::uint8_t>>(version2::numberOfParities(parts)),
+             parts,
+             now,
+             newest_has_parity_};
+  if (&place == &incomplete_ && number > newest_) {
+    newest_ = number;
+    newest_has_parity_ = false;
+  }
+  return &picture;
 }
 
 // Gives up the picture that has waited longest. Pictures before it stay, because its number may be forged.

@@ -15,7 +15,8 @@ namespace aibo_client {
 
 /// Puts the parts of pictures together. Only a few pictures may be incomplete at a time, so that the robot cannot fill
 /// the memory. A newer picture takes the place of the oldest one, and a good picture replaces all older ones. A lost
-/// part is made from the parity of its group, if that has come.
+/// part is made from the parity of its group, if that has come. Otherwise, a robot that repeats parts can be asked for
+/// it. Then a whole picture may have to wait for those before it.
 ///
 /// Datagrams can be forged. So only a good picture makes earlier ones too late, and a picture whose number is far ahead
 /// has a place of its own until it is good.
@@ -24,7 +25,7 @@ class PictureAssembly {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// If a network reorders datagrams, parts of two pictures can be on their way at the same time.
-  static constexpr std::size_t kMostIncomplete = 2;
+  static constexpr std::size_t kMostReordered = 2;
 
   /// A picture is far ahead if its number is more than this above the last settled picture; that is 2 s. Without
   /// acknowledgements, the robot sends few pictures.
@@ -44,13 +45,30 @@ class PictureAssembly {
     kContradiction  ///< the picture cannot have this part, because other parts describe it differently
   };
 
+  /// @param most_incomplete how many pictures may be incomplete at a time: as many as a robot keeps, if it repeats
+  /// parts
+  explicit PictureAssembly(std::size_t most_incomplete = kMostReordered) : most_incomplete_(most_incomplete) {}
+
   /// Adds a part, or a parity.
   /// @param bytes the bytes of the part or parity, as many as the datagram says
-  /// @param[out] whole the picture, if this part completes it; it is newer than all before it
-  Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now,
-             std::optional<Whole>* whole);
+  Result add(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes, TimePoint now);
 
-  /// Call this when a whole picture is good. It settles this picture and all before it.
+  /// Takes the oldest whole picture. It is newer than all that were settled.
+  /// @param patience how long a whole picture waits for those before it, unless the robot can no longer repeat them
+  /// @return empty if there is none, or if it has to wait
+  std::optional<Whole> takeWhole(TimePoint now, TimePoint::duration patience);
+
+  /// When takeWhole() will return the picture that waits, if nothing else comes. It is TimePoint::max() if none waits.
+  TimePoint endOfWaiting(TimePoint::duration patience) const;
+
+  /// What a robot that repeats parts has to be told.
+  /// @param all_sent false: parts that may still be on their way, or that a parity may still replace, are not asked for
+  protocol::version2::DatagramStatus status(bool all_sent) const;
+
+  /// True if a part is missing of a picture that was begun, or of one before it.
+  bool isIncomplete() const { return newest_ >= nextWanted(); }
+
+  /// Call this when a whole picture is good, or too old. It settles this picture and all before it.
   void settle(std::int64_t number);
 
   /// The number of the newest good picture; -1 if there is none.
@@ -75,17 +93,25 @@ class PictureAssembly {
     std::vector<std::vector<std::uint8_t>> parities;  // one for each group; empty until it has come
     std::size_t missing;
     TimePoint began;
+    bool is_protected = false;  // parities are expected
+    std::size_t sent = 0;       // the robot has sent at least this many parts
+    TimePoint completed{};
   };
 
   static bool take(const protocol::version2::PictureDatagram& datagram, const unsigned char* bytes,
                    Incomplete& picture);
+  static bool isLost(const Incomplete& picture, std::size_t part);
+  std::int64_t nextWanted() const;
   void repair(Incomplete& picture, std::size_t group);
   Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
+  std::size_t most_incomplete_;
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
-  std::int64_t last_settled_ = -1;
+  std::int64_t last_settled_ = -1;                 // the number of the newest good picture
+  std::int64_t newest_ = -1;                       // of which a part has come, and which is not far ahead
+  bool newest_has_parity_ = false;
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;
   int given_up_in_a_row_ = 0;

@@ -23,7 +23,7 @@ struct Wish {
   CameraSettings camera{};
   PictureTransport transport = PictureTransport::kTcp;
   unsigned transport_changes = 0;  ///< how often the user has changed the transport
-  int datagram_port = 0;           ///< the port to which pictures can be sent by UDP; 0 means that they come by TCP
+  int datagram_port = 0;           ///< the port to which pictures can be sent by UDP; 0 if they have to come by TCP
   ColorDetection colors{};
   ColorTables color_tables{};  ///< they are sent only while colours are detected
   MicrophoneSettings microphone{};
@@ -60,9 +60,12 @@ class Session {
   virtual void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
 
   /// Call this when a datagram has come from the server's address.
-  /// @return the datagrams to send back
+  /// @return true if replies should go to its sender
   /// @throw the exceptions of bytesArrived()
-  virtual std::vector<Bytes> datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
+  virtual bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) = 0;
+
+  /// The datagrams to send to the server now. Call this after datagramArrived() and checkDeadlines().
+  virtual std::vector<Bytes> takeReplies(TimePoint now) = 0;
 
   /// Call this when nextDeadline() has passed and everything that had arrived until then has been handed in.
   /// @throw Fault something was due and did not come

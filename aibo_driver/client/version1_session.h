@@ -44,9 +44,8 @@ class Version1Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  std::vector<Bytes> datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override {
-    return {};
-  }  // version 1 has no datagrams
+  bool datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override { return false; }  // it has none
+  std::vector<Bytes> takeReplies(TimePoint) override { return {}; }
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <random>
 #include <sstream>
 #include <utility>
 
@@ -20,6 +21,12 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 namespace {
+
+// Nobody who cannot hear the connection should know the numbers of datagrams.
+DatagramIntake::Start randomStart() {
+  std::random_device random;
+  return {random(), random()};
+}
 
 // No robot has this many joints. Each report is kept once.
 constexpr std::size_t kMostReports = 32;
@@ -186,7 +193,9 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       reader_(buffer_.data(), buffer_.size()),
       last_hello_(connected),
       next_hello_(connected),
-      datagrams_(connection.context) {
+      datagrams_(connection.context),
+      transport_(!connection.transport_problem.empty()),
+      test_start_(randomStart()) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
 }
@@ -219,8 +228,8 @@ Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   if (Bytes frame = requestCameraSetting(wish, now); !frame.empty()) {
     return frame;
   }
-  if (wish.datagram_port != datagram_port_) {
-    return requestDatagrams(wish, now);
+  if (Bytes frame = requestTransport(wish, now); !frame.empty()) {
+    return frame;
   }
   if (wish.streaming != pictures.streaming() || (wish.streaming && (wish.jpeg_quality != pictures.streamQuality() ||
                                                                     possibleFormat(wish) != pictures.streamFormat()))) {
@@ -291,18 +300,48 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   return request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
 }
 
-// Datagrams may come before the reply does.
-Session::Bytes Version2Session::requestDatagrams(const Wish& wish, TimePoint now) {
-  datagram_port_ = wish.datagram_port;
-  if (datagram_port_ != 0) {
-    datagrams_.begin(now);
-  } else {
-    datagrams_.end();
-    connection_.transport = PictureTransport::kTcp;
-    connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+Session::Bytes Version2Session::requestTransport(const Wish& wish, TimePoint now) {
+  const bool can_repeat = serves(version2::REQUEST_REPEATED_DATAGRAMS);
+  const TransportChoice::Step step =
+      transport_.next({wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming,
+                       can_repeat || serves(version2::REQUEST_DATAGRAMS), can_repeat},
+                      now);
+  if (!transport_.problem().empty()) {
+    connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   }
-  const version2::DatagramPort port = {static_cast<unsigned short>(datagram_port_)};
-  return request(version2::SEND_DATAGRAMS, 0, encoded(port), now, &Version2Session::onDatagramPort);
+  switch (step) {
+    case TransportChoice::Step::kTest:
+      return requestTest(wish.datagram_port, now);
+    case TransportChoice::Step::kBegin:
+      start_ = can_repeat ? randomStart() : DatagramIntake::Start();
+      can_repeat ? datagrams_.beginWithRepetition(start_, now) : datagrams_.begin(now);
+      return requestDatagrams(now);
+    case TransportChoice::Step::kEnd:
+      datagrams_.end();
+      connection_.transport = PictureTransport::kTcp;
+      connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+      return requestDatagrams(now);
+    default:
+      return {};
+  }
+}
+
+// Datagrams may come before the reply does.
+Session::Bytes Version2Session::requestDatagrams(TimePoint now) {
+  const auto port = static_cast<unsigned short>(transport_.port());
+  if (serves(version2::REQUEST_REPEATED_DATAGRAMS)) {
+    return request(version2::SEND_AND_REPEAT_DATAGRAMS, 0,
+                   encoded(version2::DatagramOrder{port, false, start_.sequence, start_.picture}), now,
+                   &Version2Session::onDatagramOrder);
+  }
+  return request(version2::SEND_DATAGRAMS, 0, encoded(version2::DatagramPort{port}), now,
+                 &Version2Session::onDatagramPort);
+}
+
+Session::Bytes Version2Session::requestTest(int port, TimePoint now) {
+  const version2::DatagramOrder order = {static_cast<unsigned short>(port), true, test_start_.sequence,
+                                         test_start_.picture};
+  return request(version2::SEND_AND_REPEAT_DATAGRAMS, 0, encoded(order), now);
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
@@ -532,26 +571,34 @@ void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
   connection_.colors.deliver();
 }
 
-std::vector<Session::Bytes> Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size,
-                                                             TimePoint now) {
-  if (!datagrams_.on()) {
-    return {};
-  }
+bool Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
   now_ = now;
-  if (const auto whole = datagrams_.arrived(data, size, now)) {
+  if (!datagrams_.on()) {
+    if (isTest(data, size)) {
+      transport_.testArrived();
+    }
+    return false;
+  }
+  const bool is_robots = datagrams_.arrived(data, size, now);
+  deliverWholePictures(now);
+  return is_robots;
+}
+
+bool Version2Session::isTest(const std::uint8_t* data, std::size_t size) const {
+  version2::TestDatagram test = {};
+  return size == version2::MAX_DATAGRAM_SIZE &&
+         version2::decode(data, version2::TEST_DATAGRAM_NUMBERS_SIZE, &test) == nullptr &&
+         test.first_sequence == test_start_.sequence && test.first_picture == test_start_.picture;
+}
+
+void Version2Session::deliverWholePictures(TimePoint now) {
+  now_ = now;
+  while (const auto whole = datagrams_.takeWhole(now)) {
     const auto picture = inspect(whole->jpeg, whole->header, whole->began);
     if (picture && !isOfTheFuture(whole->header.frame_number) && datagrams_.goodPicture(whole->number, now)) {
       deliverFromStream(picture);
     }
   }
-  std::vector<Bytes> replies;
-  if (const auto picture = datagrams_.takeAcknowledgement()) {
-    replies.push_back(encoded(version2::Acknowledgement{*picture}));
-  }
-  if (const auto picture = datagrams_.takeLossReport()) {
-    replies.push_back(encoded(version2::LossReport{*picture}));
-  }
-  return replies;
 }
 
 void Version2Session::onFrame() {
@@ -781,15 +828,30 @@ void Version2Session::onMicrophone(const Payload& payload) {
 
 void Version2Session::onDatagramPort(const Payload& payload) {
   const unsigned short port = decoded<version2::DatagramPort>(payload, "reply to a port for datagrams").port;
-  if (port != 0 && port == datagram_port_) {
-    connection_.transport = PictureTransport::kUdp;
-    datagrams_.expectFrom(now_);
+  if (port != 0 && port == transport_.port()) {
+    onDatagramsInForce();
   }
 }
 
+void Version2Session::onDatagramOrder(const Payload& payload) {
+  const auto order = decoded<version2::DatagramOrder>(payload, "reply to an order of datagrams");
+  if (order.port != 0 && order.first_sequence == start_.sequence && order.first_picture == start_.picture) {
+    onDatagramsInForce();
+  }
+}
+
+void Version2Session::onDatagramsInForce() {
+  connection_.transport = PictureTransport::kUdp;
+  connection_.transport_problem.clear();
+  connection_.lets_no_datagram_through = false;
+  datagrams_.confirmed(now_);
+  deliverWholePictures(now_);
+}
+
 void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
-  connection_.giveUpDatagrams(why);
+  connection_.giveUpDatagrams(why, transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   connection_.lets_no_datagram_through = datagrams_.nothingCame();
+  transport_.giveUp(now);
   datagrams_.end();
   connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
 }
@@ -825,7 +887,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     }
     throw ProtocolException("it refused " + what + ": " + problem);
   }
-  if (letter == version2::REQUEST_DATAGRAMS) {
+  if (letter == version2::REQUEST_DATAGRAMS || letter == version2::REQUEST_REPEATED_DATAGRAMS) {
     ++connection_.context.counters.refusals;
     return giveUpDatagrams("it refused to: " + problem, now_);
   }
@@ -908,6 +970,7 @@ Session::TimePoint Version2Session::answerDeadline() const {
 
 void Version2Session::checkDeadlines(TimePoint now) {
   const ConnectionContext& context = connection_.context;
+  deliverWholePictures(now);
   if (connection_.pictures.streaming() && now >= pictureDeadline()) {
     const std::string problem = datagrams_.problem(now, connection_.pictures.extraInterval());
     if (problem.empty()) {
@@ -936,7 +999,7 @@ Session::TimePoint Version2Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
   const TimePoint silence = pictures.streaming() ? pictureDeadline() : TimePoint::max();
   return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), connection_.nextTooOld(), next_hello_,
-                   pictures.nextLook()});
+                   pictures.nextLook(), datagrams_.nextLook(), transport_.nextLook()});
 }
 
 }  // namespace aibo_client

@@ -16,6 +16,7 @@
 #include "client/connection.h"
 #include "client/datagram_intake.h"
 #include "client/session.h"
+#include "client/transport_choice.h"
 #include "protocol/frame_reader.h"
 #include "protocol/version2.h"
 
@@ -41,7 +42,8 @@ class Version2Session final : public Session {
   void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
-  std::vector<Bytes> datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
+  std::vector<Bytes> takeReplies(TimePoint now) override { return datagrams_.takeReplies(now); }
   void checkDeadlines(TimePoint now) override;
   TimePoint nextDeadline() const override;
 
@@ -84,7 +86,9 @@ class Version2Session final : public Session {
   StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
-  Bytes requestDatagrams(const Wish& wish, TimePoint now);
+  Bytes requestTransport(const Wish& wish, TimePoint now);
+  Bytes requestDatagrams(TimePoint now);
+  Bytes requestTest(int port, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
   Bytes requestColors(const Wish& wish, TimePoint now);
@@ -131,7 +135,11 @@ class Version2Session final : public Session {
   TimePoint::duration timeAhead(std::uint32_t frame_number, TimePoint time) const;
   bool isOvertaken(const Picture& picture) const;
   void onDatagramPort(const Payload& payload);
+  void onDatagramOrder(const Payload& payload);
+  void onDatagramsInForce();
   void giveUpDatagrams(const std::string& why, TimePoint now);
+  bool isTest(const std::uint8_t* data, std::size_t size) const;
+  void deliverWholePictures(TimePoint now);
 
   std::optional<char> kindOf(int number) const;
   long outstanding(char kind) const;
@@ -160,7 +168,9 @@ class Version2Session final : public Session {
   ColorTables color_tables_;                                               // as last requested
   int telemetry_period_ = 0;                                               // as last requested
   DatagramIntake datagrams_;
-  int datagram_port_ = 0;                      // as last requested
+  TransportChoice transport_;
+  DatagramIntake::Start test_start_;           // the numbers of this connection's test datagrams
+  DatagramIntake::Start start_;                // of the datagrams as last requested
   std::optional<std::uint32_t> newest_frame_;  // of the newest delivered picture; empty until UDP was possible
   std::vector<Report> reports_;                // the reports that still hold; the newest is last
   std::deque<Telemetry> telemetry_;            // the telemetry in the bytes that are being parsed, in order

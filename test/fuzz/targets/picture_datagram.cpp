@@ -1,7 +1,8 @@
 // Pictures by UDP at the client: datagrams of any kind, in any order. Those that are parts of a picture have its number
 // as their content, so that a picture of mixed parts would show.
 //
-// An input is a row of datagrams: a byte for the Kind, and what belongs to it.
+// An input is a row of datagrams: a byte for the Kind, and what belongs to it. It is played for a robot that repeats
+// parts, and for one that does not.
 #include <algorithm>
 #include <optional>
 
@@ -19,7 +20,7 @@ constexpr std::size_t kQualityOffset = 28;
 
 class Receiver {
  public:
-  explicit Receiver(FuzzInput& input) : input_(input) { intake_.begin(now_); }
+  Receiver(FuzzInput& input, bool with_repetition) : input_(input), with_repetition_(with_repetition) { begin(); }
 
   void run() {
     while (!input_.empty()) {
@@ -42,9 +43,20 @@ class Receiver {
     } else if (kind == TCP_WORKS) {
       intake_.heardByTcp(now_);
     } else {
-      intake_.begin(now_);
-      newest_.reset();
+      begin();
     }
+    takePictures();
+    replies();
+  }
+
+  void begin() {
+    with_repetition_ ? intake_.beginWithRepetition(kStart, now_) : intake_.begin(now_);
+    newest_.reset();
+  }
+
+  void replies() {
+    intake_.takeReplies(now_);
+    require(intake_.nextLook() > now_, "it need not be looked at again at once");
   }
 
   Bytes takePart(bool is_parity) {
@@ -61,6 +73,9 @@ class Receiver {
     datagram.image = {
         datagram.picture, 4 * datagram.picture + input_.takeByte() / 128, 208, 160, 85, version2::LAYER_HIGH, {}};
     Bytes bytes(version2::DATAGRAM_HEADER_SIZE);
+    const unsigned picture = datagram.picture;
+    datagram.picture += with_repetition_ ? kStart.picture : 0;
+    datagram.sequence += with_repetition_ ? kStart.sequence : 0;
     version2::encode(datagram, bytes.data());
     const std::size_t first = datagram.part;
     bytes.resize(bytes.size() + version2::sizeOfPart(datagram.jpeg_size, first));
@@ -68,7 +83,7 @@ class Receiver {
         is_parity ? std::min(first + version2::PARTS_PER_PARITY, version2::numberOfParts(datagram.jpeg_size))
                   : first + 1;
     for (std::size_t part = first; part < last; ++part) {
-      const Bytes content(version2::sizeOfPart(datagram.jpeg_size, part), static_cast<std::uint8_t>(datagram.picture));
+      const Bytes content(version2::sizeOfPart(datagram.jpeg_size, part), static_cast<std::uint8_t>(picture));
       version2::addToParity(content.data(), content.size(), bytes.data() + version2::DATAGRAM_HEADER_SIZE);
     }
     return bytes;
@@ -84,29 +99,37 @@ class Receiver {
   }
 
   void arrive(const Bytes& bytes) {
-    const auto whole = intake_.arrived(bytes.data(), bytes.size(), now_);
+    const bool is_robots = intake_.arrived(bytes.data(), bytes.size(), now_);
     version2::Acknowledgement acknowledgement = {};
-    require(version2::decode(bytes.data(), bytes.size(), &acknowledgement) != nullptr || !whole,
-            "an acknowledgement is no picture");
-    intake_.takeAcknowledgement();
-    intake_.takeLossReport();
-    if (!whole) {
-      return;
-    }
-    require(!whole->jpeg.empty() && whole->jpeg.size() <= version2::MAX_JPEG_SIZE, "a picture has a possible size");
-    require(whole->began <= now_, "it began before it was whole");
-    if (whole->header.quality != 0) {
-      const auto picture_number = static_cast<std::uint8_t>(whole->header.image_count);
-      require(std::count(whole->jpeg.begin(), whole->jpeg.end(), picture_number) ==
-                  static_cast<std::ptrdiff_t>(whole->jpeg.size()),
-              "all parts are of the picture, also those that were repaired");
-      require(!newest_ || whole->header.image_count > *newest_, "no picture comes after a newer one");
-      newest_ = whole->header.image_count;
-      intake_.goodPicture(whole->number, now_);
+    require(version2::decode(bytes.data(), bytes.size(), &acknowledgement) != nullptr || !is_robots,
+            "an acknowledgement is no part of a picture");
+  }
+
+  void takePictures() {
+    while (const auto whole = intake_.takeWhole(now_)) {
+      take(*whole);
     }
   }
 
+  void take(const PictureAssembly::Whole& whole) {
+    require(!whole.jpeg.empty() && whole.jpeg.size() <= version2::MAX_JPEG_SIZE, "a picture has a possible size");
+    require(whole.began <= now_, "it began before it was whole");
+    if (whole.header.quality != 0) {
+      const auto picture_number = static_cast<std::uint8_t>(whole.header.image_count);
+      require(std::count(whole.jpeg.begin(), whole.jpeg.end(), picture_number) ==
+                  static_cast<std::ptrdiff_t>(whole.jpeg.size()),
+              "all parts are of the picture, also those that were repaired");
+      require(!newest_ || whole.header.image_count > *newest_, "no picture comes after a newer one");
+      newest_ = whole.header.image_count;
+      intake_.goodPicture(whole.number, now_);
+    }
+  }
+
+  // Both numbers pass the largest one.
+  static constexpr DatagramIntake::Start kStart = {0xffffff00, 0xfffffff0};
+
   FuzzInput& input_;
+  const bool with_repetition_;
   const Notifier notifier_{Callbacks()};
   ClientStatistics counters_;
   const ConnectionContext context_{"robot:54321", std::chrono::milliseconds(500), notifier_, counters_};
@@ -118,7 +141,9 @@ class Receiver {
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  FuzzInput input(data, size);
-  Receiver(input).run();
+  for (const bool with_repetition : {false, true}) {
+    FuzzInput input(data, size);
+    Receiver(input, with_repetition).run();
+  }
   return 0;
 }

@@ -2,17 +2,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "client/fault.h"
-#include "client/version2_session.h"
+#include "datagrams_fixture.h"
 #include "newest_client_fixture.h"
-#include "session_fixture.h"
-#include "support/picture_datagrams.h"
 #include "support/udp_socket.h"
-#include "support/version2_frames.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -24,135 +20,9 @@ using version2_frames::makeFrame;
 
 namespace {
 
-constexpr int kPort = 40000;
-
-/// Larger than a datagram: it has four parts.
-Bytes makeJpeg(unsigned seed) {
-  test_pictures::PictureKind kind;
-  kind.seed = seed;
-  kind.quality = 92;
-  return test_pictures::make(kind);
-}
-
-class DatagramsTest : public SessionFixture {
+class DatagramsTest : public DatagramsFixture {
  protected:
-  Session& session() override { return session_; }
-
-  void SetUp() override {
-    EXPECT_EQ('H', request());
-    receive(makeFrame('h', number_, version2_frames::makeHello("F W B")));
-  }
-
-  /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
-  char request() {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
-    if (bytes.empty()) {
-      return 0;
-    }
-    const version2_frames::Frame frame = version2_frames::split(bytes);
-    number_ = frame.header.request_number;
-    payload_ = frame.payload;
-    port_ = frame.header.kind == 'B' ? payload_ : port_;
-    return frame.header.kind;
-  }
-
-  void answer() {
-    for (char kind = request(); kind != 0; kind = request()) {
-      const char reply = protocol::version2::replyKind(kind);
-      receive(makeFrame(reply, number_, kind == 'H' ? version2_frames::makeHello("F W B") : payload_));
-      asked_ += kind;
-    }
-  }
-
-  void startStream() {
-    wish_.streaming = true;
-    wish_.datagram_port = kPort;
-    answer();
-    asked_.clear();
-  }
-
-  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
-  template <typename Action>
-  void live(milliseconds time, const Action& every_32_ms) {
-    for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
-      every_32_ms();
-      const TimePoint end = now_ + milliseconds(32);
-      while (now_ < end && !HasFatalFailure()) {
-        answer();
-        pass(std::min(end, session_.nextDeadline()) - now_);
-      }
-    }
-    answer();
-  }
-  void live(milliseconds time) {
-    live(time, [] {});
-  }
-
-  /// Lets time pass while nothing comes. At its end, TCP has repeated what was lost.
-  void beOutOfReach(milliseconds time) {
-    std::vector<int> unanswered;
-    const TimePoint end = now_ + time;
-    while (now_ < end && !HasFatalFailure()) {
-      if (request() == 'H') {
-        unanswered.push_back(number_);
-      }
-      pass(std::min(end, session_.nextDeadline()) - now_);
-    }
-    for (const int number : unanswered) {
-      receive(makeFrame('h', number, version2_frames::makeHello("F W B")));
-    }
-  }
-
-  std::vector<Bytes> nextPicture(bool with_parities = false) {
-    ++picture_;
-    jpegs_.push_back(makeJpeg(picture_));
-    return test_support::makeDatagrams(jpegs_.back(), picture_ - 1, 1000 + 4 * picture_, &sequence_, with_parities);
-  }
-  std::vector<Bytes> nextLargePicture() {
-    ++picture_;
-    Bytes jpeg = makeJpeg(picture_);
-    jpeg.insert(jpeg.end() - 2, 17 * protocol::version2::DATAGRAM_PART_SIZE, static_cast<std::uint8_t>(picture_));
-    jpegs_.push_back(jpeg);
-    return test_support::makeDatagrams(jpeg, picture_ - 1, 1000 + 4 * picture_, &sequence_, true);
-  }
-
-  void arrive(const Bytes& datagram) { receiveDatagram(datagram); }
-  void arrive(const std::vector<Bytes>& datagrams) {
-    for (const Bytes& datagram : datagrams) {
-      arrive(datagram);
-    }
-  }
-
-  /// The numbers of the pictures delivered. They begin with 1; 0 means no picture.
-  std::vector<unsigned> delivered() const {
-    std::vector<unsigned> numbers;
-    for (const PicturePtr& picture : pictures_) {
-      const auto found = std::find(jpegs_.begin(), jpegs_.end(), picture->jpeg);
-      numbers.push_back(found == jpegs_.end() ? 0 : static_cast<unsigned>(found - jpegs_.begin()) + 1);
-    }
-    return numbers;
-  }
-
-  /// The replies that begin with this letter: `a` acknowledgements, `l` reports of losses.
-  std::vector<Bytes> repliesOf(char letter) const {
-    std::vector<Bytes> found;
-    std::copy_if(replies_.begin(), replies_.end(), std::back_inserter(found),
-                 [letter](const Bytes& reply) { return reply[0] == static_cast<std::uint8_t>(letter); });
-    return found;
-  }
-
-  Bytes byTcp(unsigned seed, unsigned frame_number, int number = 0) {
-    return makeFrame('f', number, version2_frames::makePicture(makeJpeg(seed), frame_number));
-  }
-
-  int number_ = 0;  // of the request that was sent last
-  Bytes payload_;
-  Bytes port_;         // in the last request for pictures by UDP
-  std::string asked_;  // kinds of the requests that were answered
-  std::vector<Bytes> jpegs_;
-  unsigned picture_ = 0;
-  unsigned sequence_ = 0;
-  Version2Session session_{connection_, now_};
+  DatagramsTest() : DatagramsFixture("F W B") { wish_.transport = PictureTransport::kUdp; }
 };
 
 TEST_F(DatagramsTest, ThePortIsSentBeforeTheStreamIsRequested) {

@@ -34,8 +34,7 @@ class SessionFixture : public testing::Test {
 
   void receiveDatagram(const Bytes& bytes) {
     connection_.pictures.bytesArrived(now_);
-    const std::vector<Bytes> replies = session().datagramArrived(bytes.data(), bytes.size(), now_);
-    replies_.insert(replies_.end(), replies.begin(), replies.end());
+    session().datagramArrived(bytes.data(), bytes.size(), now_);
     look();
   }
 
@@ -160,6 +159,8 @@ class SessionFixture : public testing::Test {
   void look() {
     connection_.pictures.foundEmpty(now_);
     session().checkDeadlines(now_);
+    const std::vector<Bytes> replies = session().takeReplies(now_);
+    replies_.insert(replies_.end(), replies.begin(), replies.end());
   }
 
   aibo_client::Callbacks record(bool is_told_of_refusals) {

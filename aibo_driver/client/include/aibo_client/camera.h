@@ -20,7 +20,10 @@ enum class Resolution {
 /// How the pictures of the stream come. Everything else always comes by TCP, even a picture for takePicture().
 enum class PictureTransport {
   kTcp,  ///< each picture comes whole; one that has lost a packet comes late and delays the pictures behind it
-  kUdp   ///< a picture that has lost a packet does not come, and it delays no other picture
+  kUdp,  ///< a lost packet delays its picture for a few milliseconds, or keeps it from coming; no other waits for it
+  /// By UDP where datagrams come and the robot repeats lost ones, otherwise by TCP. It is tried before the pictures are
+  /// sent that way, and tried again every 10 s.
+  kAuto
 };
 
 /// Selects the pictures of the stream.

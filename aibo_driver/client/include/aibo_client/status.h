@@ -32,8 +32,11 @@ struct ConnectionStatus {
   /// server says that the joint follows its commands again; then the last report before it that still holds is here. It
   /// is empty if there is none.
   std::string robot_message;
-  PictureTransport transport = PictureTransport::kTcp;  ///< how the pictures of the stream come now
-  std::string transport_problem;  ///< why they come by TCP although UDP is wanted; empty if all is well
+  PictureTransport transport = PictureTransport::kTcp;         ///< how the pictures of the stream come now
+  PictureTransport wanted_transport = PictureTransport::kTcp;  ///< as last set by the user
+  /// Why they come by TCP although UDP or kAuto is wanted. It is empty if they come by UDP, if only TCP is wanted, or
+  /// if UDP has not been tried yet.
+  std::string transport_problem;
 };
 
 /// A number that one thread counts while other threads read it. A copy has the value of that moment.

@@ -1,0 +1,84 @@
+/// @file transport_choice.h
+#ifndef AIBO_DRIVER_CLIENT_TRANSPORT_CHOICE_H
+#define AIBO_DRIVER_CLIENT_TRANSPORT_CHOICE_H
+
+#include <chrono>
+#include <string>
+
+#include "aibo_client/camera.h"
+
+namespace aibo_client {
+
+/// Decides over one connection whether the stream's pictures come by TCP or by UDP. Before pictures come by UDP, a
+/// robot that repeats lost parts sends a test datagram, so that no picture is lost where datagrams do not get through.
+/// It does no I/O and reads no clock.
+class TransportChoice {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// Because a test can be lost, this many are sent. The wait after each is twice as long as the one before.
+  static constexpr int kTests = 4;
+  static constexpr std::chrono::milliseconds kFirstWait{50};
+  /// The time until the next tests if none has come, or if UDP was given up. In the latter case it doubles each time,
+  /// so that pictures do not change their way all the time.
+  static constexpr std::chrono::seconds kPause{10};
+  static constexpr std::chrono::seconds kLongestPause{160};
+  /// After UDP has worked for this long, the pause is short again.
+  static constexpr std::chrono::seconds kProven{60};
+
+  struct Situation {
+    PictureTransport wanted;
+    unsigned changes;  ///< how often the user has changed `wanted`
+    int port;          ///< the client's port for datagrams; 0 if there is none
+    bool streaming;
+    bool can_send;    ///< the robot can send datagrams
+    bool can_repeat;  ///< the robot can send a test and repeat lost parts
+  };
+
+  /// What to ask the robot for.
+  enum class Step { kNone, kTest, kBegin, kEnd };
+
+  /// @param given_up no datagram came over the earlier connections
+  explicit TransportChoice(bool given_up) : given_up_(given_up) {}
+
+  /// The next step. It counts as done.
+  Step next(const Situation& situation, TimePoint now);
+
+  /// Call this when the test datagram has come.
+  void testArrived() { has_passed_ = true; }
+
+  /// Call this when the pictures have to come by TCP again, because UDP does not work.
+  void giveUp(TimePoint now);
+
+  /// The port to which the robot sends pictures. It is 0 if they come by TCP.
+  int port() const { return port_; }
+
+  /// True if the user wants UDP and nothing else.
+  bool insists() const { return wanted_ == PictureTransport::kUdp; }
+
+  /// Why UDP cannot even be tried, or why it was not after the last tests. It is empty if there is no such reason.
+  const std::string& problem() const { return problem_; }
+
+  /// The latest time to call next() again.
+  TimePoint nextLook() const { return next_look_; }
+
+ private:
+  Step begin(int port, TimePoint now);
+  Step test(TimePoint now);
+
+  PictureTransport wanted_ = PictureTransport::kTcp;
+  unsigned changes_ = 0;
+  bool given_up_;
+  bool has_passed_ = false;
+  int port_ = 0;
+  int tests_ = 0;  // that were sent since the last pause
+  TimePoint next_test_;
+  TimePoint next_look_ = TimePoint::max();
+  TimePoint began_;
+  std::chrono::seconds pause_ = kPause;
+  std::string problem_;
+};
+
+}  // namespace aibo_client
+
+#endif  // AIBO_DRIVER_CLIENT_TRANSPORT_CHOICE_H

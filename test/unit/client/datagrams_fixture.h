@@ -1,0 +1,164 @@
+/// @file datagrams_fixture.h
+#ifndef TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
+#define TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "client/version2_session.h"
+#include "session_fixture.h"
+#include "support/picture_datagrams.h"
+#include "support/version2_frames.h"
+
+constexpr int kPort = 40000;
+
+/// Larger than a datagram: it has four parts.
+inline test_pictures::Bytes makeJpeg(unsigned seed) {
+  test_pictures::PictureKind kind;
+  kind.seed = seed;
+  kind.quality = 92;
+  return test_pictures::make(kind);
+}
+
+/// A robot that sends its pictures as datagrams.
+class DatagramsFixture : public SessionFixture {
+ protected:
+  /// @param capabilities the letters of its requests
+  explicit DatagramsFixture(const std::string& capabilities) : capabilities_(capabilities) {}
+
+  aibo_client::Session& session() override { return session_; }
+
+  void SetUp() override {
+    EXPECT_EQ('H', request());
+    receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities_)));
+  }
+
+  /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
+  char request() {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (bytes.empty()) {
+      return 0;
+    }
+    const version2_frames::Frame frame = version2_frames::split(bytes);
+    number_ = frame.header.request_number;
+    payload_ = frame.payload;
+    port_ = frame.header.kind == 'B' ? payload_ : port_;
+    protocol::version2::DatagramOrder order = {};
+    if (frame.header.kind == 'X' && decode(payload_.data(), payload_.size(), &order) == nullptr && !order.is_test) {
+      order_ = order;
+      sequence_ = order.first_sequence;
+      pictures_before_order_ = picture_;
+    }
+    return frame.header.kind;
+  }
+
+  void answer() {
+    for (char kind = request(); kind != 0; kind = request()) {
+      const char reply = protocol::version2::replyKind(kind);
+      receive(version2_frames::makeFrame(reply, number_,
+                                         kind == 'H' ? version2_frames::makeHello(capabilities_) : payload_));
+      asked_ += kind;
+    }
+  }
+
+  void startStream() {
+    wish_.streaming = true;
+    wish_.datagram_port = kPort;
+    answer();
+    asked_.clear();
+  }
+
+  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
+  template <typename Action>
+  void live(milliseconds time, const Action& every_32_ms) {
+    for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
+      every_32_ms();
+      const TimePoint end = now_ + milliseconds(32);
+      while (now_ < end && !HasFatalFailure()) {
+        answer();
+        pass(std::min(end, session_.nextDeadline()) - now_);
+      }
+    }
+    answer();
+  }
+  void live(milliseconds time) {
+    live(time, [] {});
+  }
+
+  /// Lets time pass while nothing comes. At its end, TCP has repeated what was lost.
+  void beOutOfReach(milliseconds time) {
+    std::vector<int> unanswered;
+    const TimePoint end = now_ + time;
+    while (now_ < end && !HasFatalFailure()) {
+      if (request() == 'H') {
+        unanswered.push_back(number_);
+      }
+      pass(std::min(end, session_.nextDeadline()) - now_);
+    }
+    for (const int number : unanswered) {
+      receive(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities_)));
+    }
+  }
+
+  std::vector<Bytes> nextPicture(bool with_parities = false) {
+    ++picture_;
+    jpegs_.push_back(makeJpeg(picture_));
+    return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_, with_parities);
+  }
+  std::vector<Bytes> nextLargePicture() {
+    ++picture_;
+    Bytes jpeg = makeJpeg(picture_);
+    jpeg.insert(jpeg.end() - 2, 17 * protocol::version2::DATAGRAM_PART_SIZE, static_cast<std::uint8_t>(picture_));
+    jpegs_.push_back(jpeg);
+    return test_support::makeDatagrams(jpeg, numberOf(picture_), frameOf(picture_), &sequence_, true);
+  }
+
+  /// The robot's number of the picture that is `picture` here.
+  unsigned numberOf(unsigned picture) const { return order_.first_picture + picture - 1 - pictures_before_order_; }
+  static unsigned frameOf(unsigned picture) { return 1000 + 4 * picture; }
+
+  void arrive(const Bytes& datagram) { receiveDatagram(datagram); }
+  void arrive(const std::vector<Bytes>& datagrams) {
+    for (const Bytes& datagram : datagrams) {
+      arrive(datagram);
+    }
+  }
+
+  /// The numbers of the pictures delivered. They begin with 1; 0 means no picture.
+  std::vector<unsigned> delivered() const {
+    std::vector<unsigned> numbers;
+    for (const aibo_client::PicturePtr& picture : pictures_) {
+      const auto found = std::find(jpegs_.begin(), jpegs_.end(), picture->jpeg);
+      numbers.push_back(found == jpegs_.end() ? 0 : static_cast<unsigned>(found - jpegs_.begin()) + 1);
+    }
+    return numbers;
+  }
+
+  /// The replies that begin with this letter: `a` acknowledgements, `l` reports of losses.
+  std::vector<Bytes> repliesOf(char letter) const {
+    std::vector<Bytes> found;
+    std::copy_if(replies_.begin(), replies_.end(), std::back_inserter(found),
+                 [letter](const Bytes& reply) { return reply[0] == static_cast<std::uint8_t>(letter); });
+    return found;
+  }
+
+  Bytes byTcp(unsigned seed, unsigned frame_number, int number = 0) {
+    return version2_frames::makeFrame('f', number, version2_frames::makePicture(makeJpeg(seed), frame_number));
+  }
+
+  const std::string capabilities_;
+  int number_ = 0;  // of the request that was sent last
+  Bytes payload_;
+  Bytes port_;                                    // in the last `B`
+  protocol::version2::DatagramOrder order_ = {};  // the last `X` that was not a test
+  unsigned pictures_before_order_ = 0;
+  std::string asked_;  // kinds of the requests that were answered
+  std::vector<Bytes> jpegs_;
+  unsigned picture_ = 0;
+  unsigned sequence_ = 0;
+  aibo_client::Version2Session session_{connection_, now_};
+};
+
+#endif  // TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H

@@ -1,0 +1,304 @@
+// How the client chooses between TCP and UDP.
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "client/fault.h"
+#include "datagrams_fixture.h"
+
+using namespace aibo_client;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+namespace {
+
+/// A network that may or may not let datagrams through. The robot sends tests when it is asked to.
+class TransportChoiceTest : public DatagramsFixture {
+ protected:
+  TransportChoiceTest() : TransportChoiceTest("F W B X") {}
+  explicit TransportChoiceTest(const std::string& capabilities) : DatagramsFixture(capabilities) {
+    wish_.transport = PictureTransport::kAuto;
+  }
+
+  static Bytes testDatagram(const Bytes& request, std::size_t size = protocol::version2::MAX_DATAGRAM_SIZE) {
+    protocol::version2::DatagramOrder order = {};
+    EXPECT_EQ(nullptr, decode(request.data(), request.size(), &order));
+    EXPECT_TRUE(order.is_test);
+    Bytes datagram(size);
+    encode(protocol::version2::TestDatagram{order.first_sequence, order.first_picture}, datagram.data());
+    return datagram;
+  }
+
+  bool isTest() const { return payload_.at(2) == 1; }
+
+  /// Lives for some time. The robot sends its pictures the way that it was told last.
+  void watch(milliseconds time) {
+    static const Bytes kJpeg = makeJpeg(1);
+    for (const TimePoint end = now_ + time; now_ < end;) {
+      const TimePoint image = now_ + milliseconds(32);
+      ++picture_;
+      if (!by_udp_) {
+        receive(version2_frames::makeFrame('f', 0, version2_frames::makePicture(kJpeg, frameOf(picture_))));
+      } else if (lets_through_) {
+        arrive(test_support::makeDatagrams(kJpeg, numberOf(picture_), frameOf(picture_), &sequence_));
+      }
+      while (now_ < image && !HasFatalFailure()) {
+        answerAll();
+        pass(std::min(image, session_.nextDeadline()) - now_);
+      }
+    }
+  }
+
+  void answerAll() {
+    for (char kind = request(); kind != 0; kind = request()) {
+      const Bytes payload = payload_;
+      const int number = number_;
+      if (kind == 'X' && isTest()) {
+        ++tests_;
+        if (lets_through_) {
+          arrive(testDatagram(payload));
+        }
+      } else if (kind == 'X') {
+        by_udp_ = order_.port != 0;
+        ways_ += by_udp_ ? "U" : "T";
+      }
+      receive(version2_frames::makeFrame(protocol::version2::replyKind(kind), number,
+                                         kind == 'H' ? version2_frames::makeHello(capabilities_) : payload));
+    }
+  }
+
+  void start() {
+    wish_.streaming = true;
+    wish_.datagram_port = kPort;
+    answerAll();
+  }
+
+  bool lets_through_ = true;
+  bool by_udp_ = false;
+  int tests_ = 0;
+  std::string ways_;  ///< that the robot was told: U, T
+};
+
+TEST_F(TransportChoiceTest, UdpIsUsedOnceATestDatagramHasCome) {
+  start();
+  watch(seconds(2));
+  EXPECT_EQ("U", ways_);
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ(1, tests_);
+  EXPECT_EQ(picture_, pictures_.size());
+}
+
+TEST_F(TransportChoiceTest, WithoutAStreamNothingIsTried) {
+  wish_.datagram_port = kPort;
+  watch(seconds(1));
+  EXPECT_EQ(0, tests_);
+}
+
+TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
+  lets_through_ = false;
+  start();
+  watch(milliseconds(700));
+  EXPECT_EQ("", connection_.transport_problem);
+  watch(milliseconds(100));
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no test datagram has come; a firewall"));
+  EXPECT_EQ(4, tests_);
+  watch(seconds(9));
+  EXPECT_EQ(4, tests_);
+  EXPECT_EQ("", ways_);
+  EXPECT_EQ(picture_, pictures_.size());
+  EXPECT_EQ(1, logged("by TCP, not by UDP"));
+}
+
+TEST_F(TransportChoiceTest, UdpIsUsedTenSecondsAfterTheFirewallLetsItThrough) {
+  lets_through_ = false;
+  start();
+  watch(seconds(15));
+  lets_through_ = true;
+  watch(seconds(10));
+  EXPECT_EQ("U", ways_);
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ(picture_, pictures_.size()) << "the change loses and doubles nothing";
+}
+
+TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgainLessAndLessOften) {
+  start();
+  watch(seconds(1));
+  std::vector<long> pauses;
+  for (int i = 0; i < 3; ++i) {
+    const std::string before = ways_;
+    lets_through_ = false;
+    watch(milliseconds(1500));
+    EXPECT_EQ(before + "T", ways_);
+    EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram has come for 1 s"));
+    lets_through_ = true;
+    const TimePoint begin = now_;
+    while (ways_ != before + "TU" && now_ < begin + seconds(100)) {
+      watch(milliseconds(100));
+    }
+    pauses.push_back(std::chrono::ceil<seconds>(now_ - begin).count());
+  }
+  EXPECT_THAT(pauses, ElementsAre(10, 20, 40));
+}
+
+TEST_F(TransportChoiceTest, AfterAMinuteThatWentWellThePauseIsShortAgain) {
+  start();
+  for (const int well : {1, 61}) {
+    watch(seconds(well));
+    lets_through_ = false;
+    watch(milliseconds(1500));
+    lets_through_ = true;
+    const std::string before = ways_;
+    watch(milliseconds(9000));
+    EXPECT_EQ(before, ways_);
+    watch(milliseconds(2000));
+    EXPECT_EQ(before + "U", ways_);
+  }
+}
+
+TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
+  lets_through_ = false;
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  char kind = request();
+  while (kind != 'X') {
+    ASSERT_NE(0, kind);
+    kind = request();
+  }
+  const Bytes good = testDatagram(payload_);
+  Bytes wrong_number = good;
+  wrong_number[7] ^= 1;
+  Bytes wrong_picture = good;
+  wrong_picture[11] ^= 1;
+  const Bytes picture = test_support::makeDatagrams(makeJpeg(1), 0, 1000, &sequence_)[0];
+  for (const Bytes& forged :
+       {wrong_number, wrong_picture, testDatagram(payload_, 1371), Bytes(), Bytes(1372), picture}) {
+    arrive(forged);
+    for (kind = request(); kind != 0; kind = request()) {
+      EXPECT_FALSE(kind == 'X' && !isTest());
+    }
+  }
+  EXPECT_THAT(replies_, IsEmpty());
+  arrive(good);
+  EXPECT_EQ('X', request());
+  EXPECT_FALSE(isTest());
+}
+
+// Those that the robot has sent by TCP may come after the first ones by UDP.
+TEST_F(TransportChoiceTest, PicturesByUdpWaitForThoseThatWereSentByTcpBefore) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  while (request() != 'X') {
+  }
+  arrive(testDatagram(payload_));
+  EXPECT_EQ('X', request());
+  const int order = number_;
+  const Bytes answer = payload_;
+  EXPECT_EQ('W', request());
+  const auto by_tcp = [this](unsigned picture) {
+    receive(version2_frames::makeFrame('f', 0, version2_frames::makePicture(makeJpeg(picture), frameOf(picture))));
+  };
+  jpegs_.push_back(makeJpeg(1));
+  ++picture_;
+  pictures_before_order_ = 1;
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), IsEmpty());
+  by_tcp(1);
+  receive(version2_frames::makeFrame('x', order, answer));
+  EXPECT_THAT(delivered(), ElementsAre(1, 2));
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+}
+
+TEST_F(TransportChoiceTest, TheyDoNotWaitForLong) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  while (request() != 'X') {
+  }
+  arrive(testDatagram(payload_));
+  EXPECT_EQ('X', request());
+  EXPECT_EQ('W', request());
+  arrive(nextPicture());
+  pass(milliseconds(99));
+  EXPECT_THAT(delivered(), IsEmpty());
+  pass(milliseconds(1));
+  EXPECT_THAT(delivered(), ElementsAre(1));
+}
+
+// The robot sends by TCP what was not acknowledged when it was told to.
+TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
+  start();
+  watch(seconds(1));
+  std::vector<Bytes> cut = nextPicture();
+  cut.pop_back();
+  arrive(cut);
+  wish_.transport = PictureTransport::kTcp;
+  ++wish_.transport_changes;
+  wish_.datagram_port = 0;
+  answerAll();
+  EXPECT_EQ("UT", ways_);
+  EXPECT_EQ(0, order_.port);
+  for (const unsigned picture : {picture_ - 1, picture_, picture_ + 1}) {
+    receive(version2_frames::makeFrame('f', 0, version2_frames::makePicture(makeJpeg(picture), frameOf(picture))));
+  }
+  EXPECT_EQ(picture_ + 1, pictures_.size());
+  EXPECT_EQ("", connection_.transport_problem);
+}
+
+TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
+  lets_through_ = false;
+  start();
+  watch(seconds(2));
+  lets_through_ = true;
+  ++wish_.transport_changes;
+  watch(milliseconds(64));
+  EXPECT_EQ("U", ways_);
+}
+
+TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
+  wish_.transport = PictureTransport::kUdp;
+  lets_through_ = false;
+  start();
+  EXPECT_EQ("U", ways_);
+  EXPECT_EQ(0, tests_);
+  watch(milliseconds(1500));
+  EXPECT_EQ("UT", ways_);
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram"));
+  lets_through_ = true;
+  watch(seconds(11));
+  EXPECT_EQ("UTU", ways_);
+  EXPECT_EQ("", connection_.transport_problem);
+}
+
+TEST_F(TransportChoiceTest, ARefusalMeansTcp) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  while (request() != 'X') {
+  }
+  receive(version2_frames::makeFrame('e', number_, version2_frames::makeError(7, "no endpoint")));
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("no endpoint"));
+  answerAll();
+  watch(seconds(1));
+  EXPECT_EQ("", ways_);
+  EXPECT_EQ(picture_, pictures_.size());
+}
+
+class OldServerTest : public TransportChoiceTest {
+ protected:
+  OldServerTest() : TransportChoiceTest("F W B") {}
+};
+
+TEST_F(OldServerTest, PicturesComeByTcpIfItDoesNotRepeat) {
+  start();
+  watch(seconds(12));
+  EXPECT_EQ("", ways_);
+  EXPECT_EQ(0, tests_);
+  EXPECT_THAT(connection_.transport_problem, HasSubstr("does not repeat lost datagrams"));
+  EXPECT_EQ(picture_, pictures_.size());
+  EXPECT_EQ(1, logged("by TCP, not by UDP"));
+}
+
+}  // namespace
