@@ -75,6 +75,12 @@ void logForClient(LogLevel level, const std::string& message) {
   }
 }
 
+XmlRpc::XmlRpcValue readParameters(const ros::NodeHandle& private_handle) {
+  XmlRpc::XmlRpcValue values;
+  private_handle.getParam(private_handle.getNamespace(), values);
+  return values;
+}
+
 }  // namespace
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
@@ -120,8 +126,13 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
                     microphone_, player_}),
-      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
-                                              [this](const ros::SteadyTimerEvent&) { report(); })) {
+      parameter_watch_(readParameters(private_handle), private_handle.getNamespace() + "/"),
+      report_timer_(
+          handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
+                                    [this, name_space = private_handle.getNamespace()](const ros::SteadyTimerEvent&) {
+                                      report();
+                                      reportChangedParameters(name_space);
+                                    })) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
   }
@@ -278,9 +289,20 @@ void AiboDriver::report() {
   if (link_quality_.getNumSubscribers() > 0) {
     LinkQuality quality = toMessage(reading, asked_rate);
     quality.header.stamp = ros::Time::now();
+    const aibo_client::ConnectionStatus status = client_.status();
+    quality.transport = status.state == aibo_client::ConnectionState::kConnected ? nameOf(status.transport) : "";
     link_quality_.publish(quality);
   }
   diagnostics_.publish(reading, asked_rate);
+}
+
+// roscpp asks the master only after a change.
+void AiboDriver::reportChangedParameters(const std::string& name_space) {
+  XmlRpc::XmlRpcValue present;
+  ros::param::getCached(name_space, present);
+  for (const std::string& change : parameter_watch_.check(present, settings_.inForce())) {
+    ROS_WARN_STREAM(change);
+  }
 }
 
 void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {

@@ -37,6 +37,7 @@
 #include "node/joints/motion_state_publisher.h"
 #include "node/live_settings.h"
 #include "node/only_driver.h"
+#include "node/parameter_watch.h"
 #include "node/robot_stamper.h"
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
@@ -75,6 +76,7 @@ class AiboDriver {
 
   /// Publishes link_quality and the diagnostics.
   void report();
+  void reportChangedParameters(const std::string& name_space);
 
   /// The result is empty while the stream is off.
   std::optional<int> askedEveryNthImage() const;
@@ -143,6 +145,7 @@ class AiboDriver {
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<Action>> actions_;
   DriverDiagnostics diagnostics_;
+  ParameterWatch parameter_watch_;
   ros::SteadyTimer report_timer_;
 };
 

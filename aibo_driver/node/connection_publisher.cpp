@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "node/camera/camera_options.h"
+
 namespace aibo_driver::node {
 
 using aibo_client::ClientOptions;
@@ -27,7 +29,7 @@ std::uint8_t stateConstant(ConnectionState state) {
 }  // namespace
 
 std::string robotAddress(const ClientOptions& options) {
-  return options.host + ":" + std::to_string(options.port);
+  return aibo_client::addressText(options.host, options.port);
 }
 
 std::string describeConnection(const ConnectionStatus& status, const ClientOptions& options) {
@@ -69,6 +71,10 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.port = static_cast<std::uint16_t>(options_.port);
   message.robot = status.robot.design;
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
+  if (status.state == ConnectionState::kConnected) {
+    message.transport = nameOf(status.transport);
+    message.transport_reason = transportReason(status);
+  }
   message.reason = status.reason;
   message.advice = status.advice;
   if (last_ && *last_ == message) {

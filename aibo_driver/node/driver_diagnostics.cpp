@@ -143,11 +143,12 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
 void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   const ConnectionStatus connection = sources_.client.status();
   const ClientStatistics client = sources_.client.statistics();
-  if (!connection.transport_problem.empty()) {
+  if (connection.wanted_transport == aibo_client::PictureTransport::kUdp && !connection.transport_problem.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
   }
   status.add("transport", nameOf(connection.transport));
-  status.add("why not udp", connection.transport_problem);
+  status.add("transport wanted", nameOf(connection.wanted_transport));
+  status.add("why this transport", transportReason(connection));
   if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
     return;
   }

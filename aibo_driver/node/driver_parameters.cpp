@@ -16,8 +16,7 @@ namespace {
 
 using XmlRpc::XmlRpcValue;
 
-constexpr int kFramesOfMeasurement = 4;          // frames of 8 ms; the robot measures every 32 ms
-constexpr double kHighestTelemetryRate = 31.25;  // messages a second
+constexpr int kFramesOfMeasurement = 4;  // frames of 8 ms; the robot measures every 32 ms
 
 /// Reads parameters one by one. It remembers their names and which values are refused.
 class ParameterReader {
@@ -31,10 +30,9 @@ class ParameterReader {
     if (!find(name, &value)) {
       return;
     }
-    const bool whole = value.getType() == XmlRpcValue::TypeInt;
-    const int number = whole ? static_cast<int>(value) : 0;
-    if (whole && number >= minimum && number <= maximum) {
-      *out = number;
+    const double number = numberIn(value);
+    if (number >= minimum && number <= maximum && number == std::floor(number)) {
+      *out = static_cast<int>(number);
     } else {
       refuse(name, value, allowed);
     }
@@ -48,12 +46,7 @@ class ParameterReader {
     if (!find(name, &value)) {
       return;
     }
-    double number = NAN;
-    if (value.getType() == XmlRpcValue::TypeInt) {
-      number = static_cast<int>(value);
-    } else if (value.getType() == XmlRpcValue::TypeDouble) {
-      number = value;
-    }
+    const double number = numberIn(value);
     if (number >= minimum && number <= maximum) {
       *out = number;
     } else {
@@ -121,6 +114,18 @@ class ParameterReader {
   void addKnown(const std::string& name) { known_.insert(name); }
 
  private:
+  /// NaN if it is not a number. A whole number may be written as 85.0.
+  static double numberIn(XmlRpcValue& value) {
+    switch (value.getType()) {
+      case XmlRpcValue::TypeInt:
+        return static_cast<int>(value);
+      case XmlRpcValue::TypeDouble:
+        return value;
+      default:
+        return NAN;
+    }
+  }
+
   bool find(const std::string& name, XmlRpcValue* value) {
     known_.insert(name);
     if (values_.getType() != XmlRpcValue::TypeStruct || !values_.hasMember(name)) {

@@ -25,7 +25,7 @@ struct DriverParameters {
   bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
   std::string resolution = "208x160";      ///< the resolution of the stream, for resolutionOf()
   double frame_rate = 30.0;                ///< pictures per second of the stream, for everyNthImageOf()
-  std::string transport = "tcp";           ///< the transport of the stream's pictures, for transportOf()
+  std::string transport = "auto";          ///< the transport of the stream's pictures, for transportOf()
   bool adaptive = false;                   ///< true: lower quality and rate to keep max_picture_age
   double max_picture_age = 0.15;           ///< s, 0.05..2
   aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
@@ -61,6 +61,9 @@ struct DriverParameters {
   /// tf_prefix.
   std::string frame(const std::string& name) const { return frame_prefix.empty() ? name : frame_prefix + "/" + name; }
 };
+
+/// Messages a second. The robot measures every 32 ms.
+constexpr double kHighestTelemetryRate = 31.25;
 
 /// The nearest period that the robot can keep evenly. It is a multiple of the 4 OPEN-R frames of 8 ms in which the
 /// robot measures, and at most 65535 frames, because a request can hold no more.

@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <sstream>
@@ -11,6 +12,22 @@
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
+namespace {
+
+/// Calls `visit` with the name, the member and the range of each number.
+template <typename Visit>
+void visitNumbers(const Visit& visit) {
+  visit("jpeg_quality", &AiboDriverConfig::jpeg_quality, 1, kMaxQuality);
+  visit("frame_rate", &AiboDriverConfig::frame_rate, kLowestFrameRate, kCameraRate);
+  visit("max_picture_age", &AiboDriverConfig::max_picture_age, 0.05, 2.0);
+  visit("telemetry_rate", &AiboDriverConfig::telemetry_rate, 0.0, kHighestTelemetryRate);
+  visit("speed_scale", &AiboDriverConfig::speed_scale, 0.1, 1.0);
+  visit("white_balance", &AiboDriverConfig::white_balance, 1, 3);
+  visit("gain", &AiboDriverConfig::gain, 1, 3);
+  visit("shutter_speed", &AiboDriverConfig::shutter_speed, 1, 3);
+}
+
+}  // namespace
 
 LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client,
                            StreamAdapter& adapter, movement::JointTable& joint_table)
@@ -21,23 +38,49 @@ LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::R
       in_force_log_([](const std::string& text) { ROS_INFO_STREAM(text); }),
       in_force_(AiboDriverConfig::__getDefault__()),
       server_(private_handle) {
+  AiboDriverConfig least = in_force_;
+  AiboDriverConfig most = in_force_;
+  visitNumbers([&](const char*, auto member, auto lowest, auto highest) {
+    least.*member = lowest;
+    most.*member = highest;
+  });
+  server_.setConfigMin(least);
+  server_.setConfigMax(most);
   server_.setCallback([this](AiboDriverConfig& config, std::uint32_t) { apply(config); });
 }
 
+ParameterTexts LiveSettings::inForce() const {
+  ParameterTexts texts;
+  for (const auto& description : AiboDriverConfig::__getParamDescriptions__()) {
+    boost::any value;
+    description->getValue(in_force_, value);
+    std::ostringstream text;
+    if (const auto* number = boost::any_cast<int>(&value)) {
+      text << *number;
+    } else if (const auto* real = boost::any_cast<double>(&value)) {
+      text << *real;
+    } else if (const auto* flag = boost::any_cast<bool>(&value)) {
+      text << (*flag ? "true" : "false");
+    } else {
+      text << boost::any_cast<std::string>(value);
+    }
+    texts[description->name] = text.str();
+  }
+  return texts;
+}
+
 void LiveSettings::apply(AiboDriverConfig& config) {
-  // NaN is the only number out of range that passes the server's check.
-  if (std::isnan(config.telemetry_rate)) {
-    config.telemetry_rate = in_force_.telemetry_rate;
-  }
-  if (std::isnan(config.speed_scale)) {
-    config.speed_scale = in_force_.speed_scale;
-  }
-  if (std::isnan(config.frame_rate)) {
-    config.frame_rate = in_force_.frame_rate;
-  }
-  if (std::isnan(config.max_picture_age)) {
-    config.max_picture_age = in_force_.max_picture_age;
-  }
+  visitNumbers([&](const char* name, auto member, auto lowest, auto highest) {
+    auto& value = config.*member;
+    if (value >= lowest && value <= highest) {
+      return;
+    }
+    std::ostringstream text;
+    text << "The " << name << " " << value << " is not in the range of " << lowest << ".." << highest << ": ";
+    value = std::isnan(value) ? in_force_.*member : std::clamp(value, lowest, highest);
+    text << value << " is used.";
+    warnings_.warn(text.str());
+  });
   applyToCamera(config);
   telemetry_period_ = telemetryPeriodOf(config.telemetry_rate);
   config.telemetry_rate = telemetryRateOf(telemetry_period_);

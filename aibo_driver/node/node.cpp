@@ -1,11 +1,14 @@
 #include "node/node.h"
 
+#include <netdb.h>
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 #include <ros/init.h>
+#include <ros/network.h>
 #include <ros/this_node.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <chrono>
@@ -59,6 +62,33 @@ void endOnInterrupt() {
   ::sigaction(SIGINT, &action, nullptr);
 }
 
+/// True if other nodes on this computer, at least, can connect to this name or address.
+bool isOfThisComputer(const std::string& host) {
+  addrinfo* addresses = nullptr;
+  if (::getaddrinfo(host.c_str(), nullptr, nullptr, &addresses) != 0) {
+    return false;
+  }
+  bool is_own = false;
+  for (const addrinfo* each = addresses; each != nullptr && !is_own; each = each->ai_next) {
+    const int probe = ::socket(each->ai_family, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    is_own = probe >= 0 && ::bind(probe, each->ai_addr, each->ai_addrlen) == 0;
+    ::close(probe);
+  }
+  ::freeaddrinfo(addresses);
+  return is_own;
+}
+
+// Other nodes would see the topics of this one and never get a message, without a word from anybody.
+void warnOfWrongAddress() {
+  if (const std::string& host = ros::network::getHost(); !isOfThisComputer(host)) {
+    ROS_WARN_STREAM("Other nodes are told to connect to "
+                    << host
+                    << ", which is not an address of this computer. They will get "
+                       "no messages, unless somebody passes them on. Are ROS_IP "
+                       "and ROS_HOSTNAME right?");
+  }
+}
+
 }  // namespace
 
 ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::string& default_namespace) {
@@ -82,6 +112,7 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
   const ros::NodeHandle handle = startWithSlack();  // outlives the try block, because logging ends with the last handle
   endOnInterrupt();
+  warnOfWrongAddress();
   try {
     const std::shared_ptr<void> node = make();
     const MasterWatch master_watch(ros::this_node::getName());

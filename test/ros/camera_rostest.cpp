@@ -61,7 +61,7 @@ TEST(Camera, PublishedPicturesAreTheRobotsOwnByteForByteAndWithoutAGap) {
   SimulatedRobot robot;
   RecordingProxy proxy(robot.port());
   CompressedListener pictures("/bytes/camera/image_raw/compressed");
-  DriverProcess driver("/bytes", proxy.port());
+  DriverProcess driver("/bytes", proxy.port(), {test_support::kByTcp});
   std::size_t without_gap = 0;
   for (std::size_t count = kEnough; without_gap < kEnough && count <= 30 * kEnough; count += kEnough) {
     const auto published = pictures.waitForCount(count);

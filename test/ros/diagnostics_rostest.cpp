@@ -115,7 +115,8 @@ TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
   test_support::Conditions slow_link;
   slow_link.bytes_per_second = 60000;  // 12 pictures a second at quality 85
   proxy.setConditions(slow_link);
-  DriverProcess driver("/adaptive", proxy.port(), {"_adaptive:=true", "_telemetry_rate:=0", "_read_timeout:=20"});
+  DriverProcess driver("/adaptive", proxy.port(),
+                       {"_adaptive:=true", "_telemetry_rate:=0", "_read_timeout:=20", test_support::kByTcp});
   DiagnosticsListener diagnostics;
   const auto lowered = diagnostics.waitFor("adaptive/aibo_driver: stream", [](const auto& status) {
     return DiagnosticsListener::value(status, "adaptive").find("lowered to quality 50 of 85") == 0;

@@ -20,6 +20,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "support/proxy/recording_proxy.h"
@@ -143,6 +144,28 @@ TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {
   driver.waitForOutput("/bad/aibo_driver/jpeg_quality is 101; it must be a whole number, 1\\.\\.100", kSafetyNet);
 }
 
+TEST(Node, EndsWithAnErrorIfTheHostOrAColourTableIsWrong) {
+  const std::pair<std::string, std::string> wrong[] = {
+      {"_host:=robot:54321", "which has a port in it; host has to be 'robot' and port 54321"},
+      {"_color_tables:=pink_ball no_such_table", "color_tables names the table 'no_such_table'"}};
+  for (const auto& [parameter, problem] : wrong) {
+    DriverProcess driver("/wrong", 54321, {parameter});
+    driver.waitForOutput(problem, kSafetyNet);
+    EXPECT_NE(driver.waitForExit(kSafetyNet).value_or(0), 0) << parameter;
+    ros::param::del("/wrong");
+  }
+}
+
+TEST(Node, WarnsIfOtherNodesCannotReachIt) {
+  DriverProcess driver("/unreachable", 54321, {}, {{"ROS_IP", "192.0.2.1"}});  // an address for documents (RFC 5737)
+  driver.waitForOutput("192\\.0\\.2\\.1, which is not an address of this computer.*ROS_IP", kSafetyNet);
+}
+
+TEST(Node, WarnsOfACalibrationThatDoesNotExist) {
+  DriverProcess driver("/uncalibrated", 54321, {"_camera_info_url:=file:///nowhere/x.yaml"});
+  driver.waitForOutput("WARN.*camera_info_url names /nowhere/x.yaml, but there is no such file", kSafetyNet);
+}
+
 TEST(Node, WarnsOfAMisspeltParameter) {
   DriverProcess driver("/misspelt", 54321, {"_jpg_quality:=50"});
   driver.waitForOutput("/misspelt/aibo_driver/jpg_quality", kSafetyNet);
@@ -170,8 +193,8 @@ TEST(Node, TwoDriversServeTwoRobots) {
   RecordingProxy right_proxy(right_robot.port());
   CompressedListener left_pictures("/left/camera/image_raw/compressed");
   CompressedListener right_pictures("/right/camera/image_raw/compressed");
-  DriverProcess left("/left", left_proxy.port());
-  DriverProcess right("/right", right_proxy.port(), {"_jpeg_quality:=40"});
+  DriverProcess left("/left", left_proxy.port(), {test_support::kByTcp});
+  DriverProcess right("/right", right_proxy.port(), {"_jpeg_quality:=40", test_support::kByTcp});
   const auto left_published = left_pictures.waitForCount(10);
   const auto right_published = right_pictures.waitForCount(10);
   ASSERT_GE(left_published.size(), 10u);

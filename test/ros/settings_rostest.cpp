@@ -2,10 +2,12 @@
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
@@ -29,6 +31,7 @@ namespace {
 
 using aibo_driver::CameraState;
 using aibo_driver::Connection;
+using aibo_driver::LinkQuality;
 using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
@@ -227,18 +230,44 @@ TEST(Settings, TransportChangesTheRunningStream) {
     });
   };
   const auto by_udp = wait_for("udp");
-  EXPECT_EQ(DiagnosticsListener::value(by_udp, "why not udp"), "");
+  EXPECT_EQ(DiagnosticsListener::value(by_udp, "why this transport"), "datagrams from the robot get through");
   EXPECT_TRUE(pictures.waitForNext());
   EXPECT_NE(DiagnosticsListener::value(diagnostics.waitForNext("settings_transport/aibo_driver: stream"),
                                        "datagrams received"),
             "");
   user.set(text("transport", "tcp"));
-  EXPECT_EQ(DiagnosticsListener::value(wait_for("tcp"), "why not udp"), "");
+  EXPECT_EQ(DiagnosticsListener::value(wait_for("tcp"), "why this transport"), "~transport is tcp");
   pictures.clear();
   EXPECT_TRUE(pictures.waitForNext());
   const Config answer = user.set(text("transport", "pigeon"));
   EXPECT_TRUE(std::any_of(answer.strs.begin(), answer.strs.end(),
                           [](const auto& each) { return each.name == "transport" && each.value == "tcp"; }));
+}
+
+TEST(Settings, ByDefaultPicturesComeByUdpAndTheConnectionSaysSo) {
+  TopicListener<Connection> connections("/settings_auto/connection");
+  TopicListener<LinkQuality> qualities("/settings_auto/link_quality");
+  SettingsUser user("/settings_auto", {kPatient});
+  EXPECT_TRUE(connections.waitFor([](const auto& connection) {
+    return connection.transport == "udp" && connection.transport_reason == "datagrams from the robot get through";
+  }));
+  EXPECT_TRUE(qualities.waitFor([](const auto& quality) { return quality.transport == "udp"; }));
+  user.set(text("transport", "tcp"));
+  EXPECT_TRUE(connections.waitFor([](const auto& connection) {
+    return connection.transport == "tcp" && connection.transport_reason == "~transport is tcp";
+  }));
+}
+
+TEST(Settings, ThatRosparamSetsHaveNoEffectAndTheDriverSaysSo) {
+  TopicListener<rosgraph_msgs::Log> log("/rosout");
+  SettingsUser user("/settings_rosparam");
+  const std::string name = "/settings_rosparam/aibo_driver/jpeg_quality";
+  EXPECT_EQ(user.inForce("jpeg_quality"), 85);
+  ros::param::set(name, 50);
+  EXPECT_TRUE(log.waitFor([&name](const auto& entry) {
+    return entry.msg.find(name + " was set to '50', but '85' stays in force") != std::string::npos;
+  }));
+  EXPECT_EQ(user.inForce("jpeg_quality"), 85);
 }
 
 TEST(Settings, OfTheCameraAreSeenInThePictures) {
@@ -258,8 +287,12 @@ TEST(Settings, OfTheCameraAreSeenInThePictures) {
 }
 
 TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {
+  TopicListener<rosgraph_msgs::Log> log("/rosout");
   SettingsUser user("/settings_range");
   EXPECT_EQ(user.valueOf(user.set(jpegQuality(300)), "jpeg_quality"), 100);
+  EXPECT_TRUE(log.waitFor([](const auto& entry) {
+    return entry.msg.find("jpeg_quality 300 is not in the range of 1..100: 100 is used") != std::string::npos;
+  }));
   EXPECT_EQ(user.valueOf(user.set(number("telemetry_rate", -1)), "telemetry_rate"), 0);
   EXPECT_EQ(user.valueOf(user.set(number("speed_scale", 0)), "speed_scale"), 0.1);
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -78,8 +78,16 @@ CameraInfo load(const std::string& file) {
   return info;
 }
 
-void logCalibration(const CameraInfo& info, const std::string& file) {
-  if (isCalibrated(info)) {
+/// @param is_wanted the user has named the file
+void logCalibration(const CameraInfo& info, const std::string& file, bool is_wanted) {
+  std::error_code error;
+  if (is_wanted && !std::filesystem::exists(file, error)) {
+    ROS_WARN_STREAM_NAMED("camera", "Parameter camera_info_url names "
+                                        << file
+                                        << ", but there is no such file on this computer: camera_info holds the "
+                                           "nominal calibration. Is the name right? Calibrating the camera makes the "
+                                           "file.");
+  } else if (isCalibrated(info)) {
     ROS_INFO_STREAM_NAMED(
         "camera", "The camera's calibration is that in " << file << ", for pictures of " << sizeOf(info) << ".");
   } else {
@@ -140,7 +148,7 @@ std::string problemOf(const sensor_msgs::CameraInfo& info) {
 Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
                          const std::string& design)
     : camera_name_(camera_name), design_(design), file_(calibrationFile(url, camera_name)), stored_(load(file_)) {
-  logCalibration(stored_, file_);
+  logCalibration(stored_, file_, !url.empty());
   service_ = ros::NodeHandle(camera_handle).advertiseService("set_camera_info", &Calibration::set, this);
 }
 

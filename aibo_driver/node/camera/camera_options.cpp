@@ -23,7 +23,7 @@ std::optional<Resolution> resolutionOf(const std::string& name) {
 }
 
 std::optional<PictureTransport> transportOf(const std::string& name) {
-  for (const PictureTransport transport : {PictureTransport::kTcp, PictureTransport::kUdp}) {
+  for (const PictureTransport transport : {PictureTransport::kTcp, PictureTransport::kUdp, PictureTransport::kAuto}) {
     if (name == nameOf(transport)) {
       return transport;
     }
@@ -32,7 +32,27 @@ std::optional<PictureTransport> transportOf(const std::string& name) {
 }
 
 const char* nameOf(PictureTransport transport) {
-  return transport == PictureTransport::kUdp ? "udp" : "tcp";
+  switch (transport) {
+    case PictureTransport::kUdp:
+      return "udp";
+    case PictureTransport::kAuto:
+      return "auto";
+    default:
+      return "tcp";
+  }
+}
+
+std::string transportReason(const aibo_client::ConnectionStatus& status) {
+  if (status.state != aibo_client::ConnectionState::kConnected) {
+    return "";
+  }
+  if (!status.transport_problem.empty()) {
+    return status.transport_problem;
+  }
+  if (status.transport == PictureTransport::kUdp) {
+    return "datagrams from the robot get through";
+  }
+  return status.wanted_transport == PictureTransport::kTcp ? "~transport is tcp" : "UDP has not been tried yet";
 }
 
 int everyNthImageOf(double rate) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aibo_client/camera.h"
+#include "aibo_client/status.h"
 
 namespace aibo_driver::node {
 
@@ -26,7 +27,7 @@ constexpr const char* kResolutionNames = "52x40, 104x80, 208x160 or 416x320";
 std::optional<aibo_client::Resolution> resolutionOf(const std::string& name);
 
 /// The transports that users may write for the stream's pictures, for messages.
-constexpr const char* kTransportNames = "tcp or udp";
+constexpr const char* kTransportNames = "auto, tcp or udp";
 
 /// @param name one of kTransportNames
 /// @return empty for any other text
@@ -34,6 +35,9 @@ std::optional<aibo_client::PictureTransport> transportOf(const std::string& name
 
 /// The name of a transport.
 const char* nameOf(aibo_client::PictureTransport transport);
+
+/// Why the pictures of the stream come as they do. It is empty while there is no connection.
+std::string transportReason(const aibo_client::ConnectionStatus& status);
 
 /// The nearest rate at which the camera can send pictures at even intervals.
 /// @param rate pictures per second, kLowestFrameRate..kCameraRate

@@ -29,9 +29,8 @@ void ColorTableService::loadAtStart(const std::string& tables) {
     try {
       setTable(channel, std::make_shared<ColorTable>(loadColorTable(name)));
     } catch (const aibo_client::Exception& error) {
-      ROS_ERROR_STREAM("The colour table '"
-                       << text::plainLine(name)
-                       << "' of the parameter color_tables is not loaded: " << text::plainLine(error.what(), 500));
+      throw aibo_client::InvalidArgumentException("Parameter color_tables names the table '" + text::plainLine(name) +
+                                                  "', which cannot be loaded: " + text::plainLine(error.what(), 500));
     }
   }
 }

@@ -143,7 +143,7 @@ class Faults : public testing::Test {
 TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
   const int rounds = wholeCampaign() ? 500 : 50;
   const int warm_up = rounds / 5;
-  DriverProcess driver("/reconnects", proxy_.port(), {"_reconnect_wait_max:=0.05"});
+  DriverProcess driver("/reconnects", proxy_.port(), {test_support::kByTcp, "_reconnect_wait_max:=0.05"});
   Resources before;
   for (int round = 0; round < rounds; ++round) {
     ASSERT_TRUE(picturesFlow()) << "round " << round;
@@ -234,7 +234,7 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
   for (const auto& state : states) {
     proxy_.setWelcome(state.second);
     TopicListener<Connection> connection("/" + state.first + "/connection");
-    DriverProcess driver("/" + state.first, proxy_.port());
+    DriverProcess driver("/" + state.first, proxy_.port(), {test_support::kByTcp});
     ASSERT_TRUE(connection.waitFor([&](const Connection& message) {
       return state.second == Welcome::kServe ? message.state == Connection::CONNECTED : !message.reason.empty();
     })) << state.first;
@@ -245,7 +245,7 @@ TEST_F(Faults, CtrlCEndsTheNodeInEveryState) {
 
 TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
   CompressedListener pictures("/middle/camera/image_raw/compressed");
-  DriverProcess driver("/middle", proxy_.port(), {"_read_timeout:=30"});
+  DriverProcess driver("/middle", proxy_.port(), {test_support::kByTcp, "_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   proxy_.add({Action::kSilence, Place::kPicture, 1000});
   ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
@@ -254,7 +254,8 @@ TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
 
 TEST_F(Faults, CtrlCEndsTheNodeWhileItsRobotsNameIsLookedUp) {
   TopicListener<Connection> connection("/name/connection");
-  DriverProcess driver("/name", proxy_.port(), {"_host:=no-such-robot.invalid", "_reconnect_wait_max:=0.01"});
+  DriverProcess driver("/name", proxy_.port(),
+                       {test_support::kByTcp, "_host:=no-such-robot.invalid", "_reconnect_wait_max:=0.01"});
   ASSERT_FALSE(connection.waitForCount(1).empty());
   expectEndsSoon(&driver);
 }
@@ -267,7 +268,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
       {"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(master.port())},
       {"TSAN_OPTIONS",
        std::string(sanitizer == nullptr ? "" : sanitizer) + ":report_thread_leaks=0"}};  // intended here
-  DriverProcess driver("/deaf_master", proxy_.port(), {}, environment);
+  DriverProcess driver("/deaf_master", proxy_.port(), {test_support::kByTcp}, environment);
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   test_support::Conditions silence;
   silence.paused = true;
@@ -279,7 +280,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
 
 TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   CompressedListener pictures("/waiting/camera/image_raw/compressed");
-  DriverProcess driver("/waiting", proxy_.port(), {"_read_timeout:=60"});
+  DriverProcess driver("/waiting", proxy_.port(), {test_support::kByTcp, "_read_timeout:=60"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   const MemoryStick stick("");
   PlayMotion play;
@@ -314,7 +315,7 @@ TEST(FaultsOfUsers, CtrlCEndsTheNodeDuringATrajectory) {
 
 TEST_F(Faults, SubscribersComeAndGo) {
   const int rounds = wholeCampaign() ? 1000 : 40;
-  DriverProcess driver("/subscribers", proxy_.port());
+  DriverProcess driver("/subscribers", proxy_.port(), {test_support::kByTcp});
   const auto come_and_go = [](int count) {
     for (int i = 0; i < count; ++i) {
       const CompressedListener compressed("/subscribers/camera/image_raw/compressed");
@@ -338,7 +339,7 @@ TEST_F(Faults, SubscribersComeAndGo) {
 TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
   CompressedListener pictures("/hangs/camera/image_raw/compressed");
   TopicListener<sensor_msgs::Image> decoded("/hangs/decoder/image_raw");
-  DriverProcess driver("/hangs", proxy_.port());
+  DriverProcess driver("/hangs", proxy_.port(), {test_support::kByTcp});
   Process decoder({AIBO_IMAGE_DECODER, "__ns:=/hangs/decoder",
                    "/hangs/decoder/image_raw/compressed:=/hangs/camera/image_raw/compressed"});
   ASSERT_FALSE(decoded.waitForCount(1).empty());
@@ -365,12 +366,13 @@ TEST_F(Faults, ASubscriberThatHangsDelaysNobodyElse) {
 
 TEST_F(Faults, SubscribersHearANodeThatIsKilledAndStartedAgain) {
   CompressedListener pictures("/respawn/camera/image_raw/compressed");
-  auto driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
+  auto driver =
+      std::make_unique<DriverProcess>("/respawn", proxy_.port(), std::vector<std::string>{test_support::kByTcp});
   for (int round = 0; round < 3; ++round) {
     pictures.clear();
     ASSERT_FALSE(pictures.waitForCount(3).empty()) << "round " << round;
     driver->kill();
-    driver = std::make_unique<DriverProcess>("/respawn", proxy_.port());
+    driver = std::make_unique<DriverProcess>("/respawn", proxy_.port(), std::vector<std::string>{test_support::kByTcp});
   }
   pictures.clear();
   EXPECT_FALSE(pictures.waitForCount(3).empty());
@@ -640,8 +642,8 @@ class FaultsOfMaster : public Faults {
  protected:
   /// @param driver the command that starts the driver, without parameters
   void expectToOutliveTheMaster(const std::string& name_space, std::vector<std::string> driver) {
-    driver.insert(driver.end(),
-                  {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60"});
+    driver.insert(driver.end(), {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60",
+                                 test_support::kByTcp});
     Process process(driver, master_.environment());
     const std::string topic = name_space + "/camera/image_raw/compressed";
     RateMeter early(master_, topic);

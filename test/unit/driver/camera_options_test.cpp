@@ -54,6 +54,21 @@ TEST(CameraState, IsThatOfThePicture) {
   EXPECT_FALSE(state.auto_white_balance);
 }
 
+TEST(Transport, ItsReasonIsTold) {
+  using aibo_client::PictureTransport;
+  aibo_client::ConnectionStatus status;
+  EXPECT_EQ(transportReason(status), "");
+  status.state = aibo_client::ConnectionState::kConnected;
+  EXPECT_EQ(transportReason(status), "~transport is tcp");
+  status.wanted_transport = PictureTransport::kAuto;
+  EXPECT_EQ(transportReason(status), "UDP has not been tried yet");
+  status.transport_problem = "a firewall";
+  EXPECT_EQ(transportReason(status), "a firewall");
+  status.transport_problem.clear();
+  status.transport = PictureTransport::kUdp;
+  EXPECT_EQ(transportReason(status), "datagrams from the robot get through");
+}
+
 TEST(CameraState, IsTheSameForALaterPictureWithTheSameSettings) {
   aibo_client::Picture picture;
   picture.settings = aibo_client::CameraSettings();

@@ -156,8 +156,18 @@ TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
 }
 
 TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
-  service_.loadAtStart(" pink_ball, no_such_table pink_ball");
-  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 2 pink_ball"));
+  service_.loadAtStart(" pink_ball, pink_ball pink_ball");
+  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 1 pink_ball", "table 2 pink_ball"));
+}
+
+TEST_F(ColorTableServiceTest, ATableOfTheStartThatCannotBeLoadedIsAnError) {
+  try {
+    service_.loadAtStart("pink_ball no_such_table");
+    FAIL() << "accepted";
+  } catch (const aibo_client::InvalidArgumentException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("Parameter color_tables names the table 'no_such_table'"));
+    EXPECT_THAT(error.what(), HasSubstr("there is no such file"));
+  }
 }
 
 aibo_client::DetectedColors someColors() {

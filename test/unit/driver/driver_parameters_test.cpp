@@ -48,7 +48,8 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_EQ(parameters.robot, "ERS-7");
   EXPECT_EQ(parameters.resolution, "208x160");
   EXPECT_DOUBLE_EQ(parameters.frame_rate, 30.0);
-  EXPECT_EQ(parameters.transport, "tcp");
+  EXPECT_EQ(parameters.transport, "auto");
+  EXPECT_EQ(parameters.client.picture_transport, aibo_client::PictureTransport::kAuto);
   EXPECT_FALSE(parameters.adaptive);
   EXPECT_DOUBLE_EQ(parameters.max_picture_age, 0.15);
   EXPECT_TRUE(parameters.camera == aibo_client::CameraSettings());
@@ -70,7 +71,7 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
   EXPECT_THAT(refusal("frame_rate", 1.5), HasSubstr("2..30"));
   EXPECT_EQ(parse(one("transport", "udp")).client.picture_transport, aibo_client::PictureTransport::kUdp);
   EXPECT_EQ(parse(one("transport", "tcp")).client.picture_transport, aibo_client::PictureTransport::kTcp);
-  EXPECT_THAT(refusal("transport", "UDP"), HasSubstr("tcp or udp"));
+  EXPECT_THAT(refusal("transport", "UDP"), HasSubstr("auto, tcp or udp"));
   EXPECT_TRUE(parse(one("adaptive", true)).adaptive);
   EXPECT_EQ(parse(one("max_picture_age", 0.3)).max_picture_age, 0.3);
   EXPECT_THAT(refusal("max_picture_age", 0), HasSubstr("seconds, 0.05..2"));
@@ -226,6 +227,10 @@ TEST(DriverParameters, OfTheWrongTypeAreRefusedWithNameAndType) {
   EXPECT_THAT(refusal("read_timeout", "1"), HasSubstr("a number of seconds"));
   EXPECT_THAT(refusal("stream_on_start", 1), HasSubstr("true or false"));
   EXPECT_THAT(refusal("host", 5), HasSubstr("host is 5; it must be"));
+}
+
+TEST(DriverParameters, AWholeNumberMayBeWrittenWithAPoint) {
+  EXPECT_EQ(parse(one("jpeg_quality", 70.0)).client.jpeg_quality, 70);
 }
 
 TEST(DriverParameters, AreRefusedAllAtOnce) {
