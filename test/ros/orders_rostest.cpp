@@ -203,11 +203,24 @@ TEST_P(OrdersTest, WhatWaitedWhileTheDriverWasFrozenDoesNotMoveTheRobot) {
   user.states.clear();
   user.driver.signal(SIGSTOP);
   std::this_thread::sleep_for(milliseconds(300));
-  commands.publish(command({{"head_pan", 1.0}}));
+  std::vector<std::string> joints = {"head_pan", "head_tilt", "neck_tilt"};
+  for (const char* leg : {"left_front_", "left_hind_", "right_front_", "right_hind_"}) {
+    for (const char* part : {"rotator", "elevator", "knee"}) {
+      joints.push_back(std::string(leg) + part);
+    }
+  }
+  for (const std::string& joint : joints) {
+    commands.publish(command({{joint, 0.5}}));
+  }
   std::this_thread::sleep_for(milliseconds(1200));
   user.driver.signal(SIGCONT);
-  const EndedMovement end = user.waitForEnd(Movement::COMMAND);
-  EXPECT_EQ(end.how, EndedMovement::REFUSED) << end.reason;
+  for (const std::string& joint : joints) {
+    EXPECT_TRUE(user.states.waitFor([&joint](const MotionState& state) {
+      return std::any_of(state.ended.begin(), state.ended.end(), [&joint](const EndedMovement& end) {
+        return end.movement.joints == std::vector<std::string>{joint} && end.how == EndedMovement::REFUSED;
+      });
+    })) << joint;
+  }
   ASSERT_TRUE(user.waitForConnection(aibo_driver::Connection::CONNECTED));
   EXPECT_LT(user.wayWithin(milliseconds(700)), kStill);
   commands.publish(command({{"head_pan", 0.5}}));

@@ -12,8 +12,9 @@
 namespace aibo_driver::node {
 namespace {
 
-// Several programs may each command some of the joints, so messages must not replace each other.
-constexpr std::uint32_t kCommandQueueSize = 10;
+// Several programs may each command some of the joints, so messages must not replace each other. A driver that was held
+// up reads all that have waited at once, and each of them has to get its end.
+constexpr std::uint32_t kCommandQueueSize = 200;
 
 // A newer trajectory may replace another one, or it may move other joints.
 constexpr std::uint32_t kTrajectoryQueueSize = 5;
