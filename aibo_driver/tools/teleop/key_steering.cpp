@@ -13,6 +13,7 @@ const char* KeySteering::help() {
          "   u   i   o     forward, with u and o in a curve\n"
          "   j   k   l     j and l turn; k stops\n"
          "   m   ,   .     backward, with m and . in a curve\n"
+         "The arrow keys do the same as i, j, l and the comma.\n"
          "J and L walk sideways; U O M > walk diagonally (capitals).\n"
          "q / z: all speeds up or down by 10 %    w / x: of walking    e / c: of turning\n"
          "The space bar and every other key stop. Ctrl-C ends.\n"
@@ -41,19 +42,23 @@ KeySteering::Direction KeySteering::directionOf(char key) {
   switch (key) {
     case 'i':
     case 'I':
+    case kArrowUp:
       return {1, 0, 0};
     case 'u':
       return {1, 0, 1};
     case 'o':
       return {1, 0, -1};
     case 'j':
+    case kArrowLeft:
       return {0, 0, 1};
     case 'l':
+    case kArrowRight:
       return {0, 0, -1};
     case 'm':
       return {-1, 0, -1};
     case ',':
     case '<':
+    case kArrowDown:
       return {-1, 0, 0};
     case '.':
       return {-1, 0, 1};

@@ -16,9 +16,18 @@ struct Speeds {
   double turn = 0.5;     ///< rad/s
 };
 
+/// The keys of a terminal that send several bytes. Terminal::readKey() returns them as one.
+/// @{
+constexpr char kArrowUp = '\x81';
+constexpr char kArrowDown = '\x82';
+constexpr char kArrowRight = '\x83';
+constexpr char kArrowLeft = '\x84';
+constexpr char kOtherSpecialKey = '\x85';
+/// @}
+
 /// Turns keys into a velocity. The keys are those of ROS' teleop_twist_keyboard, as its documentation describes them.
-/// The keys around k are arranged like the directions on a keypad. Capital letters walk sideways; q, z, w, x, e and c
-/// change the speeds. Every other key stops the robot.
+/// The keys around k are arranged like the directions on a keypad. So are the arrow keys. Capital letters walk
+/// sideways; q, z, w, x, e and c change the speeds. Every other key stops the robot.
 class KeySteering {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -8,7 +8,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/teleop/key_steering.h"
+
 namespace teleop {
+namespace {
+
+/// True for the byte that ends the sequence of a special key (ECMA-48, section 5.4).
+bool isFinal(char byte) {
+  return byte >= '@' && byte <= '~';
+}
+
+}  // namespace
 
 Terminal::Terminal(int descriptor) : descriptor_(descriptor) {
   if (::tcgetattr(descriptor_, &former_settings_) != 0) {
@@ -29,7 +39,28 @@ Terminal::~Terminal() {
   ::tcsetattr(descriptor_, TCSADRAIN, &former_settings_);
 }
 
+// An arrow key sends ESC [ A or ESC O A. Read as letters, such a sequence would make the robot walk: O is a direction.
 std::optional<char> Terminal::readKey(std::chrono::milliseconds timeout) {
+  constexpr char kEscape = '\x1b';
+  constexpr std::chrono::milliseconds kSameKey(20);  // a terminal sends these bytes at once
+  const std::optional<char> key = readByte(timeout);
+  if (key != kEscape) {
+    return key;
+  }
+  const std::optional<char> introducer = readByte(kSameKey);
+  if (introducer != '[' && introducer != 'O') {
+    return kOtherSpecialKey;
+  }
+  std::optional<char> last = readByte(kSameKey);
+  const bool is_short = last && isFinal(*last);
+  while (last && !isFinal(*last)) {  // numbers and semicolons, for Delete or Ctrl with an arrow
+    last = readByte(kSameKey);
+  }
+  constexpr char kArrows[] = {kArrowUp, kArrowDown, kArrowRight, kArrowLeft};  // A to D
+  return is_short && *last >= 'A' && *last <= 'D' ? kArrows[*last - 'A'] : kOtherSpecialKey;
+}
+
+std::optional<char> Terminal::readByte(std::chrono::milliseconds timeout) {
   pollfd wait{descriptor_, POLLIN, 0};
   if (::poll(&wait, 1, static_cast<int>(timeout.count())) <= 0) {
     return std::nullopt;

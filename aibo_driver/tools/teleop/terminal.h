@@ -22,13 +22,15 @@ class Terminal {
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
 
-  /// Waits for the next key.
+  /// Waits for the next key. A key that sends several bytes is one of the constants in key_steering.h.
   /// @param timeout the longest time to wait; a signal ends it, too
   /// @return empty if no key was pressed in time
   /// @throw std::runtime_error the terminal was closed
   std::optional<char> readKey(std::chrono::milliseconds timeout);
 
  private:
+  std::optional<char> readByte(std::chrono::milliseconds timeout);
+
   const int descriptor_;
   termios former_settings_{};
 };

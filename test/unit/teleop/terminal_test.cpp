@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "tools/teleop/key_steering.h"
+
 namespace teleop {
 namespace {
 
@@ -78,6 +80,30 @@ TEST_F(TerminalTest, NeedsATerminal) {
   const int null = ::open("/dev/null", O_RDONLY);
   EXPECT_THROW(Terminal{null}, std::runtime_error);
   ::close(null);
+}
+
+TEST_F(TerminalTest, ASpecialKeyIsOneKey) {
+  Terminal terminal(terminal_);
+  const auto key = [&](const std::string& bytes) {
+    type(bytes + "k");
+    const std::optional<char> first = terminal.readKey(seconds(10));
+    EXPECT_EQ('k', terminal.readKey(seconds(10))) << "nothing of it is left";
+    return first;
+  };
+  for (const std::string begin : {"\x1b[", "\x1bO"}) {  // the latter after an editor, for example
+    EXPECT_EQ(kArrowUp, key(begin + "A"));
+    EXPECT_EQ(kArrowDown, key(begin + "B"));
+    EXPECT_EQ(kArrowRight, key(begin + "C"));
+    EXPECT_EQ(kArrowLeft, key(begin + "D"));
+    EXPECT_EQ(kOtherSpecialKey, key(begin + "L"));
+    EXPECT_EQ(kOtherSpecialKey, key(begin + "M")) << "Enter on the keypad";
+  }
+  EXPECT_EQ(kOtherSpecialKey, key("\x1b[3~")) << "Delete";
+  EXPECT_EQ(kOtherSpecialKey, key("\x1b[1;5A")) << "Ctrl with an arrow";
+  type("\x1b");
+  EXPECT_EQ(kOtherSpecialKey, terminal.readKey(seconds(10))) << "Escape";
+  type("\x1b[");
+  EXPECT_EQ(kOtherSpecialKey, terminal.readKey(seconds(10))) << "cut";
 }
 
 }  // namespace
