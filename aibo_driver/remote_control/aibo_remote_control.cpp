@@ -7,15 +7,37 @@
 #include <QApplication>
 #include <QScreen>
 #include <QTimer>
+#include <cstdio>
+#include <cstdlib>
 
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
+
+namespace {
+
+/// Without a display, Qt explains its plugins at length and aborts the process.
+void endWithoutDisplay(QtMsgType type, const QMessageLogContext& /*context*/, const QString& text) {
+  if (type != QtFatalMsg) {
+    return;
+  }
+  const QString display = qEnvironmentVariable("DISPLAY");
+  std::fprintf(stderr,
+               "aibo_remote_control: there is no display for its window (DISPLAY is %s). Start it on a computer with a "
+               "screen, or with ssh -X. Qt says: %s\n",
+               display.isEmpty() ? "not set" : qPrintable("'" + display + "'"), qPrintable(text.section('\n', 0, 0)));
+  std::fflush(stderr);
+  std::_Exit(EXIT_FAILURE);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace aibo_driver::remote_control;
   constexpr int kLookForCtrlC = 100;  // ms
   ros::init(argc, argv, "aibo_remote_control", ros::init_options::AnonymousName);
+  const QtMessageHandler usual_handler = qInstallMessageHandler(endWithoutDisplay);
   QApplication application(argc, argv);
+  qInstallMessageHandler(usual_handler);
   RosRobot robot;
   RemoteControl window(robot);
   window.setWindowTitle("Aibo");
