@@ -1,4 +1,4 @@
-// Measures the stream over an emulated 802.11b link: pictures a second and their age by TCP and by UDP, at several
+// Measures the stream over an emulated 802.11b link: pictures a second and their age with each transport, at several
 // rates and losses, and the time until the next picture after an outage. Beside it plain TCP over the same link, with
 // the same losses: a server that sends every picture, and a reader.
 //
@@ -41,11 +41,20 @@ using std::chrono::milliseconds;
 
 constexpr int kSkipped = 77;
 
-enum class Way { kTcp, kUdp, kPlain };
-constexpr Way kWays[] = {Way::kTcp, Way::kUdp, Way::kPlain};
+enum class Way { kAuto, kTcp, kUdp, kPlain };
+constexpr Way kWays[] = {Way::kAuto, Way::kTcp, Way::kUdp, Way::kPlain};
 
 const char* nameOf(Way way) {
-  return way == Way::kTcp ? "TCP" : way == Way::kUdp ? "UDP" : "plain TCP";
+  switch (way) {
+    case Way::kAuto:
+      return "auto";
+    case Way::kTcp:
+      return "TCP";
+    case Way::kUdp:
+      return "UDP";
+    default:
+      return "plain TCP";
+  }
 }
 
 struct Options {
@@ -75,7 +84,10 @@ Trial trialOn(const Link& link, const Options& options, int round) {
 }
 
 Result measure(const Trial& trial, Way way) {
-  return way == Way::kPlain ? runPlainStream(trial) : fault_bench::run(way == Way::kUdp ? byUdp(trial) : trial);
+  using aibo_client::PictureTransport;
+  const std::map<Way, PictureTransport> transports = {
+      {Way::kAuto, PictureTransport::kAuto}, {Way::kTcp, PictureTransport::kTcp}, {Way::kUdp, PictureTransport::kUdp}};
+  return way == Way::kPlain ? runPlainStream(trial) : fault_bench::run(by(transports.at(way), trial));
 }
 
 std::string textOf(double number) {
@@ -135,7 +147,7 @@ void measureAll(std::deque<Link>& links, const Options& options) {
   }
 }
 
-/// Prints a figure of both ways, each beside plain TCP.
+/// Prints a figure of all ways, each beside plain TCP.
 void print(const Link& link, const std::string& what, const std::string& unit,
            const std::function<double(const Result&)>& figure, const Mark& mark = {}) {
   const auto rounds = [&](Way way) {
@@ -145,7 +157,7 @@ void print(const Link& link, const std::string& what, const std::string& unit,
     }
     return values;
   };
-  for (const Way way : {Way::kTcp, Way::kUdp}) {
+  for (const Way way : {Way::kAuto, Way::kTcp, Way::kUdp}) {
     benchmark_figures::print(link.title + ", " + nameOf(way) + ": " + what, unit, rounds(way),
                              {nameOf(Way::kPlain), rounds(Way::kPlain)}, mark);
   }

@@ -19,6 +19,7 @@ namespace fault_bench {
 namespace {
 
 namespace po = boost::program_options;
+using aibo_client::PictureTransport;
 using std::chrono::milliseconds;
 
 constexpr int kSkipped = 77;  // SKIP_RETURN_CODE of the CTest test
@@ -63,7 +64,8 @@ std::vector<Trial> shortTrials(std::uint32_t seed) {
   std::vector<Trial> trials = {lossTrial(11e6, 0, seed, milliseconds(2000)),
                                lossTrial(11e6, 0.05, seed, milliseconds(3000)),
                                outageTrial(milliseconds(1000), seed, milliseconds(5000)),
-                               byUdp(lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
+                               by(PictureTransport::kUdp, lossTrial(11e6, 0.05, seed, milliseconds(3000))),
+                               by(PictureTransport::kAuto, lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
   for (Trial& trial : trials) {
     trial.on_busy_computer = true;
   }

@@ -233,9 +233,10 @@ Result run(const Trial& trial) {
   return result;
 }
 
-Trial byUdp(Trial trial) {
-  trial.transport = aibo_client::PictureTransport::kUdp;
-  trial.title += ", UDP";
+Trial by(aibo_client::PictureTransport transport, Trial trial) {
+  using aibo_client::PictureTransport;
+  trial.transport = transport;
+  trial.title += transport == PictureTransport::kTcp ? "" : transport == PictureTransport::kUdp ? ", UDP" : ", auto";
   return trial;
 }
 

@@ -60,8 +60,8 @@ Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, std::ch
 /// Over a link of 11 Mbit/s that is out once, after 2 s.
 Trial outageTrial(std::chrono::milliseconds outage, std::uint32_t seed, std::chrono::milliseconds recovery_mark);
 
-/// The same by UDP.
-Trial byUdp(Trial trial);
+/// The same with this transport.
+Trial by(aibo_client::PictureTransport transport, Trial trial);
 
 /// The value in a sorted list below which this part of it lies, 0..1; 0 if it is empty.
 double quantile(const std::vector<double>& sorted, double part);
