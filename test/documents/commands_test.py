@@ -1,0 +1,206 @@
+"""The commands in README.md, CONTRIBUTING.md and docs/ work as they are written: those in blocks of `sh`, and indented
+lines that begin with one of our programs or ROS'. They run with a simulated robot, its driver, and a second simulated
+robot for the command line. A comment before a block, which readers of the page do not see, names commands that cannot
+run in a test, and why:
+
+    <!-- not run (scripts/demo): a reason -->    commands that begin with this
+    <!-- not run: a reason -->                   all commands of the block
+"""
+import os
+import re
+import shlex
+import shutil
+import signal
+import socket
+import subprocess
+import tempfile
+import time
+import unittest
+import wave
+from pathlib import Path
+
+import roslaunch.config
+import roslaunch.arg_dump
+
+PROJECT = Path(__file__).resolve().parents[2]
+PAGES = [PROJECT / 'README.md', PROJECT / 'CONTRIBUTING.md'] + sorted((PROJECT / 'docs').glob('*.md'))
+MEMORY_STICK = PROJECT / 'aibo_rcserver/memory_stick'
+
+NOT_RUN = re.compile(r'<!-- not run(?: \(([^)]+)\))?: (.+) -->')
+INDENTED = re.compile(r' {4,}(aibo |rosrun |roslaunch |rosservice |rostopic |rosbag |scripts/)')
+# Commands that run until Ctrl-C.
+ENDLESS = re.compile(r'rostopic echo(?! .*-n)|rostopic pub -r|aibo_remote_control|aibo_monitor|rosbag record|aibo (watch|listen)(?! .*--seconds)')
+
+# What the pages leave to the reader.
+REPLACED = {'192.168.1.20': '127.0.0.1', '192.168.7.2': '127.0.0.1', 'ROBOT': '127.0.0.1', '/home/me': '$PWD',
+            '--seconds 60': '--seconds 2', '--seconds 10': '--seconds 2'}
+
+PATIENCE = 60  # s, for one command; a safety net
+
+
+class Command:
+    def __init__(self, page, line, text):
+        self.place = '%s:%d' % (page.relative_to(PROJECT), line)
+        self.text = text
+        self.program = text.split()[0]
+
+
+def commands_in(page):
+    """The commands of a page that have to work."""
+    commands, skipped, language, text = [], [], None, ''
+    for number, line in enumerate(page.read_text(encoding='utf-8').splitlines(), 1):
+        if line.startswith('```'):
+            language = None if language is not None else line[3:]
+            skipped = skipped if language is not None else []
+            continue
+        marker = NOT_RUN.search(line)
+        if marker:
+            skipped.append(marker.group(1) or '')
+        is_command = language == 'sh' or (language is None and (INDENTED.match(line) or text))
+        if not is_command:
+            skipped = skipped if line.startswith((' ', '<!--')) or not line else []
+            continue
+        text += line.strip()
+        if text.endswith('\\'):
+            text = text[:-1]
+            continue
+        if text and not text.startswith('#') and not any(text.startswith(begin) for begin in skipped):
+            commands.append(Command(page, number, text))
+        text = ''
+    return commands
+
+
+COMMANDS = [command for page in PAGES for command in commands_in(page)]
+
+
+def free_port():
+    with socket.socket() as probe:
+        probe.bind(('127.0.0.1', 0))
+        return probe.getsockname()[1]
+
+
+class CommandsTest(unittest.TestCase):
+    """Starts everything once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp(prefix='aibo_commands_'))
+        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        cls.robot_ports = [free_port(), free_port()]
+        cls.make_files()
+        master = free_port()
+        programs = Path(os.environ['BUILD_FOLDER']) / 'devel/lib/aibo_driver'
+        cls.environment = dict(
+            os.environ, ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1', ROS_HOME=str(cls.folder),
+            HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
+        for port in cls.robot_ports:
+            cls.start(['aibo_rcserver', '--port', str(port), '--no-console', '--memory-stick', 'stick%d' % port])
+        cls.start(['roslaunch', '-p', str(master), 'aibo_driver', 'aibo.launch', 'port:=%d' % cls.robot_ports[0],
+                   'picture_folder:=%s' % cls.folder])
+        cls.wait_for_driver()
+
+    @classmethod
+    def make_files(cls):
+        """The files that the pages name, and memory sticks that allow everything."""
+        motions = PROJECT / 'aibo_rcserver/motion_tool/motions'
+        shutil.copy(motions / 'NOD.txt', cls.folder / 'hello.txt')
+        shutil.copy(MEMORY_STICK / 'OPEN-R/MW/DATA/P/NOD.MTN', cls.folder / 'HELLO.MTN')
+        shutil.copy(PROJECT / 'config/colors/pink_ball.yaml', cls.folder / 'blue.yaml')
+        for name in ('bark.wav', 'bark.ogg'):  # the driver knows a file's kind by its content
+            with wave.open(str(cls.folder / name), 'wb') as sound:
+                sound.setparams((1, 2, 16000, 0, 'NONE', ''))
+                sound.writeframes(bytes(6400))
+        (cls.folder / 'robots.yaml').write_text(
+            re.search(r'```yaml\n(robots:.*?)```', (PROJECT / 'docs/fleet.md').read_text(), re.DOTALL).group(1))
+        for port in cls.robot_ports:
+            stick = cls.folder / ('stick%d' % port)
+            shutil.copytree(MEMORY_STICK, stick)
+            settings = stick / 'OPEN-R/MW/CONF/RCSERVER.CFG'
+            settings.write_text(re.sub(r'(?m)^(ALLOW_\w+)=no', r'\1=yes', settings.read_text()))
+
+    @classmethod
+    def start(cls, command):
+        process = subprocess.Popen(command, cwd=cls.folder, env=cls.environment, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        cls.addClassCleanup(cls.end, process)
+
+    @staticmethod
+    def end(process):
+        process.send_signal(signal.SIGINT)
+        try:
+            process.wait(PATIENCE)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+    @classmethod
+    def wait_for_driver(cls):
+        connected = cls.shell('until rostopic echo -n 1 /aibo/camera/camera_info > camera_info.txt; do sleep 0.2; done')
+        output, _ = connected.communicate(timeout=PATIENCE)
+        assert connected.returncode == 0, output
+
+    @classmethod
+    def shell(cls, text):
+        for old, new in REPLACED.items():
+            text = text.replace(old, new)
+        aibo = 'aibo() { command aibo --port %d "$@"; }' % cls.robot_ports[1]
+        return subprocess.Popen(['bash', '-c', 'set -o pipefail; %s; %s' % (aibo, text)], cwd=cls.folder,
+                                env=cls.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, text=True, start_new_session=True)
+
+    def test_scripts_know_their_options(self):
+        for command in filter(lambda each: each.program.startswith('scripts/'), COMMANDS):
+            help_text = subprocess.run([str(PROJECT / command.program), '--help'], capture_output=True, text=True,
+                                       check=True).stdout
+            for option in re.findall(r'(?<=\s)--[a-z][\w-]*', command.text.split(' #')[0]):
+                with self.subTest(place=command.place, command=command.text):
+                    self.assertIn(option, help_text)
+
+    def test_launch_files_have_their_arguments(self):
+        for command in filter(lambda each: each.program == 'roslaunch', COMMANDS):
+            with self.subTest(place=command.place, command=command.text):
+                text = command.text.replace('$PWD', str(self.folder)).replace('$HOME', str(self.folder))
+                package, name, *arguments = shlex.split(text, comments=True)[1:]
+                self.assertEqual(package, 'aibo_driver')
+                path = str(PROJECT / 'launch' / name)
+                for argument in arguments:
+                    self.assertIn(argument.split(':=')[0], roslaunch.arg_dump.get_args([path]))
+                roslaunch.config.load_config_default([(path, arguments)], port=None, assign_machines=False)
+
+    def test_the_others_end_well(self):
+        for command in self.for_shell(endless=False):
+            with self.subTest(place=command.place, command=command.text):
+                process = self.shell(command.text)
+                self.addCleanup(self.kill, process)
+                output, _ = process.communicate(timeout=PATIENCE)
+                self.assertEqual(process.returncode, 0, output)
+                self.assertNotIn('success: False', output)
+
+    def test_those_without_an_end_keep_running(self):
+        running = [(command, self.shell(command.text)) for command in self.for_shell(endless=True)]
+        for _, process in running:
+            self.addCleanup(self.kill, process)
+        time.sleep(4)  # a command that is wrong ends sooner
+        for command, process in running:
+            with self.subTest(place=command.place, command=command.text):
+                self.assertIsNone(process.poll(), process.stdout.read() if process.poll() is not None else '')
+
+    @staticmethod
+    def for_shell(endless):
+        return [command for command in COMMANDS
+                if command.program != 'roslaunch' and not command.program.startswith('scripts/')
+                and bool(ENDLESS.search(command.text)) == endless]
+
+    @staticmethod
+    def kill(process):
+        """Ends the command and what it has started."""
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.stdout.close()
+        process.wait()
+
+
+if __name__ == '__main__':
+    unittest.main()
