@@ -7,7 +7,7 @@
 #include "node/node.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_driver");
+  aibo_driver::node::init(argc, argv, "aibo_driver");
   return aibo_driver::node::runNode("driver", [] {
     return std::make_shared<aibo_driver::node::AiboDriver>(ros::NodeHandle(), ros::NodeHandle("~"),
                                                            ros::this_node::getName());

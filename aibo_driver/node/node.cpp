@@ -3,6 +3,7 @@
 #include <netdb.h>
 #include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <ros/exceptions.h>
 #include <ros/init.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
@@ -12,6 +13,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 
@@ -107,6 +109,18 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
                              "; it must be 0.." + std::to_string(highest) + ".");
   }
   return number;
+}
+
+void init(int& argc, char** argv, const std::string& name, std::uint32_t options) {
+  try {
+    ros::init(argc, argv, name, options);
+  } catch (const ros::InvalidNameException& error) {
+    std::fprintf(stderr,
+                 "%s cannot start: %s NAME:=VALUE gives a topic another name; a parameter has an underscore, as in "
+                 "_host:=192.168.1.20.\n",
+                 name.c_str(), error.what());
+    std::exit(EXIT_FAILURE);
+  }
 }
 
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {

@@ -5,6 +5,7 @@
 
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -23,6 +24,11 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 /// @throw std::runtime_error the parameter is out of this range; the message names it
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest);
 
+/// Calls ros::init(). If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of
+/// a parameter, this says so and ends the process with EXIT_FAILURE. roscpp itself would abort it.
+/// @param options ros::InitOption
+void init(int& argc, char** argv, const std::string& name, std::uint32_t options = 0);
+
 /// Runs a node until it is shut down. It serves the global callback queue, and registers the node again with a
 /// restarted ROS master (MasterWatch).
 ///
@@ -30,7 +36,7 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
 /// ROS master and waits for its answers without limit. If that takes longer, the process says so on stderr and ends at
 /// once with EXIT_FAILURE. A second Ctrl-C always ends it at once.
 ///
-/// Call this once, from main(), after ros::init(). It takes over the signal SIGALRM.
+/// Call this once, from main(), after init(). It takes over the signal SIGALRM.
 /// @param name the name for the log; it completes "The ... cannot start."
 /// @param make makes the objects of the node, which live until the node ends
 /// @return the exit status; EXIT_FAILURE if `make` throws

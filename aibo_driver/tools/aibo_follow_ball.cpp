@@ -84,7 +84,7 @@ class FollowBall {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_follow_ball");
+  aibo_driver::node::init(argc, argv, "aibo_follow_ball");
   const FollowBall follow_ball(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"), ros::NodeHandle("~"));
   ros::spin();
 }

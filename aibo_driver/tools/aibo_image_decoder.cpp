@@ -6,7 +6,7 @@
 #include "node/node.h"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_image_decoder");
+  aibo_driver::node::init(argc, argv, "aibo_image_decoder");
   return aibo_driver::node::runNode(
       "decoder", [] { return std::make_shared<aibo_driver::node::ImageDecoder>(ros::NodeHandle()); });
 }

@@ -75,7 +75,7 @@ class Joy {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_joy");
+  aibo_driver::node::init(argc, argv, "aibo_joy");
   return aibo_driver::node::runNode("node aibo_joy",
                                     [] { return std::make_shared<Joy>(ros::NodeHandle(), ros::NodeHandle("~")); });
 }

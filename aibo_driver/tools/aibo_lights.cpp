@@ -56,7 +56,7 @@ class Lights {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_lights");
+  aibo_driver::node::init(argc, argv, "aibo_lights");
   return aibo_driver::node::runNode("node aibo_lights", [] {
     return std::make_shared<Lights>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                     ros::NodeHandle("~"));

@@ -91,7 +91,7 @@ class LookAround {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_look_around");
+  aibo_driver::node::init(argc, argv, "aibo_look_around");
   return aibo_driver::node::runNode("node aibo_look_around", [] {
     return std::make_shared<LookAround>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                         ros::NodeHandle("~"));

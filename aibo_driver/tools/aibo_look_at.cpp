@@ -188,7 +188,7 @@ class LookAt {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_look_at");
+  aibo_driver::node::init(argc, argv, "aibo_look_at");
   return aibo_driver::node::runNode("node aibo_look_at", [] {
     return std::make_shared<LookAt>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                     ros::NodeHandle("~"));

@@ -167,7 +167,7 @@ class Monitor {
 }  // namespace aibo_driver::tools
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
+  aibo_driver::node::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
   try {
     aibo_driver::tools::Monitor monitor(ros::NodeHandle("~"));
     ros::spin();

@@ -195,7 +195,7 @@ class Room {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_room");
+  aibo_driver::node::init(argc, argv, "aibo_room");
   return aibo_driver::node::runNode("node aibo_room", [] {
     return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                   ros::NodeHandle("~").param("on_table", false));

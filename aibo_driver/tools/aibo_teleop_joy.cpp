@@ -214,7 +214,7 @@ class JoyTeleop {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_teleop_joy");
+  aibo_driver::node::init(argc, argv, "aibo_teleop_joy");
   return aibo_driver::node::runNode("joystick", [] {
     return std::make_shared<JoyTeleop>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                        ros::NodeHandle("~"));

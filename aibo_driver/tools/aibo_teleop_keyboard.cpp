@@ -132,7 +132,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_teleop_keyboard", ros::init_options::NoSigintHandler);
+  aibo_driver::node::init(argc, argv, "aibo_teleop_keyboard", ros::init_options::NoSigintHandler);
   endOnSignals();
   if (!ros::master::check()) {
     std::fprintf(stderr, "There is no ROS master at %s. Start the driver first, or set ROS_MASTER_URI.\n",

@@ -156,6 +156,12 @@ TEST(Node, EndsWithAnErrorIfTheHostOrAColourTableIsWrong) {
   }
 }
 
+TEST(Node, EndsWithAnErrorIfTheUnderscoreOfAParameterIsMissing) {
+  DriverProcess driver("/forgotten", 54321, {"host:=192.168.1.20"});
+  EXPECT_EQ(driver.waitForExit(kSafetyNet), EXIT_FAILURE);
+  driver.waitForOutput("a parameter has an underscore", kSafetyNet);
+}
+
 TEST(Node, WarnsIfOtherNodesCannotReachIt) {
   DriverProcess driver("/unreachable", 54321, {}, {{"ROS_IP", "192.0.2.1"}});  // an address for documents (RFC 5737)
   driver.waitForOutput("192\\.0\\.2\\.1, which is not an address of this computer.*ROS_IP", kSafetyNet);

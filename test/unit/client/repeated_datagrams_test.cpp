@@ -193,7 +193,7 @@ TEST_F(RepeatedDatagramsTest, AfterAnOutageNoPictureWaitsForThoseBeforeIt) {
   knowPace(milliseconds(2), milliseconds(32));
   arrive(nextPicture()[0]);
   nextPicture();
-  wait(milliseconds(1000));
+  wait(milliseconds(700));
   takeStatuses();
   const unsigned first = picture_ + 1;
   arrive(nextPicture());
