@@ -29,11 +29,11 @@ MEMORY_STICK = PROJECT / 'aibo_rcserver/memory_stick'
 NOT_RUN = re.compile(r'<!-- not run(?: \(([^)]+)\))?: (.+) -->')
 INDENTED = re.compile(r' {4,}(aibo |rosrun |roslaunch |rosservice |rostopic |rosbag |scripts/)')
 # Commands that run until Ctrl-C.
-ENDLESS = re.compile(r'rostopic echo(?! .*-n)|rostopic pub -r|aibo_remote_control|aibo_monitor|rosbag record|aibo (watch|listen)(?! .*--seconds)')
+ENDLESS = re.compile(r'rostopic echo(?! .*-n \d)|rostopic pub -r|aibo_remote_control|aibo_monitor|rosbag record|aibo (watch|listen)(?! .*--seconds)')
 
 # What the pages leave to the reader.
 REPLACED = {'192.168.1.20': '127.0.0.1', '192.168.7.2': '127.0.0.1', 'ROBOT': '127.0.0.1', '/home/me': '$PWD',
-            '--seconds 60': '--seconds 2', '--seconds 10': '--seconds 2'}
+            '--seconds 60': '--seconds 2', '--seconds 10': '--seconds 2', '--from 0:12 --to 0:45': '--to 0:02'}
 
 PATIENCE = 60  # s, for one command; a safety net
 
@@ -98,6 +98,7 @@ class CommandsTest(unittest.TestCase):
         cls.start(['roslaunch', '-p', str(master), 'aibo_driver', 'aibo.launch', 'port:=%d' % cls.robot_ports[0],
                    'picture_folder:=%s' % cls.folder])
         cls.wait_for_driver()
+        cls.record()
 
     @classmethod
     def make_files(cls):
@@ -138,6 +139,13 @@ class CommandsTest(unittest.TestCase):
         connected = cls.shell('until rostopic echo -n 1 /aibo/camera/camera_info > camera_info.txt; do sleep 0.2; done')
         output, _ = connected.communicate(timeout=PATIENCE)
         assert connected.returncode == 0, output
+
+    @classmethod
+    def record(cls):
+        recorded = cls.shell('rosbag record --duration 3 -O walk.bag '
+                             '/aibo/camera/image_raw/compressed /aibo/joint_states /aibo/link_quality')
+        output, _ = recorded.communicate(timeout=PATIENCE)
+        assert recorded.returncode == 0, output
 
     @classmethod
     def shell(cls, text):

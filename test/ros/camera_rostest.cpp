@@ -232,7 +232,7 @@ TEST(Calibration, IsTheNominalOneUntilOneIsStoredAndTheLogSaysWhich) {
   EXPECT_EQ(nominal.height, 160u);
   EXPECT_NEAR(nominal.K[0], 191.9, 0.1);
   EXPECT_NEAR(nominal.P[0], 191.9, 0.1);
-  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal one", kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal calibration", kTimeToLog));
 
   const auto answer = user.set(goodCalibration());
   EXPECT_TRUE(answer.success) << answer.status_message;

@@ -227,7 +227,7 @@ TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
 TEST(Walk, LeavesTheHeadToThoseWhoLookAround) {
   Walker walker("/look_walk");
   const Process look_around({AIBO_LOOK_AROUND, "__ns:=/look_walk"});
-  ASSERT_TRUE(walker.walks(0.1));
+  ASSERT_TRUE(walker.walks(0.05)) << "so slowly that it does not reach the ball meanwhile";
   walker.state.clear();
   for (int glance = 0; glance < 2; ++glance) {
     EXPECT_TRUE(walker.state.waitFor(

@@ -119,9 +119,10 @@ class Receiver {
       require(std::count(whole.jpeg.begin(), whole.jpeg.end(), picture_number) ==
                   static_cast<std::ptrdiff_t>(whole.jpeg.size()),
               "all parts are of the picture, also those that were repaired");
-      require(!newest_ || whole.header.image_count > *newest_, "no picture comes after a newer one");
-      newest_ = whole.header.image_count;
-      intake_.goodPicture(whole.number, now_);
+      if (intake_.goodPicture(whole.number, now_)) {
+        require(!newest_ || whole.header.image_count > *newest_, "no picture comes after a newer one");
+        newest_ = whole.header.image_count;
+      }
     }
   }
 

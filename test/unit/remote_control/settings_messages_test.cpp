@@ -8,9 +8,18 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-// The driver's own description, as its generated code publishes it.
+// The driver's own description, as its generated code publishes it, but for two ranges.
 Setting settingOf(const QString& name) {
-  const QVector<Setting> settings = settingsIn(AiboDriverConfig::__getDescriptionMessage__());
+  auto description = AiboDriverConfig::__getDescriptionMessage__();
+  AiboDriverConfig least = AiboDriverConfig::__getDefault__();
+  AiboDriverConfig most = least;
+  least.jpeg_quality = 1;
+  most.jpeg_quality = 100;
+  least.telemetry_rate = 0;
+  most.telemetry_rate = 31.25;
+  least.__toMessage__(description.min);
+  most.__toMessage__(description.max);
+  const QVector<Setting> settings = settingsIn(description);
   const auto found =
       std::find_if(settings.begin(), settings.end(), [&name](const Setting& setting) { return setting.name == name; });
   return found == settings.end() ? Setting() : *found;
