@@ -111,8 +111,17 @@ class BagTest(unittest.TestCase):
     def test_pictures_are_the_robots_own(self):
         self.succeed('jpegs', self.record(), self.path('pictures'), '--to', '0.95')
         files = sorted(self.folder.joinpath('pictures').iterdir())
-        self.assertEqual([file.name for file in files], ['%08.3f.jpg' % (i / 10) for i in range(10)])
+        self.assertEqual([file.name for file in files], ['%08.3f_%06d.jpg' % (i / 10, i + 1) for i in range(10)])
         self.assertEqual(files[3].read_bytes(), JPEG + b'\3')
+
+    def test_pictures_of_the_same_time_are_all_saved(self):
+        with rosbag.Bag(self.path('burst.bag'), 'w') as bag:
+            for i in range(3):
+                bag.write('/aibo/camera/image_raw/compressed', CompressedImage(data=bytes([i])), genpy.Time(BEGIN))
+        out = self.succeed('jpegs', self.path('burst.bag'), self.path('pictures'))
+        self.assertEqual(out, self.path('pictures') + '\n')
+        files = sorted(self.folder.joinpath('pictures').iterdir())
+        self.assertEqual(sorted(file.read_bytes() for file in files), [b'\0', b'\1', b'\2'])
 
     def test_a_film_has_the_pace_of_the_pictures(self):
         recorder = self.folder / 'ffmpeg'
@@ -180,9 +189,23 @@ class BagTest(unittest.TestCase):
         self.fail_with('has no /aibo/camera/image_raw/compressed', 'jpegs', blind, self.path('pictures'))
         self.fail_with('has no /aibo/camera/image_raw/compressed', 'mp4', blind, self.path('a.mp4'))
         self.fail_with('nothing was recorded in this time', 'cut', blind, self.path('a.bag'), '--from', '20')
+        walk = self.record('another.bag')
+        for command in ('jpegs', 'mp4', 'joints'):
+            self.fail_with('in this time. The bag is 0:09 long', command, walk, self.path('late'), '--from', '20')
+            self.assertFalse(os.path.exists(self.path('late')))
+        self.fail_with('Is a directory', 'list', str(self.folder))
         status, _, err = self.run_program('cut', blind, self.path('a.bag'), '--from', '1:xx')
         self.assertEqual(status, 2)
         self.assertIn("'1:xx' is no time", err)
+
+    def test_a_bag_without_a_robot_is_explained(self):
+        for name, topic in (('other.bag', '/turtle/pose'), ('same.bag', '/aibo/joint_states')):
+            with rosbag.Bag(self.path(name), 'w') as bag:
+                bag.write(topic, RobotState(), genpy.Time(BEGIN))
+        self.assertIn(', no robot, ', self.succeed('list', self.path('other.bag')))
+        self.fail_with('no robot, but only the topics /turtle/pose', 'joints', self.path('other.bag'), self.path('a'))
+        self.fail_with('is of the type aibo_driver/RobotState, not sensor_msgs/JointState', 'joints',
+                       self.path('same.bag'), self.path('a'))
 
     def test_a_bag_that_was_cut_off_can_be_repaired(self):
         walk = Path(self.record())
