@@ -1,7 +1,7 @@
 """The commands in README.md, CONTRIBUTING.md and docs/ work as they are written: those in blocks of `sh`, and indented
-lines that begin with one of our programs or ROS'. They run with a simulated robot, its driver, and a second simulated
-robot for the command line. A comment before a block, which readers of the page do not see, names commands that cannot
-run in a test, and why:
+lines that begin with one of our programs or ROS'. So does the program in docs/python.md. They run with a simulated
+robot, its driver, and a second simulated robot for the command line. A comment before a block, which readers of the
+page do not see, names commands that cannot run in a test, and why:
 
     <!-- not run (scripts/demo): a reason -->    commands that begin with this
     <!-- not run: a reason -->                   all commands of the block
@@ -13,6 +13,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -183,6 +184,15 @@ class CommandsTest(unittest.TestCase):
                 output, _ = process.communicate(timeout=PATIENCE)
                 self.assertEqual(process.returncode, 0, output)
                 self.assertNotIn('success: False', output)
+
+    def test_the_action_in_python_plays_a_motion(self):
+        page = (PROJECT / 'docs/python.md').read_text(encoding='utf-8')
+        program = re.search(r'^```python\n(.*?)^```', page, re.MULTILINE | re.DOTALL).group(1)
+        done = subprocess.run([sys.executable, '-c', program], cwd=self.folder, env=self.environment,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        # A machine that is held up for half a second loses the connection, and the robot's motion ends.
+        self.assertRegex(done.stdout, 'It was played to its end|the connection to the robot was lost')
 
     def test_those_without_an_end_keep_running(self):
         running = [(command, self.shell(command.text)) for command in self.for_shell(endless=True)]
