@@ -1,6 +1,7 @@
 """aibo_bag lists, cuts and exports recordings, and says what is wrong with those that cannot be used."""
 import contextlib
 import csv
+import hashlib
 import importlib.machinery
 import importlib.util
 import io
@@ -218,6 +219,49 @@ class BagTest(unittest.TestCase):
         data[60000:80000] = b'\xff' * 20000
         walk.write_bytes(data)
         self.fail_with('damaged', 'joints', str(walk), self.path('a.csv'))
+
+    def record_as(self, topic, kind, definition, data=bytes(64)):
+        """A bag whose message has a definition of its own."""
+        md5sum = hashlib.md5(definition.encode()).hexdigest()  # rosbag remembers the types that it has made
+        with rosbag.Bag(self.path('strange.bag'), 'w') as bag:
+            bag.write(topic, (kind, data, md5sum, JointState), genpy.Time(BEGIN), raw=True,
+                      connection_header={'topic': topic, 'type': kind, 'md5sum': md5sum,
+                                         'message_definition': definition})
+        return self.path('strange.bag')
+
+    def test_a_bag_runs_no_code(self):
+        code = '__import__("pathlib").Path("%s").touch()' % self.path('done')
+        joints = 'sensor_msgs/JointState'
+        for kind, definition in ((joints, 'string %s; A=x' % code), (joints, 'uint8 %s;A=1' % code.replace(' ', '')),
+                                 (joints, 'string \r  %s\r  A=x' % code), (joints, 'bool A=%s' % code),
+                                 ('a/B:\n  %s\nclass C' % code, 'uint8 a'),
+                                 (joints, 'b/B b\n%s\nMSG: b/B:\r  %s\rclass C\nuint8 a' % (80 * '=', code))):
+            bag = self.record_as('/aibo/joint_states', kind, definition)
+            for command in ('joints', 'cut'):
+                with self.subTest(command=command, kind=kind, definition=definition):
+                    self.fail_with('', command, bag, self.path('output'))
+                    self.assertFalse(os.path.exists(self.path('done')))
+            os.remove(bag)
+
+    def test_constants_and_their_comments_are_possible(self):
+        definition = 'uint8 A = 1\nfloat32 \tB=-1e3 # =(\nstring C=(d"e) = f\n# g = h()\nstring[] name\r\n' \
+                     'float64[] position\nfloat64[] velocity\ni/J header\n%s\nMSG: i/J\ntime stamp\n' % (80 * '=')
+        bag = self.record_as('/aibo/joint_states', 'sensor_msgs/JointState', definition)
+        self.assertEqual(self.run_program('joints', bag, self.path('joints.csv'))[0], 0)
+
+    def test_messages_of_another_version_are_named(self):
+        bag = self.record_as('/aibo/joint_states', 'sensor_msgs/JointState', 'uint8 data')
+        self.fail_with('another version', 'joints', bag, self.path('joints.csv'))
+
+    def test_a_terminal_obeys_nothing_of_a_bag(self):
+        bag = self.record_as('/\x1b[2J\x07/joint_states', 'std_msgs/UInt8', 'uint8 data')
+        self.assertIn('/?[2J?/joint_states', self.succeed('list', bag))
+        self.fail_with('/?[2J?', 'jpegs', bag, self.path('pictures'), '--robot', '/\x1b[2J\x07')
+
+    def test_a_film_does_not_wait_for_days(self):
+        picture = mock.Mock(data=JPEG)
+        with self.assertRaisesRegex(aibo_bag.Problem, '2:00.*60:00|60:00.*0:02'):
+            list(aibo_bag.film([(1, picture), (2, picture), (3602.5, picture)], 30))
 
     def test_a_full_disk_leaves_no_half_a_file(self):
         walk = self.record()
