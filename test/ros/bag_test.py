@@ -146,6 +146,13 @@ class BagTest(unittest.TestCase):
     def test_ffmpeg_refuses_what_are_no_pictures(self):
         self.fail_with('ffmpeg failed', 'mp4', self.record(), self.path('walk.mp4'))
 
+    def test_ffmpeg_may_complain_much(self):
+        complainer = self.folder / 'ffmpeg'
+        complainer.write_text('#!/bin/sh\nhead -c 1000000 /dev/zero >&2\ncat > /dev/null\nexit 1\n')
+        complainer.chmod(0o755)
+        self.fail_with('ffmpeg failed', 'mp4', self.record(), self.path('walk.mp4'),
+                       PATH='%s:%s' % (self.folder, os.environ['PATH']))
+
     def test_joints_are_a_table(self):
         self.succeed('joints', self.record(), self.path('walk.csv'))
         with open(self.path('walk.csv'), encoding='utf-8', newline='') as file:
