@@ -135,15 +135,16 @@ class HostileNode : public testing::Test {
     if (wholeCampaign()) {
       EXPECT_LE(times[times.size() * 9 / 10], milliseconds(50)) << "nine of ten stops; " << times.size() << " in all";
     }
-    std::printf("stop took %d ms (median), %d ms (nine of ten), %d ms (worst)\n",
+    const std::size_t memory = Resources::of(std::to_string(driver_.pid())).resident_kilobytes;
+    std::printf("stop took %d ms (median), %d ms (nine of ten), %d ms (worst); memory was %zu KB, and is %zu KB\n",
                 static_cast<int>(times[times.size() / 2].count()),
-                static_cast<int>(times[times.size() * 9 / 10].count()), static_cast<int>(times.back().count()));
+                static_cast<int>(times[times.size() * 9 / 10].count()), static_cast<int>(times.back().count()),
+                before_.resident_kilobytes, memory);
     const std::string logged = driver_.output().substr(log);
     EXPECT_LT(logged.size(), kMostLog);
     EXPECT_EQ(logged.find("\x1b[2J"), std::string::npos) << "a terminal obeys this";
     if (test_support::kMemoryCounts) {
-      EXPECT_LT(Resources::of(std::to_string(driver_.pid())).resident_kilobytes,
-                before_.resident_kilobytes + kMostMemory);
+      EXPECT_LT(memory, before_.resident_kilobytes + kMostMemory);
     }
   }
 
