@@ -1,7 +1,11 @@
 /// @file aibo_walk_bench.cpp
-/// Tries the walk on a robot with weight, for hours of its time, and prints a table.
+/// Tries the walk on many robots with weight and on many floors, and prints a table.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <iomanip>
 #include <iostream>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,44 +13,145 @@
 
 namespace {
 
+using physics::Record;
 using physics::World;
 
-constexpr double kSecondsOfDirection = 45;
-constexpr double kSecondsOfRandomCommands = 600;
+constexpr double kSecondsOfDirection = 10;
+constexpr double kSecondsOfUnevenFloor = 8;
+constexpr double kSecondsOfRandomCommands = 60;
+constexpr double kSecondsToGetUp = 10;
+constexpr unsigned kPostures = 25;
 
-const std::vector<World> kWorlds = {{1.5, 0.8}, {0.7, 0.4}, {0.7, 0.8}, {0.7, 1}, {1, 0.6}, {1.5, 0.4},
-                                    {1.5, 1},   {2, 0.8},   {3, 0.4},   {3, 0.8}, {3, 1}};
+struct Options {
+  int worlds = 36;
+  unsigned seed = 1;
+  bool has_floors = true;
+};
+
+/// All records of a direction, one for each world.
+using Records = std::vector<Record>;
 
 int problems = 0;
 
-void tryOut(const std::string& name, const World& world, const physics::Commands& commands, double seconds) {
-  const physics::Record record = physics::walk(world, commands, seconds);
-  physics::print(name, record, std::cout);
+Record tryOut(const std::string& name, const World& world, const physics::Commands& commands, double seconds) {
+  const bool is_level = world.slope == 0 && world.sill == 0;
+  const Record record = physics::walk(world, commands, seconds);
+  physics::print(name, record, std::cout, is_level);
   std::cout.flush();
-  problems += problemsOf(record).empty() ? 0 : 1;
+  problems += problemsOf(record, is_level).empty() ? 0 : 1;
+  return record;
+}
+
+/// The lowest, the middle and the highest value.
+void printSpread(std::vector<double> values, double unit) {
+  std::sort(values.begin(), values.end());
+  for (const double value : {values.front(), values[values.size() / 2], values.back()}) {
+    std::cout << std::setw(8) << value / unit;
+  }
+  std::cout << "  ";
+}
+
+void summarize(const std::string& name, const Records& records) {
+  const auto spread = [&](double unit, const auto& valueOf) {
+    std::vector<double> values;
+    std::transform(records.begin(), records.end(), std::back_inserter(values), valueOf);
+    printSpread(values, unit);
+  };
+  std::cout << std::left << std::setw(18) << name << std::right << std::fixed << std::setprecision(0);
+  spread(1e-3, [](const Record& record) { return record.walked[0]; });
+  spread(1e-3, [](const Record& record) { return record.walked[1]; });
+  std::cout << std::setprecision(3);
+  spread(1, [](const Record& record) { return record.walked[2]; });
+  std::cout << std::setprecision(1);
+  spread(1e-3, [](const Record& record) { return record.lowest_lift; });
+  std::cout << '\n';
+}
+
+void print(const std::string& name, const physics::Rise& rise) {
+  std::cout << std::left << std::setw(34) << name << std::right << std::fixed << std::setprecision(1) << std::setw(6)
+            << rise.seconds << " s, full duty for " << rise.at_full_duty << " s  " << rise.reason << '\n';
+  problems += rise.stands && rise.seconds <= kSecondsToGetUp && rise.beyond_limits == 0 ? 0 : 1;
+  std::cout.flush();
+}
+
+void tryToStandUp(const std::vector<World>& worlds) {
+  using physics::Lying;
+  std::cout << '\n';
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    const std::string world = std::to_string(i) + ": up from ";
+    print(world + "the left side", standUp(worlds[i], Lying::kOnLeftSide));
+    print(world + "the right side", standUp(worlds[i], Lying::kOnRightSide));
+    print(world + "the back", standUp(worlds[i], Lying::kOnBack));
+  }
+  for (const double torque : {1.5, 0.7}) {
+    World world;
+    world.stall_torque = torque;
+    for (unsigned seed = 0; seed < kPostures; ++seed) {
+      print("any posture " + std::to_string(seed) + " at " + std::to_string(torque),
+            standUpFromAnyPosture(world, seed));
+    }
+  }
+}
+
+void tryOut(const Options& options) {
+  const auto limits = physics::walkLimits();
+  const auto directions = physics::directionsWithin(limits);
+  const std::vector<World> worlds = physics::sampleOfWorlds(options.worlds, options.seed);
+  std::map<std::string, Records> records;
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    std::cout << '\n' << i << ": " << describe(worlds[i]) << '\n';
+    physics::printHeader(std::cout);
+    for (const physics::Direction& direction : directions) {
+      records[direction.name].push_back(
+          tryOut(direction.name, worlds[i], physics::always(direction.velocity), kSecondsOfDirection));
+    }
+    tryOut("random, a minute", worlds[i], physics::randomly(limits, static_cast<unsigned>(i)),
+           kSecondsOfRandomCommands);
+    for (std::size_t floor = 0; options.has_floors && floor < physics::unevenFloors().size(); ++floor) {
+      const World world = onFloor(worlds[i], physics::unevenFloors()[floor]);
+      tryOut("forward, floor " + std::to_string(floor), world, physics::always({limits.forward / 2, 0, 0}),
+             kSecondsOfUnevenFloor);
+    }
+  }
+  tryToStandUp(worlds);
+  std::cout << "\nlowest, middle and highest of " << worlds.size() << " worlds\n"
+            << "                             forward mm/s              sideways mm/s               turn rad/s      "
+               "           least lift mm\n";
+  for (const physics::Direction& direction : directions) {
+    summarize(direction.name, records[direction.name]);
+  }
+  std::cout << '\n' << problems << " trials with problems\n";
+}
+
+bool parse(const std::vector<std::string>& arguments, Options* options) {
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    char* end = nullptr;
+    if (arguments[i] == "--short") {
+      *options = {8, options->seed, false};
+    } else if (i + 1 < arguments.size() && (arguments[i] == "--worlds" || arguments[i] == "--seed")) {
+      const long number = std::strtol(arguments[i + 1].c_str(), &end, 10);
+      if (*end != '\0' || number < 1 || number > 1000) {
+        return false;
+      }
+      options->worlds = arguments[i] == "--worlds" ? static_cast<int>(number) : options->worlds;
+      options->seed = arguments[i] == "--seed" ? static_cast<unsigned>(number) : options->seed;
+      ++i;
+    } else {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> arguments(argv + 1, argv + argc);
-  const bool is_short = arguments == std::vector<std::string>{"--short"};
-  if (!arguments.empty() && !is_short) {
-    std::cerr << "aibo_walk_bench [--short]: tries the walk with many motors and floors; --short with one\n";
+  Options options;
+  if (!parse({argv + 1, argv + argc}, &options)) {
+    std::cerr << "aibo_walk_bench [--short] [--worlds COUNT] [--seed NUMBER]: tries the walk on this many robots and "
+                 "floors, 1 to 1000 (36), that follow from a seed, 1 to 1000 (1). --short: 8, all level\n";
     return EXIT_FAILURE;
   }
-  const protocol::version2::WalkLimits limits = physics::walkLimits();
-  for (const World& world : kWorlds) {
-    std::cout << "\nmotors of " << world.stall_torque << " N m, friction " << world.friction << '\n';
-    physics::printHeader(std::cout);
-    for (const physics::Direction& direction : physics::directionsWithin(limits)) {
-      tryOut(direction.name, world, physics::always(direction.velocity), kSecondsOfDirection);
-    }
-    tryOut("random, 10 min", world, physics::randomly(limits, 1), kSecondsOfRandomCommands);
-    if (is_short) {
-      break;
-    }
-  }
-  std::cout << '\n' << problems << " trials with problems\n";
+  tryOut(options);
   return problems == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -15,6 +15,11 @@
 namespace physics {
 namespace {
 
+constexpr double kGravity = 9.81;
+
+constexpr int kSills = 20;  ///< ahead of the robot, and as many behind it
+constexpr double kBetweenSills = 0.15;
+
 std::string poseOf(const urdf::Pose& pose) {
   std::ostringstream text;
   const urdf::Rotation& turn = pose.rotation;
@@ -23,66 +28,107 @@ std::string poseOf(const urdf::Pose& pose) {
   return text.str();
 }
 
-std::string shapeOf(const urdf::Geometry& geometry) {
+/// @param rounded cylinders get round ends, and keep their length
+std::string shapeOf(const urdf::Geometry& geometry, bool rounded) {
   std::ostringstream text;
   if (const auto* ball = dynamic_cast<const urdf::Sphere*>(&geometry)) {
     text << " type='sphere' size='" << ball->radius << "'";
   } else if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
     text << " type='box' size='" << box->dim.x / 2 << ' ' << box->dim.y / 2 << ' ' << box->dim.z / 2 << "'";
   } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
-    text << " type='cylinder' size='" << cylinder->radius << ' ' << cylinder->length / 2 << "'";
+    text << " type='" << (rounded ? "capsule" : "cylinder") << "' size='" << cylinder->radius << ' '
+         << cylinder->length / 2 - (rounded ? cylinder->radius : 0) << "'";
   } else {
     throw std::runtime_error("a collision shape is neither a ball nor a box nor a cylinder");
   }
   return text.str();
 }
 
+bool contains(const std::string& text, const char* part) {
+  return text.find(part) != std::string::npos;
+}
+
 bool isLowerLeg(const std::string& link) {
-  return link.find("_knee_link") != std::string::npos || link.find("_foot_link") != std::string::npos;
+  return contains(link, "_knee_") || contains(link, "_foot_");
 }
 
-std::string inertialOf(const urdf::Inertial& inertial) {
-  const urdf::Vector3& centre = inertial.origin.position;
-  std::ostringstream text;  // the file's inertias are along the axes of their links
-  text << "<inertial pos='" << centre.x << ' ' << centre.y << ' ' << centre.z << "' mass='" << inertial.mass
-       << "' fullinertia='" << inertial.ixx << ' ' << inertial.iyy << ' ' << inertial.izz << ' ' << inertial.ixy << ' '
-       << inertial.ixz << ' ' << inertial.iyz << "'/>\n";
-  return text.str();
+bool isLeg(const std::string& link) {
+  return isLowerLeg(link) || contains(link, "_elevator_");
 }
 
-std::string jointOf(const urdf::Joint& joint) {
-  const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
-  const int index = robot_model::findJointByName(robot, joint.name.c_str());
-  if (index == robot_model::NO_JOINT) {
-    throw std::runtime_error("the ERS-7 has no joint " + joint.name);
-  }
-  const robot_model::Joint& limits = robot.joints[index];
-  std::ostringstream text;
-  text << "<joint name='" << joint.name << "' type='hinge' axis='" << joint.axis.x << ' ' << joint.axis.y << ' '
-       << joint.axis.z << "' limited='true' range='" << limits.mechanical_lowest * 1e-6 << ' '
-       << limits.mechanical_highest * 1e-6 << "' armature='" << kMotorInertia << "'/>\n";
-  return text.str();
-}
+/// Writes the parts of the robot as they are in a world.
+class BodyWriter {
+ public:
+  BodyWriter(const World& world, std::ostream& text) : world_(world), text_(text) {}
 
-void describeLink(const urdf::Link& link, const std::string& joint, const std::string& pose, std::ostream& text) {
-  text << "<body name='" << link.name << "'" << pose << ">\n" << joint;
-  if (link.inertial) {
-    text << inertialOf(*link.inertial);
+  void write(const urdf::Link& link, const std::string& joint, const std::string& pose) {
+    text_ << "<body name='" << link.name << "'" << pose << ">\n" << joint;
+    if (link.inertial) {
+      write(*link.inertial, massFactor(link.name));
+    }
+    for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
+      const urdf::Collision& part = *link.collision_array[i];
+      const bool is_cylinder = part.geometry->type == urdf::Geometry::CYLINDER;
+      if (world_.has_long_shanks || !is_cylinder || !isLowerLeg(link.name)) {
+        text_ << "<geom name='" << link.name << '_' << i << "'" << poseOf(part.origin)
+              << shapeOf(*part.geometry, isLeg(link.name))
+              << (isLeg(link.name) ? " conaffinity='3' contype='" : " conaffinity='1' contype='")
+              << (isLeg(link.name) ? kLegContacts : kBodyContacts) << "'/>\n";
+      }
+    }
+    if (link.name == "imu_link") {
+      text_ << "<site name='" << kAccelerometer << "'/>\n";
+    }
+    for (const urdf::LinkSharedPtr& child : link.child_links) {
+      const urdf::Joint& parent_joint = *child->parent_joint;
+      write(*child, parent_joint.type == urdf::Joint::FIXED ? "" : jointOf(parent_joint),
+            poseOf(parent_joint.parent_to_joint_origin_transform));
+    }
+    text_ << "</body>\n";
   }
-  for (std::size_t i = 0; i < link.collision_array.size(); ++i) {
-    const urdf::Collision& part = *link.collision_array[i];
-    text << "<geom name='" << link.name << '_' << i << "'" << poseOf(part.origin) << shapeOf(*part.geometry)
-         << (isLowerLeg(link.name) ? " contype='2' conaffinity='3'" : " contype='0' conaffinity='1'") << "/>\n";
+
+ private:
+  double massFactor(const std::string& link) const {
+    if (isLeg(link) || contains(link, "_rotator_")) {
+      return world_.leg_mass;
+    }
+    return contains(link, "head_") || contains(link, "neck_") ? world_.head_mass : world_.body_mass;
   }
-  if (link.name == "imu_link") {
-    text << "<site name='" << kAccelerometer << "'/>\n";
+
+  void write(const urdf::Inertial& inertial, double factor) {
+    const urdf::Vector3& centre = inertial.origin.position;  // the file's inertias are along the axes of their links
+    text_ << "<inertial pos='" << centre.x << ' ' << centre.y << ' ' << centre.z << "' mass='" << inertial.mass * factor
+          << "' fullinertia='" << inertial.ixx * factor << ' ' << inertial.iyy * factor << ' ' << inertial.izz * factor
+          << ' ' << inertial.ixy * factor << ' ' << inertial.ixz * factor << ' ' << inertial.iyz * factor << "'/>\n";
   }
-  for (const urdf::LinkSharedPtr& child : link.child_links) {
-    const urdf::Joint& parent_joint = *child->parent_joint;
-    describeLink(*child, parent_joint.type == urdf::Joint::FIXED ? "" : jointOf(parent_joint),
-                 poseOf(parent_joint.parent_to_joint_origin_transform), text);
+
+  std::string jointOf(const urdf::Joint& joint) const {
+    const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
+    const int index = robot_model::findJointByName(robot, joint.name.c_str());
+    if (index == robot_model::NO_JOINT) {
+      throw std::runtime_error("the ERS-7 has no joint " + joint.name);
+    }
+    const robot_model::Joint& limits = robot.joints[index];
+    std::ostringstream text;
+    text << "<joint name='" << joint.name << "' type='hinge' axis='" << joint.axis.x << ' ' << joint.axis.y << ' '
+         << joint.axis.z << "' limited='true' range='" << limits.mechanical_lowest * 1e-6 << ' '
+         << limits.mechanical_highest * 1e-6 << "' armature='" << world_.rotor_inertia << "' frictionloss='"
+         << world_.gear_friction << "'/>\n";
+    return text.str();
   }
-  text << "</body>\n";
+
+  const World& world_;
+  std::ostream& text_;
+};
+
+void writeFloor(const World& world, std::ostream& text) {
+  text << "<geom name='" << kFloor << "' type='plane' size='0 0 1' contype='1' conaffinity='0'/>\n";
+  for (int i = 1; world.sill > 0 && i <= kSills; ++i) {
+    for (const int direction : {-1, 1}) {
+      text << "<geom type='box' size='0.005 2 " << world.sill << "' pos='" << direction * i * kBetweenSills
+           << " 0 0' contype='1' conaffinity='0'/>\n";
+    }
+  }
 }
 
 [[noreturn]] void stopAtError(const char* message) {
@@ -96,18 +142,20 @@ void printWarning(const char* message) {
 
 }  // namespace
 
-std::string describeBody(const std::string& urdf_file, double friction) {
+std::string describeBody(const std::string& urdf_file, const World& world) {
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDFFile(urdf_file);
   if (!robot) {
     throw std::runtime_error(urdf_file + " is not a URDF");
   }
+  const double along = -kGravity * std::sin(world.slope);
   std::ostringstream text;
   text.precision(9);
   text << "<mujoco>\n<compiler angle='radian' inertiafromgeom='false'/>\n<option timestep='" << kStepSeconds
-       << "' cone='elliptic' impratio='10'/>\n<default><geom friction='" << friction
-       << " 0.005 0.0001' solref='0.01 1'/></default>\n<worldbody>\n<geom name='" << kFloor
-       << "' type='plane' size='0 0 1' contype='1' conaffinity='0'/>\n";
-  describeLink(*robot->getRoot(), "<freejoint name='" + std::string(kBodyJoint) + "'/>\n", "", text);
+       << "' cone='elliptic' impratio='10' gravity='" << along * std::cos(world.uphill) << ' '
+       << along * std::sin(world.uphill) << ' ' << -kGravity * std::cos(world.slope) << "'/>\n<default><geom friction='"
+       << world.friction << " 0.005 0.0001' solref='" << world.contact_time << " 1'/></default>\n<worldbody>\n";
+  writeFloor(world, text);
+  BodyWriter(world, text).write(*robot->getRoot(), "<freejoint name='" + std::string(kBodyJoint) + "'/>\n", "");
   text << "</worldbody>\n<actuator>\n";
   for (const auto& [name, joint] : robot->joints_) {
     if (joint->type != urdf::Joint::FIXED) {

@@ -65,7 +65,7 @@ robot_model::LegAngles anglesOf(Leg leg, const std::function<double(std::size_t)
 PhysicalErs7::PhysicalErs7(const World& world)
     : model_(ers7()),
       world_(world),
-      physics_(compile(describeBody(ERS7_URDF, world.friction))),
+      physics_(compile(describeBody(ERS7_URDF, world))),
       state_(mj_makeData(physics_.get())),
       body_(mj_name2id(physics_.get(), mjOBJ_BODY, "base_link")),
       primitives_(model_),
@@ -256,7 +256,7 @@ void PhysicalErs7::driveMotors() {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     Servo& servo = servos_[i];
     const bool driven = powered_ && servo.has_gain;
-    const double full_duty_at = kFramesToFullDuty * openr_host::kFrameSeconds * highestSpeed(i);
+    const double full_duty_at = kFramesToFullDuty * openr_host::kFrameSeconds * highestSpeed(i) / world_.servo_gain;
     const double duty = servo.stiffness * (servo.reference - jointPosition(i)) / full_duty_at;
     servo.duty = driven ? std::clamp(duty, -1.0, 1.0) : 0;
     state_->ctrl[servo.motor] = servo.duty * world_.stall_torque;
@@ -378,11 +378,18 @@ bool PhysicalErs7::bodyTouchesFloor() const {
   const int floor = mj_name2id(physics_.get(), mjOBJ_GEOM, kFloor);
   for (int i = 0; i < state_->ncon; ++i) {
     const mjContact& contact = state_->contact[i];
-    if (contact.geom1 == floor && physics_->geom_contype[contact.geom2] == 0 && contact.dist < 0) {
+    if (contact.geom1 == floor && physics_->geom_contype[contact.geom2] == kBodyContacts && contact.dist < 0) {
       return true;
     }
   }
   return false;
+}
+
+bool PhysicalErs7::legsTouch() const {
+  const auto isOfLeg = [this](int geom) { return physics_->geom_contype[geom] == kLegContacts; };
+  return std::any_of(state_->contact, state_->contact + state_->ncon, [&](const mjContact& contact) {
+    return contact.dist < 0 && isOfLeg(contact.geom1) && isOfLeg(contact.geom2);
+  });
 }
 
 bool PhysicalErs7::motorsPull() const {

@@ -21,14 +21,6 @@
 
 namespace physics {
 
-struct World {
-  /// Torque of a leg's motor that stands still at full duty, in N m, behind its gears. Sony gives none.
-  double stall_torque = 1.5;
-
-  /// Between the robot and the floor.
-  double friction = 0.8;
-};
-
 /// Angles by joint, in degrees.
 using JointAngles = std::map<std::string, double>;
 
@@ -36,6 +28,8 @@ using JointAngles = std::map<std::string, double>;
 /// that is what the joint moves in 3 frames at its highest speed, as in simulator/ers7/body/joint.h. Without a load it
 /// reaches its highest speed (robot_model.h); the torque falls evenly from World::stall_torque at rest to 0 at this
 /// speed. Without gain or power, only the friction of the gears is left, so the joint gives way.
+///
+/// World::servo_gain changes how far behind that is.
 ///
 /// The accelerometer measures acceleration and gravity, averaged over each frame; a paw's switch is on while its foot
 /// touches the floor. Distances are the farthest that a sensor can measure. There is no camera.
@@ -102,6 +96,7 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   double soleHeight(robot_model::Leg leg) const;             ///< lowest point of the foot over the floor, metres
   bool touchesFloor(robot_model::Leg leg) const;             ///< the foot
   bool bodyTouchesFloor() const;                             ///< anything else than feet and lower legs
+  bool legsTouch() const;                                    ///< one leg another
   Eigen::Vector3d footPosition(robot_model::Leg leg) const;  ///< in the room, metres
   bool motorsPull() const;                                   ///< power is on, and a joint has gain
   /// @}

@@ -25,15 +25,17 @@ struct Record {
   /// For each axis, how fast the body was in parts of what was commanded, over all seconds; 0 if nothing was.
   Axes gain = {};
 
-  double highest_tilt = 0;   ///< radian
-  bool fell = false;         ///< tilted by more than 45 degrees, or touched the floor with more than its legs
-  double lowest_lift = 0;    ///< m; of all steps of all feet, the one that was lifted least
-  double usual_lift = 0;     ///< m; exceeded by 95 of 100 steps
-  double highest_speed = 0;  ///< of a leg's joint, in parts of its limit
-  double usual_torque = 0;   ///< N m; of a leg's motor, exceeded in 1 frame of 100
-  double at_full_duty = 0;   ///< share of the legs' motors and frames
-  double beyond_limits = 0;  ///< radian; by how much a leg's joint was commanded out of its limits or couplings
-  std::vector<End> ends;     ///< that the robot pushed
+  double highest_tilt = 0;     ///< radian
+  bool fell = false;           ///< tilted by more than 45 degrees, or touched the floor with more than its legs
+  double lowest_lift = 0;      ///< m; of all steps of all feet, the one that was lifted least
+  double usual_lift = 0;       ///< m; exceeded by 95 of 100 steps
+  double highest_speed = 0;    ///< of a leg's joint, in parts of its limit
+  double commanded_speed = 0;  ///< the same as commanded
+  double usual_torque = 0;     ///< N m; of a leg's motor, exceeded in 1 frame of 100
+  double at_full_duty = 0;     ///< share of the legs' motors and frames
+  double legs_touch = 0;       ///< share of the frames in which a leg touches another
+  double beyond_limits = 0;    ///< radian; by how much a leg's joint was commanded out of its limits or couplings
+  std::vector<End> ends;       ///< that the robot pushed
   std::vector<std::string> errors;
 };
 
@@ -63,11 +65,31 @@ protocol::version2::WalkLimits walkLimits();
 Commands randomly(const protocol::version2::WalkLimits& limits, unsigned seed);
 
 /// What must hold for every walk; each problem in a line.
-std::vector<std::string> problemsOf(const Record& record);
+/// @param on_level_ground false if only a fall, the legs and the joints count: a slope changes velocities
+std::vector<std::string> problemsOf(const Record& record, bool on_level_ground = true);
+
+/// How a limp robot lies before it is told to stand.
+enum class Lying { kOnLeftSide, kOnRightSide, kOnBack };
+
+/// What came of an order to stand.
+struct Rise {
+  bool stands = false;       ///< upright on all its feet, and it says so
+  double seconds = 0;        ///< until it said that the order has ended
+  double at_full_duty = 0;   ///< seconds; the longest time that a leg's motor had full duty
+  double beyond_limits = 0;  ///< radian; by how much a leg's joint was commanded farther out of its limits
+  std::string reason;        ///< why it does not stand
+};
+
+/// The robot has stood, fell, and was left limp for two seconds.
+Rise standUp(const World& world, Lying lying);
+
+/// Somebody has bent the legs of the limp robot, each joint to any angle within its limits, and let go. Always the same
+/// for a seed.
+Rise standUpFromAnyPosture(const World& world, unsigned seed);
 
 /// One line of a table.
 void printHeader(std::ostream& out);
-void print(const std::string& name, const Record& record, std::ostream& out);
+void print(const std::string& name, const Record& record, std::ostream& out, bool on_level_ground = true);
 
 }  // namespace physics
 
