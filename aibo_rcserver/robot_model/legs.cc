@@ -96,6 +96,12 @@ Point findFoot(Leg leg, const LegAngles& angles) {
   return turnedAboutShoulder(leg, from_shoulder, angles);
 }
 
+Point findRolledWay(Leg leg, const LegAngles& angles) {
+  const Point way = {FOOT_RADIUS * (angles.rotator + endOf(leg) * angles.knee),
+                     FOOT_RADIUS * sideOf(leg) * angles.elevator, 0};
+  return way;
+}
+
 bool findLegAngles(Leg leg, const Point& foot, LegAngles* angles) {
   Point way = mirrored(leg, foot);  // from the shoulder
   way.x -= SHOULDER.x;

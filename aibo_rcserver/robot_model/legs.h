@@ -52,6 +52,10 @@ Point findKnee(Leg leg, const LegAngles& angles);
 /// The centre of the ball.
 Point findFoot(Leg leg, const LegAngles& angles);
 
+/// How far the ball of a foot has rolled, forward and to the left, since all angles of its leg were 0. Where a foot
+/// touches level ground moves, seen from the body, like the sum of this and findFoot().
+Point findRolledWay(Leg leg, const LegAngles& angles);
+
 /// How the leg bends to put its foot at a place, ignoring joint limits. Of several solutions, it takes one with the
 /// foot below the shoulder, not with the leg lifted over it; of those, one with the knee bent, not overstretched. (A
 /// front leg is longest with the knee at 11.8 degrees, a hind leg at 18.9.)

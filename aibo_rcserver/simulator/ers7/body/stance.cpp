@@ -104,6 +104,17 @@ Supports supportsOf(const std::array<LegAngles, kLegs>& legs) {
   return supports;
 }
 
+Supports rolledBetween(const std::array<LegAngles, kLegs>& before, const std::array<LegAngles, kLegs>& now) {
+  Supports rolled;
+  rolled.fill(Vector3d::Zero());
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    const Leg leg = static_cast<Leg>(i);
+    rolled[i] =
+        toVector(robot_model::findRolledWay(leg, now[i])) - toVector(robot_model::findRolledWay(leg, before[i]));
+  }
+  return rolled;
+}
+
 Floor floorUnder(const Supports& supports, const Eigen::Vector2d& slope) {
   Floor floor{slope, std::numeric_limits<double>::infinity()};
   for (const Vector3d& support : supports) {

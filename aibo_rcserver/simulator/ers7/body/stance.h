@@ -29,6 +29,9 @@ using Supports = std::array<Eigen::Vector3d, 2 * kLegs>;
 
 Supports supportsOf(const std::array<LegAngles, kLegs>& legs);
 
+/// How far each support has rolled while the legs have moved, in the body's frame, in metres. The belly does not roll.
+Supports rolledBetween(const std::array<LegAngles, kLegs>& before, const std::array<LegAngles, kLegs>& now);
+
 /// The floor in the body's frame, through the centres of the balls that touch it: z = slope.x * x + slope.y * y +
 /// height.
 struct Floor {

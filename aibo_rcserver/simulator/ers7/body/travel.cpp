@@ -173,6 +173,7 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   const Vector3d place_before = stance_.body.translation();
   const Bumpers bumpers_before = bumpers();
   const Supports before = turned(stanceOver(floor_, supports_).body, supports_);
+  const Supports rolled = rolledBetween(legs_, legs);
   legs_ = legs;
   supports_ = supportsOf(legs);
   loseGround(scene);
@@ -180,7 +181,7 @@ void Travel::travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& 
   floor_ = tip(supports_, restOn(supports_), floor_.slope, kFrameSeconds);
   const Stance freely = stanceOver(floor_, supports_);
   passFrameOfHolding();
-  step_ = isOnFeet() ? push(before, turned(freely.body, supports_)) : Step::Zero();
+  step_ = isOnFeet() ? push(before, turned(freely.body, supports_), rolled) : Step::Zero();
   move(step_);
   stance_.body = poseInPlace();
   std::transform(freely.paw_down.begin(), freely.paw_down.end(), stance_.paw_down.begin(),
@@ -242,13 +243,15 @@ Isometry3d Travel::poseInPlace() const {
 
 /// The step that follows from friction and the last step.
 /// @param before,now the supports in a frame above the body's place, with its heading
-Travel::Step Travel::push(const Supports& before, const Supports& now) const {
+/// @param rolled how far they have rolled meanwhile
+Travel::Step Travel::push(const Supports& before, const Supports& now, const Supports& rolled) const {
   std::vector<Contact> contacts;
   double loads = 0;
   for (std::size_t i = 0; i < now.size(); ++i) {
     const double load = loadAt(std::max(before[i].z(), now[i].z()) - FOOT_RADIUS);
     if (load > 0) {
-      contacts.push_back({(before[i] + now[i]).head<2>() / 2, (now[i] - before[i]).head<2>() / kFrameSeconds, load});
+      contacts.push_back(
+          {(before[i] + now[i]).head<2>() / 2, (now[i] + rolled[i] - before[i]).head<2>() / kFrameSeconds, load});
       loads += load;
     }
   }

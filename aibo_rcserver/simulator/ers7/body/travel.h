@@ -28,15 +28,15 @@ constexpr double kFriction = 0.6;
 
 /// The robot begins at rest over the room's origin and faces along x. The same movements always lead to the same place.
 ///
-/// Feet and belly stay where they touch the floor, so the legs push the body. Friction limits how fast it speeds up,
-/// slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so that friction takes
-/// as little energy as possible. Walls and the scene's bodies stop it.
+/// Feet roll, and belly and feet stay where they touch the floor, so the legs push the body. Friction limits how fast
+/// it speeds up, slows down and turns. Feet that pull against each other slip: in each frame, the robot moves so that
+/// friction takes as little energy as possible. Walls and the scene's bodies stop it.
 ///
 /// On a table, a foot beyond the edge does not carry. If the body then tips too far, or its weight is beyond the edge,
 /// the robot falls off, and lies on its side on the floor.
 ///
 /// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
-/// the floor carries less. Feet do not roll. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
+/// the floor carries less. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
 /// Only trunk and head collide with obstacles. The legs pass through lower things, and nothing pushes the ball.
 class Travel {
  public:
@@ -92,7 +92,7 @@ class Travel {
   void travel(const std::array<LegAngles, kLegs>& legs, const HeadAngles& head, const Scene& scene);
   void passFrameOfHolding();
   Eigen::Isometry3d poseInPlace() const;
-  Step push(const Supports& before, const Supports& now) const;
+  Step push(const Supports& before, const Supports& now, const Supports& rolled) const;
   void move(const Step& step);
   Bumpers bumpers() const;
   void stopAtObstacles(const Bumpers& before, const Scene& scene);

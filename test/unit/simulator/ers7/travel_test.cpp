@@ -33,11 +33,28 @@ Vector3d placeOf(Leg leg) {
   return {shoulder.x, shoulder.y + (robot_model::isLeft(leg) ? 0.03 : -0.03), robot_model::FOOT_RADIUS - kHeight};
 }
 
-/// The leg's angles with the foot so far from its usual place.
-LegAngles reaching(Leg leg, const Vector3d& shift) {
-  const Vector3d foot = placeOf(leg) + shift;
+LegAngles withFootAt(Leg leg, const Vector3d& place) {
   LegAngles angles;
-  EXPECT_TRUE(robot_model::findLegAngles(leg, {foot.x(), foot.y(), foot.z()}, &angles));
+  EXPECT_TRUE(robot_model::findLegAngles(leg, {place.x(), place.y(), place.z()}, &angles));
+  return angles;
+}
+
+/// How far the foot rolls forward and to the left from its usual place to these angles: its radius times the angle by
+/// which the lower leg turns.
+Vector3d rolledTo(Leg leg, const LegAngles& angles) {
+  const LegAngles usual = withFootAt(leg, placeOf(leg));
+  const double front = robot_model::isFront(leg) ? 1 : -1;
+  const double left = robot_model::isLeft(leg) ? 1 : -1;
+  return robot_model::FOOT_RADIUS * Vector3d(angles.rotator - usual.rotator + front * (angles.knee - usual.knee),
+                                             left * (angles.elevator - usual.elevator), 0);
+}
+
+/// The leg's angles where the foot's lowest point is so far from its usual place after it has rolled there.
+LegAngles reaching(Leg leg, const Vector3d& shift) {
+  LegAngles angles = withFootAt(leg, placeOf(leg) + shift);
+  for (int round = 0; round < 10; ++round) {
+    angles = withFootAt(leg, placeOf(leg) + shift - rolledTo(leg, angles));
+  }
   return angles;
 }
 
