@@ -419,7 +419,8 @@ void RCServer::SwitchOff() {
 
 void RCServer::LieDown() {
   Walker& walker = body_->Joints().Walking();
-  const char* const problem = walker.CanWalk() ? walker.Problem() : "this kind of robot has no known way to lie down";
+  const char* const problem = walker.CanWalk() ? walker.Problem(protocol::version2::POSTURE_REST)
+                                               : "this kind of robot has no known way to lie down";
   lies_down_since_ = now_;
   if (problem == NULL) {
     body_->Joints().Take(protocol::version2::POSTURE_REST);

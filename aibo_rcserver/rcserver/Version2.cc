@@ -531,7 +531,7 @@ void Version2::CarryOut<REQUEST_POSTURE>() {
 
 // Switches the motors on if they are off after a rest. Refuses the request if the robot cannot take the posture now.
 bool Version2::MayTake(Posture posture) {
-  const char* problem = robot_.joints.Walking().Problem();
+  const char* problem = robot_.joints.Walking().Problem(posture);
   if (problem == NULL && !robot_.motors.AreOn()) {
     if (posture == POSTURE_REST) {
       problem = "the motors are off already; to lie down, switch them on first";

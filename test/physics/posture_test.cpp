@@ -1,17 +1,17 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <random>
+#include <cstddef>
 #include <string>
+#include <vector>
 
-#include "bench.h"
+#include "trial.h"
 
 namespace {
 
 using physics::Bench;
 using physics::End;
 using physics::World;
-using ::testing::ContainsRegex;
 
 namespace version2 = protocol::version2;
 using version2::Posture;
@@ -87,44 +87,34 @@ TEST_P(Postures, CanBeTakenFromEachOther) {
 
 INSTANTIATE_TEST_SUITE_P(With, Postures, ::testing::Values(World{1.5, 0.8}, World{0.7, 0.4}, World{3, 1}));
 
-// Somebody has bent the legs by hand; the robot stands up from whatever came of that, and walks.
-TEST(OddPostures, AreLeftWithoutAFall) {
-  std::minstd_rand random(7);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * static_cast<double>(random()) / std::minstd_rand::max();
-  };
-  int stood_up = 0;
-  for (int i = 0; i < 6; ++i) {
-    SCOPED_TRACE(i);
-    PostureTaker taker;
-    Bench& bench = taker.bench();
-    bench.switchMotors(false);
-    physics::JointAngles bent;
-    for (const char* leg : {"left_front", "left_hind", "right_front", "right_hind"}) {
-      bent[leg + std::string("_rotator")] = between(-90, 90);
-      bent[leg + std::string("_elevator")] = between(0, 40);
-      bent[leg + std::string("_knee")] = between(-10, 110);
+void expectRise(const physics::Rise& rise) {
+  EXPECT_TRUE(rise.stands) << rise.reason;
+  EXPECT_LT(rise.seconds, 10);
+  EXPECT_LT(rise.at_full_duty, 2);
+  EXPECT_EQ(rise.beyond_limits, 0);
+}
+
+TEST(FallenRobot, StandsUp) {
+  const std::vector<World> worlds = physics::sampleOfWorlds(36, 1);  // those of scripts/physics
+  for (const std::size_t i : {0, 9, 18, 27}) {
+    const World& world = worlds[i];
+    SCOPED_TRACE(describe(world));
+    for (const auto lying : {physics::Lying::kOnLeftSide, physics::Lying::kOnRightSide, physics::Lying::kOnBack}) {
+      SCOPED_TRACE(static_cast<int>(lying));
+      expectRise(physics::standUp(world, lying));
     }
-    bench.passFrame();
-    bench.robot().place(bent);
-    for (int frame = 0; frame < 250; ++frame) {
-      bench.passFrame();
-    }
-    bench.switchMotors(true);
-    for (int frame = 0; frame < 50; ++frame) {
-      bench.passFrame();
-    }
-    bench.take(version2::POSTURE_STAND);
-    bench.passFrame();
-    if (!bench.errors().empty()) {  // it lies on its side, or on its shanks so that no paw is pressed
-      EXPECT_THAT(bench.errors().back(), ContainsRegex("carried|on its side")) << "and nothing else keeps it down";
-      continue;
-    }
-    taker.awaitArrival(version2::POSTURE_STAND);
-    expectStands(bench.robot());
-    ++stood_up;
   }
-  EXPECT_GE(stood_up, 4);
+}
+
+TEST(RobotWithBentLegs, StandsUp) {
+  for (const double torque : {1.5, 0.7}) {
+    World world;
+    world.stall_torque = torque;
+    for (unsigned seed = 0; seed < 6; ++seed) {
+      SCOPED_TRACE(seed);
+      expectRise(physics::standUpFromAnyPosture(world, seed));
+    }
+  }
 }
 
 }  // namespace

@@ -106,10 +106,12 @@ bool Body::ReadSensors(OSensorFrameVectorData* sensors, longword* frame) {
 void Body::WatchWalk(longword frame) {
   Walker& walker = Joints().Walking();
   const WalkGuard::Reading around = LookAround();
-  const bool any_paw = std::count(around.paws, around.paws + robot_model::NUMBER_OF_LEGS, true) > 0;
-  const FallWatch::Reading reading = {-Measured("acceleration_front_back"), Measured("acceleration_right_left"),
-                                      -Measured("acceleration_up_down"), any_paw};
-  walker.Measured(reading, frame);
+  FallWatch::Reading reading = {-Measured("acceleration_front_back"),
+                                Measured("acceleration_right_left"),
+                                -Measured("acceleration_up_down"),
+                                {false, false, false, false}};
+  std::copy(around.paws, around.paws + robot_model::NUMBER_OF_LEGS, reading.paws);
+  Joints().Measured(reading, frame);
   walker.HaveLooked(around);
   if (walker.GoesSoft()) {
     OSYSPRINT(("RCServer: %s: its motors go off, so that its legs are limp\n", FallWatch::Words(walker.Fall().Now())));

@@ -108,7 +108,7 @@ Velocity JointControl::Steer(const Velocity& wanted, bool guarded) {
 void JointControl::Take(protocol::version2::Posture posture) {
   TakeLegs();
   for (int i = 0; i < NumberOfJoints(); ++i) {
-    if (posture == protocol::version2::POSTURE_REST && walker_.IsOfHead(i)) {
+    if (walker_.NeedsLevelHead(posture) && walker_.IsOfHead(i)) {
       Take(i);
     }
   }
@@ -143,7 +143,6 @@ void JointControl::NextFrame() {
   motions_.NextFrame();
   walker_.NextFrame();
   planner_.NextFrame();
-  walker_.HaveMoved();
 }
 
 bool JointControl::AreMoving() const {
@@ -170,6 +169,10 @@ JointWatch::Verdict JointControl::Measured(int joint, const JointReading& readin
     return JointWatch::FOLLOWS;
   }
   const JointWatch::Verdict verdict = watches_[joint].Look(reading, frame);
+  if (verdict != JointWatch::FOLLOWS && walker_.TriesAnotherWay(joint)) {
+    Hold(joint, reading.position, frame);
+    return JointWatch::FOLLOWS;
+  }
   if (verdict != JointWatch::FOLLOWS) {
     EndWhatMoves(joint, EndReason::Of(END_REFUSED, "%s does not follow", Name(joint)));
     Hold(joint, reading.position, frame);
@@ -196,6 +199,10 @@ bool JointControl::TakeRecovery(int joint) {
   const bool has_recovered = has_recovered_[joint];
   has_recovered_[joint] = false;
   return has_recovered;
+}
+
+void JointControl::Measured(const FallWatch::Reading& reading, unsigned frame) {
+  walker_.Measured(reading, positions_, frame);
 }
 
 void JointControl::ClientGone() {

@@ -155,9 +155,12 @@ class JointControl {
 
   /// A joint has reported.
   /// @param driven true if its motor is on. The joint is then watched: if it does not follow, it holds its current
-  ///   position and its motion ends
+  ///   position and its motion ends, unless the Walker tries another way
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
+
+  /// The accelerometer and the paws have reported. Call it after the joints' reports.
+  void Measured(const FallWatch::Reading& reading, unsigned frame);
 
   /// Records a fault that JointWatch cannot find. TakeFault() returns it.
   void Failed(int joint, JointWatch::Verdict fault);

@@ -59,9 +59,9 @@ class MotionPlanner {
   /// Aim and call it in every frame. Otherwise the joints return to their last targets and stop.
   void Follow();
 
-  /// Factor on the default acceleration for joints that Follow() a target: they reach their highest speed in 20 ms.
-  /// Walking needs 4.5 times the default at the knees when a foot lifts off. Our choice.
-  static const int FOLLOWING = 5;
+  /// Factor on the default acceleration for joints that Follow() a target: they reach their highest speed in 13 ms.
+  /// Walking needs 7.5 times the default at the knees when a foot lifts off. Our choice.
+  static const int FOLLOWING = 8;
 
   /// Stops a joint within v^2 / (2 a), where a is its acceleration limit, or the default if the limit is lower, so that
   /// a low limit does not delay a stop. A leader whose target needs the joint to be elsewhere is stopped, too.

@@ -16,6 +16,7 @@ using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
+using protocol::version2::POSTURE_WALK;
 using protocol::version2::Velocity;
 using robot_model::JOINTS_OF_A_LEG;
 using robot_model::Leg;
@@ -36,6 +37,21 @@ const unsigned FRAMES_TO_FOLLOW = 25;
 // Frames after which the motors of a robot on its side go off: 1 s.
 const unsigned FRAMES_TO_SOFTEN = 125;
 
+// Frames until a robot that has rolled over lies still: the joints follow, and the body settles. Our choice.
+const int FRAMES_TO_SETTLE = 45;
+
+// How fast the correction of the velocity grows with what is missing, in 1/s, and the time in s over which that is
+// smoothed. Our choice: a lasting error of the legs is made up for in a step, and the swaying of a step has little
+// effect.
+const double CORRECTION_RATE = 3;
+const double SMOOTHING = 0.25;
+
+// Largest correction, as a share of the highest velocity. Our choice.
+const double CORRECTION_LIMIT = 0.3;
+
+// s; from the planned to the measured motion of the legs: commands wait for up to 8 frames, and servos lag by 3.
+const double DELAY = 0.09;
+
 const Velocity NO_VELOCITY = {0, 0, 0};
 
 const EndReason DONE = {END_DONE, "", ""};
@@ -48,6 +64,33 @@ double Towards(double value, double target, double step) {
   return value + std::min(std::max(target - value, -step), step);
 }
 
+// A value that follows another one within this time.
+double Following(double value, double target, double time, double seconds) {
+  return value + (target - value) * seconds / (time + seconds);
+}
+
+double Corrected(double correction, double missing, double highest) {
+  const double limit = CORRECTION_LIMIT * highest;
+  return std::min(std::max(correction + CORRECTION_RATE * missing * FRAME, -limit), limit);
+}
+
+double AngleOf(const LegAngles& leg, int number) {
+  return number == 0 ? leg.rotator : number == 1 ? leg.elevator : leg.knee;
+}
+
+Velocity Following(const Velocity& value, const Velocity& target, double time, double seconds) {
+  const Velocity result = {Following(value.forward, target.forward, time, seconds),
+                           Following(value.left, target.left, time, seconds),
+                           Following(value.turn, target.turn, time, seconds)};
+  return result;
+}
+
+Velocity Towards(const Velocity& value, const Velocity& target, const Velocity& step) {
+  const Velocity result = {Towards(value.forward, target.forward, step.forward),
+                           Towards(value.left, target.left, step.left), Towards(value.turn, target.turn, step.turn)};
+  return result;
+}
+
 int Microradians(double angle) {
   return static_cast<int>(floor(angle / MICRO + 0.5));
 }
@@ -55,13 +98,14 @@ int Microradians(double angle) {
 }  // namespace
 
 const int Walker::POSTURE_SPEED;
+const int Walker::UNLOADED_SPEED;
+const int Walker::ATTEMPTS;
 const int Walker::STEERING_FRAMES;
 
 Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
-      walked_(gait_),
       guard_(gait_),
       ended_(ends),
       can_walk_(FindJoints()),
@@ -81,6 +125,11 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       posture_(POSTURE_STAND),
       way_size_(0),
       way_begun_(0),
+      gets_up_(false),
+      rolls_(false),
+      attempts_(0),
+      plans_again_(false),
+      frames_to_settle_(0),
       is_guarded_(false),
       ends_(false),
       end_reason_(DONE),
@@ -88,6 +137,9 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       next_(POSTURE_STAND),
       wanted_(NO_VELOCITY),
       velocity_(NO_VELOCITY),
+      expected_(NO_VELOCITY),
+      missing_(NO_VELOCITY),
+      correction_(NO_VELOCITY),
       effort_(0),
       phase_(0),
       frames_since_steered_(0) {
@@ -113,12 +165,14 @@ bool Walker::FindJoints() {
   return strcmp(robot_.design, "ERS-7") == 0;
 }
 
-const char* Walker::Problem() {
-  const char* const fall = FallWatch::Words(fall_watch_.Now());
-  if (fall == NULL) {
+const char* Walker::Problem(Posture posture) {
+  const FallWatch::Verdict fall = fall_watch_.Now();
+  const bool has_fallen = FallWatch::IsFallen(fall);
+  if (fall == FallWatch::UPRIGHT || (has_fallen && posture == POSTURE_STAND)) {
     return NULL;
   }
-  sprintf(problem_, "%s; set it down on its belly or its feet first", fall);
+  sprintf(problem_, "%s; %s", FallWatch::Words(fall),
+          has_fallen ? "let it stand up first" : "set it down on its belly or its feet first");
   return problem_;
 }
 
@@ -128,7 +182,7 @@ const char* Walker::ProblemOfWalk(bool motors_are_on, const Velocity* guarded) {
   must_let_go_ = true;
   if (const char* fall = FallWatch::Words(fall_watch_.Now())) {
     strcpy(why_, fall);
-    return Problem();
+    return Problem(POSTURE_WALK);
   }
   if (!motors_are_on) {
     strcpy(why_, "the motors were off");
@@ -177,7 +231,7 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
 }
 
 void Walker::Take(Posture posture) {
-  std::fill(levels_, levels_ + LEVELLED, posture == POSTURE_REST);
+  std::fill(levels_, levels_ + LEVELLED, NeedsLevelHead(posture));
   if (activity_ != WALKING) {
     Begin(false, posture);
     return;
@@ -244,6 +298,10 @@ bool Walker::Moves(int joint) const {
   return false;
 }
 
+bool Walker::NeedsLevelHead(Posture posture) const {
+  return posture == POSTURE_REST || HasFallen();
+}
+
 bool Walker::IsOfHead(int joint) const {
   return std::find(head_, head_ + LEVELLED, joint) != head_ + LEVELLED;
 }
@@ -270,8 +328,11 @@ void Walker::NextFrame() {
   if (is_walk_ && ++frames_since_steered_ >= STEERING_FRAMES) {
     EndWalkInStand(NOT_STEERED);
   }
-  if (activity_ == TAKING_POSTURE && HaveArrived()) {
-    TakeNextPosture();
+  if (activity_ == TAKING_POSTURE && plans_again_) {
+    PlanWay(true);
+    BeginNextStage();
+  } else if (activity_ == TAKING_POSTURE && HaveArrived()) {
+    BeginNextStage();
   }
   if (activity_ == WALKING) {
     const int slow = FindSlowJoint();
@@ -286,36 +347,31 @@ void Walker::NextFrame() {
   }
 }
 
-void Walker::HaveMoved() {
-  if (!can_walk_) {
-    return;
-  }
-  LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(legs);
-  if (activity_ == WALKING) {
-    walked_.HaveWalked(legs, phase_);
-    if (is_guarded_) {
-      guard_.HaveWalked(walked_.InLastFrame(), velocity_);
-    }
-  } else {
-    walked_.HaveMoved(legs);
-  }
-}
-
-void Walker::Measured(FallWatch::Reading reading, unsigned frame) {
+void Walker::Measured(const FallWatch::Reading& reading, const int* positions, unsigned frame) {
   measured_ = frame;
   if (!can_walk_) {
     return;
   }
   LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(legs);
+  FindLegs(positions, legs);
   fall_watch_.Look(reading, postures_.Stands(legs), frame);
   const FallWatch::Verdict fall = fall_watch_.Now();
-  if (fall != FallWatch::UPRIGHT) {
+  const bool lies = FallWatch::IsFallen(fall);
+  if (gets_up_ && lies && attempts_ < ATTEMPTS) {
+    plans_again_ = plans_again_ || (!rolls_ && FallWatch::IsFallen(fall_watch_.Last()));
+  } else if (gets_up_ && lies && rolls_) {
+    // This is the last attempt.
+  } else if (fall != FallWatch::UPRIGHT) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
-  const bool lies = fall == FallWatch::ON_ITS_SIDE || fall == FallWatch::UPSIDE_DOWN;
-  goes_soft_ = has_legs_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
+  if (activity_ == WALKING) {
+    const unsigned frames = walked_.Measured(legs, reading.paws, frame);
+    CompareVelocity(frames);
+    if (is_guarded_) {
+      guard_.HaveWalked(walked_.Now(), velocity_, frames);
+    }
+  }
+  goes_soft_ = has_legs_ && !gets_up_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
   rests_since_ = is_resting_ ? rests_since_ : frame;
   has_rested_ = is_resting_ && frame - rests_since_ >= FRAMES_TO_FOLLOW;
 }
@@ -331,7 +387,8 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
     guard_.Forget();
     return;
   }
-  guard_.Look(reading, legs, phase_, activity_ == WALKING);
+  const StepParameters step = gait_.StepAt(velocity_);
+  guard_.Look(reading, legs, phase_, activity_ == WALKING ? &step : NULL);
   if (activity_ != WALKING || ends_) {
     return;
   }
@@ -344,6 +401,14 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
   }
 }
 
+bool Walker::TriesAnotherWay(int joint) {
+  if (activity_ != TAKING_POSTURE || is_resting_ || !Moves(joint) || attempts_ >= ATTEMPTS) {
+    return false;
+  }
+  plans_again_ = true;
+  return true;
+}
+
 bool Walker::TakeSoftened() {
   const bool has_softened = has_softened_;
   has_softened_ = false;
@@ -353,7 +418,8 @@ bool Walker::TakeSoftened() {
 protocol::version2::Posture Walker::Now(const int* positions) const {
   using namespace protocol::version2;
   switch (fall_watch_.Now()) {
-    case FallWatch::ON_ITS_SIDE:
+    case FallWatch::ON_LEFT_SIDE:
+    case FallWatch::ON_RIGHT_SIDE:
     case FallWatch::UPSIDE_DOWN:
       return POSTURE_FALLEN;
     case FallWatch::CARRIED:
@@ -365,11 +431,7 @@ protocol::version2::Posture Walker::Now(const int* positions) const {
     return can_walk_ ? POSTURE_WALK : POSTURE_UNKNOWN;
   }
   LegAngles legs[NUMBER_OF_LEGS];
-  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    legs[i].rotator = positions[joints_[i][0]] * MICRO;
-    legs[i].elevator = positions[joints_[i][1]] * MICRO;
-    legs[i].knee = positions[joints_[i][2]] * MICRO;
-  }
+  FindLegs(positions, legs);
   if (postures_.Stands(legs)) {
     return POSTURE_STAND;
   }
@@ -399,10 +461,18 @@ int Walker::FindSlowJoint() const {
 
 // The planned angles of the legs.
 void Walker::FindLegs(LegAngles* legs) const {
+  int positions[robot_model::MAX_JOINTS];
+  for (int i = 0; i < robot_.number_of_joints; ++i) {
+    positions[i] = planner_.Position(i);
+  }
+  FindLegs(positions, legs);
+}
+
+void Walker::FindLegs(const int* positions, LegAngles* legs) const {
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    legs[i].rotator = planner_.Position(joints_[i][0]) * MICRO;
-    legs[i].elevator = planner_.Position(joints_[i][1]) * MICRO;
-    legs[i].knee = planner_.Position(joints_[i][2]) * MICRO;
+    legs[i].rotator = positions[joints_[i][0]] * MICRO;
+    legs[i].elevator = positions[joints_[i][1]] * MICRO;
+    legs[i].knee = positions[joints_[i][2]] * MICRO;
   }
 }
 
@@ -413,65 +483,101 @@ void Walker::Begin(bool is_walk, Posture posture) {
   if (IsActive()) {
     Finish(is_walk ? WALK_BEGAN : POSTURE_BEGAN);
   }
-  LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(legs);
-  walked_.Begin(legs);
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
   is_orphan_ = false;
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
-  way_size_ = postures_.FindWay(legs, posture, way_);
-  way_begun_ = 0;
+  gets_up_ = HasFallen();
+  attempts_ = 0;
   ends_ = false;
   velocity_ = NO_VELOCITY;
+  expected_ = NO_VELOCITY;
+  missing_ = NO_VELOCITY;
+  correction_ = NO_VELOCITY;
   effort_ = 0;
   phase_ = 0;
   frames_since_steered_ = 0;
-  TakeNextPosture();
+  PlanWay(false);
+  BeginNextStage();
 }
 
-// Begins the next posture of the way. After the last one, finishes the order.
-void Walker::TakeNextPosture() {
+// Finds the way from here to the posture, or to the belly.
+void Walker::PlanWay(bool lies_down) {
+  plans_again_ = false;
+  way_begun_ = 0;
+  rolls_ = gets_up_ && FallWatch::IsFallen(fall_watch_.Last());
+  if (rolls_) {
+    way_size_ = Postures::FindWayToBelly(fall_watch_.Last(), attempts_, way_);
+  } else {
+    LegAngles legs[NUMBER_OF_LEGS];
+    FindLegs(legs);
+    way_size_ = postures_.FindWay(legs, posture_, lies_down, way_);
+  }
+  ++attempts_;
+}
+
+// Begins the next stage of the way. After the last one, finishes the order.
+void Walker::BeginNextStage() {
   if (way_begun_ == way_size_) {
-    if (is_walk_ && !ends_) {
-      activity_ = WALKING;
-    } else if (!is_walk_ && posture_ == POSTURE_REST) {
-      is_resting_ = true;
-    } else {
-      Finish(is_walk_ ? end_reason_ : DONE);
-    }
+    FinishWay();
     return;
   }
-  const Posture next = way_[way_begun_++];
+  const Postures::Stage next = way_[way_begun_++];
   const LegAngles* const legs = postures_.Legs(next);
   int farthest = 0;
   for (int i = 0; i < LEG_JOINTS; ++i) {
-    const LegAngles& leg = legs[i / JOINTS_OF_A_LEG];
     const int number = i % JOINTS_OF_A_LEG;
-    const int joint = joints_[i / JOINTS_OF_A_LEG][number];
-    const int target = Microradians(number == 0 ? leg.rotator : number == 1 ? leg.elevator : leg.knee);
-    planner_.Aim(joint, target);
-    farthest = std::max(farthest, abs(target - planner_.Position(joint)));
+    if (Postures::Moves(next, number)) {
+      const int joint = joints_[i / JOINTS_OF_A_LEG][number];
+      const int target = Microradians(AngleOf(legs[i / JOINTS_OF_A_LEG], number));
+      planner_.Aim(joint, target);
+      farthest = std::max(farthest, abs(target - planner_.Position(joint)));
+    }
   }
-  const int milliseconds = static_cast<int>(static_cast<double>(farthest) / POSTURE_SPEED * 1000);
+  const int milliseconds = static_cast<int>(static_cast<double>(farthest) / SpeedIn(next) * 1000);
   planner_.Go(milliseconds);
-  if (!is_walk_ && posture_ == POSTURE_REST && next == POSTURE_REST) {
+  frames_to_settle_ = rolls_ && way_begun_ == way_size_ ? FRAMES_TO_SETTLE : 0;
+  const bool rests = !is_walk_ && posture_ == POSTURE_REST && next == Postures::REST;
+  if (rests || rolls_) {
     LevelHead(milliseconds);
   }
 }
 
-bool Walker::HaveArrived() const {
+int Walker::SpeedIn(Postures::Stage stage) const {
+  const int speed = Postures::IsPosture(stage) ? POSTURE_SPEED : UNLOADED_SPEED;
+  const bool pushes = stage == Postures::PUSH_LEFT || stage == Postures::PUSH_RIGHT;
+  return gets_up_ && !pushes ? 2 * speed : speed;
+}
+
+void Walker::FinishWay() {
+  const bool still_lies = rolls_ && FallWatch::IsFallen(fall_watch_.Last());
+  if (rolls_ && !(still_lies && attempts_ >= ATTEMPTS)) {
+    PlanWay(true);
+    BeginNextStage();
+  } else if (rolls_) {
+    Brake(EndReason::Of(END_FELL, FallWatch::Words(fall_watch_.Now())));
+  } else if (is_walk_ && !ends_) {
+    walked_.Begin();
+    activity_ = WALKING;
+  } else if (!is_walk_ && posture_ == POSTURE_REST) {
+    is_resting_ = true;
+  } else {
+    Finish(is_walk_ ? end_reason_ : DONE);
+  }
+}
+
+bool Walker::HaveArrived() {
   for (int i = 0; i < LEG_JOINTS; ++i) {
     if (planner_.FramesLeft(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG]) > 0) {
       return false;
     }
   }
-  return true;
+  return frames_to_settle_-- <= 0;
 }
 
-// A head that hangs down would hit the floor.
+// A head that hangs down would hit the floor, or keep the robot from rolling over.
 void Walker::LevelHead(int milliseconds) {
   for (int i = 0; i < LEVELLED; ++i) {
     if (levels_[i]) {
@@ -496,40 +602,61 @@ void Walker::MustLetGo(const EndReason& reason) {
 
 void Walker::Walk() {
   ChangeVelocity();
-  const bool stops = ends_ && velocity_.isZero();
+  const bool stops = ends_ && velocity_.isZero() && correction_.isZero();
   if (stops && effort_ == 0) {
     StandsAfterWalk();
     return;
   }
-  const GaitParameters& parameters = gait_.Parameters();
-  effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (parameters.period / 2));
-  phase_ += FRAME / parameters.period;
+  const Velocity sum = {velocity_.forward + correction_.forward, velocity_.left + correction_.left,
+                        velocity_.turn + correction_.turn};
+  const Velocity velocity = gait_.LimitedForLegs(sum);
+  const double period = gait_.StepAt(velocity).period;
+  effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (period / 2));
+  phase_ += FRAME / period;
   phase_ -= floor(phase_);
-  SetFeet();
+  SetFeet(velocity);
 }
 
 void Walker::ChangeVelocity() {
-  const GaitParameters& parameters = gait_.Parameters();
+  const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
   Velocity target = ends_ ? NO_VELOCITY : wanted_;
   if (is_guarded_) {
     target.forward = std::min(target.forward, guard_.HighestForward());
   }
   const bool is_back = velocity_.forward < 0 || (velocity_.forward == 0 && target.forward < 0);
-  const double highest = is_back ? parameters.highest.back : parameters.highest.forward;
-  velocity_.forward = Towards(velocity_.forward, target.forward, SPEED_CHANGE * highest * FRAME);
-  velocity_.left = Towards(velocity_.left, target.left, SPEED_CHANGE * parameters.highest.left * FRAME);
-  velocity_.turn = Towards(velocity_.turn, target.turn, SPEED_CHANGE * parameters.highest.turn * FRAME);
-  velocity_ = gait_.Limited(velocity_);
+  const double step = SPEED_CHANGE * FRAME;
+  const Velocity most = {step * (is_back ? limits.back : limits.forward), step * limits.left, step * limits.turn};
+  velocity_ = gait_.Limited(Towards(velocity_, target, most));
+  if (ends_) {
+    correction_ = Towards(correction_, NO_VELOCITY, most);
+  } else {
+    CorrectVelocity();
+  }
 }
 
-void Walker::SetFeet() {
+// A little in each frame: a foot must not jump.
+void Walker::CorrectVelocity() {
+  const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
+  correction_.forward = Corrected(correction_.forward, missing_.forward, limits.forward);
+  correction_.left = Corrected(correction_.left, missing_.left, limits.left);
+  correction_.turn = Corrected(correction_.turn, missing_.turn, limits.turn);
+}
+
+// The motion of the legs that a command causes is measured later.
+void Walker::CompareVelocity(unsigned frames) {
+  const double seconds = frames * FRAME;
+  const Velocity& now = walked_.Now();
+  expected_ = Following(expected_, velocity_, DELAY, seconds);
+  const Velocity missing = {expected_.forward - now.forward, expected_.left - now.left, expected_.turn - now.turn};
+  missing_ = Following(missing_, missing, SMOOTHING, seconds);
+}
+
+void Walker::SetFeet(const Velocity& velocity) {
   LegAngles legs[NUMBER_OF_LEGS];
-  gait_.FindPosture(phase_, velocity_, effort_, legs);
-  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    const double angles[JOINTS_OF_A_LEG] = {legs[i].rotator, legs[i].elevator, legs[i].knee};
-    for (int number = 0; number < JOINTS_OF_A_LEG; ++number) {
-      planner_.Aim(joints_[i][number], Microradians(angles[number]));
-    }
+  gait_.FindPosture(phase_, velocity, effort_, legs);
+  for (int i = 0; i < LEG_JOINTS; ++i) {
+    planner_.Aim(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG],
+                 Microradians(AngleOf(legs[i / JOINTS_OF_A_LEG], i % JOINTS_OF_A_LEG)));
   }
   planner_.Follow();
 }
@@ -554,6 +681,7 @@ void Walker::ReplaceNext(const EndReason& reason) {
 
 void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
+  gets_up_ = false;
   is_resting_ = false;
   has_rested_ = false;
   if (is_walk_) {

@@ -16,17 +16,30 @@
 
 /// Sets the targets of the legs' joints, frame by frame, while the robot walks or takes a posture. It does one of the
 /// two at a time. It does not move head, tail and mouth, except that it levels the head while the robot lies down to
-/// rest.
+/// rest or gets up.
 ///
 /// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
-/// by twice the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
+/// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// The planner enforces all limits, as for motions and commands. TakeVelocity() returns the velocity that results.
+/// Motors lag and give way, so that legs do not walk as they are told. The measured velocity shows it, and they are
+/// told to walk so much faster, slower or more to one side that it is the wanted one.
+///
+/// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
+/// cannot follow on the way to a posture, it gives way, and the robot tries another way.
+///
+/// The planner enforces all limits, as for motions and commands.
 class Walker {
  public:
   /// Highest speed of a joint on the way to a posture, in microradian/s: 45 degrees per second. Our choice: half of the
   /// speed of motions, because the legs carry the robot.
   static const int POSTURE_SPEED = 785398;
+
+  /// The same while the legs do not carry the robot, 90 degrees per second, and twice that while it gets up from a side
+  /// or its back, except that it does not push so hard that it rolls too far. Our choice: it is up within 10 s.
+  static const int UNLOADED_SPEED = 2 * POSTURE_SPEED;
+
+  /// How often a robot tries to get up, or to get around a joint that does not follow. Our choice.
+  static const int ATTEMPTS = 6;
 
   /// Frames without Steer() after which a walk ends.
   static const int STEERING_FRAMES =
@@ -41,8 +54,8 @@ class Walker {
   /// The numbers of the gait, with its limits.
   const GaitParameters& Parameters() const { return gait_.Parameters(); }
 
-  /// An error text that tells the user why the robot cannot take a posture now; NULL if it can.
-  const char* Problem();
+  /// An error text that tells the user why the robot cannot take this posture now; NULL if it can.
+  const char* Problem(protocol::version2::Posture posture);
 
   /// The same for a walk. Call it each time that the robot is told to walk. After a walk was refused, or ended for any
   /// reason but its client's steering, the client has to let go: it must send zero velocities, or nothing for
@@ -57,7 +70,7 @@ class Walker {
   /// @return the velocity after Gait::Limited()
   protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false);
 
-  /// Takes a posture. A walk first ends in the stand. Call it only if there is no Problem().
+  /// Takes a posture. A walk first ends in the stand. Call it only if there is no Problem() with it.
   void Take(protocol::version2::Posture posture);
 
   /// Ends the walk or posture at once: the legs brake, stop and hold. A client that steers has to let go before the
@@ -74,10 +87,13 @@ class Walker {
   /// True if this is a joint of a leg.
   bool Moves(int joint) const;
 
-  /// True if this joint is one of those that are levelled when the robot lies down to rest.
+  /// True if the head has to be levelled for a posture, because the robot lies down to rest or gets up.
+  bool NeedsLevelHead(protocol::version2::Posture posture) const;
+
+  /// True if this joint is one of those that are levelled then.
   bool IsOfHead(int joint) const;
 
-  /// True if this joint is levelled when the robot lies down to rest, as it was told last.
+  /// True if this joint is levelled in the posture that the robot was told to take last.
   bool Levels(int joint) const;
 
   /// Call when the joint gets another command. It is not levelled any more.
@@ -89,15 +105,18 @@ class Walker {
   /// The same, but false while the robot only waits for its motors to go off.
   bool IsMoving() const { return activity_ != IDLE && !is_resting_; }
 
+  /// Call when a joint does not follow.
+  /// @return true if it may give way, because the robot now tries another way to its posture
+  bool TriesAnotherWay(int joint);
+
   /// Sets the targets for the next frame. Call once in each frame, before MotionPlanner::NextFrame().
   void NextFrame();
 
-  /// Records how the legs have moved. Call it after MotionPlanner::NextFrame().
-  void HaveMoved();
-
-  /// Checks the accelerometer and the paws. A robot that has fallen or is carried stops.
+  /// Call for each report of the sensors. A robot that has fallen or is carried stops.
+  /// @param reading of the accelerometer and the paws
+  /// @param positions where the joints are, by the robot's table
   /// @param frame OPEN-R frame
-  void Measured(FallWatch::Reading reading, unsigned frame);
+  void Measured(const FallWatch::Reading& reading, const int* positions, unsigned frame);
 
   /// Checks the distance sensors and the paws. A guarded walk ends where it must not go on. Call it after Measured().
   void HaveLooked(const WalkGuard::Reading& reading);
@@ -105,8 +124,8 @@ class Walker {
   /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
   bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
 
-  /// True if the robot has been lying on its side or its back for a second and this class moved the legs last. The legs
-  /// must not push against obstacles.
+  /// True if the robot has been lying on its side or its back for a second, does not get up, and this class moved the
+  /// legs last. The legs must not push against obstacles.
   bool GoesSoft() const { return goes_soft_; }
 
   /// True once after the motors have been switched off because of a fall.
@@ -133,20 +152,27 @@ class Walker {
   Walker(const Walker&);
   Walker& operator=(const Walker&);
 
+  bool HasFallen() const { return FallWatch::IsFallen(fall_watch_.Now()) && FallWatch::IsFallen(fall_watch_.Last()); }
   bool FindJoints();
   bool IsWalk() const { return IsActive() && is_walk_; }
   int FindSlowJoint() const;
   void FindLegs(robot_model::LegAngles* legs) const;
+  void FindLegs(const int* positions, robot_model::LegAngles* legs) const;
   void Brake(const EndReason& reason);
   void MustLetGo(const EndReason& reason);
   void Begin(bool is_walk, protocol::version2::Posture posture);
-  void TakeNextPosture();
-  bool HaveArrived() const;
+  void PlanWay(bool lies_down);
+  void BeginNextStage();
+  void FinishWay();
+  int SpeedIn(Postures::Stage stage) const;
+  bool HaveArrived();
   void LevelHead(int milliseconds);
   void EndWalkInStand(const EndReason& reason);
   void Walk();
   void ChangeVelocity();
-  void SetFeet();
+  void CompareVelocity(unsigned frames);
+  void CorrectVelocity();
+  void SetFeet(const protocol::version2::Velocity& velocity);
   void StandsAfterWalk();
   void ReplaceNext(const EndReason& reason);
   void Finish(const EndReason& reason);
@@ -180,9 +206,14 @@ class Walker {
   /// @{
   bool is_walk_;
   protocol::version2::Posture posture_;  ///< if this is not a walk
-  protocol::version2::Posture way_[Postures::MAX_WAY];
+  Postures::Stage way_[Postures::MAX_WAY];
   int way_size_;
-  int way_begun_;  ///< number of its postures that have begun
+  int way_begun_;         ///< number of its stages that have begun
+  bool gets_up_;          ///< from a side or its back
+  bool rolls_;            ///< the way ends on the belly
+  int attempts_;          ///< ways that have begun
+  bool plans_again_;      ///< a joint did not follow
+  int frames_to_settle_;  ///< until the robot lies still at the way's end
   static const int LEVELLED = 3;
   int head_[LEVELLED];     ///< the joints that are levelled
   bool levels_[LEVELLED];  ///< whether each is still to be levelled
@@ -197,6 +228,9 @@ class Walker {
   protocol::version2::Posture next_;
   protocol::version2::Velocity wanted_;
   protocol::version2::Velocity velocity_;
+  protocol::version2::Velocity expected_;    ///< what should be measured now
+  protocol::version2::Velocity missing_;     ///< what is not measured of it, smoothed
+  protocol::version2::Velocity correction_;  ///< of velocity_, so that it is measured
   double effort_;
   double phase_;
   int frames_since_steered_;

@@ -3,21 +3,25 @@
 #include <math.h>
 #include <stddef.h>
 
+#include <algorithm>
+
 namespace {
 
 const double LEAST = 4;  // m/s^2; with less, up is not known
 const double COSINE_60 = 0.5;
+const double SINE_30 = 0.5;
 
 }  // namespace
 
 const unsigned FallWatch::PATIENCE;
+const int FallWatch::STANDING_PAWS;
 
 void FallWatch::Look(const Reading& reading, bool stands, unsigned frame) {
   const Verdict verdict = Judge(reading, stands);
-  if (verdict != candidate_) {
-    candidate_ = verdict;
+  if (verdict != candidate_ && !(IsFallen(verdict) && IsFallen(candidate_))) {
     candidate_since_ = frame;
   }
+  candidate_ = verdict;
   if (candidate_ != verdict_ && frame - candidate_since_ >= PATIENCE) {
     verdict_ = candidate_;
     since_ = candidate_since_;
@@ -26,10 +30,12 @@ void FallWatch::Look(const Reading& reading, bool stands, unsigned frame) {
 
 const char* FallWatch::Words(Verdict verdict) {
   switch (verdict) {
-    case ON_ITS_SIDE:
-      return "the robot lies on its side";
+    case ON_LEFT_SIDE:
+      return "the robot lies on its left side";
+    case ON_RIGHT_SIDE:
+      return "the robot lies on its right side";
     case UPSIDE_DOWN:
-      return "the robot is upside down";
+      return "the robot lies on its back";
     case CARRIED:
       return "the robot is carried: none of its paws touches the floor";
     default:
@@ -40,8 +46,10 @@ const char* FallWatch::Words(Verdict verdict) {
 FallWatch::Verdict FallWatch::Judge(const Reading& reading, bool stands) {
   const double size = sqrt(reading.forward * reading.forward + reading.left * reading.left + reading.up * reading.up);
   if (size >= LEAST && reading.up < COSINE_60 * size) {
-    return reading.up < -COSINE_60 * size ? UPSIDE_DOWN : ON_ITS_SIDE;
+    const bool on_side = reading.up > -COSINE_60 * size || fabs(reading.left) > SINE_30 * size;
+    return !on_side ? UPSIDE_DOWN : reading.left < 0 ? ON_LEFT_SIDE : ON_RIGHT_SIDE;
   }
-  paws_work_ = stands && (paws_work_ || reading.any_paw);
-  return paws_work_ && !reading.any_paw ? CARRIED : UPRIGHT;
+  const int touching = static_cast<int>(std::count(reading.paws, reading.paws + robot_model::NUMBER_OF_LEGS, true));
+  paws_work_ = stands && (paws_work_ || touching >= STANDING_PAWS);
+  return paws_work_ && touching == 0 ? CARRIED : UPRIGHT;
 }

@@ -3,27 +3,34 @@
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H
 
+#include "robot_model/legs.h"
+
 /// Evaluates the accelerometer and the paw switches.
 ///
-/// - The robot is on its side if the accelerometer's up direction is more than 60 degrees from the body's, and upside
-///   down if it is more than 120 degrees from it. A sitting robot leans by 25 degrees.
-/// - It is carried if it stands or walks and no paw touches the floor any more. Paws that have not touched the floor
-///   since it stood up are ignored: they may be broken, or the robot may be hung up for a test.
+/// - The robot lies if the accelerometer's up direction is more than 60 degrees from the body's: on its side, or, if
+///   neither side is up by more than 30 degrees, on its back. A sitting robot leans by 25 degrees.
+/// - It is carried if it stands or walks and no paw touches the floor any more. Paws are ignored until three of them
+///   have touched the floor at once since it stood up: they may be broken, the robot may be hung up for a test, or it
+///   may lie on its shanks.
 ///
-/// A verdict counts when it has been the same for PATIENCE. A reading far below gravity, such as that of a missing
+/// A verdict counts when it has been the same for PATIENCE, and a fall when the robot has lain for so long, even if it
+/// tumbles from one side to another. A reading far below gravity, such as that of a missing
 /// accelerometer, is ignored.
 class FallWatch {
  public:
-  enum Verdict { UPRIGHT, ON_ITS_SIDE, UPSIDE_DOWN, CARRIED };
+  enum Verdict { UPRIGHT, ON_LEFT_SIDE, ON_RIGHT_SIDE, UPSIDE_DOWN, CARRIED };
 
   static const unsigned PATIENCE = 50;  ///< frames of 8 ms: 0.4 s, a little less than a step. Our choice
 
+  /// Paws that touch the floor at once when the robot stands well.
+  static const int STANDING_PAWS = 3;
+
   /// The measurements of one frame.
   struct Reading {
-    double forward;  ///< acceleration in m/s^2, positive if the nose points up
-    double left;     ///< positive if the left side points up
-    double up;       ///< about 9.8 for a robot that is upright
-    bool any_paw;    ///< a paw touches the floor
+    double forward;                          ///< acceleration in m/s^2, positive if the nose points up
+    double left;                             ///< positive if the left side points up
+    double up;                               ///< about 9.8 for a robot that is upright
+    bool paws[robot_model::NUMBER_OF_LEGS];  ///< those that touch the floor, in the order of robot_model::Leg
   };
 
   FallWatch() : verdict_(UPRIGHT), since_(0), candidate_(UPRIGHT), candidate_since_(0), paws_work_(false) {}
@@ -35,10 +42,16 @@ class FallWatch {
 
   Verdict Now() const { return verdict_; }
 
-  /// Number of frames since the verdict changed.
+  /// The verdict of the last report alone.
+  Verdict Last() const { return candidate_; }
+
+  /// True if the robot lies on its side or its back.
+  static bool IsFallen(Verdict verdict) { return verdict != UPRIGHT && verdict != CARRIED; }
+
+  /// Number of frames since the robot fell, or else since the verdict changed.
   unsigned Duration(unsigned frame) const { return frame - since_; }
 
-  /// The verdict as text, such as "the robot lies on its side"; NULL if it is upright.
+  /// The verdict as text, such as "the robot lies on its left side"; NULL if it is upright.
   static const char* Words(Verdict verdict);
 
  private:

@@ -6,11 +6,8 @@
 #include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
 
-/// The numbers of the gait. The defaults were found with the bench in test/physics, which measures falls, distances and
-/// motor loads. None has been tried on a robot yet.
-struct GaitParameters {
-  GaitParameters();
-
+/// The numbers of a step.
+struct StepParameters {
   double period;  ///< s; in this time, each foot makes one step
 
   /// Share of the period in which a foot is on the floor. From 0.5 on, two feet always are.
@@ -24,12 +21,14 @@ struct GaitParameters {
   /// planned places, and the robot would lean back.
   double lag;
 
-  double height;       ///< m; of the shoulders over the floor
-  double lift;         ///< m; how high a foot is lifted in the middle of its way through the air
-  double front_ahead;  ///< m; where a front foot stands, ahead of its shoulder
-  double hind_ahead;   ///< m; the same for a hind foot
-  double outward;      ///< m; where a foot stands, farther from the middle of the body than its shoulder
-  double nose_down;    ///< rad; how far the body leans forward
+  double height;         ///< m; of the shoulders over the floor
+  double front_lift;     ///< m; how high a front foot is lifted in the middle of its way through the air
+  double hind_lift;      ///< m; the same for a hind foot
+  double front_ahead;    ///< m; where a front foot stands, ahead of its shoulder
+  double hind_ahead;     ///< m; the same for a hind foot
+  double front_outward;  ///< m; where a front foot stands, farther from the middle of the body than its shoulder
+  double hind_outward;   ///< m; the same for a hind foot
+  double nose_down;      ///< rad; how far the body leans forward
 
   /// Share of its way to the front in which a foot changes from the floor's speed to its own. The change back takes the
   /// same share. 0..0.5; the smaller, the lower its highest speed and the higher its acceleration.
@@ -38,9 +37,22 @@ struct GaitParameters {
   /// Share of its way through the air in which a foot begins to rise. The end of the rise and both ends of the fall
   /// take the same share. 0..0.25; it acts like `easing`.
   double lift_easing;
+};
+
+/// The numbers of the gait. The defaults were found with the bench in test/physics, which measures falls, distances and
+/// motor loads on many robots and floors. None has been tried on a robot yet.
+struct GaitParameters {
+  GaitParameters();
+
+  StepParameters in_place;  ///< without a forward velocity: standing, turning, walking sideways
+  StepParameters forward;   ///< at the highest velocity forward; at lower ones, nearer to `in_place`
+  StepParameters back;      ///< the same backward
 
   /// Highest velocities, each without the others. Combined velocities are limited further.
   protocol::version2::WalkLimits highest;
+
+  /// The same for the legs, which have to walk faster where they do not do as they are told.
+  protocol::version2::WalkLimits highest_of_legs;
 };
 
 /// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
@@ -50,8 +62,8 @@ struct GaitParameters {
 /// A pure function: it has no state, and the same arguments give the same angles. A robot that stands still is a robot
 /// that walks with velocity 0 and effort 0, whatever the phase is.
 ///
-/// The angles are not limited. With a velocity from Limited(), the angles and their speeds are within the limits and
-/// couplings of the joints. A test checks all velocities.
+/// The angles are not limited. With a velocity from Limited() or LimitedForLegs(), the angles and their speeds are
+/// within the limits and couplings of the joints. A test checks all velocities.
 class Gait {
  public:
   explicit Gait(const GaitParameters& parameters = GaitParameters()) : parameters_(parameters) {}
@@ -60,19 +72,27 @@ class Gait {
 
   /// The highest velocity in this direction that the legs can walk. Forward, sideways and turning velocities, each
   /// divided by its highest value, add up to 1 at most.
-  protocol::version2::Velocity Limited(const protocol::version2::Velocity& wanted) const;
+  protocol::version2::Velocity Limited(const protocol::version2::Velocity& wanted) const {
+    return Shortened(wanted, parameters_.highest);
+  }
+
+  /// The same for the legs.
+  protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted) const {
+    return Shortened(wanted, parameters_.highest_of_legs);
+  }
+
+  /// The numbers of a step with this velocity.
+  StepParameters StepAt(const protocol::version2::Velocity& velocity) const;
 
   /// True while a leg's foot is on the floor.
   /// @param phase of the step, 0..1
-  bool IsOnFloor(robot_model::Leg leg, double phase) const { return LegPhase(leg, phase) < parameters_.duty; }
-
-  /// True while a leg's foot moves with the floor: while it is on the floor, and for the margin before and after. With
-  /// a margin of a frame or more, a pair of legs always does so from one frame to the next.
-  bool MovesWithFloor(robot_model::Leg leg, double phase) const;
+  static bool IsOnFloor(const StepParameters& step, robot_model::Leg leg, double phase) {
+    return LegPhase(leg, phase) < step.duty;
+  }
 
   /// Computes the angles of the legs.
   /// @param phase of the step, 0..1
-  /// @param velocity that Limited() has returned
+  /// @param velocity that Limited() or LimitedForLegs() has returned
   /// @param effort 0..1: share of the lift; less than 1 at the beginning and the end of a walk
   /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
   void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
@@ -80,9 +100,8 @@ class Gait {
 
  private:
   static double LegPhase(robot_model::Leg leg, double phase);
-  double PlaceAt(double time) const;
-  double Lift(double part) const;
-  robot_model::Point FootMiddle(robot_model::Leg leg) const;
+  static protocol::version2::Velocity Shortened(const protocol::version2::Velocity& wanted,
+                                                const protocol::version2::WalkLimits& highest);
 
   GaitParameters parameters_;
 };

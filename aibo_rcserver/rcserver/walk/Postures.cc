@@ -25,6 +25,16 @@ const LegAngles HIND_SITS = {60 * DEGREE, 5 * DEGREE, 115 * DEGREE};
 const LegAngles FRONT_RESTS = {65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 const LegAngles HIND_RESTS = {-65 * DEGREE, 10 * DEGREE, 30 * DEGREE};
 
+// How the robot rolls over; for left legs, a hind leg's rotator has the other sign. Found with the bench in
+// test/physics. Legs that reach past the back end above it. A leg spread this wide does not carry the robot.
+const double PAST_BACK = 115 * DEGREE;
+const double WIDE = 85 * DEGREE;
+const LegAngles REACHES = {PAST_BACK, 2 * DEGREE, 5 * DEGREE};
+const LegAngles PUSHES = {PAST_BACK, WIDE, 5 * DEGREE};
+const LegAngles KEEPS_AWAY = {0, 0, 20 * DEGREE};
+const LegAngles FOLDED = {90 * DEGREE, WIDE, 30 * DEGREE};
+const LegAngles LEANS = {20 * DEGREE, 40 * DEGREE, 20 * DEGREE};
+
 // Largest distance of a foot from a way, in metres, at which the robot still counts as on it. Our choice: more than
 // load and joint slip cause, less than the length of a shank.
 const double NEAR = 0.03;
@@ -48,6 +58,11 @@ LegAngles Between(const LegAngles& from, const LegAngles& to, double part) {
   return angles;
 }
 
+LegAngles ForEnd(const LegAngles& angles, bool front) {
+  const LegAngles result = {front ? angles.rotator : -angles.rotator, angles.elevator, angles.knee};
+  return result;
+}
+
 }  // namespace
 
 const int Postures::MAX_WAY;
@@ -57,27 +72,60 @@ Postures::Postures(const Gait& gait) {
   gait.FindPosture(0, none, 0, legs_[POSTURE_STAND]);
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const bool front = isFront(static_cast<Leg>(i));
-    legs_[0][i] = legs_[POSTURE_STAND][i];  // no posture has this number
-    legs_[POSTURE_SIT][i] = front ? FRONT_SITS : HIND_SITS;
-    legs_[POSTURE_REST][i] = front ? FRONT_RESTS : HIND_RESTS;
-    standing_feet_[i] = findFoot(static_cast<Leg>(i), legs_[POSTURE_STAND][i]);
+    const bool left = isLeft(static_cast<Leg>(i));
+    legs_[0][i] = legs_[STAND][i];  // no posture has this number
+    legs_[SIT][i] = front ? FRONT_SITS : HIND_SITS;
+    legs_[REST][i] = front ? FRONT_RESTS : HIND_RESTS;
+    legs_[FOLD][i] = ForEnd(FOLDED, front);
+    legs_[SPREAD][i] = ForEnd(PUSHES, front);
+    legs_[TIP_RIGHT][i] = ForEnd(left ? REACHES : LEANS, front);
+    legs_[TIP_LEFT][i] = ForEnd(left ? LEANS : REACHES, front);
+    legs_[REACH_LEFT][i] = ForEnd(left ? REACHES : KEEPS_AWAY, front);
+    legs_[REACH_RIGHT][i] = ForEnd(left ? KEEPS_AWAY : REACHES, front);
+    legs_[PUSH_LEFT][i] = ForEnd(left ? PUSHES : KEEPS_AWAY, front);
+    legs_[PUSH_RIGHT][i] = ForEnd(left ? KEEPS_AWAY : PUSHES, front);
+    standing_feet_[i] = findFoot(static_cast<Leg>(i), legs_[STAND][i]);
   }
 }
 
-int Postures::FindWay(const LegAngles* here, Posture wanted, Posture* way) const {
-  const bool stands = Stands(here);
-  const bool sits = !stands && IsBetween(POSTURE_STAND, POSTURE_SIT, here);
-  const bool rests = !stands && IsBetween(POSTURE_STAND, POSTURE_REST, here);
+bool Postures::Moves(Stage stage, int number) {
+  return stage == SPREAD ? number == 1 : stage == FOLD ? number != 1 : true;
+}
+
+int Postures::FindWay(const LegAngles* here, Posture wanted, bool lies_down, Stage* way) const {
+  const bool stands = !lies_down && Stands(here);
+  const bool sits = !lies_down && !stands && IsBetween(POSTURE_STAND, POSTURE_SIT, here);
+  const bool rests = !lies_down && !stands && IsBetween(POSTURE_STAND, POSTURE_REST, here);
   int count = 0;
-  if (!stands && !sits && !rests && wanted != POSTURE_REST) {
-    way[count++] = POSTURE_REST;
+  if (!stands && !sits && !rests) {
+    way[count++] = SPREAD;
+    way[count++] = FOLD;
+    if (wanted != POSTURE_REST) {
+      way[count++] = REST;
+    }
   }
   const bool comes_from_other_side = wanted == POSTURE_SIT ? !sits && !stands : wanted == POSTURE_REST && sits;
   if (comes_from_other_side) {
-    way[count++] = POSTURE_STAND;
+    way[count++] = STAND;
   }
-  way[count++] = wanted;
+  way[count++] = static_cast<Stage>(wanted);
   return count;
+}
+
+int Postures::FindWayToBelly(FallWatch::Verdict verdict, int attempt, Stage* way) {
+  switch (verdict) {
+    case FallWatch::ON_LEFT_SIDE:
+      way[0] = REACH_LEFT;
+      way[1] = PUSH_LEFT;
+      return 2;
+    case FallWatch::ON_RIGHT_SIDE:
+      way[0] = REACH_RIGHT;
+      way[1] = PUSH_RIGHT;
+      return 2;
+    default:
+      way[0] = attempt % 2 == 0 ? TIP_RIGHT : TIP_LEFT;
+      return 1;
+  }
 }
 
 bool Postures::Stands(const LegAngles* here) const {

@@ -4,32 +4,64 @@
 #define AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
 
 #include "protocol/walk_requests.h"
+#include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
 #include "robot_model/legs.h"
 
-/// Knows the leg angles of each posture, and the order in which to take postures to get to one from anywhere, so that
-/// the robot never stands on folded legs.
+/// Knows the leg angles of each posture, and the order in which to take them to get to one from anywhere, so that the
+/// robot never stands on folded legs.
 ///
 /// Between standing and sitting, and between standing and lying, all joints move at once, and the feet slide over the
-/// floor. All other ways are made of these. From an unknown posture, the robot first lies down. Its legs slide apart,
-/// so that the feet stay around the body all the way down.
+/// floor. All other ways are made of these. From an unknown posture, the robot first lies down: it spreads its legs
+/// until it lies on its belly, folds them without weight on them, and puts them down.
+///
+/// A robot that lies on a side rolls onto its belly: the legs below reach past its back, and then push against the
+/// floor. If it lies on its back, the legs of one side reach past its back, so that it tips onto the other side.
 class Postures {
  public:
-  /// Most postures on a way.
-  static const int MAX_WAY = 3;
+  /// What the legs do in one go. The first have the numbers of protocol::version2::Posture.
+  enum Stage {
+    STAND = protocol::version2::POSTURE_STAND,
+    SIT,
+    REST,
+    SPREAD,
+    FOLD,
+    TIP_LEFT,
+    TIP_RIGHT,
+    REACH_LEFT,
+    REACH_RIGHT,
+    PUSH_LEFT,
+    PUSH_RIGHT,
+    NUMBER_OF_STAGES
+  };
+
+  /// Most stages on a way.
+  static const int MAX_WAY = 5;
 
   /// @param gait its posture at zero velocity is standing
   explicit Postures(const Gait& gait);
 
-  /// The angles of the four legs in a posture, in the order of robot_model::Leg.
-  const robot_model::LegAngles* Legs(protocol::version2::Posture posture) const { return legs_[posture]; }
+  /// The angles of the four legs at the end of a stage, in the order of robot_model::Leg.
+  const robot_model::LegAngles* Legs(int stage) const { return legs_[stage]; }
+
+  /// True if this joint of a leg moves in a stage.
+  /// @param number 0 rotator, 1 elevator, 2 knee
+  static bool Moves(Stage stage, int number);
+
+  /// True if the robot takes one of the postures in a stage, with its weight on its legs.
+  static bool IsPosture(Stage stage) { return stage <= REST; }
 
   /// Finds the way to a posture.
   /// @param here the angles of the four legs now
-  /// @param[out] way room for MAX_WAY postures to take one after the other; the last is the wanted one
-  /// @return the number of postures
-  int FindWay(const robot_model::LegAngles* here, protocol::version2::Posture wanted,
-              protocol::version2::Posture* way) const;
+  /// @param lies_down true if the robot has to lie down on the way
+  /// @param[out] way room for MAX_WAY stages to go through one after the other; the last is the wanted posture
+  /// @return the number of stages
+  int FindWay(const robot_model::LegAngles* here, protocol::version2::Posture wanted, bool lies_down, Stage* way) const;
+
+  /// Finds the way from a side or the back onto the belly. Afterwards, the robot may lie on another side.
+  /// @param verdict how the robot lies
+  /// @param attempt 0, 1, 2, ...: from its back, the robot tips to one side, then to the other
+  static int FindWayToBelly(FallWatch::Verdict verdict, int attempt, Stage* way);
 
   /// True if the feet are below the body and near their places in the stand, so that the robot can stand up at once.
   bool Stands(const robot_model::LegAngles* here) const;
@@ -43,7 +75,7 @@ class Postures {
   bool IsBetween(protocol::version2::Posture from, protocol::version2::Posture to,
                  const robot_model::LegAngles* here) const;
 
-  robot_model::LegAngles legs_[protocol::version2::POSTURE_REST + 1][robot_model::NUMBER_OF_LEGS];
+  robot_model::LegAngles legs_[NUMBER_OF_STAGES][robot_model::NUMBER_OF_LEGS];
   robot_model::Point standing_feet_[robot_model::NUMBER_OF_LEGS];
 };
 

@@ -124,12 +124,13 @@ void WalkGuard::Forget() {
   AddPose();
 }
 
-void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded) {
-  const Place step = {FRAME * walked.forward, FRAME * walked.left};
+void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded, unsigned frames) {
+  const double seconds = FRAME * frames;
+  const Place step = {seconds * walked.forward, seconds * walked.left};
   const Place place = Outside(pose_, step);
   pose_.x = place.x;
   pose_.y = place.y;
-  pose_.TurnTo(pose_.yaw + FRAME * walked.turn);
+  pose_.TurnTo(pose_.yaw + seconds * walked.turn);
   const Pose& last = poses_[(poses_added_ - 1) % MOST_POSES];
   if (!IsBlind(commanded) && (hypot(pose_.x - last.x, pose_.y - last.y) >= WAY_BETWEEN_POSES ||
                               fabs(pose_.yaw - last.yaw) >= TURN_BETWEEN_POSES)) {
@@ -137,11 +138,11 @@ void WalkGuard::HaveWalked(const Velocity& walked, const Velocity& commanded) {
   }
 }
 
-void WalkGuard::Look(const Reading& reading, const LegAngles* legs, double phase, bool walks) {
+void WalkGuard::Look(const Reading& reading, const LegAngles* legs, double phase, const StepParameters* step) {
   const Floor floor = FloorUnder(legs);
   LookAtFloor(reading.chest, floor);
   LookAhead(reading, floor);
-  FeelFloor(reading, legs, phase, walks);
+  FeelFloor(reading, legs, phase, step);
 }
 
 const char* WalkGuard::Objection(const Velocity& velocity) const {
@@ -239,16 +240,13 @@ double WalkGuard::WayTo(const Point& origin, const Point& direction, double dist
   return is_in_way ? x : NOTHING_AHEAD;
 }
 
-void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double phase, bool walks) {
-  if (!walks) {
+void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double phase, const StepParameters* step) {
+  if (step == NULL) {
     paw_without_floor_ = NO_PAW;
   }
-  const double period = gait_.Parameters().period;
-  const double first = phase + 1 - FIRST_TOUCH / period;
-  const double last = phase + 1 - LAST_TOUCH / period;
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
-    if (!walks || !gait_.IsOnFloor(leg, first - floor(first)) || !gait_.IsOnFloor(leg, last - floor(last))) {
+    if (step == NULL || !IsLongOnFloor(*step, leg, phase)) {
       steps_felt_[i] = has_touched_[i] ? steps_felt_[i] + 1 : reports_in_air_[i] > 0 ? 0 : steps_felt_[i];
       has_touched_[i] = false;
       reports_in_air_[i] = 0;
@@ -263,6 +261,13 @@ void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double 
       AddEdge(Outside(pose_, place));
     }
   }
+}
+
+// True if the foot has been on the floor for so long that its paw must be pressed.
+bool WalkGuard::IsLongOnFloor(const StepParameters& step, Leg leg, double phase) {
+  const double first = phase + 1 - FIRST_TOUCH / step.period;
+  const double last = phase + 1 - LAST_TOUCH / step.period;
+  return Gait::IsOnFloor(step, leg, first - floor(first)) && Gait::IsOnFloor(step, leg, last - floor(last));
 }
 
 // Also for each velocity backward.

@@ -8,8 +8,8 @@
 #include "robot_model/head.h"
 #include "robot_model/legs.h"
 
-/// Change of a walk's velocity in a second, relative to the highest velocity.
-const double SPEED_CHANGE = 2;
+/// Change of a walk's velocity in a second, relative to the highest velocity. Our choice: all joints can follow.
+const double SPEED_CHANGE = 1;
 
 /// Decides from the distance sensors, the paws and the way walked whether the robot may walk on.
 ///
@@ -40,16 +40,18 @@ class WalkGuard {
   /// Call when the robot may have been moved to another place. It forgets where it has been.
   void Forget();
 
-  /// Call after a frame in which the robot walked.
-  /// @param walked the velocity of the feet in this frame
+  /// Call for each report of the joints while the robot walks.
+  /// @param walked the velocity of the feet since the last report
   /// @param commanded the velocity of the gait
-  void HaveWalked(const protocol::version2::Velocity& walked, const protocol::version2::Velocity& commanded);
+  /// @param frames of 8 ms since the last report
+  void HaveWalked(const protocol::version2::Velocity& walked, const protocol::version2::Velocity& commanded,
+                  unsigned frames);
 
   /// Call for each report of the sensors while the robot stands or walks.
   /// @param legs where the legs are commanded, in the order of robot_model::Leg
   /// @param phase of the step, 0..1
-  /// @param walks true if the robot lifts its feet
-  void Look(const Reading& reading, const robot_model::LegAngles* legs, double phase, bool walks);
+  /// @param step that the robot makes; NULL if it does not lift its feet
+  void Look(const Reading& reading, const robot_model::LegAngles* legs, double phase, const StepParameters* step);
 
   /// Why the robot must not walk with this velocity now, in words for the user; NULL if it may.
   const char* Objection(const protocol::version2::Velocity& velocity) const;
@@ -92,7 +94,8 @@ class WalkGuard {
   void LookAhead(const Reading& reading, const Floor& floor);
   double WayTo(const robot_model::Point& origin, const robot_model::Point& direction, double distance,
                double floor) const;
-  void FeelFloor(const Reading& reading, const robot_model::LegAngles* legs, double phase, bool walks);
+  void FeelFloor(const Reading& reading, const robot_model::LegAngles* legs, double phase, const StepParameters* step);
+  static bool IsLongOnFloor(const StepParameters& step, robot_model::Leg leg, double phase);
   static bool IsBlind(const protocol::version2::Velocity& velocity);
   Pose After(const protocol::version2::Velocity& velocity) const;
   bool ComesToEdge(const Pose& then) const;

@@ -1,48 +1,57 @@
 /// @file WalkedVelocity.h
-/// The robot's walking velocity, computed from the motion of its feet.
+/// The robot's walking velocity, measured by its legs.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H
 #define AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H
 
-#include "rcserver/walk/Gait.h"
+#include "protocol/walk_requests.h"
 #include "robot_model/legs.h"
 
-/// Computes how the feet on the floor move the body, frame by frame, averaged between two reports.
+/// Measures how the feet on the floor move the body, from what the joints and the paws report. Feet roll, but are
+/// assumed not to slip, except that sideways they always do a little. So this sees motors that lag or give way under
+/// the robot's weight.
 ///
-/// The feet are where the planner puts them, after all limits. They are assumed not to slip.
+/// A foot is on the floor if its paw is pressed in two reports that follow each other. If fewer than two are, those of
+/// the lower pair of diagonal legs count: paws may be broken, or the robot may be hung up for a test. While the pairs
+/// change, the last velocity counts.
 class WalkedVelocity {
  public:
-  /// @param gait must outlive this
-  explicit WalkedVelocity(const Gait& gait);
+  WalkedVelocity();
 
-  /// Call when the robot begins to move its legs, from these angles, at phase 0 of the step.
-  /// @param legs the angles of the four legs, in the order of robot_model::Leg
-  void Begin(const robot_model::LegAngles* legs);
+  /// Call when the robot begins to walk.
+  void Begin();
 
-  /// Call after a frame in which the robot did not walk.
-  void HaveMoved(const robot_model::LegAngles* legs);
+  /// Call for each report of the sensors while the robot walks.
+  /// @param legs the measured angles of the four legs, in the order of robot_model::Leg
+  /// @param paws for each leg, true if its paw is pressed
+  /// @param frame OPEN-R frame
+  /// @return the frames since the report before, for which this is the velocity; 0 for the first report of a walk
+  unsigned Measured(const robot_model::LegAngles* legs, const bool* paws, unsigned frame);
 
-  /// Call after a frame in which the robot walked.
-  /// @param phase of the step at the frame's end, 0..1
-  void HaveWalked(const robot_model::LegAngles* legs, double phase);
+  /// In the last report.
+  const protocol::version2::Velocity& Now() const { return now_; }
 
-  /// The velocity in the last frame in which the robot walked.
-  const protocol::version2::Velocity& InLastFrame() const { return in_last_frame_; }
-
-  /// The average since the last call; the last value if no frame has passed since. If no foot slips, the sum over all
-  /// frames is the distance walked.
+  /// The average since the last call; the last value if no report has come since. If no foot slips, the sum over all
+  /// time is the distance walked.
   /// @param walks true if the robot walks now
   protocol::version2::Velocity Take(bool walks);
 
  private:
-  protocol::version2::Velocity VelocityTo(const robot_model::LegAngles* legs, double phase) const;
+  struct Foot {
+    robot_model::Point place;    ///< its centre
+    robot_model::Point contact;  ///< where it touches the floor, apart from a constant
+    bool is_pressed;
+  };
 
-  const Gait& gait_;
-  robot_model::LegAngles legs_[robot_model::NUMBER_OF_LEGS];
-  double phase_;
-  protocol::version2::Velocity in_last_frame_;
-  protocol::version2::Velocity sum_;  ///< over frames
-  int frames_;
-  protocol::version2::Velocity last_;
+  void FindFeet(const robot_model::LegAngles* legs, const bool* paws, Foot* feet) const;
+  bool ChooseFeet(const Foot* next, bool* chosen) const;
+  protocol::version2::Velocity VelocityTo(const Foot* next, const bool* chosen, unsigned frames) const;
+
+  bool has_feet_;
+  Foot feet_[robot_model::NUMBER_OF_LEGS];  ///< in the last report
+  unsigned frame_;                          ///< of the last report
+  protocol::version2::Velocity now_;
+  protocol::version2::Velocity sum_;  ///< over reports
+  int reports_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_WALKED_VELOCITY_H

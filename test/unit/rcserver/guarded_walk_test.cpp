@@ -79,7 +79,7 @@ class GuardedWalkTest : public RCServerFixture {
     }
   }
 
-  void letGo() { steer({0, 0, 0}, 0.7); }
+  void letGo() { steer({0, 0, 0}, 1.5); }
 
   void pass(double seconds) {
     for (double passed = 0; passed < seconds - 1e-9; passed += 0.008) {
@@ -223,7 +223,7 @@ TEST_F(GuardedWalkTest, AClientThatDoesNotAskForTheGuardWalksOn) {
   begin(1);
   steer({0.15, 0, 0}, 12, 0);
   EXPECT_GT(log_.falls, 0);
-  EXPECT_THAT(last_end_, HasSubstr("the robot lies on its side"));
+  EXPECT_THAT(last_end_, HasSubstr("the robot lies on its left side"));
 }
 
 TEST_F(GuardedWalkTest, HoweverItIsSteeredItNeitherFallsOffATableNorPushesAgainstABoard) {

@@ -226,7 +226,7 @@ TEST_F(PowerTest, RobotThatLiesOnItsSideShutsDownWithoutLyingDown) {
   passUntilOff(2);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(isLimp());
-  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: the robot lies on its side"));
+  EXPECT_THAT(console_.str(), HasSubstr("the robot does not lie down: the robot lies on its right side"));
 }
 
 TEST_F(PowerTest, JammedJointDoesNotPreventTheShutdown) {

@@ -314,20 +314,22 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   walk();
   layOnSide();
   steer(100, 72);
-  EXPECT_THAT(ends_, ElementsAre("2 4 walk: the robot lies on its side"));
-  EXPECT_THAT(errors_, Contains(HasSubstr("the robot lies on its side; set it down")));
+  EXPECT_THAT(ends_, ElementsAre("2 4 walk: the robot lies on its right side"));
+  EXPECT_THAT(errors_, Contains(HasSubstr("the robot lies on its right side; let it stand up first")));
   EXPECT_FALSE(isLimp());
   pass(70);
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are limp"));
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its side: its motors go off"));
+  EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its right side: its motors go off"));
 }
 
 TEST_F(WalkTest, ARobotThatIsLiftedStops) {
   robot_.sensor("acceleration_up_down") = -9806650;
-  robot_.sensor("paw_left_hind") = 1;
+  const char* const paws[] = {"paw_left_front", "paw_left_hind", "paw_right_hind"};
+  std::for_each(std::begin(paws), std::end(paws), [this](const char* paw) { robot_.sensor(paw) = 1; });
   walk();
-  robot_.sensor("paw_left_hind") = 0;
+  EXPECT_THAT(ends_, IsEmpty());
+  std::for_each(std::begin(paws), std::end(paws), [this](const char* paw) { robot_.sensor(paw) = 0; });
   steer(100, 80);
   ASSERT_FALSE(ends_.empty());
   EXPECT_THAT(ends_.front(), HasSubstr("2 4 walk: the robot is carried"));

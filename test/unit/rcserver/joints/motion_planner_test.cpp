@@ -764,7 +764,7 @@ TEST(MotionPlanner, MovesAJointThatHasFollowedWithItsOwnAccelerationAgain) {
   planner.Aim(knee, 35000);
   planner.Follow();
   planner.NextFrame();
-  EXPECT_EQ(planner.Position(knee), 5 * 52796210 / 15625) << "five times the default acceleration";
+  EXPECT_EQ(planner.Position(knee), MotionPlanner::FOLLOWING * 52796210 / 15625);
   planner.Hold(knee);
   planner.NextFrame();
   const int before = planner.Position(knee);

@@ -27,9 +27,10 @@ using ::testing::IsEmpty;
 constexpr int kFramesASecond = 125;
 constexpr double kFrame = 0.008;
 constexpr double kGravity = 9.80665;
-constexpr FallWatch::Reading kUpright = {0, 0, kGravity, true};
-constexpr FallWatch::Reading kOnItsSide = {0, kGravity, 0, true};
-constexpr FallWatch::Reading kInTheAir = {0, 0, kGravity, false};
+constexpr FallWatch::Reading kUpright = {0, 0, kGravity, {true, true, true, true}};
+constexpr FallWatch::Reading kOnItsSide = {0, kGravity, 0, {true, true, true, true}};
+constexpr FallWatch::Reading kOnItsBack = {0, 0, -kGravity, {}};
+constexpr FallWatch::Reading kInTheAir = {0, 0, kGravity, {}};
 
 class WalkerTest : public ::testing::Test {
  protected:
@@ -47,17 +48,43 @@ class WalkerTest : public ::testing::Test {
 
   void pass(int frames) {
     for (int i = 0; i < frames; ++i) {
-      std::vector<int> before;
-      for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
-        before.push_back(joints_.Planner().Position(joint));
-      }
+      const std::vector<int> before = positions();
       joints_.NextFrame();
       ++frame_;
-      if (frame_ % 4 == 0) {
-        walker().Measured(reading_, frame_);
+      if (++frames_since_report_ == 4) {
+        report();
       }
       check(before);
     }
+  }
+
+  std::vector<int> positions() {
+    std::vector<int> positions;
+    for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
+      positions.push_back(joints_.Planner().Position(joint));
+    }
+    return positions;
+  }
+
+  double heightOfFoot(robot_model::Leg leg) {
+    const auto angle = [&](int number) {
+      return joints_.Planner().Position(joints_.Find(legJointIdentifier(leg, number))) * 1e-6;
+    };
+    return findFoot(leg, {angle(0), angle(1), angle(2)}).z;
+  }
+
+  // The joints do what they are told. The lowest feet are on the floor if there is one.
+  void report() {
+    frames_since_report_ = 0;
+    FallWatch::Reading reading = reading_;
+    double lowest = 0;
+    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+      lowest = std::min(lowest, heightOfFoot(static_cast<robot_model::Leg>(leg)));
+    }
+    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+      reading.paws[leg] = reading.paws[leg] && heightOfFoot(static_cast<robot_model::Leg>(leg)) < lowest + 0.004;
+    }
+    walker().Measured(reading, positions().data(), frame_);
   }
 
   // As a client does: again and again.
@@ -80,6 +107,14 @@ class WalkerTest : public ::testing::Test {
     return frames;
   }
 
+  bool goesSoft() {
+    pass(4);
+    if (walker().WantsMotorsOff()) {
+      joints_.MotorsGoOff();
+    }
+    return walker().TakeSoftened();
+  }
+
   void take(Posture posture) {
     joints_.Take(posture);
     passUntilIdle();
@@ -99,10 +134,7 @@ class WalkerTest : public ::testing::Test {
 
   // Checks what holds in every frame: limits, couplings, speeds.
   void check(const std::vector<int>& before) {
-    std::vector<int> now;
-    for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
-      now.push_back(joints_.Planner().Position(joint));
-    }
+    const std::vector<int> now = positions();
     for (int joint = 0; joint < robot_.number_of_joints; ++joint) {
       const auto i = static_cast<std::size_t>(joint);
       ASSERT_GE(now[i], lowestPosition(robot_, joint, now.data())) << robot_.joints[joint].name;
@@ -128,6 +160,7 @@ class WalkerTest : public ::testing::Test {
     for (int i = 0; i < 3000 && walker().State() != protocol::version2::WALK_STATE_WALKS; ++i) {
       joints_.Steer({-0.05, 0, 0});
       walker().TakeVelocity();
+      frames_since_report_ = 3;  // so that the walk begins with a report each time
       pass(1);
     }
     ends();
@@ -166,6 +199,7 @@ class WalkerTest : public ::testing::Test {
   const Postures postures_{Gait()};
   FallWatch::Reading reading_ = kUpright;
   unsigned frame_ = 0;
+  unsigned frames_since_report_ = 0;
   int fastest_ = 0;       // microradian/s
   int farthest_lag_ = 0;  // microradian
 };
@@ -176,7 +210,7 @@ TEST_F(WalkerTest, WalksWithTheVelocityItIsSteeredWithAndStandsInTheEnd) {
   walk({0.1, 0, 0.2});
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
   walker().TakeVelocity();
-  steer({0.1, 0, 0.2}, 60);  // a step
+  steer({0.1, 0, 0.2}, 600);  // ten steps
   const Velocity velocity = walker().TakeVelocity();
   EXPECT_NEAR(velocity.forward, 0.1, 2e-3);
   EXPECT_NEAR(velocity.left, 0, 2e-3);
@@ -208,7 +242,7 @@ TEST_F(WalkerTest, TellsTheWayOfTheFeet) {
     way += walker().TakeVelocity().forward * 25 * kFrame;
     commanded += 0.1 * 25 * kFrame;
   }
-  EXPECT_NEAR(way, commanded - 0.017, 0.005) << "but for the time in which it speeds up";
+  EXPECT_NEAR(way, commanded - 0.028, 0.005) << "but for the time in which it speeds up";
   joints_.Steer({0, 0, 0});
   const int frames = passUntilIdle();
   way += walker().TakeVelocity().forward * frames * kFrame;
@@ -248,6 +282,7 @@ TEST_F(WalkerTest, SharesTheLegsSpeedWhileTheVelocityChanges) {
 
 TEST_F(WalkerTest, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   walk();
+  steer({0.1, 0, 0}, 300);
   joints_.Steer({0.1, 0, 0});
   walker().TakeVelocity();
   pass(62);
@@ -370,7 +405,7 @@ TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsIt
   pass(50);
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: the speed limit of left_front_knee is too low for walking"));
-  EXPECT_EQ(walker().Problem(), nullptr) << "postures are slow";
+  EXPECT_EQ(walker().Problem(POSTURE_SIT), nullptr) << "postures are slow";
   walk();
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
 }
@@ -402,11 +437,11 @@ TEST_F(WalkerTest, AClientWhoseWalkWasRefusedHasToLetGoToo) {
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the motors were off: let go first"));
   reading_ = kOnItsSide;
   pass(100);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its side; set it down"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its right side; let it stand up first"));
   reading_ = kUpright;
   for (int i = 0; i < 4; ++i) {
     pass(40);
-    EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its side"));
+    EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its right side"));
   }
   joints_.ClientGone();
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "that is another client";
@@ -471,13 +506,7 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
   using namespace protocol::version2;
-  const auto now = [this] {
-    std::vector<int> positions;
-    for (int i = 0; i < robot_.number_of_joints; ++i) {
-      positions.push_back(joints_.Planner().Position(i));
-    }
-    return walker().Now(positions.data());
-  };
+  const auto now = [this] { return walker().Now(positions().data()); };
   EXPECT_EQ(now(), POSTURE_STAND);
   joints_.Take(POSTURE_SIT);
   bool was_unknown = false;
@@ -728,8 +757,8 @@ TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
   EXPECT_TRUE(walker().IsActive()) << "a knock";
   pass(40);
   EXPECT_FALSE(walker().IsActive());
-  EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its side"));
-  EXPECT_THAT(walker().Problem(), HasSubstr("the robot lies on its side"));
+  EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its right side"));
+  EXPECT_THAT(walker().Problem(POSTURE_SIT), HasSubstr("the robot lies on its right side"));
   pass(48);
   EXPECT_FALSE(walker().GoesSoft());
   pass(24);
@@ -774,12 +803,71 @@ TEST_F(WalkerTest, ARobotThatIsLiftedStopsAndWalksAgainOnTheFloor) {
   EXPECT_THAT(ends(), ElementsAre(HasSubstr("walk: the robot is carried")));
   pass(400);
   EXPECT_FALSE(walker().WantsMotorsOff());
-  EXPECT_THAT(walker().Problem(), HasSubstr("carried"));
+  EXPECT_THAT(walker().Problem(POSTURE_STAND), HasSubstr("carried"));
   reading_ = kUpright;
   pass(60);
-  EXPECT_EQ(walker().Problem(), nullptr);
+  EXPECT_EQ(walker().Problem(POSTURE_SIT), nullptr);
   walk();
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+}
+
+// The physics tells if it gets up from that; this shows what it tries.
+TEST_F(WalkerTest, ARobotThatLiesRollsOntoItsBellyAndStandsUp) {
+  reading_ = kOnItsBack;
+  pass(100);
+  EXPECT_EQ(walker().Problem(POSTURE_STAND), nullptr);
+  joints_.Take(POSTURE_STAND);
+  while (joints_.Planner().Position(joint("left_front_rotator")) < 1900000) {  // it reaches past its back
+    pass(1);
+    ASSERT_TRUE(walker().IsActive());
+  }
+  reading_ = kOnItsSide;
+  while (joints_.Planner().Position(joint("right_front_elevator")) < 1400000) {  // it pushes with the legs below
+    pass(1);
+    ASSERT_TRUE(walker().IsActive());
+  }
+  EXPECT_THAT(ends(), IsEmpty());
+  reading_ = kUpright;
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("stand: "));
+}
+
+TEST_F(WalkerTest, ARobotThatCannotGetUpGivesUpAndGoesSoft) {
+  reading_ = kOnItsSide;
+  pass(100);
+  joints_.Take(POSTURE_STAND);
+  EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
+  EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
+  EXPECT_TRUE(goesSoft());
+}
+
+TEST_F(WalkerTest, AFallOnTheWayToAPostureThatBeganUprightEndsIt) {
+  joints_.Take(POSTURE_SIT);
+  pass(20);
+  reading_ = kOnItsSide;
+  pass(100);
+  EXPECT_THAT(ends(), ElementsAre("sit: the robot lies on its right side"));
+}
+
+TEST_F(WalkerTest, AJointThatDoesNotFollowOnTheWayToAPostureGivesWayAFewTimes) {
+  take(POSTURE_REST);
+  joints_.MotorsGoOff();
+  joints_.Take(POSTURE_STAND);
+  pass(20);
+  const int knee = joint("left_hind_knee");
+  EXPECT_TRUE(walker().TriesAnotherWay(knee));
+  EXPECT_FALSE(walker().TriesAnotherWay(joint("head_pan")));
+  pass(2);
+  EXPECT_GT(joints_.Planner().Target(joint("right_front_elevator")), 1400000) << "it spreads its legs";
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  joints_.Take(POSTURE_SIT);
+  for (int i = 1; i < Walker::ATTEMPTS; ++i) {
+    EXPECT_TRUE(walker().TriesAnotherWay(knee));
+    pass(4);
+  }
+  EXPECT_FALSE(walker().TriesAnotherWay(knee));
 }
 
 TEST(WalkerOfAnotherRobotTest, CannotWalk) {

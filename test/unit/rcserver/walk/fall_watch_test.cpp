@@ -13,11 +13,12 @@ constexpr double kDegree = 3.14159265358979323846 / 180;
 
 class FallWatchTest : public ::testing::Test {
  protected:
-  static FallWatch::Reading rolledBy(double degrees, bool any_paw = true) {
-    return {0, kGravity * std::sin(degrees * kDegree), kGravity * std::cos(degrees * kDegree), any_paw};
+  static FallWatch::Reading rolledBy(double degrees, bool paws = true) {
+    return {
+        0, kGravity * std::sin(degrees * kDegree), kGravity * std::cos(degrees * kDegree), {paws, paws, paws, paws}};
   }
   static FallWatch::Reading pitchedBy(double degrees) {
-    return {kGravity * std::sin(degrees * kDegree), 0, kGravity * std::cos(degrees * kDegree), true};
+    return {kGravity * std::sin(degrees * kDegree), 0, kGravity * std::cos(degrees * kDegree), {}};
   }
 
   // A report every 4 frames.
@@ -43,8 +44,8 @@ TEST_F(FallWatchTest, ARobotThatSitsOrStandsOnASlopeIsUpright) {
 TEST_F(FallWatchTest, FindsTheRobotOnEitherSideOrOnItsNose) {
   for (const FallWatch::Reading& reading : {rolledBy(80), rolledBy(-80), pitchedBy(-80), pitchedBy(65)}) {
     look(reading, 60);
-    EXPECT_EQ(watch_.Now(), FallWatch::ON_ITS_SIDE);
-    EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("on its side"));
+    EXPECT_EQ(watch_.Now(), reading.left < 0 ? FallWatch::ON_LEFT_SIDE : FallWatch::ON_RIGHT_SIDE);
+    EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr(reading.left < 0 ? "left side" : "right side"));
     look(rolledBy(0), 60);
     EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
   }
@@ -53,6 +54,9 @@ TEST_F(FallWatchTest, FindsTheRobotOnEitherSideOrOnItsNose) {
 TEST_F(FallWatchTest, FindsTheRobotUpsideDown) {
   look(rolledBy(170), 60);
   EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
+  EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("on its back"));
+  look(rolledBy(140), 60);
+  EXPECT_EQ(watch_.Now(), FallWatch::ON_RIGHT_SIDE) << "it leans on its legs";
 }
 
 TEST_F(FallWatchTest, AKnockIsNoFall) {
@@ -62,13 +66,21 @@ TEST_F(FallWatchTest, AKnockIsNoFall) {
   EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
 }
 
+TEST_F(FallWatchTest, ARobotThatTumblesFallsOnce) {
+  for (int turn = 0; turn < 8; ++turn) {
+    look(rolledBy(turn % 2 == 0 ? 90 : 180), 20);
+  }
+  EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
+  EXPECT_EQ(watch_.Duration(frame_), 156u);
+}
+
 TEST_F(FallWatchTest, CountsFromTheFirstReading) {
   look(rolledBy(90), 200);
   EXPECT_EQ(watch_.Duration(frame_), 196u);
 }
 
 TEST_F(FallWatchTest, AnAccelerometerThatMeasuresNothingSaysNothing) {
-  look({0.5, -1, -0.5, true}, 500);
+  look({0.5, -1, -0.5, {true, true, true, true}}, 500);
   EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
 }
 
@@ -90,6 +102,14 @@ TEST_F(FallWatchTest, PawsThatLoseTheFloorForOneStepAreWalking) {
 }
 
 TEST_F(FallWatchTest, PawsThatHaveNeverTouchedAnythingSayNothing) {
+  look(rolledBy(0, false), 500);
+  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, ARobotOnItsShanksIsNotCarried) {
+  FallWatch::Reading reading = rolledBy(0);
+  reading.paws[0] = reading.paws[1] = false;
+  look(reading, 100);
   look(rolledBy(0, false), 500);
   EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
 }

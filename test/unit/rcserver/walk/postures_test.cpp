@@ -42,9 +42,15 @@ class PosturesTest : public ::testing::Test {
     return angles;
   }
 
-  std::vector<Posture> way(const Legs& here, Posture wanted) const {
-    std::vector<Posture> found(Postures::MAX_WAY);
-    found.resize(static_cast<std::size_t>(postures_.FindWay(here.data(), wanted, found.data())));
+  std::vector<Postures::Stage> way(const Legs& here, Posture wanted, bool lies_down = false) const {
+    std::vector<Postures::Stage> found(Postures::MAX_WAY);
+    found.resize(static_cast<std::size_t>(postures_.FindWay(here.data(), wanted, lies_down, found.data())));
+    return found;
+  }
+
+  static std::vector<Postures::Stage> wayToBelly(FallWatch::Verdict verdict, int attempt) {
+    std::vector<Postures::Stage> found(Postures::MAX_WAY);
+    found.resize(static_cast<std::size_t>(Postures::FindWayToBelly(verdict, attempt, found.data())));
     return found;
   }
 
@@ -58,7 +64,7 @@ class PosturesTest : public ::testing::Test {
 
 TEST_F(PosturesTest, AreAllowed) {
   const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
-  for (const Posture posture : {POSTURE_STAND, POSTURE_SIT, POSTURE_REST}) {
+  for (int posture = Postures::STAND; posture < Postures::NUMBER_OF_STAGES; ++posture) {
     std::array<int, robot_model::MAX_JOINTS> joints{};
     clampPosture(robot, joints.data());
     for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
@@ -76,25 +82,35 @@ TEST_F(PosturesTest, AreAllowed) {
 }
 
 TEST_F(PosturesTest, AreReachedFromEachOtherThroughTheStand) {
-  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_SIT), ElementsAre(POSTURE_SIT));
-  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_REST), ElementsAre(POSTURE_REST));
-  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_STAND), ElementsAre(POSTURE_STAND));
-  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_STAND), ElementsAre(POSTURE_STAND));
-  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_REST), ElementsAre(POSTURE_STAND, POSTURE_REST));
-  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_SIT), ElementsAre(POSTURE_STAND, POSTURE_SIT));
-  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_SIT), ElementsAre(POSTURE_SIT));
+  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_SIT), ElementsAre(Postures::SIT));
+  EXPECT_THAT(way(legs(POSTURE_STAND), POSTURE_REST), ElementsAre(Postures::REST));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_STAND), ElementsAre(Postures::STAND));
+  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_STAND), ElementsAre(Postures::STAND));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_REST), ElementsAre(Postures::STAND, Postures::REST));
+  EXPECT_THAT(way(legs(POSTURE_REST), POSTURE_SIT), ElementsAre(Postures::STAND, Postures::SIT));
+  EXPECT_THAT(way(legs(POSTURE_SIT), POSTURE_SIT), ElementsAre(Postures::SIT));
 }
 
 TEST_F(PosturesTest, AreReachedFromTheMiddleOfAWayToo) {
-  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_SIT, 0.8), POSTURE_REST), ElementsAre(POSTURE_STAND, POSTURE_REST));
-  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_STAND), ElementsAre(POSTURE_STAND));
-  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_REST), ElementsAre(POSTURE_REST));
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_SIT, 0.8), POSTURE_REST),
+              ElementsAre(Postures::STAND, Postures::REST));
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_STAND), ElementsAre(Postures::STAND));
+  EXPECT_THAT(way(between(POSTURE_STAND, POSTURE_REST, 0.7), POSTURE_REST), ElementsAre(Postures::REST));
 }
 
 TEST_F(PosturesTest, AreReachedFromAnyOtherPostureByLyingDownFirst) {
-  EXPECT_THAT(way(on_its_knees_, POSTURE_STAND), ElementsAre(POSTURE_REST, POSTURE_STAND));
-  EXPECT_THAT(way(on_its_knees_, POSTURE_SIT), ElementsAre(POSTURE_REST, POSTURE_STAND, POSTURE_SIT));
-  EXPECT_THAT(way(on_its_knees_, POSTURE_REST), ElementsAre(POSTURE_REST));
+  using P = Postures;
+  EXPECT_THAT(way(on_its_knees_, POSTURE_STAND), ElementsAre(P::SPREAD, P::FOLD, P::REST, P::STAND));
+  EXPECT_THAT(way(on_its_knees_, POSTURE_SIT), ElementsAre(P::SPREAD, P::FOLD, P::REST, P::STAND, P::SIT));
+  EXPECT_THAT(way(on_its_knees_, POSTURE_REST), ElementsAre(P::SPREAD, P::FOLD, P::REST));
+  EXPECT_THAT(way(straight_, POSTURE_STAND, true), ElementsAre(P::SPREAD, P::FOLD, P::REST, P::STAND));
+}
+
+TEST_F(PosturesTest, ARobotThatLiesRollsOntoItsBelly) {
+  EXPECT_THAT(wayToBelly(FallWatch::ON_LEFT_SIDE, 0), ElementsAre(Postures::REACH_LEFT, Postures::PUSH_LEFT));
+  EXPECT_THAT(wayToBelly(FallWatch::ON_RIGHT_SIDE, 3), ElementsAre(Postures::REACH_RIGHT, Postures::PUSH_RIGHT));
+  EXPECT_THAT(wayToBelly(FallWatch::UPSIDE_DOWN, 0), ElementsAre(Postures::TIP_RIGHT));
+  EXPECT_THAT(wayToBelly(FallWatch::UPSIDE_DOWN, 1), ElementsAre(Postures::TIP_LEFT));
 }
 
 TEST_F(PosturesTest, AreReachedAtOnceFromEveryWayToStand) {

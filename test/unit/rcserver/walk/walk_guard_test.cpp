@@ -36,20 +36,21 @@ class WalkGuardTest : public ::testing::Test {
     LegAngles legs[NUMBER_OF_LEGS];
     gait_.FindPosture(0, {0, 0, 0}, 0, legs);
     for (int i = 0; i < reports; ++i) {
-      guard_.Look(reading, legs, 0, false);
+      guard_.Look(reading, legs, 0, nullptr);
     }
   }
 
   // Reports come every 4 frames.
   void walk(const Velocity& velocity, double seconds, const WalkGuard::Reading& reading = onFloor()) {
     for (int frame = 0; frame < seconds / 0.008; ++frame) {
-      phase_ += 0.008 / gait_.Parameters().period;
+      const StepParameters step = gait_.StepAt(velocity);
+      phase_ += 0.008 / step.period;
       phase_ -= std::floor(phase_);
-      guard_.HaveWalked(velocity, velocity);
       if (frame % 4 == 0) {
         LegAngles legs[NUMBER_OF_LEGS];
         gait_.FindPosture(phase_, velocity, 1, legs);
-        guard_.Look(reading, legs, phase_, true);
+        guard_.HaveWalked(velocity, velocity, 4);
+        guard_.Look(reading, legs, phase_, &step);
       }
     }
   }
@@ -110,12 +111,12 @@ TEST_F(WalkGuardTest, ALeaningBodyMakesTheWayToTheFloorLongerAndIsNoEdge) {
 TEST_F(WalkGuardTest, TheLegsSayHowFarTheFloorShouldBe) {
   LegAngles legs[NUMBER_OF_LEGS];
   GaitParameters high;
-  high.nose_down = -0.2;  // looks farther ahead
+  high.in_place.nose_down = -0.2;  // looks farther ahead
   Gait(high).FindPosture(0, {0, 0, 0}, 0, legs);
   WalkGuard::Reading reading = onFloor();
   reading.chest = 0.40;
   for (int i = 0; i < 3; ++i) {
-    guard_.Look(reading, legs, 0, false);
+    guard_.Look(reading, legs, 0, nullptr);
   }
   EXPECT_EQ(objection(kForward), "");
 }

@@ -1,0 +1,122 @@
+#include "rcserver/walk/WalkedVelocity.h"
+
+#include <gmock/gmock.h>
+
+#include <array>
+
+namespace {
+
+using protocol::version2::Velocity;
+using robot_model::LegAngles;
+
+constexpr bool kAllPaws[] = {true, true, true, true};
+constexpr bool kNoPaws[] = {false, false, false, false};
+constexpr bool kFirstPair[] = {true, false, false, true};
+constexpr double kSeconds = 0.032;
+
+using Legs = std::array<LegAngles, robot_model::NUMBER_OF_LEGS>;
+
+class WalkedVelocityTest : public ::testing::Test {
+ protected:
+  WalkedVelocityTest() { walked_.Begin(); }
+
+  void report(const Legs& legs, const bool* paws, unsigned frames = 4) {
+    frame_ += frames;
+    walked_.Measured(legs.data(), paws, frame_);
+  }
+
+  static Legs swungBy(double rotator, double elevator = 0) {
+    Legs legs{};
+    for (LegAngles& leg : legs) {
+      leg.rotator = rotator;
+      leg.elevator = elevator;
+    }
+    return legs;
+  }
+
+  /// Of the shoulders over the floor: a leg whose foot rolls turns about the point where the foot touches the floor.
+  static double heightOf(const Legs& legs) {
+    return robot_model::FOOT_RADIUS - findFoot(robot_model::LEFT_FRONT_LEG, legs[0]).z;
+  }
+
+  WalkedVelocity walked_;
+  unsigned frame_ = 0xfffffff0u;  // it begins again at 0 on the way
+};
+
+TEST_F(WalkedVelocityTest, IsThatOfABodyOnFeetThatRoll) {
+  constexpr double kSwing = 0.02;
+  report(swungBy(kSwing / 2), kAllPaws);
+  report(swungBy(-kSwing / 2), kAllPaws);
+  EXPECT_NEAR(walked_.Now().forward, heightOf(swungBy(0)) * kSwing / kSeconds, 1e-3);
+  EXPECT_NEAR(walked_.Now().left, 0, 1e-9);
+  EXPECT_NEAR(walked_.Now().turn, 0, 1e-9);
+}
+
+TEST_F(WalkedVelocityTest, SeesTurns) {
+  constexpr double kSwing = 0.02;
+  Legs before{};
+  Legs after{};
+  for (const int leg : {robot_model::RIGHT_FRONT_LEG, robot_model::RIGHT_HIND_LEG}) {
+    before[static_cast<std::size_t>(leg)].rotator = kSwing / 2;
+    after[static_cast<std::size_t>(leg)].rotator = -kSwing / 2;
+  }
+  report(before, kAllPaws);
+  report(after, kAllPaws);
+  const double speed_of_right_legs = heightOf(before) * kSwing / kSeconds;
+  EXPECT_NEAR(walked_.Now().forward, speed_of_right_legs / 2, 0.03 * speed_of_right_legs);
+  // The feet are 4.7 mm outside of the shoulders. Those on the left stand still, and front and hind feet are as far
+  // apart as they are from each other's side.
+  EXPECT_GT(walked_.Now().turn, 0.45 * speed_of_right_legs / 0.1344);
+  EXPECT_LT(walked_.Now().turn, speed_of_right_legs / 0.1344);
+}
+
+TEST_F(WalkedVelocityTest, FeetInTheAirDoNotCount) {
+  Legs after = swungBy(-0.01);
+  after[robot_model::LEFT_HIND_LEG].rotator = after[robot_model::RIGHT_FRONT_LEG].rotator = 0.5;
+  report(swungBy(0), kFirstPair);
+  report(after, kFirstPair);
+  EXPECT_NEAR(walked_.Now().forward, heightOf(swungBy(0)) * 0.01 / kSeconds, 1e-3);
+}
+
+TEST_F(WalkedVelocityTest, WithoutPawsTheLowerPairCountsAndTheLastVelocityWhileThePairsChange) {
+  Legs legs = swungBy(0);
+  legs[robot_model::LEFT_HIND_LEG].knee = legs[robot_model::RIGHT_FRONT_LEG].knee = 1;  // it lifts these two
+  report(legs, kNoPaws);
+  legs[robot_model::LEFT_FRONT_LEG].rotator = legs[robot_model::RIGHT_HIND_LEG].rotator = -0.01;
+  legs[robot_model::LEFT_HIND_LEG].rotator = legs[robot_model::RIGHT_FRONT_LEG].rotator = 0.1;
+  report(legs, kNoPaws);
+  const double speed = walked_.Now().forward;
+  EXPECT_NEAR(speed, heightOf(swungBy(0)) * 0.01 / kSeconds, 1e-3);
+  legs = swungBy(0.2);
+  legs[robot_model::LEFT_FRONT_LEG].knee = legs[robot_model::RIGHT_HIND_LEG].knee = 1;
+  report(legs, kNoPaws);
+  EXPECT_EQ(walked_.Now().forward, speed);
+}
+
+TEST_F(WalkedVelocityTest, TakesTheAverageOfTheReportsSinceTheLastTime) {
+  report(swungBy(0.01), kAllPaws);
+  report(swungBy(0), kAllPaws);
+  report(swungBy(0), kAllPaws);
+  const double taken = walked_.Take(true).forward;
+  EXPECT_NEAR(taken, heightOf(swungBy(0)) * 0.01 / kSeconds / 2, 1e-3);
+  EXPECT_EQ(walked_.Take(true).forward, 0) << "the last report's";
+  EXPECT_TRUE(walked_.Take(false).isZero());
+}
+
+TEST_F(WalkedVelocityTest, ANewWalkKnowsNothingOfTheLast) {
+  report(swungBy(0.3), kAllPaws);
+  report(swungBy(0), kAllPaws);
+  walked_.Take(true);
+  walked_.Begin();
+  report(swungBy(0.3), kAllPaws);
+  EXPECT_TRUE(walked_.Now().isZero());
+  EXPECT_TRUE(walked_.Take(true).isZero());
+}
+
+TEST_F(WalkedVelocityTest, ReportsMayBeMissing) {
+  report(swungBy(0.01), kAllPaws);
+  report(swungBy(-0.01), kAllPaws, 8);
+  EXPECT_NEAR(walked_.Now().forward, heightOf(swungBy(0)) * 0.02 / (2 * kSeconds), 1e-3);
+}
+
+}  // namespace
