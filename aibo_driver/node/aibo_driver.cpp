@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <chrono>
+
 #include "node/camera/camera_options.h"
 #include "node/camera/link_quality.h"
 #include "node/node.h"
@@ -26,6 +28,8 @@ constexpr int kPostureThreads = 2;
 // The time between two diagnostic messages, as REP 107 says, and between two messages of link_quality. One timer serves
 // both, because each timer wakes two threads several times.
 constexpr double kReportPeriod = 1.0;  // s
+
+constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   text::FirstThree names;
@@ -145,6 +149,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
   startActions();
+  if (parameters_.get_up) {
+    letItGetUp(name);
+  }
   colors_.start([this](const aibo_client::ColorDetection& detection) { client_.setColorDetection(detection); });
   microphone_.start([this](const aibo_client::MicrophoneSettings& settings) { client_.setMicrophone(settings); });
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
@@ -226,9 +233,28 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_motors_and_posture = [this](const aibo_client::MotorsAndPosture& state) {
     odometry_.update(state);
     mover_.robotChanged(state);
+    if (get_up_) {
+      get_up_->update(state);
+    }
   };
   callbacks.log = logForClient;
   return callbacks;
+}
+
+// The robot is told by a thread that may wait for its answer.
+void AiboDriver::letItGetUp(const std::string& source) {
+  constexpr bool kOneShot = true;
+  constexpr bool kAutostart = false;
+  const auto stand = [this, source](const ros::SteadyTimerEvent&) {
+    ROS_INFO("The robot has fallen, and gets up.");
+    mover_.takePosture({source, std::chrono::steady_clock::now()}, aibo_client::Posture::kStand);
+  };
+  get_up_timer_ = ros::NodeHandle(posture_threads_.handle())
+                      .createSteadyTimer(ros::WallDuration(kAtOnce), stand, kOneShot, kAutostart);
+  get_up_.emplace(source, [this] {
+    get_up_timer_.stop();  // a timer that has run out starts again only if it has been stopped
+    get_up_timer_.start();
+  });
 }
 
 // Refused joints and walking are not logged here, because the end of each movement is logged.
@@ -244,7 +270,12 @@ movement::Mover::Listener AiboDriver::makeListener() {
   movement::Mover::Listener listener;
   listener.on_change = [this] { motion_state_.publish(); };
   listener.on_begin = [this] { joints_.moveOn(); };
-  listener.on_ended = [this](const movement::EndedMovement& ended) { logEnd(ended); };
+  listener.on_ended = [this](const movement::EndedMovement& ended) {
+    logEnd(ended);
+    if (get_up_) {
+      get_up_->ended(ended);
+    }
+  };
   listener.on_warning = [this](const std::string& text) { movement_warnings_.warn(text); };
   return listener;
 }

@@ -41,6 +41,7 @@
 #include "node/robot_stamper.h"
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
+#include "node/walk/get_up.h"
 #include "node/walk/odometry_publisher.h"
 #include "node/walk/walk_commander.h"
 #include "robot_model/robot_model.h"
@@ -86,6 +87,7 @@ class AiboDriver {
   void advertiseServices();
   void advertise(ros::NodeHandle handle, Services services);
   void startActions();
+  void letItGetUp(const std::string& source);
   void refused(const aibo_client::Refusal& refusal);
   movement::Mover::Listener makeListener();
   void logEnd(const movement::EndedMovement& ended);
@@ -127,6 +129,8 @@ class AiboDriver {
   std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if it is wanted
   OdometryPublisher odometry_;
   LedStatePublisher led_states_;
+  ros::SteadyTimer get_up_timer_;  ///< runs out on posture_threads_ when the robot is to get up
+  std::optional<GetUp> get_up_;    ///< only if it is wanted
 
   aibo_client::RcServerClient client_;
   sound::Player player_;  ///< plays nothing before the client runs

@@ -281,9 +281,12 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("walk_side_limit", "m/s", 0.0, 1.0, &walk.side_limit);
   reader.read("walk_turn_limit", "rad/s", 0.0, 10.0, &walk.turn_limit);
   reader.read("walk_scale", "times", 0.2, 5.0, &walk.scale);
+  reader.read("walk_side_scale", "times", 0.2, 5.0, &walk.side_scale);
   reader.read("walk_turn_scale", "times", 0.2, 5.0, &walk.turn_scale);
   reader.read("walk_direction", "rad", -1.0, 1.0, &walk.direction);
+  reader.read("walk_curve", "rad/m", -5.0, 5.0, &walk.curve);
   reader.read("guard", &parameters.client.guard_walks);
+  reader.read("get_up", &parameters.get_up);
   reader.read("cmd_vel_timeout", 0.1, 0.5, &walk.timeout);
   reader.read("publish_odom_tf", &walk.publish_odom_tf);
 

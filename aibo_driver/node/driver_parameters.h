@@ -51,6 +51,7 @@ struct DriverParameters {
   bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it
 
   WalkSettings walk;
+  bool get_up = false;  ///< a robot that has fallen gets up by itself: see GetUp
 
   bool publish_footprint = true;  ///< publish tf from base_footprint to base_link; only for an ERS-7
   std::string frame_prefix;       ///< put before every frame; see frame()

@@ -11,7 +11,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 LAUNCH = PROJECT / 'launch'
 
 # Arguments of aibo.launch that are not the driver's parameters.
-NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz'}
+NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz', 'walk_calibration'}
 
 # For each other argument a value that is not the default.
 OTHER_VALUES = {
@@ -21,7 +21,9 @@ OTHER_VALUES = {
     'robot': 'ERS-210', 'frame_prefix': 'left', 'frame_id': 'eye', 'camera_name': 'left_eye',
     'camera_info_url': 'file:///tmp/eye.yaml', 'telemetry_rate': 10.0, 'joint_speed_limit': 2.0,
     'motion_speed_limit': 4.0, 'speed_scale': 0.5,
-    'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_turn_scale': 1.1, 'walk_direction': -0.05, 'guard': False,
+    'walk_speed_limit': 0.1, 'walk_scale': 0.9, 'walk_side_scale': 0.8, 'walk_turn_scale': 1.1, 'walk_direction': -0.05,
+    'walk_curve': 0.5, 'guard': False,
+    'get_up': True,
     'publish_odom_tf': False,
     'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
 }
@@ -55,7 +57,7 @@ def documented_parameters():
     defaults = {}
     for name, default in rows:
         value = default.strip().strip('`')
-        defaults[name] = '' if value.startswith('empty') else yaml.safe_load(re.sub(r' (s|Hz|rad|rad/s|m/s)$', '', value))
+        defaults[name] = '' if value.startswith('empty') else yaml.safe_load(re.sub(r' (s|Hz|rad|rad/s|rad/m|m/s)$', '', value))
     return defaults
 
 

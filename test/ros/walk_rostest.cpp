@@ -189,6 +189,17 @@ TEST(Walk, DoesNotGoOnAfterTheConnectionWasLost) {
   EXPECT_GT(walker.odom.waitForNext()->pose.pose.position.x, 0) << "the odometry goes on";
 }
 
+// It walks back over the edge of a table. What makes it stand up is in the unit tests.
+TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
+  Walker walker("/get_up", {"_get_up:=true", "_guard:=false"}, {"--on-table"});
+  walker.steer(-0.15);
+  const auto getting_up = walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); });
+  ASSERT_TRUE(getting_up);
+  EXPECT_EQ(getting_up->movements[0].name, "stand");
+  EXPECT_EQ(lastEnd(*getting_up).movement.kind, Movement::WALK);
+  EXPECT_THAT(lastEnd(*getting_up).reason, HasSubstr("the robot lies on its left side"));
+}
+
 TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
   JointUser user("/unheard", quickWith("/unheard"));
   for (int i = 0; i < 100; ++i) {

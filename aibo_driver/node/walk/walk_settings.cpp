@@ -9,12 +9,17 @@ using aibo_client::WalkVelocity;
 
 namespace {
 
-/// Turns the direction of walking by `angle` to the left, and multiplies the velocity.
-WalkVelocity turned(const WalkVelocity& velocity, double angle, double scale, double turn_scale) {
-  const double cosine = std::cos(angle) * scale;
-  const double sine = std::sin(angle) * scale;
+/// Turns the direction of walking by `angle` to the left.
+WalkVelocity turned(const WalkVelocity& velocity, double angle) {
+  const double cosine = std::cos(angle);
+  const double sine = std::sin(angle);
   return {cosine * velocity.forward - sine * velocity.left, sine * velocity.forward + cosine * velocity.left,
-          velocity.turn * turn_scale};
+          velocity.turn};
+}
+
+/// By how much the robot turns because it walks ahead.
+double bend(const WalkVelocity& real, const WalkSettings& settings) {
+  return settings.curve * std::max(real.forward, 0.0);
 }
 
 /// The factor that brings a value within its limit; at most 1. If the limit is 0, the value becomes 0 instead.
@@ -35,14 +40,19 @@ WalkVelocity limited(WalkVelocity velocity, const aibo_client::WalkLimits& limit
 }  // namespace
 
 WalkVelocity realVelocity(const WalkVelocity& said, const WalkSettings& settings) {
-  return turned(said, settings.direction, settings.scale, settings.turn_scale);
+  WalkVelocity real =
+      turned({said.forward * settings.scale, said.left * settings.side_scale, said.turn}, settings.direction);
+  real.turn = said.turn * settings.turn_scale + bend(real, settings);
+  return real;
 }
 
 WalkVelocity velocityToSend(const WalkVelocity& wanted, const WalkSettings& settings,
                             const aibo_client::WalkLimits& robot) {
   const WalkVelocity real =
       limited(wanted, {settings.speed_limit, settings.speed_limit, settings.side_limit, settings.turn_limit});
-  const WalkVelocity sent = turned(real, -settings.direction, 1 / settings.scale, 1 / settings.turn_scale);
+  const WalkVelocity ahead = turned(real, -settings.direction);
+  const WalkVelocity sent = {ahead.forward / settings.scale, ahead.left / settings.side_scale,
+                             (real.turn - bend(real, settings)) / settings.turn_scale};
   const bool is_limited = robot.forward > 0 || robot.back > 0 || robot.left > 0 || robot.turn > 0;
   return is_limited ? limited(sent, robot) : sent;
 }

@@ -63,6 +63,21 @@ TEST(WalkSettings, CorrectWhatIsSentAsWhatTheRobotSays) {
   EXPECT_GT(realVelocity({0.1, 0, 0}, settings).left, 0);
 }
 
+TEST(WalkSettings, CorrectEachAxis) {
+  WalkSettings settings;
+  settings.scale = 0.9;
+  settings.side_scale = 0.8;
+  settings.curve = 2;
+  expectNear(realVelocity({0.1, 0, 0}, settings), {0.09, 0, 0.18});
+  expectNear(realVelocity({-0.1, 0.05, 0}, settings), {-0.09, 0.04, 0});
+  expectNear(velocityToSend({0.09, 0.04, 0}, settings, kRobot), {0.1, 0.05, -0.18});
+  expectNear(velocityToSend({0, 0, 0}, settings, kRobot), {0, 0, 0});
+  settings.direction = 0.3;
+  for (const WalkVelocity& wanted : {WalkVelocity{0.05, 0.01, 0.1}, WalkVelocity{-0.05, -0.01, 0.1}}) {
+    expectNear(realVelocity(velocityToSend(wanted, settings, kRobot), settings), wanted);
+  }
+}
+
 TEST(WalkSettings, KeepToTheRobotsLimitsWhateverTheCalibration) {
   WalkSettings settings;
   settings.scale = 0.2;

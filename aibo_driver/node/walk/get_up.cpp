@@ -1,0 +1,32 @@
+#include "node/walk/get_up.h"
+
+namespace aibo_driver::node {
+
+using aibo_client::MotorState;
+using aibo_client::PostureNow;
+
+// The robot may tell of its posture before or after the end.
+void GetUp::ended(const movement::EndedMovement& ended) {
+  using Kind = movement::Movement::Kind;
+  if (ended.movement.kind != Kind::kWalk && ended.movement.kind != Kind::kPosture) {
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  has_fallen_ = ended.how == aibo_client::EndedHow::kFell && ended.movement.source != own_source_ &&
+                posture_ != PostureNow::kCarried;
+}
+
+void GetUp::update(const aibo_client::MotorsAndPosture& state) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    posture_ = state.posture;
+    has_fallen_ = has_fallen_ && posture_ == PostureNow::kFallen;
+    if (!has_fallen_ || state.motors != MotorState::kOff) {
+      return;
+    }
+    has_fallen_ = false;
+  }
+  stand_();
+}
+
+}  // namespace aibo_driver::node

@@ -1,0 +1,45 @@
+/// @file get_up.h
+#ifndef AIBO_DRIVER_NODE_WALK_GET_UP_H
+#define AIBO_DRIVER_NODE_WALK_GET_UP_H
+
+#include <functional>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "aibo_client/motors_and_posture.h"
+#include "movement/movement.h"
+
+namespace aibo_driver::node {
+
+/// The parameter get_up: decides when a robot that has fallen gets up by itself.
+///
+/// It does so once after each fall that has ended a walk or a posture, when its motors have gone off because it has
+/// lain for a second. It does not if somebody has lifted it or put it on its feet since, if the connection was lost, or
+/// if it fell while it got up. A robot that was laid on its side while nothing moved it stays there.
+///
+/// Any thread may call every member function.
+class GetUp {
+ public:
+  /// @param own_source see movement::Order: that of the order that `stand` gives
+  /// @param stand makes the robot stand; called on the thread of the call that causes it, without a lock
+  GetUp(std::string own_source, std::function<void()> stand)
+      : own_source_(std::move(own_source)), stand_(std::move(stand)) {}
+
+  /// A movement has ended.
+  void ended(const movement::EndedMovement& ended);
+
+  /// The robot has told its motors and its posture, or they are not known any more.
+  void update(const aibo_client::MotorsAndPosture& state);
+
+ private:
+  const std::string own_source_;
+  const std::function<void()> stand_;
+  std::mutex mutex_;
+  aibo_client::PostureNow posture_ = aibo_client::PostureNow::kUnknown;
+  bool has_fallen_ = false;  ///< and has not been touched since
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_WALK_GET_UP_H
