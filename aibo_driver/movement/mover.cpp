@@ -72,6 +72,16 @@ std::vector<std::string> namesOf(const JointTargets& targets, const JointTable& 
   return names;
 }
 
+std::vector<int> identifiersOfLegs(const JointTable& table) {
+  std::vector<int> identifiers;
+  for (const JointProperties& joint : table.joints()) {
+    if (joint.is_of_leg) {
+      identifiers.push_back(joint.id);
+    }
+  }
+  return identifiers;
+}
+
 // Turns a sentence into a reason that follows a colon.
 std::string reasonOf(std::string sentence) {
   if (!sentence.empty() && sentence.back() == '.') {
@@ -310,7 +320,8 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
     checkConnection();
     std::string overruled_by = streams_.receive(order, velocity.isZero());
     if (velocity.isZero()) {
-      letGo("");
+      const Record* const walk = findWalk();
+      letGo(walk != nullptr && walk->steered ? order.source + " sent a velocity of 0" : "");
       return;
     }
     std::string reason = gate_.refusal(order, clock_());
@@ -331,8 +342,8 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
 
 void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement movement) {
   Record* record = findWalk();
-  if (record != nullptr && record->movement.source != order.source &&
-      !streams_.goesOn(record->movement.source, clock_())) {
+  const bool steers_on = record != nullptr && !record->steered && record->movement.source == order.source;
+  if (record != nullptr && !steers_on && (record->steered || !streams_.goesOn(record->movement.source, clock_()))) {
     end(record->id, EndedHow::kReplaced, order.source + " steers now");
     record = nullptr;
   }
@@ -352,8 +363,80 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
   }
 }
 
+Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
+  return change([&] {
+    checkConnection();
+    Movement movement{Kind::kWalk, goal, order.source, {}, std::nullopt};
+    const std::string reason = gate_.refusal(order, clock_());
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    const std::string cause = order.source + " sends the robot to a goal";
+    const Record* const walk = findWalk();
+    try {
+      freeLegs(cause);
+      if (walk == nullptr) {
+        client_.steer({}, {clock_() + OrderGate::kLongestWait, 0});  // the robot may wait until somebody lets go
+      }
+    } catch (const Exception& error) {
+      return refuse(std::move(movement), reasonOf(error));
+    }
+    is_told_to_walk_ = walk != nullptr && walk->has_begun && is_told_to_walk_;
+    walk_stop_reason_.clear();
+    if (walk != nullptr) {
+      end(walk->id, EndedHow::kReplaced, cause);
+    }
+    streams_.overrule(cause);
+    Begun begun = begin(std::move(movement));
+    records_.back().steered = clock_();
+    records_.back().has_begun = is_told_to_walk_;  // the robot goes on walking
+    return begun;
+  });
+}
+
+bool Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
+  return change([&] {
+    checkConnection();
+    Record* const record = find(walk);
+    if (record == nullptr) {
+      return false;
+    }
+    const SteadyTime before = std::exchange(*record->steered, clock_());
+    const bool is_being_stopped = halts_ > 0 || !walk_stop_reason_.empty();
+    if (*record->steered - before > OrderGate::kLongestWait) {
+      letGo("");
+      end(walk, EndedHow::kRefused, "the driver was held up");
+    } else if (!is_being_stopped) {
+      steerOn(walk, velocity);
+    }
+    return find(walk) != nullptr;
+  });
+}
+
+void Mover::steerOn(MovementId walk, const WalkVelocity& velocity) {
+  if (velocity.isZero() && !is_told_to_walk_) {
+    end(walk, EndedHow::kDone, "");
+  } else if (velocity.isZero()) {
+    letGo("");
+  } else {
+    try {
+      client_.steer(velocity, {clock_() + OrderGate::kLongestWait, walk});
+      is_told_to_walk_ = true;
+    } catch (const NetworkException& error) {
+      end(walk, EndedHow::kLost, reasonOf(error));
+    } catch (const Exception& error) {
+      end(walk, EndedHow::kRefused, reasonOf(error));
+    }
+  }
+}
+
 void Mover::stopWalking(const std::string& reason) {
-  change([&] { letGo(reason); });
+  change([&] {
+    const Record* const walk = findWalk();
+    if (walk != nullptr && !walk->steered) {
+      letGo(reason);
+    }
+  });
 }
 
 void Mover::letGo(const std::string& reason) {
@@ -397,16 +480,22 @@ void Mover::hold(const Order& by, const std::string& reason) {
   halt(overruleAll(by, reason), reason, [this] { tellToHold({}, std::nullopt, true); });
 }
 
-void Mover::cancel(MovementId trajectory, const std::string& reason) {
+void Mover::cancel(MovementId movement, const std::string& reason) {
   const std::vector<int> joints = change([&] {
-    std::vector<int> moving = plan_.identifiersOf(trajectory);
-    if (moving.empty()) {
-      end(trajectory, EndedHow::kStopped, reason);
+    const Record* const record = find(movement);
+    if (record != nullptr && record->movement.kind == Kind::kPosture) {
+      return identifiersOfLegs(table_);
+    }
+    std::vector<int> moving = plan_.identifiersOf(movement);
+    if (record != nullptr && record->steered && is_told_to_walk_) {
+      letGo(reason);
+    } else if (moving.empty()) {
+      end(movement, EndedHow::kStopped, reason);
     }
     return moving;
   });
   if (!joints.empty()) {
-    halt({trajectory}, reason, [&] { tellToHold(joints, trajectory, false); });
+    halt({movement}, reason, [&] { tellToHold(joints, movement, false); });
   }
 }
 
@@ -511,7 +600,8 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order) {
     }
     record->has_begun = record->has_begun || is_told_to_walk_ || !in_force.isZero();
     if (!record->has_begun && !is_told_to_walk_) {
-      end(record->id, EndedHow::kStopped, "it was let go before the robot walked");
+      end(record->id, EndedHow::kStopped,
+          walk_stop_reason_.empty() ? "it was let go before the robot walked" : walk_stop_reason_);
     }
   });
 }

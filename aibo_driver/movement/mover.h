@@ -123,6 +123,15 @@ class Mover {
   /// velocity of 0 is sent only to a robot that walks, so a robot that sits goes on sitting.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
+  /// Begins a walk to a goal. It ends whatever moves the robot's legs, and another walk. A node that steers meanwhile
+  /// has to let go first. The robot does not move before walkOn() is called.
+  /// @param goal the goal in words
+  Begun walkToGoal(const Order& order, const std::string& goal);
+
+  /// Steers a walk to a goal. Call this several times a second. A velocity of 0 ends the walk: it is done.
+  /// @return false if the walk has ended
+  bool walkOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
+
   /// Notes that an order is refused.
   /// @param names the names of joints
   Begun refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
@@ -146,16 +155,17 @@ class Mover {
   /// @throw the exceptions of stop()
   void hold(const Order& by, const std::string& reason);
 
-  /// Ends a trajectory and holds its joints. It does nothing if the trajectory has ended.
+  /// Ends a trajectory, a posture or a walk to a goal. The joints of a trajectory and of a posture hold; a walk ends in
+  /// an orderly way. It does nothing if the movement has ended.
   /// @throw the exceptions of stop()
-  void cancel(MovementId trajectory, const std::string& reason);
+  void cancel(MovementId movement, const std::string& reason);
 
   /// Stops one of the robot's own motions.
   /// @param name the name of the motion; empty means all motions
   /// @throw the exceptions of RcServerClient::stopMotion()
   void stopMotion(const Order& by, const std::string& name);
 
-  /// Ends a walk in an orderly way. It does nothing if the robot does not walk.
+  /// Ends a walk in an orderly way. It does nothing if the robot does not walk, or walks to a goal.
   /// @param reason the reason for the log and the state
   void stopWalking(const std::string& reason);
 
@@ -200,8 +210,9 @@ class Mover {
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    bool has_begun = false;  ///< for a walk: the robot has accepted one of its velocities
-    std::string trouble;     ///< a joint that does not follow, in words; empty if there is none
+    bool has_begun = false;             ///< for a walk: the robot has accepted one of its velocities
+    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when walkOn() was last called
+    std::string trouble;                ///< a joint that does not follow, in words; empty if there is none
   };
 
   /// News that the listener has not been told yet.
@@ -227,6 +238,7 @@ class Mover {
   void tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
   void letGo(const std::string& reason);
+  void steerOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
   Begun begin(Movement movement);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);

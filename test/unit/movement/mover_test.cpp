@@ -751,6 +751,192 @@ TEST_F(MoverTest, AWalkThatATrajectoryOfTheHeadWasCancelledInIsStillStopped) {
   EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
 }
 
+class MoverGoalTest : public MoverTest {
+ protected:
+  Mover::Begun walkToGoal(const std::string& source = "/user") { return mover_.walkToGoal(order(source), "1 m ahead"); }
+
+  // The robot walks to the goal.
+  Mover::Begun walksToGoal() {
+    Mover::Begun begun = walkToGoal();
+    EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+    mover_.steered({0.1, 0, 0}, client_.steering_order);
+    told();
+    return begun;
+  }
+
+  void robotEnds(EndedHow how, const std::string& reason) { mover_.ended({EndedKind::kWalk, how, "walk", reason}); }
+};
+
+TEST_F(MoverGoalTest, AWalkToAGoalIsDoneWhenTheRobotStandsThere) {
+  const Mover::Begun begun = walkToGoal();
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it lets go of an earlier walk";
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].name, "1 m ahead");
+  EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+  mover_.steered({0.1, 0, 0}, client_.steering_order);
+  EXPECT_TRUE(mover_.walkOn(begun.id, {}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
+  EXPECT_EQ(begun.ended(), nullptr) << "the robot has not said so";
+  robotEnds(EndedHow::kDone, "");
+  ASSERT_NE(begun.ended(), nullptr);
+  EXPECT_EQ(begun.ended()->how, EndedHow::kDone);
+  EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverGoalTest, WhoIsThereAlreadyDoesNotWalk) {
+  const Mover::Begun begun = walkToGoal();
+  told();
+  EXPECT_FALSE(mover_.walkOn(begun.id, {}));
+  EXPECT_EQ(begun.ended()->how, EndedHow::kDone);
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverGoalTest, WhateverEndsTheWalkEndsItWithTheSameReasonAndTheNextGoalWalksAsTheFirst) {
+  const std::vector<std::pair<EndedHow, std::string>> ends = {{EndedHow::kRefused, "the floor ends ahead"},
+                                                              {EndedHow::kFell, "the robot lies on its side"},
+                                                              {EndedHow::kReplaced, "left_front_knee was commanded"},
+                                                              {EndedHow::kStopped, "the motors were switched off"}};
+  for (const auto& [how, reason] : ends) {
+    const Mover::Begun begun = walksToGoal();
+    robotEnds(how, reason);
+    ASSERT_NE(begun.ended(), nullptr) << reason;
+    EXPECT_EQ(begun.ended()->how, how);
+    EXPECT_EQ(begun.ended()->reason, reason);
+    EXPECT_EQ(ends_.back().reason, reason);
+    EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0})) << "it does not go on";
+    EXPECT_THAT(told(), IsEmpty());
+  }
+}
+
+TEST_F(MoverGoalTest, ANewGoalReplacesTheOldOneAndTheRobotWalksOn) {
+  const Mover::Begun first = walksToGoal();
+  const Mover::Begun second = walkToGoal("/other");
+  EXPECT_THAT(told(), IsEmpty()) << "it does not stop in between";
+  EXPECT_EQ(first.ended()->how, EndedHow::kReplaced);
+  EXPECT_THAT(first.ended()->reason, HasSubstr("/other sends the robot to a goal"));
+  EXPECT_FALSE(mover_.walkOn(first.id, {0.1, 0, 0}));
+  EXPECT_TRUE(mover_.walkOn(second.id, {0.05, 0, 0}));
+  robotEnds(EndedHow::kFell, "the robot lies on its side");
+  EXPECT_EQ(second.ended()->how, EndedHow::kFell);
+}
+
+TEST_F(MoverGoalTest, ANewGoalWhileTheRobotIsStoppingWalksToIt) {
+  const Mover::Begun first = walksToGoal();
+  mover_.cancel(first.id, "the goal was cancelled");
+  const Mover::Begun second = walkToGoal();
+  told();
+  robotEnds(EndedHow::kDone, "");
+  EXPECT_EQ(second.ended(), nullptr) << "it was the end of the first walk";
+  EXPECT_TRUE(mover_.walkOn(second.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+  mover_.steered({0.1, 0, 0}, client_.steering_order);
+  EXPECT_TRUE(mover_.walkOn(second.id, {}));
+  robotEnds(EndedHow::kDone, "");
+  EXPECT_EQ(second.ended()->how, EndedHow::kDone);
+}
+
+TEST_F(MoverGoalTest, CancellingStopsTheRobotAndTheReasonStays) {
+  const Mover::Begun begun = walksToGoal();
+  mover_.cancel(begun.id, "the goal was cancelled");
+  EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0})) << "the robot has not said that it stands";
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it does not go on";
+  EXPECT_EQ(begun.ended(), nullptr);
+  robotEnds(EndedHow::kDone, "");
+  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
+  EXPECT_EQ(begun.ended()->reason, "the goal was cancelled");
+  const Mover::Begun unbegun = walkToGoal();
+  mover_.cancel(unbegun.id, "the goal was cancelled");
+  EXPECT_EQ(unbegun.ended()->reason, "the goal was cancelled");
+}
+
+TEST_F(MoverGoalTest, StopEndsItAndRefusesTheNext) {
+  const Mover::Begun begun = walksToGoal();
+  mover_.stop(order("/panel"));
+  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
+  EXPECT_THAT(begun.ended()->reason, HasSubstr("/panel called stop"));
+  told();
+  const Mover::Begun next = walkToGoal();
+  EXPECT_THAT(next.ended()->reason, HasSubstr("stopped by /panel; call release"));
+  EXPECT_FALSE(mover_.walkOn(next.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), IsEmpty());
+  mover_.release(order());
+  EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0})) << "nothing goes on by itself";
+  now_ += milliseconds(1);
+  EXPECT_EQ(walkToGoal().ended(), nullptr);
+}
+
+TEST_F(MoverGoalTest, AnotherConnectionDoesNotResumeIt) {
+  const Mover::Begun begun = walksToGoal();
+  mover_.disconnected();
+  EXPECT_EQ(begun.ended()->how, EndedHow::kLost);
+  mover_.connected();
+  EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverGoalTest, AnOldGoalIsRefused) {
+  mover_.connected();
+  now_ += milliseconds(1);
+  const Order old = order();
+  now_ += milliseconds(501);
+  EXPECT_THAT(mover_.walkToGoal(old, "1 m ahead").ended()->reason, HasSubstr("too old"));
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverGoalTest, ADriverThatWasHeldUpDoesNotWalkOn) {
+  const Mover::Begun begun = walksToGoal();
+  now_ += milliseconds(501);
+  EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
+  EXPECT_THAT(begun.ended()->reason, HasSubstr("held up"));
+}
+
+TEST_F(MoverGoalTest, WhoSteeredBeforeHasToLetGoFirstAndThenTakesTheWalkOver) {
+  walk();
+  const Mover::Begun begun = walksToGoal();
+  steer(0.05);
+  EXPECT_THAT(ends_.back().reason, HasSubstr("let go first"));
+  EXPECT_EQ(begun.ended(), nullptr);
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  EXPECT_EQ(begun.ended(), nullptr);
+  EXPECT_THAT(told(), IsEmpty());
+  now_ += milliseconds(500);
+  steer(0.05);
+  EXPECT_EQ(begun.ended()->how, EndedHow::kReplaced);
+  EXPECT_THAT(begun.ended()->reason, HasSubstr("/teleop steers now"));
+}
+
+TEST_F(MoverGoalTest, AVelocityOf0StopsIt) {
+  const Mover::Begun begun = walksToGoal();
+  steer(0);
+  EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it does not go on";
+  robotEnds(EndedHow::kDone, "");
+  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
+  EXPECT_THAT(begun.ended()->reason, HasSubstr("/teleop sent a velocity of 0"));
+}
+
+TEST_F(MoverGoalTest, ARefusalOfTheRobotEndsIt) {
+  const Mover::Begun begun = walkToGoal();
+  mover_.walkOn(begun.id, {0.1, 0, 0});
+  mover_.refused(
+      {RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off; switch them on first", begun.id});
+  EXPECT_EQ(begun.ended()->how, EndedHow::kRefused);
+  EXPECT_EQ(begun.ended()->reason, "the motors are off; switch them on first");
+}
+
+TEST_F(MoverTest, CancellingAPostureHoldsTheLegs) {
+  const Mover::Begun begun = mover_.takePosture(order(), Posture::kSit);
+  told();
+  mover_.cancel(begun.id, "the goal was cancelled");
+  ASSERT_NE(begun.ended(), nullptr);
+  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
+  EXPECT_EQ(begun.ended()->reason, "the goal was cancelled");
+  EXPECT_THAT(told(), ElementsAre(StartsWith("hold 11")));
+}
+
 TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {
   walk();
   now_ += milliseconds(600);
