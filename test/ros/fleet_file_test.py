@@ -154,8 +154,9 @@ class RvizConfigurationTest(unittest.TestCase):
             images = [(d['Image Topic'], d['Name']) for d in groups[name] if d['Class'] == 'rviz/Image']
             self.assertIn(('/%s/camera/image_raw' % name, '%s: Camera picture' % name), images)
         self.assertNotIn('/aibo/', str(manager))
-        points = [tool['Topic'] for tool in manager['Tools'] if tool['Class'] == 'rviz/PublishPoint']
-        self.assertEqual(points, ['/left/look_at', '/right/look_at'])
+        tools = [(tool['Class'], tool['Topic']) for tool in manager['Tools'] if 'Topic' in tool]
+        self.assertEqual(tools, [('rviz/PublishPoint', '/left/look_at'), ('rviz/SetGoal', '/left/goal'),
+                                 ('rviz/PublishPoint', '/right/look_at'), ('rviz/SetGoal', '/right/goal')])
         self.assertEqual([panel['Driver'] for panel in made['Panels']], ['/left'])
         frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
         self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
