@@ -109,15 +109,19 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_
   while (!is_ending && ros::ok()) {
     ros::spinOnce();
     const auto wait = std::max(milliseconds(0), std::chrono::ceil<milliseconds>(next - steady_clock::now()));
+    bool is_steered = false;
     if (const std::optional<char> key = terminal.readKey(std::min(wait, kPeriod))) {
-      if (!stop_notice->press(*key) && keys->press(*key, steady_clock::now())) {
+      const bool is_release = stop_notice->press(*key);
+      const bool changes_speed = !is_release && keys->press(*key, steady_clock::now());
+      if (changes_speed) {
         printSpeeds(keys->speeds());
       }
+      is_steered = !is_release && !changes_speed;
     } else if (steady_clock::now() < next) {
       continue;
     }
     const aibo_client::WalkVelocity velocity = keys->velocity(steady_clock::now());
-    if (walks || !velocity.isZero()) {
+    if (walks || is_steered) {  // a key may also stop what another node lets walk
       publisher.publish(toTwist(velocity));
     }
     walks = !velocity.isZero();

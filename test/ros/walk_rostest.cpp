@@ -339,6 +339,8 @@ TEST(KeyboardTeleop, WalksWhileAKeyIsHeldDownAndLeavesTheTerminalAsItWas) {
   keyboard.type('w');
   teleop.waitForOutput("speeds: 0.110 m/s", kSafetyNet);
   EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
+  keyboard.type(' ');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "it stops a walk to a goal, too";
   keyboard.type('i');
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return std::abs(each.linear.x - 0.11) < 1e-9; }));
   ASSERT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "the key was let go";
