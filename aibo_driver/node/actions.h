@@ -10,6 +10,7 @@
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
 #include "movement/mover.h"
+#include "node/walk/goal_walks.h"
 #include "sound/player.h"
 
 namespace aibo_driver::node {
@@ -40,6 +41,13 @@ std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Pla
 /// @return null if the driver was built without control_msgs
 std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
                                               const movement::MeasuredJoints& measured, movement::Mover& mover);
+
+/// Starts go_to. A goal ends with its walk, and cancelling it stops the walk.
+/// @param handle its thread also calls all other functions of `walks`
+std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks);
+
+/// Starts take_posture. A goal ends when the robot has taken the posture. When it is cancelled, the legs hold.
+std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover);
 
 }  // namespace aibo_driver::node
 

@@ -126,6 +126,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       motion_state_(handle_, mover_),
       joints_(joint_table_, mover_),
       walk_(parameters_.walk, client_, mover_),
+      goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
+      goal_(goal_walks_),
       expression_(model_, client_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
@@ -145,6 +147,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
+  goal_.subscribe(joint_thread_.handle());
   expression_.subscribe(body_thread_.handle());
   color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
@@ -209,6 +212,8 @@ void AiboDriver::startActions() {
   actions_.push_back(startPlayMotion(motion_thread_.handle(), mover_));
   actions_.push_back(startFollowTrajectory(joint_thread_.handle(), joint_table_, measured_joints_, mover_));
   actions_.push_back(startPlaySound(sound_thread_.handle(), player_));
+  actions_.push_back(startGoTo(joint_thread_.handle(), goal_walks_));
+  actions_.push_back(startTakePosture(motion_thread_.handle(), mover_));
 }
 
 aibo_client::Callbacks AiboDriver::makeCallbacks() {

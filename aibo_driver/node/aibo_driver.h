@@ -42,6 +42,8 @@
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
 #include "node/walk/get_up.h"
+#include "node/walk/goal_topic.h"
+#include "node/walk/goal_walks.h"
 #include "node/walk/odometry_publisher.h"
 #include "node/walk/walk_commander.h"
 #include "robot_model/robot_model.h"
@@ -145,6 +147,8 @@ class AiboDriver {
   MotionStatePublisher motion_state_;
   JointCommander joints_;
   WalkCommander walk_;
+  GoalWalks goal_walks_;
+  GoalTopic goal_;
   ExpressionCommander expression_;
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<Action>> actions_;

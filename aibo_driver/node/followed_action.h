@@ -212,15 +212,20 @@ GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& d
   return end;
 }
 
+/// @throw CommandException the movement was refused
+inline void throwIfRefused(const movement::Mover::Begun& begun) {
+  const movement::EndedMovement* const ended = begun.ended();
+  if (ended != nullptr && ended->how == aibo_client::EndedHow::kRefused) {
+    throw aibo_client::CommandException(ended->reason + ".");
+  }
+}
+
 /// A function that waits for the end of a movement.
 /// @param done says that the robot has done it, without a full stop
 /// @throw CommandException the movement was refused
 template <typename Spec>
 auto lookFor(const movement::Mover::Begun& begun, const std::string& done) {
-  const movement::EndedMovement* const at_once = begun.ended();
-  if (at_once != nullptr && at_once->how == aibo_client::EndedHow::kRefused) {
-    throw aibo_client::CommandException(at_once->reason + ".");
-  }
+  throwIfRefused(begun);
   return lookFor<Spec>([begun, done]() -> std::optional<GoalEnd<Spec>> {
     const movement::EndedMovement* const ended = begun.ended();
     return ended == nullptr ? std::nullopt : std::make_optional(goalEnd<Spec>(*ended, done));

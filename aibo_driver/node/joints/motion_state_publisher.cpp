@@ -20,7 +20,7 @@ std::string kindOf(const Movement& movement) {
     case Movement::TRAJECTORY:
       return "trajectory";
     case Movement::WALK:
-      return "walk";
+      return movement.name.empty() ? "walk" : "walk " + movement.name;
     case Movement::POSTURE:
       return "posture " + movement.name;
     case Movement::LOOK_AT:

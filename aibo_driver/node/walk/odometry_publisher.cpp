@@ -71,7 +71,13 @@ OdometryPublisher::OdometryPublisher(const ros::NodeHandle& handle, const Driver
 }
 
 void OdometryPublisher::publish(const aibo_client::Telemetry& telemetry) {
-  const bool is_told = way_.update(telemetry) && odom_.getNumSubscribers() > 0;
+  const bool is_known = way_.update(telemetry);
+  if (is_known) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    here_ = {way_.odometry().x(), way_.odometry().y(), way_.odometry().yaw()};
+    measured_ = std::chrono::steady_clock::now();
+  }
+  const bool is_told = is_known && odom_.getNumSubscribers() > 0;
   const bool is_in_tf = parameters_.walk.publish_odom_tf && tf_.getNumSubscribers() > 0;
   if (!is_told && !is_in_tf) {
     return;
@@ -86,6 +92,12 @@ void OdometryPublisher::publish(const aibo_client::Telemetry& telemetry) {
   if (is_in_tf) {
     publishTransform(odom);
   }
+}
+
+std::optional<PlanePose> OdometryPublisher::here() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const bool is_fresh = measured_ && std::chrono::steady_clock::now() - *measured_ <= kFresh;
+  return is_fresh ? std::make_optional(here_) : std::nullopt;
 }
 
 void OdometryPublisher::publishTransform(const nav_msgs::Odometry& odom) {

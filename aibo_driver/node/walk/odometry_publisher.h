@@ -5,11 +5,16 @@
 #include <nav_msgs/Odometry.h>
 #include <ros/node_handle.h>
 
+#include <chrono>
+#include <mutex>
+#include <optional>
+
 #include "aibo_client/motion_end.h"
 #include "aibo_client/telemetry.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
 #include "node/walk/walked_way.h"
+#include "node/walk/way_to_goal.h"
 
 namespace aibo_driver::node {
 
@@ -21,7 +26,7 @@ nav_msgs::Odometry toMessage(const Odometry& odometry, const aibo_client::WalkVe
 /// in tf; a robot that does not walk then stands where it began. Both have the stamp of the measurement, like all other
 /// frames that come from it.
 ///
-/// Only one thread at a time may use it.
+/// Only one thread at a time may use it, except for here().
 class OdometryPublisher {
  public:
   /// All arguments but the handle must outlive the object.
@@ -36,7 +41,14 @@ class OdometryPublisher {
   /// Call this when the robot reports its posture.
   void update(const aibo_client::MotorsAndPosture& state) { way_.update(state); }
 
+  /// Where the robot is in the frame odom. The result is empty if it has not said so within kFresh. Any thread may call
+  /// this.
+  std::optional<PlanePose> here() const;
+
  private:
+  /// How old a measurement may be. The robot itself waits just as long for the next velocity of a walk.
+  static constexpr std::chrono::milliseconds kFresh{500};
+
   void publishTransform(const nav_msgs::Odometry& odom);
 
   const DriverParameters& parameters_;
@@ -44,6 +56,9 @@ class OdometryPublisher {
   WalkedWay way_;
   ros::Publisher odom_;
   ros::Publisher tf_;
+  mutable std::mutex mutex_;  ///< guards what follows
+  PlanePose here_;
+  std::optional<std::chrono::steady_clock::time_point> measured_;
 };
 
 }  // namespace aibo_driver::node

@@ -1,0 +1,87 @@
+/// @file goal_walks.h
+#ifndef AIBO_DRIVER_NODE_WALK_GOAL_WALKS_H
+#define AIBO_DRIVER_NODE_WALK_GOAL_WALKS_H
+
+#include <geometry_msgs/PoseStamped.h>
+
+#include <chrono>
+#include <functional>
+#include <optional>
+
+#include "aibo_client/rcserver_client.h"
+#include "movement/mover.h"
+#include "node/driver_parameters.h"
+#include "node/walk/way_to_goal.h"
+
+namespace aibo_driver::node {
+
+/// Walks to goals, by odometry. Whatever else happens to the robot ends a walk, and nothing resumes it.
+///
+/// Only one thread at a time may use it.
+class GoalWalks {
+ public:
+  /// The time between two calls of GoalWalk::goOn().
+  static constexpr std::chrono::milliseconds kPeriod{100};
+
+  /// A goal that is farther away is refused. Odometry would have lost its way by then.
+  static constexpr double kFarthest = 20;  ///< m
+
+  /// A walk that has come no closer to its goal for this long is stopped.
+  static constexpr std::chrono::seconds kPatience{20};
+
+  /// Returns where the robot is in the frame odom. The result is empty if the robot has not said so for a while.
+  using Odometer = std::function<std::optional<PlanePose>()>;
+
+  /// All arguments must outlive the object and its walks.
+  GoalWalks(const DriverParameters& parameters, const aibo_client::RcServerClient& client, movement::Mover& mover,
+            Odometer odometer, movement::Mover::Clock clock = std::chrono::steady_clock::now);
+
+  class Walk {
+   public:
+    /// Steers the robot. Call this every kPeriod.
+    /// @return how the walk has ended; null if it goes on
+    const movement::EndedMovement* goOn();
+
+    /// Ends the walk in an orderly way.
+    void stop(const std::string& reason) { walks_->mover_.cancel(begun_.id, reason); }
+
+    const movement::Mover::Begun& begun() const { return begun_; }
+
+    /// What was left of the way at the last call of goOn().
+    double distanceLeft() const { return distance_left_; }  ///< m
+    double turnLeft() const { return turn_left_; }          ///< rad
+
+   private:
+    friend class GoalWalks;
+
+    Walk(GoalWalks& walks, movement::Mover::Begun begun, const PlanePose& goal)
+        : walks_(&walks), begun_(std::move(begun)), way_(goal) {}
+
+    bool comesNoCloser();
+
+    GoalWalks* walks_;
+    movement::Mover::Begun begun_;
+    WayToGoal way_;
+    bool is_stopping_ = false;
+    double distance_left_ = 0;
+    double turn_left_ = 0;
+    double least_left_ = 0;
+    std::optional<movement::SteadyTime> closer_at_;
+  };
+
+  /// Begins to walk to a goal. This ends other walks. A goal that cannot be walked to is refused: the walk has ended.
+  Walk begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
+
+ private:
+  PlanePose goalIn(const geometry_msgs::PoseStamped& goal) const;
+
+  const DriverParameters& parameters_;
+  const aibo_client::RcServerClient& client_;
+  movement::Mover& mover_;
+  const Odometer odometer_;
+  const movement::Mover::Clock clock_;
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_WALK_GOAL_WALKS_H

@@ -1,0 +1,71 @@
+#include "node/walk/way_to_goal.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace aibo_driver::node {
+
+using aibo_client::WalkVelocity;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The robot stops at the place when it is so close, and goes there again when it is as far away as this.
+constexpr double kStopAt = 0.02;         // m
+constexpr double kGoAgainAt = 0.04;      // m
+constexpr double kStopTurningAt = 0.03;  // rad
+
+// From here on, it does not turn towards the place any more. A guarded robot walks as far over ground that no sensor
+// looks at.
+constexpr double kAnyDirection = 0.04;  // m
+constexpr double kSlowly = 0.03;        // m/s
+
+// It walks ahead if the place is in about this direction.
+constexpr double kAhead = 0.5;  // rad
+
+constexpr double kFastest = 0.2;       // m/s; the limits of the robot and of the driver are lower
+constexpr double kFastestTurn = 0.8;   // rad/s
+constexpr double kSlowDown = 0.8;      // m/s for each metre that is left
+constexpr double kSlowDownTurn = 1.5;  // rad/s for each radian that is left
+
+double turnFor(double angle) {
+  return std::clamp(kSlowDownTurn * angle, -kFastestTurn, kFastestTurn);
+}
+
+}  // namespace
+
+PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose) {
+  return {origin.x + pose.x * std::cos(origin.yaw) - pose.y * std::sin(origin.yaw),
+          origin.y + pose.x * std::sin(origin.yaw) + pose.y * std::cos(origin.yaw),
+          std::remainder(origin.yaw + pose.yaw, 2 * kPi)};
+}
+
+WalkVelocity WayToGoal::velocityAt(const PlanePose& here) {
+  const double distance = distanceFrom(here);
+  is_there_ = distance <= (is_there_ ? kGoAgainAt : kStopAt);
+  if (is_there_) {
+    const double turn = turnFrom(here);
+    return {0, 0, std::abs(turn) <= kStopTurningAt ? 0 : turnFor(turn)};
+  }
+  const double bearing = std::remainder(std::atan2(goal_.y - here.y, goal_.x - here.x) - here.yaw, 2 * kPi);
+  if (distance <= kAnyDirection) {
+    return {kSlowly * std::cos(bearing), kSlowly * std::sin(bearing), 0};
+  }
+  const double speed = std::abs(bearing) < kAhead ? std::min(kFastest, kSlowDown * distance) : 0;
+  return {speed * std::cos(bearing), 0, turnFor(bearing)};
+}
+
+double WayToGoal::distanceFrom(const PlanePose& here) const {
+  return std::hypot(goal_.x - here.x, goal_.y - here.y);
+}
+
+double WayToGoal::turnFrom(const PlanePose& here) const {
+  return std::remainder(goal_.yaw - here.yaw, 2 * kPi);
+}
+
+bool WayToGoal::hasArrived(const PlanePose& here) const {
+  return distanceFrom(here) <= kPlaceTolerance && std::abs(turnFrom(here)) <= kTurnTolerance;
+}
+
+}  // namespace aibo_driver::node

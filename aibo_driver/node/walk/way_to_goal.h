@@ -1,0 +1,54 @@
+/// @file way_to_goal.h
+#ifndef AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H
+#define AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H
+
+#include "aibo_client/walk.h"
+
+namespace aibo_driver::node {
+
+/// A place on the floor and a direction, in the frame odom or relative to another pose.
+struct PlanePose {
+  double x = 0;    ///< m
+  double y = 0;    ///< m
+  double yaw = 0;  ///< rad, -pi..pi, counterclockwise
+};
+
+/// @param pose relative to `origin`
+/// @return the same pose in the frame of `origin`
+PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose);
+
+/// Steers a robot to a pose: it turns towards the place, walks there, and turns. The last centimetres it walks in any
+/// direction. All numbers are our choice.
+///
+/// Only one thread at a time may use it.
+class WayToGoal {
+ public:
+  /// How far from the goal the robot has arrived. It stops a little closer to it.
+  static constexpr double kPlaceTolerance = 0.05;  ///< m
+  static constexpr double kTurnTolerance = 0.1;    ///< rad
+
+  /// @param goal in the frame odom
+  explicit WayToGoal(const PlanePose& goal) : goal_(goal) {}
+
+  /// How the robot should walk on.
+  /// @param here its pose in the frame odom
+  /// @return 0 if it should stop, because it is as close to the goal as it gets
+  aibo_client::WalkVelocity velocityAt(const PlanePose& here);
+
+  /// The distance from the goal's place, in m.
+  double distanceFrom(const PlanePose& here) const;
+
+  /// The turn that is left to the goal's direction, in rad, -pi..pi.
+  double turnFrom(const PlanePose& here) const;
+
+  /// True if the robot is within both tolerances.
+  bool hasArrived(const PlanePose& here) const;
+
+ private:
+  PlanePose goal_;
+  bool is_there_ = false;  ///< the place is reached; only the turn is left
+};
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H

@@ -1,0 +1,199 @@
+// Goals to walk to, as an action and as a topic, and postures as an action.
+
+#include <aibo_driver/EndedMovement.h>
+#include <aibo_driver/GoToAction.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/TakePostureAction.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <gmock/gmock.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "support/ros/goal_watch.h"
+#include "support/ros/joint_user.h"
+#include "support/ros/motion_states.h"
+
+namespace {
+
+using aibo_driver::EndedMovement;
+using aibo_driver::GoToAction;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using aibo_driver::TakePostureAction;
+using geometry_msgs::PoseStamped;
+using nav_msgs::Odometry;
+using std_srvs::Trigger;
+using test_support::GoalWatch;
+using test_support::JointUser;
+using test_support::lastEnd;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+using State = actionlib::TerminalState;
+using Going = GoalWatch<GoToAction>;
+using Taking = GoalWatch<TakePostureAction>;
+
+PoseStamped poseAt(double x, double y = 0, double yaw = 0, const std::string& frame = "odom") {
+  PoseStamped pose;
+  pose.header.frame_id = frame;
+  pose.pose.position.x = x;
+  pose.pose.position.y = y;
+  pose.pose.orientation.z = std::sin(yaw / 2);
+  pose.pose.orientation.w = std::cos(yaw / 2);
+  return pose;
+}
+
+Going::Goal goalAt(double x, double y = 0, double yaw = 0, const std::string& frame = "odom") {
+  Going::Goal goal;
+  goal.pose = poseAt(x, y, yaw, frame);
+  return goal;
+}
+
+Taking::Goal postureOf(const std::string& posture) {
+  Taking::Goal goal;
+  goal.posture = posture;
+  return goal;
+}
+
+class GoalUser : public JointUser {
+ public:
+  explicit GoalUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
+      : JointUser(name_space, {"_stream_on_start:=false", "/tf:=" + name_space + "/tf"}, robot_options),
+        go_to(name_space + "/go_to"),
+        take_posture(name_space + "/take_posture"),
+        odom(name_space + "/odom"),
+        state(name_space + "/motion_state") {
+    EXPECT_TRUE(go_to.waitForActionServerToStart(ros::Duration(30)));
+    EXPECT_TRUE(take_posture.waitForActionServerToStart(ros::Duration(30)));
+  }
+
+  bool isAt(double x, double y, double yaw) {
+    odom.clear();
+    const auto is_there = [=](const Odometry& each) {
+      const auto& pose = each.pose.pose;
+      const double turn = std::remainder(2 * std::atan2(pose.orientation.z, pose.orientation.w) - yaw, 2 * M_PI);
+      return std::hypot(pose.position.x - x, pose.position.y - y) < 0.05 && std::abs(turn) < 0.1;
+    };
+    return odom.waitFor(is_there) != nullptr;
+  }
+
+  // The motion state says the same as an action's result.
+  template <typename ResultPtr>
+  bool stateSays(const ResultPtr& result) {
+    const auto is_it = [&result](const MotionState& each) {
+      return each.movements.empty() && lastEnd(each).how == result->end && lastEnd(each).reason == result->message;
+    };
+    return state.waitFor(is_it) != nullptr;
+  }
+
+  bool walksTowards(double x) {
+    odom.clear();
+    return odom.waitFor([x](const Odometry& each) { return each.pose.pose.position.x > x; }) != nullptr;
+  }
+
+  Going::Client go_to;
+  Taking::Client take_posture;
+  TopicListener<Odometry> odom;
+  TopicListener<MotionState> state;
+};
+
+TEST(Goal, TheRobotGoesToItAndToTheNext) {
+  GoalUser user("/goes");
+  Going there(user.go_to, goalAt(0.35, 0.1, 1.5));
+  const auto feedback = there.waitForFeedback();
+  ASSERT_TRUE(feedback);
+  EXPECT_LT(feedback->distance, 0.4);
+  EXPECT_EQ(there.waitForEnd(), State::SUCCEEDED);
+  EXPECT_TRUE(there.result()->success);
+  EXPECT_EQ(there.result()->end, EndedMovement::DONE);
+  EXPECT_TRUE(user.isAt(0.35, 0.1, 1.5));
+  Going next(user.go_to, goalAt(0.2, 0, 0, "base_link"));
+  EXPECT_EQ(next.waitForEnd(), State::SUCCEEDED);
+  EXPECT_TRUE(user.isAt(0.35, 0.3, 1.5));
+}
+
+TEST(Goal, CancellingStopsTheRobotForTheReasonThatTheResultHas) {
+  GoalUser user("/cancels");
+  Going there(user.go_to, goalAt(2));
+  ASSERT_TRUE(user.walksTowards(0.1));
+  there.cancel();
+  EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
+  EXPECT_THAT(there.result()->message, HasSubstr("cancelled the goal"));
+  EXPECT_TRUE(user.stateSays(there.result()));
+}
+
+TEST(Goal, ANewGoalOnTheTopicReplacesTheOneOfTheAction) {
+  GoalUser user("/replaces");
+  Going there(user.go_to, goalAt(2));
+  ASSERT_TRUE(user.walksTowards(0.1));
+  user.publish("goal", poseAt(0.3));
+  EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::REPLACED);
+  EXPECT_TRUE(user.isAt(0.3, 0, 0));
+  EXPECT_TRUE(user.state.waitFor([](const MotionState& each) { return lastEnd(each).how == EndedMovement::DONE; }));
+}
+
+TEST(Goal, StopEndsItAndNothingResumesIt) {
+  GoalUser user("/stops");
+  Going there(user.go_to, goalAt(2));
+  ASSERT_TRUE(user.walksTowards(0.1));
+  ASSERT_TRUE(user.call<Trigger>("stop").success);
+  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
+  EXPECT_TRUE(user.stateSays(there.result()));
+  Going refused(user.go_to, goalAt(2));
+  EXPECT_EQ(refused.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(refused.result()->message, HasSubstr("call release"));
+  ASSERT_TRUE(user.call<Trigger>("release").success);
+  Going again(user.go_to, goalAt(0.1, 0, 0, "base_footprint"));
+  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED) << "it goes to the new goal, not to the old one";
+}
+
+TEST(Goal, AnEdgeEndsItWithTheRobotsReason) {
+  GoalUser user("/edge", {"--on-table"});
+  Going there(user.go_to, goalAt(2));
+  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::REFUSED);
+  EXPECT_THAT(there.result()->message, HasSubstr("the floor ends ahead"));
+  EXPECT_TRUE(user.stateSays(there.result()));
+  Going back(user.go_to, goalAt(0.4));
+  EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED) << "it turns and goes back";
+}
+
+TEST(Goal, ABrokenConnectionEndsItForGood) {
+  GoalUser user("/breaks");
+  Going there(user.go_to, goalAt(2));
+  ASSERT_TRUE(user.walksTowards(0.1));
+  user.reconnect();
+  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::LOST);
+  EXPECT_TRUE(user.stateSays(there.result()));
+  Going again(user.go_to, goalAt(0.1, 0, 0, "base_link"));
+  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED);
+}
+
+TEST(TakePosture, EndsWhenTheRobotHasTakenIt) {
+  GoalUser user("/takes");
+  Taking sits(user.take_posture, postureOf("sit"));
+  EXPECT_EQ(sits.waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(sits.result()->end, EndedMovement::DONE);
+  Taking stands(user.take_posture, postureOf("stand"));
+  ASSERT_TRUE(stands.waitForFeedback());
+  stands.cancel();
+  EXPECT_EQ(stands.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(stands.result()->end, EndedMovement::STOPPED);
+  EXPECT_TRUE(user.stateSays(stands.result()));
+  Taking wrong(user.take_posture, postureOf("dance"));
+  EXPECT_EQ(wrong.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(wrong.result()->message, HasSubstr("there are stand, sit and rest"));
+  Taking rests(user.take_posture, postureOf("rest"));
+  EXPECT_EQ(rests.waitForEnd(), State::SUCCEEDED);
+}
+
+}  // namespace

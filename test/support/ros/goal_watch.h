@@ -1,0 +1,86 @@
+/// @file goal_watch.h
+#ifndef TEST_SUPPORT_ROS_GOAL_WATCH_H
+#define TEST_SUPPORT_ROS_GOAL_WATCH_H
+
+#include <actionlib/client/action_client.h>
+
+#include <condition_variable>
+#include <mutex>
+
+#include "support/ros/topic_listener.h"
+
+namespace test_support {
+
+/// One goal of an action, from its beginning to its end.
+template <typename Action>
+class GoalWatch {
+ public:
+  using Client = actionlib::ActionClient<Action>;
+  using Goal = typename Action::_action_goal_type::_goal_type;
+  using Result = typename Action::_action_result_type::_result_type;
+  using Feedback = typename Action::_action_feedback_type::_feedback_type;
+  using ResultPtr = boost::shared_ptr<const Result>;
+  using FeedbackPtr = boost::shared_ptr<const Feedback>;
+
+  GoalWatch(Client& client, const Goal& goal) {
+    handle_ = client.sendGoal(
+        goal, [this](typename Client::GoalHandle handle) { changed(handle); },
+        [this](typename Client::GoalHandle, const FeedbackPtr& feedback) { received(feedback); });
+  }
+
+  ~GoalWatch() { handle_.reset(); }
+
+  GoalWatch(const GoalWatch&) = delete;
+  GoalWatch& operator=(const GoalWatch&) = delete;
+
+  /// Null if none comes in time.
+  FeedbackPtr waitForFeedback() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kSafetyNet, [this] { return feedback_ != nullptr; });
+    return feedback_;
+  }
+
+  /// LOST if it does not end in time.
+  actionlib::TerminalState::StateEnum waitForEnd() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    changed_.wait_for(lock, kSafetyNet, [this] { return over_; });
+    return over_ ? end_ : actionlib::TerminalState::LOST;
+  }
+
+  ResultPtr result() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return result_;
+  }
+
+  void cancel() { handle_.cancel(); }
+
+ private:
+  void changed(typename Client::GoalHandle& handle) {
+    if (handle.getCommState() != actionlib::CommState::DONE) {
+      return;
+    }
+    const std::lock_guard<std::mutex> lock(mutex_);
+    over_ = true;
+    end_ = handle.getTerminalState().state_;
+    result_ = handle.getResult();
+    changed_.notify_all();
+  }
+
+  void received(const FeedbackPtr& feedback) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    feedback_ = feedback;
+    changed_.notify_all();
+  }
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  bool over_ = false;
+  actionlib::TerminalState::StateEnum end_ = actionlib::TerminalState::LOST;
+  ResultPtr result_;
+  FeedbackPtr feedback_;
+  typename Client::GoalHandle handle_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_GOAL_WATCH_H

@@ -1,0 +1,148 @@
+// Walks to goals: which goals are refused, and how a walk ends.
+#include "node/walk/goal_walks.h"
+
+#include <gmock/gmock.h>
+#include <ros/time.h>
+
+#include <cmath>
+#include <limits>
+
+#include "movement/joint_table.h"
+#include "movement/measured_joints.h"
+#include "support/fake_client.h"
+
+namespace aibo_driver::node {
+namespace {
+
+using aibo_client::EndedHow;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using ::testing::HasSubstr;
+
+class GoalWalksTest : public ::testing::Test {
+ protected:
+  GoalWalksTest() {
+    ros::Time::init();
+    client_.present.robot.capabilities = {"I", "S", "E", "O"};
+    client_.present.robot.walk_limits = {0.15, 0.1, 0.06, 1.2};
+  }
+
+  static geometry_msgs::PoseStamped goalAt(double x, double y = 0, const std::string& frame = "odom") {
+    geometry_msgs::PoseStamped goal;
+    goal.header.frame_id = frame;
+    goal.pose.position.x = x;
+    goal.pose.position.y = y;
+    goal.pose.orientation.w = 1;
+    return goal;
+  }
+
+  GoalWalks::Walk begin(const geometry_msgs::PoseStamped& goal) { return walks_.begin(goal, {"/user", now_}); }
+
+  std::string refusalOf(const geometry_msgs::PoseStamped& goal) {
+    const GoalWalks::Walk walk = begin(goal);
+    const movement::EndedMovement* const end = walk.begun().ended();
+    EXPECT_EQ(mover_.state().ended.back().reason, end != nullptr ? end->reason : "it is not refused");
+    EXPECT_EQ(lastVelocity(), "") << "the robot moves";
+    return end != nullptr && end->how == EndedHow::kRefused ? end->reason : "it is not refused";
+  }
+
+  std::string lastVelocity() {
+    std::string last;
+    for (const std::string& told : std::exchange(client_.told, {})) {
+      last = told.rfind("steer", 0) == 0 ? told : last;
+    }
+    return last;
+  }
+
+  // The robot walks as it is told.
+  void walkOn(GoalWalks::Walk& walk, double forward) {
+    now_ += GoalWalks::kPeriod;
+    here_->x += forward;
+    EXPECT_EQ(walk.goOn(), nullptr);
+    mover_.steered({0.1, 0, 0}, client_.steering_order);
+  }
+
+  movement::SteadyTime now_ = movement::SteadyTime(seconds(1000));
+  const movement::Mover::Clock clock_ = [this] { return now_; };
+  std::optional<PlanePose> here_ = PlanePose{1, 0, 0};
+  DriverParameters parameters_;
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
+  test_support::FakeClient client_;
+  movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }, clock_};
+  GoalWalks walks_{parameters_, client_, mover_, [this] { return here_; }, clock_};
+};
+
+TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusalOf(goalAt(nan)), HasSubstr("NaN"));
+  geometry_msgs::PoseStamped goal = goalAt(2);
+  goal.pose.orientation.w = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(refusalOf(goal), HasSubstr("NaN or infinite"));
+  goal.pose.orientation.w = 0;
+  EXPECT_THAT(refusalOf(goal), HasSubstr("unit quaternion"));
+  EXPECT_THAT(refusalOf(goalAt(2, 0, "map")), HasSubstr("'map'; it must be odom, base_link or base_footprint"));
+  EXPECT_THAT(refusalOf(goalAt(2, 0, "")), HasSubstr("it must be odom"));
+  EXPECT_THAT(refusalOf(goalAt(2, 0, "\x1b[31mmap")), HasSubstr("it must be odom"));
+  EXPECT_THAT(refusalOf(goalAt(21.5)), HasSubstr("20.5 m away, and 20 m are allowed"));
+  EXPECT_THAT(refusalOf(goalAt(1e300)), HasSubstr("m are allowed"));
+  goal = goalAt(2);
+  goal.header.stamp = ros::Time::now() - ros::Duration(2);
+  EXPECT_THAT(refusalOf(goal), HasSubstr("too old"));
+  here_.reset();
+  EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("there is no odometry"));
+}
+
+TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
+  parameters_.frame_prefix = "left";
+  EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("it must be left/odom"));
+  EXPECT_EQ(begin(goalAt(2, 0, "left/odom")).begun().ended(), nullptr);
+  EXPECT_EQ(begin(goalAt(2, 0, "/left/odom")).begun().ended(), nullptr);
+  EXPECT_EQ(begin(goalAt(2, 0, "left/base_link")).begun().ended(), nullptr);
+  ASSERT_EQ(mover_.state().movements.size(), 1U);
+  EXPECT_EQ(mover_.state().movements[0].name, "to x 3.00 m, y 0.00 m, yaw 0.00 rad") << "2 m ahead of the robot";
+}
+
+TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
+  parameters_.walk.speed_limit = 0.05;
+  GoalWalks::Walk walk = begin(goalAt(2));
+  walkOn(walk, 0);
+  EXPECT_EQ(lastVelocity(), "steer 0.05 0.00 0.00");
+  EXPECT_NEAR(walk.distanceLeft(), 1, 1e-9);
+  walkOn(walk, 0.97);
+  EXPECT_EQ(lastVelocity(), "steer 0.03 0.00 0.00");
+  walkOn(walk, 0.02);
+  EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  ASSERT_NE(walk.goOn(), nullptr);
+  EXPECT_EQ(walk.goOn()->how, EndedHow::kDone);
+}
+
+TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
+  GoalWalks::Walk walk = begin(goalAt(2));
+  for (int i = 0; i < 200; ++i) {
+    walkOn(walk, i < 10 ? 0.02 : 0);
+  }
+  EXPECT_NE(lastVelocity(), "steer 0.00 0.00 0.00");
+  for (int i = 0; i < 15; ++i) {
+    walkOn(walk, 0);
+  }
+  EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(walk.begun().ended()->how, EndedHow::kStopped);
+  EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("no closer to the goal for 20 s"));
+}
+
+TEST_F(GoalWalksTest, WithoutOdometryItStops) {
+  GoalWalks::Walk walk = begin(goalAt(2));
+  walkOn(walk, 0.02);
+  here_.reset();
+  now_ += GoalWalks::kPeriod;
+  EXPECT_EQ(walk.goOn(), nullptr);
+  EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("has not said where it is"));
+}
+
+}  // namespace
+}  // namespace aibo_driver::node
