@@ -99,6 +99,15 @@ TEST(WayToGoal, ItTurnsTowardsTheGoalBeforeItWalks) {
   EXPECT_GT(velocity.turn, 0.5);
   const WalkVelocity ahead = way.velocityAt({0, 0, 3});
   EXPECT_GT(ahead.forward, 0.1);
+  EXPECT_EQ(way.velocityAt({0, 0, 2.3}).forward, 0);
+}
+
+TEST(WayToGoal, WhileItTurnsAtThePlaceItMayDriftALittle) {
+  WayToGoal way({0, 0, 1});
+  EXPECT_LT(way.velocityAt({0.03, 0, 0}).forward, 0);
+  EXPECT_GT(way.velocityAt({0.01, 0, 0}).turn, 0.5);
+  EXPECT_EQ(way.velocityAt({0.03, 0, 0}).forward, 0) << "it turns on";
+  EXPECT_LT(way.velocityAt({-0.045, 0, 0.9}).turn, 0) << "it turns towards the place again";
 }
 
 TEST(WayToGoal, OnlyTheLastCentimetresItWalksSideways) {
