@@ -8,12 +8,12 @@ using aibo_client::PostureNow;
 // The robot may tell of its posture before or after the end.
 void GetUp::ended(const movement::EndedMovement& ended) {
   using Kind = movement::Movement::Kind;
-  if (ended.movement.kind != Kind::kWalk && ended.movement.kind != Kind::kPosture) {
-    return;
+  const bool is_by_feet = ended.movement.kind == Kind::kWalk || ended.movement.kind == Kind::kPosture;
+  if (!is_by_feet || ended.how != aibo_client::EndedHow::kFell) {
+    return;  // for example, a robot that lies refuses what another node goes on to steer
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  has_fallen_ = ended.how == aibo_client::EndedHow::kFell && ended.movement.source != own_source_ &&
-                posture_ != PostureNow::kCarried;
+  has_fallen_ = ended.movement.source != own_source_ && posture_ != PostureNow::kCarried;
 }
 
 void GetUp::update(const aibo_client::MotorsAndPosture& state) {

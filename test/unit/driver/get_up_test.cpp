@@ -99,6 +99,7 @@ TEST_F(GetUpTest, ARobotThatIsLaidDownWithoutMovingItsLegsWaits) {
 TEST_F(GetUpTest, OtherMovementsDoNotKeepItDown) {
   fall();
   end(EndedHow::kDone, Movement::Kind::kLookAt);
+  end(EndedHow::kRefused);  // somebody goes on to steer
   goSoft();
   EXPECT_EQ(orders_, 1);
 }
