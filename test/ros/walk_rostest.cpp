@@ -189,7 +189,7 @@ TEST(Walk, DoesNotGoOnAfterTheConnectionWasLost) {
   EXPECT_GT(walker.odom.waitForNext()->pose.pose.position.x, 0) << "the odometry goes on";
 }
 
-// It walks back over the edge of a table, and whoever steers it goes on. What makes it stand up is in the unit tests.
+// It walks back over the edge of a table, and its steering goes on. What makes it stand up is in the unit tests.
 TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
   Walker walker("/get_up", {"_get_up:=true", "_guard:=false"}, {"--on-table"});
   walker.steer(-0.15);

@@ -38,7 +38,7 @@ PlanePose poseIn(const geometry_msgs::Pose& pose) {
   }
   const double length = std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z + turn.w * turn.w);
   if (std::abs(length - 1) > kUnitTolerance) {
-    throw InvalidArgumentException("the orientation of the goal is no unit quaternion; w: 1.0 is straight ahead");
+    throw InvalidArgumentException("the orientation of the goal is not a unit quaternion; w: 1.0 is straight ahead");
   }
   return {pose.position.x, pose.position.y, yawOf(turn)};
 }

@@ -478,7 +478,7 @@ TEST_F(HostileNode, ThatTakesPicturesAsFastAsItCan) {
   attackFromAllSides(sides);
 }
 
-// Each node's publisher keeps its last message for whoever subscribes, so each one that comes commands the joints.
+// Each node's publisher keeps its last message for new subscribers, so each publisher that comes commands the joints.
 TEST_F(HostileNode, WhosePublishersComeAndGoAsOftenAsTheyCan) {
   attack([&] {
     sensor_msgs::JointState message;

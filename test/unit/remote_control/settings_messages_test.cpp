@@ -8,7 +8,7 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-// The driver's own description, as its generated code publishes it, but for two ranges.
+// The driver's own description, as its generated code publishes it, with the ranges of two numbers.
 Setting settingOf(const QString& name) {
   auto description = AiboDriverConfig::__getDescriptionMessage__();
   AiboDriverConfig least = AiboDriverConfig::__getDefault__();
