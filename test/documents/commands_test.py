@@ -91,9 +91,11 @@ class CommandsTest(unittest.TestCase):
         cls.make_files()
         master = free_port()
         programs = Path(os.environ['BUILD_FOLDER']) / 'devel/lib/aibo_driver'
+        # In a new build folder, catkin's environment does not have our messages yet.
+        messages = '%s:%s' % (os.environ['PYTHON_MESSAGES'], os.environ.get('PYTHONPATH', ''))
         cls.environment = dict(
-            os.environ, ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1', ROS_HOME=str(cls.folder),
-            HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
+            os.environ, PYTHONPATH=messages, ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1',
+            ROS_HOME=str(cls.folder), HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
         for port in cls.robot_ports:
             cls.start(['aibo_rcserver', '--port', str(port), '--no-console', '--memory-stick', 'stick%d' % port])
         cls.start(['roslaunch', '-p', str(master), 'aibo_driver', 'aibo.launch', 'port:=%d' % cls.robot_ports[0],
