@@ -187,7 +187,7 @@ class RcServerClient {
   void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
                      const OrderTerms& terms = {});
 
-  /// Sets how fast joints may move, whoever moves them. The robot itself keeps the limits. They are sent before later
+  /// Sets how fast joints may move in all movements. The robot itself keeps the limits. They are sent before later
   /// commands to the joints, under the same rules, unless the robot has them already. After a reconnect they are not
   /// sent again.
   /// @param limits 1..32 joints; each joint appears once
