@@ -1,6 +1,6 @@
 # Makes a build from scratch faster. Most compile time goes into the headers of ROS, Qt and GoogleTest, so a target
-# reads them once (precompiled header). Where that is not enough, sources are compiled together (unity build), but only
-# so many that a build after a change of one file does not become slower.
+# reads them once (precompiled header). Even then, each compiler process needs a second for them. So sources are compiled
+# together (unity build), but only so many that a build after a change of one file does not become much slower.
 option(AIBO_FAST_BUILD "Precompile headers, and compile several sources together" ON)
 if(AIBO_SANITIZE STREQUAL "fuzz")
   set(AIBO_FAST_BUILD OFF)  # it builds little, with clang
@@ -31,10 +31,9 @@ function(aibo_reuse_headers owner)
   endif()
 endfunction()
 
-# With ROS or Qt, three sources together compile about as fast as one of them without the precompiled header. Names in
-# anonymous namespaces have to be unique in such a target.
+# Names in anonymous namespaces have to be unique in such a target.
 function(aibo_compile_together)
   if(AIBO_FAST_BUILD)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 3)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
   endif()
 endfunction()

@@ -6,12 +6,12 @@
 
 #include "aibo_client/names.h"
 #include "client/picture_intake.h"
+#include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
 
-constexpr std::chrono::milliseconds kFrame{8};  // an OPEN-R frame
-constexpr int kShortestPeriod = 4;              // frames; a server rounds shorter periods up (docs/protocol.md)
+constexpr int kShortestPeriod = 4;  // frames; a server rounds shorter periods up (docs/protocol.md)
 
 std::string inShort(double value) {
   char text[32];
@@ -27,7 +27,9 @@ std::string describe(const std::string& name, double value, const ValueRange& po
 }  // namespace
 
 void TelemetryIntake::askedFor(int period) {
-  shortest_period_ = period == 0 ? RateLimit::Duration::zero() : std::max(period, kShortestPeriod) * kFrame / 2;
+  shortest_period_ =
+      period == 0 ? RateLimit::Duration::zero()
+                  : std::max(period, kShortestPeriod) * std::chrono::milliseconds(robot_model::FRAME_MILLISECONDS) / 2;
 }
 
 void TelemetryIntake::deliver(Telemetry telemetry, const std::string& design) {

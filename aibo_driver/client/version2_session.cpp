@@ -715,7 +715,7 @@ bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
 
 /// How far this frame is at least ahead of the robot's frame at that time, computed from an answer to a hello.
 Session::TimePoint::duration Version2Session::timeAhead(std::uint32_t frame_number, TimePoint time) const {
-  constexpr std::chrono::milliseconds kFrame(8);
+  constexpr std::chrono::milliseconds kFrame(robot_model::FRAME_MILLISECONDS);
   return kFrame * static_cast<std::int32_t>(frame_number - robot_frame_) - (time - robot_frame_time_);
 }
 

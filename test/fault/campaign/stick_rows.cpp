@@ -22,7 +22,7 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-constexpr milliseconds kPatience{20000};
+constexpr milliseconds kStickPatience{20000};
 
 struct StickFault {
   StickState state;
@@ -91,7 +91,7 @@ class StickExperiment : public Experiment {
   /// @return empty, or why there is no picture
   std::string take() {
     try {
-      taken_.push_back(client_.takePictureOnRobot(85, kPatience));
+      taken_.push_back(client_.takePictureOnRobot(85, kStickPatience));
       return "";
     } catch (const CommandException& error) {
       return error.what();
@@ -119,13 +119,13 @@ class StickExperiment : public Experiment {
                                     std::to_string(taken_.size()));
     }
     for (const std::string& name : taken_) {
-      client_.deletePicture(name, kPatience);
+      client_.deletePicture(name, kStickPatience);
     }
     taken_.clear();
   }
 
   void awaitPictures(int count) {
-    const TimePoint end = steady_clock::now() + kPatience;
+    const TimePoint end = steady_clock::now() + kStickPatience;
     for (const int before = pictures_; pictures_ < before + count;) {
       if (steady_clock::now() > end) {
         throw std::runtime_error("no picture came any more");

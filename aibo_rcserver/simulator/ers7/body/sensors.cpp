@@ -20,8 +20,6 @@ struct RangeFinder {
 
 namespace {
 
-constexpr double kGravity = 9.80665;
-
 // The positions are from Tekkotsu's kinematic table of the ERS-7. The two sensors in the head are at the camera's
 // height.
 const std::map<std::string, RangeFinder> kRangeFinders = {

@@ -16,6 +16,8 @@ using robot_model::LegAngles;
 
 constexpr std::size_t kLegs = robot_model::NUMBER_OF_LEGS;
 
+constexpr double kGravity = 9.80665;  // m/s^2
+
 /// In metres. A foot up to this height above the floor still presses its switch (our choice), because joints are a few
 /// hundredths of a degree off their commands and real floors are not flat.
 constexpr double kPawTravel = 0.003;

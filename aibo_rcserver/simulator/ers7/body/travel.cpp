@@ -20,8 +20,6 @@ using Eigen::Vector3d;
 using openr_host::kFrameSeconds;
 using robot_model::FOOT_RADIUS;
 
-constexpr double kGravity = 9.80665;
-
 /// The body's radius of gyration about the vertical axis, in metres, for a box of the size of body and legs, 28 by 18
 /// cm.
 constexpr double kGyration = 0.096;

@@ -9,8 +9,6 @@ namespace {
 constexpr std::size_t kBands = 6;
 constexpr std::size_t kColorBands = 3;
 constexpr std::size_t kTagBytes = 16;
-constexpr std::size_t kWidth = kPictureWidth;
-constexpr std::size_t kHeight = kPictureHeight;
 
 constexpr byte kNoDetail = 128;
 constexpr byte kGrey = 128;
@@ -26,10 +24,10 @@ struct LayerFormat {
 };
 
 constexpr LayerFormat kLayers[] = {
-    {ofbkimageLAYER_H, odataFBK_YCrCb_HPF, kWidth, kHeight, kBands},
-    {ofbkimageLAYER_M, odataFBK_YCrCb_HPF, kWidth / 2, kHeight / 2, kBands},
-    {ofbkimageLAYER_L, odataFBK_YCrCb_HPF, kWidth / 4, kHeight / 4, kBands},
-    {ofbkimageLAYER_C, odataFBK_CDT, kWidth / 2, kHeight / 2, 1},
+    {ofbkimageLAYER_H, odataFBK_YCrCb_HPF, kPictureWidth, kPictureHeight, kBands},
+    {ofbkimageLAYER_M, odataFBK_YCrCb_HPF, kPictureWidth / 2, kPictureHeight / 2, kBands},
+    {ofbkimageLAYER_L, odataFBK_YCrCb_HPF, kPictureWidth / 4, kPictureHeight / 4, kBands},
+    {ofbkimageLAYER_C, odataFBK_CDT, kPictureWidth / 2, kPictureHeight / 2, 1},
 };
 
 constexpr std::size_t kNumberOfLayers = std::size(kLayers);
@@ -41,15 +39,16 @@ OFbkImageVectorData* vectorIn(RCRegion* region) {
 }
 
 void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
-  for (std::size_t y = 0; y < kHeight; ++y) {
-    std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(y * kWidth), kWidth, first_row + y * kBands * kWidth);
+  for (std::size_t y = 0; y < kPictureHeight; ++y) {
+    std::copy_n(plane.begin() + static_cast<std::ptrdiff_t>(y * kPictureWidth), kPictureWidth,
+                first_row + y * kBands * kPictureWidth);
   }
 }
 
 void writeColors(const YCrCbImage& picture, byte* high) {
   writeBand(picture.y, high);
-  writeBand(picture.cr, high + kWidth);
-  writeBand(picture.cb, high + 2 * kWidth);
+  writeBand(picture.cr, high + kPictureWidth);
+  writeBand(picture.cb, high + 2 * kPictureWidth);
 }
 
 byte toBand(float detail) {
@@ -88,13 +87,13 @@ void halve(const byte* from, byte* to, std::size_t width, std::size_t height) {
 }
 
 ColorCounts detect(const ColorDetection& colors, const byte* medium, byte* plane) {
-  constexpr std::size_t kPlaneWidth = kWidth / 2;
+  constexpr std::size_t kPlaneWidth = kPictureWidth / 2;
   ColorCounts counts{};
   if (!colors.isOn()) {
-    std::fill_n(plane, kPlaneWidth * (kHeight / 2), byte{0});
+    std::fill_n(plane, kPlaneWidth * (kPictureHeight / 2), byte{0});
     return counts;
   }
-  for (std::size_t y = 0; y < kHeight / 2; ++y) {
+  for (std::size_t y = 0; y < kPictureHeight / 2; ++y) {
     const byte* row = medium + y * kBands * kPlaneWidth;
     colors.detect(row, row + kPlaneWidth, row + 2 * kPlaneWidth, kPlaneWidth, plane + y * kPlaneWidth, &counts);
   }
@@ -166,7 +165,7 @@ void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
 }
 
 const void* otherBands(RCRegion* region) {
-  return vectorIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kWidth;
+  return vectorIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kPictureWidth;
 }
 
 void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number) {
@@ -179,15 +178,15 @@ void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetect
   OFbkImageVectorData* vector = vectorIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
   writeColors(picture, high);
-  writeBand(picture.y_lh, high + 3 * kWidth);
-  writeBand(picture.y_hl, high + 4 * kWidth);
-  writeBand(picture.y_hh, high + 5 * kWidth);
+  writeBand(picture.y_lh, high + 3 * kPictureWidth);
+  writeBand(picture.y_hl, high + 4 * kPictureWidth);
+  writeBand(picture.y_hh, high + 5 * kPictureWidth);
   byte* medium = vector->GetData(ofbkimageLAYER_M);
-  halve(high, medium, kWidth / 2, kHeight / 2);
-  split(high, medium, kWidth / 2, kHeight / 2);
+  halve(high, medium, kPictureWidth / 2, kPictureHeight / 2);
+  split(high, medium, kPictureWidth / 2, kPictureHeight / 2);
   byte* low = vector->GetData(ofbkimageLAYER_L);
-  halve(medium, low, kWidth / 4, kHeight / 4);
-  split(medium, low, kWidth / 4, kHeight / 4);
+  halve(medium, low, kPictureWidth / 4, kPictureHeight / 4);
+  split(medium, low, kPictureWidth / 4, kPictureHeight / 4);
   const ColorCounts counts = detect(colors, medium, vector->GetData(ofbkimageLAYER_C));
   writeTags(vector, image_number, counts);
 }

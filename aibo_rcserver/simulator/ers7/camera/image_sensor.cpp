@@ -9,9 +9,6 @@
 namespace simulated_ers7 {
 namespace {
 
-constexpr std::size_t kWidth = kPictureWidth;
-constexpr std::size_t kHeight = kPictureHeight;
-
 /// The share of the light that reaches the corners.
 const Color kCornerLight(0.70, 0.74, 0.80);
 
@@ -122,24 +119,29 @@ Color stepsOf(const CameraSettings& settings) {
 
 }  // namespace
 
-Lens::Lens() : transmission_(makeTransmission()), blurred_across_(kWidth * kHeight), projected_(kWidth * kHeight) {}
+Lens::Lens()
+    : transmission_(makeTransmission()),
+      blurred_across_(kPictureWidth * kPictureHeight),
+      projected_(kPictureWidth * kPictureHeight) {}
 
 const LightImage& Lens::project(const LightImage& light) {
-  for (std::size_t y = 0; y < kHeight; ++y) {
-    const Color* row = &light[y * kWidth];
-    Color* out = &blurred_across_[y * kWidth];
+  for (std::size_t y = 0; y < kPictureHeight; ++y) {
+    const Color* row = &light[y * kPictureWidth];
+    Color* out = &blurred_across_[y * kPictureWidth];
     out[0] = blurred(row[0], row[0], row[1]);
-    numbersFrom(out + 1, kWidth - 2) =
-        blurred(numbersFrom(row, kWidth - 2), numbersFrom(row + 1, kWidth - 2), numbersFrom(row + 2, kWidth - 2));
-    out[kWidth - 1] = blurred(row[kWidth - 2], row[kWidth - 1], row[kWidth - 1]);
+    numbersFrom(out + 1, kPictureWidth - 2) =
+        blurred(numbersFrom(row, kPictureWidth - 2), numbersFrom(row + 1, kPictureWidth - 2),
+                numbersFrom(row + 2, kPictureWidth - 2));
+    out[kPictureWidth - 1] = blurred(row[kPictureWidth - 2], row[kPictureWidth - 1], row[kPictureWidth - 1]);
   }
-  for (std::size_t y = 0; y < kHeight; ++y) {
-    const Color* here = &blurred_across_[y * kWidth];
-    const Color* above = y > 0 ? here - kWidth : here;
-    const Color* below = y < kHeight - 1 ? here + kWidth : here;
-    numbersFrom(&projected_[y * kWidth], kWidth) =
-        blurred(numbersFrom(above, kWidth), numbersFrom(here, kWidth), numbersFrom(below, kWidth)) *
-        numbersFrom(&transmission_[y * kWidth], kWidth);
+  for (std::size_t y = 0; y < kPictureHeight; ++y) {
+    const Color* here = &blurred_across_[y * kPictureWidth];
+    const Color* above = y > 0 ? here - kPictureWidth : here;
+    const Color* below = y < kPictureHeight - 1 ? here + kPictureWidth : here;
+    numbersFrom(&projected_[y * kPictureWidth], kPictureWidth) =
+        blurred(numbersFrom(above, kPictureWidth), numbersFrom(here, kPictureWidth),
+                numbersFrom(below, kPictureWidth)) *
+        numbersFrom(&transmission_[y * kPictureWidth], kPictureWidth);
   }
   return projected_;
 }

@@ -11,15 +11,15 @@ namespace openr_host {
 namespace {
 
 UDPEndpointError udpErrorOf(int error) {
-  static const std::map<int, UDPEndpointError> kErrors = {{EADDRINUSE, UDP_ADDRESSINUSE},
-                                                          {EADDRNOTAVAIL, UDP_ADDRESSERROR},
-                                                          {EACCES, UDP_ADDRESSERROR},
-                                                          {EINVAL, UDP_ADDRESSERROR},
-                                                          {ECONNREFUSED, UDP_PORT_UNREACHABLE},
-                                                          {EHOSTUNREACH, UDP_HOST_UNREACHABLE},
-                                                          {ENETUNREACH, UDP_NETWORK_UNREACHABLE},
-                                                          {EMSGSIZE, UDP_MESSAGE_TOO_LONG}};
-  return errorOf(error, kErrors, UDP_FAIL);
+  static const std::map<int, UDPEndpointError> kUdpErrors = {{EADDRINUSE, UDP_ADDRESSINUSE},
+                                                             {EADDRNOTAVAIL, UDP_ADDRESSERROR},
+                                                             {EACCES, UDP_ADDRESSERROR},
+                                                             {EINVAL, UDP_ADDRESSERROR},
+                                                             {ECONNREFUSED, UDP_PORT_UNREACHABLE},
+                                                             {EHOSTUNREACH, UDP_HOST_UNREACHABLE},
+                                                             {ENETUNREACH, UDP_NETWORK_UNREACHABLE},
+                                                             {EMSGSIZE, UDP_MESSAGE_TOO_LONG}};
+  return errorOf(error, kUdpErrors, UDP_FAIL);
 }
 
 }  // namespace
