@@ -731,7 +731,7 @@ std::vector<std::string> Mover::jointsOf(MovementId id) const {
 
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
-  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy()};
+  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy(), gate_.overruled()};
   const SteadyTime now = clock_();
   for (const Record& record : records_) {
     state.movements.push_back(record.movement);

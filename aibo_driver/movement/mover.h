@@ -71,6 +71,7 @@ class Mover {
     std::size_t ends = 0;                   ///< how many have ended so far
     aibo_client::MotorsAndPosture robot;    ///< what the robot reports about itself
     std::optional<std::string> stopped_by;  ///< the node that has stopped the robot; empty unless it is stopped
+    SteadyTime overruled;                   ///< see OrderGate::overruled()
   };
 
   /// These functions are called on the thread of the call that caused them, without a lock.

@@ -33,6 +33,9 @@ class OrderGate {
   /// @param what what overrules them, in words that follow "it came before"
   void overrule(SteadyTime received, const std::string& what);
 
+  /// When the newest order was received that overrules others.
+  SteadyTime overruled() const { return not_before_; }
+
   /// Why an order must not act now, in words that follow a colon. The text is empty if the order may act.
   /// @param may_act_while_stopped true if the order brings the robot to rest
   std::string refusal(const Order& order, SteadyTime now, bool may_act_while_stopped = false) const;

@@ -239,7 +239,7 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
     odometry_.update(state);
     mover_.robotChanged(state);
     if (get_up_) {
-      get_up_->update(state);
+      get_up_->update(state, mover_.state().overruled);
     }
   };
   callbacks.log = logForClient;
@@ -278,7 +278,7 @@ movement::Mover::Listener AiboDriver::makeListener() {
   listener.on_ended = [this](const movement::EndedMovement& ended) {
     logEnd(ended);
     if (get_up_) {
-      get_up_->ended(ended);
+      get_up_->ended(ended, std::chrono::steady_clock::now());
     }
   };
   listener.on_warning = [this](const std::string& text) { movement_warnings_.warn(text); };

@@ -202,6 +202,19 @@ TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
   }));
 }
 
+TEST(Walk, ARobotThatHasFallenStaysDownOnceAUserSwitchedItsMotorsOff) {
+  Walker walker("/stay_down", {"_get_up:=true", "_guard:=false"}, {"--on-table"});
+  walker.steer(-0.15);
+  const auto fallen = walker.waitForEnd();
+  ASSERT_TRUE(fallen);
+  ASSERT_EQ(lastEnd(*fallen).how, EndedMovement::FELL);
+  ASSERT_TRUE(walker.setMotors(false).success);
+  walker.odom.clear();
+  ASSERT_GE(walker.odom.waitForCount(60).size(), 60U) << "two seconds of the robot's time";
+  constexpr std::chrono::milliseconds kNow{0};
+  EXPECT_FALSE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }, kNow));
+}
+
 TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
   JointUser user("/unheard", quickWith("/unheard"));
   for (int i = 0; i < 100; ++i) {

@@ -18,18 +18,22 @@ class GetUpTest : public ::testing::Test {
     ended.movement.kind = kind;
     ended.movement.source = source;
     ended.how = how;
-    get_up_.ended(ended);
+    get_up_.ended(ended, now_);
   }
 
+  void update(const aibo_client::MotorsAndPosture& state) { get_up_.update(state, overruled_); }
+
   void fall() {
-    get_up_.update({MotorState::kOn, PostureNow::kWalking});
+    update({MotorState::kOn, PostureNow::kWalking});
     end(EndedHow::kFell);
-    get_up_.update({MotorState::kOn, PostureNow::kFallen});
+    update({MotorState::kOn, PostureNow::kFallen});
     EXPECT_EQ(orders_, 0) << "it has not lain for a second";
   }
 
-  void goSoft() { get_up_.update({MotorState::kOff, PostureNow::kFallen}); }
+  void goSoft() { update({MotorState::kOff, PostureNow::kFallen}); }
 
+  movement::SteadyTime now_{std::chrono::seconds(100)};
+  movement::SteadyTime overruled_{std::chrono::seconds(99)};
   int orders_ = 0;
   GetUp get_up_{"/aibo/aibo_driver", [this] { ++orders_; }};
 };
@@ -40,7 +44,7 @@ TEST_F(GetUpTest, AFallenRobotStandsUpOnceWhenItLiesStill) {
   EXPECT_EQ(orders_, 1);
   goSoft();
   EXPECT_EQ(orders_, 1);
-  get_up_.update({MotorState::kOn, PostureNow::kFallen});
+  update({MotorState::kOn, PostureNow::kFallen});
   end(EndedHow::kFell, Movement::Kind::kPosture, "/aibo/aibo_driver");
   goSoft();
   EXPECT_EQ(orders_, 1) << "it did not manage";
@@ -49,30 +53,30 @@ TEST_F(GetUpTest, AFallenRobotStandsUpOnceWhenItLiesStill) {
 TEST_F(GetUpTest, ItStandsUpAgainAfterTheNextFall) {
   fall();
   goSoft();
-  get_up_.update({MotorState::kOn, PostureNow::kStanding});
+  update({MotorState::kOn, PostureNow::kStanding});
   end(EndedHow::kDone, Movement::Kind::kPosture, "/aibo/aibo_driver");
-  get_up_.update({MotorState::kOn, PostureNow::kUnknown});
+  update({MotorState::kOn, PostureNow::kUnknown});
   end(EndedHow::kFell, Movement::Kind::kPosture);
-  get_up_.update({MotorState::kOn, PostureNow::kFallen});
+  update({MotorState::kOn, PostureNow::kFallen});
   goSoft();
   EXPECT_EQ(orders_, 2);
 }
 
 TEST_F(GetUpTest, TheRobotMayTellOfItsPostureBeforeTheEnd) {
-  get_up_.update({MotorState::kOn, PostureNow::kFallen});
+  update({MotorState::kOn, PostureNow::kFallen});
   end(EndedHow::kFell);
   goSoft();
   EXPECT_EQ(orders_, 1);
 }
 
 TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
-  get_up_.update({MotorState::kOn, PostureNow::kWalking});
+  update({MotorState::kOn, PostureNow::kWalking});
   end(EndedHow::kFell);
-  get_up_.update({MotorState::kOn, PostureNow::kCarried});
-  get_up_.update({MotorState::kOn, PostureNow::kFallen});
+  update({MotorState::kOn, PostureNow::kCarried});
+  update({MotorState::kOn, PostureNow::kFallen});
   goSoft();
   EXPECT_EQ(orders_, 0);
-  get_up_.update({MotorState::kOn, PostureNow::kCarried});
+  update({MotorState::kOn, PostureNow::kCarried});
   end(EndedHow::kFell);
   goSoft();
   EXPECT_EQ(orders_, 0);
@@ -81,19 +85,32 @@ TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
 TEST_F(GetUpTest, ARobotThatIsPutOnItsFeetOrCannotBeReachedWaits) {
   for (const PostureNow posture : {PostureNow::kLying, PostureNow::kUnknown}) {
     fall();
-    get_up_.update({MotorState::kOn, posture});
+    update({MotorState::kOn, posture});
     goSoft();
     EXPECT_EQ(orders_, 0);
   }
 }
 
 TEST_F(GetUpTest, ARobotThatIsLaidDownWithoutMovingItsLegsWaits) {
-  get_up_.update({MotorState::kOn, PostureNow::kStanding});
+  update({MotorState::kOn, PostureNow::kStanding});
   end(EndedHow::kStopped);
   end(EndedHow::kFell, Movement::Kind::kCommand);
-  get_up_.update({MotorState::kOn, PostureNow::kFallen});
+  update({MotorState::kOn, PostureNow::kFallen});
   goSoft();
   EXPECT_EQ(orders_, 0);
+}
+
+// The robot tells of motors that a user switched off in the same way as of those that it switched off itself.
+TEST_F(GetUpTest, ARobotWhoseMotorsAUserSwitchedOffSinceTheFallWaits) {
+  fall();
+  overruled_ = now_ + std::chrono::milliseconds(300);
+  goSoft();
+  EXPECT_EQ(orders_, 0);
+  overruled_ = now_;
+  now_ += std::chrono::seconds(10);
+  fall();
+  goSoft();
+  EXPECT_EQ(orders_, 1) << "the order was about the fall before";
 }
 
 TEST_F(GetUpTest, OtherMovementsDoNotKeepItDown) {
