@@ -128,7 +128,7 @@ class Playback {
       } else if (state_ == State::kEnded) {
         ros::requestShutdown();
       }
-    } catch (const rosbag::BagException& error) {
+    } catch (const ros::Exception& error) {  // those of rosbag, and those of messages that are too short
       ROS_FATAL_STREAM(recording_.name() << " is damaged at " << position() << ": " << error.what()
                                          << ". What follows is lost.");
       failed_ = true;

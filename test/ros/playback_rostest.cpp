@@ -13,9 +13,12 @@
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/SetBool.h>
 #include <tf2_msgs/TFMessage.h>
+#include <topic_tools/shape_shifter.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -67,6 +70,18 @@ class WalkBag {
       write("camera/camera_info", headed<sensor_msgs::CameraInfo>("camera_optical_frame"));
       write("cmd_vel", geometry_msgs::Twist());
     }
+  }
+
+  /// A message of which only the first four bytes are there.
+  template <typename Message>
+  void cutOff(const std::string& topic) {
+    topic_tools::ShapeShifter message;
+    message.morph(ros::message_traits::md5sum<Message>(), ros::message_traits::datatype<Message>(),
+                  ros::message_traits::definition<Message>(), "");
+    std::array<std::uint8_t, 4> bytes{};
+    ros::serialization::IStream stream(bytes.data(), bytes.size());
+    message.read(stream);
+    write(topic, message);
   }
 
  private:
@@ -288,6 +303,23 @@ TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
   Process playback(command(whole, "/damaged", {"_wait:=0", "_rate:=100"}));
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
   EXPECT_THAT(playback.output(), HasSubstr("walk.bag is damaged at 0:"));
+}
+
+TEST_F(PlaybackTest, AMessageThatIsCutOffIsDamage) {
+  {
+    WalkBag bag(path("first.bag"), "/aibo");
+    bag.cutOff<sensor_msgs::Imu>("imu/data_raw");
+    bag.connect();
+  }
+  EXPECT_THAT(complaintAbout(path("first.bag")), HasSubstr("first.bag is damaged at its beginning: Buffer Overrun"));
+  {
+    WalkBag bag(path("later.bag"), "/aibo");
+    bag.connect();
+    bag.walk(1);
+    bag.cutOff<sensor_msgs::JointState>("joint_states");
+  }
+  EXPECT_THAT(complaintAbout(path("later.bag"), {"_wait:=0"}),
+              HasSubstr("later.bag is damaged at 0:01 of 0:01: Buffer"));
 }
 
 TEST_F(PlaybackTest, IsNotPlayedWhereADriverRuns) {

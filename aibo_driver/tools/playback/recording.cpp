@@ -71,7 +71,11 @@ Recording::Recording(const std::string& path, const std::string& recorded_namesp
   choose(recorded_namespace);
   begin_ = messages_->getBeginTime();
   length_ = messages_->getEndTime() - begin_;
-  findFramePrefix();
+  try {
+    findFramePrefix();
+  } catch (const ros::Exception& error) {
+    throw std::runtime_error(name_ + " is damaged at its beginning: " + error.what() + ".");
+  }
 }
 
 void Recording::choose(const std::string& recorded_namespace) {
