@@ -10,6 +10,12 @@ constexpr std::size_t kLongest = 200;  // bytes
 
 }  // namespace
 
+std::string describeTooMany(std::size_t names) {
+  return names <= kMostNames ? ""
+                             : "it names " + std::to_string(names) + ", and at most " + std::to_string(kMostNames) +
+                                   " names are allowed";
+}
+
 std::string listOf(const std::vector<std::string>& names, const std::string& separator) {
   text::FirstThree first(kLongest);
   for (const std::string& name : names) {

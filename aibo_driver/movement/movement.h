@@ -41,6 +41,13 @@ struct EndedMovement {
   std::string reason;  ///< in words that follow a colon; empty if it is done
 };
 
+/// How many joints or LEDs a message may name. A robot has fewer than 50. Looking for a million unknown names would
+/// keep others waiting.
+constexpr std::size_t kMostNames = 1000;
+
+/// @return what is wrong, in words that follow a colon; empty if a message may name so many
+std::string describeTooMany(std::size_t names);
+
 /// Lists the first three names, and says how many more there are.
 std::string listOf(const std::vector<std::string>& names, const std::string& separator = ", ");
 

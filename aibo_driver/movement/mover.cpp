@@ -151,6 +151,10 @@ void Mover::tell() {
 
 Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& names,
                             const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
+  const std::string too_many = describeTooMany(names.size());
+  if (!too_many.empty()) {
+    return refuse(order, kind, {}, too_many);
+  }
   Begun begun = change([&] {
     checkConnection();
     const SteadyTime now = clock_();
@@ -189,6 +193,10 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
 
 Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                            const Arrival& arrival) {
+  const std::string too_many = describeTooMany(request.joints.size());
+  if (!too_many.empty()) {
+    return refuse(order, Kind::kTrajectory, {}, too_many);
+  }
   Begun begun = change([&] {
     checkConnection();
     const SteadyTime now = clock_();

@@ -8,6 +8,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "movement/joint_targets.h"
+#include "movement/movement.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -45,6 +46,10 @@ int ledLevel(double intensity) {
 
 // @return what is wrong with the message as a whole; empty if it is fine
 std::string describeMisfit(const Leds& message) {
+  const std::string too_many = movement::describeTooMany(message.names.size());
+  if (!too_many.empty()) {
+    return "A message on leds was refused: " + too_many + ".";
+  }
   if (message.intensities.size() != message.names.size() && message.intensities.size() != 1) {
     return "A message on leds was refused: it has " + std::to_string(message.names.size()) + " names and " +
            std::to_string(message.intensities.size()) + " intensities; give one for each name, or one for all.";

@@ -101,6 +101,10 @@ std::string violation(const Tolerances& tolerances, const FollowJointTrajectoryF
 }
 
 void checkJoints(const trajectory_msgs::JointTrajectory& trajectory, const movement::JointTable& table) {
+  const std::string too_many = movement::describeTooMany(trajectory.joint_names.size());
+  if (!too_many.empty()) {
+    throw GoalRefusal(Result::INVALID_JOINTS, too_many);
+  }
   for (const std::string& name : trajectory.joint_names) {
     if (!table.findByName(name)) {
       throw GoalRefusal(Result::INVALID_JOINTS,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "movement/movement.h"
 #include "support/fake_client.h"
 
 namespace aibo_driver::node {
@@ -82,9 +83,14 @@ TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
 }
 
 TEST(ParseLeds, SaysInAFewWordsWhatIsWrongWithAMillionNames) {
-  const LedOrders orders = ordersOf(std::vector<std::string>(1'000'000, "\x1b[2J" + std::string(100, 'x')), {1.0F});
-  EXPECT_THAT(orders.refusals.text(), AllOf(HasSubstr("named '?[2Jxx"), HasSubstr(" and 999997 more")));
-  EXPECT_LT(orders.refusals.text().size(), 1000U);
+  std::vector<std::string> names(movement::kMostNames, "\x1b[2J" + std::string(100, 'x'));
+  const LedOrders allowed = ordersOf(names, {1.0F});
+  EXPECT_THAT(allowed.refusals.text(), AllOf(HasSubstr("named '?[2Jxx"), HasSubstr(" and 997 more")));
+  EXPECT_LT(allowed.refusals.text().size(), 1000U);
+  names.resize(1'000'000, "all");
+  const LedOrders too_many = ordersOf(names, {1.0F});
+  EXPECT_THAT(too_many.commands, IsEmpty());
+  EXPECT_THAT(too_many.refusals.text(), HasSubstr("it names 1000000, and at most 1000 names are allowed"));
 }
 
 TEST(ParseLeds, RefusesAMessageThatDoesNotFitTogether) {

@@ -234,6 +234,20 @@ TEST_F(MoverTest, ACommandEndsATrajectoryAndSaysSo) {
   EXPECT_EQ(endOf(followed), EndedHow::kReplaced);
 }
 
+TEST_F(MoverTest, ReadsNoOrderThatNamesFarMoreJointsThanARobotHas) {
+  std::vector<std::string> names(kMostNames, "head_pan");
+  std::vector<double> positions(kMostNames, 0.1);
+  EXPECT_EQ(mover_.command(order(), names, positions, {}).ended(), nullptr);
+  names.emplace_back("head_pan");
+  positions.push_back(0.1);
+  const std::string refusal = "it names 1001, and at most 1000 names are allowed";
+  EXPECT_EQ(reasonOf(mover_.command(order(), names, positions, {})), refusal);
+  TrajectoryRequest request;
+  request.joints = names;
+  request.points = {{1.0, positions, {}}};
+  EXPECT_EQ(reasonOf(mover_.follow(order(), request, std::chrono::seconds(0))), refusal);
+}
+
 TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
   mover_.command(order(), {"head_pan", "a", "b", "c", "d"}, {0.1, 0, 0, 0, 0}, {});
   EXPECT_THAT(warnings_, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
