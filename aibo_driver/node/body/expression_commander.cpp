@@ -9,12 +9,15 @@
 #include "aibo_client/exceptions.h"
 #include "movement/joint_targets.h"
 #include "movement/movement.h"
+#include "node/bounded_message.h"
 
 namespace aibo_driver::node {
 namespace {
 
 // Several programs may each command some of the LEDs, so messages must not replace each other.
 constexpr std::uint32_t kExpressionQueueSize = 10;
+
+constexpr std::size_t kMostBytes = 256 << 10;  // far more than all LEDs of a robot
 
 constexpr double kHighestLevel = 255;  // on the wire
 
@@ -96,10 +99,17 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
 
 void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
   ros::NodeHandle topics(handle);
-  const boost::function<void(const Leds::ConstPtr&)> receive_leds = [this](const Leds::ConstPtr& message) {
-    receiveLeds(*message);
-  };
-  leds_ = topics.subscribe<Leds>("leds", kExpressionQueueSize, receive_leds);
+  using BoundedLeds = BoundedMessage<Leds, kMostBytes>;
+  const boost::function<void(const boost::shared_ptr<BoundedLeds const>&)> receive_leds =
+      [this](const boost::shared_ptr<BoundedLeds const>& message) {
+        const std::string refusal = message->refusal();
+        if (refusal.empty()) {
+          receiveLeds(message->message);
+        } else {
+          warnings_.warn("A message on leds was refused: " + refusal + ".");
+        }
+      };
+  leds_ = topics.subscribe<BoundedLeds>("leds", kExpressionQueueSize, receive_leds);
   const boost::function<void(const Ears::ConstPtr&)> receive_ears = [this](const Ears::ConstPtr& message) {
     receiveEars(*message);
   };

@@ -6,10 +6,12 @@
 
 #include "aibo_client/exceptions.h"
 #include "movement/joint_plan.h"
+#include "node/bounded_message.h"
 #include "node/joints/trajectory_messages.h"
 #include "node/orders.h"
 
 namespace aibo_driver::node {
+
 namespace {
 
 // Several programs may each command some of the joints, so messages must not replace each other. A driver that was held
@@ -18,6 +20,9 @@ constexpr std::uint32_t kCommandQueueSize = 200;
 
 // A newer trajectory may replace another one, or it may move other joints.
 constexpr std::uint32_t kTrajectoryQueueSize = 5;
+
+constexpr std::size_t kMostBytesOfCommand = 256 << 10;   // far more than all joints of a robot
+constexpr std::size_t kMostBytesOfTrajectory = 1 << 20;  // all joints, thirty points a second, for two minutes
 
 template <typename Message>
 ros::Subscriber subscribeTo(const std::string& topic, std::uint32_t queue_size, ros::NodeHandle* topics,
@@ -51,14 +56,26 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
                                 receivePosition(name, event.getMessage()->data, orderOf(event));
                               }));
   }
-  using sensor_msgs::JointState;
-  subscribers_.push_back(subscribeTo<JointState>(
-      "joint_command", kCommandQueueSize, &topics,
-      [this](const ros::MessageEvent<JointState const>& event) { receive(*event.getMessage(), orderOf(event)); }));
-  using trajectory_msgs::JointTrajectory;
-  subscribers_.push_back(subscribeTo<JointTrajectory>(
-      "joint_trajectory", kTrajectoryQueueSize, &topics,
-      [this](const ros::MessageEvent<JointTrajectory const>& event) { receive(*event.getMessage(), orderOf(event)); }));
+  using Command = BoundedMessage<sensor_msgs::JointState, kMostBytesOfCommand>;
+  subscribers_.push_back(subscribeTo<Command>("joint_command", kCommandQueueSize, &topics,
+                                              [this](const ros::MessageEvent<Command const>& event) {
+                                                receiveBounded(event, movement::Movement::Kind::kCommand);
+                                              }));
+  using Trajectory = BoundedMessage<trajectory_msgs::JointTrajectory, kMostBytesOfTrajectory>;
+  subscribers_.push_back(subscribeTo<Trajectory>("joint_trajectory", kTrajectoryQueueSize, &topics,
+                                                 [this](const ros::MessageEvent<Trajectory const>& event) {
+                                                   receiveBounded(event, movement::Movement::Kind::kTrajectory);
+                                                 }));
+}
+
+template <typename Bounded>
+void JointCommander::receiveBounded(const ros::MessageEvent<Bounded const>& event, movement::Movement::Kind kind) {
+  const std::string refusal = event.getMessage()->refusal();
+  if (refusal.empty()) {
+    receive(event.getMessage()->message, orderOf(event));
+  } else {
+    mover_.refuse(orderOf(event), kind, {}, refusal);
+  }
 }
 
 void JointCommander::receive(const sensor_msgs::JointState& message, const movement::Order& order) {

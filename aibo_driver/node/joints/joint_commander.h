@@ -3,6 +3,7 @@
 #define AIBO_DRIVER_NODE_JOINTS_JOINT_COMMANDER_H
 
 #include <ros/console.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 #include <sensor_msgs/JointState.h>
@@ -51,6 +52,8 @@ class JointCommander {
   void receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order);
 
  private:
+  template <typename Bounded>
+  void receiveBounded(const ros::MessageEvent<Bounded const>& event, movement::Movement::Kind kind);
   void receivePosition(const std::string& joint, double position, const movement::Order& order);
   void sendCollected();
 

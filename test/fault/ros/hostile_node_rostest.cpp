@@ -200,6 +200,7 @@ class HostileNode : public testing::Test {
 };
 
 TEST_F(HostileNode, ThatCommandsAMillionUnknownJoints) {
+  TopicListener<aibo_driver::MotionState> states("/victim/motion_state");
   const ros::Publisher commands = publisher<sensor_msgs::JointState>("joint_command");
   attack([&] {
     sensor_msgs::JointState message;
@@ -207,6 +208,10 @@ TEST_F(HostileNode, ThatCommandsAMillionUnknownJoints) {
     message.position.resize(message.name.size());
     commands.publish(message);
   });
+  EXPECT_TRUE(states.waitFor([](const aibo_driver::MotionState& state) {
+    return !state.ended.empty() &&
+           state.ended.back().reason.find("at most 262144 bytes are allowed") != std::string::npos;
+  }));
 }
 
 TEST_F(HostileNode, ThatCommandsAnotherUnknownJointInEachMessage) {
@@ -259,6 +264,7 @@ TEST_F(HostileNode, ThatLightsAMillionUnknownLeds) {
     message.intensities = {1.0F};
     leds.publish(message);
   });
+  driver_.waitForOutput("A message on leds was refused: it has [0-9]+ bytes", kSafetyNet);
 }
 
 TEST_F(HostileNode, ThatChangesSettingsAsFastAsItCan) {
