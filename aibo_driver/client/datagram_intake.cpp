@@ -96,14 +96,16 @@ std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
   if (!on_ || now < waits_until_) {
     return std::nullopt;
   }
-  auto whole = assembly_.takeWhole(now, patience());
-  if (whole && repeats_) {
-    if (!isPlausible(whole->number, now)) {
-      return std::nullopt;
+  while (auto whole = assembly_.takeWhole(now, patience())) {
+    if (!repeats_) {
+      return whole;
     }
-    settle(whole->number, now);
+    if (isPlausible(whole->number, now)) {
+      settle(whole->number, now);
+      return whole;
+    }
   }
-  return whole;
+  return std::nullopt;
 }
 
 DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
