@@ -88,7 +88,7 @@ class HostileNode : public testing::Test {
   static constexpr std::size_t kMostLog = 64 * 1024;      // bytes, for an attack
   static constexpr std::size_t kMostMemory = 300 * 1024;  // KB more than before: messages of a million names wait
 
-  milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 10000 : 1500); }
+  milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 10000 : 700); }
 
   void SetUp() override {
     ASSERT_TRUE(joints_.waitForNext());
