@@ -34,7 +34,15 @@ TEST(BallFinder, FindsDirectionAndDistance) {
   drawDisc(30, 60, 8, &mask);
   const auto ball = findBall(mask);
   ASSERT_TRUE(ball);
-  EXPECT_NEAR(ball->left, (52 - 30) / kFocalLength, 0.01);
+  EXPECT_NEAR(ball->left, (52 - 30) / kFocalLength, 0.002);
+  EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 8, 0.02);
+}
+
+TEST(BallFinder, ABallThatIsCutOffByTheBorderIsNoFartherAway) {
+  sensor_msgs::Image mask = emptyMask();
+  drawDisc(4, 40, 8, &mask);
+  const auto ball = findBall(mask);
+  ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 8, 0.02);
 }
 

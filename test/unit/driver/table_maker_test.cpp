@@ -46,6 +46,14 @@ TEST(TableMaker, TheTableHasTheColorsOfTheRegionAndNoOthers) {
   EXPECT_LT(table.segments[17]->cb_max, 140);
 }
 
+TEST(TableMaker, AlsoTakesWhatIsALittleDarkerOrBrighter) {
+  node::BgrImage grey{104, 80, std::vector<std::uint8_t>(3 * 104 * 80, 140)};
+  const aibo_client::ColorTable table = makeTable(grey, {20, 20, 20, 20}, "grey", 2);
+  for (std::size_t segment = 0; segment < table.segments.size(); ++segment) {  // each has 8 values of Y
+    EXPECT_EQ(table.segments[segment].has_value(), segment >= 16 && segment <= 18) << segment;
+  }
+}
+
 TEST(TableMaker, AFewOtherPixelsDoNotMatter) {
   node::BgrImage picture = pinkSquare();
   picture.pixels[3 * (25 * 104 + 25) + 2] = 0;

@@ -60,6 +60,8 @@ TEST(LightMarkers, AreBrighterWithMoreIntensityAndDifferentInModeB) {
   EXPECT_GT(faint.color.a, 0.25);
   EXPECT_GT(bright.color.a, faint.color.a + 0.5);
   EXPECT_EQ(bright.color.a, 1);
+  lights.setLeds(states("face_1", 5.0F));
+  EXPECT_EQ(shining(lights).at(0).color.a, 1) << "rviz takes no more";
   EXPECT_TRUE(lights.setLeds(states("face_1", 1.0F, LedStates::MODE_B)));
   EXPECT_NE(shining(lights).at(0).color.g, bright.color.g);
 }

@@ -251,6 +251,9 @@ TEST(RobotClock, ReportsHowLongMessagesWereDelayed) {
   EXPECT_NEAR(reading.mean_delay, 0.015, 1e-6);
   EXPECT_NEAR(reading.longest_delay, 0.030, 1e-6);
   EXPECT_EQ(clock.read().messages, 0u);
+  clock.timeOf(1, 1008, at(100.064 + 0.040));
+  clock.timeOf(1, 1012, at(100.096 + 0.010));
+  EXPECT_NEAR(clock.read().longest_delay, 0.040, 1e-3) << "not the latest";
 }
 
 // Each reading says what has happened since the one before, and how many timelines there were in all.

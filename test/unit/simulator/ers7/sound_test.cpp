@@ -112,6 +112,15 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   obeyConsole(robot_, "hear " + path);
   EXPECT_EQ(obeyConsole(robot_, "hear silence"), "ok: hear silence\n");
   EXPECT_EQ(robot_.passSound(103, nullptr)[0].L, 0);
+  obeyConsole(robot_, "hear " + path);
+  EXPECT_EQ(robot_.passSound(200, nullptr)[127].L, -30000) << "from its beginning";
+}
+
+TEST_F(SimulatedSoundTest, ARobotThatStartsAgainIsNotMute) {
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oSUCCESS);
+  EXPECT_EQ(control(oprmreqSPEAKER_MUTE_ON), oSUCCESS);
+  robot_.switchOff();
+  EXPECT_EQ(heard(), 5000);
 }
 
 // So a program can play it on this computer.

@@ -290,6 +290,21 @@ TEST_F(TravelTest, ABodyOfTheSceneStopsIt) {
   EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
 }
 
+TEST_F(TravelTest, AFootComesBackFromBeyondTheEdgeOfATable) {
+  const Scene scene(true);
+  Travel travel(kStanding, {}, kTableHeight);
+  double passed = 0;
+  for (; passed < 20 && !travel.isOverEdge(); passed += kFrameSeconds) {
+    travel.passFrame(trotting({0.1, 0, 0}, passed), {}, scene);
+  }
+  ASSERT_TRUE(travel.isOverEdge());
+  for (const double end = passed + 3; passed < end; passed += kFrameSeconds) {
+    travel.passFrame(trotting({-0.1, 0, 0}, passed), {}, scene);
+  }
+  EXPECT_FALSE(travel.isOverEdge());
+  EXPECT_FALSE(travel.hasFallenOff());
+}
+
 TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
   const Scene scene(true);
   Travel travel(kStanding, {}, kTableHeight);

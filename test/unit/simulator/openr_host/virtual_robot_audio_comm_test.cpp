@@ -176,8 +176,9 @@ TEST_F(VirtualRobotAudioCommTest, AVectorOfAnotherKindIsRefusedAndReadyComesInTh
   send({makeVector(numbers(1, 128))});
   EXPECT_THAT(test_.output.str(), HasSubstr("sound vector refused"));
   EXPECT_EQ(readies_, 1);
-  pass(1);
+  pass(2);
   EXPECT_EQ(readies_, 2);
+  EXPECT_FALSE(comm_.isActive());
   EXPECT_THAT(test_.robot.played, IsEmpty());
 }
 
