@@ -22,7 +22,7 @@ constexpr std::uint32_t kCommandQueueSize = 200;
 constexpr std::uint32_t kTrajectoryQueueSize = 5;
 
 constexpr std::size_t kMostBytesOfCommand = 256 << 10;   // far more than all joints of a robot
-constexpr std::size_t kMostBytesOfTrajectory = 1 << 20;  // all joints, thirty points a second, for two minutes
+constexpr std::size_t kMostBytesOfTrajectory = 1 << 20;  // all joints, thirty points a second, for a hundred seconds
 
 template <typename Message>
 ros::Subscriber subscribeTo(const std::string& topic, std::uint32_t queue_size, ros::NodeHandle* topics,
