@@ -45,7 +45,7 @@ struct EndedMovement {
 /// keep others waiting.
 constexpr std::size_t kMostNames = 1000;
 
-/// @return what is wrong, in words that follow a colon; empty if a message may name so many
+/// Says that a message names more than kMostNames, in words that follow a colon. The text is empty if it does not.
 std::string describeTooMany(std::size_t names);
 
 /// Lists the first three names, and says how many more there are.

@@ -15,9 +15,9 @@ namespace aibo_driver::node {
 /// The parameter get_up: decides when a robot that has fallen gets up by itself.
 ///
 /// It does so once after each fall that has ended a walk or a posture, when its motors have gone off because it has
-/// lain for a second. It does not if somebody has lifted it or put it on its feet since, or has given an order that
-/// overrules others (for example, motors off). It does not either if the connection was lost, or if it fell while it
-/// got up. A robot that was laid on its side while nothing moved it stays there.
+/// lain for a second. It stays down if somebody has lifted it or put it on its feet since, if somebody has given an
+/// order that overrules others (for example, motors off), if the connection was lost, or if it fell while it got up. A
+/// robot that was laid on its side while nothing moved it stays there, too.
 ///
 /// Any thread may call every member function.
 class GetUp {
@@ -28,6 +28,7 @@ class GetUp {
       : own_source_(std::move(own_source)), stand_(std::move(stand)) {}
 
   /// A movement has ended.
+  /// @param now the time of the steady clock
   void ended(const movement::EndedMovement& ended, movement::SteadyTime now);
 
   /// The robot has told its motors and its posture, or they are not known any more.
@@ -39,8 +40,8 @@ class GetUp {
   const std::function<void()> stand_;
   std::mutex mutex_;
   aibo_client::PostureNow posture_ = aibo_client::PostureNow::kUnknown;
-  bool has_fallen_ = false;  ///< and has not been touched since
-  movement::SteadyTime fallen_;
+  bool has_fallen_ = false;      ///< and has not been touched since
+  movement::SteadyTime fallen_;  ///< when its latest fall ended a movement
 };
 
 }  // namespace aibo_driver::node

@@ -100,7 +100,7 @@ TEST_F(GetUpTest, ARobotThatIsLaidDownWithoutMovingItsLegsWaits) {
   EXPECT_EQ(orders_, 0);
 }
 
-// The robot tells of motors that a user switched off in the same way as of those that it switched off itself.
+// The robot does not say whether a user or the robot itself has switched the motors off.
 TEST_F(GetUpTest, ARobotWhoseMotorsAUserSwitchedOffSinceTheFallWaits) {
   fall();
   overruled_ = now_ + std::chrono::milliseconds(300);
