@@ -268,7 +268,11 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
     } else if constexpr (std::is_same_v<Service, dynamic_reconfigure::Reconfigure>) {
       also(*response);
     } else {
-      answer(response->success != 0, request + ": " + fromRos(response->message));
+      // The window asks for the motions by itself and shows them. That must not hide the answer to the user's request.
+      const bool is_shown = std::is_same_v<Service, ListMotions> && response->success != 0;
+      if (!is_shown) {
+        answer(response->success != 0, request + ": " + fromRos(response->message));
+      }
       if (also) {
         also(*response);
       }

@@ -162,6 +162,7 @@ TEST_F(RemoteControlRosTest, PlaysAMotionAndShowsIt) {
   user_.open("Motions");
   auto* list = user_.find<QListWidget>("motions");
   ASSERT_TRUE(user_.waitFor([list] { return !list->findItems("NOD.MTN", Qt::MatchExactly).empty(); }));
+  EXPECT_EQ(user_.textOf("status"), "Nothing has been asked of the robot yet.");
   list->setCurrentItem(list->findItems("NOD.MTN", Qt::MatchExactly).front());
   user_.find<QSpinBox>("")->setValue(50);
   EXPECT_TRUE(user_.click("Play", "play NOD.MTN: "));
@@ -213,7 +214,7 @@ TEST_F(RemoteControlRosTest, ChangesASetting) {
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QSpinBox>("jpeg_quality") != nullptr; }));
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QSpinBox>("jpeg_quality")->value() == 85; }));
   user_.find<QSpinBox>("jpeg_quality")->setValue(60);
-  EXPECT_TRUE(user_.waitForText("status", "jpeg_quality is 60"));
+  EXPECT_TRUE(user_.waitForText("status", "jpeg_quality is 60")) << user_.textOf("status").toStdString();
 }
 
 TEST_F(RemoteControlRosTest, AClickIntoThePictureSaysWhereToLook) {
