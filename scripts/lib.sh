@@ -15,10 +15,11 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
-# use_sanitizer NAME: switches to the build folder of this sanitizer (cmake/sanitizers.cmake).
+# use_sanitizer NAME: switches to the build folder of this sanitizer (cmake/sanitizers.cmake). rosrun looks for programs
+# everywhere in the project but in build/, so all builds but the usual one are there.
 use_sanitizer() {
   case $1 in
-    address | thread | fuzz) build_dir=$project_dir/.build/$1 ;;
+    address | thread | fuzz) build_dir=$project_dir/build/$1 ;;
     *) fail "there is no sanitizer '$1'." "Choose address or thread." ;;
   esac
 }
