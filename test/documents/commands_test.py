@@ -98,8 +98,7 @@ class CommandsTest(unittest.TestCase):
             ROS_HOME=str(cls.folder), HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
         for port in cls.robot_ports:
             cls.start(['aibo_rcserver', '--port', str(port), '--no-console', '--memory-stick', 'stick%d' % port])
-        cls.start(['roslaunch', '-p', str(master), 'aibo_driver', 'aibo.launch', 'port:=%d' % cls.robot_ports[0],
-                   'picture_folder:=%s' % cls.folder])
+        cls.start(['roslaunch', '-p', str(master), 'patient.launch'])
         cls.wait_for_driver()
         cls.record()
 
@@ -114,6 +113,14 @@ class CommandsTest(unittest.TestCase):
             with wave.open(str(cls.folder / name), 'wb') as sound:
                 sound.setparams((1, 2, 16000, 0, 'NONE', ''))
                 sound.writeframes(bytes(6400))
+        # A busy computer may be silent for longer than a robot.
+        (cls.folder / 'patient.launch').write_text('''
+            <launch>
+              <param name="/aibo/aibo_driver/read_timeout" value="20.0"/>
+              <include file="%s/launch/aibo.launch">
+                <arg name="port" value="%d"/> <arg name="picture_folder" value="%s"/>
+              </include>
+            </launch>''' % (PROJECT, cls.robot_ports[0], cls.folder))
         (cls.folder / 'robots.yaml').write_text(
             re.search(r'```yaml\n(robots:.*?)```', (PROJECT / 'docs/fleet.md').read_text(), re.DOTALL).group(1))
         for port in cls.robot_ports:
