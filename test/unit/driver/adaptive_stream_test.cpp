@@ -109,6 +109,23 @@ TEST_F(AdaptiveStreamTest, TriesAHigherStepEverMoreRarely) {
   EXPECT_LE(static_cast<long>(changes_.size()) - first_half, 4) << "in the last five minutes";
 }
 
+TEST_F(AdaptiveStreamTest, OnlyTheStepThatProvedTooMuchWaitsLonger) {
+  const auto lower_to = [this](int quality) {
+    while (stream_.inForce().jpeg_quality > quality) {
+      pass(200ms, 33ms);
+    }
+    EXPECT_EQ(stream_.inForce().jpeg_quality, quality);
+  };
+  lower_to(65);
+  pass(kInTime, 5500ms);
+  EXPECT_EQ(stream_.inForce().jpeg_quality, 75) << "after the first waiting time of 5 s";
+  lower_to(55);
+  pass(kInTime, 5500ms);
+  EXPECT_EQ(stream_.inForce().jpeg_quality, 65) << "this step was not too much when it was tried";
+  pass(kInTime, 5500ms);
+  EXPECT_EQ(stream_.inForce().jpeg_quality, 65) << "75 was too much, and waits for 10 s";
+}
+
 TEST_F(AdaptiveStreamTest, ComesBackToTheBestWhenTheLinkIsGoodAgain) {
   passOverLink(8, 20s);
   ASSERT_TRUE(stream_.isLowered());

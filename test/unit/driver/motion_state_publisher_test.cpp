@@ -49,6 +49,12 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
             "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN");
 }
 
+TEST(MotionStateMessage, NothingIsSaidToEndInThePast) {
+  movement::Mover::State state;
+  state.movements = {{Kind::kTrajectory, "", "/planner", {"head_pan"}, kSteadyNow - std::chrono::seconds(2)}};
+  EXPECT_EQ(messageOf(state).movements.at(0).end, kNow);
+}
+
 TEST(MotionStateMessage, CanBeMadeAtTheEndOfTime) {
   movement::Mover::State state;
   state.movements = {{Kind::kTrajectory, "", "/planner", {"head_pan"}, kSteadyNow + std::chrono::seconds(2)}};

@@ -1,6 +1,10 @@
 #include "node/camera/stream_adapter.h"
 
 #include <gmock/gmock.h>
+#include <ros/console.h>
+
+#include <string>
+#include <vector>
 
 #include "support/fake_client.h"
 
@@ -10,6 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::Contains;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 class StreamAdapterTest : public ::testing::Test {
@@ -69,12 +74,33 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
   EXPECT_EQ(adapter_.describe(), "not lowered");
 }
 
-TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothing) {
-  adapter_.setWish(wish(true));
-  for (int i = 0; i < 100; ++i) {
-    adapter_.picturePublished(now_ += 1s, std::nullopt);
+/// What is logged while it lives.
+class LogListener : public ros::console::LogAppender {
+ public:
+  LogListener() { ros::console::register_appender(this); }
+  ~LogListener() override { ros::console::deregister_appender(this); }
+
+  LogListener(const LogListener&) = delete;
+  LogListener& operator=(const LogListener&) = delete;
+
+  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
+           int /*line*/) override {
+    texts.emplace_back(text);
   }
-  EXPECT_EQ(client_.told.size(), 2U);
+
+  std::vector<std::string> texts;
+};
+
+TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEachWish) {
+  const LogListener listener;
+  for (const bool adaptive : {true, false, true}) {
+    adapter_.setWish(wish(adaptive));
+    for (int i = 0; i < 100; ++i) {
+      adapter_.picturePublished(now_ += 1s, std::nullopt);
+    }
+  }
+  EXPECT_EQ(client_.told.size(), 6U);
+  EXPECT_THAT(listener.texts, ElementsAre(HasSubstr("adaptive has no effect"), HasSubstr("adaptive has no effect")));
 }
 
 }  // namespace
