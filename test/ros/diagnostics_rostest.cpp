@@ -5,11 +5,13 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
+#include <sensor_msgs/Image.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -60,6 +62,12 @@ Bytes cut(Bytes jpeg) {
   return jpeg;
 }
 
+/// Only who decodes it sees that something is missing.
+Bytes cutBeforeItsEnd(Bytes jpeg) {
+  jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(2 * jpeg.size() / 3), jpeg.end() - 2);
+  return jpeg;
+}
+
 // The frame numbers of a PictureServer do not keep pace with the time.
 const std::vector<std::string> kWithoutRobotTime = {"_use_robot_time:=false", "_read_timeout:=20"};
 
@@ -77,6 +85,12 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   EXPECT_NE(wait_for(DiagnosticStatus::WARN, "1 damaged pictures dropped").name, "");
   const DiagnosticStatus later = wait_for(DiagnosticStatus::OK, "pictures/s");
   EXPECT_EQ(DiagnosticsListener::value(later, "pictures damaged"), "1") << "it is still counted";
+  TopicListener<sensor_msgs::Image> viewer("/damage/camera/image_raw");
+  ASSERT_NE(viewer.waitForNext(), nullptr);
+  server.spoilNext(cutBeforeItsEnd);
+  EXPECT_NE(wait_for(DiagnosticStatus::WARN, "1 damaged pictures dropped").name, "");
+  const DiagnosticStatus last = wait_for(DiagnosticStatus::OK, "pictures/s");
+  EXPECT_EQ(DiagnosticsListener::value(last, "images not decodable"), "1") << "it is still counted";
 }
 
 TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
