@@ -86,11 +86,6 @@ std::vector<std::string> JointPlan::Job::names() const {
 }
 
 void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime now) {
-  for (std::optional<Command>& command : commands_) {
-    if (command && !command->is_open && !isRecent(*command, now)) {
-      command.reset();
-    }
-  }
   for (const auto& [joint_id, target] : targets) {
     const std::optional<std::size_t> joint = table_.findById(joint_id);
     if (!joint) {

@@ -258,6 +258,21 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   EXPECT_EQ("U", ways_);
 }
 
+TEST_F(TransportChoiceTest, AfterAChangeByTheUserThePauseIsShortAgain) {
+  start();
+  watch(seconds(1));
+  for (int i = 0; i < 2; ++i) {
+    lets_through_ = false;
+    watch(milliseconds(1500));
+    lets_through_ = true;
+    const std::string before = ways_;
+    watch(milliseconds(11000));
+    EXPECT_EQ(before + "U", ways_) << "after a pause of 10 s";
+    ++wish_.transport_changes;
+    watch(milliseconds(64));
+  }
+}
+
 TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
   wish_.transport = PictureTransport::kUdp;
   lets_through_ = false;

@@ -188,6 +188,12 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
 }
 
+TEST_F(MoverTest, ATrajectoryMayTakeLongerThanAHoldUp) {
+  const auto followed = follow("head_pan", 1.0, 2.0);
+  pass(milliseconds(1900), 0.9);
+  EXPECT_EQ(followed.ended(), nullptr);
+}
+
 TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
   const auto followed = follow("head_pan", 1.0, 2.0);
   pass(milliseconds(200), 0.1);
