@@ -244,7 +244,10 @@ class OnBothVersions:
         self.assertIn("pictures/s", result.errors)
 
     def test_examines_the_way_to_the_robot(self):
-        report = self.json("doctor", "--seconds", "1")
+        result = run("--json", "doctor", "--seconds", "1", port=self.robot.port)
+        report = json.loads(result.stdout)
+        # On a busy computer, the stream is slow, and doctor says so.
+        self.assertEqual(result.returncode, DONE if report["good"] else FAILED, result)
         self.assertEqual({finding["topic"] for finding in report["findings"]} -
                          {"allows"}, {"name", "port", "server", "battery", "stream", "gaps"})
         self.assertGreater(report["stream"]["pictures"], 0)
