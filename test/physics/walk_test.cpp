@@ -95,6 +95,20 @@ TEST(Walk, GoesStraightAheadAndBackForLong) {
   }
 }
 
+TEST(Walk, IsSlowWithWeakMotorsToo) {
+  std::vector<double> missing;
+  for (World world : physics::sampleOfWorlds(kWorlds, 1)) {
+    world.stall_torque = 0.7;
+    SCOPED_TRACE(describe(world));
+    const Record record = physics::walk(world, physics::always({0.03, 0, 0}), kSecondsOfDirection);
+    physics::print("30 mm/s", record, std::cout);
+    EXPECT_FALSE(record.fell);
+    missing.push_back(errorOf(record, 0.03, 0));
+  }
+  EXPECT_LT(spreadOf(missing).middle, 0.1);
+  EXPECT_LT(spreadOf(missing).highest, 0.3);
+}
+
 TEST(Walk, FollowsRandomCommands) {
   const Record record = physics::walk(World(), physics::randomly(physics::walkLimits(), 1), 120);
   physics::print("random", record, std::cout);
