@@ -14,6 +14,7 @@
 #include <chrono>
 #include <iterator>
 #include <set>
+#include <utility>
 
 #include "node/xmlrpc_peer.h"
 
@@ -50,7 +51,6 @@ class Registration {
     if (!state) {
       return;
     }
-    // The master is asked first. Whatever is advertised meanwhile is registered once more, which does no harm.
     const Names known_publications = ownNamesIn((*state)[0]);
     const Names known_subscriptions = ownNamesIn((*state)[1]);
     const Names known_services = ownNamesIn((*state)[2]);
@@ -60,7 +60,12 @@ class Registration {
                           without(known_subscriptions, topicsOf(ros::this_node::getSubscribedTopics)),
                           without(known_services, advertisedServices())};
     if (missing.count() == 0) {
+      was_missing_ = false;
       rememberParameters();
+      return;
+    }
+    // What is just being advertised is missing once. A master that was restarted knows none of the services.
+    if (!known_services.empty() && !std::exchange(was_missing_, true)) {
       return;
     }
     if (known_services.empty()) {
@@ -165,8 +170,9 @@ class Registration {
   const std::string service_uri_;
   const XmlRpcPeer master_;
   const XmlRpcPeer self_;
-  XmlRpcValue parameters_;  ///< as the master had them last
-  Names services_;          ///< all services that the master ever knew
+  XmlRpcValue parameters_;    ///< as the master had them last
+  Names services_;            ///< all services that the master ever knew
+  bool was_missing_ = false;  ///< in the check before
 };
 
 }  // namespace
