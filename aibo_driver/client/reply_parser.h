@@ -32,7 +32,7 @@ class ReplyParser {
   /// @throw ProtocolException the reply has an unknown kind, or the picture has an impossible size
   Result append(const std::uint8_t* data, std::size_t size, TimePoint arrival, std::size_t* taken);
 
-  /// True if no reply has been received in part.
+  /// True unless a reply is half received.
   bool betweenReplies() const { return header_size_ == 0; }
 
   // These functions describe the complete reply until the next append():

@@ -30,7 +30,7 @@ using std::chrono::milliseconds;
 // Orders that are repeated after shorter breaks are one order to their user.
 constexpr milliseconds kRepeatedWithin{500};
 
-constexpr const char* kConnectionLost = "the connection to the robot was lost; it will not be resumed";
+constexpr const char* kConnectionLost = "the connection to the robot was lost; the movement will not be resumed";
 
 bool isEndOf(const Movement& movement, const aibo_client::MotionEnd& end) {
   switch (movement.kind) {
@@ -397,7 +397,7 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
     streams_.overrule(cause);
     Begun begun = begin(std::move(movement));
     records_.back().steered = clock_();
-    records_.back().has_begun = is_told_to_walk_;  // the robot goes on walking
+    records_.back().has_begun = is_told_to_walk_;  // a robot that was walking goes on walking
     return begun;
   });
 }

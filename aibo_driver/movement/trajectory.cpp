@@ -155,7 +155,7 @@ void Trajectory::checkPoints(const TrajectoryRequest& request, const JointTable&
     }
     if (point.time_from_start < 0 || point.time_from_start <= last_time) {
       refuse("the time_from_start of " + where + ", " + number(point.time_from_start) +
-             " s, is not later than the one before");
+             " s, is below 0 or not later than the one before");
     }
     last_time = point.time_from_start;
     for (std::size_t j = 0; j < joints_.size(); ++j) {

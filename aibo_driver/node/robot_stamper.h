@@ -29,7 +29,7 @@ namespace aibo_driver::node {
 /// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. So when
 /// ROS' clock is set, the stamps follow at once. With a simulated clock, they are as fine as its steps. The stamps of
 /// different messages strictly increase, unless ROS' clock is set back by more than kClockStep. Then they follow the
-/// clock, because otherwise they would stand still until it has caught up. Any thread may call every function.
+/// clock, because otherwise they would stand still until it has caught up. Any thread may call any function.
 class RobotStamper {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

@@ -165,7 +165,7 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
   // Messages may come faster than the window can show them. They wait in roscpp, which keeps the newest, so that they
   // do not delay what the user does.
   constexpr int kMostAtOnce = 64;
-  constexpr int kPatience = 100;  // ms: the window may be ending
+  constexpr int kPatience = 100;  // ms; no longer, because the window may be closing
   const auto places = std::make_shared<QSemaphore>(kMostAtOnce);
   ros::NodeHandle handle(callbacks_.handle(), name_space);
   auto made = std::shared_ptr<DriverTopics>(new DriverTopics(

@@ -24,7 +24,7 @@ namespace aibo_driver::robot_time {
 ///   It also begins when a message comes a second too early, for example after this computer was suspended, and when
 ///   all messages of 5 s come more than a second too late.
 ///
-/// Any thread may call every function.
+/// Any thread may call any function.
 class RobotClock {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

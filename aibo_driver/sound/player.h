@@ -24,7 +24,7 @@ struct PlayedSound {
   std::string message;  ///< in a sentence for the user
 };
 
-/// A sound that plays or has played. Any thread may call every function.
+/// A sound that plays or has played. Any thread may call any function.
 class Playback {
  public:
   /// Empty while it plays.
@@ -48,7 +48,7 @@ class Playback {
 };
 
 /// Plays one sound at a time on the robot. It reads the source as fast as the robot plays, and keeps the robot's buffer
-/// nearly full. Any thread may call every function, except where its comment says otherwise.
+/// nearly full. Any thread may call any function, except where its comment says otherwise.
 class Player {
  public:
   static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for an answer of the robot

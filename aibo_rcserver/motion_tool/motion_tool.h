@@ -37,7 +37,7 @@ struct KeyFrameMotion {
 ///     at 640   neck_tilt 0
 ///
 /// A `#` begins a comment. Joints and degrees may continue on the lines below their `at`. The first key frame names all
-/// joints. The ears left_ear and right_ear have states instead of degrees: whole numbers such as 0 and 1.
+/// joints of the motion. The ears left_ear and right_ear have states instead of degrees: whole numbers such as 0 and 1.
 /// @throw std::runtime_error lists all mistakes, one "line 3: ..." per line
 KeyFrameMotion parseTextForm(std::istream& text);
 

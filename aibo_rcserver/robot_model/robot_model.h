@@ -100,7 +100,7 @@ enum SensorKind {
 /// One sensor with a numeric value; not the camera or a microphone.
 struct Sensor {
   const char* name;          ///< in ROS and on the simulated robot's console: lower case with underscores
-  unsigned char identifier;  ///< on the wire, different from all joints; docs/protocol.md lists them
+  unsigned char identifier;  ///< in the protocol; no joint has the same one; docs/protocol.md has the list
 
   /// For OPENR::OpenPrimitive() (MI). Null for the charge and temperature of an ERS-7's battery, which come from
   /// OPENR::GetPowerStatus().

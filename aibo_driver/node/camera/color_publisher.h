@@ -15,7 +15,7 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot's camera detects: color_regions, and color_mask as an image. The robot detects only while
-/// one of them has a subscriber. It sends the mask only while color_mask has one. Any thread may call every function.
+/// one of them has a subscriber. It sends the mask only while color_mask has one. Any thread may call any function.
 class ColorPublisher {
  public:
   /// @param handle the driver's namespace

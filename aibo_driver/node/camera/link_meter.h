@@ -12,7 +12,7 @@
 namespace aibo_driver::node {
 
 /// Measures a stream of pictures: how many come, how old they are, how many are missing, and how long it has been slow.
-/// Any thread may call every function.
+/// Any thread may call any function.
 class LinkMeter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

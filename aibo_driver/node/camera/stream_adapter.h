@@ -14,7 +14,7 @@
 namespace aibo_driver::node {
 
 /// Asks the robot for the quality and rate that the user wants. With ~adaptive, it asks for as much of them as the link
-/// carries in time (AdaptiveStream). Any thread may call every function.
+/// carries in time (AdaptiveStream). Any thread may call any function.
 class StreamAdapter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;

@@ -10,7 +10,7 @@ namespace aibo_driver::node {
 /// Decides whether the robot streams.
 ///
 /// It streams while the stream is wanted (~stream_on_start, set_streaming, toggle_streaming). With ~stream_on_demand, a
-/// camera topic must have a subscriber, too. Any thread may call every function.
+/// camera topic must have a subscriber, too. Any thread may call any function.
 class StreamPolicy {
  public:
   StreamPolicy(bool wanted, bool on_demand) : on_demand_(on_demand), wanted_(wanted) {}

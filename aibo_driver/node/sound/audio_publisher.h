@@ -11,7 +11,7 @@ namespace aibo_driver::node {
 
 /// Publishes what the robot hears as `audio`, for the nodes of audio_common: 16 bits, little-endian, channels in turn.
 /// These messages cannot say that sound is missing, so a gap of up to a second is filled with silence. A longer one
-/// shows only in the stamps. Any thread may call every function.
+/// shows only in the stamps. Any thread may call any function.
 class AudioPublisher {
  public:
   virtual ~AudioPublisher() = default;

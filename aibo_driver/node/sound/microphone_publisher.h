@@ -18,7 +18,7 @@
 namespace aibo_driver::node {
 
 /// Publishes what the robot hears, as `microphone`, and as `audio` if there is audio_common_msgs. The robot's
-/// microphones are on only while one of the topics has a subscriber. Any thread may call every function.
+/// microphones are on only while one of the topics has a subscriber. Any thread may call any function.
 class MicrophonePublisher {
  public:
   static constexpr std::uint32_t kQueueSize = 64;  ///< messages; a second

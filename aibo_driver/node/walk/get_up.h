@@ -31,7 +31,7 @@ class GetUp {
   /// @param now the time of the steady clock
   void ended(const movement::EndedMovement& ended, movement::SteadyTime now);
 
-  /// The robot has told its motors and its posture, or they are not known any more.
+  /// The robot has reported its motors and its posture, or they are not known any more.
   /// @param overruled see OrderGate::overruled()
   void update(const aibo_client::MotorsAndPosture& state, movement::SteadyTime overruled);
 

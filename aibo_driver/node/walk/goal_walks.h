@@ -20,7 +20,7 @@ namespace aibo_driver::node {
 /// Only one thread at a time may use it.
 class GoalWalks {
  public:
-  /// The time between two calls of GoalWalk::goOn().
+  /// The time between two calls of Walk::goOn().
   static constexpr std::chrono::milliseconds kPeriod{100};
 
   /// A goal that is farther away is refused. Odometry would have lost its way by then.

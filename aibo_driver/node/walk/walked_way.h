@@ -32,7 +32,7 @@ class WalkedWay {
   void motionEnded(const aibo_client::MotionEnd& end);
 
   /// Call this when the robot reports its posture. If it has fallen or is lifted, it may be anywhere, even if it
-  /// stands.
+  /// was only standing before.
   void update(const aibo_client::MotorsAndPosture& state);
 
   const Odometry& odometry() const { return odometry_; }

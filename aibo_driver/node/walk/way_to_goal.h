@@ -14,16 +14,16 @@ struct PlanePose {
 };
 
 /// @param pose relative to `origin`
-/// @return the same pose in the frame of `origin`
+/// @return the same pose in the frame in which `origin` is given
 PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose);
 
-/// Steers a robot to a pose: it turns towards the place, walks there, and turns. The last centimetres it walks in any
+/// Steers a robot to a pose: it turns towards the place, walks there, and turns. It walks the last centimetres in any
 /// direction. All numbers are our choice.
 ///
 /// Only one thread at a time may use it.
 class WayToGoal {
  public:
-  /// How far from the goal the robot has arrived. It stops a little closer to it.
+  /// A robot within these distances of its goal has arrived. It stops a little closer to it.
   static constexpr double kPlaceTolerance = 0.05;  ///< m
   static constexpr double kTurnTolerance = 0.1;    ///< rad
 

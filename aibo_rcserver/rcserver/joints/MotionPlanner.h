@@ -42,8 +42,8 @@ class MotionPlanner {
   void SetPosition(int joint, int measured);
 
   /// Aims a joint at a position, for the next Go() or Follow(). If it is aimed twice, the last position counts.
-  /// Target() is afterwards the position accepted: within the joint's limits, and for a follower not below the lower
-  /// limit that belongs to its leaders' targets. A follower in the way of its leader is moved, too.
+  /// After Go() or Follow(), Target() is the position accepted: within the joint's limits, and for a follower not below
+  /// the lower limit that belongs to its leaders' targets. A follower in the way of its leader is moved, too.
   void Aim(int joint, int position);
 
   /// Sends the joints that have been aimed to their positions.

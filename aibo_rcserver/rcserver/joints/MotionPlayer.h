@@ -66,8 +66,8 @@ class MotionPlayer {
   /// True if a motion that is being played moves this joint.
   bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
-  /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Any number of motions
-  /// may have ears.
+  /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Several motions may
+  /// move the same ear.
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
 

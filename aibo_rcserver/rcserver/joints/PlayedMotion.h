@@ -60,7 +60,7 @@ class PlayedMotion {
   bool Moves(int joint) const { return fitted_.moves(joint); }
 
   /// How the motion differs from its file, in one line; see FittedMotion::describe().
-  /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if nothing is
+  /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if it does not differ
   void DescribeChanges(const MotionPlanner& planner, char* text) const;
 
   /// True if both move the same joint.

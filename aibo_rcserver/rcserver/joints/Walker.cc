@@ -198,7 +198,7 @@ const char* Walker::ProblemOfWalk(bool motors_are_on, const Velocity* guarded) {
   if (!must_let_go_) {
     return NULL;
   }
-  sprintf(problem_, "%.80s: let go first; it walks after zeros, or nothing for %u ms", why_,
+  sprintf(problem_, "%.80s; let go first: send zero velocities, or nothing for %u ms", why_,
           protocol::version2::STEERING_TIMEOUT_MS);
   return problem_;
 }
@@ -642,7 +642,7 @@ void Walker::CorrectVelocity() {
   correction_.turn = Corrected(correction_.turn, missing_.turn, limits.turn);
 }
 
-// The motion of the legs that a command causes is measured later.
+// Compares the measured velocity with the commanded one, which the legs follow with a delay.
 void Walker::CompareVelocity(unsigned frames) {
   const double seconds = frames * FRAME;
   const Velocity& now = walked_.Now();

@@ -21,8 +21,8 @@
 /// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
 /// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// Motors lag and give way, so that legs do not walk as they are told. The measured velocity shows it, and they are
-/// told to walk so much faster, slower or more to one side that it is the wanted one.
+/// Motors lag and give way, so the legs walk at a different velocity from the one commanded. It is measured, and the
+/// command is made faster, slower or more to one side until the measured velocity is the wanted one.
 ///
 /// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
 /// cannot follow on the way to a posture, it gives way, and the robot tries another way.

@@ -61,7 +61,7 @@ class FallWatch {
   unsigned since_;  ///< frame
   Verdict candidate_;
   unsigned candidate_since_;  ///< frame
-  bool paws_work_;            ///< one of them has touched something since the robot stood up
+  bool paws_work_;            ///< STANDING_PAWS have touched the floor at once since it stood up
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_WALK_FALL_WATCH_H

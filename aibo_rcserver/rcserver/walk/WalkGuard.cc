@@ -38,8 +38,8 @@ const double OBSTACLE_FACTOR = 0.75;
 // come every 32 ms.
 const int REPORTS = 3;
 
-// s; from a change in the room until the legs react to it: 48 for the sensor, 96 for the reports, 64 for the commands
-// ahead, 24 for the servos.
+// s; from a change in the room until the legs react to it. In ms: 48 for the sensor, 96 for the reports, 64 for the
+// commands ahead, 24 for the servos.
 const double DELAY = 0.23;
 
 // s; after this time, a robot that is told to stop has stopped: the delay, and half of the time that it takes to slow
@@ -52,7 +52,7 @@ const double LEAST_CLEARANCE = 0.05;
 const double NOTHING_AHEAD = 10;
 const double LEAST_SPEED = 0.02;  // m/s; a slower robot is stopped
 
-// Step of a foot around its place, and what it may leave ground that the robot has walked over.
+// How far a foot steps from its place, and how far it may step off ground that the robot has walked over.
 const double LONGEST_STEP = 0.04;
 const double MOST_OFF_GROUND = 0.04;
 const double NEAREST_TO_EDGE = 0.05;
@@ -305,7 +305,7 @@ bool WalkGuard::ComesToEdge(const Pose& then) const {
   return false;
 }
 
-// A foot that is off the ground may come back.
+// A foot that is off the known ground may come back.
 bool WalkGuard::LeavesGround(const Pose& then) const {
   for (int i = 0; i < CORNERS; ++i) {
     const double off = ToGround(Corner(then, i));
@@ -316,7 +316,7 @@ bool WalkGuard::LeavesGround(const Pose& then) const {
   return false;
 }
 
-// The distance from the ground on which the feet have been.
+// The distance of a place from the nearest spot where the feet have been.
 double WalkGuard::ToGround(const Place& place) const {
   double nearest = NOTHING_AHEAD;
   for (int i = 0; i < std::min<int>(poses_added_, MOST_POSES); ++i) {

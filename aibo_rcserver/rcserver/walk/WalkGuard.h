@@ -17,8 +17,8 @@ const double SPEED_CHANGE = 1;
 ///   edge. If something is much nearer than the floor, it is in the way.
 /// - The head's sensors see what is in the way while the head looks ahead.
 /// - A paw that has touched the floor in its last steps, and now touches nothing, is beyond an edge.
-/// - No sensor looks back or to the sides. There the robot walks only over ground that it has just walked over, and a
-///   hand's breadth of other ground. It remembers the places of edges, too, and turns without putting a foot there.
+/// - No sensor looks back or to the sides. There the robot walks only over ground that it has just walked over, and
+///   4 cm of other ground. It remembers the places of edges, too, and turns without putting a foot there.
 ///
 /// It turns on the spot without seeing where its feet go. They leave the ground that they have stood on by up to 7 cm.
 ///

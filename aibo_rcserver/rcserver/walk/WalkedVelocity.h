@@ -11,8 +11,8 @@
 /// the robot's weight.
 ///
 /// A foot is on the floor if its paw is pressed in two reports that follow each other. If fewer than two are, those of
-/// the lower pair of diagonal legs count: paws may be broken, or the robot may be hung up for a test. While the pairs
-/// change, the last velocity counts.
+/// the lower pair of diagonal legs count: paws may be broken, or the robot may be hung up for a test. When the other
+/// pair becomes the lower one, the last velocity counts.
 class WalkedVelocity {
  public:
   WalkedVelocity();

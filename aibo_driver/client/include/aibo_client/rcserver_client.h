@@ -178,7 +178,7 @@ class RcServerClient {
   ///
   /// @param targets 1..32 joints; each joint appears once
   /// @param duration 0..65535 ms until all joints arrive; 0 means that each moves as fast as its limits allow
-  /// @param terms until when the command may be sent, and its number
+  /// @param terms the latest time at which the command may be sent, and the order's number
   /// @throw InvalidArgumentException an id, a position, the number of joints or the duration is out of range
   /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
   ///   reason
@@ -195,8 +195,8 @@ class RcServerClient {
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
   /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
-  /// switch them off is sent before everything that waits. It drops commands to the joints and motions that have not
-  /// been sent.
+  /// switch them off is sent before everything that waits. Motions, and commands to the joints, that have not been sent
+  /// are dropped.
   /// @param on true: on; false: off
   /// @param timeout the longest time to wait, 1 ms..1 h
   /// @return true if the robot says that its motors are now on

@@ -26,7 +26,7 @@ std::size_t fbkImageSize();
 /// @param camera the camera's primitive
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 
-/// Writes everything that is known before the picture is drawn. The pixels remain an earlier image's, or empty.
+/// Writes everything that is known before the picture is drawn. The pixels stay those of an earlier image, or empty.
 /// @param region must be prepared
 /// @param frame the OPEN-R frame of the capture
 /// @param image_number the camera's own counter, for the tag

@@ -418,7 +418,7 @@ TEST_F(WalkerTest, AClientWhoseWalkWasEndedHasToLetGo) {
   for (int i = 0; i < 20; ++i) {
     pass(40);
     EXPECT_STREQ(walker().ProblemOfWalk(true),
-                 "left_front_knee was commanded: let go first; it walks after zeros, or nothing for 500 ms");
+                 "left_front_knee was commanded; let go first: send zero velocities, or nothing for 500 ms");
   }
   pass(Walker::STEERING_FRAMES + 4);
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "it has not steered for 500 ms";

@@ -17,7 +17,7 @@ const OFbkImageBand ofbkimageBAND_Y_HH = 6;
 /// row of Y, of Cr, of Cb, then (odataFBK_YCrCb_HPF) of Y_LH, Y_HL and Y_HH.
 ///
 /// The first 16 pixels of the last row are tag bytes instead of picture. Bytes 0-1 are the field counter,
-/// little-endian. Bytes 4-7 and 8-11 are how many pixels colour channels 4-7 and 0-3 found, in sixteenths.
+/// little-endian. Bytes 4-7 and 8-11 count the pixels that colour channels 4-7 and 0-3 found, one for every 16 pixels.
 class OFbkImage {
  public:
   /// @param info, data of one layer: OFbkImageVectorData::GetInfo() and GetData(), which must outlive this
