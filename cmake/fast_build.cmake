@@ -13,6 +13,11 @@ if(AIBO_FAST_BUILD)
   # GCC forgets that a template in a precompiled header is a system one, and warns about Boost's functions.
   add_compile_options(-Wno-maybe-uninitialized)
   add_compile_definitions(_REENTRANT)
+  # gold links in half of the time. Not every system has it.
+  find_program(AIBO_GOLD ld.gold)
+  if(AIBO_GOLD AND NOT AIBO_SANITIZE)
+    add_link_options(-fuse-ld=gold)
+  endif()
 endif()
 
 # aibo_precompile_headers(TARGET HEADER...)
