@@ -172,7 +172,7 @@ TEST_F(GuardedWalkTest, AtAnEdgeItStopsTellsWhyAndCanTurnAndWalkBack) {
   for (int time = 1; time <= 2; ++time) {
     steer({0.15, 0, 0}, 12);
     EXPECT_THAT(last_end_, HasSubstr("the floor ends ahead")) << "time " << time;
-    EXPECT_THAT(last_error_, HasSubstr("the floor ends ahead: turn, or walk back: let go first"));
+    EXPECT_THAT(last_error_, HasSubstr("the floor ends ahead: turn, or walk back; let go first"));
     const double edge = simulated_ers7::kTableX + simulated_ers7::kTableHalfLength;
     EXPECT_LT(robot_->pose().x, edge - 0.15);
     EXPECT_GT(robot_->pose().x, edge - 0.35);

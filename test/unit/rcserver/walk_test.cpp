@@ -176,7 +176,7 @@ TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
   send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
   steer(100, 50);
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator"));
-  EXPECT_THAT(errors_, Contains(HasSubstr("a motion moves left_front_rotator: let go first"))) << "the motion goes on";
+  EXPECT_THAT(errors_, Contains(HasSubstr("a motion moves left_front_rotator; let go first"))) << "the motion goes on";
   pass(70);
   EXPECT_EQ(ends_.size(), 1u);
   walk();

@@ -388,14 +388,14 @@ TEST_F(WalkerTest, APostureMakesTheClientLetGoOfAWalkThatGetsReady) {
   steer({0.1, 0, 0}, 12);
   ASSERT_EQ(walker().State(), protocol::version2::WALK_STATE_GETS_READY);
   joints_.Take(POSTURE_SIT);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture: let go first"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture; let go first"));
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowMakesTheClientLetGo) {
   walk();
   joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
   pass(1);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("is too low for walking: let go first"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("is too low for walking; let go first"));
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsItBack) {
@@ -425,7 +425,7 @@ TEST_F(WalkerTest, AClientWhoseWalkWasEndedHasToLetGo) {
   walk();
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
   joints_.StopAll();
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("everything was told to hold: let go first"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("everything was told to hold; let go first"));
   joints_.Steer({0, 0, 0});
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "it has steered with zeros";
 }
@@ -434,7 +434,7 @@ TEST_F(WalkerTest, AClientWhoseWalkWasRefusedHasToLetGoToo) {
   pass(200);
   EXPECT_STREQ(walker().ProblemOfWalk(false), "the motors are off; switch them on first");
   pass(40);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the motors were off: let go first"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the motors were off; let go first"));
   reading_ = kOnItsSide;
   pass(100);
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot lies on its right side; let it stand up first"));
@@ -460,7 +460,7 @@ TEST_F(WalkerTest, AClientThatHasEndedItsWalkItselfMaySteerAtOnce) {
 TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
   walk();
   joints_.Take(POSTURE_SIT);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture: let go first"));
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture; let go first"));
 }
 
 TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
