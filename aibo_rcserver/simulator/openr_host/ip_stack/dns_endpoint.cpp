@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -115,7 +116,9 @@ void DnsEndpoint::find(antOperation operation, Found* found) {
   found->error = dnsErrorOf(getaddrinfo(name.c_str(), nullptr, &wanted, &hosts));
   for (const addrinfo* host = hosts; host != nullptr; host = host->ai_next) {
     if (found->addresses++ == 0) {
-      found->address = SocketAddress(*reinterpret_cast<const sockaddr_in*>(host->ai_addr)).address;
+      sockaddr_in address{};
+      std::memcpy(&address, host->ai_addr, sizeof(address));  // a pointer need not be aligned for it
+      found->address = SocketAddress(address).address;
       found->name = host->ai_canonname != nullptr ? host->ai_canonname : found->name;
     }
   }
