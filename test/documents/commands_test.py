@@ -161,8 +161,10 @@ class CommandsTest(unittest.TestCase):
     def shell(cls, text):
         for old, new in REPLACED.items():
             text = text.replace(old, new)
-        aibo = 'aibo() { command aibo --port %d "$@"; }' % cls.robot_ports[1]
-        return subprocess.Popen(['bash', '-c', 'set -o pipefail; %s; %s' % (aibo, text)], cwd=cls.folder,
+        functions = 'aibo() { command aibo --port %d "$@"; }' % cls.robot_ports[1]
+        if PROJECT / 'build' in Path(os.environ['BUILD_FOLDER']).parents:
+            functions += '; rosrun() { "${@:2}"; }'  # rosrun leaves out this folder, where builds with sanitizers are
+        return subprocess.Popen(['bash', '-c', 'set -o pipefail; %s; %s' % (functions, text)], cwd=cls.folder,
                                 env=cls.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                 stderr=subprocess.STDOUT, text=True, start_new_session=True)
 
