@@ -141,6 +141,13 @@ class TestCase(unittest.TestCase):
     def json(self, *words, **options):
         return json.loads(self.text("--json", *words, **options))
 
+    def examined(self):
+        """The report of a short examination. On a busy computer, the stream is slow, and doctor says so."""
+        result = run("--json", "doctor", "--seconds", "1", port=self.robot.port)
+        report = json.loads(result.stdout)
+        self.assertEqual(result.returncode, DONE if report["good"] else FAILED, result)
+        return report
+
 
 class OnBothVersions:
     """What a server of 2006 can do, too."""
@@ -244,10 +251,7 @@ class OnBothVersions:
         self.assertIn("pictures/s", result.errors)
 
     def test_examines_the_way_to_the_robot(self):
-        result = run("--json", "doctor", "--seconds", "1", port=self.robot.port)
-        report = json.loads(result.stdout)
-        # On a busy computer, the stream is slow, and doctor says so.
-        self.assertEqual(result.returncode, DONE if report["good"] else FAILED, result)
+        report = self.examined()
         self.assertEqual({finding["topic"] for finding in report["findings"]} -
                          {"allows"}, {"name", "port", "server", "battery", "stream", "gaps"})
         self.assertGreater(report["stream"]["pictures"], 0)
@@ -392,7 +396,7 @@ class WithPermission(TestCase):
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
         self.json("delete", "wave")
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
-        allows = next(f for f in self.json("doctor", "--seconds", "1")["findings"] if f["topic"] == "allows")
+        allows = next(f for f in self.examined()["findings"] if f["topic"] == "allows")
         self.assertEqual(allows["text"], "upload, delete, pictures")
 
     def test_pictures_are_taken_listed_fetched_and_deleted(self):
