@@ -7,7 +7,6 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
-#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
@@ -99,6 +98,8 @@ class SettingsUser {
     EXPECT_TRUE(ros::service::call(service, call));
     return call.response.config;
   }
+
+  void waitForLog(const std::string& pattern) { driver_.waitForOutput(pattern, test_support::kSafetyNet); }
 
   /// The settings in force, from the answer to an empty change.
   double inForce(const std::string& name) { return valueOf(set(Config()), name); }
@@ -259,14 +260,11 @@ TEST(Settings, ByDefaultPicturesComeByUdpAndTheConnectionSaysSo) {
 }
 
 TEST(Settings, ThatRosparamSetsHaveNoEffectAndTheDriverSaysSo) {
-  TopicListener<rosgraph_msgs::Log> log("/rosout");
   SettingsUser user("/settings_rosparam");
   const std::string name = "/settings_rosparam/aibo_driver/jpeg_quality";
   EXPECT_EQ(user.inForce("jpeg_quality"), 85);
   ros::param::set(name, 50);
-  EXPECT_TRUE(log.waitFor([&name](const auto& entry) {
-    return entry.msg.find(name + " was set to '50', but '85' stays in force") != std::string::npos;
-  }));
+  user.waitForLog(name + " was set to '50', but '85' stays in force");
   EXPECT_EQ(user.inForce("jpeg_quality"), 85);
 }
 
@@ -287,12 +285,9 @@ TEST(Settings, OfTheCameraAreSeenInThePictures) {
 }
 
 TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {
-  TopicListener<rosgraph_msgs::Log> log("/rosout");
   SettingsUser user("/settings_range");
   EXPECT_EQ(user.valueOf(user.set(jpegQuality(300)), "jpeg_quality"), 100);
-  EXPECT_TRUE(log.waitFor([](const auto& entry) {
-    return entry.msg.find("jpeg_quality 300 is not in the range of 1..100: 100 is used") != std::string::npos;
-  }));
+  user.waitForLog("jpeg_quality 300 is not in the range of 1..100: 100 is used");
   EXPECT_EQ(user.valueOf(user.set(number("telemetry_rate", -1)), "telemetry_rate"), 0);
   EXPECT_EQ(user.valueOf(user.set(number("speed_scale", 0)), "speed_scale"), 0.1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
