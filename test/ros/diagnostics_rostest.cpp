@@ -62,7 +62,7 @@ Bytes cut(Bytes jpeg) {
   return jpeg;
 }
 
-/// Only who decodes it sees that something is missing.
+/// Only a decoder sees that something is missing.
 Bytes cutBeforeItsEnd(Bytes jpeg) {
   jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(2 * jpeg.size() / 3), jpeg.end() - 2);
   return jpeg;
