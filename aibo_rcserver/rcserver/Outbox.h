@@ -10,8 +10,8 @@
 #include "protocol/hello.h"
 #include "protocol/motion_requests.h"
 #include "protocol/version2.h"
+#include "rcserver/body/Microphone.h"
 #include "rcserver/camera/ColorCounter.h"
-#include "rcserver/sound/Microphone.h"
 
 /// A message that is replaced by any newer one of its kind.
 template <size_t LARGEST>

@@ -7,12 +7,12 @@
 #include "rcserver/body/CameraControl.h"
 #include "rcserver/body/ColorTables.h"
 #include "rcserver/body/LightDriver.h"
+#include "rcserver/body/Microphone.h"
 #include "rcserver/body/SensorDriver.h"
+#include "rcserver/body/Speaker.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/files/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
-#include "rcserver/sound/Microphone.h"
-#include "rcserver/sound/Speaker.h"
 
 /// An order about the robot's power. RCServer carries it out after the client has been told and has gone.
 enum PowerOrder {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "rcserver/Outbox.h"
-#include "rcserver/sound/Microphone.h"
+#include "rcserver/body/Microphone.h"
 
 namespace version2 = protocol::version2;
 

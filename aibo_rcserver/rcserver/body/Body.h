@@ -11,10 +11,10 @@
 #include "rcserver/body/ColorTables.h"
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
+#include "rcserver/body/Microphone.h"
 #include "rcserver/body/Primitives.h"
 #include "rcserver/body/SensorDriver.h"
-#include "rcserver/sound/Microphone.h"
-#include "rcserver/sound/Speaker.h"
+#include "rcserver/body/Speaker.h"
 
 /// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///

@@ -1,7 +1,7 @@
 /// @file Speaker.h
 /// Sound for the robot's speaker.
-#ifndef AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
-#define AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H
+#define AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OSubject.h>
@@ -94,4 +94,4 @@ class Speaker {
   int number_of_ends_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_SOUND_SPEAKER_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_SPEAKER_H

@@ -1,7 +1,7 @@
 /// @file Microphone.h
 /// Sound from the robot's microphones.
-#ifndef AIBO_RCSERVER_RCSERVER_SOUND_MICROPHONE_H
-#define AIBO_RCSERVER_RCSERVER_SOUND_MICROPHONE_H
+#ifndef AIBO_RCSERVER_RCSERVER_BODY_MICROPHONE_H
+#define AIBO_RCSERVER_RCSERVER_BODY_MICROPHONE_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OObserver.h>
@@ -57,4 +57,4 @@ class Microphone {
   bool left_out_;           ///< at 8 kHz: the last sample was left out
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_SOUND_MICROPHONE_H
+#endif  // AIBO_RCSERVER_RCSERVER_BODY_MICROPHONE_H

@@ -1,4 +1,4 @@
-#include "rcserver/sound/Speaker.h"
+#include "rcserver/body/Speaker.h"
 
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OPrimitiveControl.h>

@@ -1,4 +1,4 @@
-#include "rcserver/sound/Microphone.h"
+#include "rcserver/body/Microphone.h"
 
 #include <string.h>
 
