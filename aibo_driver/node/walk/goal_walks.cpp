@@ -27,8 +27,10 @@ bool isFinite(const geometry_msgs::Pose& pose) {
          std::isfinite(pose.orientation.w);
 }
 
+// Also of a quaternion whose length is not quite 1.
 double yawOf(const geometry_msgs::Quaternion& turn) {
-  return std::atan2(2 * (turn.w * turn.z + turn.x * turn.y), 1 - 2 * (turn.y * turn.y + turn.z * turn.z));
+  return std::atan2(2 * (turn.w * turn.z + turn.x * turn.y),
+                    turn.w * turn.w + turn.x * turn.x - turn.y * turn.y - turn.z * turn.z);
 }
 
 PlanePose poseIn(const geometry_msgs::Pose& pose) {

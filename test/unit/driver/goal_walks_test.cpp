@@ -93,6 +93,14 @@ TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("there is no odometry"));
 }
 
+TEST_F(GoalWalksTest, AnOrientationWhoseLengthIsNotQuiteOneHasTheSameDirection) {
+  geometry_msgs::PoseStamped goal = goalAt(2);
+  goal.pose.orientation.z = 1.08 * std::sin(0.6);
+  goal.pose.orientation.w = 1.08 * std::cos(0.6);
+  EXPECT_EQ(begin(goal).begun().ended(), nullptr);
+  EXPECT_THAT(mover_.state().movements.at(0).name, HasSubstr("yaw 1.20 rad"));
+}
+
 TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
   parameters_.frame_prefix = "left";
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("it must be left/odom"));
