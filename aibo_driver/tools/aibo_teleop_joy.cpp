@@ -89,6 +89,9 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   return mapping;
 }
 
+// A short press is one message of many. Those that come while this program is held up have to wait, or a stop is lost.
+constexpr int kJoyQueueSize = 100;
+
 std::string pictureName() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
@@ -101,12 +104,17 @@ std::string pictureName() {
 class JoyTeleop {
  public:
   JoyTeleop(ros::NodeHandle handle, const ros::NodeHandle& parameters)
-      : mapping_(readMapping(parameters)), steering_(mapping_), stop_(handle), pictures_(handle), movements_(handle) {
+      : mapping_(readMapping(parameters)),
+        steering_(mapping_),
+        stop_(handle),
+        release_(handle),
+        pictures_(handle),
+        movements_(handle) {
     velocities_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     head_positions_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     joints_ = handle.subscribe("joint_states", 1, &JoyTeleop::receiveJoints, this);
     states_ = handle.subscribe("robot_state", 1, &JoyTeleop::receiveState, this);
-    joystick_ = handle.subscribe("/joy", 1, &JoyTeleop::receive, this);
+    joystick_ = handle.subscribe("/joy", kJoyQueueSize, &JoyTeleop::receive, this);
   }
 
  private:
@@ -145,7 +153,7 @@ class JoyTeleop {
 
   void obey(const JoyOrders& orders) {
     if (orders.release && !stopped_by_.empty()) {
-      stop_.call<Trigger>("release", {});
+      release_.call<Trigger>("release", {});
     }
     if (orders.take_picture) {
       TakePicture::Request request;
@@ -202,6 +210,7 @@ class JoyTeleop {
   std::optional<double> tilt_;
   std::string stopped_by_;  ///< empty while the robot may move
   teleop::ServiceCaller stop_;
+  teleop::ServiceCaller release_;  ///< apart from stop, which must not wait for a release
   teleop::ServiceCaller pictures_;
   teleop::ServiceCaller movements_;
   ros::Publisher velocities_;

@@ -18,12 +18,15 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <csignal>
+#include <future>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "support/process.h"
 #include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
 #include "support/sockets.h"
 #include "tools/node_process.h"
 
@@ -44,7 +47,7 @@ using trajectory_msgs::JointTrajectory;
 /// What these programs see of a driver.
 class FakeDriver {
  public:
-  explicit FakeDriver(const std::string& name_space) : handle_(name_space) {
+  explicit FakeDriver(const std::string& name_space, bool is_slow = false) : handle_(name_space), is_slow_(is_slow) {
     constexpr bool kLatched = true;
     state_ = handle_.advertise<RobotState>("robot_state", 1, kLatched);
     motion_ = handle_.advertise<MotionState>("motion_state", 1, kLatched);
@@ -52,8 +55,18 @@ class FakeDriver {
     mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
     release_ = handle_.advertiseService<Trigger::Request, Trigger::Response>(
         "release", [this](Trigger::Request&, Trigger::Response& response) {
+          if (is_slow_) {
+            release_was_called_.set_value();
+            may_answer_.get_future().wait_for(kSafetyNet);
+          }
           response.success = 1;
           release();
+          return true;
+        });
+    stop_ = handle_.advertiseService<Trigger::Request, Trigger::Response>(
+        "stop", [this](Trigger::Request&, Trigger::Response& response) {
+          stop("/caller");
+          response.success = 1;
           return true;
         });
     motion_.publish(MotionState());
@@ -83,6 +96,12 @@ class FakeDriver {
     state_.publish(state_now_);
   }
 
+  /// Of a slow driver, once: it does not answer until it is told to.
+  bool waitForCallOfRelease() {
+    return release_was_called_.get_future().wait_for(kSafetyNet) == std::future_status::ready;
+  }
+  void answerRelease() { may_answer_.set_value(); }
+
   void tell(std::uint8_t motors, std::uint8_t posture) {
     state_now_.motors = motors;
     state_now_.posture = posture;
@@ -103,12 +122,16 @@ class FakeDriver {
 
  private:
   ros::NodeHandle handle_;
+  const bool is_slow_;
+  std::promise<void> release_was_called_;
+  std::promise<void> may_answer_;
   RobotState state_now_;
   ros::Publisher state_;
   ros::Publisher motion_;
   ros::Publisher joints_;
   ros::Publisher mask_;
   ros::ServiceServer release_;
+  ros::ServiceServer stop_;
   ros::Timer timer_;
 };
 
@@ -275,22 +298,70 @@ TEST(Monitor, DoesNotWaitForANodeThatDoesNotAnswer) {
   EXPECT_EQ(aibo_driver::tools::processOfNode(ros::this_node::getName()), ::getpid());
 }
 
+// A gamepad with aibo_teleop_joy, in a namespace.
+class Gamepad {
+ public:
+  static constexpr std::size_t kStop = 1;
+  static constexpr std::size_t kDeadMan = 4;
+  static constexpr std::size_t kRelease = 5;
+
+  explicit Gamepad(const std::string& name_space)
+      : joystick_(name_space),
+        teleop_({AIBO_TELEOP_JOY, "__ns:=" + name_space, "/joy:=" + name_space + "/joy",
+                 "_release_button:=" + std::to_string(kRelease)}) {
+    press({});  // waits until it listens
+  }
+
+  void press(const std::vector<std::size_t>& pressed) {
+    sensor_msgs::Joy joy;
+    joy.axes.resize(7);
+    joy.buttons.resize(6);
+    for (const std::size_t button : pressed) {
+      joy.buttons[button] = 1;
+    }
+    joystick_.publish("joy", joy);
+  }
+
+  Process& teleop() { return teleop_; }
+
+ private:
+  test_support::TopicPublishers joystick_;
+  Process teleop_;
+};
+
 TEST(Gamepad, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   FakeDriver driver("/pad");
   driver.stop("/user");
-  Process teleop({AIBO_TELEOP_JOY, "__ns:=/pad", "/joy:=/pad/joy", "_release_button:=5"});
-  teleop.waitForOutput("/user has stopped the robot.*together with the dead-man button", kSafetyNet);
-  ros::Publisher joystick = ros::NodeHandle("/pad").advertise<sensor_msgs::Joy>("joy", 10, true);
-  sensor_msgs::Joy joy;
-  joy.axes.resize(7);
-  joy.buttons = {0, 0, 0, 0, 1, 0};
-  joystick.publish(joy);
-  joy.buttons = {0, 0, 0, 0, 1, 1};
-  while (joystick.getNumSubscribers() == 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  Gamepad pad("/pad");
+  pad.teleop().waitForOutput("/user has stopped the robot.*together with the dead-man button", kSafetyNet);
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
+  pad.teleop().waitForOutput("The robot may move again", kSafetyNet);
+}
+
+TEST(Gamepad, StopsWhileAReleaseWaitsForItsAnswer) {
+  constexpr bool kIsSlow = true;
+  FakeDriver driver("/late", kIsSlow);
+  driver.stop("/user");
+  Gamepad pad("/late");
+  pad.teleop().waitForOutput("/user has stopped the robot", kSafetyNet);
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
+  ASSERT_TRUE(driver.waitForCallOfRelease());
+  pad.press({Gamepad::kStop});
+  EXPECT_NO_THROW(pad.teleop().waitForOutput("/late/stop: ", kSafetyNet));
+  driver.answerRelease();
+}
+
+TEST(Gamepad, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
+  FakeDriver driver("/held");
+  Gamepad pad("/held");
+  pad.teleop().signal(SIGSTOP);
+  pad.press({Gamepad::kStop});
+  for (int i = 0; i < 20; ++i) {
+    pad.press({});
   }
-  joystick.publish(joy);
-  teleop.waitForOutput("The robot may move again", kSafetyNet);
+  pad.teleop().signal(SIGCONT);
+  pad.teleop().waitForOutput("/held/stop: ", kSafetyNet);
 }
 
 TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
