@@ -53,6 +53,7 @@
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
+#include "support/whole_campaign.h"
 
 namespace {
 
@@ -80,6 +81,7 @@ using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
+using test_support::wantsWholeCampaign;
 using test_support::Welcome;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -88,11 +90,6 @@ using ::testing::Not;
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
 constexpr milliseconds kPatience{30000};
-
-/// The whole campaign tries more often than the tests, and needs an otherwise idle computer.
-bool wholeCampaign() {
-  return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
-}
 
 template <typename Condition>
 bool eventually(const Condition& condition) {
@@ -108,7 +105,7 @@ bool eventually(const Condition& condition) {
 
 /// Ends the node by Ctrl-C.
 void expectEndsSoon(DriverProcess* driver) {
-  const milliseconds limit = wholeCampaign() ? milliseconds(1000) : milliseconds(20000);
+  const milliseconds limit = wantsWholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const auto begin = steady_clock::now();
   driver->signal(SIGINT);
   EXPECT_EQ(driver->waitForExit(kPatience).value_or(-1), 0) << driver->output();
@@ -123,7 +120,7 @@ void expectNoMoreThan(const Resources& before, const DriverProcess& driver) {
     return now.descriptors <= before.descriptors && now.threads <= before.threads;
   })) << now.descriptors
       << " descriptors, before " << before.descriptors << "; " << now.threads << " threads, before " << before.threads;
-  if (wholeCampaign()) {
+  if (wantsWholeCampaign()) {
     EXPECT_LE(now.resident_kilobytes, before.resident_kilobytes + 1024);
   }
 }
@@ -141,7 +138,7 @@ class Faults : public testing::Test {
 };
 
 TEST_F(Faults, HundredsOfReconnectsLeaveNothingBehind) {
-  const int rounds = wholeCampaign() ? 500 : 50;
+  const int rounds = wantsWholeCampaign() ? 500 : 50;
   const int warm_up = rounds / 5;
   DriverProcess driver("/reconnects", proxy_.port(), {test_support::kByTcp, "_reconnect_wait_max:=0.05"});
   Resources before;
@@ -187,7 +184,7 @@ class NamedPictures {
 };
 
 TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
-  const std::uint64_t wanted = wholeCampaign() ? 600000 : 2000;
+  const std::uint64_t wanted = wantsWholeCampaign() ? 600000 : 2000;
   const std::uint64_t warm_up = wanted / 5;
   const std::string kStream = "fast/aibo_driver: stream";
   PictureServer server(2, milliseconds(1));
@@ -216,7 +213,7 @@ TEST(FaultsOfRobots, AThousandPicturesASecondAreAllReceived) {
   };
   const auto stream = diagnostics.waitFor(kStream, all_have_come);
   EXPECT_FALSE(stream.name.empty()) << "some of " << sent << " pictures have not come";
-  if (wholeCampaign()) {
+  if (wantsWholeCampaign()) {
     std::printf("%llu pictures sent, %llu dropped for newer ones, %llu received by a subscriber\n",
                 static_cast<unsigned long long>(sent), static_cast<unsigned long long>(stale(stream)),
                 static_cast<unsigned long long>(pictures.count()));
@@ -314,7 +311,7 @@ TEST(FaultsOfUsers, CtrlCEndsTheNodeDuringATrajectory) {
 }
 
 TEST_F(Faults, SubscribersComeAndGo) {
-  const int rounds = wholeCampaign() ? 1000 : 40;
+  const int rounds = wantsWholeCampaign() ? 1000 : 40;
   DriverProcess driver("/subscribers", proxy_.port(), {test_support::kByTcp});
   const auto come_and_go = [](int count) {
     for (int i = 0; i < count; ++i) {

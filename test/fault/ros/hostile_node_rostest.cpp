@@ -36,7 +36,6 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 #include <regex>
 #include <string>
@@ -49,6 +48,7 @@
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
+#include "support/whole_campaign.h"
 #include "unit/sound/wav_files.h"
 
 namespace {
@@ -61,12 +61,9 @@ using test_support::Process;
 using test_support::Resources;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using test_support::wantsWholeCampaign;
 
 constexpr char kHostile[] = "\x1b[2J\x1b]0;you\x07\n[ERROR] ";
-
-bool wholeCampaign() {
-  return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
-}
 
 /// Ever new names that no part of the robot has.
 class Names {
@@ -88,7 +85,7 @@ class HostileNode : public testing::Test {
   static constexpr std::size_t kMostLog = 64 * 1024;      // bytes, for an attack
   static constexpr std::size_t kMostMemory = 300 * 1024;  // KB more than before: messages of a million names wait
 
-  milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 10000 : 700); }
+  milliseconds attackTime() const { return milliseconds(wantsWholeCampaign() ? 10000 : 700); }
 
   void SetUp() override {
     ASSERT_TRUE(joints_.waitForNext());
@@ -133,7 +130,7 @@ class HostileNode : public testing::Test {
     ASSERT_TRUE(driver_.isRunning()) << driver_.output();
     EXPECT_TRUE(joints_.waitForNext());
     ASSERT_FALSE(times.empty());
-    if (wholeCampaign()) {
+    if (wantsWholeCampaign()) {
       EXPECT_LE(times[times.size() * 9 / 10], milliseconds(50)) << "nine of ten stops; " << times.size() << " in all";
     }
     const std::size_t memory = Resources::of(std::to_string(driver_.pid())).resident_kilobytes;

@@ -11,7 +11,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <thread>
 
@@ -21,6 +20,7 @@
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/whole_campaign.h"
 
 namespace {
 
@@ -32,11 +32,8 @@ using test_support::DriverProcess;
 using test_support::PictureServer;
 using test_support::Resources;
 using test_support::TopicListener;
+using test_support::wantsWholeCampaign;
 using ::testing::HasSubstr;
-
-bool wholeCampaign() {
-  return std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr;
-}
 
 double processorSeconds(pid_t process) {
   clockid_t clock = 0;
@@ -55,7 +52,7 @@ class Hostile : public testing::TestWithParam<int> {
   static constexpr double kMostSpeed = 70;               // rad/s; three times the tail's, and noise
   static constexpr double kFarthest = 2.6;               // rad; the rotators, and 0.2
 
-  milliseconds attackTime() const { return milliseconds(wholeCampaign() ? 5000 : 400); }
+  milliseconds attackTime() const { return milliseconds(wantsWholeCampaign() ? 5000 : 400); }
 
   bool goesOn() { return pictures_.waitForNext() && joints_.waitForNext() && images_.waitForNext(); }
 
@@ -75,7 +72,7 @@ class Hostile : public testing::TestWithParam<int> {
     const double seconds = std::chrono::duration<double>(steady_clock::now() - begin).count();
     judgeMessages(seconds);
     EXPECT_LT(driver_.output().size() - log, kMostLog);
-    if (wholeCampaign()) {
+    if (wantsWholeCampaign()) {
       EXPECT_LT(processorSeconds(driver_.pid()) - work, 2.5 * seconds) << "processors";
     }
     if (test_support::kMemoryCounts) {

@@ -12,6 +12,7 @@
 #include "protocol/walk_requests.h"
 #include "rcserver_fixture.h"
 #include "simulator/ers7/simulated_ers7.h"
+#include "support/whole_campaign.h"
 
 namespace {
 
@@ -227,7 +228,7 @@ TEST_F(GuardedWalkTest, AClientThatDoesNotAskForTheGuardWalksOn) {
 }
 
 TEST_F(GuardedWalkTest, HoweverItIsSteeredItNeitherFallsOffATableNorPushesAgainstABoard) {
-  const unsigned drives = std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr ? 100 : 6;
+  const unsigned drives = test_support::wantsWholeCampaign() ? 100 : 6;
   Log all;
   for (unsigned i = 1; i <= drives; ++i) {
     drive(i);
