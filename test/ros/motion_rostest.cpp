@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <string>
 #include <thread>
 #include <vector>
@@ -141,18 +142,18 @@ TEST(Stop, WaitsForNothingElse) {
   JointUser user("/urgent", kQuick);
   user.proxy.setMute(true);
   std::atomic<bool> played{false};
-  std::thread player([&] {
+  const auto player = std::async(std::launch::async, [&] {
     play(user, "nod");
     played = true;
   });
   ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
   Trigger::Response answer;
-  std::thread stopper([&] { answer = user.call<Trigger>("stop"); });
+  const auto stopper = std::async(std::launch::async, [&] { answer = user.call<Trigger>("stop"); });
   ASSERT_TRUE(user.proxy.waitForRequest("I", kSafetyNet));
   EXPECT_FALSE(played);
   user.proxy.setMute(false);
-  player.join();
-  stopper.join();
+  player.wait();
+  stopper.wait();
   EXPECT_TRUE(answer.success) << answer.message;
 }
 
@@ -160,17 +161,17 @@ TEST(Motors, DoNotWaitBehindPlayMotion) {
   JointUser user("/motors_urgent", kQuick);
   user.proxy.setMute(true);
   std::atomic<bool> played{false};
-  std::thread player([&] {
+  const auto player = std::async(std::launch::async, [&] {
     play(user, "nod");
     played = true;
   });
   ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
-  std::thread switcher([&] { user.setMotors(false); });
+  const auto switcher = std::async(std::launch::async, [&] { user.setMotors(false); });
   EXPECT_TRUE(user.proxy.waitForRequest("O", kSafetyNet));
   EXPECT_FALSE(played);
   user.proxy.setMute(false);
-  player.join();
-  switcher.join();
+  player.wait();
+  switcher.wait();
 }
 
 TEST(MotionStateTopic, SaysWhatMovesTheRobotAndHowItEnded) {

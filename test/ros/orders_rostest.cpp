@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -291,12 +292,12 @@ TEST(Orders, ASlowMemoryStickHoldsUpNothingElse) {
   OrderUser user("/slow_stick", {"--stick-time", "1500"});
   user.publisherOf<JointState>("joint_command");
   PlayMotion::Response answer;
-  std::thread player([&] { answer = user.play("nod", 1); });
+  const auto player = std::async(std::launch::async, [&] { answer = user.play("nod", 1); });
   ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
   user.publish("joint_command", command({{"left_front_knee", 0.5}}));
   EXPECT_TRUE(user.joints.waitForPosition("left_front_knee", 0.5));
   user.states.clear();
-  player.join();
+  player.wait();
   EXPECT_TRUE(answer.success) << answer.message;
 }
 
