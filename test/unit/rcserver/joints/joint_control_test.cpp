@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <map>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -11,6 +13,48 @@ namespace {
 
 const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
+}
+
+// What the robot does and tells in a few seconds, if its memory held this before.
+std::vector<double> lifeIn(unsigned char memory_before) {
+  alignas(JointControl) static unsigned char memory[sizeof(JointControl)];
+  std::memset(memory, memory_before, sizeof(memory));
+  JointControl& joints = *new (memory) JointControl(ers7());
+  std::vector<double> life;
+  for (unsigned frame = 0; frame < 1500; ++frame) {
+    if (frame % 12 == 0) {
+      joints.Steer({0.1, 0, 0}, true);
+    }
+    joints.NextFrame();
+    if (frame % 4 == 0) {
+      const FallWatch::Reading upright = {0, 0, 9.8, {true, true, true, true}};
+      joints.Measured(upright, frame);
+      joints.Walking().HaveLooked({0.223, 2, 2, {}, {true, true, true, true}});
+      const protocol::version2::Velocity velocity = joints.Walking().TakeVelocity();
+      life.insert(life.end(), {velocity.forward, velocity.left, velocity.turn, joints.Walking().Phase(),
+                               static_cast<double>(joints.Walking().State()), static_cast<double>(joints.Posture()),
+                               static_cast<double>(joints.Walking().TakeSoftened())});
+    }
+    for (int joint = 0; joint < joints.NumberOfJoints(); ++joint) {
+      const int position = joints.Planner().Position(joint);
+      if (frame % 4 == 0) {
+        joints.Measured(joint, {position, position, 0}, frame, true);
+      }
+      life.insert(life.end(),
+                  {static_cast<double>(position), static_cast<double>(joints.Duty(joint)),
+                   static_cast<double>(joints.TakeFault(joint)), static_cast<double>(joints.TakeRecovery(joint))});
+    }
+  }
+  for (EndLog::End end; joints.Ends().Take(EndLog::CLIENT, &end);) {
+    life.push_back(end.how);
+  }
+  joints.~JointControl();
+  return life;
+}
+
+// On the robot, memory holds whatever was there before.
+TEST(JointControl, DoesTheSameWhateverItsMemoryHeld) {
+  EXPECT_EQ(lifeIn(0), lifeIn(0xff));
 }
 
 TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
