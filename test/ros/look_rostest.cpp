@@ -187,7 +187,7 @@ aibo_driver::ColorRegions ballAt(float x, float y, int pixels = 300) {
   return regions;
 }
 
-TEST(BallFollower, LooksAtTheBallWhileItSeesIt) {
+TEST(BallFollowerExample, LooksAtTheBallWhileItSeesIt) {
   TopicListener<PointStamped> points("/ball/look_at");
   const Process node({BALL_FOLLOWER, "__ns:=/ball"});
   TopicPublishers robot("/ball");
