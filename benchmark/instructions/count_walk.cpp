@@ -14,7 +14,7 @@ constexpr unsigned kFramesOfReport = 4;
 constexpr unsigned kFramesOfSteering = 12;  // a client steers ten times a second
 constexpr double kGravity = 9.8;            // m/s^2
 // What the sensors measure on a level floor without anything on it.
-constexpr WalkGuard::Reading kLevelFloor = {0.223, 2, 2, {}, {true, true, true, true}};
+const WalkGuard::Reading kLevelFloor = {0.223, 2, 2, {}, {true, true, true, true}};
 constexpr FallWatch::Reading kUpright = {0, 0, kGravity, {true, true, true, true}};
 
 void report(JointControl& joints, unsigned frame) {
