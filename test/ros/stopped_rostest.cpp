@@ -71,18 +71,22 @@ class FakeDriver {
         });
     motion_.publish(MotionState());
     release();
-    constexpr double kPeriod = 0.05;  // s
-    timer_ = handle_.createTimer(ros::Duration(kPeriod), [this](const ros::TimerEvent&) {
-      sensor_msgs::Image black;
-      black.width = 104;
-      black.height = 80;
-      black.step = 3 * black.width;
-      black.encoding = "rgb8";
-      black.data.resize(black.step * black.height);
-      mask_.publish(black);
-      joints_.publish(sensor_msgs::JointState());
+    // Not a ros::Timer: one of its callbacks can come after the destructor has stopped it.
+    senses_ = std::async(std::launch::async, [this, end = end_.get_future()] {
+      constexpr std::chrono::milliseconds kPeriod{50};
+      while (end.wait_for(kPeriod) == std::future_status::timeout) {
+        sense();
+      }
     });
   }
+
+  ~FakeDriver() {
+    end_.set_value();
+    senses_.wait();
+  }
+
+  FakeDriver(const FakeDriver&) = delete;
+  FakeDriver& operator=(const FakeDriver&) = delete;
 
   void stop(const std::string& node) {
     state_now_.stopped = 1;
@@ -121,6 +125,17 @@ class FakeDriver {
   }
 
  private:
+  void sense() {
+    sensor_msgs::Image black;
+    black.width = 104;
+    black.height = 80;
+    black.step = 3 * black.width;
+    black.encoding = "rgb8";
+    black.data.resize(black.step * black.height);
+    mask_.publish(black);
+    joints_.publish(sensor_msgs::JointState());
+  }
+
   ros::NodeHandle handle_;
   const bool is_slow_;
   std::promise<void> release_was_called_;
@@ -132,7 +147,8 @@ class FakeDriver {
   ros::Publisher mask_;
   ros::ServiceServer release_;
   ros::ServiceServer stop_;
-  ros::Timer timer_;
+  std::promise<void> end_;
+  std::future<void> senses_;
 };
 
 bool callGoOn(const std::string& node, std::string* message) {
