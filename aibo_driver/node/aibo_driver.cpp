@@ -79,6 +79,12 @@ void logForClient(LogLevel level, const std::string& message) {
   }
 }
 
+// Names of one handle, with callbacks on the queue of another.
+ros::NodeHandle onQueueOf(const ros::NodeHandle& queue, ros::NodeHandle names) {
+  names.setCallbackQueue(queue.getCallbackQueue());
+  return names;
+}
+
 XmlRpc::XmlRpcValue readParameters(const ros::NodeHandle& private_handle) {
   XmlRpc::XmlRpcValue values;
   private_handle.getParam(private_handle.getNamespace(), values);
@@ -88,7 +94,8 @@ XmlRpc::XmlRpcValue readParameters(const ros::NodeHandle& private_handle) {
 }  // namespace
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
-    : handle_(inDriverNamespace(handle, "aibo")),
+    : own_thread_(inDriverNamespace(handle, "aibo"), receipts_),
+      handle_(own_thread_.handle()),
       only_driver_(handle_),
       parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
@@ -118,7 +125,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       player_(client_),
       adapter_(client_),
       link_quality_(handle_.advertise<LinkQuality>("link_quality", 1)),
-      settings_(private_handle, client_, adapter_, joint_table_),
+      settings_(onQueueOf(handle_, private_handle), client_, adapter_, joint_table_),
       color_tables_(model_, client_,
                     [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
       mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
@@ -161,6 +168,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
   receipts_.start();
+  own_thread_.start();
   stop_threads_.start();
   joint_thread_.start();
   motion_thread_.start();
@@ -170,14 +178,15 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   picture_threads_.start();
 }
 
-// In a nodelet manager, subscribers may come and go on other threads until the publishers are gone. The client stops
-// first, because that ends a service that waits for the robot.
+// The client stops first, because that ends a service that waits for the robot. The threads stop before the members go,
+// because roscpp 1.15 does not wait for the callback of a timer or a service that it removes (ros_comm #2283).
 AiboDriver::~AiboDriver() {
   policy_.stop();
   colors_.stop();
   microphone_.stop();
   client_.stop();
   player_.finish();
+  own_thread_.stop();
   stop_threads_.stop();
   joint_thread_.stop();
   motion_thread_.stop();

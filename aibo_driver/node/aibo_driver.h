@@ -98,12 +98,13 @@ class AiboDriver {
   robot_time::RobotClock* usedRobotClock() { return parameters_.use_robot_time ? &robot_clock_ : nullptr; }
 
   // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
+  ReceiptClock receipts_;
+  CallbackThreads own_thread_;  ///< for what needs none of the others: settings, reports, subscribers that come and go
   ros::NodeHandle handle_;
   const OnlyDriver only_driver_;
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
 
-  ReceiptClock receipts_;
   CallbackThreads stop_threads_;     ///< for stop, release and motors, which wait for nothing else
   CallbackThreads joint_thread_;     ///< for commands to joints, trajectories and cmd_vel, in order
   CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
