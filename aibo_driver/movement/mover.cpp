@@ -476,7 +476,6 @@ void Mover::release(const Order& by) {
     }
     gate_.release();
     gate_.overrule(by.received, by.source + " called release");
-    streams_.overrule("the robot was stopped");
     return false;
   });
   if (is_stopping) {

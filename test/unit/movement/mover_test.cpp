@@ -684,6 +684,23 @@ TEST_F(MoverTest, AStreamThatBeginsWhileStoppedHasToLetGo) {
   EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
 }
 
+TEST_F(MoverTest, AStreamThatWasStoppedForAMomentHasToLetGo) {
+  walk();
+  mover_.stop(order("/panel"));
+  mover_.release(order("/panel"));
+  told();
+  steerOn(0.1);
+  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_EQ(ends_.back().reason, "/panel called stop; let go first: send a velocity of 0, or none for 0.5 s");
+}
+
+TEST_F(MoverTest, AReleaseWithoutAStopLeavesAWalkAlone) {
+  walk();
+  mover_.release(order("/panel"));
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
 TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
   const std::vector<std::function<void()>> overrules{
       [this] { mover_.takePosture(order(), Posture::kSit); },
