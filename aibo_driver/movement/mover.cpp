@@ -365,7 +365,6 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
     return;
   }
   is_told_to_walk_ = true;
-  walk_stop_reason_.clear();
   if (record == nullptr) {
     begin(std::move(movement));
   }

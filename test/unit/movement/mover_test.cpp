@@ -760,6 +760,15 @@ TEST_F(MoverTest, AWalkThatIsLetGoBeforeItBeginsEndsToo) {
   EXPECT_THAT(mover_.state().movements, IsEmpty());
 }
 
+TEST_F(MoverTest, AWalkThatWasStoppedHasThatReasonThoughItsNodeSteersOnBeforeTheRobotSaysSo) {
+  walk();
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  steer(0.1);
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
+  EXPECT_EQ(ends_.back().reason, "no cmd_vel came for 0.5 s");
+}
+
 // On a slow link, what the robot says of the walk before comes late.
 TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
   steer(0.1);
