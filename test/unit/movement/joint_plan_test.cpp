@@ -196,6 +196,31 @@ TEST_F(JointPlanTest, ATrajectoryTakesOnlyTheJointsThatItNames) {
   EXPECT_EQ(endOf(head), EndedHow::kDone);
 }
 
+TEST_F(JointPlanTest, AJointThatWasTakenFromATrajectoryIsNotGivenBack) {
+  const auto old = add(both(0.5, -0.2, 2), 0, 0);
+  follow(0, 0.192);
+  const auto head = add(pan({{0.2, {0}, {}}}), 0.192, 0.192);
+  follow(0.224, 0.5);
+  EXPECT_EQ(endOf(head), EndedHow::kDone);
+  add({{"mouth"}, {{1, {-0.4}, {}}}}, 0.512, 0.512);
+  EXPECT_EQ(endOf(old), EndedHow::kReplaced) << "it has no joint left";
+  EXPECT_NEAR(sent_[kPan], 0, 1e-9);
+}
+
+TEST_F(JointPlanTest, ATrajectoryBeginsWhereAJointIsThatTheOneBeforeDidNotMove) {
+  add(pan({{1, {0.5}, {}}}), 0, 0);
+  run(0, 1.1);  // it is measured at 0
+  const auto next = add(pan({{1, {0.2}, {}}}), 1.12, 1.12);
+  EXPECT_NEAR(wanted(next, 1.12), 0, 1e-6);
+}
+
+TEST_F(JointPlanTest, ALaterStartTakesNothingFromWhatWaits) {
+  const auto sooner = add(pan({{1, {0.5}, {}}}), 1, 0);
+  const auto later = add(pan({{1, {0}, {}}}), 5, 0);
+  EXPECT_THAT(plan_.jointsOf(sooner), ElementsAre("head_pan"));
+  EXPECT_THAT(plan_.jointsOf(later), ElementsAre("head_pan"));
+}
+
 TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   const auto later = add(both(0.5, -0.2, 1), 5, 0);
   const auto sooner = add(pan({{1, {-0.2}, {}}}), 1, 0);

@@ -224,6 +224,14 @@ TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
   EXPECT_THAT(ends_, SizeIs(1));
 }
 
+TEST_F(MoverTest, ALookIsAnotherMovementThanACommandOfTheSameNodeToTheSameJoint) {
+  const auto commanded = command("head_pan", 0.5);
+  mover_.command(order(), {"head_pan"}, {0.4}, {}, Kind::kLookAt);
+  EXPECT_EQ(endOf(commanded), EndedHow::kReplaced);
+  ASSERT_THAT(mover_.state().movements, SizeIs(1));
+  EXPECT_EQ(mover_.state().movements[0].kind, Kind::kLookAt);
+}
+
 TEST_F(MoverTest, CommandsOfSeveralNodesAreSeveralMovements) {
   command("head_pan", 0.5, "/a");
   command("head_tilt", 0.1, "/b");
@@ -603,14 +611,26 @@ TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
   EXPECT_EQ(reasonOf(again), "the motors are off") << "the battery, for instance";
 }
 
-TEST_F(MoverTest, ApproachesAgainAfterTheMotorsWereSwitchedAConnectionWasMadeOrACommandWasNotSent) {
-  const std::function<void()> causes[] = {[this] { mover_.setMotors(order(), true); },
-                                          [this] { ++client_.connections; },
-                                          [this] {
-                                            client_.problem = "there is no robot";
-                                            command("head_pan", 0.1);
-                                            client_.problem.clear();
-                                          }};
+TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFromMoving) {
+  const std::function<void()> causes[] = {
+      [this] { mover_.setMotors(order(), true); },
+      [this] { ++client_.connections; },
+      [this] {
+        client_.problem = "there is no robot";
+        command("head_pan", 0.1);
+        client_.problem.clear();
+      },
+      [this] {
+        mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
+      },
+      [this] {
+        mover_.robotChanged({MotorState::kOn, PostureNow::kLying});
+        mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
+      },
+      [this] {
+        walk();
+        mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+      }};
   for (const auto& cause : causes) {
     command("head_pan", 0.0);
     command("head_pan", 0.2);  // the joint is measured at 0: the approach is over
