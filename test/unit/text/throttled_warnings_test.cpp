@@ -30,6 +30,14 @@ TEST_F(ThrottledWarningsTest, LogsTheSameOnceInAWhileWhateverNumbersAreInIt) {
   EXPECT_THAT(logged_, SizeIs(3));
 }
 
+TEST_F(ThrottledWarningsTest, WhatIsRepeatedAllTheTimeIsLoggedOnceInEachPeriod) {
+  for (int i = 0; i < 100; ++i) {
+    warnings_.warn("No joint is named 'knee'.");
+    now_ += std::chrono::milliseconds(100);
+  }
+  EXPECT_THAT(logged_, SizeIs(2));
+}
+
 // However many names a stranger thinks of.
 TEST_F(ThrottledWarningsTest, AFloodOfDifferentOnesIsALineASecondAndSaysSo) {
   for (int i = 0; i < 100'000; ++i) {
