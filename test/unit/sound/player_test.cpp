@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "aibo_client/exceptions.h"
@@ -118,6 +119,32 @@ TEST_F(PlayerTest, ANewSoundReplacesTheOneThatPlays) {
   EXPECT_EQ("samples 5 last", robot_.told.back());
   player_.ended({1, EndedHow::kReplaced, 0, 0, 0});
   EXPECT_FALSE(second->end());
+}
+
+// The third piece of the sound is there only when the robot has refused the next one.
+TEST_F(PlayerTest, ASoundGoesOnIfTheNextOneIsRefused) {
+  class Waiting : public Ramp {
+   public:
+    explicit Waiting(std::future<void> refused) : Ramp(3 * kMostSamplesAtOnce), refused_(std::move(refused)) {}
+
+    std::vector<std::int16_t> read(std::size_t most) override {
+      if (++pieces_ == 3) {
+        refused_.wait_for(std::chrono::seconds(20));
+      }
+      return Ramp::read(most);
+    }
+
+   private:
+    std::future<void> refused_;
+    int pieces_ = 0;
+  };
+  std::promise<void> refused;
+  player_.play(std::make_unique<Waiting>(refused.get_future()));
+  robot_.problem = "the robot plays no sounds";
+  EXPECT_THROW(player_.play(std::make_unique<Ramp>(5)), aibo_client::NetworkException);
+  robot_.problem.clear();
+  refused.set_value();
+  robot_.waitForLast();
 }
 
 TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
