@@ -83,7 +83,7 @@ std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned co
     began_ = arrival;
     frames_ = 0;
   }
-  beyond_frame_ = skipped == 0 ? beyond_frame_ : 0;
+  beyond_frame_ = next_frame_ && skipped == 0 ? beyond_frame_ : 0;
   const unsigned heard = beyond_frame_ + count;
   next_frame_ = frame_number + heard / frameSize();
   beyond_frame_ = heard % frameSize();

@@ -262,6 +262,22 @@ TEST_F(SoundTest, NothingIsMissingAfterAPauseInWhichNobodyListened) {
   EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
+TEST_F(SoundTest, AfterAPauseNothingIsLeftOfAFrameThatWasNotWhole) {
+  listen(1);
+  push(700, std::vector<std::int16_t>(100), 1);
+  wish_.microphone.on = false;
+  request();
+  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 1, 16000})));
+  wish_.microphone.on = true;
+  request();
+  agree(1, 16000);
+  push(1000, std::vector<std::int16_t>(64), 1);
+  push(1000, std::vector<std::int16_t>(64), 1);
+  push(1001, std::vector<std::int16_t>(128), 1);
+  EXPECT_THAT(heard_, SizeIs(4));
+  EXPECT_EQ(0U, counters_.sound_gaps);
+}
+
 TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
   listen();
   for (unsigned i = 0; i < 400; ++i) {
