@@ -43,7 +43,8 @@ PictureIntake::TimePoint PictureIntake::drainedAt() const {
 
 std::shared_ptr<Picture> PictureIntake::inspect(std::vector<std::uint8_t> jpeg, TimePoint first_byte_time) {
   const JpegInspection inspection = inspectJpeg(jpeg.data(), jpeg.size());
-  if (!inspection.good()) {
+  last_is_damaged_ = !inspection.good();
+  if (last_is_damaged_) {
     ++context_.counters.corrupt_pictures;
     if (inspection.problem != std::exchange(last_damage_, inspection.problem)) {
       context_.warn("sent a damaged picture, which is dropped: " + inspection.problem);
@@ -81,7 +82,7 @@ bool PictureIntake::deliverFromStream(const PicturePtr& picture, TimePoint now) 
 }
 
 std::string PictureIntake::damageRemark() const {
-  return last_damage_.empty() ? "." : "; the last one was damaged: " + last_damage_ + ".";
+  return last_is_damaged_ ? "; the last one was damaged: " + last_damage_ + "." : ".";
 }
 
 }  // namespace aibo_client

@@ -85,7 +85,7 @@ class PictureIntake {
   /// @throw ProtocolException the stream should have ended long ago
   bool deliverFromStream(const PicturePtr& picture, TimePoint now);
 
-  /// Describes the last damaged picture as the end of a sentence. It is "." if there was none.
+  /// Says at the end of a sentence how the last picture was damaged. It is "." if that one was good.
   std::string damageRemark() const;
 
  private:
@@ -99,6 +99,7 @@ class PictureIntake {
   TimePoint last_sign_;
   TimePoint last_first_byte_;
   std::string last_damage_;
+  bool last_is_damaged_ = false;
 };
 
 }  // namespace aibo_client

@@ -212,6 +212,20 @@ TEST_F(Version2SessionTest, ADamagedAnswerIsRequestedAgain) {
   EXPECT_EQ(CallOutcome::kDone, answer.get().outcome);
 }
 
+TEST_F(Version2SessionTest, ADamagedPictureIsNotBlamedForWhatIsMissingAfterAGoodOne) {
+  auto first = takePicture(10);
+  request();
+  receive(makeFrame('f', 2, version2_frames::makePicture(Bytes(5000, 7), 1)));
+  EXPECT_EQ("F3", request());
+  receive(makePicture(3, 1));
+  EXPECT_TRUE(done(first));
+  auto second = takePicture(10, milliseconds(200));
+  EXPECT_EQ("F4", request());
+  pass(milliseconds(200));
+  ASSERT_TRUE(done(second));
+  EXPECT_EQ("no picture within 200 ms.", second.get().problem);
+}
+
 TEST_F(Version2SessionTest, AnErrorBelongsToTheRequestWithItsNumber) {
   auto first = takePicture(10);
   auto second = takePicture(20);
