@@ -201,7 +201,7 @@ class PendingCalls {
   /// answers are late.
   /// @param size the bytes of the request and its answer together
   void transferBegins(std::size_t size, TimePoint now);
-  /// The request has been answered.
+  /// The request has been answered. Only those that need the memory stick are large, and one of them is sent at a time.
   void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
   /// When the last transfer has ended, or will have ended at the latest.
   TimePoint transferEnd() const { return transfer_end_; }

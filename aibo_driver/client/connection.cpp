@@ -93,7 +93,7 @@ void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
 
 void Connection::refuse(const Call& call, const std::string& why, TimePoint now) {
   ++context.counters.refusals;
-  if (!call.isForPicture()) {
+  if (call.has(version2::NEEDS_MEMORY_STICK)) {
     calls.transferEnds(now);
   }
   const std::string problem = context.address + " refused to " + describe(call) + ": " + why + ".";

@@ -866,7 +866,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   }
   if (call.sound_part) {
     connection_.sound.accepted(*call.sound_part);
-  } else {
+  } else if (call.has(version2::NEEDS_MEMORY_STICK)) {
     connection_.calls.transferEnds(now_);
   }
   connection_.answer(call.request_number, std::move(answer));

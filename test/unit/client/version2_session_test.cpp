@@ -919,6 +919,21 @@ TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
   EXPECT_THROW(live(milliseconds(1)), Fault) << "it has been answered, so pictures are due again";
 }
 
+TEST_F(Version2SessionTest, AnAnswerToAnotherCallDoesNotMeanThatALargeFileHasCome) {
+  auto fetch = add(callToFetchPicture("AIBO0001.JPG"), milliseconds(20000));
+  EXPECT_EQ("Y2", request());
+  auto motors = ask('O', "", 1);
+  auto other = ask('O', "", 1);
+  EXPECT_EQ("O3", request());
+  EXPECT_EQ("O4", request());
+  receive(makeFrame('o', 3, {1}));
+  receive(makeError(4, 0, "the battery is low"));
+  for (int i = 0; i < 15; ++i) {  // what is sent now is answered behind the file, which may take 4 s
+    request();
+    pass(milliseconds(250));
+  }
+}
+
 TEST_F(Version2SessionTest, AfterALargeUploadThatWasRefusedPicturesAreDueAsEver) {
   wish_.streaming = true;
   request();
