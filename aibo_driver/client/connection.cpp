@@ -57,6 +57,12 @@ void Connection::take(CommandOutbox newer) {
   reportDropped();
 }
 
+void Connection::forgetSpeedLimits(const std::vector<int>& joints) {
+  for (const int joint : joints) {
+    speed_limits_.erase(joint);
+  }
+}
+
 void Connection::reportDropped() {
   for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
     if (!context.notifier.refused(refusal)) {

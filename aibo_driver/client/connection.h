@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "aibo_client/motors_and_posture.h"
 #include "aibo_client/robot_info.h"
@@ -69,6 +70,10 @@ struct Connection {
 
   /// Takes over newer commands. Limits of joints' speeds that were sent over this connection, or will be, are left out.
   void take(CommandOutbox newer);
+
+  /// Call this when the robot has refused limits of these joints' speeds. The same limits will be sent when they are
+  /// commanded again.
+  void forgetSpeedLimits(const std::vector<int>& joints);
 
   /// Reports the orders that were dropped.
   void reportDropped();

@@ -329,6 +329,9 @@ void Version1Session::onValueRefused(int code) {
     connection_.refusals.refused(request.letter, what + ": " + describeError(code));
     return;
   }
+  if (*kind == RefusedRequest::kSpeedLimits) {
+    connection_.forgetSpeedLimits({request.id});
+  }
   const std::string reason =
       *kind == RefusedRequest::kJoints ? describeError(code) + kWhyJointsAreRefused : describeError(code);
   connection_.refusals.refused(request.letter, what,

@@ -892,6 +892,9 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     return giveUpDatagrams("it refused to: " + problem, now_);
   }
   const Order& order = exchange.order;
+  if (order.kind == RefusedRequest::kSpeedLimits) {
+    connection_.forgetSpeedLimits(order.ids);
+  }
   if (order.kind) {
     refusals.refused(letter, what, {*order.kind, RefusalCause::kRobot, order.ids, problem, order.number});
   } else {

@@ -447,6 +447,14 @@ TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
   EXPECT_EQ("J1=573", command());
 }
 
+TEST_F(Version1SessionTest, ASpeedLimitThatTheRobotHasRefusedIsSentAgain) {
+  for (int i = 0; i < 2; ++i) {
+    limitSpeed({{2, 0.5}});
+    EXPECT_EQ('V', command().at(0)) << i;
+    receive({'e', 0, 0, 0});
+  }
+}
+
 TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurnTwentyOfEachASecond) {
   wish_.telemetry_period = 4;
   std::string asked;

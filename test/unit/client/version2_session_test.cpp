@@ -481,6 +481,14 @@ TEST_F(Version2SessionTest, ASpeedLimitThatTheRobotHasIsNotSentAgain) {
   EXPECT_EQ(3, limits.joints[0].id);
 }
 
+TEST_F(Version2SessionTest, SpeedLimitsThatTheRobotHasRefusedAreSentAgain) {
+  limitSpeed({{2, 0.5}, {99, 0.5}});
+  EXPECT_EQ("V2", request());
+  receive(makeError(2, 1, "there is no joint 99, so nothing of the request was done"));
+  limitSpeed({{2, 0.5}});
+  EXPECT_EQ("V3", request());
+}
+
 TEST_F(Version2SessionTest, ACommandWithoutAnAnswerEndsTheConnection) {
   commandJoints({{2, 0.5}});
   EXPECT_EQ("J2", request());
