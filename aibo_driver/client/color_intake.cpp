@@ -32,7 +32,6 @@ void expectGood(const char* problem) {
 
 void ColorIntake::askedFor(const ColorDetection& detection) {
   detection_ = detection;
-  newest_.reset();
 }
 
 void ColorIntake::receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
