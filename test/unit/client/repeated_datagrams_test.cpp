@@ -288,6 +288,27 @@ TEST_F(RepeatedDatagramsTest, ForgedDatagramsChangeNothing) {
   EXPECT_TRUE(repliesOf('l').empty()) << "nothing was lost";
 }
 
+TEST_F(RepeatedDatagramsTest, WithoutParitiesNoPartWaitsForThem) {
+  arrive(nextPicture(true));
+  arrive(nextPicture());
+  const std::vector<Bytes> third = nextPicture();
+  arrive(third[0]);
+  arrive(third[2]);
+  EXPECT_THAT(takeRequests(3), ElementsAre(1u));
+}
+
+TEST_F(RepeatedDatagramsTest, ANewOrderBeginsAsTheFirst) {
+  knowPace(milliseconds(2), milliseconds(32));
+  wish_.datagram_port = kPort + 1;
+  answer();
+  EXPECT_THAT(takeStatuses(), IsEmpty()) << "nothing has come";
+  arrive(nextPicture()[0]);
+  wait(milliseconds(49));
+  EXPECT_THAT(takeRequests(picture_), IsEmpty()) << "the speed of the link is unknown";
+  wait(milliseconds(1));
+  EXPECT_THAT(takeRequests(picture_), Not(IsEmpty()));
+}
+
 TEST_F(RepeatedDatagramsTest, EachOrderHasOtherNumbers) {
   const auto first = order_;
   wish_.datagram_port = kPort + 1;

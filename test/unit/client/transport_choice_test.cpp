@@ -258,6 +258,32 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   EXPECT_EQ("U", ways_);
 }
 
+TEST_F(TransportChoiceTest, AfterAChangeByTheUserAllTestsAreSentAgain) {
+  lets_through_ = false;
+  start();
+  watch(milliseconds(200));
+  EXPECT_EQ(3, tests_);
+  ++wish_.transport_changes;
+  watch(milliseconds(900));
+  EXPECT_EQ(3 + 4, tests_);
+}
+
+TEST_F(TransportChoiceTest, ATestThatHasComeBeforeAChangeByTheUserDoesNotCount) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  EXPECT_EQ('X', request());
+  arrive(testDatagram(payload_));
+  wish_.transport = PictureTransport::kTcp;
+  ++wish_.transport_changes;
+  answerAll();
+  lets_through_ = false;
+  wish_.transport = PictureTransport::kAuto;
+  ++wish_.transport_changes;
+  answerAll();
+  EXPECT_EQ("", ways_);
+  EXPECT_EQ(1, tests_);
+}
+
 TEST_F(TransportChoiceTest, AfterAChangeByTheUserThePauseIsShortAgain) {
   start();
   watch(seconds(1));
