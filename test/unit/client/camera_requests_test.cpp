@@ -37,6 +37,16 @@ class CameraRequestsTest : public SessionFixture {
     return version2_frames::textOf(frame) + (frame.payload.empty() ? " -" : "");
   }
 
+  /// The robot sets its camera as it is asked to at the beginning of a connection.
+  void answerSettings() {
+    for (const int id : {1, 2, 3, 4, 5}) {
+      const std::string sent = request();
+      Bytes reply = makeFrame('g', number_, {static_cast<std::uint8_t>(sent.back() - '0')});
+      reply[1] = static_cast<std::uint8_t>(id);
+      receive(reply);
+    }
+  }
+
   void refuse(int code) { receive(makeFrame('e', number_, version2_frames::makeError(code, "not supported: it"))); }
 
   void live(milliseconds time) {
@@ -91,6 +101,21 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   EXPECT_THROW(live(milliseconds(2)), Fault);
 }
 
+TEST_F(CameraRequestsTest, AStreamOfMoreImagesThanBeforeHasTimeForItsFirst) {
+  begin("H F W G");
+  answerSettings();
+  wish_.streaming = true;
+  wish_.format.every_nth_image = 100;
+  request();
+  receive(makeFrame('w', number_, {1, 0, 0, 100}));
+  live(milliseconds(3000));
+  wish_.format.every_nth_image = 1;
+  EXPECT_EQ("W 85 1 0 0 1", request());
+  receive(makeFrame('w', number_, {1, 0, 0, 1}));
+  live(milliseconds(499));
+  EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
 TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
   begin("H F W");
   wish_.format.resolution = Resolution::kLow;
@@ -140,12 +165,7 @@ TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) 
 
 TEST_F(CameraRequestsTest, TheValueInForceIsReadBack) {
   begin("H F W G");
-  for (const int id : {1, 2, 3, 4, 5}) {
-    const std::string sent = request();
-    Bytes reply = makeFrame('g', number_, {static_cast<std::uint8_t>(sent.back() - '0')});
-    reply[1] = static_cast<std::uint8_t>(id);
-    receive(reply);
-  }
+  answerSettings();
   EXPECT_TRUE(log_.empty());
   wish_.camera.gain = 3;
   EXPECT_EQ("G 2 3", request());
@@ -158,6 +178,21 @@ TEST_F(CameraRequestsTest, TheValueInForceIsReadBack) {
   Bytes bad = makeFrame('g', number_, {7});
   bad[1] = 2;
   EXPECT_THROW(receive(bad), ProtocolException);
+}
+
+TEST_F(CameraRequestsTest, TheAnswerToAnOlderRequestIsNoOtherValueThanTheOneAskedFor) {
+  begin("H F W G");
+  answerSettings();
+  std::vector<Bytes> replies;
+  for (const int gain : {3, 1}) {
+    wish_.camera.gain = gain;
+    EXPECT_EQ("G 2 " + std::to_string(gain), request());
+    replies.push_back(makeFrame('g', number_, {static_cast<std::uint8_t>(gain)}));
+    replies.back()[1] = 2;
+  }
+  receive(replies[0]);
+  receive(replies[1]);
+  EXPECT_TRUE(log_.empty());
 }
 
 TEST_F(CameraRequestsTest, AServerWithoutCameraSettingsIsNotSentAnyAndTheLogSaysSoOnce) {

@@ -215,13 +215,18 @@ TEST_F(ColorsTest, ARefusalIsLogged) {
   EXPECT_EQ(logged("to detect colours: it does not"), 1);
 }
 
-TEST_F(ColorsTest, AServerThatDetectsNoColoursIsNotAskedAndTheLogSaysSoOnce) {
+TEST_F(ColorsTest, AServerThatDetectsNoColoursIsNotAskedAndTheLogSaysSoOnceEachTimeThatTheyAreWanted) {
   begin("H F W");
   wish_.colors.on = true;
   wish_.color_tables[0] = tableNamed("ball");
   EXPECT_EQ("", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(logged("has no request to detect colours"), 1);
+  wish_.colors.on = false;
+  EXPECT_EQ("", request());
+  wish_.colors.on = true;
+  EXPECT_EQ("", request());
+  EXPECT_EQ(logged("has no request to detect colours"), 2);
 }
 
 }  // namespace

@@ -26,8 +26,11 @@ TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown
 TEST_F(JointsTest, NothingIsSaidOfARobotThatIsNotConnected) {
   ScriptedPeer peer = connectVersion2();
   EXPECT_EQ("ERS-7", client().status().robot.design);
+  peer.send(makeFrame('o', 0, {1, protocol::version2::POSTURE_SIT, 0, 0}));
+  EXPECT_TRUE(eventually([&] { return client().motorsAndPosture().motors == MotorState::kOn; }));
   peer.close();
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  EXPECT_TRUE(client().motorsAndPosture() == MotorsAndPosture());
   const ConnectionStatus status = client().status();
   EXPECT_EQ(0, status.protocol_version);
   EXPECT_EQ("", status.robot.design);

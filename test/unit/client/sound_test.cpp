@@ -519,6 +519,26 @@ TEST_F(SoundClientTest, ASoundDoesNotGoOnOverTheNextConnection) {
   EXPECT_THROW(client().playSamples(sound, {1}, false, kTimeout), CommandException);
 }
 
+TEST_F(SoundClientTest, ASoundIsLostWithItsConnection) {
+  std::promise<SoundEnd> ended;
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_sound_ended = [&ended](const SoundEnd& end) { ended.set_value(end); };
+  RcServerClient player(optionsFor(server_), callbacks);
+  player.start();
+  std::optional<ScriptedPeer> peer(server_.accept());
+  peer->agreeToVersion2("F A");
+  player.waitForConnection(kTimeout);
+  auto first = std::async(std::launch::async, [&] { return player.playSamples(0, {1, 2, 3}, false, kTimeout); });
+  accept(&*peer);
+  const std::uint64_t sound = first.get().sound;
+  peer.reset();
+  std::future<SoundEnd> future = ended.get_future();
+  ASSERT_EQ(std::future_status::ready, future.wait_for(kTimeout));
+  const SoundEnd end = future.get();
+  EXPECT_EQ(EndedHow::kLost, end.how);
+  EXPECT_EQ(sound, end.sound);
+}
+
 TEST_F(SoundClientTest, TheMicrophonesAreAskedForAgainOverTheNextConnection) {
   std::optional<ScriptedPeer> peer(connectVersion2("F A"));
   client().setMicrophone({true, 2, 16000});

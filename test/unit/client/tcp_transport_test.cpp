@@ -122,6 +122,21 @@ TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByT
   EXPECT_EQ(1, lookups);
 }
 
+TEST(TcpTransportTest, ANameIsLookedUpForEachConnection) {
+  ScriptedServer server;
+  int lookups = 0;
+  TcpTransport transport([&](const std::string&, int) {
+    ++lookups;
+    return resolveWithSystem("127.0.0.1", server.port());
+  });
+  for (int connection = 1; connection <= 2; ++connection) {
+    transport.connect("aibo", 54321, in(seconds(10)));
+    server.accept();
+    transport.close();
+    EXPECT_EQ(connection, lookups) << "the robot may have another address now";
+  }
+}
+
 TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
   TcpTransport transport([](const std::string&, int) -> NameLookupResult { throw std::bad_alloc(); });
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(seconds(10))); }));

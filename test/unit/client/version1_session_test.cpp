@@ -646,19 +646,20 @@ TEST_F(Version1SessionTest, AServerIsAskedForUnansweredValuesOnThreeConnectionsO
   }
 }
 
-TEST_F(Version1SessionTest, ARefusalIsAnAnswerToo) {
+TEST_F(Version1SessionTest, OnlyRequestsThatStayUnansweredInARowCountAndARefusalIsAnAnswer) {
   wish_.telemetry_period = 4;
-  for (const bool answers : {false, false, true, false}) {
+  for (const char answer : {'-', '-', 'e', '-', '-', 's', '-', '-'}) {
     Connection connection(context(), now_);
     Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
     EXPECT_EQ('J', session.nextRequest(wish_, now_).at(0));
     const Bytes joint = {'j', 1, 0, 0};
     session.bytesArrived(joint.data(), joint.size(), now_);
     now_ += milliseconds(25);
-    EXPECT_EQ('S', session.nextRequest(wish_, now_).at(0));
-    const Bytes refusal = {'e', 0, 0, 0};
-    if (answers) {
-      session.bytesArrived(refusal.data(), refusal.size(), now_);
+    const Bytes request = session.nextRequest(wish_, now_);
+    EXPECT_EQ('S', request.at(0));
+    const Bytes reply = {static_cast<std::uint8_t>(answer), request.at(1), 0, 0};
+    if (answer != '-') {
+      session.bytesArrived(reply.data(), reply.size(), now_);
     } else {
       EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
     }
@@ -983,6 +984,7 @@ TEST_F(LateVersionAnswerTest, ARefusalAfterTheAnswerToALaterRequestDoesNotAnswer
   auto second = takePicture(30);
   late_.nextRequest(wish_, now_);
   receive({'e', 0, 0, 0});
+  ASSERT_TRUE(done(second));
   EXPECT_EQ(CallOutcome::kRefused, second.get().outcome);
 }
 
