@@ -315,6 +315,10 @@ class Version1(OnBothVersions, TestCase):
                 self.assertIn("version 1", self.aibo(*words, status=FAILED).errors)
         self.assertIn("set its camera", self.aibo("picture", "--gain", "high", status=FAILED).errors)
 
+    def test_warns_once_while_it_watches(self):
+        errors = self.aibo("watch", "--seconds", "2", "--gain", "high").errors
+        self.assertEqual(errors.count("no request to set the camera"), 1, errors)
+
     def test_stops_motions(self):
         self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
 
