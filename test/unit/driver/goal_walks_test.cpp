@@ -121,6 +121,8 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   EXPECT_EQ(lastVelocity(), "steer 0.03 0.00 0.00");
   walkOn(walk, 0.02);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  walkOn(walk, 0.05);
+  EXPECT_EQ(lastVelocity(), "") << "it overshoots while it stops, and does not walk back";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   ASSERT_NE(walk.goOn(), nullptr);
   EXPECT_EQ(walk.goOn()->how, EndedHow::kDone);
@@ -128,10 +130,10 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
 
 TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
   GoalWalks::Walk walk = begin(goalAt(2));
-  for (int i = 0; i < 200; ++i) {
-    walkOn(walk, i < 10 ? 0.02 : 0);
+  for (int i = 0; i < 210; ++i) {
+    walkOn(walk, i < 20 ? 0.02 : 0);
   }
-  EXPECT_NE(lastVelocity(), "steer 0.00 0.00 0.00");
+  EXPECT_NE(lastVelocity(), "steer 0.00 0.00 0.00") << "its patience begins again with each step";
   for (int i = 0; i < 15; ++i) {
     walkOn(walk, 0);
   }
@@ -148,6 +150,7 @@ TEST_F(GoalWalksTest, WithoutOdometryItStops) {
   now_ += GoalWalks::kPeriod;
   EXPECT_EQ(walk.goOn(), nullptr);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  EXPECT_EQ(walk.goOn(), nullptr) << "the robot has not stopped yet";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("has not said where it is"));
 }
