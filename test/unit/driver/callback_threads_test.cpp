@@ -56,6 +56,10 @@ TEST_F(CallbackThreadsTest, AnExceptionOfACallbackDoesNotEndTheProcess) {
   add([&next_runs] { next_runs = true; });
   queue_.callAvailable();
   EXPECT_TRUE(next_runs);
+  add([] { throw std::runtime_error("again"); });
+  queue_.callAvailable();
+  const TimePoint before = steady_clock::now();
+  EXPECT_GE(receivedAt(), before) << "no callback runs any more";
 }
 
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {

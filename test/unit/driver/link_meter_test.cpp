@@ -98,6 +98,13 @@ TEST_F(LinkMeterTest, AReconnectIsNoLoss) {
   EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(70000)).loss.value(), 0);
 }
 
+TEST_F(LinkMeterTest, ACountThatGoesBackIsNoLoss) {
+  arrive(1000);
+  arrive(20);
+  arrive(21);
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(40000)).loss.value(), 0);
+}
+
 TEST_F(LinkMeterTest, ImagesThatWereNotAskedForAreNotMissed) {
   for (const std::uint32_t image : {0U, 3U, 6U, 12U}) {
     meter_.add(pictureOf(image), 0, 3, begin_ + milliseconds(32 * image));

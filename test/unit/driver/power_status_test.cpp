@@ -76,9 +76,11 @@ TEST(PowerStatus, OfASilentRobotIsAFaultOnlyIfItWasAsked) {
 
 TEST(PowerStatus, IsForgottenWithTheConnection) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
-  power.update(telling({{kBattery, 0.05}}));
+  power.update(telling({{kBattery, 0.05}, {kTemperature, 70}}));
   power.clear();
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
+  power.update(telling({{kBattery, 0.9}}));
+  EXPECT_EQ(reportOf(power).level, DiagnosticStatus::OK) << "the next robot has not told its temperature yet";
 }
 
 }  // namespace

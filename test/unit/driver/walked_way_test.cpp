@@ -83,6 +83,11 @@ TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
   ++connection_;
   measure({}, 100000);
   EXPECT_EQ(uncertainty(), after) << "it stood when the connection broke";
+  measure({0, 0, 0.5});
+  const double turning = uncertainty();
+  ++connection_;
+  measure({});
+  EXPECT_GT(uncertainty(), turning + 0.01) << "it turned where it stood";
 }
 
 TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
