@@ -99,6 +99,8 @@ TEST(LightMarkers, ShowEachSensorThatIsTouchedOnItsLink) {
   touch.back_front = touch.back_middle = touch.back_rear = 1;
   lights.setTouch(touch);
   EXPECT_EQ(shining(lights).size(), 9u);
+  EXPECT_TRUE(lights.setTouch(Touch()));
+  EXPECT_TRUE(shining(lights).empty());
 }
 
 }  // namespace

@@ -106,6 +106,16 @@ TEST(JoySteeringOfRelease, NeedsTheDeadManButtonAndThenThatItIsLetGo) {
   EXPECT_FALSE(press(1, 0).walk->isZero());
 }
 
+TEST(JoySteeringOfRelease, IsNoneTogetherWithAStop) {
+  JoyMapping with_release = mapping();
+  with_release.release_button = 5;
+  JoySteering joy(with_release);
+  joy.read({0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0});
+  const JoyOrders both = joy.read({0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 1, 1, 0, 0});
+  EXPECT_TRUE(both.stop);
+  EXPECT_FALSE(both.release);
+}
+
 TEST_F(JoySteeringTest, GivesEachOrderOnceAndThoseThatMoveOnlyWithTheDeadManButton) {
   EXPECT_TRUE(press({0, 2}).take_picture);
   EXPECT_FALSE(press({0, 2}).take_picture);
