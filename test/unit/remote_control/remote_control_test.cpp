@@ -63,6 +63,9 @@ class RemoteControlTest : public ::testing::Test {
 
   QString textOf(const QString& label) { return find<QLabel>(label)->text(); }
 
+  // Qt deletes some widgets only in its event loop.
+  static void deleteLeftovers() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
+
   QPoint placeOn(const QWidget* pad, double x, double y) {
     const double half = std::min(pad->width(), pad->height()) / 2.0 - 1;
     return QPoint(qRound(pad->width() / 2.0 + x * half), qRound(pad->height() / 2.0 - y * half));
@@ -176,6 +179,8 @@ TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASeco
   Q_EMIT robot_.conditionChanged({});
   EXPECT_EQ(find<QPushButton>("stop")->text(), "STOP");
   EXPECT_EQ(click("stop"), QStringList("stop"));
+  Q_EMIT robot_.conditionChanged(condition);
+  EXPECT_EQ(click("stop"), QStringList("stop")) << "a second click in fright, also at the next stop";
 }
 
 TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
@@ -290,6 +295,10 @@ TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   click("folder");
   EXPECT_EQ(window_.findChildren<QFileDialog*>().size(), 1) << "one dialog is enough";
+  window_.findChild<QFileDialog*>()->close();
+  deleteLeftovers();
+  click("folder");
+  EXPECT_EQ(window_.findChildren<QFileDialog*>().size(), 1) << "it opens again";
   EXPECT_EQ(click("stop"), QStringList("stop"));
 }
 
@@ -501,6 +510,9 @@ TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   Q_EMIT robot_.answered(false, "stand: the robot fell");
   EXPECT_TRUE(textOf("status").endsWith("stand: the robot fell"));
+  EXPECT_TRUE(find<QLabel>("status")->styleSheet().contains("color"));
+  Q_EMIT robot_.answered(true, "stand: the robot stands");
+  EXPECT_EQ(find<QLabel>("status")->styleSheet(), "") << "it has succeeded";
 }
 
 TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
@@ -513,6 +525,8 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "");
   Q_EMIT robot_.batteryMeasured(0.19, 31.4);
   EXPECT_TRUE(find<QLabel>("battery")->styleSheet().contains("color"));
+  Q_EMIT robot_.batteryMeasured(0.9, 31.4);
+  EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "") << "it was charged";
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
   Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
   EXPECT_EQ(textOf("battery"), "");
@@ -545,6 +559,15 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   Q_EMIT robot_.heard(-20.4);
   EXPECT_EQ(find<QProgressBar>("level")->value(), -20);
   EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
+  const auto color = [this] { return find<QProgressBar>("level")->palette().color(QPalette::Highlight); };
+  const QColor usual = color();
+  Q_EMIT robot_.heard(-5);
+  EXPECT_NE(color(), usual) << "it is too loud";
+  Q_EMIT robot_.heard(-20);
+  EXPECT_EQ(color(), usual);
+  find<QAbstractButton>("listen")->click();
+  find<QAbstractButton>("listen")->click();
+  EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum()) << "nothing is heard yet";
   EXPECT_TRUE(QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); },
                               10000));
   open("Move");
@@ -602,6 +625,11 @@ TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
   EXPECT_EQ(bar->palette().color(QPalette::Highlight), usual);
   Q_EMIT robot_.distanceMeasured({"near", -std::numeric_limits<double>::infinity(), 0.5});
   EXPECT_EQ(bar->value(), 0);
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  robot_.connectIt();
+  Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
+  deleteLeftovers();
+  EXPECT_EQ(find<QProgressBar>("range_near")->format(), "near: 0.25 m") << "over the next connection, too";
 }
 
 TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
@@ -639,6 +667,9 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 70);
   EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";
+  Q_EMIT robot_.settingsDescribed({{"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}}});
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 50}, {"gain", 1}});
+  EXPECT_EQ(find<QComboBox>("gain")->currentText(), "low") << "another driver has fewer settings";
 }
 
 class JointSliderTest : public ::testing::Test {
@@ -685,6 +716,9 @@ TEST_F(JointSliderTest, FollowsAJointThatDoesNotArriveAfterSomeTime) {
         return slider_.slider()->value() == 600;
       },
       20000));
+  slider_.slider()->setValue(1000);
+  slider_.measure(0.6);
+  EXPECT_EQ(slider_.slider()->value(), 1000) << "it waits again after each command";
 }
 
 TEST_F(JointSliderTest, DoesNotFollowWhileItIsHeld) {
