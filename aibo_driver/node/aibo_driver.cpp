@@ -323,7 +323,7 @@ void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
   }
   camera_state_.update(picture, stamp, camera_.frameId());
   const auto now = std::chrono::steady_clock::now();
-  meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage().value_or(1), now);
+  meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage().value_or(0), now);
   adapter_.picturePublished(now, camera_.takenAt(picture));
 }
 

@@ -38,8 +38,8 @@ std::uint64_t LinkMeter::imagesDue(const aibo_client::Picture& picture, int ever
   const std::optional<std::uint32_t> before =
       picture.connection_number == connection_number_ ? last_image_ : std::nullopt;
   connection_number_ = picture.connection_number;
-  last_image_ = picture.image_count;
-  if (!before || !picture.image_count || *picture.image_count <= *before) {
+  last_image_ = every_nth_image > 0 ? picture.image_count : std::nullopt;
+  if (!before || every_nth_image == 0 || !picture.image_count || *picture.image_count <= *before) {
     return 0;
   }
   return std::max<std::uint64_t>((*picture.image_count - *before) / static_cast<std::uint32_t>(every_nth_image), 1);
@@ -53,7 +53,11 @@ LinkMeter::Reading LinkMeter::read(SteadyTime now, double asked_rate) {
   if (reading.pictures > 0) {
     reading.mean_latency = std::exchange(latency_sum_, 0) / static_cast<double>(reading.pictures);
   }
-  const double due = std::min(asked_rate, std::exchange(last_asked_rate_, asked_rate));
+  const double asked_before = std::exchange(last_asked_rate_, asked_rate);
+  if (asked_before > 0 && asked_rate == 0) {
+    last_image_.reset();  // the images of the pause are not due
+  }
+  const double due = std::min(asked_rate, asked_before);
   slow_for_ = reading.picturesPerSecond() < due / 2 ? slow_for_ + reading.seconds : 0;
   reading.slow_for = slow_for_;
   if (aged_ > 0) {

@@ -105,6 +105,23 @@ TEST_F(LinkMeterTest, ACountThatGoesBackIsNoLoss) {
   EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(40000)).loss.value(), 0);
 }
 
+TEST_F(LinkMeterTest, ImagesOfAPauseOfTheStreamAreNotMissed) {
+  arrive(0);
+  arrive(1);
+  meter_.read(begin_ + milliseconds(100), kCameraRate);
+  meter_.read(begin_ + milliseconds(1100), 0);
+  arrive(300);
+  arrive(301);
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(10000), kCameraRate).loss, 0);
+}
+
+TEST_F(LinkMeterTest, WithoutAStreamNoImageIsDue) {
+  for (const std::uint32_t image : {100U, 400U}) {  // of take_picture
+    meter_.add(pictureOf(image), 0, 0, begin_ + milliseconds(32 * image));
+  }
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(20000)).loss, std::nullopt);
+}
+
 TEST_F(LinkMeterTest, ImagesThatWereNotAskedForAreNotMissed) {
   for (const std::uint32_t image : {0U, 3U, 6U, 12U}) {
     meter_.add(pictureOf(image), 0, 3, begin_ + milliseconds(32 * image));
