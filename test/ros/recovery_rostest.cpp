@@ -1,5 +1,6 @@
 // How the driver recovers from faults of robot and network.
 
+#include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -36,6 +37,7 @@ TopicListener<Connection>::ConstPtr waitForState(TopicListener<Connection>& conn
 TEST(Recovery, PicturesComeAgainAfterTheReturnOfAKilledRobot) {
   SimulatedRobot robot;
   CompressedListener pictures("/killed/camera/image_raw/compressed");
+  TopicListener<aibo_driver::CameraState> camera_states("/killed/camera/state");
   TopicListener<Connection> connection("/killed/connection");
   DriverProcess driver("/killed", robot.port());
   ASSERT_FALSE(pictures.waitForCount(1).empty());
@@ -47,8 +49,10 @@ TEST(Recovery, PicturesComeAgainAfterTheReturnOfAKilledRobot) {
     EXPECT_NE(lost->reason, "");
     EXPECT_NE(lost->advice, "");
     pictures.clear();
+    camera_states.clear();
     robot.restart();
     EXPECT_FALSE(pictures.waitForCount(1).empty()) << "round " << round;
+    EXPECT_FALSE(camera_states.waitForCount(1).empty()) << "it tells when this robot was switched on";
     EXPECT_TRUE(waitForState(connection, Connection::CONNECTED));
   }
   EXPECT_TRUE(driver.isRunning());

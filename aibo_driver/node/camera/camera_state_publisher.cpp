@@ -40,9 +40,10 @@ CameraStatePublisher::CameraStatePublisher(const ros::NodeHandle& camera_handle)
 void CameraStatePublisher::update(const aibo_client::Picture& picture, const ros::Time& stamp,
                                   const std::string& frame_id) {
   CameraState state = cameraStateOf(picture, {});
-  if (last_ && isSameState(*last_, state)) {
+  if (last_ && connection_ == picture.connection_number && isSameState(*last_, state)) {
     return;
   }
+  connection_ = picture.connection_number;
   state.header.stamp = stamp;
   state.header.frame_id = frame_id;
   last_ = state;

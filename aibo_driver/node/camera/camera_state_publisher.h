@@ -7,6 +7,7 @@
 #include <ros/time.h>
 #include <std_msgs/Header.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,8 @@ CameraState cameraStateOf(const aibo_client::Picture& picture, const std_msgs::H
 /// True if both have the same size and settings. They may belong to different pictures.
 bool isSameState(const CameraState& one, const CameraState& other);
 
-/// Publishes the camera's state (camera/state), latched, when a picture comes that has another state.
+/// Publishes the camera's state (camera/state), latched, when a picture comes that has another state or is the first
+/// one of a connection: its frame number then belongs to this robot.
 class CameraStatePublisher {
  public:
   /// @param camera_handle the camera's namespace
@@ -34,6 +36,7 @@ class CameraStatePublisher {
  private:
   ros::Publisher publisher_;
   std::optional<CameraState> last_;
+  std::uint64_t connection_ = 0;
 };
 
 }  // namespace aibo_driver::node
