@@ -86,6 +86,7 @@ void JointCommander::receive(const sensor_msgs::JointState& message, const movem
 }
 
 void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order) {
+  sendCollected();
   if (message.points.empty()) {
     try {
       mover_.hold(order, order.source + " sent an empty trajectory");

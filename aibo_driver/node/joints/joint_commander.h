@@ -50,11 +50,11 @@ class JointCommander {
 
   void receive(const sensor_msgs::JointState& message, const movement::Order& order);
   void receive(const trajectory_msgs::JointTrajectory& message, const movement::Order& order);
+  void receivePosition(const std::string& joint, double position, const movement::Order& order);
 
  private:
   template <typename Bounded>
   void receiveBounded(const ros::MessageEvent<Bounded const>& event, movement::Movement::Kind kind);
-  void receivePosition(const std::string& joint, double position, const movement::Order& order);
   void sendCollected();
 
   const movement::JointTable& table_;

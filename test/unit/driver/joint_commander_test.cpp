@@ -110,6 +110,20 @@ TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   EXPECT_THAT(mover_.state().ended[0].reason, ::testing::HasSubstr("header.stamp"));
 }
 
+TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryDoesNotReplaceIt) {
+  arriveAt(0.0);
+  commander_.receivePosition("head_pan", 0.5, order());
+  trajectory_msgs::JointTrajectory message;
+  message.joint_names = {"head_pan"};
+  message.points.resize(1);
+  message.points[0].positions = {1.0};
+  message.points[0].time_from_start = ros::Duration(2);
+  commander_.receive(message, order());
+  EXPECT_EQ(client_.told.at(0), "J 2:0.50 in 0");
+  ASSERT_EQ(mover_.state().movements.size(), 1u);
+  EXPECT_EQ(mover_.state().movements[0].kind, movement::Movement::Kind::kTrajectory);
+}
+
 TEST_F(JointCommanderTest, KnowsACommandOfLookAt) {
   sensor_msgs::JointState message;
   message.header.frame_id = JointCommander::kLookAt;
