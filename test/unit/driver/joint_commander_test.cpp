@@ -110,6 +110,28 @@ TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   EXPECT_THAT(mover_.state().ended[0].reason, ::testing::HasSubstr("header.stamp"));
 }
 
+TEST_F(JointCommanderTest, APositionThatCameBeforeAMessageIsSentBeforeIt) {
+  arriveAt(0.0);
+  commander_.receivePosition("head_pan", 0.5, order());
+  command({{"head_pan", 1.0}});
+  EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "J 2:1.00 in 0"));
+}
+
+TEST_F(JointCommanderTest, PositionsOfTwoNodesAreTwoMovements) {
+  const auto receive = [this](const std::string& joint, const std::string& source) {
+    commander_.receivePosition(joint, 0.0, {source, std::chrono::steady_clock::now()});
+  };
+  receive("head_pan", "/anna");
+  receive("head_tilt", "/anna");
+  receive("mouth", "/bert");
+  command({{"neck_tilt", 0.0}});
+  ASSERT_EQ(mover_.state().movements.size(), 3u);
+  EXPECT_EQ(mover_.state().movements[0].source, "/anna");
+  EXPECT_THAT(mover_.state().movements[0].joints, ElementsAre("head_pan", "head_tilt"));
+  EXPECT_EQ(mover_.state().movements[1].source, "/bert");
+  EXPECT_THAT(mover_.state().movements[1].joints, ElementsAre("mouth"));
+}
+
 TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryDoesNotReplaceIt) {
   arriveAt(0.0);
   commander_.receivePosition("head_pan", 0.5, order());
