@@ -6,9 +6,12 @@
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
+#include <chrono>
 #include <string>
+#include <thread>
 
 #include "support/proxy/fault_proxy.h"
+#include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
@@ -71,6 +74,34 @@ TEST(Colors, TheMaskHasThePixels) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->encoding, "rgb8");
   EXPECT_EQ(found->width, 104U);
+}
+
+TEST(Colors, TheRobotSendsTheMaskOnlyWhileSomebodyWantsIt) {
+  SimulatedRobot robot;
+  const test_support::RecordingProxy proxy(robot.port());
+  DriverProcess driver("/no_mask", proxy.port());
+  const auto sends_mask = [&proxy](bool wanted) {
+    const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
+    const auto is_on = [](const auto& request) { return request.id == 1; };
+    while (std::chrono::steady_clock::now() < end) {
+      const auto requests = proxy.requestsFromDriver("Z");
+      const auto last = std::find_if(requests.rbegin(), requests.rend(), is_on);
+      if (last != requests.rend() && (last->payload.at(2) != 0) == wanted) {
+        return true;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return false;
+  };
+  RegionsListener regions("/no_mask/color_regions");
+  EXPECT_TRUE(sends_mask(false));
+  for (int i = 0; i < 2; ++i) {
+    {
+      const MaskListener masks("/no_mask/color_mask");
+      EXPECT_TRUE(sends_mask(true));
+    }
+    EXPECT_TRUE(sends_mask(false));
+  }
 }
 
 TEST(Colors, ATableIsLoadedWhileTheDriverRunsAndAgainAfterAReconnect) {

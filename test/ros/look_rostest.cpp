@@ -3,8 +3,10 @@
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -18,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "support/ros/joint_user.h"
@@ -236,6 +239,28 @@ TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
   EXPECT_TRUE(markers.waitFor([&shines](const MarkerArray& array) {
     return !shines(array, "port/base_link") && shines(array, "port/mouth_link");
   })) << "no LED is known to shine without a connection";
+}
+
+TEST(Lights, ListenOnlyWhileSomebodyListensToThem) {
+  const Process node({AIBO_LIGHTS, "__ns:=/dark"});
+  ros::NodeHandle handle("/dark");
+  const ros::Publisher leds = handle.advertise<aibo_driver::LedStates>("led_states", 1);
+  const ros::Publisher touch = handle.advertise<aibo_driver::Touch>("touch", 1);
+  const auto listens = [&](std::uint32_t count) {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    const auto is_so = [&] { return leds.getNumSubscribers() == count && touch.getNumSubscribers() == count; };
+    while (!is_so() && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    return is_so();
+  };
+  for (int i = 0; i < 2; ++i) {
+    {
+      const TopicListener<MarkerArray> viewer("/dark/lights");
+      EXPECT_TRUE(listens(1));
+    }
+    EXPECT_TRUE(listens(0));
+  }
 }
 
 TEST(Room, IsShownWithTheBallWhereItIsNow) {

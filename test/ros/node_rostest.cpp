@@ -411,6 +411,7 @@ TEST_F(Decoder, NodeSubscribesOnlyWhileItHasSubscribersAndKeepsTheHeader) {
   decoder.waitForOutput("/bag/camera/image_raw/compressed", kSafetyNet);
   EXPECT_EQ(publisher_.getNumSubscribers(), 0u);
   decodesWhileItHasSubscribers();
+  decodesWhileItHasSubscribers();
   EXPECT_TRUE(decoder.isRunning());
 }
 
