@@ -2,6 +2,7 @@
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/LinkQuality.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -48,6 +49,7 @@ TEST(Recovery, PicturesComeAgainAfterTheReturnOfAKilledRobot) {
     ASSERT_TRUE(lost);
     EXPECT_NE(lost->reason, "");
     EXPECT_NE(lost->advice, "");
+    EXPECT_EQ(lost->transport, "");
     pictures.clear();
     camera_states.clear();
     robot.restart();
@@ -69,6 +71,8 @@ TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->text, HasSubstr("127.0.0.1:" + std::to_string(robot->port())));
   EXPECT_NE(failed->advice, "");
+  const auto quality = TopicListener<aibo_driver::LinkQuality>("/absent/link_quality").waitForNext();
+  EXPECT_TRUE(quality && quality->transport.empty());
   const auto status = diagnostics.waitFor("absent/aibo_driver: connection", [](const auto& s) {
     return s.level == diagnostic_msgs::DiagnosticStatus::ERROR;
   });
