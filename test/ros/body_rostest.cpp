@@ -369,6 +369,16 @@ TEST(Robot, RebootsAndShutsDownIfItsSettingsAllowIt) {
   EXPECT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
 }
 
+// Such a server sends one sensor after the other.
+TEST(TouchTopic, OfAVersion1ServerHasWhatCameBeforeAnybodyListened) {
+  const BodyUser user("/touch_before", {"--protocol-version", "1"});
+  ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
+  ASSERT_GE(TopicListener<Range>("/touch_before/range/chest").waitForCount(3).size(), 3u) << "it has sent them all";
+  const auto first = TopicListener<Touch>("/touch_before/touch").waitForNext();
+  ASSERT_TRUE(first);
+  EXPECT_TRUE(first->chin);
+}
+
 TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
   BodyUser user("/version_1", {"--protocol-version", "1"});
   TopicListener<Range> ranges("/version_1/range/chest");

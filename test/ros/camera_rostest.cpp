@@ -13,6 +13,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -276,6 +277,16 @@ TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
   EXPECT_EQ(info.width, 208u);
   EXPECT_NEAR(info.K[0], 191.9, 0.1);
   EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends 208x160", kTimeToLog));
+}
+
+TEST(Calibration, ThatCannotBeStoredIsNotUsed) {
+  CalibrationUser user("/calibration_unstored");
+  ASSERT_EQ(user.next().width, 208u);
+  ASSERT_TRUE(std::filesystem::create_directory(user.file())) << "in the place of the file";
+  const auto refused = user.set(goodCalibration());
+  EXPECT_FALSE(refused.success);
+  EXPECT_THAT(refused.status_message, HasSubstr("stays as it was"));
+  EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one stays";
 }
 
 TEST(Calibration, OfTwoRobotsIsInTwoFiles) {

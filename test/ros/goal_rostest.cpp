@@ -132,10 +132,11 @@ TEST(Goal, ANewGoalOnTheTopicReplacesTheOneOfTheAction) {
   GoalUser user("/replaces");
   Going there(user.go_to, goalAt(2));
   ASSERT_TRUE(user.walksTowards(0.1));
-  user.publish("goal", poseAt(0.3));
+  user.publish("goal", poseAt(0.6));
   EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(there.result()->end, EndedMovement::REPLACED);
-  EXPECT_TRUE(user.isAt(0.3, 0, 0));
+  user.publish("goal", poseAt(5, 0, 0, "map"));  // is refused, and does not end the walk
+  EXPECT_TRUE(user.isAt(0.6, 0, 0));
   EXPECT_TRUE(user.state.waitFor([](const MotionState& each) { return lastEnd(each).how == EndedMovement::DONE; }));
 }
 

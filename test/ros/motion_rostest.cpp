@@ -199,6 +199,28 @@ TEST(MotionStateTopic, SaysWhatMovesTheRobotAndHowItEnded) {
   }));
 }
 
+// A message has eight ends, so the first ones are no longer in the last message.
+TEST(MotionStateTopic, SaysEachEndOnceAndInOrder) {
+  JointUser user("/ends", kQuick);
+  TopicListener<MotionState> states("/ends/motion_state");
+  ASSERT_TRUE(states.waitForNext());
+  constexpr int kLast = 19;
+  for (int i = 10; i <= kLast; ++i) {
+    user.publish("joint_command", command({{"eye_" + std::to_string(i), 0}}));
+  }
+  const auto numberIn = [](const MotionState& state) {
+    const std::string reason = lastEnd(state).reason;
+    const std::size_t place = reason.find("eye_");
+    return place == std::string::npos ? 0 : std::stoi(reason.substr(place + 4));
+  };
+  EXPECT_TRUE(states.waitFor([&](const MotionState& state) { return numberIn(state) == kLast; }));
+  int before = 0;
+  for (const auto& state : states.waitForCount(0)) {
+    EXPECT_GE(numberIn(*state), before);
+    before = numberIn(*state);
+  }
+}
+
 TEST(MotionStateTopic, SaysThatACommandEndedAMotion) {
   JointUser user("/motion_lost", kQuick);
   TopicListener<MotionState> states("/motion_lost/motion_state");

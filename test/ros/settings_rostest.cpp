@@ -282,6 +282,9 @@ TEST(Settings, OfTheCameraAreSeenInThePictures) {
   }));
   user.set(whole("gain", CameraState::GAIN_HIGH));
   EXPECT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_HIGH; }));
+  states.clear();
+  images.waitForCount(images.count() + 3);
+  EXPECT_EQ(states.count(), 0u) << "nothing has changed";
 }
 
 TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {

@@ -296,6 +296,8 @@ TEST(Monitor, SaysWhoHasStoppedTheRobot) {
   driver.stop("/user");
   Process monitor({AIBO_MONITOR, "__ns:=/watched"});
   monitor.waitForOutput("stopped by /user, until release", kSafetyNet);
+  driver.release();
+  monitor.waitForOutput("until release\\nno pictures: no driver in namespace /watched yet\\n", kSafetyNet);
 }
 
 // A node that takes the connection and says nothing. It would keep a monitor from its next line for ever.
