@@ -222,7 +222,7 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
   is_orphan_ = false;
   ends_ = false;
   frames_since_steered_ = 0;
-  if (guarded && !is_guarded_) {
+  if (!guarded) {  // meanwhile it does not look
     guard_.Forget();
   }
   is_guarded_ = guarded;

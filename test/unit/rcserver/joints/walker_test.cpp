@@ -463,6 +463,24 @@ TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture; let go first"));
 }
 
+// While it walks without the guard, nobody looks, and it may turn away from an edge.
+TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
+  const Velocity ahead = {0.1, 0, 0};
+  walk();
+  joints_.Steer(ahead, true);
+  for (int i = 0; i < 3; ++i) {
+    walker().HaveLooked({0.9, 2, 2, {}, {true, true, true, true}});  // no floor before its chest
+  }
+  passUntilIdle();
+  EXPECT_THAT(ends(), ElementsAre(HasSubstr("the floor ends ahead")));
+  joints_.Steer({0, 0, 0});
+  EXPECT_THAT(walker().ProblemOfWalk(true, &ahead), HasSubstr("the floor ends ahead"));
+  walk({0, 0, 0.5});
+  joints_.Steer({0, 0, 0});
+  passUntilIdle();
+  EXPECT_EQ(walker().ProblemOfWalk(true, &ahead), nullptr);
+}
+
 TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   joints_.Take(POSTURE_REST);
   pass(60);
