@@ -214,8 +214,8 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
     const int joint = joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG];
     planner_.SetSpeedLimit(joint, robot_.joints[joint].highest_speed);
   }
+  std::fill(levels_, levels_ + LEVELLED, false);
   if (!IsWalk()) {
-    std::fill(levels_, levels_ + LEVELLED, false);
     Begin(true, POSTURE_STAND);
   }
   ReplaceNext(WALK_BEGAN);

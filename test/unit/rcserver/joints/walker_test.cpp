@@ -520,6 +520,11 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   EXPECT_EQ(position("neck_tilt"), -174533) << "the others are levelled";
   joints_.Steer({0.1, 0, 0});
   EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest is over";
+  take(POSTURE_STAND);
+  walk();
+  joints_.Take(POSTURE_REST);
+  joints_.Steer({0.1, 0, 0});
+  EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest does not follow the walk any more";
 }
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
