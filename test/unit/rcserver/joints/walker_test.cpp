@@ -496,6 +496,7 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   EXPECT_TRUE(wanted_motors_off);
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has not asked for it";
+  take(POSTURE_STAND);
   walk();
   joints_.Take(POSTURE_REST);
   joints_.ClientGone();
