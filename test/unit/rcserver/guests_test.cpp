@@ -74,6 +74,23 @@ TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
   EXPECT_TRUE(isAgreedToVersion2(*next));
 }
 
+TEST_F(GuestsTest, ThatAreTurnedAwayLeaveNothingForTheNextOnTheirConnection) {
+  auto guest = comeWith(kRefused);
+  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*guest));
+  reconnect();
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "and nothing is answered that only the guest has asked";
+}
+
+TEST_F(GuestsTest, ThatTakeThePlaceOfASilentClientAreNotSilentThemselves) {
+  disconnect();
+  client_ = connectServed();
+  passFrames(11 * kFramesASecond);
+  auto next = comeWith(request('X', 2));
+  EXPECT_TRUE(isAgreedToVersion2(*next));
+  passFrames(4);
+  EXPECT_FALSE(next->ended());
+}
+
 // A web page's connection would end the one of a client in an outage.
 TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
   passFrames(kOutage);
