@@ -203,6 +203,15 @@ TEST_F(WalkGuardTest, ElsewhereItKnowsNoGround) {
   EXPECT_THAT(objection(right), HasSubstr("no sensor looks there"));
 }
 
+TEST_F(WalkGuardTest, ElsewhereItKnowsNothingThatIsInTheWay) {
+  for (const WalkGuard::Reading& reading : {atEdge(), beforeWall(0.05)}) {
+    look(reading);
+    EXPECT_NE(objection(kForward), "");
+    guard_.Forget();
+    EXPECT_EQ(objection(kForward), "");
+  }
+}
+
 TEST_F(WalkGuardTest, ItRemembersAnEdgeThatItDoesNotSeeAnyMore) {
   look(atEdge());
   walk(kTurn, 3.14, onFloor());  // a quarter to the left, so that the edge is on its right
