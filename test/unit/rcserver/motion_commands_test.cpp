@@ -274,6 +274,7 @@ TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
   EXPECT_EQ(answerTo(::frame('V', 0, 1, std::string("\2\0\0\0\0\x0f\x42\x40", 8))).front(), 'v') << "1 rad/s";
   EXPECT_THAT(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
               HasSubstr("; 1 step is too fast, so it takes 2.98 s, which is 1.38 s longer"));
+  EXPECT_THAT(console_.str(), HasSubstr("; 1 step is too fast")) << "this is new";
   EXPECT_EQ(answerTo(play("WAG.MTN", 1, TELL_CHANGES)), "p") << "as it is in the file";
 }
 
