@@ -333,6 +333,31 @@ TEST_F(DatagramsTest, WithoutAnotherLossTheParitiesEnd) {
   EXPECT_EQ(with_parity, 64U);
 }
 
+TEST_F(DatagramsTest, AParityThatIsCutByAChangeOfThePortIsForgotten) {
+  UdpSocket first;
+  UdpSocket second;
+  robot_.showNoise();
+  streamTo(second);
+  for (unsigned sent = 1; sent <= PARTS_PER_PARITY + 1; ++sent) {
+    switchOn(first);
+    takeImage();
+    partsAt(first);
+    first.reply(lossReport(0));
+    unsigned received = 0;
+    ASSERT_TRUE(machine_->runUntil([&] {
+      clock_.step();
+      received += first.next().has_value() ? 1 : 0;
+      return received == sent;
+    }));
+    switchOn(second);
+    takeImage();
+    const std::vector<ReceivedPart> parts = partsAt(second);
+    ASSERT_FALSE(parts.empty());
+    EXPECT_FALSE(hasParity(parts));
+    EXPECT_EQ(joined(parts).size(), parts.front().header.jpeg_size) << sent;
+  }
+}
+
 TEST_F(DatagramsTest, OnlyTheClientReportsLosses) {
   UdpSocket receiver;
   UdpSocket stranger;
@@ -550,6 +575,45 @@ TEST_F(RepeatedDatagramsTest, APictureThatIsRepairedDoesNotHoldUpTheNextButOne) 
   EXPECT_THAT(nextPicture(receiver), IsEmpty()) << "the same";
   tell(receiver, 702);
   EXPECT_FALSE(nextPicture(receiver).empty());
+}
+
+TEST_F(RepeatedDatagramsTest, ANewOrderCutsARepairAndKnowsNothingOfIt) {
+  UdpSocket first;
+  UdpSocket second;
+  robot_.showNoise();
+  orderTo(first);
+  nextPicture(first);
+  tell(first, 700, 0, ~0U);
+  ASSERT_TRUE(machine_->runUntil([&] { return first.next().has_value(); })) << "a repeated part";
+  orderTo(second, 0, 900);
+  for (const unsigned picture : {900U, 901U}) {
+    const std::vector<ReceivedPart> parts = nextPicture(second);
+    ASSERT_FALSE(parts.empty());
+    EXPECT_EQ(parts.front().header.picture, picture);
+    EXPECT_EQ(joined(parts).size(), parts.front().header.jpeg_size);
+  }
+  EXPECT_THAT(nextPicture(second), IsEmpty()) << "two are on their way";
+}
+
+TEST_F(RepeatedDatagramsTest, APictureThatIsReplacedIsNotRepeatedAnyMore) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  const unsigned image = nextPicture(receiver).front().header.image.image_count;
+  nextPicture(receiver);
+  tell(receiver, 700, 1, 1);
+  nextPicture(receiver);  // the third one, which does not wait for the repair
+  encoder_.slowDown();
+  passFrames(200);  // so long that the fourth one does not wait for an acknowledgement
+  partsAt(receiver);
+  ASSERT_TRUE(encoder_.hasJob());
+  tell(receiver, 700, 0, ~0U);
+  ASSERT_TRUE(machine_->runUntil([&] { return receiver.next().has_value(); })) << "a repeated part";
+  encoder_.speedUp();
+  encoder_.obey();
+  for (const ReceivedPart& part : nextPicture(receiver)) {
+    EXPECT_TRUE(part.header.picture != 700 || part.header.image.image_count == image);
+  }
 }
 
 TEST_F(RepeatedDatagramsTest, OnlyTheClientsStatusCounts) {
