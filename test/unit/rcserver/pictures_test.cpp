@@ -250,6 +250,10 @@ TEST_F(PicturesTest, ConsoleCountsTheImagesThatTheEncoderMissed) {
   EXPECT_EQ(pictures().size(), 4U);
   answerTo('W', 85, kStreamOff);
   EXPECT_THAT(console_.str(), HasSubstr("stream off after 4 pictures, 1 camera images left out\n"));
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  answerTo('W', 85, kStreamOff);
+  EXPECT_THAT(console_.str(), HasSubstr("stream off after 1 pictures, 0 camera images left out\n"));
 }
 
 TEST_F(PicturesTest, EachStreamIsCountedByItself) {
@@ -262,6 +266,13 @@ TEST_F(PicturesTest, EachStreamIsCountedByItself) {
     takeImage();
   }
   EXPECT_THAT(console_.str(), Not(HasSubstr("stream off after 4")));
+}
+
+TEST_F(PicturesTest, ConsoleNamesNoStreamOfAClientThatHasGone) {
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  reconnect();
+  EXPECT_THAT(console_.str(), Not(HasSubstr("stream off")));
 }
 
 // The camera counts its images in 16 bits.
@@ -399,6 +410,21 @@ TEST_F(UnreadPictureTest, PictureIsFinishedAndTheNextOneIsTheNewest) {
   const std::optional<Frame> next = nextPicture();
   ASSERT_TRUE(next);
   EXPECT_EQ(imageCount(*next), robot_.lastImage());
+}
+
+// The server has two connections, so the one that was cut off serves the next client or the next but one.
+TEST_F(UnreadPictureTest, ClientsAfterAPictureThatWasCutOffGetTheirs) {
+  send(frame('F', 100, 5, kLayerHigh));
+  takeImage();
+  client_->reset();
+  machine_->runPending();
+  for (int i = 0; i < 2; ++i) {
+    client_ = connect();
+    send(request('F', 20));
+    takeImage();
+    EXPECT_EQ(awaitLetter(*client_), protocol::REPLY_PICTURE) << i;
+    disconnect();
+  }
 }
 
 TEST_F(UnreadPictureTest, WaitingImageIsEncodedWhenThePictureIsFinished) {
