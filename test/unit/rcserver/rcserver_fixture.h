@@ -294,6 +294,15 @@ class FakeRobotFixture : public RCServerFixture {
     sendAll(bytes);
   }
 
+  /// A client of version 2 that does not read a large picture yet, so that everything else waits.
+  void connectBehindAPicture() {
+    disconnect();
+    robot_.showNoise();
+    connectVersion2(4096);
+    send(frame('F', 100, 999, kLayerHigh));
+    takeImage();
+  }
+
   /// What the robot tells of its motors and its posture is skipped.
   std::optional<Frame> nextFrame() {
     std::optional<Frame> next;
