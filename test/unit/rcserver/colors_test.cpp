@@ -202,6 +202,33 @@ TEST_F(ColorsTest, AClientThatReadsLateGetsTheNewest) {
   EXPECT_LT(images.size(), 60U) << "what could not be sent was dropped";
 }
 
+TEST_F(ColorsTest, NewSettingsHoldFromTheNextImageOn) {
+  switchOn(100);
+  nextImage();
+  switchOn(100, true);
+  EXPECT_TRUE(nextImage().regions.has_plane);
+}
+
+TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOff) {
+  connectBehindAPicture();
+  send(frame('Z', COLORS_ON, 1, colorSettings(1)));
+  takeImage();
+  send(frame('Z', COLORS_OFF, 2));
+  std::optional<Frame> next = nextFrame();
+  while (next && next->header.request_number != 2) {
+    next = nextFrame();
+  }
+  EXPECT_THAT(pushed(), IsEmpty());
+}
+
+TEST_F(ColorsTest, WhatAClientDidNotReadIsNotForTheNext) {
+  connectBehindAPicture();
+  send(frame('Z', COLORS_ON, 1, colorSettings(1)));
+  takeImage();
+  reconnect();
+  EXPECT_THAT(pushed(), IsEmpty());
+}
+
 TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
   load(tableOf(0));
   ColorTable empty = tableOf(0);

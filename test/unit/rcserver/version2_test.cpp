@@ -294,6 +294,10 @@ TEST_F(Version2Test, PicturesTellTheCamerasSettingsToAClientThatKnowsThem) {
   answerTo('G', SETTING_SHUTTER_SPEED, "\x03");
   takeImage();
   EXPECT_THAT(nextPicture().image.settings.values, ElementsAre(3, 2, 3, 0, 0));
+  reconnect();
+  answerTo('W', 85, stream(true));
+  takeImage();
+  EXPECT_FALSE(nextPicture().image.settings.areKnown()) << "the next client may be an older one";
 }
 
 // ---------------------------------------------------------------------------------------------------------- F and W
@@ -538,6 +542,27 @@ TEST_F(Version2Test, ClientThatDoesNotReadGetsOnlyTheNewestTelemetry) {
     machine_->runPending();
   }
   EXPECT_LT(late, 20);
+}
+
+TEST_F(Version2Test, TelemetryWithANewPeriodBeginsAtOnce) {
+  answerTo('T', 0, period(4));
+  passFrames(8);
+  telemetry();
+  answerTo('T', 0, period(400));
+  passFrames(4);
+  EXPECT_EQ(telemetry().size(), 1U);
+}
+
+TEST_F(Version2Test, NoTelemetryFollowsTheAnswerThatEndsIt) {
+  connectBehindAPicture();
+  send(frame('T', 0, 1, period(4)));
+  passFrames(4);
+  send(frame('T', 0, 2, period(0)));
+  std::optional<Frame> next = nextFrame();
+  while (next && next->header.request_number != 2) {
+    next = nextFrame();
+  }
+  EXPECT_TRUE(telemetry().empty());
 }
 
 // --------------------------------------------------------------------------------------------------------------- O
