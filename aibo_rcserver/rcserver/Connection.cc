@@ -72,7 +72,6 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
 void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   state_ = CONNECTED;
   sending_ = false;
-  unsent_size_ = 0;
   receiving_ = false;
   received_begin_ = 0;
   received_end_ = 0;

@@ -45,7 +45,6 @@ void Microphone::Set(const MicrophoneSettings& settings) {
   }
   settings_ = settings;
   memset(last_, 0, sizeof(last_));
-  next_ = 0;
   left_out_ = false;
 }
 

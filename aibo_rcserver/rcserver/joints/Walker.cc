@@ -491,14 +491,12 @@ void Walker::Begin(bool is_walk, Posture posture) {
   posture_ = posture;
   gets_up_ = HasFallen();
   attempts_ = 0;
-  ends_ = false;
   velocity_ = NO_VELOCITY;
   expected_ = NO_VELOCITY;
   missing_ = NO_VELOCITY;
   correction_ = NO_VELOCITY;
   effort_ = 0;
   phase_ = 0;
-  frames_since_steered_ = 0;
   PlanWay(false);
   BeginNextStage();
 }
