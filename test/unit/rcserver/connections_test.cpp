@@ -47,11 +47,15 @@ class ConnectionsTest : public FakeRobotFixture {
 // Internet Protocol Version4, 2.7: an orderly close lasts until the other side has closed, too. The server aborts one
 // that takes too long.
 TEST_F(ConnectionsTest, ClientsThatNeverCloseAreForgottenWithinTwoSeconds) {
-  const auto first = connectAndBreakTheProtocol();
-  const auto second = connectAndBreakTheProtocol();
-  passFrames(250 + 8);
-  auto third = connect();
-  EXPECT_TRUE(isServed(*third));
+  for (int i = 0; i < 2; ++i) {
+    const auto first = connectAndBreakTheProtocol();
+    const auto second = connectAndBreakTheProtocol();
+    passFrames(250 + 8);
+    auto third = connect();
+    EXPECT_TRUE(isServed(*third)) << i;
+    third->close();
+    machine_->runPending();
+  }
 }
 
 TEST_F(ConnectionsTest, LastMessageArrivesThoughTheServerCloses) {
@@ -65,10 +69,14 @@ TEST_F(ConnectionsTest, LastMessageArrivesThoughTheServerCloses) {
 }
 
 TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotAbortedForTwoSeconds) {
-  const auto client = connectAndBreakTheProtocol();
-  passFrames(240);
-  EXPECT_TRUE(awaitEnd(*client));
-  EXPECT_FALSE(client->wasReset());
+  for (int i = 0; i < 3; ++i) {  // two connections, so that the last one has been closed before
+    const auto client = connectAndBreakTheProtocol();
+    passFrames(240);
+    EXPECT_TRUE(awaitEnd(*client));
+    EXPECT_FALSE(client->wasReset()) << i;
+    client->close();
+    machine_->runPending();
+  }
   const auto another = connectAndBreakTheProtocol();
   passFrames(260);
   EXPECT_TRUE(another->wasReset());
