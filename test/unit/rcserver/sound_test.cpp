@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "protocol/sound_requests.h"
+#include "rcserver/Outbox.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -445,9 +446,14 @@ TEST_F(SoundTest, AnEndForWhichThereIsNoRoomIsToldLater) {
   EXPECT_EQ(ends_[0].how, END_DONE);
 }
 
+// The last answer for which there is room is that to the second sound.
 TEST_F(SoundTest, TwoEndsForWhichThereIsNoRoomAreBothToldLater) {
-  play(0, samplesOf(mark, 0, 1000));
-  stallBehind(frame('A', SOUND_SPEAKER, 77, playedPayload(0, samplesOf(mark, 0, 2000), true)));
+  connectBehindAPicture();
+  std::string bytes = frame('A', SOUND_SPEAKER, 76, playedPayload(0, samplesOf(mark, 0, 1000)));
+  for (size_t i = 1; i < 3 * Outbox::MAX_REPLY_SIZE / 10; ++i) {
+    bytes += frame('T', 0, 1, std::string(2, '\0'));  // is answered by 10 bytes
+  }
+  sendAll(bytes + frame('A', SOUND_SPEAKER, 77, playedPayload(0, samplesOf(mark, 0, 2000), true)));
   passFrames(40);
   for (int i = 0; i < 100 && ends_.size() < 2; ++i) {
     pass(1);
