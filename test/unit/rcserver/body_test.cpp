@@ -399,6 +399,19 @@ TEST_F(BodyTest, PowerOrderThatTheRobotRefusesIsForgotten) {
   }
 }
 
+TEST_F(BodyTest, ConsoleNamesNoReasonOfAnEarlierPowerOrder) {
+  startWith("ALLOW_SHUT_DOWN=yes\n");
+  failing_shutdowns = 1;
+  robot_.power_status.robotStatus |= orsbPAUSE;
+  passFrames(1);
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("is gone: the pause button was pressed"));
+  client_ = connectServed();
+  client_->send(request('Q', 0, 0));
+  EXPECT_TRUE(awaitEnd(*client_));
+  EXPECT_THAT(console_.str(), HasSubstr("is gone: it switched the robot off"));
+}
+
 TEST_F(BodyTest, RequestsAfterAShutDownAreNotCarriedOut) {
   startWith("ALLOW_SHUT_DOWN=yes");
   client_->send(request('Q', 0, 0) + request('L', kHeadColor, 1));
