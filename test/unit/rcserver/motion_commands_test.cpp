@@ -275,6 +275,11 @@ TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
   EXPECT_THAT(answerTo(play("FAST.MTN", 1, TELL_CHANGES)),
               HasSubstr("; 1 step is too fast, so it takes 2.98 s, which is 1.38 s longer"));
   EXPECT_THAT(console_.str(), HasSubstr("; 1 step is too fast")) << "this is new";
+  EXPECT_EQ(answerTo(play("", 0)), "p");
+  EXPECT_EQ(answerTo(::frame('V', 0, 1, std::string("\2\0\0\0\x7f\xff\xff\xff", 8))).front(), 'v');
+  EXPECT_EQ(answerTo(play("FAST.MTN", 1)), "p");
+  const std::string first = "FAST.MTN: 2 positions are clipped, by up to 3.0 degrees (head_pan at 160 ms)\n";
+  EXPECT_EQ(console_.str().find(first), console_.str().rfind(first)) << "the console still knows that it has this";
   EXPECT_EQ(answerTo(play("WAG.MTN", 1, TELL_CHANGES)), "p") << "as it is in the file";
 }
 
