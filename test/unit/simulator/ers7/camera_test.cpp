@@ -61,13 +61,14 @@ class TestPicture : public PictureSource {
     last_seconds = seconds;
     last_image_number = image_number;
     last_settings = settings;
-    return image_;
+    return shows_other ? other_ : image_;
   }
 
   bool hasConstantPictures() const override { return is_constant; }
   void setFirstPixel(byte y) { image_.y[0] = y; }
 
   bool is_constant = false;
+  bool shows_other = false;
   int times_drawn = 0;
   double last_head_pan = -1;
   double last_x = -1;
@@ -77,6 +78,7 @@ class TestPicture : public PictureSource {
 
  private:
   YCrCbImage image_;
+  YCrCbImage other_;
 };
 
 OFbkImageVectorData* vectorIn(RCRegion* region) {
@@ -303,6 +305,19 @@ TEST_F(CameraTest, AConstantPictureIsWrittenToARegionOnce) {
   source_.setFirstPixel(7);  // against the promise, to see whether it is written
   EXPECT_EQ(firstPixel(104, ofbkimageLAYER_H), 0);
   EXPECT_EQ(firstPixel(108, ofbkimageLAYER_M), 7) << "with everything";
+}
+
+TEST_F(CameraTest, AConstantPictureIsWrittenAgainAfterAnotherOne) {
+  source_.is_constant = true;
+  source_.setFirstPixel(7);
+  const auto firstPixel = [this](longword frame) {
+    return bandOf(camera_.capture(frame), ofbkimageLAYER_H, ofbkimageBAND_Y).Pixel(0, 0);
+  };
+  EXPECT_EQ(firstPixel(100), 7);
+  source_.shows_other = true;
+  bandOf(camera_.capture(104), ofbkimageLAYER_M, ofbkimageBAND_Y).Pixel(0, 0);  // draws everything
+  source_.shows_other = false;
+  EXPECT_EQ(firstPixel(108), 7);
 }
 
 TEST_F(CameraTest, TheInfosContainCameraAndFrame) {
