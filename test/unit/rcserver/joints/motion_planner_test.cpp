@@ -569,6 +569,21 @@ TEST(MotionPlanner, LetsAWaitingJointMoveAsFarAsItCan) {
   EXPECT_EQ(planner.Speed(rotator), 0);
 }
 
+TEST(MotionPlanner, LetsAWaitingJointMoveDownAsFarAsItCan) {
+  MotionPlanner planner(ers7());
+  const int rotator = joint("left_front_rotator");
+  const int elevator = joint("left_front_elevator");
+  std::vector<JointTarget> targets = {{rotator, microradians(-100)}, {elevator, microradians(20)}};
+  setTargets(planner, targets, 0);
+  runUntilAllHaveArrived(planner);
+  planner.SetSpeedLimit(rotator, 125);
+  targets = {{rotator, 0}, {elevator, microradians(-10)}};
+  setTargets(planner, targets, 0);
+  run(planner, 50);
+  EXPECT_EQ(planner.Position(elevator), microradians(-1));
+  EXPECT_EQ(planner.Speed(elevator), 0);
+}
+
 TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
   MotionPlanner planner(ers7());
   const int rotator = joint("right_hind_rotator");
