@@ -32,9 +32,9 @@ class WalkGuardTest : public ::testing::Test {
     return reading;
   }
 
-  void look(const WalkGuard::Reading& reading, int reports = 3) {
+  void look(const WalkGuard::Reading& reading, int reports = 3, const Gait& gait = Gait()) {
     LegAngles legs[NUMBER_OF_LEGS];
-    gait_.FindPosture(0, {0, 0, 0}, 0, legs);
+    gait.FindPosture(0, {0, 0, 0}, 0, legs);
     for (int i = 0; i < reports; ++i) {
       guard_.Look(reading, legs, 0, nullptr);
     }
@@ -109,15 +109,20 @@ TEST_F(WalkGuardTest, ALeaningBodyMakesTheWayToTheFloorLongerAndIsNoEdge) {
 }
 
 TEST_F(WalkGuardTest, TheLegsSayHowFarTheFloorShouldBe) {
-  LegAngles legs[NUMBER_OF_LEGS];
   GaitParameters high;
   high.in_place.nose_down = -0.2;  // looks farther ahead
-  Gait(high).FindPosture(0, {0, 0, 0}, 0, legs);
   WalkGuard::Reading reading = onFloor();
   reading.chest = 0.40;
-  for (int i = 0; i < 3; ++i) {
-    guard_.Look(reading, legs, 0, nullptr);
-  }
+  look(reading, 3, Gait(high));
+  EXPECT_EQ(objection(kForward), "");
+}
+
+TEST_F(WalkGuardTest, AReportThatLooksTooFarAheadSeparatesTheOthers) {
+  GaitParameters high;
+  high.in_place.nose_down = -0.35;
+  look(atEdge(), 2);
+  look(atEdge(), 1, Gait(high));
+  look(atEdge(), 2);
   EXPECT_EQ(objection(kForward), "");
 }
 
