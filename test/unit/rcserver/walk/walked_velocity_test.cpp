@@ -70,6 +70,17 @@ TEST_F(WalkedVelocityTest, SeesTurns) {
   EXPECT_LT(walked_.Now().turn, speed_of_right_legs / 0.1344);
 }
 
+TEST_F(WalkedVelocityTest, TheBodySwingsToTheSideIfItTurnsOnItsHindFeet) {
+  constexpr bool kHindPaws[] = {false, true, false, true};
+  Legs after{};
+  after[robot_model::RIGHT_HIND_LEG].rotator = -0.02;
+  report(Legs{}, kHindPaws);
+  report(after, kHindPaws);
+  const double behind = -findFoot(robot_model::LEFT_HIND_LEG, LegAngles{}).x;
+  EXPECT_GT(walked_.Now().turn, 0);
+  EXPECT_NEAR(walked_.Now().left / walked_.Now().turn, behind, 0.1 * behind) << "except that the feet slip";
+}
+
 TEST_F(WalkedVelocityTest, FeetInTheAirDoNotCount) {
   Legs after = swungBy(-0.01);
   after[robot_model::LEFT_HIND_LEG].rotator = after[robot_model::RIGHT_FRONT_LEG].rotator = 0.5;
