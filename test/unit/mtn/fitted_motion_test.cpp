@@ -106,6 +106,8 @@ TEST_F(FittedMotionTest, positionsFurtherOffAreRefusedWithTheWorst) {
                                        "up to 5.0 are clipped"));
   EXPECT_EQ(fitted_.numberOfJoints(), 0);
   EXPECT_EQ(fitted_.numberOfKeyFrames(), 0);
+  EXPECT_FALSE(fit("at 0 left_ear 0 head_pan -110\n"));
+  EXPECT_THAT(fitted_.problem(), HasSubstr("moves head_pan to -110.0 degrees")) << "behind what is not a joint";
   EXPECT_FALSE(fit("at 0 neck_tilt -60 head_tilt -1\n"));
   EXPECT_THAT(fitted_.problem(), HasSubstr("moves head_tilt to -1.0 degrees at 0 ms, 6.0 beyond"));
 }
