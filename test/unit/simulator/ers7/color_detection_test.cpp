@@ -72,6 +72,15 @@ TEST_F(ColorDetectionTest, ChannelsAreIndependent) {
   EXPECT_FALSE(detection_.isOn());
 }
 
+TEST_F(ColorDetectionTest, AnEmptyTableInPlaceOfTheOnlyOneEndsTheDetection) {
+  OCdtVectorData tables = tablesOf(ocdtCHANNEL2);
+  tables.GetInfo(0)->Set(0, 200, 100, 200, 100);
+  ASSERT_EQ(detection_.load(tables), oSUCCESS);
+  ASSERT_TRUE(detection_.isOn());
+  ASSERT_EQ(detection_.load(tablesOf(ocdtCHANNEL2)), oSUCCESS);
+  EXPECT_FALSE(detection_.isOn());
+}
+
 TEST_F(ColorDetectionTest, AnErs7HasNoChannel7) {
   OCdtVectorData tables = tablesOf(ocdtCHANNEL1);
   tables.GetInfo(0)->Set(0, 255, 0, 255, 0);
