@@ -179,6 +179,14 @@ TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
   }
 }
 
+TEST_F(PhotographTest, AHugeJpegIsRefusedBeforeItTakesMemory) {
+  std::string huge = jpeg(208, 160, [](int, int) { return kGrey; });
+  const std::size_t frame = huge.find("\xFF\xC0");  // two bytes of length and one of precision come before the size
+  huge.replace(frame + 5, 4, 4, '\x7F');
+  const auto file = write("huge.jpg", huge);
+  EXPECT_THAT(errorOf([&file] { readPhotograph(file); }), HasSubstr("more than 100 million"));
+}
+
 TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
   write("b.ppm", ppm(208, 160, [](int, int) { return kBlue; }));
   write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
