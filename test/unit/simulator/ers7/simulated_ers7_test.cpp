@@ -404,6 +404,14 @@ TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommandUntilTheRobotIsSwitchedOff) {
   EXPECT_THROW(robot_.led("nose"), std::invalid_argument);
 }
 
+TEST_F(SimulatedErs7Test, AnLedIsNeverDarkerThanOffOrBrighterThanFull) {
+  const OPrimitiveID face = openLocator("PRM:/r1/c1/c2/c3/la-LED3:la");
+  robot_.passFrame(frame_++, {effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{-1, oled3_MODE_A, 1, 0})});
+  EXPECT_EQ(robot_.led("face_1").intensity, 0);
+  robot_.passFrame(frame_++, {effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{256, oled3_MODE_A, 1, 0})});
+  EXPECT_EQ(robot_.led("face_1").intensity, 255);
+}
+
 TEST_F(SimulatedErs7Test, APulseDrawsAnEarAndASecondMakesItTooHot) {
   const OPrimitiveID left = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
   robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE1)});
