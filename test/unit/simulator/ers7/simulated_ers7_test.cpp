@@ -433,6 +433,14 @@ TEST_F(SimulatedErs7Test, APulseDrawsAnEarAndASecondMakesItTooHot) {
   EXPECT_FALSE(robot_.ear("left_ear").isHot());
 }
 
+TEST_F(SimulatedErs7Test, BothEarsBecomeTooHotInTheSameFrame) {
+  robot_.passFrame(frame_++, {earCommand(openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15"), ojoint4_STATE1),
+                              earCommand(openLocator("PRM:/r1/c1/c2/c3/e6-Joint4:16"), ojoint4_STATE1)});
+  passFrames(125);
+  EXPECT_TRUE(robot_.ear("left_ear").isHot());
+  EXPECT_TRUE(robot_.ear("right_ear").isHot());
+}
+
 TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   SimulatedErs7::Options options;
   options.battery_minutes = 1;
