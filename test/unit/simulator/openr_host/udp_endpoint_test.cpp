@@ -5,6 +5,7 @@
 
 #include <cstring>
 
+#include "support/udp_socket.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -98,6 +99,21 @@ TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSender) {
   EXPECT_EQ(inboxText(5), "hello");
   EXPECT_EQ(received_[0].address, kThisComputer);
   EXPECT_EQ(received_[0].port, client_port);
+}
+
+TEST_F(UdpEndpointTest, APacketIsAnnouncedBeforeItIsSent) {
+  const auto endpoint = create();
+  bind(endpoint);
+  test_support::UdpSocket receiver;
+  int announced = 0;
+  test_.on_send = [&] {
+    ++announced;
+    EXPECT_FALSE(receiver.next());
+  };
+  sendTo(endpoint, receiver.port(), "hello");
+  ASSERT_TRUE(haveAnswers(1));
+  EXPECT_EQ(announced, 1);
+  EXPECT_TRUE(receiver.next());
 }
 
 TEST_F(UdpEndpointTest, APortOfTheRobotMayBeAnotherOneOfTheComputer) {
