@@ -261,6 +261,16 @@ TEST_F(Version2MotionsTest, listsPlaysAndStops) {
   EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
 }
 
+TEST_F(Version2MotionsTest, tellsTheConsoleOfEachMotionThatIsPlayedDifferently) {
+  startVersion2("");
+  for (const std::string name : {"ONE.MTN", "TWO.MTN"}) {
+    stick_.write(std::string(kFolder) + "/" + name, motionBytes("at 0 head_pan 0\nat 1600 head_pan 91\n"));
+    EXPECT_EQ(answerTo(play(name, 1)), "p");
+    EXPECT_THAT(console_.str(), HasSubstr("RCServer: " + name + ": 1 position is clipped"));
+    EXPECT_EQ(answerTo(play("", 0)), "p");
+  }
+}
+
 TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
   startVersion2("");
   stick_.write(std::string(kFolder) + "/FAST.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 91\nat 1600\n"));
