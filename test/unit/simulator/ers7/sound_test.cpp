@@ -116,6 +116,20 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   EXPECT_EQ(robot_.passSound(200, nullptr)[127].L, -30000) << "from its beginning";
 }
 
+TEST_F(SimulatedSoundTest, AFileWithTwoChannelsHasOneForEachMicrophone) {
+  const test_support::TemporaryFolder folder;
+  const std::string path = folder.path("stereo.wav").string();
+  SpeakerFrame frame{};
+  frame[0] = 1000;
+  frame[1] = -2000;
+  WavWriter(path).write(frame);
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(22).put('\2');  // the number of channels
+  EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
+  const MicrophoneFrame heard = robot_.passSound(0, nullptr);
+  EXPECT_EQ(heard[0].L, 1000);
+  EXPECT_EQ(heard[0].R, -2000);
+}
+
 TEST_F(SimulatedSoundTest, ARobotThatStartsAgainIsNotMute) {
   EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oSUCCESS);
   EXPECT_EQ(control(oprmreqSPEAKER_MUTE_ON), oSUCCESS);
