@@ -102,7 +102,7 @@ TEST_F(PhotographTest, RedBecomesCrAndBlueBecomesCb) {
 
 TEST_F(PhotographTest, AWidePictureLosesItsSidesEvenly) {
   // Twice as wide as the camera's picture, green at both sides, which must be cut off.
-  const auto image = readPhotograph(write("wide.ppm", ppm(416, 160, [](int x, int) {
+  const auto image = readPhotograph(write("WIDE.PPM", ppm(416, 160, [](int x, int) {
                                             return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
                                           })));
   EXPECT_EQ(image.cr[at(0, 80)], 255);
