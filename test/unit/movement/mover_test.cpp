@@ -429,6 +429,11 @@ TEST_F(MoverTest, StopsMotionsOfAVersion1ServerIfOneWasPlayed) {
   ++client_.connections;
   mover_.stop(order());
   EXPECT_THAT(told(), IsEmpty()) << "the robot has stopped it when the connection ended";
+  mover_.release(order());
+  mover_.play(order(), "NOD.MTN", 1);
+  told();
+  mover_.stop(order());
+  EXPECT_THAT(told(), ElementsAre("stop ")) << "one was played over this connection, too";
 }
 
 TEST_F(MoverTest, CancelsOneTrajectoryOnly) {
