@@ -145,6 +145,7 @@ TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   EXPECT_FALSE(endOf(old));
   EXPECT_NEAR(wanted(old, 1.984), 1.984 / 4, 1e-6);
   EXPECT_LE(sent_[kPan], 0.5 + 0.25 * kLookahead) << "what is sent ahead is the new one's already";
+  EXPECT_THAT(plan_.wantedBy(later, at(1.984)), IsEmpty()) << "it has not begun";
   run(2.016, 2.016);
   EXPECT_EQ(endOf(old), EndedHow::kReplaced);
   EXPECT_NEAR(wanted(later, 2.016), 0.5 + 0.016 * 0.25, 1e-3);
