@@ -96,6 +96,20 @@ TEST_F(DatagramsTest, PartsOfTwoPicturesMayBeMixed) {
   EXPECT_EQ(0u, counters_.lost_pictures);
 }
 
+TEST_F(DatagramsTest, OfThreeIncompletePicturesTheOneThatHasWaitedLongestIsGivenUp) {
+  startStream();
+  std::vector<Bytes> first = nextPicture();
+  const std::vector<Bytes> second = nextPicture();
+  arrive(second.front());
+  pass(milliseconds(1));
+  arrive(first.back());
+  first.pop_back();
+  pass(milliseconds(1));
+  arrive(nextPicture().front());
+  arrive(first);
+  EXPECT_THAT(delivered(), ElementsAre(1)) << "its number is the lowest, but the second one began before it";
+}
+
 TEST_F(DatagramsTest, DatagramsThatComeTwiceAreCountedAndDoNoHarm) {
   startStream();
   for (const Bytes& datagram : nextPicture()) {
@@ -616,6 +630,19 @@ TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
   EXPECT_NE(makeJpeg(99), recorder_.pictures().front()->jpeg);
   EXPECT_EQ(PictureTransport::kUdp, client().status().transport);
   EXPECT_EQ("", client().status().transport_problem);
+}
+
+TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
+  ClientOptions options = optionsFor(server_);
+  options.host = "::ffff:127.0.0.1";  // every computer has it
+  RcServerClient client(options, recorder_.callbacks());
+  client.setPictureTransport(PictureTransport::kUdp);
+  client.setStreaming(true);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("F W B");
+  test_support::UdpSocket("127.0.0.2").send(startStream(&peer), {0});
+  EXPECT_TRUE(eventually([&] { return client.statistics().foreign_datagrams == 1; }));
 }
 
 TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
