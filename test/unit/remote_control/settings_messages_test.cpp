@@ -52,6 +52,14 @@ TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
   EXPECT_EQ(gain.choices[0].second, QVariant(1));
 }
 
+TEST(SettingsMessages, ATextThatIsNoChoiceIsLeftOut) {
+  auto description = AiboDriverConfig::__getDescriptionMessage__();
+  description.groups.at(0).parameters.resize(1);
+  description.groups[0].parameters[0].type = "str";
+  description.groups[0].parameters[0].edit_method = "";
+  EXPECT_TRUE(settingsIn(description).empty());
+}
+
 TEST(SettingsMessages, AChangeComesBackAsItsValue) {
   for (const QVariant& value : {QVariant(7), QVariant(0.5), QVariant(true), QVariant("208x160")}) {
     EXPECT_EQ(valuesIn(changeOf("name", value)), (SettingValues{{"name", value}}));
