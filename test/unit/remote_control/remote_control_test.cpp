@@ -636,6 +636,7 @@ TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   robot_.connectIt();
   open("Lights");
   find<QSlider>("intensity")->setValue(40);
+  EXPECT_EQ(click("back on"), QStringList("back 0.4"));
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
