@@ -211,7 +211,8 @@ class OnBothVersions:
         self.assertTrue(0.5 < battery["charge"] <= 1 and 0 < battery["temperature"] < 60, battery)
 
     def test_plays_a_motion_for_a_time(self):
-        self.assertEqual(self.json("play", "wag", "--times", "50", "--seconds", "1")["to_its_end"], False)
+        played = self.aibo("--json", "play", "wag", "--times", "50", "--seconds", "1")
+        self.assertEqual((json.loads(played.stdout)["to_its_end"], played.errors), (False, ""))
         self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
         self.aibo("play", "../../x", status=WRONG_USAGE)
 
@@ -319,6 +320,11 @@ class Version1(OnBothVersions, TestCase):
         errors = self.aibo("watch", "--seconds", "2", "--gain", "high").errors
         self.assertEqual(errors.count("no request to set the camera"), 1, errors)
 
+    def test_plays_for_ten_seconds_because_it_does_not_know_the_end(self):
+        with start("play", "wag", port=self.robot.port) as play:
+            self.assertIn(b"it is stopped after 10 s", play.stderr.readline())
+            play.send_signal(signal.SIGINT)
+
     def test_stops_motions(self):
         self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
 
@@ -337,6 +343,7 @@ class Version2(OnBothVersions, TestCase):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
         answer = self.json("play", "nod")
         self.assertEqual((answer["motion"], answer["to_its_end"], answer["changes"]), ("NOD.MTN", True, ""))
+        self.assertIn("too fast", self.json("play", "nod", "--speed", "20deg/s")["changes"])
 
     def test_stands_walks_and_rests(self):
         self.assertEqual(self.json("stand"), {"posture": "stand"})
@@ -396,6 +403,7 @@ class WithPermission(TestCase):
         self.addCleanup(self.robot.end)
 
     def test_motions_are_stored_and_deleted(self):
+        self.assertEqual(self.json("upload", NOD)["motion"], "NOD.MTN")
         self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
         self.json("delete", "wave")
@@ -531,6 +539,20 @@ class Lost(TestCase):
                 self.assertRegex(self.second(watch, False)["problem"], "(refused|closed) the connection")
                 robot = SimulatedRobot(port=robot.port)
                 self.second(watch, True)
+            finally:
+                watch.kill()
+                robot.end()
+
+    def test_the_pictures_before_a_loss_are_told(self):
+        robot = SimulatedRobot()
+        with start("watch", "--save", str(self.folder), port=robot.port) as watch:
+            try:
+                watch.stdout.readline()
+                before = len(os.listdir(self.folder))
+                while len(os.listdir(self.folder)) < before + 3:
+                    self.assertIsNone(watch.poll())
+                robot.end()
+                self.assertNotIn(b"no pictures", watch.stdout.readline())
             finally:
                 watch.kill()
                 robot.end()
@@ -687,7 +709,7 @@ class Documents(unittest.TestCase):
                 section = re.search(rf"(?m)^    {command}\).*$", completion)[0]
                 common = re.search(r"common='(.*)'", completion)[1]
                 for option in set(self.OPTION.findall(self.text("help", command).split("Options", 1)[1])):
-                    self.assertIn(option, manual)
+                    self.assertRegex(manual, rf"(?m)^\.TP\n\.B .*{option}\b")
                     self.assertIn(option, section + common)
         for option in self.OPTION.findall(document):
             self.assertIn(option, manual, "docs/command_line.md")
@@ -701,6 +723,8 @@ class Documents(unittest.TestCase):
         self.assertEqual(complete("aibo", "mo"), ["move", "motions", "motors"])
         self.assertEqual(complete("aibo", "--host", "x", "move", "head_"), ["head_pan=", "head_tilt="])
         self.assertEqual(complete("aibo", "watch", "--s"), ["--seconds", "--save", "--shutter"])
+        self.assertEqual(complete("aibo", "walk", "t"), ["turn="])
+        self.assertEqual(complete("aibo", "picture", "-o", str(NOD.with_suffix(""))), [str(NOD)])
         self.assertEqual(complete("aibo", "help", "doc"), ["doctor"])
 
     @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
