@@ -145,6 +145,7 @@ class PlaybackTest : public ::testing::Test {
   std::string recordAWalk(double seconds = 3) const {
     WalkBag bag(path("walk.bag"), "/aibo");
     bag.connect();
+    bag.report("/anna");
     bag.walk(seconds);
     return path("walk.bag");
   }
@@ -252,6 +253,8 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
       [](const Connection& message) { return message.text.find("of 0:00, paused") != std::string::npos; }));
   EXPECT_FALSE(odom.waitForNext(std::chrono::seconds(1)) && odom.waitForNext(std::chrono::seconds(1)))
       << "one may have been under way";
+  TopicListener<RobotState> state("/again/robot_state");
+  EXPECT_FALSE(state.waitForCount(1).empty()) << "what is latched is there for those who come later";
   const auto before = odom.waitForCount(0).back();
   call.request.data = 0;
   ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
