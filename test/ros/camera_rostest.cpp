@@ -279,6 +279,17 @@ TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
   EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends 208x160", kTimeToLog));
 }
 
+TEST(Calibration, InAFileThatIsDamagedIsNotPublished) {
+  CalibrationUser user("/calibration_damaged");
+  ASSERT_TRUE(user.set(goodCalibration()).success);
+  std::string text = contentOf(user.file());
+  text.replace(text.find("plumb_bob"), 9, "plumb");
+  std::ofstream(user.file()) << text;
+  user.restart();
+  EXPECT_NEAR(user.next().K[0], 191.9, 0.1);
+  EXPECT_NO_THROW(user.driver().waitForOutput("is left out: the distortion model is not", kTimeToLog));
+}
+
 TEST(Calibration, ThatCannotBeStoredIsNotUsed) {
   CalibrationUser user("/calibration_unstored");
   ASSERT_EQ(user.next().width, 208u);
