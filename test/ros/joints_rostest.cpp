@@ -92,6 +92,15 @@ TEST(JointCommand, MovesEveryJointByOneRequest) {
   EXPECT_EQ(user.jointRequests(), 1u);
 }
 
+TEST(JointCommand, MovesEveryJointByAQuickSeriesOfMessages) {
+  JointUser user("/series");
+  const Posture posture = postureAt(0.5);
+  for (const auto& joint : posture) {
+    user.publish("joint_command", command({joint}));
+  }
+  EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
+}
+
 TEST(PositionControllers, MoveEveryJoint) {
   JointUser user("/controllers");
   const Posture posture = postureAt(0.6);
