@@ -205,6 +205,7 @@ TEST_F(RemoteControlRosTest, WalksWhileThePadIsHeld) {
   auto* pad = user_.find<AxisPad>("drive_pad");
   QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
   EXPECT_TRUE(user_.waitForText("movement", "(walk)"));
+  EXPECT_TRUE(user_.waitForText("condition", "walks"));
   QTest::mouseRelease(pad, Qt::LeftButton);
   EXPECT_TRUE(user_.waitFor([this] { return !user_.textOf("movement").contains("(walk)"); }));
 }
