@@ -273,6 +273,7 @@ void Version2::CarryOut<REQUEST_HELLO>() {
   }
   const WalkLimits none = {0, 0, 0, 0};
   hello.walk = joints.Walking().CanWalk() ? joints.Walking().Parameters().highest : none;
+  hello.walk.forward = joints.Walking().CanWalk() ? joints.Walking().Parameters().fastest : 0;
   FinishReply(encodeHello(hello, Payload()));
 }
 

@@ -109,8 +109,7 @@ void tryOut(const Options& options) {
            kSecondsOfRandomCommands);
     for (std::size_t floor = 0; options.has_floors && floor < physics::unevenFloors().size(); ++floor) {
       const World world = onFloor(worlds[i], physics::unevenFloors()[floor]);
-      tryOut("forward, floor " + std::to_string(floor), world, physics::always({limits.forward / 2, 0, 0}),
-             kSecondsOfUnevenFloor);
+      tryOut("forward, floor " + std::to_string(floor), world, physics::always({0.1, 0, 0}), kSecondsOfUnevenFloor);
     }
   }
   tryToStandUp(worlds);

@@ -23,6 +23,8 @@ constexpr std::size_t kLegJoints = 12;
 /// Until the robot has got up to speed: this is not measured.
 constexpr double kRunUp = 1.5;
 
+constexpr double kFastestTrot = 0.2;  ///< m/s; GaitParameters::highest
+
 /// What must hold.
 constexpr double kSpeedError = 0.1;                 ///< of the commanded speed, or
 constexpr Axes kSmallError = {0.005, 0.005, 0.06};  ///< this if it is more: m/s, m/s, radian/s
@@ -291,8 +293,10 @@ Commands always(const Velocity& velocity) {
 }
 
 std::vector<Direction> directionsWithin(const protocol::version2::WalkLimits& limits) {
-  const auto [forward, back, left, turn] = limits;
+  const auto [fastest, back, left, turn] = limits;
+  const double forward = kFastestTrot;
   return {
+      {"fast forward", {fastest, 0, 0}},
       {"forward", {forward, 0, 0}},
       {"back", {-back, 0, 0}},
       {"left", {0, left, 0}},

@@ -226,7 +226,11 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
     guard_.Forget();
   }
   is_guarded_ = guarded;
-  wanted_ = gait_.Limited(wanted);
+  Velocity asked = wanted;
+  if (guarded) {  // faster, it could not stop before what it sees
+    asked.forward = std::min(asked.forward, gait_.Parameters().highest.forward);
+  }
+  wanted_ = gait_.Limited(asked);
   return wanted_;
 }
 
@@ -365,7 +369,7 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
   if (activity_ == WALKING) {
-    const unsigned frames = walked_.Measured(legs, reading.paws, frame);
+    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(velocity_));
     CompareVelocity(frames);
     if (is_guarded_) {
       guard_.HaveWalked(walked_.Now(), velocity_, frames);
@@ -607,7 +611,7 @@ void Walker::Walk() {
   }
   const Velocity sum = {velocity_.forward + correction_.forward, velocity_.left + correction_.left,
                         velocity_.turn + correction_.turn};
-  const Velocity velocity = gait_.LimitedForLegs(sum);
+  const Velocity velocity = gait_.LimitedForLegs(sum, velocity_.forward);
   const double period = gait_.StepAt(velocity).period;
   effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (period / 2));
   phase_ += FRAME / period;
@@ -624,7 +628,7 @@ void Walker::ChangeVelocity() {
   const bool is_back = velocity_.forward < 0 || (velocity_.forward == 0 && target.forward < 0);
   const double step = SPEED_CHANGE * FRAME;
   const Velocity most = {step * (is_back ? limits.back : limits.forward), step * limits.left, step * limits.turn};
-  velocity_ = gait_.Limited(Towards(velocity_, target, most));
+  velocity_ = gait_.LimitedInWalk(Towards(velocity_, target, most));
   if (ends_) {
     correction_ = Towards(correction_, NO_VELOCITY, most);
   } else {

@@ -12,6 +12,14 @@ using robot_model::Point;
 
 namespace {
 
+const double WHOLE_TURN = 2 * 3.14159265358979323846;
+
+// In waves, sideways and turning velocities count so many times.
+const double OTHERS_IN_WAVES = 2;
+
+// m/s; how far a limit changes from the one of the trot to the one of the waves. Our choice.
+const double NARROWING = 0.05;
+
 // The position of a point that accelerates evenly for `easing`, moves on, and slows down evenly for `easing` at the
 // end. Positions and times are shares of the whole.
 // @param from its speed at both ends
@@ -21,6 +29,10 @@ double Eased(double time, double easing, double from) {
   const double way = left < easing ? from * left + (top - from) * left * left / (2 * easing)
                                    : (from + top) / 2 * easing + top * (left - easing);
   return time < 0.5 ? way : 1 - way;
+}
+
+double Clamped(double share) {
+  return std::min(std::max(share, 0.0), 1.0);
 }
 
 double Part(double value, double highest) {
@@ -55,6 +67,20 @@ double Lift(const StepParameters& step, Leg leg, double part) {
   return highest * Eased(2 * std::min(part, 1 - part), 2 * step.lift_easing, 0);
 }
 
+// @param cosine, sine of the phase
+double WaveAt(const double* factors, double cosine, double sine) {
+  double value = factors[0];
+  double c = cosine;
+  double s = sine;
+  for (int i = 1; i < 2 * LegWaves::HARMONICS; i += 2) {
+    value += factors[i] * c + factors[i + 1] * s;
+    const double next = c * cosine - s * sine;  // of the next multiple of the phase
+    s = s * cosine + c * sine;
+    c = next;
+  }
+  return value;
+}
+
 // All numbers of a step.
 double StepParameters::*const NUMBERS[] = {
     &StepParameters::period,        &StepParameters::duty,         &StepParameters::margin,
@@ -65,7 +91,7 @@ double StepParameters::*const NUMBERS[] = {
 
 }  // namespace
 
-// The numbers of a step are in the order of StepParameters.
+// The numbers of a step are in the order of StepParameters, those of the waves in the order of WaveParameters.
 GaitParameters::GaitParameters() {
   const StepParameters turning = {0.4437, 0.5105, 0.0145, 0.0266, 0.1148,  0.0156, 0.0151,
                                   0.0197, 0.0008, 0.0163, 0.0195, -0.0052, 0.1237, 0.0368};
@@ -73,24 +99,55 @@ GaitParameters::GaitParameters() {
                                0.0105, 0.0045, 0.0161, 0.0117, -0.0725, 0.1314, 0.0458};
   const StepParameters backing = {0.4461, 0.5129, 0.0076, 0.0368, 0.1152, 0.0146, 0.0158,
                                   0.0135, 0.0130, 0.0117, 0.0218, 0.0022, 0.1067, 0.0381};
+  const WaveParameters in_waves = {0.546,
+                                   0.403,
+                                   0.16,
+                                   0.33,
+                                   0.17,
+                                   {{{-0.6488, 0.1380, 0.0334, 0.0421, -0.1111, -0.0100, -0.0028, 0.0095, -0.0242},
+                                     {0.1181, 0.0664, -0.0025},
+                                     {0.9618, 0.3059, -0.1460, -0.0795, -0.0004, -0.0200, -0.0168, -0.0144, 0.0042}}},
+                                   {{{0.4670, 0.3297, -0.0495, -0.0158, -0.0406, 0.0095, -0.0235, -0.0015, -0.0208},
+                                     {0.1424, -0.0271, -0.0113},
+                                     {1.6588, -0.0129, -0.0955, -0.1341, -0.0495, 0.0096, -0.0022, 0.0100, 0.0022}}}};
   in_place = turning;
   forward = fast;
   back = backing;
+  waves = in_waves;
   highest.forward = 0.2;
   highest.back = 0.15;
   highest.left = 0.08;
   highest.turn = 1.5;
+  fastest = 0.3;
   highest_of_legs.forward = 1.05 * highest.forward;
   highest_of_legs.back = 1.06 * highest.back;
   highest_of_legs.left = 1.15 * highest.left;
   highest_of_legs.turn = 1.08 * highest.turn;
+  fastest_of_legs = 1.1 * fastest;
 }
 
-Velocity Gait::Shortened(const Velocity& wanted, const protocol::version2::WalkLimits& highest) {
-  const double sum = Part(wanted.forward, wanted.forward < 0 ? highest.back : highest.forward) +
-                     Part(wanted.left, highest.left) + Part(wanted.turn, highest.turn);
+Velocity Gait::Shortened(const Velocity& wanted, const protocol::version2::WalkLimits& highest, double fastest) {
+  const bool is_back = wanted.forward < 0;
+  const double others = Part(wanted.left, highest.left) + Part(wanted.turn, highest.turn);
+  const double sum = std::min(Part(wanted.forward, is_back ? highest.back : highest.forward) + others,
+                              Part(wanted.forward, is_back ? highest.back : fastest) + OTHERS_IN_WAVES * others);
   const double scale = sum > 1 ? 1 / sum : 1;
   const Velocity limited = {wanted.forward * scale, wanted.left * scale, wanted.turn * scale};
+  return limited;
+}
+
+Velocity Gait::Narrowed(const Velocity& wanted, double told, const protocol::version2::WalkLimits& highest,
+                        double fastest) const {
+  const Velocity shortened = Shortened(wanted, highest, fastest);
+  const double forward = std::min(wanted.forward, fastest);
+  const double others = Part(wanted.left, highest.left) + Part(wanted.turn, highest.turn);
+  const double room = std::max(1 - forward / highest.forward, (1 - forward / fastest) / OTHERS_IN_WAVES);
+  const double scale = others > room ? room / others : 1;
+  // Not at once, because a foot must not jump, and nearly before the waves begin.
+  const double share = Clamped((told - parameters_.waves.none) / NARROWING + 0.8);
+  const Velocity limited = {shortened.forward + share * (forward - shortened.forward),
+                            shortened.left + share * (wanted.left * scale - shortened.left),
+                            shortened.turn + share * (wanted.turn * scale - shortened.turn)};
   return limited;
 }
 
@@ -98,12 +155,13 @@ StepParameters Gait::StepAt(const Velocity& velocity) const {
   const bool is_back = velocity.forward < 0;
   const StepParameters& other = is_back ? parameters_.back : parameters_.forward;
   const double highest = is_back ? parameters_.highest.back : parameters_.highest.forward;
-  const double share = std::min(Part(velocity.forward, highest), 1.0);
+  const double share = std::min(Part(std::min(velocity.forward, parameters_.waves.none), highest), 1.0);
   const double part = share * share;  // at half the speed, the numbers for turning are still the better ones
   StepParameters step = parameters_.in_place;
   for (size_t i = 0; i < sizeof(NUMBERS) / sizeof(NUMBERS[0]); ++i) {
     step.*NUMBERS[i] += part * (other.*NUMBERS[i] - step.*NUMBERS[i]);
   }
+  step.period += ShareOfWaves(velocity.forward) * (parameters_.waves.period - step.period);
   return step;
 }
 
@@ -112,6 +170,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
   const double with_floor = step.duty + 2 * step.margin;
   const double sine = sin(step.nose_down);
   const double cosine = cos(step.nose_down);
+  const double waves = ShareOfWaves(velocity.forward);
   for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point middle = FootMiddle(step, leg);
@@ -120,11 +179,36 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     const double lift = in_air >= 0 ? effort * Lift(step, leg, in_air) : 0;
     // The time in seconds that the foot needs from here to the middle of its line at the floor's speed.
     const double ahead = PlaceAt(step, time + step.margin) * with_floor * step.period - step.lag;
-    const Point foot = {middle.x + ahead * (velocity.forward - velocity.turn * middle.y),
+    const double aside = velocity.turn * middle.y;
+    const Point foot = {middle.x + ahead * (std::min(velocity.forward, parameters_.waves.none) - aside),
                         middle.y + ahead * (velocity.left + velocity.turn * middle.x), middle.z + lift};
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
+    if (waves > 0) {
+      AddWaves(leg, phase, effort * std::min(waves * (1 - 2 * aside / velocity.forward), 1.0), &angles[i]);
+    }
   }
+}
+
+double Gait::UnseenWay(const Velocity& velocity) const {
+  const double waves = ShareOfWaves(velocity.forward);
+  return parameters_.waves.unseen * waves * waves;
+}
+
+double Gait::ShareOfWaves(double forward) const {
+  const WaveParameters& waves = parameters_.waves;
+  return Clamped((forward - waves.none) / (waves.all - waves.none));
+}
+
+void Gait::AddWaves(Leg leg, double phase, double share, LegAngles* angles) const {
+  const WaveParameters& waves = parameters_.waves;
+  const double angle = WHOLE_TURN * (phase + (isFront(leg) ? 0 : waves.hind_ahead) + (isLeft(leg) ? 0 : 0.5));
+  const double cosine = cos(angle);
+  const double sine = sin(angle);
+  const LegWaves& leg_waves = isFront(leg) ? waves.front : waves.hind;
+  angles->rotator += share * (WaveAt(leg_waves.angles[0], cosine, sine) - angles->rotator);
+  angles->elevator += share * (WaveAt(leg_waves.angles[1], cosine, sine) - angles->elevator);
+  angles->knee += share * (WaveAt(leg_waves.angles[2], cosine, sine) - angles->knee);
 }
 
 double Gait::LegPhase(Leg leg, double phase) {

@@ -39,25 +39,48 @@ struct StepParameters {
   double lift_easing;
 };
 
+/// The angles of a leg that moves in waves, in radian, for each of its joints in the order of robot_model::LegAngles:
+/// the mean, then the factors of the cosine and the sine of the phase, of twice the phase, and so on.
+struct LegWaves {
+  enum { HARMONICS = 4 };
+
+  double angles[robot_model::JOINTS_OF_A_LEG][1 + 2 * HARMONICS];
+};
+
+/// The numbers of the gait in waves.
+struct WaveParameters {
+  double period;      ///< s
+  double hind_ahead;  ///< share of the period by which a hind leg is ahead of the front leg on its side
+  double none;        ///< m/s; up to this speed, the robot trots
+  double all;         ///< m/s; from this speed on, the legs move in waves alone
+  double unseen;      ///< UnseenWay() in waves alone
+  LegWaves front;
+  LegWaves hind;
+};
+
 /// The numbers of the gait. The defaults were found with the bench in test/physics, which measures falls, distances and
 /// motor loads on many robots and floors. None has been tried on a robot yet.
 struct GaitParameters {
   GaitParameters();
 
   StepParameters in_place;  ///< without a forward velocity: standing, turning, walking sideways
-  StepParameters forward;   ///< at the highest velocity forward; at lower ones, nearer to `in_place`
+  StepParameters forward;   ///< at highest.forward; at lower velocities, nearer to `in_place`, and at most waves.none
   StepParameters back;      ///< the same backward
+  WaveParameters waves;     ///< faster
 
   /// Highest velocities, each without the others. Combined velocities are limited further.
   protocol::version2::WalkLimits highest;
+  double fastest;  ///< m/s; the highest velocity forward with little turning: see Gait::Limited()
 
   /// The same for the legs, which have to walk faster where they do not do as they are told.
   protocol::version2::WalkLimits highest_of_legs;
+  double fastest_of_legs;
 };
 
 /// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
 /// on a straight line around its middle; in the air, it goes back to the other end of that line, and touches down with
-/// the speed of the floor.
+/// the speed of the floor. Knees are too slow for more than 200 mm/s of this. So above 160 mm/s, the angles of the
+/// joints come nearer and nearer to waves that repeat in each step. The hind knees are bent then, and the nose is up.
 ///
 /// A pure function: it has no state, and the same arguments give the same angles. A robot that stands still is a robot
 /// that walks with velocity 0 and effort 0, whatever the phase is.
@@ -71,18 +94,31 @@ class Gait {
   const GaitParameters& Parameters() const { return parameters_; }
 
   /// The highest velocity in this direction that the legs can walk. Forward, sideways and turning velocities, each
-  /// divided by its highest value, add up to 1 at most.
+  /// divided by its highest value, add up to 1 at most; with the fastest value for forward, the others count twice.
   protocol::version2::Velocity Limited(const protocol::version2::Velocity& wanted) const {
-    return Shortened(wanted, parameters_.highest);
+    return Shortened(wanted, parameters_.highest, parameters_.fastest);
   }
 
-  /// The same for the legs.
+  /// The same while the velocity changes: a robot that walks too fast to trot slows down before it turns.
+  protocol::version2::Velocity LimitedInWalk(const protocol::version2::Velocity& wanted) const {
+    return Narrowed(wanted, wanted.forward, parameters_.highest, parameters_.fastest);
+  }
+
+  /// That for the legs.
+  /// @param told the forward velocity that the robot was told
+  protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted, double told) const {
+    return Narrowed(wanted, told, parameters_.highest_of_legs, parameters_.fastest_of_legs);
+  }
   protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted) const {
-    return Shortened(wanted, parameters_.highest_of_legs);
+    return LimitedForLegs(wanted, wanted.forward);
   }
 
   /// The numbers of a step with this velocity.
   StepParameters StepAt(const protocol::version2::Velocity& velocity) const;
+
+  /// The way ahead that feet on the floor do not show, as a share of the way that they show. The middle of many robots
+  /// and floors on the bench.
+  double UnseenWay(const protocol::version2::Velocity& velocity) const;
 
   /// True while a leg's foot is on the floor.
   /// @param phase of the step, 0..1
@@ -93,7 +129,7 @@ class Gait {
   /// Computes the angles of the legs.
   /// @param phase of the step, 0..1
   /// @param velocity that Limited() or LimitedForLegs() has returned
-  /// @param effort 0..1: share of the lift; less than 1 at the beginning and the end of a walk
+  /// @param effort 0..1: share of the lift and of the waves; less than 1 at the beginning and the end of a walk
   /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
   void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
                    robot_model::LegAngles* angles) const;
@@ -101,7 +137,18 @@ class Gait {
  private:
   static double LegPhase(robot_model::Leg leg, double phase);
   static protocol::version2::Velocity Shortened(const protocol::version2::Velocity& wanted,
-                                                const protocol::version2::WalkLimits& highest);
+                                                const protocol::version2::WalkLimits& highest, double fastest);
+
+  /// Keeps the forward velocity of a robot that walks too fast to trot, and shortens the others.
+  protocol::version2::Velocity Narrowed(const protocol::version2::Velocity& wanted, double told,
+                                        const protocol::version2::WalkLimits& highest, double fastest) const;
+
+  /// The share of the waves in the motion of the legs, 0..1.
+  /// @param forward velocity in m/s
+  double ShareOfWaves(double forward) const;
+
+  /// Brings the angles nearer to the waves by a share of the difference.
+  void AddWaves(robot_model::Leg leg, double phase, double share, robot_model::LegAngles* angles) const;
 
   GaitParameters parameters_;
 };

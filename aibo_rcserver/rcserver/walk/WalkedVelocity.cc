@@ -63,7 +63,7 @@ void WalkedVelocity::Begin() {
   now_ = NO_VELOCITY;
 }
 
-unsigned WalkedVelocity::Measured(const LegAngles* legs, const bool* paws, unsigned frame) {
+unsigned WalkedVelocity::Measured(const LegAngles* legs, const bool* paws, unsigned frame, double unseen) {
   Foot feet[NUMBER_OF_LEGS];
   bool chosen[NUMBER_OF_LEGS];
   FindFeet(legs, paws, feet);
@@ -71,6 +71,7 @@ unsigned WalkedVelocity::Measured(const LegAngles* legs, const bool* paws, unsig
   if (frames > 0) {
     if (ChooseFeet(feet, chosen)) {
       now_ = VelocityTo(feet, chosen, frames);
+      now_.forward *= 1 + unseen;
     }
     sum_.forward += now_.forward;
     sum_.left += now_.left;

@@ -24,8 +24,9 @@ class WalkedVelocity {
   /// @param legs the measured angles of the four legs, in the order of robot_model::Leg
   /// @param paws for each leg, true if its paw is pressed
   /// @param frame OPEN-R frame
+  /// @param unseen the way ahead that feet do not show, as a share of the way that they show
   /// @return the frames since the report before, for which this is the velocity; 0 for the first report of a walk
-  unsigned Measured(const robot_model::LegAngles* legs, const bool* paws, unsigned frame);
+  unsigned Measured(const robot_model::LegAngles* legs, const bool* paws, unsigned frame, double unseen = 0);
 
   /// In the last report.
   const protocol::version2::Velocity& Now() const { return now_; }

@@ -140,7 +140,7 @@ class GuardedWalkTest : public RCServerFixture {
       const double kind = draw(0, 1);
       Velocity velocity = {0, 0, 0};
       if (kind < 0.5) {
-        velocity = {draw(0.03, 0.15), 0, draw(0, 1) < 0.5 ? 0 : draw(-0.6, 0.6)};
+        velocity = {draw(0.03, 0.3), 0, draw(0, 1) < 0.5 ? 0 : draw(-0.6, 0.6)};
       } else if (kind < 0.65) {
         velocity.forward = draw(-0.1, 0);
       } else if (kind < 0.75) {
@@ -148,7 +148,7 @@ class GuardedWalkTest : public RCServerFixture {
       } else if (kind < 0.9) {
         velocity.turn = draw(-1.2, 1.2);
       } else {
-        velocity = {draw(-0.1, 0.15), draw(-0.06, 0.06), draw(-1.2, 1.2)};
+        velocity = {draw(-0.1, 0.3), draw(-0.06, 0.06), draw(-1.2, 1.2)};
       }
       steer(velocity, seconds);
       steer({0, 0, 0}, 0.1);

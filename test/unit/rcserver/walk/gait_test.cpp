@@ -139,7 +139,7 @@ TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
 
 TEST_F(GaitTest, LimitsEachVelocity) {
   const GaitParameters& parameters = gait_.Parameters();
-  EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.highest.forward);
+  EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.fastest);
   EXPECT_DOUBLE_EQ(gait_.Limited({-1, 0, 0}).forward, -parameters.highest.back);
   EXPECT_DOUBLE_EQ(gait_.Limited({0, 1, 0}).left, parameters.highest.left);
   EXPECT_DOUBLE_EQ(gait_.Limited({0, 0, -9}).turn, -parameters.highest.turn);
@@ -179,6 +179,74 @@ TEST_F(GaitTest, AsksNoJointForMoreThanItsLimitsInAnyAllowedWalk) {
         ASSERT_GT(here[i].elevator, coupledLowest(coupling, static_cast<int>(here[i].rotator * 1e6)) * 1e-6);
       }
     }
+  }
+}
+
+TEST_F(GaitTest, AFastWalkLeavesRoomForLessTurning) {
+  EXPECT_NEAR(gait_.Limited({0.25, 0, 0.12}).forward, 0.25, 1e-9);
+  EXPECT_NEAR(gait_.LimitedInWalk({0.24, 0, -1.5}).forward, 0.24, 1e-9) << "it slows down before it turns";
+  EXPECT_NEAR(gait_.LimitedInWalk({0.24, 0, -1.5}).turn, -0.15, 1e-9);
+  EXPECT_DOUBLE_EQ(gait_.LimitedInWalk({0.1, 0, 1.5}).turn, gait_.Limited({0.1, 0, 1.5}).turn);
+}
+
+TEST_F(GaitTest, NoJointComesNearItsSpeedInAnyFastWalk) {
+  for (double forward = 0.15; forward <= 0.34; forward += 0.01) {
+    for (const double turn : {-0.5, -0.2, 0.0}) {
+      const Velocity velocity = gait_.LimitedForLegs({forward, 0.2 * turn, turn});
+      const double phase_of_frame = kFrame / gait_.StepAt(velocity).period;
+      for (double phase = 0; phase < 1; phase += 0.01) {
+        const Legs here = legs(phase, velocity);
+        const Legs next = legs(phase + phase_of_frame, velocity);
+        for (const Leg leg : kLegs) {
+          const std::size_t i = static_cast<std::size_t>(leg);
+          ASSERT_LT(std::abs(next[i].rotator - here[i].rotator) / kFrame, 0.95 * 4.865) << forward << " " << turn;
+          ASSERT_LT(std::abs(next[i].knee - here[i].knee) / kFrame, 0.95 * 5.279) << forward << " " << turn;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(GaitTest, ChangesSmoothlyFromTheTrotToWaves) {
+  for (double forward = 0.1; forward < 0.34; forward += 0.001) {
+    EXPECT_NEAR(gait_.StepAt({forward, 0, 0}).period, gait_.StepAt({forward + 0.001, 0, 0}).period, 0.001);
+    for (double phase = 0; phase < 1; phase += 0.05) {
+      const Legs slower = legs(phase, {forward, 0, 0});
+      const Legs faster = legs(phase, {forward + 0.001, 0, 0});
+      for (std::size_t i = 0; i < slower.size(); ++i) {
+        for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+          ASSERT_NEAR(angleOf(slower[i], number), angleOf(faster[i], number), 0.006) << forward;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(GaitTest, IsTheSameOnTheOtherSideHalfAPeriodLater) {
+  for (const double forward : {0.1, 0.2, 0.3}) {
+    for (double phase = 0; phase < 1; phase += 0.1) {
+      const Legs here = legs(phase, {forward, 0.005, 0.05});
+      const Legs later = legs(phase + 0.5, {forward, -0.005, -0.05});
+      for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG}) {
+        for (int number = 0; number < robot_model::JOINTS_OF_A_LEG; ++number) {
+          EXPECT_NEAR(angleOf(here[leg], number), angleOf(later[leg + 2], number), 1e-9);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(GaitTest, LiftsFeetInWavesTooButNotWithoutEffort) {
+  for (const Leg leg : kLegs) {
+    double highest = -1;
+    double lowest = 1;
+    for (double phase = 0; phase < 1; phase += 0.01) {
+      const double height = foot(leg, phase, {0.3, 0, 0}).z;
+      highest = std::max(highest, height);
+      lowest = std::min(lowest, height);
+      EXPECT_NEAR(foot(leg, phase, {0.3, 0, 0}, 0).z, 0, 1e-9);
+    }
+    EXPECT_GT(highest - lowest, 0.015);
   }
 }
 
