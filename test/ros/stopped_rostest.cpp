@@ -20,6 +20,7 @@
 #include <chrono>
 #include <csignal>
 #include <future>
+#include <mutex>
 #include <string>
 #include <thread>
 #include <vector>
@@ -89,12 +90,14 @@ class FakeDriver {
   FakeDriver& operator=(const FakeDriver&) = delete;
 
   void stop(const std::string& node) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     state_now_.stopped = 1;
     state_now_.stopped_by = node;
     state_.publish(state_now_);
   }
 
   void release() {
+    const std::lock_guard<std::mutex> lock(mutex_);
     state_now_.stopped = 0;
     state_now_.stopped_by.clear();
     state_.publish(state_now_);
@@ -107,6 +110,7 @@ class FakeDriver {
   void answerRelease() { may_answer_.set_value(); }
 
   void tell(std::uint8_t motors, std::uint8_t posture) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     state_now_.motors = motors;
     state_now_.posture = posture;
     state_.publish(state_now_);
@@ -140,6 +144,7 @@ class FakeDriver {
   const bool is_slow_;
   std::promise<void> release_was_called_;
   std::promise<void> may_answer_;
+  std::mutex mutex_;  ///< of state_now_, because services are called on several threads
   RobotState state_now_;
   ros::Publisher state_;
   ros::Publisher motion_;
