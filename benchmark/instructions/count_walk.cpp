@@ -1,7 +1,7 @@
 // Lets RCServer's joints stand or walk, to count instructions. Joints do what they are told, the floor is level, and
 // the sensors report as often as a robot's.
 //
-//   count_walk MILLIMETRES SECONDS    walks forward with so many mm/s, guarded; 0 only stands
+//   count_walk SPEED SECONDS    walks forward at SPEED, in mm/s, with the guard; at 0 it only stands
 #include <cstdio>
 #include <cstdlib>
 
@@ -37,7 +37,7 @@ void pass(JointControl& joints, unsigned* frame) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    std::fprintf(stderr, "count_walk MILLIMETRES SECONDS\n");
+    std::fprintf(stderr, "count_walk SPEED SECONDS\n");
     return 2;
   }
   JointControl joints(*robot_model::findRobotModel("ERS-7"));

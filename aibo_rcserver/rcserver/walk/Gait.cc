@@ -14,7 +14,7 @@ namespace {
 
 const double WHOLE_TURN = 2 * 3.14159265358979323846;
 
-// In waves, sideways and turning velocities count so many times.
+// How many times more sideways and turning velocities count while the legs move in waves.
 const double OTHERS_IN_WAVES = 2;
 
 // m/s; how far a limit changes from the one of the trot to the one of the waves. Our choice.

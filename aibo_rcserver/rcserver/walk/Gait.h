@@ -74,7 +74,7 @@ struct GaitParameters {
 
   /// The same for the legs, which have to walk faster where they do not do as they are told.
   protocol::version2::WalkLimits highest_of_legs;
-  double fastest_of_legs;
+  double fastest_of_legs;  ///< m/s; `fastest` for the legs
 };
 
 /// A trot: diagonal legs move together, half a period after the two others. A foot on the floor moves with the floor,
@@ -104,7 +104,7 @@ class Gait {
     return Narrowed(wanted, wanted.forward, parameters_.highest, parameters_.fastest);
   }
 
-  /// That for the legs.
+  /// The highest velocity for the legs, which have to walk faster where they do not do as they are told.
   /// @param told the forward velocity that the robot was told
   protocol::version2::Velocity LimitedForLegs(const protocol::version2::Velocity& wanted, double told) const {
     return Narrowed(wanted, told, parameters_.highest_of_legs, parameters_.fastest_of_legs);
