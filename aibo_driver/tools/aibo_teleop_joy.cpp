@@ -90,6 +90,7 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
 }
 
 // A short press is one message of many. Those that come while this program is held up have to wait, or a stop is lost.
+// Our choice: some seconds of messages.
 constexpr int kJoyQueueSize = 100;
 
 std::string pictureName() {

@@ -14,10 +14,10 @@ namespace {
 
 const double WHOLE_TURN = 2 * 3.14159265358979323846;
 
-// How many times more sideways and turning velocities count while the legs move in waves.
+// How many times more sideways and turning velocities count while the legs move in waves. Found with the bench.
 const double OTHERS_IN_WAVES = 2;
 
-// m/s; how far a limit changes from the one of the trot to the one of the waves. Our choice.
+// m/s; the range of speeds in which the limits of the trot give way to those of the waves. Our choice.
 const double NARROWING = 0.05;
 
 // The position of a point that accelerates evenly for `easing`, moves on, and slows down evenly for `easing` at the
@@ -143,7 +143,7 @@ Velocity Gait::Narrowed(const Velocity& wanted, double told, const protocol::ver
   const double others = Part(wanted.left, highest.left) + Part(wanted.turn, highest.turn);
   const double room = std::max(1 - forward / highest.forward, (1 - forward / fastest) / OTHERS_IN_WAVES);
   const double scale = others > room ? room / others : 1;
-  // Not at once, because a foot must not jump, and nearly before the waves begin.
+  // They change gradually, because a foot must not jump, and mostly before the waves begin.
   const double share = Clamped((told - parameters_.waves.none) / NARROWING + 0.8);
   const Velocity limited = {shortened.forward + share * (forward - shortened.forward),
                             shortened.left + share * (wanted.left * scale - shortened.left),
@@ -185,6 +185,7 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
     if (waves > 0) {
+      // In a turn, the inner legs make shorter strokes. Only half of a stroke comes from the share of the waves.
       AddWaves(leg, phase, effort * std::min(waves * (1 - 2 * aside / velocity.forward), 1.0), &angles[i]);
     }
   }
