@@ -9,12 +9,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "support/process.h"
+#include "support/temporary_folder.h"
 #include "support/test_client.h"
 
 namespace {
@@ -54,21 +58,44 @@ bool isReachableByAnotherAddress(const std::string& port) {
   return reached;
 }
 
+// The letter of the robot's first reply; 0 if it sends none.
+char letterOfAnswer(const std::string& port, const std::string& request) {
+  TestClient client(static_cast<uint16_t>(std::stoi(port)));
+  client.send(request);
+  std::optional<Reply> reply;
+  for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
+    reply = client.next();
+    ::poll(nullptr, 0, 10);
+  }
+  return reply ? reply->letter : '\0';
+}
+
 TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
   for (const int signal : {SIGINT, SIGTERM}) {
-    Process robot(command(kFreePorts));
-    TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
-    client.send("FU");
-    std::optional<Reply> reply;
-    for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
-      reply = client.next();
-      ::poll(nullptr, 0, 10);
-    }
-    ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->letter, protocol::REPLY_PICTURE);
+    const test_support::TemporaryFolder folder;
+    std::vector<std::string> options = kFreePorts;
+    options.insert(options.end(), {"--picture-log", folder.path("log")});
+    Process robot(command(options));
+    EXPECT_EQ(letterOfAnswer(portOf(robot), "FU"), protocol::REPLY_PICTURE);
+    std::ifstream log(folder.path("log"));
+    long long taken_at = 0;  // nanoseconds since 1970
+    EXPECT_TRUE(log >> taken_at);
+    EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
     robot.signal(signal);
     EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
     EXPECT_THAT(robot.output(), HasSubstr("Stopped\n"));
+  }
+}
+
+TEST(AiboRCServer, ContinuesWhenNobodyReadsItsOutputAnyMore) {
+  std::string line = "exec";
+  for (const std::string& argument : command(kFreePorts)) {
+    line += " '" + argument + "'";
+  }
+  Process robot({"bash", "-c", line + " > >(sed -u '/RCServer listening/q')"});
+  const std::string port = portOf(robot);
+  for (int client = 0; client < 3; ++client) {  // it prints a line about each
+    EXPECT_EQ(letterOfAnswer(port, "FU"), protocol::REPLY_PICTURE);
   }
 }
 
@@ -89,6 +116,20 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
                                                        {"--seconds-per-image", "0"},
                                                        {"--battery-minutes", "0"},
                                                        {"--battery-minutes", "nan"},
+                                                       {"--encode-time", "-1"},
+                                                       {"--encode-time", "10001"},
+                                                       {"--stick-time", "-1"},
+                                                       {"--stick-time", "60001"},
+                                                       {"--processor-slowdown", "-1"},
+                                                       {"--processor-slowdown", "1001"},
+                                                       {"--hears-itself", "-0.1"},
+                                                       {"--hears-itself", "1.1"},
+                                                       {"--map-port", "7"},
+                                                       {"--map-port", "7="},
+                                                       {"--map-port", "7=7x"},
+                                                       {"--map-port", "0=7"},
+                                                       {"--map-port", "65536=7"},
+                                                       {"--map-port", "7=65536"},
                                                        {"--protocol-version", "3"},
                                                        {"--protocol-version", "0"},
                                                        {"--no-such-option"}};
@@ -99,20 +140,37 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
   }
 }
 
+TEST(AiboRCServer, AcceptsTheLargestValuesAndExplainsItsOptions) {
+  Process robot(command({"--help", "--port", "65535", "--console-port", "65535", "--encode-time", "10000",
+                         "--stick-time", "60000", "--processor-slowdown", "1000", "--hears-itself", "1"}));
+  EXPECT_EQ(robot.waitForExit(kPatience), 0);
+  EXPECT_THAT(robot.output(), HasSubstr("--processor-slowdown"));
+}
+
+TEST(AiboRCServer, MapsPortsOfOtherObjectsAndTellsThem) {
+  std::vector<std::string> options = kFreePorts;
+  options.insert(options.end(), {"--map-port", "7=0", "--map-port", "65535=0"});
+  Process robot(command(options));
+  const std::string rest = " of the robot is port ([0-9]+) of this computer\n";
+  EXPECT_GT(std::stoi(robot.waitForOutput("Port 7" + rest, kPatience).at(1)), 7);
+  EXPECT_GT(std::stoi(robot.waitForOutput("Port 65535" + rest, kPatience).at(1)), 7);
+  EXPECT_EQ(robot.waitForOutput("Port 54321" + rest, kPatience).at(1), portOf(robot));
+}
+
+TEST(AiboRCServer, SaysWhichSoundItCannotHear) {
+  std::vector<std::string> options = kFreePorts;
+  options.insert(options.end(), {"--microphone", "/nowhere.wav"});
+  Process robot(command(options));
+  EXPECT_EQ(robot.waitForExit(kPatience), 1);
+  EXPECT_THAT(robot.output(), HasSubstr("/nowhere.wav"));
+}
+
 TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
   for (const auto& [version, letter] : std::map<std::string, char>{{"2", 'x'}, {"1", 'e'}}) {
     std::vector<std::string> options = kFreePorts;
     options.insert(options.end(), {"--protocol-version", version});
     Process robot(command(options));
-    TestClient client(static_cast<uint16_t>(std::stoi(portOf(robot))));
-    client.send("X\2");
-    std::optional<Reply> reply;
-    for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
-      reply = client.next();
-      ::poll(nullptr, 0, 10);
-    }
-    ASSERT_TRUE(reply) << version;
-    EXPECT_EQ(reply->letter, letter) << version;
+    EXPECT_EQ(letterOfAnswer(portOf(robot), "X\2"), letter) << version;
   }
 }
 
