@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "sample_motion.h"
+
 namespace {
 
 using motion_tool::ArchivedFile;
@@ -246,7 +248,36 @@ TEST_F(AiboMtnTest, unpacksAnArchive) {
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("bark.wav  (bark)\n0"));
 }
 
+TEST_F(AiboMtnTest, makesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
+  const std::string text = (root_ / "x.txt").string();
+  const std::string file = (root_ / "x.mtn").string();
+  const std::string clipped =
+      "aibo_mtn: on an ERS-7, 1 position is clipped, by up to 2.0 degrees (head_pan at 1600 ms)\n";
+  std::ofstream(text) << "name HOP\nrobot ERS-7\nat 0 head_pan 0\nat 1600 head_pan 90\n";
+  const std::string made = run(text + " " + file);
+  EXPECT_THAT(made, AllOf(HasSubstr("aibo_mtn: at 1600 ms, head_pan is at 90.0 degrees"), HasSubstr(clipped + "0")));
+  EXPECT_THAT(run(file), AllOf(HasSubstr("name HOP\n"), HasSubstr("head_pan 89.99998\n"), HasSubstr(clipped + "0")));
+  EXPECT_THAT(run("--help"), AllOf(HasSubstr("usage:"), HasSubstr("folder; --force overwrites files there\n0")));
+  EXPECT_THAT(run(text + " /nowhere/x.mtn"), HasSubstr("/nowhere/x.mtn cannot be written\n1"));
+}
+
+TEST_F(AiboMtnTest, saysThatItDoesNotCheckTheMotionOfAnUnknownRobot) {
+  motion_tool::KeyFrameMotion motion = sampleMotion();
+  motion.design = "OTHER";
+  std::ofstream(root_ / "x.mtn", std::ios::binary) << motion_tool::encodeMtn(motion);
+  EXPECT_THAT(run((root_ / "x.mtn").string()),
+              HasSubstr("aibo_mtn: not checked: there is no robot with the design \"OTHER\"\n0"));
+}
+
 TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
+  EXPECT_EQ(run("/nowhere.mtn"), "aibo_mtn: /nowhere.mtn cannot be read\n1");
+  EXPECT_EQ(run("/nowhere.txt x.mtn"), "aibo_mtn: /nowhere.txt cannot be read\n1");
+  std::ofstream(root_ / "x.mtn") << "OMTN";
+  EXPECT_THAT(run((root_ / "x.mtn").string()), HasSubstr("x.mtn is not a motion file: it ends before section 0\n1"));
+  std::ofstream(root_ / "x.txt") << "robot ERS-7\nat 0 no_such_joint 0\nat x\n";
+  EXPECT_THAT(run((root_ / "x.txt").string() + " " + (root_ / "x.mtn").string()),
+              AllOf(HasSubstr("x.txt: "), HasSubstr("no_such_joint"), HasSubstr("\n1")));
+
   std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles).substr(0, 100);
   EXPECT_EQ(run(archive()), "aibo_mtn: " + archive() + ": the archive is cut off: it claims to have 2 files\n1");
   EXPECT_THAT(run("--unpack " + archive()), HasSubstr("usage:"));

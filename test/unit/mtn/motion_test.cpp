@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -123,7 +124,12 @@ TEST_F(MotionTest, refusesWrongSections) {
     for (const std::uint32_t size : {0U, 7U, 9U, 0x7fffffffU, 0xffffffffU}) {
       EXPECT_NE(problemOf(changed(section + 4, size, 4)), "") << "section at " << section << " of " << size << " bytes";
     }
+    EXPECT_THAT(problemOf(changed(section + 4, 7, 4)), HasSubstr("claims to have 7 bytes"));
   }
+  EXPECT_THAT(problemOf(changed(kSection0 + 4, 23, 4)), HasSubstr("section 0 is shorter than 24 bytes"));
+  EXPECT_THAT(problemOf(changed(kSection1 + 4, 8, 4)), HasSubstr("section 1 ends before the motion's name"));
+  EXPECT_THAT(problemOf(changed(kSection2 + 4, 9, 4)), HasSubstr("section 2 has no number of joints"));
+  EXPECT_THAT(problemOf(changed(kSection3 + 4, 11, 4)), HasSubstr("section 3 has no type of data"));
 }
 
 TEST_F(MotionTest, refusesAbsurdNumbersInSection0) {
@@ -132,6 +138,9 @@ TEST_F(MotionTest, refusesAbsurdNumbersInSection0) {
   EXPECT_THAT(problemOf(changed(kSection0 + 16, 2, 2)), HasSubstr("2 key frames of 2 joints have 44"));
   EXPECT_THAT(problemOf(changed(kSection0 + 16, 0xffff, 2)), HasSubstr("65535 key frames"));
   EXPECT_THAT(problemOf(changed(kSection0 + 18, 0, 2)), HasSubstr("a frame of 0 ms"));
+  EXPECT_THAT(problemOf(changed(kSection0 + 18, 7, 2)), HasSubstr("a frame of 7 ms"));
+  EXPECT_EQ(problemOf(changed(kSection0 + 18, 8, 2)), "");
+  EXPECT_EQ(problemOf(changed(kSection0 + 18, 1000, 2)), "");
   EXPECT_THAT(problemOf(changed(kSection0 + 18, 1001, 2)), HasSubstr("a frame of 1001 ms"));
 }
 
@@ -146,6 +155,30 @@ TEST_F(MotionTest, refusesWrongJoints) {
   EXPECT_THAT(problemOf(changed(kSection2 + 8, 3, 2)), HasSubstr("joint"));
   EXPECT_THAT(problemOf(changed(kSection2 + 11, 'p', 1)), HasSubstr("joint 0 has no locator"));
   EXPECT_THAT(problemOf(changed(kSection2 + 20, '\n', 1)), HasSubstr("joint 0 has no locator"));
+}
+
+TEST_F(MotionTest, takesAsManyJointsAndCharactersAsItHasRoomFor) {
+  motion_tool::KeyFrameMotion motion = sampleMotion();
+  motion.name.assign(mtn::MAX_TEXT_SIZE, 'n');
+  motion.locators.clear();
+  for (int i = 0; i < mtn::MAX_JOINTS; ++i) {
+    motion.locators.push_back("PRM:" + std::string(mtn::MAX_LOCATOR_SIZE - 6, 'j') + std::to_string(10 + i));
+  }
+  motion.key_frames = {{0, std::vector<int>(mtn::MAX_JOINTS, mtn::MAX_POSITION)},
+                       {160, std::vector<int>(mtn::MAX_JOINTS, -mtn::MAX_POSITION)}};
+  const std::string bytes = motion_tool::encodeMtn(motion);
+  const ReadMotion read(bytes);
+  ASSERT_TRUE(read.good) << read.motion.problem();
+  EXPECT_EQ(read.motion.name(), motion.name);
+  EXPECT_EQ(read.motion.locator(mtn::MAX_JOINTS - 1), motion.locators.back());
+  EXPECT_EQ(read.motion.position(1, mtn::MAX_JOINTS - 1), -mtn::MAX_POSITION);
+  motion.locators.back() += "j";
+  try {
+    motion_tool::encodeMtn(motion);
+    ADD_FAILURE() << "a locator is too long";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a joint's locator has 64 characters, more than 63"));
+  }
 }
 
 TEST_F(MotionTest, refusesAJointThatAppearsTwice) {
