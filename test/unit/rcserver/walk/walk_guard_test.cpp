@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <string>
 
 namespace {
 
@@ -60,6 +62,18 @@ class WalkGuardTest : public ::testing::Test {
     return text == nullptr ? "" : text;
   }
 
+  // Walks until the guard objects. Returns how far the robot gets, and comes to rest after the time to stop.
+  double wayUntil(const char* expected, const Velocity& velocity) {
+    int reports = 0;
+    while (objection(velocity).empty() && reports < 10000) {
+      walk(velocity, 0.032);
+      ++reports;
+    }
+    EXPECT_THAT(objection(velocity), HasSubstr(expected));
+    return std::hypot(velocity.forward, velocity.left) * (0.032 * reports + kTimeToStop);
+  }
+
+  static constexpr double kTimeToStop = 0.73;  // s; 0.23 until the legs react, and half of the second of slowing down
   const Gait gait_;
   WalkGuard guard_{gait_};
   double phase_ = 0;
@@ -146,6 +160,37 @@ TEST_F(WalkGuardTest, BeforeAWallTheRobotSlowsDownAndStops) {
   EXPECT_EQ(objection(kTurn), "");
 }
 
+TEST_F(WalkGuardTest, TheRobotStopsFiveCentimetresBeforeAWall) {
+  const double braking = gait_.Parameters().highest.forward;  // in a second from its highest velocity
+  for (const double distance : {0.12, 0.2, 0.3, 0.4}) {
+    look(beforeWall(distance));
+    const double highest = guard_.HighestForward();
+    EXPECT_NEAR(highest * 0.23 + highest * highest / (2 * braking), distance - 0.05, 1e-6) << distance;
+  }
+  look(beforeWall(0.3), 2);
+  look(onFloor(), 1);
+  look(beforeWall(0.1), 2);
+  EXPECT_GT(guard_.HighestForward(), 1) << "two reports are no wall";
+  WalkGuard::Reading reading = onFloor();
+  reading.far = 1;
+  look(reading);
+  EXPECT_LT(guard_.HighestForward(), 1) << "the other sensor sees it from farther away";
+}
+
+TEST_F(WalkGuardTest, OnlyWhatTheBodyOrTheHeadWouldHitIsInTheWay) {
+  const robot_model::Point ahead = {0.0769 + 0.4, 0.0028, -0.0146};  // of the sensor
+  for (double pan = -0.6; pan < 0.6; pan += 0.03) {
+    for (double tilt = 0; tilt < 0.7; tilt += 0.05) {
+      WalkGuard::Reading reading = beforeWall(0.4);
+      reading.head.head_pan = pan;
+      reading.head.head_tilt = tilt;
+      look(reading);
+      const robot_model::Point place = findInBody(ahead, reading.head);
+      EXPECT_EQ(guard_.HighestForward() < 1, std::abs(place.y) < 0.11 && place.z < 0.15) << pan << " " << tilt;
+    }
+  }
+}
+
 TEST_F(WalkGuardTest, TheHeadSpeaksForTheWayAheadOnlyIfItLooksThere) {
   WalkGuard::Reading reading = beforeWall(0.1);
   reading.head.head_pan = 1.2;
@@ -185,6 +230,54 @@ TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
   EXPECT_EQ(objection(kBack), "") << "half of the way";
   walk(kBack, 4);
   EXPECT_THAT(objection(kBack), HasSubstr("no sensor looks there")) << "it is where it began";
+}
+
+TEST_F(WalkGuardTest, ItStopsFourCentimetresBeyondTheGroundThatItRemembers) {
+  EXPECT_NEAR(wayUntil("no sensor looks there", kLeft), 0.04, 0.004);
+  guard_.Forget();
+  walk(kForward, 5);
+  EXPECT_NEAR(wayUntil("no sensor looks there", kBack), 0.5 + 0.04, 0.005);
+  guard_.Forget();
+  walk(kForward, 30);
+  EXPECT_NEAR(wayUntil("no sensor looks there", kBack), 48 * 0.0224 + 0.04, 0.03) << "a pose every 7 reports";
+}
+
+TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
+  LegAngles legs[NUMBER_OF_LEGS];
+  gait_.FindPosture(0, {0, 0, 0}, 0, legs);
+  const double toes = findFoot(robot_model::LEFT_FRONT_LEG, legs[robot_model::LEFT_FRONT_LEG]).x + 0.04;
+  const double edge = 0.109 + 0.223 * 0.866;  // where the chest sensor looks
+  look(atEdge());
+  look(onFloor());
+  EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.007);
+}
+
+// What holds for one side holds for the other.
+TEST_F(WalkGuardTest, LeftAndRightAreAlike) {
+  WalkGuard mirrored(gait_);
+  const auto mirror = [](const Velocity& velocity) {
+    return Velocity{velocity.forward, -velocity.left, -velocity.turn};
+  };
+  LegAngles legs[NUMBER_OF_LEGS];
+  gait_.FindPosture(0, {0, 0, 0}, 0, legs);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(-1, 1);
+  int objections = 0;
+  for (int walk = 0; walk < 200; ++walk) {
+    const Velocity velocity = {0.1 * share(random), 0.05 * share(random), share(random)};
+    for (int report = 0; report < 10; ++report) {
+      guard_.HaveWalked(velocity, velocity, 4);
+      mirrored.HaveWalked(mirror(velocity), mirror(velocity), 4);
+      for (WalkGuard* guard : {&guard_, &mirrored}) {
+        guard->Look(walk % 20 == 19 ? atEdge() : onFloor(), legs, 0, nullptr);
+      }
+      const Velocity wanted = {0.1 * share(random), 0.05 * share(random), share(random)};
+      EXPECT_EQ(guard_.Objection(wanted), mirrored.Objection(mirror(wanted)));
+      objections += guard_.Objection(wanted) != nullptr ? 1 : 0;
+    }
+  }
+  EXPECT_GT(objections, 100);
+  EXPECT_LT(objections, 1900);
 }
 
 TEST_F(WalkGuardTest, FromUnknownGroundItMayComeBack) {
@@ -236,6 +329,18 @@ TEST_F(WalkGuardTest, APawThatFindsNoFloorEndsTheWalk) {
   look(onFloor());
   EXPECT_THAT(objection({0.05, 0, 0.3}), HasSubstr("the floor ends there"));
   EXPECT_EQ(objection(kBack), "");
+}
+
+TEST_F(WalkGuardTest, ThePawThatFindsNoFloorIsNamed) {
+  const char* const names[NUMBER_OF_LEGS] = {"left front", "left hind", "right front", "right hind"};
+  for (int leg = 0; leg < NUMBER_OF_LEGS; ++leg) {
+    guard_.Forget();
+    walk(kForward, 3);
+    WalkGuard::Reading reading = onFloor();
+    reading.paws[leg] = false;
+    walk(kForward, 1, reading);
+    EXPECT_THAT(objection(kForward), HasSubstr("the " + std::string(names[leg]) + " paw finds no floor"));
+  }
 }
 
 TEST_F(WalkGuardTest, APawThatHasNotWorkedIsNotBelieved) {
