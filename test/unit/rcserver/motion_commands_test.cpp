@@ -363,6 +363,27 @@ TEST_F(Version2MotionsTest, reportsWhyAnUploadIsRefused) {
   EXPECT_THAT(answerTo(upload("NEW.MTN", motion_)), HasSubstr("e0 NEW.MTN cannot be written"));
 }
 
+// A folder can be opened like a file, but neither be read nor, if it is not empty, deleted.
+TEST_F(Version2MotionsTest, reportsAFileThatTheMemoryStickCannotReadOrDelete) {
+  startVersion2("ALLOW_DELETE=yes\n");
+  stick_.write(std::string(kFolder) + "/BAD.MTN/FULL.TXT", "");
+  EXPECT_EQ(answerTo(play("BAD.MTN", 1)), "e1 BAD.MTN cannot be read");
+  EXPECT_EQ(answerTo(frame('D', "BAD.MTN")), "e0 BAD.MTN cannot be deleted: the memory stick may be damaged");
+}
+
+TEST_F(Version2MotionsTest, refusesOneMotionMoreThanItPlaysAtOnce) {
+  startVersion2("");
+  const char* const joints[] = {"head_pan", "mouth", "tail_pan", "tail_tilt", "neck_tilt"};
+  for (int i = 0; i <= MotionPlayer::MAX_PLAYING; ++i) {
+    const std::string name = std::to_string(i) + ".MTN";
+    stick_.write(std::string(kFolder) + "/" + name, motionBytes(std::string("at 0 ") + joints[i] + " 0\nat 1600\n"));
+    EXPECT_EQ(answerTo(play(name, 1)), i < MotionPlayer::MAX_PLAYING
+                                           ? "p"
+                                           : "e0 " + std::to_string(MotionPlayer::MAX_PLAYING) +
+                                                 " motions are already being played; stop one first");
+  }
+}
+
 TEST_F(Version2MotionsTest, reportsAMotionThatAFaultyJointStops) {
   startVersion2("");
   EXPECT_EQ(answerTo(play("NOD.MTN", 100)), "p");

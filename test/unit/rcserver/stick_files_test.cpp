@@ -10,6 +10,7 @@
 
 #include "motion_bytes.h"
 #include "support/memory_stick.h"
+#include "support/resources.h"
 
 namespace {
 
@@ -129,6 +130,19 @@ TEST_F(StickFilesTest, reportsWhatIsTooLargeOrNotAFile) {
   EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
   std::filesystem::create_directory(folder_ / "DIR.MTN");
   EXPECT_EQ(read("DIR.MTN", &content), FileResult::FAILED);
+}
+
+TEST_F(StickFilesTest, leavesNoFileOpen) {
+  const test_support::Resources before = test_support::Resources::of();
+  std::string content;
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(store("HOP.MTN", "123456"));
+    EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
+    EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
+    EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
+    EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
+  }
+  EXPECT_EQ(test_support::Resources::of().descriptors, before.descriptors);
 }
 
 // A limit on the size of files acts like a full memory stick: writing fails halfway.
