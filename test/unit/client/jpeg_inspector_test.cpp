@@ -177,6 +177,10 @@ TEST(JpegInspectorTest, OtherColoursThanYCbCrAreRefused) {
   EXPECT_EQ("its colours are not YCbCr", problemOf(rgb));
   rgb.at(2 + 15) = 1;  // Adobe's transform: YCbCr
   EXPECT_EQ("", problemOf(rgb));
+  Bytes named_rgb = alter(kSof0, 10, 'R');
+  named_rgb.at(test_pictures::findMarker(named_rgb, kSof0) + 13) = 'G';
+  named_rgb.at(test_pictures::findMarker(named_rgb, kSof0) + 16) = 'B';
+  EXPECT_EQ("its colours are not YCbCr", problemOf(named_rgb));
 }
 
 TEST(JpegInspectorTest, UnusualSubsamplingIsRefused) {

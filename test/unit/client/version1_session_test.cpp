@@ -614,6 +614,21 @@ TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
   EXPECT_EQ("J1=573", command());
 }
 
+TEST_F(Version1SessionTest, ARefusalNamesThePartAndOneThatNobodyAwaitsIsTold) {
+  commandEars(true, false);
+  EXPECT_EQ("K1=1", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'K' for ear 1: error code 0"));
+  EXPECT_EQ("K2=0", command());
+  receiveValue("K2");
+  commandLeds({{7, 255}});
+  EXPECT_EQ("L7=255", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(1, logged("refused the request 'L' for LED 7: error code 0"));
+  receive({'e', 0, 3, 0});
+  EXPECT_EQ(1, logged("sent an error that answers no request: error code 3"));
+}
+
 TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
   commandJoints({{1, 0.1}});
   EXPECT_EQ("J1=573", command());
@@ -817,7 +832,8 @@ TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
   EXPECT_THAT(refuse('Q', "", 0, 0), HasSubstr("refused to shut down: is it allowed?"));
   EXPECT_THAT(refuse('R', "", 0, 0), HasSubstr("ALLOW_REBOOT=yes"));
   EXPECT_THAT(refuse('D', "NOD.MTN", 0, 2), HasSubstr("does not accept this as the name of a motion"));
-  EXPECT_EQ(6u, counters_.refusals);
+  EXPECT_THAT(refuse('P', "NOD.MTN", 1, 0), HasSubstr("are its motors on, and is the file a motion for this robot?"));
+  EXPECT_EQ(7u, counters_.refusals);
 }
 
 TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextAnswerCouldBelongToAnyRequest) {

@@ -103,6 +103,12 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
 }
 
+TEST_F(Version2SessionTest, AServerThatRefusesTheHelloIsGivenUp) {
+  pass(milliseconds(250));
+  EXPECT_EQ("H2", request());
+  EXPECT_THAT(faultOf(makeError(2, 0, "not now")), HasSubstr("not now"));
+}
+
 TEST_F(Version2SessionTest, AHeartbeatIsSentFourTimesASecondWhileNothingElseIs) {
   const TimePoint begin = now_;
   int heartbeats = 0;
