@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <map>
@@ -330,6 +331,19 @@ TEST(JointRecovery, BeginsWhereTheJointIsHeldAndOnlyAfterAFault) {
   recovery.Await();
   recovery.Forget();
   EXPECT_FALSE(recovery.Look({kFar, kFar, 0}, 20 * kPatience));
+}
+
+// docs/protocol.md promises these numbers. Other tests name them, so they would not see a wrong one.
+TEST(JointNumbers, AreThoseOfTheDocument) {
+  const double degree = std::acos(-1.0) / 180 * 1e6;
+  EXPECT_NEAR(Walker::POSTURE_SPEED, 45 * degree, 1);
+  EXPECT_NEAR(Walker::UNLOADED_SPEED, 90 * degree, 1);
+  EXPECT_EQ(int{Walker::STEERING_FRAMES}, 63) << "500 ms";
+  EXPECT_NEAR(PlayedMotion::APPROACH_SPEED, 90 * degree, 1);
+  EXPECT_NEAR(JointWatch::TOLERANCE, 10 * degree, 1);
+  EXPECT_NEAR(JointWatch::MOVEMENT, degree, 1);
+  EXPECT_EQ(unsigned{JointWatch::PATIENCE}, 63u) << "half a second";
+  EXPECT_EQ(unsigned{FallWatch::PATIENCE}, 50u) << "0.4 s";
 }
 
 }  // namespace
