@@ -30,7 +30,7 @@ FaultKind faultOf(const Call& call) {
   try {
     call();
   } catch (const Fault& fault) {
-    EXPECT_STRNE("", fault.what());
+    EXPECT_THAT(fault.what(), testing::MatchesRegex("([0-9.]+:[0-9]+ |the name ').*"));
     EXPECT_NE("", fault.advice());
     return fault.kind();
   }
