@@ -118,15 +118,25 @@ TEST(RobotModel, HasTheNumbersOfTheErs210) {
       {"head_pan", 2, "PRM:/r1/c1/c2-Joint2:j2", -1563815, 1563815, -1616175, 1616175, 3011000, 13, 8, 11},
       {"head_roll", 3, "PRM:/r1/c1/c2/c3-Joint2:j3", -506145, 506145, -558505, 558505, 3011000, 10, 8, 12},
       {"mouth", 4, "PRM:/r1/c1/c2/c3/c4-Joint2:j4", -820305, -52360, -872665, 0, 4374000, 14, 8, 16},
-      {"left_front_rotator", 11, "PRM:/r2/c1-Joint2:j1", -2042035, 2042035, -2094395, 2094395, 2814000, 22, 4, 8},
-      {"left_hind_elevator", 22, "PRM:/r3/c1/c2-Joint2:j2", -191986, 1553343, -244346, 1605703, 2498000, 20, 4, 6},
-      {"right_front_knee", 33, "PRM:/r4/c1/c2/c3-Joint2:j3", -471239, 2565634, -523599, 2617994, 2836000, 35, 4, 5},
-      {"right_hind_rotator", 41, "PRM:/r5/c1-Joint2:j1", -2042035, 2042035, -2094395, 2094395, 2814000, 22, 4, 8},
       {"tail_pan", 51, "PRM:/r6/c1-Joint2:j1", -383972, 383972, -436332, 436332, 4472000, 10, 0, 24},
       {"tail_tilt", 52, "PRM:/r6/c2-Joint2:j2", -383972, 383972, -436332, 436332, 4472000, 7, 0, 17},
   };
   for (const ExpectedJoint& joint : joints) {
     expectJoint(ers210, joint);
+  }
+  const char* const legs[] = {"left_front", "left_hind", "right_front", "right_hind"};
+  for (int leg = 0; leg < 4; ++leg) {
+    const auto expectInLeg = [&](const std::string& name, const std::string& locator, ExpectedJoint joint) {
+      const std::string whole_name = std::string(legs[leg]) + name;
+      const std::string whole_locator = "PRM:/r" + std::to_string(2 + leg) + locator;
+      joint.name = whole_name.c_str();
+      joint.locator = whole_locator.c_str();
+      joint.identifier += 10 * leg;
+      expectJoint(ers210, joint);
+    };
+    expectInLeg("_rotator", "/c1-Joint2:j1", {"", 11, "", -2042035, 2042035, -2094395, 2094395, 2814000, 22, 4, 8});
+    expectInLeg("_elevator", "/c1/c2-Joint2:j2", {"", 12, "", -191986, 1553343, -244346, 1605703, 2498000, 20, 4, 6});
+    expectInLeg("_knee", "/c1/c2/c3-Joint2:j3", {"", 13, "", -471239, 2565634, -523599, 2617994, 2836000, 35, 4, 5});
   }
 }
 
