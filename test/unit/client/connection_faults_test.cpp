@@ -162,6 +162,22 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
   EXPECT_EQ(15u, client_.statistics().connections);
 }
 
+TEST_F(ConnectionFaultsTest, OnlyASilentRobotCountsAsAStall) {
+  ClientOptions options = optionsFor(server_);
+  options.read_timeout = milliseconds(300);
+  RcServerClient client(options, recorder_.callbacks());
+  client.setStreaming(true);
+  client.start();
+  acceptStream().close();
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
+  EXPECT_EQ(0u, client.statistics().stalls);
+  const ScriptedPeer silent = acceptStream();
+  ASSERT_TRUE(recorder_.waitForReason("sent nothing for 300 ms"));
+  EXPECT_EQ(FaultKind::kSilent, client.status().fault);
+  EXPECT_GE(client.statistics().stalls, 1u);
+  EXPECT_EQ(0u, client.statistics().protocol_errors);
+}
+
 TEST_F(ConnectionFaultsTest, AWebServerIsNotTakenForAnRcServer) {
   const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
   expectProtocolError(Bytes(answer.begin(), answer.end()), "does not speak the RCServer's protocol");

@@ -1,6 +1,8 @@
 #include "client/tcp_transport.h"
 
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -10,6 +12,7 @@
 #include "aibo_client/exceptions.h"
 #include "client/fault.h"
 #include "support/scripted_server.h"
+#include "support/udp_socket.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -219,6 +222,51 @@ TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
                 transport.send(request.data(), request.size());
               }
             }));
+}
+
+TEST(TcpTransportTest, WithoutAFreeDescriptorThereIsNoSocketForDatagramsUntilThereIsOne) {
+  ScriptedServer server;
+  TcpTransport transport;
+  EXPECT_FALSE(transport.openDatagrams()) << "it is not connected";
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  const ScriptedPeer peer = server.accept();
+  rlimit usual{};
+  ::getrlimit(RLIMIT_NOFILE, &usual);
+  rlimit exhausted = usual;
+  const int lowest_free = ::dup(STDERR_FILENO);
+  ::close(lowest_free);
+  exhausted.rlim_cur = static_cast<rlim_t>(lowest_free);
+  ::setrlimit(RLIMIT_NOFILE, &exhausted);
+  EXPECT_FALSE(transport.openDatagrams());
+  EXPECT_FALSE(transport.datagrams().isOpen());
+  EXPECT_EQ(transport.datagrams().port(), 0);
+  ::setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_TRUE(transport.openDatagrams());
+  EXPECT_GT(transport.datagrams().port(), 0);
+}
+
+TEST(TcpTransportTest, DatagramsAreAnsweredToTheRobotsPortWhoeverElseSendsSome) {
+  ScriptedServer server;
+  TcpTransport transport;
+  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  const ScriptedPeer peer = server.accept();
+  ASSERT_TRUE(transport.openDatagrams());
+  DatagramSocket& datagrams = transport.datagrams();
+  test_support::UdpSocket robot;
+  test_support::UdpSocket stranger("127.0.0.2");
+  std::uint8_t buffer[16];
+  std::size_t size = 0;
+  EXPECT_FALSE(datagrams.receive(buffer, sizeof buffer, &size));
+  robot.send(datagrams.port(), {1, 2, 3});
+  EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kPeer);
+  EXPECT_EQ(size, 3u);
+  datagrams.replyToLastSender();
+  stranger.send(datagrams.port(), {4});
+  EXPECT_EQ(datagrams.receive(buffer, sizeof buffer, &size), DatagramSocket::Origin::kForeign);
+  const std::uint8_t reply[] = {'a', 0, 7};
+  datagrams.reply(reply, sizeof reply);
+  EXPECT_EQ(robot.next(), (std::vector<std::uint8_t>{'a', 0, 7}));
+  EXPECT_FALSE(stranger.next());
 }
 
 }  // namespace
