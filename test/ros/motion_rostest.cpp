@@ -256,22 +256,4 @@ TEST(LookAround, PausesWhileAnythingElseMovesTheRobot) {
   })) << "then it goes on";
 }
 
-TEST(LookAround, LeavesTheHeadWhereSomebodyHasPointedIt) {
-  JointUser user("/pointed", kQuick);
-  TopicListener<MotionState> states("/pointed/motion_state");
-  const Process look_around({AIBO_LOOK_AROUND, "__ns:=/pointed", "_pause:=3"});
-  const auto looks_around = [](const MotionState& state) {
-    return !state.movements.empty() && state.movements[0].source == "/pointed/aibo_look_around";
-  };
-  ASSERT_TRUE(states.waitFor(looks_around));
-  user.publish("joint_command", command({{"head_pan", 0.1}}));
-  ASSERT_TRUE(states.waitFor([](const MotionState& state) {
-    return state.movements.size() == 1 && state.movements[0].kind == Movement::COMMAND;
-  }));
-  const auto pointed = std::chrono::steady_clock::now();
-  states.clear();
-  ASSERT_TRUE(states.waitFor(looks_around)) << "after the pause";
-  EXPECT_GT(std::chrono::steady_clock::now() - pointed, std::chrono::milliseconds(2500));
-}
-
 }  // namespace

@@ -42,6 +42,7 @@ using std_srvs::Trigger;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TopicListener;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using trajectory_msgs::JointTrajectory;
 
@@ -116,16 +117,19 @@ class FakeDriver {
     state_.publish(state_now_);
   }
 
-  void takePosture(bool takes) {
+  /// What moves the robot from now on.
+  void move(const std::vector<Movement>& movements) {
     MotionState state;
-    if (takes) {
-      Movement posture;
-      posture.kind = Movement::POSTURE;
-      posture.name = "sit";
-      posture.source = "/somebody";
-      state.movements.push_back(posture);
-    }
+    state.movements = movements;
     motion_.publish(state);
+  }
+
+  void takePosture(bool takes) {
+    Movement posture;
+    posture.kind = Movement::POSTURE;
+    posture.name = "sit";
+    posture.source = "/somebody";
+    move(takes ? std::vector<Movement>{posture} : std::vector<Movement>());
   }
 
  private:
@@ -179,6 +183,75 @@ TEST(LookAround, WaitsWhileTheRobotIsStoppedAndGoesOnWhenItIsToldTo) {
       << "a glance comes every 4 s";
   EXPECT_TRUE(callGoOn("/looks/aibo_look_around", &message)) << message;
   EXPECT_GT(glances.waitForCount(glances_before + 1).size(), glances_before);
+}
+
+/// A robot that looks around. Each time it has looked somewhere, it waits 3.5 or 4.5 s by itself.
+class LookAroundTest : public ::testing::Test {
+ protected:
+  /// What becomes of its second glance if something happens after the first one, and ends 5 s later.
+  struct Gaze {
+    bool waits = false;                          ///< while it happens
+    std::vector<JointTrajectory::ConstPtr> all;  ///< soon after its end
+    std::chrono::steady_clock::duration time{};  ///< from its beginning until the second glance
+  };
+
+  // In parallel with others, because most of the time nothing happens.
+  static std::future<Gaze> begin(const std::string& name_space, const std::string& pause,
+                                 const std::function<void(FakeDriver&, bool)>& happen, std::size_t glances = 2,
+                                 std::chrono::seconds lasts = std::chrono::seconds(5)) {
+    return std::async(std::launch::async, [=] {
+      FakeDriver driver(name_space);
+      TopicListener<JointTrajectory> listener(name_space + "/joint_trajectory");
+      const Process node({AIBO_LOOK_AROUND, "__ns:=" + name_space, pause});
+      EXPECT_FALSE(listener.waitForCount(1).empty());
+      const auto begin = std::chrono::steady_clock::now();
+      Gaze gaze;
+      happen(driver, true);
+      gaze.waits = listener.waitForCount(glances, lasts).size() < glances;
+      happen(driver, false);
+      gaze.all = listener.waitForCount(glances);
+      gaze.time = std::chrono::steady_clock::now() - begin;
+      return gaze;
+    });
+  }
+
+  static std::function<void(FakeDriver&, bool)> movement(std::uint8_t kind, const std::vector<std::string>& joints) {
+    return [=](FakeDriver& driver, bool moves) {
+      Movement movement;
+      movement.source = "/somebody";
+      movement.kind = kind;
+      movement.joints = joints;
+      driver.move(moves ? std::vector<Movement>{movement} : std::vector<Movement>());
+    };
+  }
+};
+
+TEST_F(LookAroundTest, WaitsForWhateverElseMovesTheRobotAndLongerAfterSomebodyHasPointedTheHead) {
+  auto walk = begin("/walks", "_pause:=3600", movement(Movement::WALK, {}), 3, kSafetyNet);
+  auto tail = begin("/wags", "_pause:=3600", movement(Movement::COMMAND, {"tail_pan"}));
+  auto limp = begin("/limp", "_pause:=3600", [](FakeDriver& driver, bool is_limp) {
+    driver.tell(is_limp ? RobotState::OFF : RobotState::ON, RobotState::LYING);
+  });
+  auto neck = begin("/nods", "_pause:=7", movement(Movement::COMMAND, {"tail_pan", "neck_tilt"}));
+  for (const Gaze& gaze : {tail.get(), limp.get()}) {
+    EXPECT_TRUE(gaze.waits);
+    EXPECT_EQ(gaze.all.size(), 2U) << "it does not wait any longer";
+  }
+  const Gaze nod = neck.get();
+  EXPECT_TRUE(nod.waits);
+  EXPECT_GE(nod.time, std::chrono::seconds(7));
+  const Gaze gaze = walk.get();
+  EXPECT_FALSE(gaze.waits) << "a walk moves only the legs";
+  ASSERT_EQ(gaze.all.size(), 3U);
+  EXPECT_GE(gaze.time, std::chrono::milliseconds(7500)) << "each glance has its time";
+  constexpr double kGlances[3][3] = {{2.5, 0.7, 0.1}, {3.5, -0.7, 0.3}, {2.5, 0, 0}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_THAT(gaze.all[i]->joint_names, ElementsAre("head_pan", "head_tilt"));
+    ASSERT_EQ(gaze.all[i]->points.size(), 1U);
+    EXPECT_EQ(gaze.all[i]->points[0].time_from_start, ros::Duration(kGlances[i][0]));
+    EXPECT_THAT(gaze.all[i]->points[0].positions, ElementsAre(kGlances[i][1], kGlances[i][2]));
+    EXPECT_THAT(gaze.all[i]->points[0].velocities, ElementsAre(0, 0));
+  }
 }
 
 class BallFollower : public ::testing::Test {
@@ -253,6 +326,10 @@ TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
   driver_.stop("/user");
   EXPECT_TRUE(becomesSilent());
   driver_.release();
+  EXPECT_TRUE(walks());
+  driver_.takePosture(true);
+  EXPECT_TRUE(becomesSilent()) << "until the robot has taken it";
+  driver_.takePosture(false);
   EXPECT_TRUE(walks());
 }
 
