@@ -192,7 +192,13 @@ void DriverTopics::subscribeAnswers() {
     post_([intensities](Robot& robot) { Q_EMIT robot.ledsChanged(intensities); });
   });
   subscribe<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
-    if (asked_to_look_.exchange(false)) {  // otherwise it answers somebody else
+    bool is_ours = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      is_ours = asked_to_look_ && asked_to_look_->stamp == message.header.stamp &&
+                asked_to_look_->frame_id == message.header.frame_id;
+    }
+    if (is_ours) {  // otherwise it answers somebody else
       const bool success = message.success != 0;
       const QString text = "look there: " + fromRos(message.message);
       post_([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
@@ -414,8 +420,8 @@ bool DriverTopics::publishLookAt(const QPointF& place) {
     message.point.x = (place.x() * camera_->width - camera_->K[2]) / camera_->K[0];
     message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
     message.point.z = 1;
+    asked_to_look_ = message.header;
   }
-  asked_to_look_ = true;
   look_at_.publish(message);
   return true;
 }

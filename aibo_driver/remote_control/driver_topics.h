@@ -9,8 +9,8 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
+#include <std_msgs/Header.h>
 
-#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
@@ -102,13 +102,13 @@ class DriverTopics {
   std::chrono::steady_clock::time_point last_heard_;
   std::optional<sensor_msgs::CameraInfo> camera_;  ///< the first calibration; it holds for all sizes
   ros::Time picture_stamp_;                        ///< the stamp of the newest picture
+  std::optional<std_msgs::Header> asked_to_look_;  ///< the header of the last point on look_at; its result has it, too
 
   struct Newest {
     std::mutex mutex;
     QImage picture;  ///< the picture on its way to the window; null if there is none
   };
   const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
-  std::atomic<bool> asked_to_look_{false};
   std::optional<std::vector<EndedMovement>> ended_;  ///< the movements that had ended in the newest motion_state
   JointPositions positions_;                         ///< the positions of all joints that were measured
   bool positions_are_new_ = false;

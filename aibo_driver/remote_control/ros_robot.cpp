@@ -17,6 +17,7 @@
 #include <QSemaphore>
 #include <QThread>
 #include <algorithm>
+#include <atomic>
 #include <type_traits>
 #include <utility>
 

@@ -1,27 +1,51 @@
 // The window of the remote control with a running driver and a simulated robot, without a display.
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/Ears.h>
+#include <aibo_driver/LedStates.h>
+#include <aibo_driver/Leds.h>
+#include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/PlaySound.h>
 #include <aibo_driver/RobotState.h>
+#include <aibo_driver/Say.h>
+#include <aibo_driver/Sound.h>
+#include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
+#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <sensor_msgs/BatteryState.h>
+#include <sensor_msgs/CameraInfo.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
+#include <sensor_msgs/Range.h>
 #include <std_msgs/Bool.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QBuffer>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
+#include <QPainter>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QThread>
+#include <QTimer>
 #include <QtTest/QTest>
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "remote_control/axis_pad.h"
@@ -35,8 +59,17 @@
 
 namespace {
 
+using aibo_driver::Connection;
+using aibo_driver::EndedMovement;
+using aibo_driver::LinkQuality;
+using aibo_driver::LookAtResult;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using aibo_driver::RobotState;
+using aibo_driver::Touch;
 using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::JointSlider;
+using aibo_driver::remote_control::Part;
 using aibo_driver::remote_control::PictureView;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
@@ -44,6 +77,7 @@ using test_support::DriverProcess;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
+using ::testing::ElementsAre;
 
 constexpr int kTimeout = 30000;  // ms; only a failing test waits this long
 
@@ -298,6 +332,356 @@ TEST(RemoteControlRos, FindsADriverByItself) {
   const DriverProcess driver("/somewhere", simulated.port());
   User user("");
   EXPECT_TRUE(user.waitForConnection());
+}
+
+// What passes between the window and a driver, which is a fake, and without a window.
+
+constexpr const char* kTold = "/told";
+
+class ToldTest : public ::testing::Test {
+ protected:
+  ToldTest() {
+    QObject::connect(&robot_, &RosRobot::connectionChanged,
+                     [this](const auto& now) { note("connection " + now.text); });
+    QObject::connect(&robot_, &RosRobot::conditionChanged, [this](const auto& now) {
+      note(QString("condition %1 %2 %3").arg(int(now.motors)).arg(int(now.posture)).arg(now.stopped_by));
+    });
+    QObject::connect(&robot_, &RosRobot::linkMeasured, [this](const auto& link) {
+      note(QString("link %1 %2 %3").arg(link.pictures_per_second).arg(link.age).arg(link.lost));
+    });
+    QObject::connect(&robot_, &RosRobot::batteryMeasured, [this](double charge, double temperature) {
+      note(QString("battery %1 %2").arg(charge).arg(temperature));
+    });
+    QObject::connect(&robot_, &RosRobot::streamingChanged, [this](bool on) { note(on ? "streams" : "streams not"); });
+    QObject::connect(&robot_, &RosRobot::movementChanged,
+                     [this](const QString& text, bool plays) { note(text + (plays ? ", plays" : ", plays not")); });
+    QObject::connect(&robot_, &RosRobot::ledsChanged, [this](const auto& leds) { note("leds" + list(leds)); });
+    QObject::connect(&robot_, &RosRobot::jointsMeasured, [this](const auto& joints) { note("joints" + list(joints)); });
+    QObject::connect(&robot_, &RosRobot::touched, [this](const auto& places) { note("touched " + places.join(",")); });
+    QObject::connect(&robot_, &RosRobot::distanceMeasured, [this](const auto& distance) {
+      note(QString("%1 %2 %3").arg(distance.name).arg(distance.metres).arg(distance.farthest));
+    });
+    QObject::connect(&robot_, &RosRobot::heard, [this](double level) { note(QString("level %1").arg(qRound(level))); });
+    QObject::connect(&robot_, &RosRobot::pictureArrived, [this](const QImage& picture) {
+      const QColor first = picture.pixelColor(2, 2);
+      const QColor last = picture.pixelColor(picture.width() - 3, picture.height() - 3);
+      note(QString("picture %1x%2 ").arg(picture.width()).arg(picture.height()) + (first.red() > 200 ? "red " : "") +
+           (first.blue() < 50 ? "" : "blue ") + (last.red() < 50 ? "" : "red ") + (last.blue() > 200 ? "blue" : ""));
+    });
+    QObject::connect(&robot_, &RosRobot::motionsListed, [this](const auto& names) { note("has " + names.join(",")); });
+    QObject::connect(&robot_, &RosRobot::answered,
+                     [this](bool success, const QString& text) { note((success ? "yes, " : "no, ") + text); });
+    connect("connected");
+    QObject::connect(&heartbeat_, &QTimer::timeout,
+                     [this] { publisherOf<LinkQuality>("link_quality").publish(link_); });
+    heartbeat_.start(500);  // otherwise the driver would be given up
+    robot_.useDriver(kTold);
+    EXPECT_TRUE(hears("connection connected"));
+  }
+
+  void connect(const QString& text, std::uint8_t state = Connection::CONNECTED) {
+    Connection connection;
+    connection.state = state;
+    connection.text = text.toStdString();
+    tell("connection", connection);
+  }
+
+  // What is latched waits for a subscriber.
+  template <typename Message>
+  void tell(const std::string& topic, const Message& message) {
+    publisherOf<Message>(topic).publish(message);
+  }
+
+  template <typename Message>
+  ros::Publisher& publisherOf(const std::string& topic) {
+    ros::Publisher& publisher = publishers_[topic];
+    if (!publisher) {
+      publisher = ros::NodeHandle(kTold).advertise<Message>(topic, 10, true);
+    }
+    return publisher;
+  }
+
+  template <typename Service>
+  void serve(const std::string& name, const std::function<QString(const typename Service::Request&)>& describe) {
+    using Request = typename Service::Request;
+    using Response = typename Service::Response;
+    const boost::function<bool(Request&, Response&)> answer = [=](Request& request, Response& response) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      asked_.append(describe(request));
+      response.success = may_;
+      response.message = may_ ? "well" : "never";
+      return true;
+    };
+    services_.push_back(ros::NodeHandle(kTold).advertiseService(name, answer));
+  }
+
+  // Tells it again until the driver has heard it, because the driver may not be connected yet.
+  template <typename Message>
+  typename Message::ConstPtr commands(const std::string& topic, const std::function<void()>& tell) {
+    TopicListener<Message> listener(kTold + ("/" + topic));
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] {
+          tell();
+          return listener.count() > 0;
+        },
+        kTimeout))
+        << topic;
+    return listener.count() > 0 ? listener.waitForCount(1).front() : boost::make_shared<Message>();
+  }
+
+  void note(const QString& text) {
+    if (notes_.isEmpty() || text != notes_.last()) {
+      notes_.append(text);
+    }
+  }
+
+  static QString list(const QMap<QString, double>& values) {
+    QString text;
+    for (auto value = values.begin(); value != values.end(); ++value) {
+      text += QString(" %1=%2").arg(value.key()).arg(value.value());
+    }
+    return text;
+  }
+
+  bool hears(const QString& text) {
+    const bool came = QTest::qWaitFor([&] { return notes_.contains(text); }, kTimeout);
+    EXPECT_TRUE(came) << text.toStdString() << " is not in\n" << notes_.join("\n").toStdString();
+    return came;
+  }
+
+  // What the driver's service was asked, and what the window answers.
+  void expectAsked(const QString& asked, const QString& answer) {
+    EXPECT_TRUE(hears(answer));
+    notes_.clear();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    EXPECT_EQ(asked_, QStringList(asked));
+    asked_.clear();
+  }
+
+  LinkQuality link_;
+  QStringList notes_;
+  std::mutex mutex_;  ///< of what services use, which have a thread of their own
+  QStringList asked_;
+  bool may_ = true;
+  std::map<std::string, ros::Publisher> publishers_;
+  std::vector<ros::ServiceServer> services_;
+  RosRobot robot_;
+  QTimer heartbeat_;
+};
+
+TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
+  for (int posture = 0; posture <= RobotState::CARRIED; ++posture) {
+    RobotState state;
+    state.motors = static_cast<std::uint8_t>(posture % 3);
+    state.posture = static_cast<std::uint8_t>(posture);
+    state.stopped_by = "/anna";
+    tell("robot_state", state);
+    EXPECT_TRUE(hears(QString("condition %1 %2 /anna").arg(posture % 3).arg(posture)));
+  }
+  link_.pictures_per_second = 12.5F;
+  link_.age = 0.25F;
+  link_.lost = 0.125F;
+  EXPECT_TRUE(hears("link 12.5 0.25 0.125"));
+  sensor_msgs::BatteryState battery;
+  battery.percentage = 0.5F;
+  battery.temperature = 31;
+  tell("battery", battery);
+  EXPECT_TRUE(hears("battery 0.5 31"));
+  std_msgs::Bool streams;
+  streams.data = 1;
+  tell("streaming", streams);
+  EXPECT_TRUE(hears("streams"));
+  aibo_driver::LedStates leds;
+  leds.names = {"face_1", "back", "torn"};
+  leds.intensities = {0.25F, 0.75F};
+  tell("led_states", leds);
+  EXPECT_TRUE(hears("leds back=0.75 face_1=0.25"));
+}
+
+TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
+  MotionState state;
+  state.text = "walks";
+  const auto end = [&state](const std::string& source, const std::string& reason) {
+    EndedMovement& ended = state.ended.emplace_back();
+    ended.movement.kind = Movement::WALK;
+    ended.movement.source = source;
+    ended.how = EndedMovement::REFUSED;
+    ended.reason = reason;
+  };
+  end(ros::this_node::getName(), "before");
+  tell("motion_state", state);
+  EXPECT_TRUE(hears("walks, plays not"));
+  end("/anna", "of anna");
+  end(ros::this_node::getName(), "it fell");
+  state.movements.resize(2);
+  state.movements[1].kind = Movement::MOTION;
+  tell("motion_state", state);
+  EXPECT_TRUE(hears("walks, plays"));
+  EXPECT_TRUE(hears("no, walk: it fell"));
+  EXPECT_EQ(notes_.filter("no, ").size(), 1) << notes_.join("; ").toStdString();
+}
+
+TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
+  const auto show = [this](bool looks) {
+    for (const Part part : {Part::kSensors, Part::kJoints, Part::kMicrophones, Part::kPictures}) {
+      robot_.show(part, looks);
+    }
+  };
+  show(true);
+  const std::pair<const char*, std::uint8_t Touch::*> places[] = {{"paw_left_front", &Touch::paw_left_front},
+                                                                  {"paw_left_hind", &Touch::paw_left_hind},
+                                                                  {"paw_right_front", &Touch::paw_right_front},
+                                                                  {"paw_right_hind", &Touch::paw_right_hind},
+                                                                  {"chin", &Touch::chin},
+                                                                  {"head", &Touch::head},
+                                                                  {"back_front", &Touch::back_front},
+                                                                  {"back_middle", &Touch::back_middle},
+                                                                  {"back_rear", &Touch::back_rear}};
+  for (const auto& [name, place] : places) {
+    Touch touch;
+    touch.*place = 1;
+    tell("touch", touch);
+    EXPECT_TRUE(hears(QString("touched ") + name));
+  }
+  for (const char* name : {"near", "far", "chest", "head"}) {
+    sensor_msgs::Range range;
+    range.range = 0.25F;
+    range.max_range = 1.5F;
+    tell(std::string("range/") + name, range);
+    EXPECT_TRUE(hears(name + QString(" 0.25 1.5")));
+  }
+  sensor_msgs::JointState joints;
+  joints.name = {"mouth", "torn"};
+  joints.position = {-0.25};
+  tell("joint_states", joints);
+  EXPECT_TRUE(hears("joints mouth=-0.25"));
+  joints.name = {"head_pan"};
+  joints.position = {0.5};
+  tell("joint_states", joints);
+  EXPECT_TRUE(hears("joints head_pan=0.5 mouth=-0.25")) << "a robot of version 1 measures one after the other";
+  aibo_driver::Sound sound;
+  sound.samples.assign(1000, 16384);
+  tell("microphone", sound);
+  EXPECT_TRUE(hears("level -6"));
+
+  QImage image(104, 80, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  QPainter(&image).fillRect(52, 0, 52, 80, Qt::blue);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  ASSERT_TRUE(image.save(&buffer, "JPG", 95));
+  sensor_msgs::CompressedImage picture;
+  picture.data = {0xFF, 0xD8};
+  tell("camera/image_raw/compressed", picture);  // damaged
+  picture.data.assign(bytes.begin(), bytes.end());
+  tell("camera/image_raw/compressed", picture);
+  EXPECT_TRUE(hears("picture 104x80 red blue"));
+  show(false);
+  for (const char* topic : {"touch", "range/near", "range/far", "range/chest", "range/head", "joint_states",
+                            "microphone", "camera/image_raw/compressed", "camera/camera_info"}) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_[topic].getNumSubscribers() == 0; }, kTimeout)) << topic;
+  }
+}
+
+TEST_F(ToldTest, TheDriverHearsWhatTheWindowWants) {
+  const auto leds = commands<aibo_driver::Leds>("leds", [this] { robot_.setLeds({"face_1", "back"}, 0.25); });
+  EXPECT_THAT(leds->names, ElementsAre("face_1", "back"));
+  EXPECT_THAT(leds->intensities, ElementsAre(0.25F));
+  const auto ears = commands<aibo_driver::Ears>("ears", [this] { robot_.flickEars(false, true); });
+  EXPECT_TRUE(!ears->left && ears->right);
+  const auto twist = commands<geometry_msgs::Twist>("cmd_vel", [this] { robot_.walk(0.1, 0.2, -0.3); });
+  EXPECT_EQ(twist->linear.x, 0.1);
+  EXPECT_EQ(twist->linear.y, 0.2);
+  EXPECT_EQ(twist->angular.z, -0.3);
+  const auto joints = commands<sensor_msgs::JointState>("joint_command", [this] {
+    robot_.moveJoints({{"head_pan", 0.5}, {"mouth", -0.25}});
+  });
+  EXPECT_THAT(joints->name, ElementsAre("head_pan", "mouth"));
+  EXPECT_THAT(joints->position, ElementsAre(0.5, -0.25));
+  EXPECT_THAT(joints->velocity, ::testing::IsEmpty()) << "as fast as the driver allows";
+  EXPECT_FALSE(joints->header.stamp.isZero());
+  EXPECT_EQ(notes_.filter("no, ").size(), 0) << notes_.join("; ").toStdString();
+
+  connect("the robot is off", Connection::DISCONNECTED);
+  EXPECT_TRUE(hears("connection the robot is off"));
+  robot_.setLeds({"back"}, 1);
+  EXPECT_TRUE(hears("no, LEDs: the robot is off"));
+  robot_.walk(0.1, 0, 0);
+  EXPECT_TRUE(hears("no, walk: the robot is off"));
+  const auto end = commands<geometry_msgs::Twist>("cmd_vel", [this] { robot_.walk(0, 0, 0); });
+  EXPECT_EQ(end->linear.x, 0) << "the end of a walk is always sent";
+}
+
+TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) {
+  using aibo_driver::PlayMotion;
+  const auto switch_to = [](const char* name) {
+    return [name](const std_srvs::SetBool::Request& request) { return name + QString(request.data ? " on" : " off"); };
+  };
+  serve<std_srvs::Trigger>("rest", [](const auto&) { return QString("rest"); });
+  serve<std_srvs::SetBool>("motors", switch_to("motors"));
+  serve<std_srvs::SetBool>("set_streaming", switch_to("stream"));
+  serve<aibo_driver::Say>("say", [](const auto& request) { return "say " + QString::fromStdString(request.text); });
+  serve<aibo_driver::PlaySound>("play_sound", [](const auto& request) { return QString(request.stop ? "hush" : "?"); });
+  serve<PlayMotion>("play_motion", [](const PlayMotion::Request& request) {
+    return QString("%1 %2 %3").arg(request.name.c_str()).arg(request.repetitions).arg(request.stop);
+  });
+  robot_.takePosture("rest");
+  expectAsked("rest", "yes, rest: well");
+  robot_.setMotors(true);
+  expectAsked("motors on", "yes, motors on: well");
+  robot_.setStreaming(false);
+  expectAsked("stream off", "yes, stream off: well");
+  robot_.say("Good dog");
+  expectAsked("say Good dog", "yes, say: well");
+  robot_.stopSound();
+  expectAsked("hush", "yes, stop sound: well");
+  robot_.playMotion("NOD.MTN", 3);
+  expectAsked("NOD.MTN 3 0", "yes, play NOD.MTN: well");
+  robot_.stopMotions();
+  expectAsked(" 0 1", "yes, stop motions: well");
+  may_ = false;
+  robot_.setMotors(false);
+  expectAsked("motors off", "no, motors off: never");
+  {
+    const std::lock_guard<std::mutex> driver_is_busy(mutex_);
+    robot_.takePosture("rest");
+    robot_.takePosture("rest");
+    EXPECT_TRUE(hears("no, rest: the last call has not been answered yet"));
+  }
+  expectAsked("rest", "no, rest: never");
+}
+
+TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
+  robot_.lookAt({0.5, 0.5});
+  EXPECT_TRUE(hears("no, look there: nothing is known of the camera yet"));
+  robot_.show(Part::kPictures, true);
+  sensor_msgs::CameraInfo camera;
+  camera.header.frame_id = "eye";
+  camera.width = 208;
+  camera.height = 160;
+  camera.K = {200, 0, 104, 0, 100, 80, 0, 0, 1};
+  tell("camera/camera_info", camera);
+  const auto point = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.75, 0.25}); });
+  EXPECT_EQ(point->header.frame_id, "eye");
+  EXPECT_DOUBLE_EQ(point->point.x, 0.26);
+  EXPECT_DOUBLE_EQ(point->point.y, -0.4);
+  EXPECT_DOUBLE_EQ(point->point.z, 1);
+  LookAtResult result;
+  const auto answer = [&](const std_msgs::Header& header, const std::string& message) {
+    result.header = header;
+    result.message = message;
+    result.success = 1;
+    tell("look_at_result", result);
+  };
+  std_msgs::Header stranger = point->header;
+  stranger.frame_id = "base_link";
+  answer(stranger, "no point of this window");
+  stranger = point->header;
+  stranger.stamp = ros::Time(1234);
+  answer(stranger, "nor this one");
+  answer(point->header, "the head turns");
+  EXPECT_TRUE(hears("yes, look there: the head turns"));
+  EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
 }
 
 }  // namespace
