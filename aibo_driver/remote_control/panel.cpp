@@ -22,6 +22,12 @@ Panel::Panel(QWidget* parent) : rviz::Panel(parent), window_(new RemoteControl(r
   connect(window_, &RemoteControl::changed, this, &rviz::Panel::configChanged);
 }
 
+// The window uses the robot until its end. ~QWidget would delete the window too late, because the robot is gone by
+// then.
+Panel::~Panel() {
+  delete window_;
+}
+
 // rviz opens with the size in its configuration, even if the screen is smaller.
 void Panel::onInitialize() {
   QTimer::singleShot(0, this, [this] {

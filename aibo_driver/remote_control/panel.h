@@ -16,13 +16,14 @@ class Panel : public rviz::Panel {
 
  public:
   explicit Panel(QWidget* parent = nullptr);
+  ~Panel() override;
 
   void onInitialize() override;
   void load(const rviz::Config& config) override;
   void save(rviz::Config config) const override;
 
  private:
-  RosRobot robot_;  // before the window, which uses it
+  RosRobot robot_;
   RemoteControl* window_;
 };
 

@@ -17,6 +17,7 @@
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
+#include <rviz/panel.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -25,14 +26,17 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <pluginlib/class_loader.hpp>
 
 #include <QAbstractButton>
 #include <QApplication>
 #include <QBuffer>
+#include <QComboBox>
 #include <QDir>
 #include <QLabel>
 #include <QListWidget>
 #include <QPainter>
+#include <QScreen>
 #include <QSlider>
 #include <QSpinBox>
 #include <QTabWidget>
@@ -682,6 +686,42 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   answer(point->header, "the head turns");
   EXPECT_TRUE(hears("yes, look there: the head turns"));
   EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
+}
+
+TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
+  pluginlib::ClassLoader<rviz::Panel> plugins("rviz", "rviz::Panel");
+  QWidget window;
+  const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
+  window.resize(screen.size() + QSize(100, 100));
+  auto* panel = plugins.createUnmanagedInstance("aibo_driver/RemoteControl");
+  panel->setParent(&window);
+  panel->initialize(nullptr);
+  window.show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return screen.contains(window.frameGeometry()); }, kTimeout));
+  EXPECT_GT(window.width(), screen.width() / 2);
+  const auto is_kept = [&](const QString& driver, const QString& folder) {
+    rviz::Config config;
+    panel->save(config);
+    QString values[2];
+    EXPECT_TRUE(config.mapGetString("Driver", &values[0]) && config.mapGetString("Picture Folder", &values[1]));
+    return values[0] == driver && values[1] == folder &&
+           panel->findChild<QWidget*>("folder")->toolTip().contains("saved in " + folder + ".");
+  };
+  EXPECT_FALSE(is_kept("/left", "/pictures"));
+  rviz::Config config;
+  panel->load(config);
+  EXPECT_FALSE(is_kept("/left", "/pictures"));
+  config.mapSetValue("Driver", "/left");
+  config.mapSetValue("Picture Folder", "/pictures");
+  panel->load(config);
+  EXPECT_TRUE(is_kept("/left", "/pictures"));
+  int changes = 0;
+  QObject::connect(panel, &rviz::Panel::configChanged, [&changes] { ++changes; });
+  auto* chooser = panel->findChild<QComboBox*>("driver");
+  chooser->addItem("/right");
+  Q_EMIT chooser->activated(chooser->findText("/right"));
+  EXPECT_EQ(changes, 1) << "rviz asks whether to save it";
+  EXPECT_TRUE(is_kept("/right", "/pictures"));
 }
 
 }  // namespace
