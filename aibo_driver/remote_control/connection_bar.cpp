@@ -4,6 +4,8 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "remote_control/ignore_wheel.h"
+
 namespace aibo_driver::remote_control {
 namespace {
 
@@ -45,6 +47,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   chooser_->setObjectName("driver");
   chooser_->setToolTip("The drivers that are running, by namespace");
   chooser_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  new IgnoreWheel(chooser_);
   text_->setObjectName("connection");
   text_->setWordWrap(true);
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // names of files may be long

@@ -5,8 +5,9 @@
 #include <QSignalBlocker>
 #include <QStyle>
 #include <QStyleOptionSlider>
-#include <QWheelEvent>
 #include <cstdlib>
+
+#include "remote_control/ignore_wheel.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -48,10 +49,6 @@ void MarkedSlider::paintEvent(QPaintEvent* event) {
   painter.fillRect(QRect(x - 1, 1, 3, height() - 2), QColor("#4caf50"));
 }
 
-void MarkedSlider::wheelEvent(QWheelEvent* event) {
-  event->ignore();
-}
-
 JointSlider::JointSlider(const movement::JointProperties& joint, const QString& label, QWidget* parent)
     : QWidget(parent),
       joint_(QString::fromStdString(joint.name)),
@@ -74,6 +71,8 @@ JointSlider::JointSlider(const movement::JointProperties& joint, const QString& 
   row->addWidget(name);
   row->addWidget(slider_, 1);
   row->addWidget(text_);
+  new IgnoreWheel(slider_);
+  showText();
   connect(slider_, &QSlider::valueChanged, this, &JointSlider::command);
 }
 

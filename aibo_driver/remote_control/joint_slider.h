@@ -12,8 +12,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// A slider between two limits. A mark shows the measured position of the joint. The mouse wheel does not move the
-/// slider, because somebody who scrolls does not want to move the robot.
+/// A slider between two limits. A mark shows the measured position of the joint.
 class MarkedSlider : public QSlider {
   Q_OBJECT
 
@@ -25,7 +24,6 @@ class MarkedSlider : public QSlider {
 
  private:
   void paintEvent(QPaintEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
 
   std::optional<int> mark_;
 };

@@ -7,6 +7,8 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 
+#include "remote_control/ignore_wheel.h"
+
 namespace aibo_driver::remote_control {
 namespace {
 
@@ -23,6 +25,7 @@ Box* makeSpinBox(QWidget* parent) {
   auto* box = new Box(parent);
   box->setKeyboardTracking(false);
   box->setFocusPolicy(Qt::StrongFocus);  // the mouse wheel does not give it the focus
+  new IgnoreWheel(box);
   return box;
 }
 
@@ -38,6 +41,7 @@ QWidget* SettingsForm::makeSwitch(const Setting& setting) {
 QWidget* SettingsForm::makeChoice(const Setting& setting) {
   auto* box = new QComboBox(form_);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // its list shows long texts in full
+  new IgnoreWheel(box);
   for (const auto& [text, value] : setting.choices) {
     box->addItem(text, value);
   }

@@ -30,6 +30,12 @@ TEST(EndedMovements, AreToldIfTheyDidNotArriveAndNobodyWantedThat) {
   each.reason = "the motors are off";
   each.how = EndedMovement::REFUSED;
   EXPECT_EQ(complaintAbout(each), "joints: the motors are off");
+  for (const auto& [kind, name] : {std::pair<int, const char*>(Movement::TRAJECTORY, "trajectory"),
+                                   {Movement::WALK, "walk"},
+                                   {Movement::LOOK_AT, "look there"}}) {
+    each.movement.kind = static_cast<std::uint8_t>(kind);
+    EXPECT_EQ(complaintAbout(each), name + QString(": the motors are off"));
+  }
   each.movement.kind = Movement::MOTION;
   each.movement.name = "NOD.MTN";
   each.how = EndedMovement::NOT_REACHED;

@@ -7,7 +7,9 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
+#include <QDesktopServices>
 #include <QFileDialog>
+#include <QGroupBox>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,11 +19,15 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStandardPaths>
 #include <QTabWidget>
+#include <QTextBrowser>
 #include <QTextDocument>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
+#include <set>
+#include <tuple>
 
 #include "movement/joint_table.h"
 #include "remote_control/axis_pad.h"
@@ -199,6 +205,8 @@ TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
   expect_disabled(condition, {}, "");
   condition.posture = RobotCondition::Posture::kCarried;
   expect_disabled(condition, {"drive_pad"}, "the robot is carried; put it on its feet");
+  condition.posture = RobotCondition::Posture::kFallen;
+  expect_disabled(condition, {"drive_pad"}, "the robot has fallen; put it on its feet, and click Stand");
   condition.motors = RobotCondition::Motors::kOff;
   condition.posture = RobotCondition::Posture::kLying;
   expect_disabled(condition, {"drive_pad", "head_pad", "Play"}, "the motors are off; click Stand, or Motors on");
@@ -215,6 +223,30 @@ TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
   QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
   EXPECT_EQ(robot_.take(), QStringList());
   EXPECT_TRUE(textOf("status").endsWith("look there: not now: /gamepad has stopped the robot; click Release"));
+}
+
+TEST_F(RemoteControlTest, ShowsWhatTheRobotDoesWhileThereIsADriver) {
+  using Posture = RobotCondition::Posture;
+  robot_.connectIt();
+  RobotCondition condition;
+  const std::pair<Posture, const char*> postures[] = {
+      {Posture::kStanding, "stands"}, {Posture::kSitting, "sits"},      {Posture::kLying, "lies"},
+      {Posture::kWalking, "walks"},   {Posture::kFallen, "has fallen"}, {Posture::kCarried, "is carried"},
+      {Posture::kNotKnown, ""}};
+  for (const auto& [posture, words] : postures) {
+    condition.posture = posture;
+    Q_EMIT robot_.conditionChanged(condition);
+    EXPECT_EQ(textOf("condition"), words);
+  }
+  condition.motors = RobotCondition::Motors::kOn;
+  Q_EMIT robot_.conditionChanged(condition);
+  EXPECT_EQ(textOf("condition"), "motors on");
+  condition.motors = RobotCondition::Motors::kOff;
+  condition.posture = Posture::kLying;
+  Q_EMIT robot_.conditionChanged(condition);
+  EXPECT_EQ(textOf("condition"), "lies, motors off");
+  robot_.disconnectIt(State::kNoDriver, "the driver does not answer");
+  EXPECT_EQ(textOf("condition"), "");
 }
 
 TEST_F(RemoteControlTest, TheSpaceBarStopsWhereverTheFocusIs) {
@@ -302,6 +334,32 @@ TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
   EXPECT_EQ(click("stop"), QStringList("stop"));
 }
 
+TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestCanBeOpened) {
+  robot_.connectIt();
+  open("Camera");
+  window_.setFolder("");
+  EXPECT_EQ(window_.folder(), QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+  int changes = 0;
+  QObject::connect(&window_, &RemoteControl::changed, [&changes] { ++changes; });
+  click("folder");
+  Q_EMIT window_.findChild<QFileDialog*>()->fileSelected("/chosen");
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(window_.folder(), "/chosen");
+  EXPECT_EQ(textOf("path"), "Pictures are saved in /chosen.");
+  EXPECT_EQ(click("take_picture"), QStringList("picture /chosen"));
+  EXPECT_FALSE(find<QWidget>("thumbnail")->isEnabled());
+  Q_EMIT robot_.pictureTaken(QImage(208, 160, QImage::Format_RGB32), "/chosen/a.jpg");
+  window_.setFolder("/other");
+  EXPECT_EQ(textOf("path"), "/chosen/a.jpg");
+  EXPECT_EQ(find<QWidget>("thumbnail")->toolTip(), "Opens /chosen/a.jpg");
+  EXPECT_FALSE(find<QAbstractButton>("thumbnail")->icon().isNull());
+  QTextBrowser viewer;
+  QDesktopServices::setUrlHandler("file", &viewer, "setSource");
+  click("thumbnail");
+  QDesktopServices::unsetUrlHandler("file");
+  EXPECT_EQ(viewer.source(), QUrl("file:///chosen/a.jpg"));
+}
+
 TEST_F(RemoteControlTest, TheStreamsButtonFollowsTheRobotNotTheClick) {
   robot_.connectIt();
   Q_EMIT robot_.streamingChanged(true);
@@ -318,14 +376,17 @@ TEST_F(RemoteControlTest, ThePadWalksWhileItIsHeldAndStopsOnce) {
   robot_.take();
   QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0, 1));
   EXPECT_EQ(robot_.take(), QStringList("walk 0.15 0.00 0.00"));
-  EXPECT_TRUE(QTest::qWaitFor([this] { return robot_.wishes.size() >= 2; })) << "it goes on while it is held";
+  EXPECT_TRUE(QTest::qWaitFor([this] { return robot_.wishes.size() >= 10; }, 5000)) << "or the robot would stop";
+  QTest::mousePress(pad, Qt::RightButton, {}, placeOn(pad, 1, 0));
+  EXPECT_EQ(pad->button(), Qt::LeftButton) << "the first button counts";
   QMouseEvent move(QEvent::MouseMove, placeOn(pad, -1.2, 0), Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(pad, &move);
   EXPECT_TRUE(QTest::qWaitFor([this] { return robot_.wishes.contains("walk 0.00 0.00 1.00"); }));
   QTest::mouseRelease(pad, Qt::LeftButton);
   EXPECT_EQ(robot_.take().last(), "walk 0.00 0.00 0.00");
+  QApplication::sendEvent(pad, &move);
   QTest::qWait(250);
-  EXPECT_EQ(robot_.take(), QStringList()) << "then it is silent";
+  EXPECT_EQ(robot_.take(), QStringList()) << "then it is silent, also under the mouse";
 }
 
 TEST_F(RemoteControlTest, EachSideOfThePadHasItsDirectionAndTheMiddleIsStill) {
@@ -394,6 +455,16 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
   ASSERT_TRUE(pad->measured());
   EXPECT_NEAR(pad->measured()->x(), -0.5, 0.05) << "the left is positive for the robot";
   EXPECT_GT(pad->measured()->y(), 0.7);
+  const auto is_marked = [&](double x, double y) {
+    return pad->grab().toImage().pixelColor(placeOn(pad, x, y)) == QColor("#4caf50");
+  };
+  EXPECT_TRUE(is_marked(pad->measured()->x(), pad->measured()->y()));
+  EXPECT_FALSE(is_marked(-pad->measured()->x(), pad->measured()->y()));
+  EXPECT_FALSE(is_marked(pad->measured()->x(), -pad->measured()->y()));
+  Q_EMIT robot_.jointsMeasured({{"head_pan", -0.8}});
+  EXPECT_LT(pad->measured()->x(), 0) << "half of the head's place is none";
+  Q_EMIT robot_.jointsMeasured({{"head_pan", -9}, {"head_tilt", 0.3}});
+  EXPECT_TRUE(is_marked(1, pad->measured()->y())) << "at the edge";
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_FALSE(pad->measured());
 }
@@ -424,9 +495,36 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   EXPECT_EQ(robot_.take(), QStringList("look 0.2 0.2"));
   QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half - QPoint(3, 0));
   EXPECT_EQ(robot_.take(), QStringList()) << "beside the picture";
+  Q_EMIT robot_.streamingChanged(false);
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList()) << "it is told that the stream is off";
+  Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
+  QTest::mouseClick(view, Qt::RightButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList());
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
+  EXPECT_EQ(robot_.take(), QStringList("look 0.5 0.5"));
   robot_.disconnectIt(State::kDisconnected, "gone");
   QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
   EXPECT_EQ(robot_.take(), QStringList()) << "a text is shown instead";
+}
+
+TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
+  robot_.connectIt();
+  Q_EMIT robot_.streamingChanged(true);
+  QImage picture(208, 160, QImage::Format_RGB32);
+  picture.fill(Qt::red);
+  auto* view = window_.findChild<PictureView*>();
+  const auto shows = [view](const QPoint& place) { return view->grab().toImage().pixelColor(place); };
+  const QPoint corner =
+      view->width() * 160 > view->height() * 208 ? QPoint(2, view->height() / 2) : QPoint(view->width() / 2, 2);
+  for (const QColor& color : {QColor(Qt::red), QColor(Qt::blue)}) {
+    picture.fill(color);
+    Q_EMIT robot_.pictureArrived(picture);
+    EXPECT_EQ(shows(view->rect().center()), color);
+    EXPECT_LT(shows(corner).value(), 50) << "beside it is nothing";
+  }
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_NE(shows(view->rect().center()), QColor(Qt::blue));
 }
 
 TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
@@ -478,6 +576,13 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 1"));
   find<QWidget>("Motions")->findChild<QSpinBox*>()->setValue(3);
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 3"));
+  Q_EMIT find<QListWidget>("motions")->itemDoubleClicked(find<QListWidget>("motions")->item(1));
+  EXPECT_EQ(robot_.take(), QStringList("play WAG.MTN 3"));
+  find<QLineEdit>("motion_name")->setText(" SIT.MTN ");
+  QTest::keyClick(find<QLineEdit>("motion_name"), Qt::Key_Return);
+  EXPECT_EQ(robot_.take(), QStringList("play SIT.MTN 3"));
+  find<QLineEdit>("motion_name")->setText(" ");
+  EXPECT_EQ(click("Play"), QStringList()) << "no name";
   Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
   EXPECT_EQ(textOf("movement"), "Now: motion WAG.MTN");
   robot_.disconnectIt(State::kDisconnected, "gone");
@@ -527,16 +632,51 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_TRUE(find<QLabel>("battery")->styleSheet().contains("color"));
   Q_EMIT robot_.batteryMeasured(0.9, 31.4);
   EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "") << "it was charged";
+  Q_EMIT robot_.batteryMeasured(kUnknown, kUnknown);
+  EXPECT_EQ(textOf("battery"), "");
+  EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "");
+  Q_EMIT robot_.batteryMeasured(0.9, kUnknown);
+  EXPECT_EQ(textOf("battery"), "Battery 90 %");
+  Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
+  EXPECT_EQ(textOf("link"), "0.0 pictures/s");
+  Q_EMIT robot_.linkMeasured({30, 0.01, 0});
+  EXPECT_EQ(textOf("link"), "30.0 pictures/s, 10 ms old, 0 % lost");
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
   Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
   EXPECT_EQ(textOf("battery"), "");
   EXPECT_EQ(textOf("link"), "");
 }
 
+TEST_F(RemoteControlTest, ALampTellsTheKindOfConnection) {
+  const auto color = [this] {
+    for (const QLabel* label : window_.findChildren<QLabel*>()) {
+      if (label->text() == QString::fromUtf8("\u25CF")) {
+        return label->styleSheet();
+      }
+    }
+    return QString();
+  };
+  const QString red = color();
+  robot_.connectIt();
+  const QString green = color();
+  robot_.disconnectIt(State::kConnecting, "it tries");
+  const QString yellow = color();
+  robot_.disconnectIt(State::kPlayback, "a bag");
+  EXPECT_EQ((std::set<QString>{red, green, yellow, color()}).size(), 4U);
+  robot_.disconnectIt(State::kWaiting, "not heard yet");
+  EXPECT_EQ(color(), yellow);
+  for (const State state : {State::kDisconnected, State::kNoDriver, State::kNoMaster}) {
+    robot_.disconnectIt(state, "gone");
+    EXPECT_EQ(color(), red);
+  }
+}
+
 TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
+  EXPECT_FALSE(find<QComboBox>("driver")->isEnabled()) << "there is none";
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
   Q_EMIT robot_.driversFound({"/left", "/right"});
   auto* chooser = find<QComboBox>("driver");
+  EXPECT_TRUE(chooser->isEnabled());
   EXPECT_EQ(chooser->currentText(), "/aibo");
   robot_.take();
   Q_EMIT chooser->activated(chooser->findText("/right"));
@@ -622,9 +762,14 @@ TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
   EXPECT_NE(bar->palette().color(QPalette::Highlight), usual) << "it is about to meet something";
   Q_EMIT robot_.distanceMeasured({"near", std::numeric_limits<double>::infinity(), 0.5});
   EXPECT_EQ(bar->value(), 100);
+  EXPECT_EQ(bar->format(), "near: nothing within reach");
   EXPECT_EQ(bar->palette().color(QPalette::Highlight), usual);
   Q_EMIT robot_.distanceMeasured({"near", -std::numeric_limits<double>::infinity(), 0.5});
   EXPECT_EQ(bar->value(), 0);
+  EXPECT_EQ(bar->format(), "near: nearer than it can measure");
+  Q_EMIT robot_.distanceMeasured({"near", kUnknown, 0.5});
+  EXPECT_EQ(bar->value(), 0);
+  EXPECT_EQ(bar->format(), "near: unknown");
   robot_.disconnectIt(State::kDisconnected, "gone");
   robot_.connectIt();
   Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
@@ -640,8 +785,11 @@ TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
+  EXPECT_TRUE(find<QWidget>("face_3")->styleSheet().contains("76%")) << "it looks bright";
+  EXPECT_EQ(find<QWidget>("face_4")->styleSheet(), "");
   EXPECT_EQ(click("face_3"), QStringList("face_3 0"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0}});
+  EXPECT_EQ(find<QWidget>("face_3")->styleSheet(), "");
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
 }
 
@@ -649,6 +797,9 @@ TEST_F(RemoteControlTest, APatternReplacesTheFace) {
   robot_.connectIt();
   open("Lights");
   EXPECT_EQ(click("Lower"), (QStringList{"face 0", "face_1,face_2,face_3,face_4,face_5,face_6,face_7 1"}));
+  EXPECT_EQ(click("Upper"), (QStringList{"face 0", "face_8,face_9,face_10,face_11,face_12,face_13,face_14 1"}));
+  EXPECT_EQ(click("Even"), (QStringList{"face 0", "face_2,face_4,face_6,face_8,face_10,face_12,face_14 1"}));
+  EXPECT_EQ(click("Odd"), (QStringList{"face 0", "face_1,face_3,face_5,face_7,face_9,face_11,face_13 1"}));
 }
 
 TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
@@ -661,8 +812,17 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
                                    {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 85);
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
+  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 1.0);
   EXPECT_EQ(click("auto_exposure"), QStringList("auto_exposure true"));
   robot_.take();
+  Q_EMIT find<QComboBox>("gain")->activated(0);
+  EXPECT_EQ(robot_.take(), QStringList("gain 1"));
+  find<QDoubleSpinBox>("speed_scale")->stepDown();
+  EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.9"));
+  find<QDoubleSpinBox>("speed_scale")->setValue(-3);
+  EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.1"));
+  find<QSpinBox>("jpeg_quality")->setValue(999);
+  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 100"));
   find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 60"));
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}});
@@ -673,12 +833,67 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "low") << "another driver has fewer settings";
 }
 
+TEST_F(RemoteControlTest, SettingsOfADriverCanBeChangedBeforeItHasItsRobot) {
+  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "how good", Setting::Kind::kInteger, 1, 100, {}}});
+  auto* quality = find<QSpinBox>("jpeg_quality");
+  EXPECT_EQ(quality->toolTip(), "how good");
+  robot_.disconnectIt(State::kNoDriver, "no driver");
+  EXPECT_FALSE(quality->isEnabled());
+  robot_.disconnectIt(State::kDisconnected, "the robot is off");
+  EXPECT_TRUE(quality->isEnabled());
+}
+
+void turnWheel(QWidget* widget) {
+  QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QApplication::sendEvent(widget, &wheel);
+}
+
+TEST_F(RemoteControlTest, WhoeverScrollsChangesNoSettingAndNoDriver) {
+  robot_.connectIt();
+  open("Camera");
+  Q_EMIT robot_.driversFound({"/aibo", "/right"});
+  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}},
+                                   {"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}},
+                                   {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}}});
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 85}, {"gain", 2}, {"speed_scale", 0.5}});
+  robot_.take();
+  for (const char* name : {"jpeg_quality", "gain", "speed_scale", "driver"}) {
+    turnWheel(find<QWidget>(name));
+    EXPECT_EQ(robot_.take(), QStringList()) << name;
+  }
+}
+
+TEST_F(RemoteControlTest, EachJointIsInTheGroupOfItsLeg) {
+  robot_.connectIt();
+  const std::tuple<const char*, const char*, const char*> places[] = {{"left_front_knee", "Left front", "knee"},
+                                                                      {"right_hind_rotator", "Right hind", "rotator"},
+                                                                      {"tail_pan", "Tail", "tail pan"},
+                                                                      {"mouth", "Head", "mouth"}};
+  for (const auto& [joint, group, label] : places) {
+    auto* slider = find<JointSlider>(joint);
+    EXPECT_EQ(qobject_cast<QGroupBox*>(slider->parentWidget())->title(), group);
+    EXPECT_EQ(slider->findChildren<QLabel*>().last()->text(), label);
+  }
+  open("Joints");
+  Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
+  EXPECT_EQ(find<JointSlider>("mouth")->slider()->value(), -200);
+  robot_.take();
+  find<JointSlider>("mouth")->slider()->setValue(-300);
+  EXPECT_EQ(robot_.take(), QStringList("mouth -0.3"));
+  robot_.connectIt(2, "R2D2");
+  EXPECT_EQ(window_.findChild<JointSlider*>("mouth"), nullptr);
+}
+
 class JointSliderTest : public ::testing::Test {
  protected:
   JointSliderTest() : slider_({"head_pan", 2, -1.5, 1.5, 3, 3, false}, "pan") {
     QObject::connect(&slider_, &JointSlider::moved,
                      [this](const QString& joint, double position) { moved_[joint] = position; });
   }
+
+  // The one behind the slider; the other label is the joint's name.
+  QString text() const { return slider_.findChildren<QLabel*>().first()->text(); }
 
   JointPositions moved_;
   JointSlider slider_;
@@ -697,7 +912,30 @@ TEST_F(JointSliderTest, FollowsItsJointWithoutCommandingIt) {
   EXPECT_EQ(moved_, JointPositions());
 }
 
+TEST_F(JointSliderTest, HasAMarkWhereItsJointIsAndSaysItInDegrees) {
+  slider_.resize(400, 30);
+  slider_.show();
+  slider_.measure(-0.75);
+  EXPECT_EQ(text(), QString::fromUtf8("-43\u00B0"));
+  slider_.slider()->setValue(750);
+  EXPECT_EQ(text(), QString::fromUtf8("\u219243\u00B0")) << "it goes there";
+  const QImage image = slider_.slider()->grab().toImage();
+  int marked = 0;
+  for (int x = 0; x < image.width(); ++x) {
+    if (image.pixelColor(x, 2) == QColor("#4caf50")) {
+      ++marked;
+      EXPECT_NEAR(x, image.width() / 4, image.width() / 20);
+    }
+  }
+  EXPECT_EQ(marked, 3);
+  slider_.measure(0.74);
+  EXPECT_EQ(text(), QString::fromUtf8("42\u00B0")) << "it is there";
+  slider_.measure(0.737);
+  EXPECT_EQ(slider_.slider()->value(), 740) << "the sensor is no finer";
+}
+
 TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {
+  EXPECT_EQ(text(), "?");
   slider_.measure(0.4);
   slider_.slider()->setValue(1000);
   EXPECT_EQ(moved_, JointPositions({{"head_pan", 1.0}}));
@@ -737,9 +975,7 @@ TEST_F(JointSliderTest, DoesNotFollowWhileItIsHeld) {
 
 TEST_F(JointSliderTest, TheWheelDoesNotMoveTheRobot) {
   slider_.measure(0.4);
-  QWheelEvent wheel(QPointF(5, 5), QPointF(5, 5), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
-                    Qt::NoScrollPhase, false);
-  QApplication::sendEvent(slider_.slider(), &wheel);
+  turnWheel(slider_.slider());
   EXPECT_EQ(moved_, JointPositions());
 }
 
