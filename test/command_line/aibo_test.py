@@ -13,6 +13,7 @@ import struct
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 import wave
 from pathlib import Path
@@ -56,10 +57,10 @@ class SimulatedRobot:
 
     def ask(self, command):
         """The robot's answer at its console."""
-        with socket.create_connection(("127.0.0.1", self.console_port)) as console:
+        with socket.create_connection(("127.0.0.1", self.console_port), timeout=60) as console:
             console.sendall(command.encode() + b"\n")
-            answer = console.makefile().readline().split()
-        assert answer[:2] == ["ok:", command.split()[0]], answer
+            lines = (line.split() for line in console.makefile())  # the robot's own messages come there, too
+            answer = next(line for line in lines if line[:2] == ["ok:", command.split()[0]])
         return " ".join(answer[len(command.split()) + 1:])
 
     def end(self):
@@ -120,6 +121,33 @@ def says_hello(server, names=b"", flood=None):
             reply = {b"H": (b"h", hello), b"N": (b"n", names)}.get(kind, (b"e", b"\x00\x00no"))
             client.sendall(version2_frame(reply[0], reply[1], number))
     return serve
+
+
+class Witness(ScriptedServer):
+    """Stands between a command and a robot, and keeps the requests of version 2: kind, id and payload."""
+
+    def __init__(self, port):
+        self.robot_port = port
+        self.sent = b""
+        super().__init__(self.relay)
+
+    def relay(self, client):
+        with socket.create_connection(("127.0.0.1", self.robot_port)) as robot:
+            while True:
+                for side in select.select([client, robot], [], [])[0]:
+                    if not (data := side.recv(65536)):
+                        return
+                    self.sent += data if side is client else b""
+                    (robot if side is client else client).sendall(data)
+
+    def take(self, *kinds):
+        """The requests of these kinds since the last call."""
+        requests, rest, self.sent = [], self.sent[2:], b""
+        while rest:
+            kind, identifier, _, size = struct.unpack(">cBHI", rest[:8])
+            requests.append((kind.decode(), identifier, rest[8:8 + size]))
+            rest = rest[8 + size:]
+        return [request for request in requests if request[0] in kinds]
 
 
 class TestCase(unittest.TestCase):
@@ -375,7 +403,144 @@ class Version2(OnBothVersions, TestCase):
         self.assertIsNotNone(stream["loss"])
 
 
+class Asked(TestCase):
+    """What a robot is asked, and how its answers are told."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.robot = SimulatedRobot(console=True)
+        cls.addClassCleanup(cls.robot.end)
+
+    def asked(self, kinds, *words, status=DONE):
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        self.aibo(*words, status=status, port=witness.port)
+        return witness.take(*kinds)
+
+    def test_for_pictures(self):
+        self.assertEqual(self.asked("F", "picture", "-o", "a.jpg", "-q", 40, "--resolution", "104x80"),
+                         [("F", 40, b"\1")])
+        for words, settings in ((["--white-balance", "outdoor", "--gain", "high", "--shutter", "slow"],
+                                 {1: 2, 2: 3, 3: 1, 4: 0, 5: 0}),
+                                (["--white-balance", "auto", "--gain", "low", "--shutter", "fast", "--auto-exposure"],
+                                 {2: 1, 3: 3, 4: 1, 5: 1})):
+            with self.subTest(words):
+                asked = {number: value[0] for _, number, value in self.asked("G", "picture", "-o", "a.jpg", *words)}
+                self.assertEqual({number: asked[number] for number in settings}, settings)
+        watched = self.asked("WG", "watch", "--seconds", 1, "-q", 30, "--resolution", "52x40", "--every", 3,
+                             "--gain", "low")
+        self.assertIn(("W", 30, b"\1\2\0\3"), watched)
+        self.assertIn(("G", 2, b"\1"), watched)
+
+    def test_for_joints(self):
+        self.json("stand")
+        begin = time.monotonic()
+        self.assertEqual(self.asked("J", "move", "head_pan=10deg", "tail_pan=-0.2rad", "--duration", 1.5),
+                         [("J", 0, struct.pack(">HBxBxxxiBxxxi", 1500, 2, 2, 174533, 51, -200000))])
+        self.assertGreater(time.monotonic() - begin, 1.4)
+        self.assertIn(struct.pack(">Bxxxi", 2, 1047198),
+                      self.asked("V", "move", "head_pan=0deg", "--speed", "60deg/s")[-1][2])
+        for speed in ("0.5deg/s", "172deg/s"):
+            self.assertIn("0.6deg/s to 171deg/s", self.aibo("move", "mouth=0deg", "--speed", speed,
+                                                            status=WRONG_USAGE).errors)
+        self.robot.ask("jam head_pan")
+        late = self.aibo("move", "head_pan=40deg", "--speed", "170deg/s", status=FAILED).errors
+        self.robot.ask("free head_pan")
+        self.assertRegex(late, "not all joints have arrived: head_pan is at -?0.[0-9] degrees instead of 40.0 degrees. "
+                               "The robot says: .*head_pan")
+
+    def test_for_motors_and_postures(self):
+        self.assertEqual(self.asked("O", "motors", "on")[-1], ("O", 0, b"\1"))
+        for posture, number in (("sit", 2), ("rest", 3), ("stand", 1)):
+            self.assertEqual(self.asked("E", posture), [("E", number, b"")])
+        self.assertEqual(self.asked("O", "motors", "off")[-1], ("O", 0, b"\0"))
+        self.assertEqual(self.asked("IP", "stop"), [("I", 0, b"")])
+
+    def test_for_a_walk(self):
+        self.json("stand")
+        steps = self.asked("S", "walk", "forward=-1cm/s", "left=20mm/s", "turn=0.1rad/s", "--seconds", 0.5)
+        self.assertEqual(steps[0], ("S", 1, struct.pack(">hhhxx", -10, 20, 100)))
+        self.assertEqual(steps[-1][2], bytes(8))
+        self.assertGreaterEqual(len(steps), 3)
+        self.assertEqual(self.asked("S", "walk", "turn=10deg/s", "--seconds", 0.3, "--unguarded")[0][1], 0)
+
+    def test_a_walk_is_ended_by_whoever_lifts_the_robot(self):
+        robot = SimulatedRobot(console=True)
+        self.addCleanup(robot.end)
+        with start("walk", "forward=2cm/s", "--seconds", "60", "--unguarded", port=robot.port) as walk:
+            while float(robot.ask("where").split()[0]) < 0.01:
+                self.assertIsNone(walk.poll())
+            robot.ask("lift on")
+            self.assertIn(b"the movement ended because the robot fell or was lifted: ", walk.communicate()[1])
+            self.assertEqual(walk.returncode, FAILED)
+
+    def test_for_motions(self):
+        self.json("stand")
+        asked = self.asked("PV", "play", "nod", "--times", 2, "--speed", "90deg/s")
+        self.assertIn(struct.pack(">Bxxxi", 2, 1570796), [each for each in asked if each[0] == "V"][-1][2])
+        self.assertEqual(asked[-1][2], b"\0\2NOD.MTN")
+        for speed in ("5deg/s", "1146deg/s"):
+            self.assertIn("5.8deg/s", self.aibo("play", "nod", "--speed", speed, status=WRONG_USAGE).errors)
+        begin = self.robot.ask("joint tail_pan")
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        with start("play", "wag", "--times", "50", port=witness.port) as play:
+            while self.robot.ask("joint tail_pan") == begin:
+                self.assertIsNone(play.poll())
+            play.send_signal(signal.SIGINT)
+            self.assertEqual(play.wait(60), 130)
+            self.assertEqual(play.communicate()[1], b"aibo: interrupted\n")
+        self.assertEqual([payload for _, _, payload in witness.take("P")], [b"\0\x32WAG.MTN", b"\0\0WAG.MTN"])
+
+    def test_for_sensors(self):
+        self.robot.ask("press chin")
+        self.robot.ask("battery 18")
+        while self.json("battery")["charge"] != 0.18:  # the robot looks at it once in a while
+            pass
+        self.addCleanup(self.robot.ask, "battery 90")
+        self.addCleanup(self.robot.ask, "release chin")
+        self.assertEqual([each["pressed"] for each in self.json("sensors")["sensors"] if each["name"] == "chin"],
+                         [True])
+        words = self.text("sensors")
+        self.assertRegex(words, r"(?m)^chin +1\.000 on$")
+        self.assertRegex(words, r"(?m)^head_touch +\d\.000 $")
+        self.assertRegex(words, r"(?m)^range_near +\S+ m$")
+        self.assertRegex(words, r"(?m)^acceleration_up_down +-?9\.\d+ m/s\^2$")
+        self.assertRegex(words, r"(?m)^temperature +\S+ degrees Celsius$")
+        self.assertRegex(self.text("battery"), r"^18 % charged, \d\d degrees Celsius\n$")
+        report = self.examined()
+        battery = next(finding for finding in report["findings"] if finding["topic"] == "battery")
+        self.assertEqual((battery["good"], battery["text"], battery["advice"]),
+                         (False, "18 % charged", "Charge it soon."))
+        self.assertFalse(report["good"])
+
+    def test_a_name_is_looked_up(self):
+        report = json.loads(run("--json", "doctor", "localhost", "--seconds", "1", port=self.robot.port).stdout)
+        self.assertRegex(report["findings"][0]["text"], r"^localhost is 127\.0\.0\.1, found in \d+\.\d ms$")
+
+
 class Example(TestCase):
+    def test_takes_a_picture_and_plays_a_motion(self):
+        robot = SimulatedRobot()
+        self.addCleanup(robot.end)
+
+        def example(name, *words, **options):
+            return subprocess.run([os.environ[name], "127.0.0.1", *words, str(robot.port)], timeout=120, check=False,
+                                  capture_output=True, text=True, **options)
+        taken = example("TAKE_PICTURE", str(self.folder / "a.jpg"))
+        content = (self.folder / "a.jpg").read_bytes()
+        self.assertEqual((taken.returncode, taken.stdout), (0, f"208x160 pixels, {len(content)} bytes\n"))
+        self.assertEqual(example("TAKE_PICTURE", "/nowhere/a.jpg").returncode, 1)
+        self.assertEqual(example("PLAY_MOTION", "list").stdout.split(), ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
+        played = example("PLAY_MOTION", "NOD.MTN", input="\n")
+        self.assertEqual(played.returncode, 0)
+        self.assertIn("Press Enter", played.stdout)
+        missing = example("PLAY_MOTION", "NONE.MTN")
+        self.assertEqual(missing.returncode, 1)
+        self.assertIn("NONE.MTN", missing.stderr)
+        robot.end()
+        self.assertIn("rosrun aibo_driver aibo_rcserver", example("PLAY_MOTION", "list").stderr)
+
     def test_looks_and_walks(self):
         robot = SimulatedRobot(console=True)
         self.addCleanup(robot.end)
@@ -479,6 +644,17 @@ class WithSound(TestCase):
                 end = struct.pack("<hh", 1000, -1000) if channels == 2 else bytes(4)
                 self.assertEqual(file.readframes(8000)[-4:], end)
         self.assertIn("File exists", self.aibo("listen", "a.wav", "--seconds", "0.5", status=FAILED).errors)
+
+    def test_ctrl_c_ends_listening(self):
+        self.start()
+        with start("listen", "a.wav", port=self.robot.port, cwd=self.folder) as listen:
+            while not (self.folder / "a.wav").exists() or (self.folder / "a.wav").stat().st_size < 40000:
+                self.assertIsNone(listen.poll())
+            listen.send_signal(signal.SIGINT)
+            self.assertEqual(listen.wait(60), DONE)
+            self.assertRegex(listen.communicate()[0], rb"^a.wav has [1-9]\d* s of sound")
+        with wave.open(str(self.folder / "a.wav")) as file:
+            self.assertGreater(file.getnframes(), 8000)
 
     def test_shows_the_level(self):
         self.start()
@@ -680,6 +856,21 @@ class WrongUsage(TestCase):
                 self.assertEqual(result.returncode, WRONG_USAGE, result)
                 self.assertTrue(result.stderr.startswith(b"aibo: "), result.stderr)
                 self.assertEqual(result.stdout != b"", "--json" in words)
+
+    def test_help_is_no_wrong_usage_unless_there_is_none(self):
+        def done(*words):
+            result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(), check=False,
+                                    text=True)
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+            return result.stdout
+        self.assertEqual(done("--help"), done("help"))
+        self.assertEqual(done("move", "--help"), done("help", "move"))
+        self.assertIn("usage: aibo move JOINT=ANGLE...", done("help", "move"))
+        self.assertEqual(json.loads(done("--json", "move", "--help"))["help"] + "\n", done("help", "move"))
+        self.assertRegex(done("--version"), r"^aibo \d+\.\d+\.\d+\n$")
+        result = subprocess.run([AIBO, "help", "fly"], capture_output=True, timeout=60, check=False)
+        self.assertEqual(result.returncode, WRONG_USAGE)
+        self.assertIn(b"there is no command 'fly'", result.stderr)
 
     def test_what_was_typed_is_shown_without_control_characters(self):
         result = subprocess.run([AIBO, "\x1b[2J"], capture_output=True, timeout=60, check=False)
