@@ -56,7 +56,8 @@ class BagTest(unittest.TestCase):
                         picture = CompressedImage(data=JPEG + bytes([i]))
                         bag.write(robot + '/camera/image_raw/compressed', picture, stamp)
                     if i % 10 == 0:
-                        link = LinkQuality(pictures_per_second=29.9, age=0.01, lost=0)
+                        link = LinkQuality(pictures_per_second=29.9, pictures_per_second_asked=30, age=0.01,
+                                           longest_age=0.04, lost=0.125)
                         bag.write(robot + '/link_quality', link, stamp)
         return self.path(name)
 
@@ -164,6 +165,16 @@ class BagTest(unittest.TestCase):
         self.assertEqual(rows[25], {'time': '2.500', 'stamp': '1000000002.500000', 'head_pan': '0.25', 'mouth': '-0.1',
                                     'head_pan_speed': '0.5', 'mouth_speed': '0.0'})
 
+    def test_a_joint_that_was_not_measured_is_left_empty(self):
+        with rosbag.Bag(self.path('one.bag'), 'w') as bag:  # a robot of version 1 measures one after the other
+            for i, name in enumerate(('mouth', 'head_pan')):
+                bag.write('/aibo/joint_states', JointState(name=[name], position=[i]), genpy.Time(BEGIN + i))
+        self.succeed('joints', self.path('one.bag'), self.path('one.csv'), '--from', '0:01')
+        with open(self.path('one.csv'), encoding='utf-8', newline='') as file:
+            self.assertEqual(list(csv.DictReader(file)),
+                             [{'time': '1.000', 'stamp': '0.000000', 'mouth': '', 'head_pan': '1.0', 'mouth_speed': '',
+                               'head_pan_speed': ''}])
+
     def test_a_plot_shows_the_link(self):
         with mock.patch.dict(os.environ, MPLCONFIGDIR=str(self.folder)):
             try:
@@ -172,6 +183,18 @@ class BagTest(unittest.TestCase):
                 self.skipTest('needs matplotlib')
             self.succeed('plot', self.record(), self.path('walk.png'))
         self.assertEqual(Path(self.path('walk.png')).read_bytes()[:4], b'\x89PNG')
+
+    def test_a_plot_has_each_figure_in_its_unit(self):
+        axes, figure = [mock.Mock(), mock.Mock(), mock.Mock()], mock.Mock()
+        figure.savefig = lambda path, **_: Path(path).touch()
+        pyplot = mock.Mock(subplots=mock.Mock(return_value=(figure, axes)))
+        with mock.patch.dict(sys.modules, {'matplotlib': mock.Mock(pyplot=pyplot), 'matplotlib.pyplot': pyplot}):
+            self.succeed('plot', self.record(), self.path('walk.png'), '--from', '2', '--to', '3')
+        drawn = [[call[0] for call in axis.step.call_args_list] for axis in axes]
+        self.assertEqual([len(lines) for lines in drawn], [2, 2, 1])
+        for (times, values), expected in zip(sum(drawn, []), (29.9, 30, 40, 10, 12.5)):
+            self.assertEqual(times, [2, 3])
+            self.assertEqual([round(value, 4) for value in values], [expected, expected])
 
     def test_a_plot_needs_matplotlib(self):
         with mock.patch.dict(sys.modules, {'matplotlib': None}):
@@ -209,6 +232,10 @@ class BagTest(unittest.TestCase):
         status, _, err = self.run_program('cut', blind, self.path('a.bag'), '--from', '1:xx')
         self.assertEqual(status, 2)
         self.assertIn("'1:xx' is no time", err)
+        for words in (('--from', '-1'), ('--from', '1:05', '--to', '65'), ('--from', 'nan')):
+            status, _, err = self.run_program('cut', blind, self.path('a.bag'), *words)
+            self.assertEqual(status, 2, words)
+            self.assertRegex(err, 'is no time|--to must be after --from|expected one argument')
 
     def test_a_bag_without_a_robot_is_explained(self):
         for name, topic in (('other.bag', '/turtle/pose'), ('same.bag', '/aibo/joint_states')):

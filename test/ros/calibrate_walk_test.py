@@ -2,6 +2,8 @@
 import importlib.machinery
 import importlib.util
 import math
+import os
+import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -50,6 +52,75 @@ class CalibrateWalkTest(unittest.TestCase):
     def test_asks_until_it_gets_a_number(self):
         with mock.patch('builtins.input', side_effect=['', '1 m', 'nan', ' 0,95 ']), mock.patch('builtins.print'):
             self.assertEqual(program.ask('How far'), 0.95)
+
+    @staticmethod
+    def odometry(x, y, yaw):
+        odom = program.Odometry()
+        odom.pose.pose.position.x, odom.pose.pose.position.y = x, y
+        odom.pose.pose.orientation.z, odom.pose.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+        return odom
+
+    def test_hears_turns_beyond_half_a_circle(self):
+        robot = program.Robot.__new__(program.Robot)
+        robot.pose, robot.turned = None, 0.0
+        for step in range(41):  # two full turns and a little more, from a place and a direction
+            robot.hear(self.odometry(2, 1, 2 + 0.32 * step))
+            if step == 0:
+                begin = (robot.pose, robot.turned)
+        way = robot.way_since(begin)
+        self.assertAlmostEqual(way.turn, 12.8)
+        self.assertAlmostEqual(math.hypot(way.x, way.y), 0)
+        robot.hear(self.odometry(2 + math.cos(2) - 0.1 * math.sin(2), 1 + math.sin(2) + 0.1 * math.cos(2), 2))
+        way = robot.way_since(begin)
+        self.assertAlmostEqual(way.x, 1)
+        self.assertAlmostEqual(way.y, 0.1)
+
+    def test_steers_as_it_is_told(self):
+        robot = program.Robot.__new__(program.Robot)
+        robot.velocity = mock.Mock()
+        robot.steer(0.1, 0.2, -0.3)
+        twist = robot.velocity.publish.call_args[0][0]
+        self.assertEqual((twist.linear.x, twist.linear.y, twist.angular.z), (0.1, 0.2, -0.3))
+
+    def test_drives_and_asks_for_each_way(self):
+        drives, answers = [], iter(['', '0.95', '-0.1', '9', '', '0.45', '', '-18'])
+        robot = mock.Mock()
+
+        def drive(velocity, part_done):
+            drives.append((velocity, [part_done(way) for way in (Way(x=0.5), Way(y=0.5), Way(turn=math.pi))]))
+            return len(drives)
+        robot.drive = drive
+        with mock.patch('builtins.input', side_effect=lambda _: next(answers)), mock.patch('builtins.print'):
+            said, real = program.measure(robot)
+        self.assertEqual(drives, [((0.1, 0, 0), [0.5, 0, 0]), ((0, 0.05, 0), [0, 1, 0]), ((0, 0, 0.5), [0, 0, 0.25])])
+        self.assertEqual(said, {'ahead': 1, 'left': 2, 'turn': 3})
+        self.assertEqual((real['ahead'].x, real['ahead'].y), (0.95, -0.1))
+        self.assertAlmostEqual(real['ahead'].turn, math.pi / 20)
+        self.assertEqual((real['left'].x, real['left'].y), (0, 0.45))
+        self.assertAlmostEqual(real['turn'].turn, 3.9 * math.pi)
+
+    def run_program(self, parameters, *arguments):
+        """What becomes of the parameters of a driver after a walk of 0.9 m instead of 1 m."""
+        robot = mock.Mock()
+        with mock.patch.object(program, 'Robot', return_value=robot), \
+                mock.patch.object(program, 'measure', return_value=(STRAIGHT, {**STRAIGHT, 'ahead': Way(0.9)})), \
+                mock.patch.object(program.rospy, 'init_node'), mock.patch('builtins.print'), \
+                mock.patch.object(program.rospy, 'resolve_name', lambda name: '/aibo/' + name), \
+                mock.patch.object(program.rospy, 'get_param', lambda name, usual: parameters.get(name, usual)), \
+                mock.patch.object(program.sys, 'argv', ['aibo_calibrate_walk', *arguments, '__ns:=aibo']):
+            program.main()
+        robot.await_odometry.assert_called_once()
+
+    def test_writes_what_the_driver_can_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, 'a.yaml')
+            self.run_program({'aibo_driver/guard': False, 'aibo_driver/walk_scale': 0.8}, path)
+            with open(path, encoding='utf-8') as file:
+                self.assertEqual(program.yaml.safe_load(file), {**program.USUAL, 'walk_scale': 0.72})
+
+    def test_needs_a_driver_that_does_not_guard_the_walk(self):
+        with self.assertRaisesRegex(program.Problem, '/aibo/aibo_driver guards the walk. Start it with guard:=false'):
+            self.run_program({}, '/nowhere/a.yaml')
 
     def test_steers_until_odometry_says_that_it_is_far_enough_and_then_stops(self):
         robot = program.Robot.__new__(program.Robot)

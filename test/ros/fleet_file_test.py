@@ -1,10 +1,14 @@
 """The file that names the robots of a fleet, and what aibo_fleet and aibo_rviz make of it."""
+import contextlib
 import importlib.machinery
 import importlib.util
+import io
+import os
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
+from unittest import mock
 
 import roslaunch.config
 import yaml
@@ -128,6 +132,59 @@ class FleetFileTest(unittest.TestCase):
         self.assertEqual([node.args for node in viewer], ['--fixed-frame fleet a:a b:'])
 
 
+class ProgramsTest(unittest.TestCase):
+    """What becomes of their arguments. What they would start is written down instead."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.robots = self.folder / 'robots.yaml'
+        self.robots.write_text('robots: {left: {host: h}}', encoding='utf-8')
+
+    def run_program(self, module, *arguments, **variables):
+        """What it prints, and what it would start."""
+        started, out = [], io.StringIO()
+
+        def start(*words):
+            started.extend(words[1])
+            raise SystemExit
+        with contextlib.redirect_stdout(out), mock.patch.object(module.sys, 'argv', ['program', *map(str, arguments)]), \
+                mock.patch.dict(os.environ, ROS_HOME=str(self.folder), **variables), \
+                mock.patch.object(os, 'execvp', start), mock.patch.object(os, 'execv', start), \
+                mock.patch.object(os, 'dup2') as replace:
+            try:
+                module.main()
+            except SystemExit as end:
+                out.write(str(end.code or ''))
+        return out.getvalue(), started, replace.called
+
+    def test_a_fleet_is_printed_or_started(self):
+        self.assertEqual(self.run_program(fleet, '--print', self.robots, '__name:=x'),
+                         (fleet.launch_file(fleet.load(str(self.robots)), False), [], False))
+        self.assertIn('aibo_rviz', self.run_program(fleet, self.robots, '--print', '--rviz')[0])
+        self.assertEqual(self.run_program(fleet, self.robots), ('', ['roslaunch', '-'], True))
+        for words in ((), (self.robots, self.robots), (self.robots, '--fast')):
+            self.assertEqual(self.run_program(fleet, *words), (fleet.__doc__, [], False))
+        self.robots.write_text('robots: {}', encoding='utf-8')
+        self.assertRegex(self.run_program(fleet, self.robots)[0], r'^aibo_fleet: .*/robots.yaml: it should contain')
+
+    def test_rviz_gets_a_configuration_of_its_robots(self):
+        with mock.patch.object(rviz.roslib.packages, 'find_node', return_value=['/rviz']):
+            words = ('--fixed-frame', 'fleet', '/left:port', 'team/right', '__name:=rviz')
+            path = str(self.folder / 'aibo_rviz/left-team_right.rviz')
+            self.assertEqual(self.run_program(rviz, *words, DISPLAY=':0'),
+                             ('', ['/rviz', '-d', path, '__name:=rviz'], False))
+            template = yaml.safe_load((PROJECT / 'rviz/aibo.rviz').read_text(encoding='utf-8'))
+            self.assertEqual(yaml.safe_load(Path(path).read_text(encoding='utf-8')),
+                             rviz.configuration(template, [('left', 'port'), ('team/right', '')], 'fleet'))
+            self.assertIn('there is no display', self.run_program(rviz, 'aibo', DISPLAY='', WAYLAND_DISPLAY='',
+                                                                  QT_QPA_PLATFORM='')[0])
+            self.assertEqual(self.run_program(rviz, '--fixed-frame')[0], rviz.__doc__)
+        with mock.patch.object(rviz.roslib.packages, 'find_node', return_value=[]):
+            self.assertIn('rviz is not installed', self.run_program(rviz, 'aibo', DISPLAY=':0')[0])
+
+
 class RvizConfigurationTest(unittest.TestCase):
 
     def setUp(self):
@@ -158,6 +215,8 @@ class RvizConfigurationTest(unittest.TestCase):
         self.assertEqual(tools, [('rviz/PublishPoint', '/left/look_at'), ('rviz/SetGoal', '/left/goal'),
                                  ('rviz/PublishPoint', '/right/look_at'), ('rviz/SetGoal', '/right/goal')])
         self.assertEqual([panel['Driver'] for panel in made['Panels']], ['/left'])
+        self.assertEqual(manager['Views']['Current']['Distance'],
+                         self.template[rviz.MANAGER]['Views']['Current']['Distance'] + 1)
         frames = next(d for d in manager['Displays'] if d['Class'] == 'rviz/TF')['Frames']
         self.assertTrue(frames['port/camera_link']['Value'] and frames['camera_link']['Value'])
 

@@ -14,6 +14,9 @@ aibo_hear = importlib.util.module_from_spec(importlib.util.spec_from_loader('aib
 loader.exec_module(aibo_hear)
 
 
+PLAYERS = aibo_hear.PLAYERS
+
+
 def sound(samples, rate=16000, channels=1, missing=0):
     return Sound(samples=samples, samples_per_second=rate, channels=channels, missing=missing)
 
@@ -52,6 +55,24 @@ class HearTest(unittest.TestCase):
     def test_leaves_out_what_no_robot_hears(self):
         self.assertEqual(self.heard(sound([1], rate=4000000000, missing=4000000000), sound([], channels=0), sound([5])),
                          {'16000-1': [5]})
+
+    def test_tells_players_the_format(self):
+        for number, words in enumerate(('-q -t raw -f S16_LE -r 16000 -c 2 -', '--rate=16000 --channels=2')):
+            with mock.patch.object(aibo_hear.subprocess, 'Popen') as start:
+                with mock.patch.object(aibo_hear, 'PLAYERS', (PLAYERS[number],)):
+                    aibo_hear.Ear().hear(sound([1, 2], channels=2))
+                self.assertIn(words, ' '.join(start.call_args[0][0]))
+
+    def test_says_that_its_player_has_ended(self):
+        self.play_with(('false',))
+        ear = aibo_hear.Ear()
+        with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:
+            while not ear.problem:
+                ear.hear(sound([1]))
+            ear.hear(sound([1]))
+        ear.end()
+        shut_down.assert_called_once()
+        self.assertEqual(ear.problem, 'aibo_hear: false has ended. Does this computer have a sound card?')
 
     def test_says_that_there_is_no_player(self):
         self.play_with(('no-such-player',))
