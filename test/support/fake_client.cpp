@@ -76,7 +76,9 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds, int* quality_o
   *quality_of_stream = fake(this).stream_quality;
   return fake(this).picture;
 }
-void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration, const OrderTerms&) {
+void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
+                                   const OrderTerms& terms) {
+  fake(this).terms = terms;
   std::string text = "J";
   for (const JointTarget& target : targets) {
     if (target.speed > 0) {
@@ -112,10 +114,12 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds) {
   wait(this);
 }
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
+  fake(this).terms = terms;
   fake(this).steering_order = terms.number;
   tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
 }
-void RcServerClient::takePosture(Posture posture, milliseconds, const OrderTerms&) {
+void RcServerClient::takePosture(Posture posture, milliseconds, const OrderTerms& terms) {
+  fake(this).terms = terms;
   constexpr const char* kNames[] = {"stand", "sit", "rest"};
   tell(this, kNames[static_cast<int>(posture)]);
   wait(this);
@@ -127,7 +131,9 @@ void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
 void RcServerClient::commandEars(bool left, bool right) {
   tell(this, std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
 }
-std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds, const OrderTerms&) {
+std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds,
+                                       const OrderTerms& terms) {
+  fake(this).terms = terms;
   tell(this, "play " + name + " " + std::to_string(repetitions));
   wait(this);
   return fake(this).motion_changes;

@@ -19,6 +19,7 @@ struct FakeClient : public aibo_client::RcServerClient {
   FakeClient() : RcServerClient(aibo_client::ClientOptions(), {}) {}
 
   std::uint64_t steering_order = 0;  ///< OrderTerms::number of the last velocity
+  aibo_client::OrderTerms terms;     ///< of the last order to move
   std::vector<std::string> told;     ///< requests in short, such as "play NOD.MTN 2"
   std::string problem;               ///< unless empty, every request throws a NetworkException with this text
   std::uint64_t connections = 1;     ///< made so far

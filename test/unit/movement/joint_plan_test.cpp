@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string>
@@ -233,6 +234,36 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   EXPECT_FALSE(endOf(at_once));
 }
 
+TEST_F(JointPlanTest, WhatWaitsKeepsTheOtherJointsWithTheirVelocities) {
+  const auto later = add({{"head_pan", "mouth"}, {{1, {0.5, -0.4}, {0.3, 0.1}}, {2, {0.5, -0.3}, {0, 0}}}}, 2, 0);
+  EXPECT_FALSE(plan_.endOf(later, at(0))) << "it has not begun";
+  EXPECT_THAT(plan_.identifiersOf(later), IsEmpty());
+  add(pan({{0.5, {0.1}, {}}}), 1, 0);
+  follow(0, 3);
+  EXPECT_THAT(plan_.identifiersOf(later), ElementsAre(kMouth));
+  EXPECT_NEAR(wanted(later, 3), -0.4, 1e-6);
+  EXPECT_NEAR(velocity(later, 3), 0.1, 1e-6);
+  follow(3.032, 4.05);
+  EXPECT_THAT(plan_.wantedBy(later, at(4.1)), IsEmpty()) << "it is over";
+}
+
+// What is sent ahead is the newer one's already.
+TEST_F(JointPlanTest, HoldsAJointOnlyWhereTheNewerTrajectoryHasSentIt) {
+  const auto old = add(both(0.5, -0.2, 2), 0, 0);
+  run(0, 0.9);
+  const auto next = add(pan({{1, {-0.2}, {0}}}), 1, 0.92);
+  EXPECT_THAT(plan_.identifiersOf(old), ElementsAre(kMouth));
+  EXPECT_THAT(plan_.identifiersOf(next), ElementsAre(kPan));
+  EXPECT_EQ(plan_.holdingTargets(at(0.92), old).count(kPan), 0u);
+  EXPECT_NEAR(plan_.holdingTargets(at(0.92)).at(kPan).position, sent_[kPan], 1e-9);
+}
+
+TEST_F(JointPlanTest, SendsNoJointBeyondItsLimit) {
+  add(pan({{1, {1.5364}, {}}}), 0, 0);
+  run(0, 1);
+  EXPECT_LE(sent_[kPan], 1.535891) << "88 degrees; somebody has rounded them";
+}
+
 TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
   const auto running = add(both(0.5, -0.2, 1), 0, 0);
   const auto waiting = add(pan({{1, {0}, {}}}), 5, 0);
@@ -366,6 +397,7 @@ TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
   const auto commanded = command({{kPan, {kPan, 0.01, 1.0}}}, 0);
   for (double now = 0; now < 6.5; now += 0.032) {
     advance(now);
+    EXPECT_FALSE(now < 5 && endOf(commanded)) << "a version 1 server may be silent for so long";
   }
   EXPECT_EQ(endOf(commanded), EndedHow::kUnknown) << "it is near its target since before the command";
   EXPECT_EQ(reasonOf(commanded), "no measurement of head_pan has come since");
@@ -382,6 +414,22 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
     advance(now);
   }
   EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
+  strict.tolerances["head_pan"] = {0.1, 0.2};
+  measure(2, 0.17);
+  const auto fast = add(pan({{1, {0.2}, {}}}), 2, 2, strict);
+  for (double now = 2; now < 3.5; now += 0.032) {
+    measure(now, 0.15 + now / 100);
+    advance(now);
+  }
+  EXPECT_EQ(endOf(fast), EndedHow::kDone) << "it moves slowly enough";
+  measure(4, 0.2);
+  const auto faster = add(pan({{1, {0.2}, {}}}), 4, 4, strict);
+  for (double now = 4; now < 5.5; now += 0.032) {
+    measure(now, std::fmod(now, 0.1) + 0.15);
+    advance(now);
+  }
+  EXPECT_EQ(endOf(faster), EndedHow::kNotReached);
+  EXPECT_THAT(reasonOf(faster), HasSubstr("head_pan still moves with"));
 }
 
 TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -80,6 +81,8 @@ class MoverTest : public ::testing::Test {
   Mover::Begun command(const std::string& joint, double position, const std::string& source = "/user") {
     return mover_.command(order(source), {joint}, {position}, {});
   }
+
+  Mover::Begun play(const std::string& motion) { return mover_.play(order(), motion, 1); }
 
   Mover::Begun follow(const std::string& joint, double position, double time) {
     return mover_.follow(order(), {{joint}, {{time, {position}, {}}}}, milliseconds(0));
@@ -162,6 +165,35 @@ TEST_F(MoverTest, ACommandWhoseJointDoesNotMoveIsNotReached) {
   EXPECT_EQ(reasonOf(begun), "head_pan is 0.50 rad from where it was sent");
 }
 
+TEST_F(MoverTest, MovesAndHoldsEveryJoint) {
+  useVersion1();
+  std::vector<std::string> names;
+  std::vector<double> positions;
+  aibo_client::Telemetry there;
+  for (const JointProperties& joint : table_.joints()) {
+    names.push_back(joint.name);
+    positions.push_back(joint.lowest);
+    there.joints.push_back({joint.id, joint.lowest});
+  }
+  const auto commanded = mover_.command(order(), names, positions, {});
+  const std::vector<std::string> sent = told();
+  EXPECT_EQ(std::count(sent.back().begin(), sent.back().end(), ':'), 18);
+  mover_.stop(order());
+  EXPECT_EQ(commanded.ended()->movement.joints, names);
+  const std::vector<std::string> held = told();
+  ASSERT_THAT(held, SizeIs(1));
+  EXPECT_EQ(std::count(held[0].begin(), held[0].end(), ':'), 18);
+  mover_.release(order());
+  now_ += std::chrono::seconds(10);
+  const auto again = mover_.command(order(), names, positions, {});
+  now_ += std::chrono::seconds(10);
+  there.arrival = now_;
+  there.joints[0].position += 0.2;
+  measured_.update(there);
+  EXPECT_FALSE(mover_.goOn());
+  EXPECT_EQ(reasonOf(again), names[0] + " is 0.20 rad from where it was sent");
+}
+
 TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
   const auto commanded = command("head_pan", 0.5);
   const auto other = command("head_tilt", 0.1);
@@ -177,6 +209,23 @@ TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
   told();
   mover_.goOn();
   EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, ARefusalIsAboutTheOrderThatItNames) {
+  const auto older = command("head_pan", 0.5, "/older");
+  const auto newer = command("head_pan", 0.4, "/newer");
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kTooOld, {kHeadPan}, "too old", older.id});
+  EXPECT_EQ(newer.ended(), nullptr);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {1}, "a motion plays", 0});
+  EXPECT_EQ(newer.ended(), nullptr) << "it moves another joint";
+  mover_.refused({RefusedRequest::kLeds, RefusalCause::kRobot, {kHeadPan}, "no such LED", 0});
+  EXPECT_EQ(newer.ended(), nullptr);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {kHeadPan}, "a motion plays", 0});
+  EXPECT_EQ(endOf(newer), EndedHow::kReplaced);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "a stop came before", 0});
+  const auto last = command("head_pan", 0.4);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "another client has stopped it", 0});
+  EXPECT_EQ(reasonOf(last), "another client has stopped it") << "the driver is not stopping it";
 }
 
 TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
@@ -281,6 +330,16 @@ TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
   now_ += milliseconds(500);
   command("head_pan", 0);
   EXPECT_THAT(ends_, SizeIs(2));
+  command("head_pan", 0, "/other");
+  command("head_tilt", 0);
+  mover_.command(order(), {"head_pan"}, {0.0}, {}, Kind::kLookAt);
+  EXPECT_THAT(ends_, SizeIs(5)) << "another node, another joint, another kind";
+  client_.problem = "another reason";
+  command("head_pan", 0);
+  EXPECT_THAT(ends_, SizeIs(6));
+  play("NOD.MTN");
+  play("NOD.MTN");
+  EXPECT_THAT(ends_, SizeIs(8)) << "each call has its answer";
 }
 
 TEST_F(MoverTest, RemembersTheLatestEnds) {
@@ -369,6 +428,37 @@ TEST_F(MoverTest, AMotionThatBeginsDuringAStopIsStopped) {
   client_.meanwhile = [this] { mover_.stop(order("/panel")); };
   EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kSit)), EndedHow::kStopped);
   EXPECT_EQ(client_.told.back(), "hold");
+}
+
+TEST_F(MoverTest, WhatCannotBeStoppedIsWarnedOf) {
+  client_.meanwhile = [this] {
+    mover_.stop(order("/panel"));
+    client_.meanwhile = [this] { client_.problem = "there is no robot"; };
+  };
+  const auto played = play("NOD.MTN");
+  EXPECT_THAT(warnings_, IsEmpty());
+  client_.meanwhile = nullptr;
+  mover_.release(order());
+  client_.meanwhile = [this] {
+    mover_.stop(order("/panel"));
+    client_.problem = "there is no robot";
+  };
+  EXPECT_EQ(endOf(play("NOD.MTN")), EndedHow::kStopped);
+  EXPECT_THAT(warnings_, ElementsAre("The motion NOD.MTN may go on: there is no robot"));
+}
+
+TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
+  const auto commanded = command("head_pan", 0.5);
+  client_.meanwhile = [] { throw aibo_client::CommandException("it is busy."); };
+  EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.setMotors(order("/panel"), false); }),
+              HasSubstr("busy"));
+  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown);
+  EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off, but it is busy");
+  client_.problem = "there is no robot";
+  const auto lost = follow("head_pan", 0.5, 1.0);
+  EXPECT_EQ(endOf(lost), EndedHow::kLost) << "its first step cannot be sent";
+  client_.problem.clear();
+  EXPECT_EQ(command("head_pan", 0.5).ended(), nullptr) << "the halt is over";
 }
 
 TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
@@ -491,6 +581,61 @@ TEST_F(MoverTest, WhatCameBeforeTheConnectionDoesNotAct) {
   EXPECT_EQ(reasonOf(mover_.command(old, {"head_pan"}, {0.5}, {})), "it came before the robot was connected");
 }
 
+// Nobody has told the mover of the connection yet.
+TEST_F(MoverTest, EveryOrderNoticesANewConnection) {
+  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
+  const std::function<void(const Order&)> orders[] = {
+      [this](const Order& order) { mover_.command(order, {"head_pan"}, {0.5}, {}); },
+      [&](const Order& order) { mover_.follow(order, way, milliseconds(0)); },
+      [this](const Order& order) { mover_.play(order, "NOD.MTN", 1); },
+      [this](const Order& order) { mover_.takePosture(order, Posture::kRest); },
+      [this](const Order& order) {
+        mover_.steer(order, {0.1, 0, 0});
+      },
+      [this](const Order& order) { mover_.walkToGoal(order, "1 m ahead"); }};
+  for (const auto& give : orders) {
+    command("head_tilt", 0.1);
+    const Order old = order();
+    now_ += milliseconds(10);
+    ++client_.connections;
+    told();
+    give(old);
+    EXPECT_EQ(ends_.back().reason, "it came before the robot was connected");
+    EXPECT_EQ(ends_.at(ends_.size() - 2).how, EndedHow::kLost);
+    EXPECT_THAT(told(), IsEmpty());
+    now_ += milliseconds(500);
+    measure(0);
+  }
+}
+
+TEST_F(MoverTest, AnOrderThatStillWaitsInTheClientGetsTooOldThereAndHasTheNumberOfItsMovement) {
+  command("head_tilt", 0);
+  const Order earlier = order();
+  const auto expect_terms = [&](std::uint64_t number, SteadyTime since) {
+    EXPECT_EQ(client_.terms.number, number);
+    EXPECT_EQ(client_.terms.not_after - since, milliseconds(500));
+  };
+  now_ += milliseconds(200);
+  measure(0);
+  expect_terms(mover_.command(earlier, {"head_pan"}, {0.5}, {}).id, earlier.received);
+  expect_terms(mover_.command(order(), {"head_pan"}, {0.4}, {}).id, now_);
+  expect_terms(mover_.play(earlier, "NOD.MTN", 1).id, earlier.received);
+  expect_terms(mover_.takePosture(earlier, Posture::kStand).id, earlier.received);
+  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
+  expect_terms(mover_.follow(order(), way, milliseconds(0)).id, now_);
+  now_ += milliseconds(32);
+  mover_.steer({"/teleop", now_ - milliseconds(20)}, {0.1, 0, 0});
+  EXPECT_EQ(client_.terms.not_after - now_, milliseconds(480));
+  mover_.steered({0.1, 0, 0}, client_.terms.number);
+  ASSERT_EQ(mover_.state().movements.back().kind, Kind::kWalk);
+  steer(0);
+  EXPECT_EQ(client_.terms.not_after - now_, milliseconds(500));
+  const auto walk = mover_.walkToGoal(order(), "1 m ahead");
+  now_ += milliseconds(100);
+  mover_.walkOn(walk.id, {0.1, 0, 0});
+  expect_terms(walk.id, now_);
+}
+
 // ---- The robot's own movements
 
 TEST_F(MoverTest, PlaysAMotionAtTheRobotsOwnSpeedsAndEndsTrajectories) {
@@ -572,6 +717,11 @@ TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
   useVersion1();
   EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), EndedHow::kUnknown);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
+  client_.meanwhile = doNotAnswer;
+  const auto late = play("NOD.MTN");
+  EXPECT_EQ(late.ended(), nullptr);
+  mover_.answeredLate({late.id, true, "", ""});
+  EXPECT_EQ(endOf(late), EndedHow::kUnknown);
 }
 
 TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
@@ -659,12 +809,29 @@ TEST_F(MoverTest, SendsWhereTheJointsOfATrajectoryShouldBeSoon) {
   EXPECT_TRUE(mover_.goOn());
 }
 
+TEST_F(MoverTest, SaysWhereATrajectoryWantsItsJointsAndWhenItEnds) {
+  const auto followed = follow("head_pan", 1.0, 1.0);
+  EXPECT_EQ(mover_.state().movements.at(0).end, now_ + std::chrono::seconds(1));
+  EXPECT_EQ(mover_.state().movements.at(0).joints, std::vector<std::string>{"head_pan"});
+  now_ += milliseconds(100);
+  ASSERT_THAT(mover_.wantedBy(followed.id, now_), SizeIs(1));
+  EXPECT_NEAR(mover_.wantedBy(followed.id, now_)[0].position, 0.1, 1e-9);
+}
+
+TEST_F(MoverTest, SaysByHowMuchATrajectoryIsSlowedDown) {
+  Mover slow{table_, measured_, client_, 0.5, true, [] { return true; }, [this] { return now_; }};
+  const TrajectoryRequest way{{"head_pan"}, {{0.1, {0.6}, {}}}};
+  EXPECT_THAT(slow.follow(order(), way, milliseconds(0)).remark, StartsWith("slowed down 2.0"));
+  EXPECT_EQ(follow("head_pan", 0.6, 1.0).remark, "");
+}
+
 TEST_F(MoverTest, RefusesTrajectoriesOfOldMeasurements) {
   now_ += milliseconds(500);
   EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("head_pan was last measured 0.5 s ago"));
   useVersion1();
   EXPECT_EQ(follow("head_pan", 1.0, 1.0).ended(), nullptr) << "it reports one joint after the other";
   now_ += milliseconds(2000);
+  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("head_pan was last measured 2.5 s ago"));
   EXPECT_THAT(reasonOf(follow("head_tilt", 0.1, 2.0)), HasSubstr("has not been measured"));
 }
 
@@ -677,6 +844,10 @@ TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
   client_.present.robot.design = "ERS-210";
   EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("it is an ERS-210"));
   EXPECT_THAT(reasonOf(command("head_pan", 1.0)), HasSubstr("it is an ERS-210"));
+  EXPECT_THAT(reasonOf(mover_.takePosture(order(), Posture::kSit)), HasSubstr("it is an ERS-210"));
+  EXPECT_THAT(reasonOf(mover_.walkToGoal(order(), "1 m ahead")), HasSubstr("it is an ERS-210"));
+  steer(0.1);
+  EXPECT_THAT(ends_.back().reason, HasSubstr("it is an ERS-210"));
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
@@ -736,6 +907,12 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
         mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
       },
       [this] {
+        mover_.ended({EndedKind::kWalk, EndedHow::kRefused, "walk", "the floor ends ahead"});
+      },
+      [this] {
+        mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
+      },
+      [this] {
         mover_.robotChanged({MotorState::kOn, PostureNow::kCarried});
       },
       [this] {
@@ -755,6 +932,32 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
     now_ += milliseconds(500);
     measure(0);
   }
+}
+
+TEST_F(MoverTest, AVelocityThatCameTooLateDoesNotOverruleTheNext) {
+  walk();
+  mover_.refused({RefusedRequest::kWalk, RefusalCause::kTooOld, {}, "too old", client_.steering_order});
+  steerOn(0.1);
+  EXPECT_THAT(told(), SizeIs(10));
+  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
+  steerOn(0.1);
+  EXPECT_THAT(told(), SizeIs(10)) << "nor does an orderly end";
+}
+
+TEST_F(MoverTest, AWalkThatCannotBeSentIsRefusedOnceAndGoesOnAfterwards) {
+  client_.problem = "there is no robot";
+  steerOn(0.1);
+  EXPECT_THAT(ends_, SizeIs(1));
+  EXPECT_EQ(ends_.back().reason, "there is no robot");
+  client_.problem.clear();
+  walk();
+  client_.problem = "there is no robot";
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  steer(0.1);
+  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the connection says how it ends";
+  client_.problem.clear();
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
 }
 
 TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
@@ -987,6 +1190,15 @@ TEST_F(MoverGoalTest, AVelocityOf0StopsIt) {
   robotEnds(EndedHow::kDone, "");
   EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
   EXPECT_THAT(begun.ended()->reason, HasSubstr("/teleop sent a velocity of 0"));
+}
+
+TEST_F(MoverGoalTest, AVelocityThatCannotBeSentEndsIt) {
+  const Mover::Begun begun = walksToGoal();
+  client_.problem = "there is no robot";
+  EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_EQ(begun.ended()->how, EndedHow::kLost);
+  EXPECT_EQ(begun.ended()->reason, "there is no robot");
+  EXPECT_EQ(walkToGoal().ended()->reason, "there is no robot") << "nor does another begin";
 }
 
 TEST_F(MoverGoalTest, ARefusalOfTheRobotEndsIt) {

@@ -75,6 +75,11 @@ TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   EXPECT_NEAR((trajectory.sample(1)[0] - trajectory.sample(1 - step)[0]) / step, 0.8, 1e-3);
   EXPECT_NEAR((trajectory.sample(step)[0] - trajectory.sample(0)[0]) / step, 0.0, 1e-3) << "it begins at rest";
   EXPECT_NEAR((trajectory.sample(2)[0] - trajectory.sample(2 - step)[0]) / step, 0.0, 1e-3);
+  for (const double time : {0.3, 1.0, 1.6}) {
+    EXPECT_NEAR(trajectory.velocities(time)[0], (trajectory.sample(time + step)[0] - trajectory.sample(time)[0]) / step,
+                1e-3);
+  }
+  EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).velocities(1)[0], 0) << "it is over";
 }
 
 TEST_F(TrajectoryTest, MovesAllItsJoints) {
@@ -112,11 +117,19 @@ TEST_F(TrajectoryTest, RefusesAJointWhosePositionIsNotKnown) {
 
 TEST_F(TrajectoryTest, RefusesPositionsBeyondTheLimitsEvenSlowedDown) {
   EXPECT_THAT(refusal(pan({{5, {1.6}, {}}}), true), AllOf(HasSubstr("head_pan"), HasSubstr("-1.536 to 1.536 rad")));
+  EXPECT_THAT(refusal(pan({{5, {-1.6}, {}}})), HasSubstr("-1.536 to 1.536 rad"));
+  for (const double rounded : {1.536, -1.536}) {
+    EXPECT_EQ(refusal(pan({{5, {rounded}, {}}})), "accepted");
+  }
 }
 
 TEST_F(TrajectoryTest, RefusesVelocitiesThatCarryAJointBeyondItsLimitsBetweenTwoPoints) {
   EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {-1}}})),
               AllOf(HasSubstr("between two points"), HasSubstr("head_pan")));
+  EXPECT_THAT(refusal(pan({{1, {-1.5}, {-1}}, {2, {-1.5}, {1}}})), HasSubstr("at 1.500 s, the velocities carry"));
+  EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {0}}})), HasSubstr("at 1.333 s, the velocities carry head_pan"));
+  EXPECT_THAT(refusal(pan({{1, {-1.5}, {0}}, {2, {-1.5}, {1}}})), HasSubstr("at 1.667 s, the velocities carry"));
+  EXPECT_EQ(refusal(pan({{1, {0.5}, {1}}, {2, {0.5}, {-1}}})), "accepted");
 }
 
 TEST_F(TrajectoryTest, LetsAJointThatIsBeyondItsLimitsComeBack) {
