@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <vector>
 
 namespace aibo_driver::node {
 namespace {
@@ -62,6 +63,16 @@ TEST_F(CallbackThreadsTest, AnExceptionOfACallbackDoesNotEndTheProcess) {
   EXPECT_GE(receivedAt(), before) << "no callback runs any more";
 }
 
+TEST_F(CallbackThreadsTest, NothingOfAnOwnerThatHasGoneIsCalled) {
+  std::vector<int> called;
+  for (const int owner : {1, 2, 1}) {
+    queue_.addCallback(boost::make_shared<Callback>([&called, owner] { called.push_back(owner); }), owner);
+  }
+  queue_.removeByID(1);
+  queue_.callAvailable();
+  EXPECT_EQ(called, std::vector<int>{2});
+}
+
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   ReceiptClock clock;
   const TimePoint begin = TimePoint() + std::chrono::hours(2);
@@ -72,6 +83,8 @@ TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   EXPECT_EQ(clock.receipt(woken), begin + milliseconds(400));
   EXPECT_EQ(clock.receipt(woken + milliseconds(199)), begin + milliseconds(400));
   EXPECT_EQ(clock.receipt(woken + milliseconds(200)), woken + milliseconds(200));
+  clock.receipt(woken + milliseconds(190));  // another thread was quicker
+  EXPECT_EQ(clock.receipt(woken + milliseconds(700)), woken + milliseconds(700)) << "no sign of life is missing";
 }
 
 }  // namespace

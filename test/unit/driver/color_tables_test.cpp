@@ -198,6 +198,7 @@ TEST(ColorMessages, AreInPixelsOfThePicture) {
   EXPECT_FLOAT_EQ(region.x, 3.5) << "the middle of the columns 2 to 5";
   EXPECT_FLOAT_EQ(region.y, 0.5);
   EXPECT_EQ(region.box.x_offset, 2U);
+  EXPECT_EQ(region.box.y_offset, 0U);
   EXPECT_EQ(region.box.width, 4U);
   EXPECT_EQ(region.box.height, 2U);
   EXPECT_EQ(regions.regions[1].pixels, 0U);

@@ -61,6 +61,16 @@ TEST(DriverParameters, HaveDefaultsWhenNothingIsGiven) {
   EXPECT_FALSE(parameters.slow_down);
   EXPECT_FALSE(parameters.client.leave_out_missing_joints);
   EXPECT_TRUE(parameters.publish_footprint);
+  EXPECT_DOUBLE_EQ(parameters.color_rate, 30.0);
+  EXPECT_EQ(parameters.color_tables, "pink_ball");
+  EXPECT_EQ(parameters.microphone_channels, 2);
+  EXPECT_FALSE(parameters.sound_priority);
+  EXPECT_EQ(parameters.take_picture_timeout, std::chrono::seconds(2));
+  EXPECT_EQ(parameters.client.connect_timeout, aibo_client::ClientOptions().connect_timeout);
+  EXPECT_EQ(parameters.client.reconnect_wait_min, aibo_client::ClientOptions().reconnect_wait_min);
+  EXPECT_TRUE(parameters.client.guard_walks);
+  EXPECT_EQ(parameters.walk.timeout, std::chrono::milliseconds(500));
+  EXPECT_TRUE(parameters.walk.publish_odom_tf);
   EXPECT_THAT(parameters.unknown, IsEmpty());
 }
 
@@ -79,6 +89,9 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
   EXPECT_THAT(refusal("gain", 0), HasSubstr("1..3"));
   EXPECT_THAT(refusal("white_balance", 4), HasSubstr("1..3"));
   EXPECT_TRUE(parse(one("auto_exposure", true)).camera.auto_exposure);
+  EXPECT_TRUE(parse(one("auto_white_balance", true)).camera.auto_white_balance);
+  EXPECT_EQ(parse(one("gain", 3)).camera.gain, 3);
+  EXPECT_EQ(parse(one("white_balance", 1)).camera.white_balance, 1);
 }
 
 TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {
@@ -204,6 +217,15 @@ TEST(DriverParameters, AreRead) {
   values["use_robot_time"] = XmlRpcValue(false);
   values["time_offset"] = -0.02;
   values["camera_info_url"] = "package://aibo_driver/config/camera.yaml";
+  values["reconnect_wait_max"] = 7;
+  values["reconnect_wait_min"] = 0.5;
+  values["color_rate"] = 5;
+  values["color_tables"] = "pink_ball /my/table.yaml";
+  values["microphone_channels"] = 1;
+  values["sound_priority"] = XmlRpcValue(true);
+  values["take_picture_timeout"] = 4.5;
+  values["frame_id"] = "eye";
+  values["telemetry_rate"] = 12.5;
   const DriverParameters parameters = parse(values);
   EXPECT_EQ(parameters.client.host, "aibo.local");
   EXPECT_EQ(parameters.client.port, 1234);
@@ -215,6 +237,15 @@ TEST(DriverParameters, AreRead) {
   EXPECT_FALSE(parameters.use_robot_time);
   EXPECT_EQ(parameters.time_offset, std::chrono::milliseconds(-20));
   EXPECT_EQ(parameters.camera_info_url, "package://aibo_driver/config/camera.yaml");
+  EXPECT_EQ(parameters.client.reconnect_wait_max, std::chrono::seconds(7));
+  EXPECT_EQ(parameters.client.reconnect_wait_min, std::chrono::milliseconds(500));
+  EXPECT_EQ(parameters.color_rate, 5);
+  EXPECT_EQ(parameters.color_tables, "pink_ball /my/table.yaml");
+  EXPECT_EQ(parameters.microphone_channels, 1);
+  EXPECT_TRUE(parameters.sound_priority);
+  EXPECT_EQ(parameters.take_picture_timeout, std::chrono::milliseconds(4500));
+  EXPECT_EQ(parameters.frame_id, "eye");
+  EXPECT_EQ(parameters.telemetry_rate, 12.5);
 }
 
 TEST(DriverParameters, OutOfRangeAreRefusedWithNameAndRange) {
@@ -262,12 +293,18 @@ TEST(DriverParameters, AreRefusedWhenTheTextMakesNoSense) {
   EXPECT_THAT(refusal("frame_id", "/camera"), HasSubstr("not beginning with '/'"));
   EXPECT_THAT(refusal("camera_name", "my-camera"), HasSubstr("letters, digits and underscores"));
   EXPECT_THAT(refusal("camera_info_url", "/home/me/camera.yaml"), HasSubstr("file:///"));
+  EXPECT_THAT(refusal("color_tables", 3), HasSubstr("separated by blanks"));
+  EXPECT_THAT(refusal("microphone_channels", 3), HasSubstr("1..2"));
+  EXPECT_THAT(refusal("color_rate", 31), HasSubstr("images a second, 2..30"));
+  EXPECT_THAT(refusal("take_picture_timeout", 0), HasSubstr("0.1..60"));
+  EXPECT_THAT(refusal("reconnect_wait_max", 0), HasSubstr("0.01..60"));
 }
 
 TEST(DriverParameters, ReconnectWaitsFollowTheirMaximum) {
   const DriverParameters parameters = parse(one("reconnect_wait_max", 0.05));
   EXPECT_EQ(parameters.client.reconnect_wait_max, std::chrono::milliseconds(50));
   EXPECT_LE(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
+  EXPECT_THAT(refusal("reconnect_wait_min", 61), HasSubstr("reconnect_wait_min is 61"));
 }
 
 TEST(DriverParameters, ThatTheDriverDoesNotHaveAreListed) {

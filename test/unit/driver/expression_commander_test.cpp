@@ -52,6 +52,15 @@ TEST(ParseLeds, FindsGroupsOfLeds) {
   EXPECT_THAT(ordersOf({"back"}, {1.0F}).commands, SizeIs(6));
   EXPECT_THAT(ordersOf({"head"}, {1.0F}).commands, SizeIs(6));
   EXPECT_THAT(ordersOf({"all"}, {0.0F}).commands, SizeIs(26));
+  Leds tail;
+  tail.names = {"tail"};
+  tail.intensities = {1.0F};
+  const robot_model::RobotModel& ers210 = *robot_model::findRobotModel("ERS-210");
+  const LedOrders of_tail = parseLeds(tail, ers210);
+  ASSERT_THAT(of_tail.commands, SizeIs(2));
+  for (const aibo_client::LedCommand& command : of_tail.commands) {
+    EXPECT_EQ(ers210.leds[robot_model::findLedByIdentifier(ers210, command.id)].place, robot_model::LED_ON_TAIL);
+  }
 }
 
 TEST(ParseLeds, TakesOneIntensityForAllNames) {

@@ -219,6 +219,13 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
   EXPECT_EQ(call("reboot").message, "The robot does not reboot: there is no robot");
 }
 
+TEST_F(RobotServicesTest, AnswerInPlainTextOfLimitedLength) {
+  client_.problem = "\x1b[2J" + std::string(5000, 'x');
+  const std::string message = remove("nod").message;
+  EXPECT_THAT(message, StartsWith("Nothing was deleted: ?[2Jxx"));
+  EXPECT_EQ(message.size(), 4000U);
+}
+
 TEST_F(RobotServicesTest, DeleteAMotionShutDownAndReboot) {
   EXPECT_EQ(remove("").message, "Nothing was deleted: give the name of a motion. list_motions lists them.");
   EXPECT_EQ(remove("nod").message, "NOD.MTN was deleted from the robot.");

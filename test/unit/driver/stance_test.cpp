@@ -1,9 +1,12 @@
 #include "node/body/stance.h"
 
+#include <geometry_msgs/Vector3.h>
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
+
+#include "node/body/body_pose.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -88,6 +91,43 @@ TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   EXPECT_NEAR(stance.body.translation().z(), 0.045, 1e-9);
   EXPECT_NEAR(pitchOf(stance), 0, 1e-9);
   EXPECT_THAT(stance.foot_on_floor, Each(false));
+}
+
+geometry_msgs::Vector3 toMessage(const Vector3d& vector) {
+  geometry_msgs::Vector3 message;
+  message.x = vector.x();
+  message.y = vector.y();
+  message.z = vector.z();
+  return message;
+}
+
+TEST(BodyPoseTest, IsThatOfTheLegsAndOfTheSmoothedAcceleration) {
+  const Vector3d tilted = accelerationAt(40 * kDegree, 20 * kDegree);
+  const auto expect_pose_with = [](const BodyPose& pose, const Vector3d& acceleration) {
+    const geometry_msgs::Transform transform = pose.above(kStanding);
+    const Stance stance = estimateStance(kStanding, acceleration);
+    const auto& turn = transform.rotation;
+    EXPECT_TRUE(stance.body.linear().isApprox(Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).matrix(), 1e-9));
+    EXPECT_NEAR(transform.translation.z, stance.body.translation().z(), 1e-9);
+  };
+  BodyPose pose;
+  EXPECT_FALSE(pose.isKnown());
+  pose.accelerate(toMessage(kLevel), ros::Time(100));
+  EXPECT_TRUE(pose.isKnown());
+  expect_pose_with(pose, kLevel);
+  pose.accelerate(toMessage(tilted), ros::Time(100.25));
+  expect_pose_with(pose, kLevel + (1 - std::exp(-1)) * (tilted - kLevel));
+  pose.accelerate(toMessage(tilted), ros::Time(90));
+  expect_pose_with(pose, kLevel + (1 - std::exp(-1)) * (tilted - kLevel));
+  pose.accelerate(toMessage(tilted), ros::Time(90.25));
+  expect_pose_with(pose, kLevel + (1 - std::exp(-2)) * (tilted - kLevel));
+}
+
+TEST(BodyPoseTest, NamesTheJointsOfTheLegs) {
+  EXPECT_EQ(legJointName(robot_model::LEFT_FRONT_LEG, 0), "left_front_rotator");
+  EXPECT_EQ(legJointName(robot_model::LEFT_HIND_LEG, 1), "left_hind_elevator");
+  EXPECT_EQ(legJointName(robot_model::RIGHT_FRONT_LEG, 2), "right_front_knee");
+  EXPECT_EQ(legJointName(robot_model::RIGHT_HIND_LEG, 0), "right_hind_rotator");
 }
 
 TEST(StanceTest, IsFiniteWhateverIsMeasured) {

@@ -17,6 +17,23 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
+/// What is logged while it lives.
+class LogListener : public ros::console::LogAppender {
+ public:
+  LogListener() { ros::console::register_appender(this); }
+  ~LogListener() override { ros::console::deregister_appender(this); }
+
+  LogListener(const LogListener&) = delete;
+  LogListener& operator=(const LogListener&) = delete;
+
+  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
+           int /*line*/) override {
+    texts.emplace_back(text);
+  }
+
+  std::vector<std::string> texts;
+};
+
 class StreamAdapterTest : public ::testing::Test {
  protected:
   static StreamAdapter::Wish wish(bool adaptive) {
@@ -49,8 +66,10 @@ TEST_F(StreamAdapterTest, WithoutAdaptiveTheStreamIsThatOfTheWish) {
 }
 
 TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
+  const LogListener listener;
   adapter_.setWish(wish(true));
   EXPECT_EQ(adapter_.describe(), "not lowered");
+  EXPECT_EQ(adapter_.wishedQuality(), 80);
   for (int i = 0; i < 20; ++i) {
     publish(200ms);
   }
@@ -58,6 +77,8 @@ TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
   EXPECT_EQ(client_.told.back(), "format 0 15");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
+  EXPECT_THAT(listener.texts,
+              Contains(HasSubstr("is 200 ms old, and at most 150 ms are allowed: the stream is lowered")));
 }
 
 TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
@@ -73,23 +94,6 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
   publish(800ms);
   EXPECT_EQ(adapter_.describe(), "not lowered");
 }
-
-/// What is logged while it lives.
-class LogListener : public ros::console::LogAppender {
- public:
-  LogListener() { ros::console::register_appender(this); }
-  ~LogListener() override { ros::console::deregister_appender(this); }
-
-  LogListener(const LogListener&) = delete;
-  LogListener& operator=(const LogListener&) = delete;
-
-  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
-           int /*line*/) override {
-    texts.emplace_back(text);
-  }
-
-  std::vector<std::string> texts;
-};
 
 TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEachWish) {
   const LogListener listener;

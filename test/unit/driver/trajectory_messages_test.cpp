@@ -6,6 +6,7 @@
 #include <string>
 
 #include "aibo_client/exceptions.h"
+#include "node/orders.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -43,6 +44,30 @@ TEST(WaitBeforeStart, IsRefusedForAStampThatCannotBeMeant) {
   EXPECT_THAT(refusalOf(garbage, kArrival), HasSubstr("s ahead"));
   EXPECT_THAT(refusalOf(ros::Time(kHighest, 0), ros::Time(5, 0)), HasSubstr("s ahead")) << "under /use_sim_time";
   EXPECT_THAT(refusalOf(ros::Time(1, 0), ros::Time(kHighest, 0)), HasSubstr("s ago"));
+}
+
+TEST(ToRequest, HasAllOfTheMessage) {
+  trajectory_msgs::JointTrajectory message;
+  message.joint_names = {"head_pan", "mouth"};
+  message.points.resize(2);
+  message.points[1].positions = {0.5, -0.5};
+  message.points[1].velocities = {0.1, 0.2};
+  message.points[1].time_from_start = ros::Duration(1.5);
+  const movement::TrajectoryRequest request = toRequest(message);
+  EXPECT_EQ(request.joints, message.joint_names);
+  ASSERT_EQ(request.points.size(), 2U);
+  EXPECT_EQ(request.points[1].positions, message.points[1].positions);
+  EXPECT_EQ(request.points[1].velocities, message.points[1].velocities);
+  EXPECT_EQ(request.points[1].time_from_start, 1.5);
+}
+
+TEST(OrderOfGoal, IsThatOfTheNodeThatMadeItsId) {
+  EXPECT_EQ(orderOfGoal("/node-3-1234.567").source, "/node");
+  EXPECT_EQ(orderOfGoal("/my-node-12-1234.567").source, "/my-node");
+  for (const char* const id : {"mine", "a-1", ""}) {
+    EXPECT_EQ(orderOfGoal(id).source, id) << "not an id of actionlib";
+  }
+  EXPECT_EQ(orderOfGoal("/\x1b[2Jnode-3-1").source, "/?[2Jnode");
 }
 
 }  // namespace

@@ -139,7 +139,15 @@ TEST_F(WalkedWayTest, BecomesAMessage) {
   EXPECT_GT(odom.twist.covariance[0], 1e-4);
   EXPECT_EQ(odom.pose.covariance[35], way_.odometry().covariance()(2, 2));
   EXPECT_EQ(odom.pose.covariance[5], way_.odometry().covariance()(0, 2));
-  EXPECT_EQ(odom.pose.covariance[14], 1e6) << "it does not measure its height";
+  for (const std::size_t place : {14, 21, 28}) {
+    EXPECT_EQ(odom.pose.covariance[place], 1e6) << "it measures neither its height nor roll nor pitch";
+    EXPECT_EQ(odom.twist.covariance[place], 1e6);
+  }
+  EXPECT_EQ(odom.pose.covariance[7], way_.odometry().covariance()(1, 1));
+  EXPECT_EQ(odom.pose.covariance[30], way_.odometry().covariance()(2, 0));
+  EXPECT_NE(odom.pose.covariance[5], odom.pose.covariance[11]);
+  EXPECT_EQ(odom.twist.covariance[7], odom.twist.covariance[0]);
+  EXPECT_GT(odom.twist.covariance[35], 2 * odom.twist.covariance[0]) << "it mostly turns";
   measure({});
   EXPECT_LT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 1e-5) << "it stands";
 }
