@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <limits>
 #include <string>
 
@@ -36,6 +37,9 @@ class Version2SessionTest : public SessionFixture {
       return "";
     }
     frame_ = version2_frames::split(bytes);
+    if (std::string("DHJKLNOUV").find(frame_.header.kind) != std::string::npos) {
+      EXPECT_EQ(0, frame_.header.id) << frame_.header.kind;
+    }
     return frame_.header.kind + std::to_string(frame_.header.request_number);
   }
 
@@ -167,6 +171,38 @@ TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnsw
   receive(makeFrame('w', 2, {1, 0, 0, 1}));
   live(milliseconds(499));
   EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
+TEST_F(Version2SessionTest, SilenceCountsFromTheLastPicture) {
+  wish_.streaming = true;
+  EXPECT_EQ("W2", request());
+  receive(makeFrame('w', 2, {1, 0, 0, 1}));
+  now_ += milliseconds(490);  // nothing has come that would have woken the client
+  receive(makePicture(0, 1));
+  EXPECT_NO_THROW(live(milliseconds(499)));
+  EXPECT_THROW(live(milliseconds(1)), Fault);
+}
+
+TEST_F(Version2SessionTest, FramesAreReadHoweverTheirBytesAreSplit) {
+  wish_.streaming = true;
+  request();
+  Bytes bytes = makeFrame('w', 2, {1, 0, 0, 1});
+  for (unsigned number = 1; number <= 3; ++number) {
+    const Bytes picture = makePicture(0, number, number);
+    bytes.insert(bytes.end(), picture.begin(), picture.end());
+  }
+  for (const std::size_t part : {std::size_t{1}, std::size_t{2}, std::size_t{7}, std::size_t{1000}, bytes.size()}) {
+    pictures_.clear();
+    for (std::size_t at = 0; at < bytes.size(); at += part) {
+      receive(Bytes(bytes.begin() + static_cast<std::ptrdiff_t>(at),
+                    bytes.begin() + static_cast<std::ptrdiff_t>(std::min(at + part, bytes.size()))));
+    }
+    ASSERT_EQ(3u, pictures_.size()) << part;
+    EXPECT_EQ(test_pictures::makeNumbered(3), pictures_[2]->jpeg);
+    wish_.jpeg_quality = wish_.jpeg_quality == 85 ? 40 : 85;  // asks for the stream again
+    request();
+    bytes[3] = static_cast<std::uint8_t>(frame_.header.request_number);
+  }
 }
 
 TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {

@@ -205,6 +205,8 @@ TEST_F(MotionTest, isEmptyAfterAnInvalidFile) {
   EXPECT_FALSE(motion.read(bytes, sample_.size() - 1));
   EXPECT_EQ(motion.numberOfJoints(), 0);
   EXPECT_EQ(motion.numberOfKeyFrames(), 0);
+  EXPECT_EQ(motion.frameMilliseconds(), 0);
+  EXPECT_EQ(std::string(motion.name()) + motion.creator() + motion.design(), "");
 }
 
 // ------------------------------------------------------------------------------------------------------ any bytes

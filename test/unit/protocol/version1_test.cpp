@@ -39,6 +39,8 @@ TEST(Version1, PictureHeaderIsRefusedWhenLetterOrSizeIsImpossible) {
 
 TEST(Version1, LargestPictureIsAccepted) {
   std::array<unsigned char, PICTURE_HEADER_SIZE> bytes{};
+  encodePictureHeader(0x12345678, bytes.data());
+  EXPECT_THAT(bytes, ElementsAre('f', 0x12, 0x34, 0x56, 0x78));
   encodePictureHeader(MAX_PICTURE_SIZE, bytes.data());
   size_t size = 0;
   EXPECT_TRUE(decodePictureHeader(bytes.data(), &size));

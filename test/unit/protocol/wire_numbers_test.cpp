@@ -1,0 +1,109 @@
+// The letters and numbers of docs/protocol.md. Client and server share their names, so with a wrong value they would
+// still understand each other, but no client or robot from before.
+#include <gmock/gmock.h>
+
+#include <string>
+
+#include "protocol/camera_settings.h"
+#include "protocol/color_requests.h"
+#include "protocol/file_list.h"
+#include "protocol/motion_requests.h"
+#include "protocol/picture_datagram.h"
+#include "protocol/sound_requests.h"
+#include "protocol/stick_pictures.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "protocol/walk_requests.h"
+
+namespace protocol {
+namespace {
+
+using ::testing::ElementsAre;
+
+template <typename... Values>
+std::vector<unsigned long> numbers(Values... values) {
+  return {static_cast<unsigned long>(values)...};
+}
+
+TEST(WireNumbers, LettersOfVersion1) {
+  EXPECT_EQ((std::string{REQUEST_PICTURE, REQUEST_STREAM_TOGGLE, REQUEST_NEWER_VERSION, REQUEST_JOINT, REQUEST_SENSOR,
+                         REQUEST_MAX_VELOCITY, REQUEST_MAX_ACCELERATION, REQUEST_LED, REQUEST_FACE_LEDS, REQUEST_EARS,
+                         REQUEST_SHUT_DOWN, REQUEST_REBOOT, REQUEST_UPLOAD_MOTION, REQUEST_DELETE_MOTION,
+                         REQUEST_PLAY_MOTION, REQUEST_UPLOAD_OBJECT, REPLY_PICTURE, REPLY_ERROR}),
+            "FWXJSVALYKQRUDPCfe");
+}
+
+TEST(WireNumbers, LettersOfVersion2) {
+  using namespace version2;
+  EXPECT_EQ((std::string{REQUEST_HELLO,
+                         version2::REQUEST_PICTURE,
+                         REQUEST_STREAM,
+                         REQUEST_JOINTS,
+                         REQUEST_SPEED_LIMITS,
+                         REQUEST_TELEMETRY,
+                         REQUEST_MOTORS,
+                         REQUEST_HOLD,
+                         REQUEST_LEDS,
+                         version2::REQUEST_EARS,
+                         REQUEST_DATAGRAMS,
+                         REQUEST_REPEATED_DATAGRAMS,
+                         REQUEST_UPLOAD,
+                         REQUEST_DELETE,
+                         REQUEST_PLAY,
+                         REQUEST_LIST,
+                         REQUEST_SAVE_PICTURE,
+                         REQUEST_PICTURES,
+                         REQUEST_STEER,
+                         REQUEST_POSTURE,
+                         version2::REQUEST_SHUT_DOWN,
+                         version2::REQUEST_REBOOT,
+                         REQUEST_CAMERA,
+                         REQUEST_COLORS,
+                         REQUEST_SOUND}),
+            "HFWJVTOILKBXUDPNMYSEQRGZA");
+  EXPECT_EQ((std::string{PICTURE, TELEMETRY_PUSH, END_PUSH, MOTORS_AND_POSTURE_PUSH, ERROR_MESSAGE, COLORS_PUSH,
+                         SOUND_PUSH, GROUP_JOINT, GROUP_SENSOR, GROUP_DUTY, GROUP_WALK, DATAGRAM_MARK}),
+            "ftioezaJSDWb");
+}
+
+TEST(WireNumbers, Identifiers) {
+  using namespace version2;
+  EXPECT_THAT(numbers(ERROR_REFUSED, ERROR_FILE_MISSING, ERROR_NOT_A_MOTION), ElementsAre(0, 1, 2));
+  EXPECT_THAT(numbers(CODE_REFUSED, CODE_FILE_MISSING, CODE_NOT_SUPPORTED, CODE_JOINT_FAULT, CODE_POWER),
+              ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(numbers(ENDED_MOTION, ENDED_WALK, ENDED_POSTURE, ENDED_JAM), ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(numbers(END_DONE, END_REPLACED, END_STOPPED, END_REFUSED, END_FELL), ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(
+      numbers(POSTURE_UNKNOWN, POSTURE_STAND, POSTURE_SIT, POSTURE_REST, POSTURE_WALK, POSTURE_FALLEN, POSTURE_CARRIED),
+      ElementsAre(0, 1, 2, 3, 4, 5, 6));
+  EXPECT_THAT(numbers(LAYER_HIGH, LAYER_MIDDLE, LAYER_LOW, LAYER_DOUBLE), ElementsAre(0, 1, 2, 3));
+  EXPECT_THAT(numbers(TELEMETRY_PLAIN, TELEMETRY_WITH_DUTY, TELEMETRY_WITH_WALK), ElementsAre(0, 1, 2));
+  EXPECT_THAT(numbers(HOLD_EVERYTHING, HOLD_JOINTS, LED_MODE_A, LED_MODE_B), ElementsAre(0, 1, 0, 1));
+  EXPECT_THAT(numbers(WALK_FORWARD, WALK_LEFT, WALK_TURN, WALK_PHASE, WALK_STATE), ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(numbers(WALK_STATE_NONE, WALK_STATE_GETS_READY, WALK_STATE_WALKS), ElementsAre(0, 1, 2));
+  EXPECT_THAT(numbers(STEER_GUARDED, LEAVE_OUT_MISSING_JOINTS, TELL_CHANGES), ElementsAre(1, 1, 2));
+  EXPECT_THAT(numbers(COLORS_OFF, COLORS_ON, COLORS_TABLE), ElementsAre(0, 1, 2));
+  EXPECT_THAT(numbers(SOUND_MICROPHONE, SOUND_SPEAKER, SOUND_VOLUME, MICROPHONE_ON, SOUND_FIRST),
+              ElementsAre(1, 2, 3, 1, 2));
+  EXPECT_THAT(numbers(LIST_PICTURES, FETCH_PICTURE, DELETE_PICTURE), ElementsAre(1, 2, 3));
+  EXPECT_THAT(numbers(SETTING_WHITE_BALANCE, SETTING_GAIN, SETTING_SHUTTER_SPEED, SETTING_AUTO_EXPOSURE,
+                      SETTING_AUTO_WHITE_BALANCE),
+              ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(numbers(ALL_IDENTIFIERS, FACE_MODE_A, SERVER_DEFAULT_QUALITY, VOLUME_OF_ROBOT, MAX_VOLUME),
+              ElementsAre(0, 1, 255, 255, 3));
+}
+
+TEST(WireNumbers, SizesAndTimes) {
+  using namespace version2;
+  EXPECT_THAT(numbers(RCSERVER_PORT, DEFAULT_JPEG_QUALITY, MAX_JPEG_QUALITY, VERSION), ElementsAre(54321, 85, 100, 2));
+  EXPECT_THAT(numbers(MAX_PAYLOAD_TOWARDS_CLIENT, MAX_PAYLOAD_TOWARDS_ROBOT, MAX_STICK_PICTURE_SIZE),
+              ElementsAre(262144, 65536, 131072));
+  EXPECT_THAT(numbers(MAX_LISTED_FILES, MAX_JOINTS, MAX_LEDS, MAX_TELEMETRY_ENTRIES, MAX_COLOR_CHANNELS),
+              ElementsAre(256, 32, 32, 128, 8));
+  EXPECT_THAT(numbers(MAX_DATAGRAM_SIZE, PARTS_PER_PARITY, KEPT_PICTURES), ElementsAre(1372, 8, 3));
+  EXPECT_THAT(numbers(SPEAKER_CAPACITY, SPEAKER_TIMEOUT_MS, STEERING_TIMEOUT_MS), ElementsAre(16384, 2000, 500));
+  EXPECT_THAT(numbers(COLOR_SEGMENTS, COLOR_CENTROID_SCALE, MAX_COLOR_PLANE_SIZE), ElementsAre(32, 64, 8320));
+}
+
+}  // namespace
+}  // namespace protocol
