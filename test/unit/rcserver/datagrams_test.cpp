@@ -18,6 +18,7 @@ namespace {
 using namespace protocol::version2;
 using test_support::UdpSocket;
 using ::testing::Each;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Le;
 
@@ -239,7 +240,12 @@ TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
 TEST_F(DatagramsTest, StreamThatIsSwitchedOffIsOffByUdpToo) {
   UdpSocket receiver;
   streamTo(receiver);
+  for (int picture = 0; picture < 3; ++picture) {
+    takeImage();
+    EXPECT_FALSE(partsAt(receiver).empty());
+  }
   answerTo('W', 85, kStreamOff);
+  EXPECT_THAT(console_.str(), HasSubstr("stream off after 3 pictures, 0 camera images left out\n"));
   takeImage();
   takeImage();
   EXPECT_THAT(partsAt(receiver), IsEmpty());
