@@ -9,12 +9,17 @@
 #include <chrono>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "node/camera/color_table_file.h"
+#include "support/process.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
 
 namespace {
 
@@ -22,8 +27,12 @@ using aibo_driver::ColorRegion;
 using aibo_driver::ColorRegions;
 using aibo_driver::LoadColorTable;
 using test_support::DriverProcess;
+using test_support::kSafetyNet;
+using test_support::Process;
 using test_support::SimulatedRobot;
+using test_support::TemporaryFolder;
 using test_support::TopicListener;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 using RegionsListener = TopicListener<ColorRegions>;
@@ -122,6 +131,97 @@ TEST(Colors, ATableIsLoadedWhileTheDriverRunsAndAgainAfterAReconnect) {
   EXPECT_TRUE(regions.waitFor(has_channel3));
   EXPECT_TRUE(load("/load", 3, "").success);
   EXPECT_TRUE(regions.waitFor([](const ColorRegions& message) { return message.regions.empty(); }));
+}
+
+// A picture of 104 x 80 with a red square, 20..39, and rows that are longer than they need to be.
+sensor_msgs::Image paint(const std::string& encoding) {
+  sensor_msgs::Image image;
+  image.encoding = encoding;
+  image.width = 104;
+  image.height = 80;
+  image.step = 3 * 104 + 5;
+  image.data.assign(std::size_t{image.step} * image.height, 100);
+  for (std::size_t y = 20; y < 40; ++y) {
+    for (std::size_t x = 20; x < 40; ++x) {
+      image.data[y * image.step + 3 * x + (encoding == "rgb8" ? 0 : 2)] = 250;
+    }
+  }
+  return image;
+}
+
+class ColorTableTest : public ::testing::Test {
+ protected:
+  static std::vector<std::string> command(std::vector<std::string> words) {
+    words.insert(words.begin(), AIBO_COLOR_TABLE);
+    return words;
+  }
+
+  // What it prints, and how it ends.
+  static std::string run(const std::vector<std::string>& words, int status) {
+    Process process(command(words));
+    EXPECT_EQ(process.waitForExit(kSafetyNet), status) << process.output();
+    return process.output();
+  }
+
+  const TemporaryFolder folder_;
+};
+
+TEST_F(ColorTableTest, HoldsTheColorsOfAPartOfAPicture) {
+  ros::NodeHandle handle("/painted");
+  aibo_client::ColorTable tables[2];
+  for (const std::string encoding : {"rgb8", "bgr8"}) {
+    const ros::Publisher painter = handle.advertise<sensor_msgs::Image>(encoding, 1, true);
+    painter.publish(paint(encoding));
+    const std::string file = folder_.path(encoding + ".yaml");
+    EXPECT_THAT(
+        run({"--topic", "/painted/" + encoding, "--region", "20,20,12,16", "--name", "red", "--output", file,
+             "--margin", "9"},
+            0),
+        AllOf(HasSubstr("contains 100.0 % of the region and 2.6 % of the rest"), HasSubstr("It is in " + file)));
+    tables[encoding == "rgb8" ? 0 : 1] = aibo_driver::node::loadColorTable(file);
+  }
+  EXPECT_EQ(tables[0].name, "red");
+  EXPECT_EQ(tables[0].segments, tables[1].segments);
+  ASSERT_TRUE(tables[0].segments[18]) << "Y is 145";
+  EXPECT_EQ(tables[0].segments[18]->cr_max, 203 + 9);
+  EXPECT_EQ(tables[0].segments[18]->cb_min, 103 - 9);
+}
+
+TEST_F(ColorTableTest, IsPrintedForAPictureInAFile) {
+  const test_pictures::Bytes jpeg = test_pictures::make();
+  folder_.write("a.jpg", std::string(jpeg.begin(), jpeg.end()));
+  const std::string output = run({"--file", folder_.path("a.jpg"), "--region", "10,10,20,20"}, 0);
+  EXPECT_EQ(aibo_driver::node::parseColorTable(output.substr(output.find('\n') + 1), "a").name, "my_color") << output;
+}
+
+TEST_F(ColorTableTest, WhatCannotBeMadeIsExplained) {
+  Process nothing_comes(command({"--topic", "/painted/nothing", "--region", "0,0,9,9"}));
+  EXPECT_THAT(run({}, 2), HasSubstr("LEFT,TOP,WIDTH,HEIGHT"));
+  EXPECT_THAT(run({"--help"}, 0), HasSubstr("LEFT,TOP,WIDTH,HEIGHT"));
+  for (const char* region : {"1,2,3", "1,2,30,40x", "left"}) {
+    EXPECT_THAT(run({"--region", region}, 1), HasSubstr("--region is '" + std::string(region) + "'; it has to be"));
+  }
+  for (const char* margin : {"-1", "128"}) {
+    EXPECT_THAT(run({"--region", "0,0,9,9", std::string("--margin=") + margin}, 1), HasSubstr("it must be 0..127"));
+  }
+  ros::NodeHandle handle("/painted");
+  sensor_msgs::Image image = paint("mono8");
+  const ros::Publisher grey = handle.advertise<sensor_msgs::Image>("grey", 1, true);
+  grey.publish(image);
+  EXPECT_THAT(run({"--topic", "/painted/grey", "--region", "0,0,9,9"}, 1), HasSubstr("encoding mono8; it must be"));
+  image = paint("rgb8");
+  image.data.pop_back();
+  const ros::Publisher torn = handle.advertise<sensor_msgs::Image>("torn", 1, true);
+  torn.publish(image);
+  EXPECT_THAT(run({"--topic", "/painted/torn", "--region", "0,0,9,9"}, 1), HasSubstr("smaller than it says"));
+  const ros::Publisher whole = handle.advertise<sensor_msgs::Image>("whole", 1, true);
+  whole.publish(paint("rgb8"));
+  EXPECT_THAT(run({"--topic", "/painted/whole", "--region", "0,0,9,9", "--output", "/nowhere/a.yaml"}, 1),
+              HasSubstr("cannot write /nowhere/a.yaml"));
+  Process without_master(command({"--region", "0,0,9,9"}), {{"ROS_MASTER_URI", "http://127.0.0.1:1"}});
+  without_master.waitForOutput("there is no ROS master", kSafetyNet);
+  nothing_comes.waitForOutput("no image came on /painted/nothing within 10 s", kSafetyNet);
+  EXPECT_EQ(nothing_comes.waitForExit(kSafetyNet), 1);
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ TEST_F(LookTest, SaysWhyItDoesNotTurn) {
   EXPECT_THAT(lookAt(point("", 1, 0, 0)).message, HasSubstr("it has no frame"));
   EXPECT_THAT(lookAt(point("base_link", std::numeric_limits<double>::quiet_NaN(), 0, 0)).message,
               HasSubstr("not a finite number"));
+  EXPECT_TRUE(lookAt(point("/base_link", 1, 0, 0)).success) << "as old programs call frames";
   PointStamped old = point("base_footprint", 1, 0, 0);
   old.header.stamp = ros::Time(1);
   EXPECT_THAT(lookAt(old).message, HasSubstr("at the point's time"));

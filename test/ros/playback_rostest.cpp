@@ -27,6 +27,7 @@
 #include "support/process.h"
 #include "support/ros/topic_listener.h"
 #include "support/temporary_folder.h"
+#include "tools/playback/recording.h"
 
 namespace {
 
@@ -48,9 +49,10 @@ class WalkBag {
   WalkBag(const std::string& path, std::string name_space, const std::string& frame_prefix = "")
       : bag_(path, rosbag::bagmode::Write), name_space_(std::move(name_space)), frame_prefix_(frame_prefix) {}
 
-  void connect() {
+  void connect(std::uint8_t state = Connection::CONNECTED, const std::string& text = "") {
     Connection connection;
-    connection.state = Connection::CONNECTED;
+    connection.state = state;
+    connection.text = text;
     connection.robot = "ERS-7";
     writeLatched("connection", connection);
   }
@@ -113,7 +115,9 @@ class WalkBag {
   nav_msgs::Odometry odom() const {
     auto odom = headed<nav_msgs::Odometry>("odom");
     odom.pose.pose.position.x = kSpeed * time_;
-    odom.pose.pose.orientation.w = 1;
+    odom.pose.pose.position.y = -2 * kSpeed * time_;
+    odom.pose.pose.orientation.z = 0.6;
+    odom.pose.pose.orientation.w = 0.8;
     return odom;
   }
 
@@ -202,6 +206,8 @@ TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
   EXPECT_EQ(last->transforms[0].header.frame_id, "odom");
   EXPECT_EQ(last->transforms[0].child_frame_id, "base_footprint");
   EXPECT_NEAR(last->transforms[0].transform.translation.x, 2.8 * kSpeed, 1e-6) << "the odom before these joints";
+  EXPECT_NEAR(last->transforms[0].transform.translation.y, -5.6 * kSpeed, 1e-6);
+  EXPECT_EQ(last->transforms[0].transform.rotation.z, 0.6);
   EXPECT_EQ(last->transforms[1].child_frame_id, "base_link");
   EXPECT_GT(last->transforms[1].transform.translation.z, 0.05);
 
@@ -239,6 +245,20 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   }));
 }
 
+TEST_F(PlaybackTest, SaysThatTheRobotWasGone) {
+  {
+    WalkBag bag(path("gone.bag"), "/aibo");
+    bag.connect(Connection::DISCONNECTED, "the robot was off");
+    bag.walk(1);
+  }
+  TopicListener<Connection> connection("/gone/connection");
+  Process playback(command(path("gone.bag"), "/gone", {"_wait:=0"}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
+  EXPECT_TRUE(connection.waitFor([](const Connection& message) {
+    return message.text == "playback of gone.bag, 0:00 of 0:00; at that time: the robot was off";
+  }));
+}
+
 TEST_F(PlaybackTest, PausesAndRepeats) {
   TopicListener<nav_msgs::Odometry> odom("/again/odom");
   TopicListener<Connection> connection("/again/connection");
@@ -256,6 +276,13 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
   TopicListener<RobotState> state("/again/robot_state");
   EXPECT_FALSE(state.waitForCount(1).empty()) << "what is latched is there for those who come later";
   const auto before = odom.waitForCount(0).back();
+  for (std::size_t i = 1; i < 5; ++i) {
+    const auto played = odom.waitForCount(0);
+    const double way = played.at(i)->pose.pose.position.x - played.at(i - 1)->pose.pose.position.x;
+    EXPECT_TRUE(way < 0 ||
+                std::abs((played[i]->header.stamp - played[i - 1]->header.stamp).toSec() - way / kSpeed / 2) < 1e-6)
+        << "twice as fast";
+  }
   call.request.data = 0;
   ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
   EXPECT_TRUE(call.response.success) << call.response.message;
@@ -287,7 +314,33 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("left.bag")), HasSubstr("play it with frame_prefix:=left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),
               HasSubstr("no robot in /right, but in /left"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_rate:=0"}), HasSubstr("rate is 0; it must"));
+  {
+    rosbag::Bag bag(path("both.bag"), rosbag::bagmode::Write);
+    bag.write("/left/joint_states", kBegin, sensor_msgs::JointState());
+    bag.write("/team/right/connection", kBegin, Connection());
+  }
+  EXPECT_THAT(complaintAbout(path("both.bag")),
+              HasSubstr("several robots: /left, /team/right. Choose one, such as recorded_ns:=left."));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_start:=5"}), HasSubstr("start is 5"));
+}
+
+TEST(ChangeStamp, ChangesOnlyAHeaderAtTheBeginning) {
+  const auto later = [](const ros::Time& stamp) { return stamp + ros::Duration(3, 4); };
+  const std::vector<std::uint8_t> message{9, 9, 9, 9, 1, 0, 0, 0, 2, 0, 0, 0, 9};
+  const auto changed = [&](const std::string& definition, std::vector<std::uint8_t> bytes) {
+    aibo_driver::tools::changeStamp(definition, later, bytes);
+    return bytes;
+  };
+  const std::vector<std::uint8_t> moved{9, 9, 9, 9, 4, 0, 0, 0, 6, 0, 0, 0, 9};
+  EXPECT_EQ(changed("Header header", message), moved);
+  EXPECT_EQ(changed("# of what\n\nuint8 A=1  # a constant\n std_msgs/Header header # when\nuint8 a", message), moved);
+  EXPECT_EQ(changed("uint8 a\nHeader header", message), message);
+  EXPECT_EQ(changed("# Header header", message), message);
+  std::vector<std::uint8_t> never(12);
+  EXPECT_EQ(changed("Header header", never), never) << "stamp 0 says that there is none";
+  never = {1, 2, 3};
+  EXPECT_EQ(changed("Header header", never), never);
 }
 
 TEST_F(PlaybackTest, ABagThatWasNotClosedIsExplained) {

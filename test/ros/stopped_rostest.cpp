@@ -9,6 +9,7 @@
 #include <pty.h>
 #include <ros/network.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 #include <sensor_msgs/Joy.h>
@@ -44,6 +45,7 @@ using test_support::Process;
 using test_support::TopicListener;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using trajectory_msgs::JointTrajectory;
 
 /// What these programs see of a driver.
@@ -382,6 +384,28 @@ TEST(Monitor, SaysWhoHasStoppedTheRobot) {
   monitor.waitForOutput("until release\\nno pictures: no driver in namespace /watched yet\\n", kSafetyNet);
 }
 
+TEST(Monitor, TellsHowManyPicturesComeAndHowOldTheyAre) {
+  ros::Publisher pictures =
+      ros::NodeHandle("/filmed").advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 10);
+  Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2"});
+  sensor_msgs::CompressedImage picture;
+  picture.data.resize(1000);
+  auto film = std::async(std::launch::async, [&] {
+    for (int i = 0; monitor.isRunning(); ++i) {
+      picture.header.stamp = ros::Time::now() - ros::Duration(i % 10 == 0 ? 3000 : 1000);
+      pictures.publish(picture);
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  });
+  // As many kilobytes as pictures. The mean is between 1000 and 1500 s.
+  EXPECT_NO_THROW(
+      monitor.waitForOutput("([0-9]+\\.[0-9]) pictures/s +\\1 KB/s   stamp to topic: 1[0-4][0-9]{5}\\.[0-9] "
+                            "ms \\(worst 300[0-9]{4}\\.[0-9]\\)   driver: [0-9.]+ % of one processor\\n",
+                            kSafetyNet));
+  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 0);
+  film.get();
+}
+
 // A node that takes the connection and says nothing. It would keep a monitor from its next line for ever.
 TEST(Monitor, DoesNotWaitForANodeThatDoesNotAnswer) {
   const aibo_client::FileDescriptor silent = test_support::bindTo("127.0.0.1", 0);
@@ -412,9 +436,9 @@ class Gamepad {
     press({});  // waits until it listens
   }
 
-  void press(const std::vector<std::size_t>& pressed) {
+  void press(const std::vector<std::size_t>& pressed, const std::vector<float>& axes = std::vector<float>(7)) {
     sensor_msgs::Joy joy;
-    joy.axes.resize(7);
+    joy.axes = axes;
     joy.buttons.resize(6);
     for (const std::size_t button : pressed) {
       joy.buttons[button] = 1;
@@ -431,9 +455,13 @@ class Gamepad {
 
 TEST(Gamepad, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   FakeDriver driver("/pad");
-  driver.stop("/user");
   Gamepad pad("/pad");
-  pad.teleop().waitForOutput("/user has stopped the robot.*together with the dead-man button", kSafetyNet);
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});  // nobody has stopped the robot
+  pad.press({Gamepad::kStop});
+  pad.teleop().waitForOutput("/pad/stop: ", kSafetyNet);
+  EXPECT_THAT(pad.teleop().output(), Not(HasSubstr("/release: ")));
+  pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
   pad.teleop().waitForOutput("The robot may move again", kSafetyNet);
@@ -447,6 +475,9 @@ TEST(Gamepad, StopsWhileAReleaseWaitsForItsAnswer) {
   pad.teleop().waitForOutput("/user has stopped the robot", kSafetyNet);
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
   ASSERT_TRUE(driver.waitForCallOfRelease());
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
+  pad.teleop().waitForOutput("release is not called: the previous call has not ended yet", kSafetyNet);
   pad.press({Gamepad::kStop});
   EXPECT_NO_THROW(pad.teleop().waitForOutput("/late/stop: ", kSafetyNet));
   driver.answerRelease();
@@ -464,6 +495,34 @@ TEST(Gamepad, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
   pad.teleop().waitForOutput("/held/stop: ", kSafetyNet);
 }
 
+TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
+  FakeDriver driver("/sticks");
+  TopicListener<Twist> walks("/sticks/cmd_vel");
+  TopicListener<sensor_msgs::JointState> heads("/sticks/joint_command");
+  Gamepad pad("/sticks");
+  // A robot of version 1 measures one joint after the other.
+  ros::Publisher joints = ros::NodeHandle("/sticks").advertise<sensor_msgs::JointState>("joint_states", 10);
+  sensor_msgs::JointState measured;
+  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+  for (bool is_pan = true; heads.count() < 2 && std::chrono::steady_clock::now() < end; is_pan = !is_pan) {
+    measured.name = {"mouth", is_pan ? "head_pan" : "head_tilt"};
+    measured.position = {-0.3, is_pan ? 0.4 : 0.2};
+    pad.press({Gamepad::kDeadMan}, {0.5F, 1, 0, 1, -1, 0, -1});  // turn, forward, -, pan, tilt, -, left
+    joints.publish(measured);
+    walks.waitForNext(std::chrono::milliseconds(50));
+  }
+  ASSERT_GE(heads.count(), 2U);
+  const auto walk = walks.waitForCount(1).front();
+  EXPECT_DOUBLE_EQ(walk->linear.x, 0.15);
+  EXPECT_DOUBLE_EQ(walk->linear.y, -0.06);
+  EXPECT_NEAR(walk->angular.z, 0.4 / 0.9, 1e-6);
+  const auto head = heads.waitForCount(2)[1];
+  EXPECT_THAT(head->name, ElementsAre("head_pan", "head_tilt"));
+  EXPECT_THAT(head->velocity, ElementsAre(1.5, 1.5)) << "the head can keep up";
+  EXPECT_GT(head->position.at(0), 0.4);
+  EXPECT_LT(head->position.at(1), 0.2);
+}
+
 TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   FakeDriver driver("/board");
   driver.stop("/user");
@@ -473,7 +532,10 @@ TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   if (::openpty(&keys, &terminal, name, nullptr, nullptr) != 0) {
     GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
   }
-  Process teleop({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/board < " + name});
+  Process teleop({"/bin/sh", "-c",
+                  std::string("exec ") + AIBO_TELEOP_KEYBOARD +
+                      " __ns:=/board _speed:=0.2 _side_speed:=0.03 _turn_speed:=0.7 < " + name});
+  teleop.waitForOutput("speeds: 0.200 m/s, sideways 0.030 m/s, turn 0.70 rad/s", kSafetyNet);
   teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again", kSafetyNet);
   EXPECT_EQ(::write(keys, "R", 1), 1);
   teleop.waitForOutput("The robot may move again", kSafetyNet);

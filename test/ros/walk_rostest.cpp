@@ -473,6 +473,10 @@ TEST(JoystickTeleop, RefusesAWrongMapping) {
   EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
   ros::param::set("/wrong_posture/aibo_teleop_joy/postures", std::map<std::string, int>{{"fly", 2}});
   Process flying({AIBO_TELEOP_JOY, "__ns:=/wrong_posture"});
+  ros::param::set("/one_motion/aibo_teleop_joy/motions", 2);
+  Process playing({AIBO_TELEOP_JOY, "__ns:=/one_motion"});
+  playing.waitForOutput("motions should have a button for each name", kSafetyNet);
+  EXPECT_EQ(playing.waitForExit(kSafetyNet), 1);
   flying.waitForOutput("the postures are stand, sit and rest", kSafetyNet);
   EXPECT_EQ(flying.waitForExit(kSafetyNet), 1);
 }
