@@ -15,6 +15,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/process.h"
@@ -155,6 +156,20 @@ TEST(AiboRCServer, MapsPortsOfOtherObjectsAndTellsThem) {
   EXPECT_GT(std::stoi(robot.waitForOutput("Port 7" + rest, kPatience).at(1)), 7);
   EXPECT_GT(std::stoi(robot.waitForOutput("Port 65535" + rest, kPatience).at(1)), 7);
   EXPECT_EQ(robot.waitForOutput("Port 54321" + rest, kPatience).at(1), portOf(robot));
+}
+
+TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
+  const std::string play = std::string("P\0NOD.MTN", 9) + std::string(5, '\0') + std::string("\1\0\0\0", 4);
+  for (const auto& [option, request, letter] :
+       {std::tuple<std::string, std::string, char>{"--encode-time", "FU", 'f'}, {"--stick-time", play, 'p'}}) {
+    std::vector<std::string> options = kFreePorts;
+    options.insert(options.end(), {option, "200"});
+    Process robot(command(options));
+    const std::string port = portOf(robot);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(letterOfAnswer(port, request), letter);
+    EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(200)) << option;
+  }
 }
 
 TEST(AiboRCServer, SaysWhichSoundItCannotHear) {

@@ -269,8 +269,10 @@ TEST_F(SettingsOnTheRobotTest, UnreadableFileAllowsOnlyThisComputerAndIsReported
 TEST_F(SettingsOnTheRobotTest, ConsoleNamesAtEachStartWhoMayConnect) {
   startWith("ALLOWED_ADDRESSES=any");
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: any address may connect\n"));
+  console_.str("");
   startWith("ALLOWED_ADDRESSES=192.168.1.20, 10.0.0.0/8");
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: only 192.168.1.20 may connect\nRCServer: and 10.0.0.0/8 may"));
+  EXPECT_THAT(console_.str(), Not(HasSubstr("any address")));
   startWith("ALLOWED_ADDRESSES=192.168.1");
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: only 127.0.0.1 may connect\n"));
   std::filesystem::remove(stick_.path(SETTINGS_FILE));

@@ -343,6 +343,20 @@ TEST_F(WalkGuardTest, ThePawThatFindsNoFloorIsNamed) {
   }
 }
 
+TEST_F(WalkGuardTest, APawIsBelievedAfterFourSteps) {
+  const double period = gait_.StepAt(kForward).period;
+  for (int steps = 1; steps <= 6; ++steps) {
+    guard_.Forget();
+    phase_ = 0;
+    WalkGuard::Reading reading = onFloor();
+    std::fill(std::begin(reading.paws), std::end(reading.paws), true);
+    walk(kForward, steps * period, reading);
+    std::fill(std::begin(reading.paws), std::end(reading.paws), false);
+    walk(kForward, 1.5 * period, reading);
+    EXPECT_EQ(objection(kForward) != "", steps >= 3) << steps << " and a part of the next";
+  }
+}
+
 TEST_F(WalkGuardTest, APawThatHasNotWorkedIsNotBelieved) {
   WalkGuard::Reading reading = onFloor();
   std::fill(std::begin(reading.paws), std::end(reading.paws), false);
