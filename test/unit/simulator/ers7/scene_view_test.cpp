@@ -262,5 +262,55 @@ TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
   EXPECT_EQ(blueness(settings), usual);
 }
 
+TEST(ImageSensor, EachBandOfTheFineDetailGoesToItsOwnPlane) {
+  const ImageSensor sensor(1);
+  constexpr std::size_t kPixels = std::size_t{kPictureWidth} * kPictureHeight;
+  const LightImage light(kPixels, Color::Constant(0.3));
+  for (int band = 0; band < 3; ++band) {
+    const float strength = 0.4f;
+    const FineDetail one = {band == 0 ? strength : 0, band == 1 ? strength : 0, band == 2 ? strength : 0};
+    YCrCbImage picture;
+    sensor.expose(light, DetailImage(kPixels, one), CameraSettings(), 1, &picture);
+    int number = 0;
+    for (const YCrCbImage::Plane* plane : {&picture.y_lh, &picture.y_hl, &picture.y_hh}) {
+      double sum = 0;
+      for (const std::uint8_t value : *plane) {
+        sum += value;
+      }
+      const double mean = sum / kPixels - 128;
+      EXPECT_NEAR(mean, number == band ? 35 : 0, number == band ? 25 : 0.5) << band << " in " << number;
+      ++number;
+    }
+  }
+}
+
+TEST(Lens, BlursAPointEvenlyAlsoAtTheEdges) {
+  Lens lens;
+  const LightImage even = lens.project(LightImage(std::size_t{kPictureWidth} * kPictureHeight, Color::Ones()));
+  const auto pixel = [](int x, int y) { return static_cast<std::size_t>(y * kPictureWidth + x); };
+  EXPECT_GT(even[pixel(104, 80)][0], 1.1 * even[pixel(0, 0)][0]) << "the corners are darker";
+  for (const int x : {0, 1, 100, kPictureWidth - 2, kPictureWidth - 1}) {
+    for (const int y : {0, 1, 50, kPictureHeight - 2, kPictureHeight - 1}) {
+      EXPECT_NEAR(even[pixel(x, y)][0], even[pixel(kPictureWidth - 1 - x, kPictureHeight - 1 - y)][0], 1e-6);
+      LightImage point(even.size(), Color::Zero());
+      point[pixel(x, y)] = Color::Ones();
+      const LightImage& seen = lens.project(point);
+      double sum = 0;
+      for (std::size_t i = 0; i < seen.size(); ++i) {
+        sum += seen[i][1] / even[i][1];
+      }
+      EXPECT_NEAR(sum, 1, 1e-6) << "no light is lost at " << x << " " << y;
+      if (x > 0 && x < kPictureWidth - 1 && y > 0 && y < kPictureHeight - 1) {
+        const auto at = [&](int i, int j) { return seen[pixel(x + i, y + j)][1] / even[pixel(x + i, y + j)][1]; };
+        EXPECT_NEAR(at(-1, 0), at(1, 0), 1e-6);
+        EXPECT_NEAR(at(0, -1), at(1, 0), 1e-6);
+        EXPECT_NEAR(at(0, 1), at(1, 0), 1e-6);
+        EXPECT_GT(at(0, 0), 2 * at(1, 0));
+        EXPECT_GT(at(1, 0), at(1, 1));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace simulated_ers7
