@@ -1,5 +1,6 @@
 """What the launch files set: each argument has to arrive at the driver, and each default has to be the driver's own."""
 import re
+import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
@@ -114,6 +115,59 @@ class LaunchFilesTest(unittest.TestCase):
         required = {'fleet.launch': {'robots': '/tmp/robots.yaml'}, 'playback.launch': {'bag': '/tmp/a.bag'}}
         for name, wanted in expected.items():
             self.assertEqual(parameters(resolve(name, **required.get(name, {}))), wanted, name)
+
+    def test_each_launch_file_starts_its_nodes(self):
+        model = {'/aibo/robot_state_publisher': '', '/aibo/aibo_lights': ''}
+        driver = {**model, '/aibo/aibo_driver': '', '/aibo/aibo_look_at': ''}
+        demo = {**driver, '/aibo_rcserver': '--port 54321 --console-port 59000', '/aibo/aibo_room': '',
+                '/aibo/aibo_look_around': ''}
+        rviz = {'/aibo/rviz': 'aibo'}
+        playback = {**model, '/aibo/aibo_playback': '', '/aibo/camera/aibo_image_decoder': '', **rviz}
+
+        def without(started, *names):
+            return {name: arguments for name, arguments in started.items() if not name.endswith(names)}
+        cases = (
+            ('aibo.launch', {}, driver),
+            ('aibo.launch', {'rviz': True}, {**driver, **rviz}),
+            ('aibo.launch', {'rviz': True, 'publish_odom_tf': False},
+             {**driver, '/aibo/rviz': '--fixed-frame base_footprint aibo'}),
+            ('demo.launch', {}, demo),
+            ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'around'), **rviz}),
+            ('demo.launch', {'walk': True}, {**without(demo, 'around'), '/aibo/aibo_follow_ball': ''}),
+            ('demo.launch', {'simulation': False}, without(demo, 'rcserver', 'room')),
+            ('demo.launch', {'images': '/a b', 'port': 1, 'console_port': 2}, {
+                **without(demo, 'room'), '/aibo_rcserver': "--port 1 --console-port 2 --images '/a b'"}),
+            ('demo.launch', {'on_table': True}, {
+                **demo, '/aibo_rcserver': '--port 54321 --console-port 59000 --on-table'}),
+            ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
+            ('fleet.launch', {'robots': '/a b.yaml'}, {'/aibo_fleet': "'/a b.yaml'"}),
+            ('fleet.launch', {'robots': '/a.yaml', 'rviz': True}, {'/aibo_fleet': "'/a.yaml' --rviz"}),
+            ('playback.launch', {'bag': '/tmp/a.bag'}, playback),
+            ('playback.launch', {'bag': '/tmp/a.bag', 'rviz': False}, without(playback, 'rviz')),
+            ('teleop.launch', {}, {'/aibo/aibo_teleop_keyboard': ''}),
+            ('view.launch', {'ns': 'left', 'frame_prefix': 'port', 'fixed_frame': 'map'},
+             {'/left/rviz': '--fixed-frame map left:port'}))
+        for name, given, wanted in cases:
+            with self.subTest(name=name, given=given):
+                started = nodes(resolve(name, **given))
+                self.assertEqual({each: node.args for each, node in started.items()}, wanted)
+                for each, node in started.items():
+                    self.assertEqual(node.required, each.endswith(('rviz', 'aibo_playback', 'fleet', 'keyboard')), each)
+        waits = [parameters(resolve('playback.launch', bag='/a', rviz=rviz))['/aibo/aibo_playback/wait']
+                 for rviz in (True, False)]
+        self.assertEqual(waits, [30.0, 2.0])
+        self.assertIs(nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver'].respawn, True)
+        self.assertIs(nodes(resolve('aibo.launch'))['/aibo/aibo_driver'].respawn, False)
+
+    def test_the_driver_takes_a_calibration_of_its_walk(self):
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            calibration = {'walk_scale': 0.9, 'walk_side_scale': 0.8, 'walk_turn_scale': 1.1, 'walk_direction': 0.1,
+                           'walk_curve': -0.5}
+            yaml.safe_dump(calibration, file)
+            file.flush()
+            given = driver_parameters(resolve('aibo.launch', walk_calibration=file.name, walk_speed_limit=0.1))
+        self.assertEqual({name: given[name] for name in calibration}, calibration)
+        self.assertEqual(given['walk_speed_limit'], 0.1)
 
     def test_demo_passes_on_where_the_robot_is(self):
         given = driver_parameters(resolve('demo.launch', simulation=False, host='aibo.local', port=4711))
