@@ -31,6 +31,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <string>
 #include <thread>
@@ -582,13 +584,23 @@ TEST_F(Faults, NonsenseCameraInfoIsRefusedAndTheOldOneKept) {
   EXPECT_TRUE(old_one_is_kept()) << "it was not saved";
 }
 
-/// A roscore of its own.
+/// A roscore of its own, and a proxy that hears what it is asked.
 class Master {
  public:
-  Master() : port_(test_support::portOf(test_support::bindTo("127.0.0.1", 0))) { start(); }
+  Master() : port_(freePort()), proxy_port_(freePort()) { start(); }
   ~Master() { stop(); }
 
   void start() {
+    FaultProxy::Options options;
+    options.target_port = port_;
+    options.port = proxy_port_;
+    options.tap = [this](std::size_t, Direction direction, const std::uint8_t* data, std::size_t size) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (direction == Direction::kToServer) {
+        questions_.append(data, data + size);
+      }
+    };
+    proxy_.emplace(options);
     process_ =
         std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment());
     try {
@@ -606,15 +618,34 @@ class Master {
       process_->waitForExit(kPatience);
       process_.reset();
     }
+    proxy_.reset();
   }
 
-  std::map<std::string, std::string> environment() const {
-    return {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port_)}};
+  std::map<std::string, std::string> environment() const { return environmentAt(port_); }
+  /// For programs that use the proxy.
+  std::map<std::string, std::string> heardEnvironment() const { return environmentAt(proxy_port_); }
+
+  /// Waits until the proxy has heard this question again.
+  bool waitForQuestion(const std::string& method) {
+    const auto last = [&] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return questions_.rfind(method);
+    };
+    return eventually([&last, before = last()] { return last() != before; });
   }
 
  private:
+  static int freePort() { return test_support::portOf(test_support::bindTo("127.0.0.1", 0)); }
+  static std::map<std::string, std::string> environmentAt(int port) {
+    return {{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port)}};
+  }
+
   const int port_;
+  const int proxy_port_;
   std::unique_ptr<Process> process_;
+  std::mutex mutex_;
+  std::string questions_;
+  std::optional<FaultProxy> proxy_;
 };
 
 /// Measures the rate of a topic once a second.
@@ -641,10 +672,15 @@ class FaultsOfMaster : public Faults {
   void expectToOutliveTheMaster(const std::string& name_space, std::vector<std::string> driver) {
     driver.insert(driver.end(), {"__ns:=" + name_space, "_port:=" + std::to_string(proxy_.port()), "_read_timeout:=60",
                                  test_support::kByTcp});
-    Process process(driver, master_.environment());
+    Process process(driver, master_.heardEnvironment());
     const std::string topic = name_space + "/camera/image_raw/compressed";
     RateMeter early(master_, topic);
     early.expectMessages();
+    Process change({"rosparam", "set", name_space + "/aibo_driver/changed", "after_the_start"}, master_.environment());
+    EXPECT_EQ(change.waitForExit(kPatience), 0);
+    for (int question = 0; question < 2; ++question) {  // the driver remembers its parameters after each
+      ASSERT_TRUE(master_.waitForQuestion("getSystemState"));
+    }
     master_.stop();
     const std::size_t connections = proxy_.connections();
     proxy_.endConnections(Action::kReset);
@@ -655,13 +691,19 @@ class FaultsOfMaster : public Faults {
 
     const std::size_t reconnected = proxy_.connections();
     master_.start();
+    // It tells the new master of itself before the driver does.
+    const Process user({"rostopic", "pub", "-r", "10", name_space + "/joint_command", "sensor_msgs/JointState",
+                        "{name: [third_leg], position: [0]}"},
+                       master_.environment());
     process.waitForOutput("knows this node again", kSafetyNet);
+    process.waitForOutput("has no joint 'third_leg'", kSafetyNet);
     RateMeter(master_, topic).expectMessages();
     early.expectMessages();
     expectAnswer({"rosservice", "call", name_space + "/set_streaming", "true"}, "success: True");
     expectAnswer({"rostopic", "info", name_space + "/joint_command"},
                  "Subscribers:[^:]*" + name_space + "/aibo_driver");
     expectAnswer({"rosparam", "get", name_space + "/aibo_driver/port"}, std::to_string(proxy_.port()));
+    expectAnswer({"rosparam", "get", name_space + "/aibo_driver/changed"}, "after_the_start");
     EXPECT_EQ(proxy_.connections(), reconnected);
     EXPECT_TRUE(process.isRunning());
     master_.stop();
