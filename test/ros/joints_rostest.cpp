@@ -20,6 +20,7 @@
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
 #include "support/ros/topic_listener.h"
+#include "support/scripted_server.h"
 
 namespace {
 
@@ -82,6 +83,29 @@ TEST(JointStates, HaveTheDutyOfAJammedJointAsEffort) {
     const auto pan = std::find(message.name.begin(), message.name.end(), "head_pan") - message.name.begin();
     return message.effort.at(static_cast<std::size_t>(pan)) < -0.9;
   }));
+}
+
+// The joint may have been moved by hand meanwhile, or it is another robot's.
+TEST(JointStates, HaveNoSpeedFromOneConnectionToTheNext) {
+  test_support::ScriptedServer server;
+  TopicListener<JointState> states("/two_robots/joint_states");
+  const test_support::DriverProcess driver("/two_robots", server.port(), {"_stream_on_start:=false"});
+  for (const unsigned connection : {0U, 1U}) {
+    test_support::ScriptedPeer robot = server.accept();
+    robot.agreeToVersion2("F J T");
+    version2_frames::Frame request;
+    while ((request = robot.readRequest()).header.kind != protocol::version2::REQUEST_TELEMETRY) {
+    }
+    robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+    const auto pan = version2_frames::makeTelemetry(1000 + 125 * connection, {{'J', 2, 500000 * int(connection)}});
+    do {
+      robot.send(version2_frames::makeFrame('t', 0, pan));  // again, until the driver knows its first subscriber
+    } while (states.waitForCount(1, std::chrono::milliseconds(100)).empty());
+    const auto all = states.waitForCount(connection + 1);
+    ASSERT_GT(all.size(), connection);
+    EXPECT_THAT(all.back()->position, ::testing::ElementsAre(0.5 * connection));
+    EXPECT_THAT(all.back()->velocity, ::testing::ElementsAre(0.0));
+  }
 }
 
 TEST(JointCommand, MovesEveryJointByOneRequest) {
@@ -182,6 +206,7 @@ TEST(JointTrajectory, ThatIsTooFastIsSlowedDownOnRequest) {
   user.publish("joint_trajectory", trajectory({{"head_pan", 1.0}}, 0.02));
   EXPECT_TRUE(user.joints.waitForPosition("head_pan", 1.0));
   EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.0 + kSpeedTolerance);
+  user.driver.waitForOutput("The trajectory is slowed down [0-9.]+ times", test_support::kSafetyNet);
 }
 
 TEST(JointTrajectory, WaitsForItsStamp) {

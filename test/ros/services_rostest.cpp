@@ -1,6 +1,7 @@
 // The services for pictures. test/unit/driver has what they answer in all other cases.
 
 #include <aibo_driver/TakePicture.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -45,8 +46,13 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   user.proxy.setMute(true);
   auto waiting = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
   ASSERT_TRUE(user.proxy.waitForRequest("F", kSafetyNet));
-  EXPECT_TRUE(setStreaming(user, false).success);
-  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "set_streaming had to wait";
+  EXPECT_TRUE(setStreaming(user, true).success);
+  EXPECT_TRUE(user.proxy.waitForRequest("W", kSafetyNet));
+  dynamic_reconfigure::Reconfigure::Request settings;
+  settings.config.doubles.resize(1);
+  settings.config.doubles[0].name = "telemetry_rate";
+  user.call<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", settings);
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "the others had to wait";
   ASSERT_EQ(waiting.wait_for(kSafetyNet), std::future_status::ready);
   const TakePicture::Response answer = waiting.get();
   EXPECT_FALSE(answer.success);
