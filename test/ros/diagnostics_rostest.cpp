@@ -1,7 +1,9 @@
 // The tree that diagnostic_aggregator makes of the driver's diagnostics with config/diagnostics_aggregator.yaml. Its
 // names have blanks instead of slashes.
 
+#include <aibo_driver/Sound.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -21,6 +23,7 @@
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
 
 namespace {
@@ -45,6 +48,11 @@ bool hasGood(const DiagnosticArray& array, const std::string& name) {
   });
 }
 
+double numberIn(const DiagnosticStatus& status, const std::string& key) {
+  const std::string value = DiagnosticsListener::value(status, key);
+  return value.empty() ? -1 : std::stod(value);
+}
+
 TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
@@ -55,6 +63,60 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
       return hasGood(array, std::string("/Aibo/") + name);
     })) << name;
   }
+  DiagnosticsListener diagnostics;
+  const DiagnosticStatus connection = diagnostics.waitForNext("tree/aibo_driver: connection");
+  EXPECT_EQ(connection.hardware_id, "127.0.0.1:" + std::to_string(robot.port()));
+  EXPECT_EQ(DiagnosticsListener::value(connection, "host"), "127.0.0.1");
+  EXPECT_EQ(numberIn(connection, "port"), robot.port());
+  EXPECT_EQ(numberIn(connection, "protocol version"), 2);
+  EXPECT_EQ(numberIn(connection, "connections made"), 1);
+  EXPECT_EQ(numberIn(connection, "attempts failed"), 0);
+  EXPECT_GT(numberIn(connection, "bytes received"), 1000);
+  const DiagnosticStatus stream = diagnostics.waitForNext("tree/aibo_driver: stream");
+  EXPECT_EQ(DiagnosticsListener::value(stream, "adaptive"), "off");
+  EXPECT_EQ(numberIn(stream, "quality asked for"), 85);
+  EXPECT_EQ(numberIn(stream, "timelines begun"), 1);
+  EXPECT_GT(numberIn(stream, "pictures received"), 0);
+  EXPECT_GT(numberIn(stream, "KB per second"), numberIn(stream, "pictures per second"));
+  EXPECT_LE(numberIn(stream, "first byte to published, mean ms"),
+            numberIn(stream, "first byte to published, longest ms"));
+  const DiagnosticStatus joints = diagnostics.waitForNext("tree/aibo_driver: joints");
+  EXPECT_GT(numberIn(joints, "measurements received"), 0);
+  EXPECT_EQ(numberIn(joints, "impossible values dropped"), 0);
+  EXPECT_EQ(numberIn(joints, "requests refused by the robot"), 0);
+  EXPECT_EQ(DiagnosticsListener::value(joints, "robot"), "ERS-7");
+  EXPECT_NE(DiagnosticsListener::value(joints, "server"), "");
+  const DiagnosticStatus sound = diagnostics.waitForNext("tree/aibo_driver: sound");
+  EXPECT_EQ(DiagnosticsListener::value(sound, "listening"), "no");
+  EXPECT_EQ(DiagnosticsListener::value(sound, "playing"), "no");
+}
+
+// Waits for a status of a driver with this level and text.
+DiagnosticStatus waitForStatus(DiagnosticsListener& diagnostics, const std::string& name, int level,
+                               const std::string& text) {
+  const DiagnosticStatus status = diagnostics.waitFor(name, [&](const DiagnosticStatus& each) {
+    return each.level == level && each.message.find(text) != std::string::npos;
+  });
+  EXPECT_NE(status.name, "") << name << " never says: " << text;
+  return status;
+}
+
+TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
+  DiagnosticsListener diagnostics;
+  const DriverProcess driver("/alone", 1);
+  const std::string name = "alone/aibo_driver: ";
+  waitForStatus(diagnostics, name + "stream", DiagnosticStatus::WARN, "no pictures: the robot is not connected");
+  waitForStatus(diagnostics, name + "joints", DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
+  waitForStatus(diagnostics, name + "power", DiagnosticStatus::OK, "idle: the robot is not connected");
+  waitForStatus(diagnostics, name + "sound", DiagnosticStatus::OK, "idle: microphone has no subscriber");
+  const TopicListener<aibo_driver::Sound> listener("/alone/microphone");
+  const auto deaf = waitForStatus(diagnostics, name + "sound", DiagnosticStatus::WARN, "nothing is heard");
+  EXPECT_EQ(DiagnosticsListener::value(deaf, "listening"), "yes");
+  const auto refused = waitForStatus(diagnostics, name + "connection", DiagnosticStatus::ERROR, "not connected");
+  EXPECT_EQ(numberIn(refused, "connections made"), 0);
+  EXPECT_GT(numberIn(refused, "attempts failed"), 0);
+  EXPECT_NE(DiagnosticsListener::value(refused, "reason"), "");
+  EXPECT_NE(DiagnosticsListener::value(refused, "what to check"), "");
 }
 
 Bytes cut(Bytes jpeg) {
@@ -91,17 +153,49 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   EXPECT_NE(wait_for(DiagnosticStatus::WARN, "1 damaged pictures dropped").name, "");
   const DiagnosticStatus last = wait_for(DiagnosticStatus::OK, "pictures/s");
   EXPECT_EQ(DiagnosticsListener::value(last, "images not decodable"), "1") << "it is still counted";
+  waitForStatus(diagnostics, "damage/aibo_driver: joints", DiagnosticStatus::WARN,
+                "the robot sends no joint positions");
+  std_srvs::SetBool off;
+  ASSERT_TRUE(ros::service::call("/damage/set_streaming", off));
+  const auto idle = wait_for(DiagnosticStatus::OK, "idle: the stream is off");
+  EXPECT_EQ(DiagnosticsListener::value(idle, "stream wanted"), "no");
+}
+
+TEST(StreamDiagnostics, WarnOfACameraThatDoesNotRun) {
+  PictureServer server(2, 1h);
+  DriverProcess driver("/blind", server.port(), kWithoutRobotTime);
+  DiagnosticsListener diagnostics;
+  const auto blind = waitForStatus(diagnostics, "blind/aibo_driver: stream", DiagnosticStatus::WARN,
+                                   "no pictures although the stream is on");
+  EXPECT_EQ(DiagnosticsListener::value(blind, "streaming"), "yes");
+}
+
+TEST(StreamDiagnostics, WarnOfDataThatComesLate) {
+  SimulatedRobot robot;
+  FaultProxy proxy(robot.port());
+  DriverProcess driver("/late", proxy.port(), {"_read_timeout:=20", test_support::kByTcp});
+  DiagnosticsListener diagnostics;
+  waitForStatus(diagnostics, "late/aibo_driver: stream", DiagnosticStatus::OK, "pictures/s");
+  test_support::Conditions detour;
+  detour.delay = 600ms;
+  proxy.setConditions(detour);
+  const auto late =
+      waitForStatus(diagnostics, "late/aibo_driver: stream", DiagnosticStatus::WARN, "ms late on average");
+  EXPECT_GT(std::stod(DiagnosticsListener::value(late, "delay beyond the shortest, longest ms")), 400);
 }
 
 TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
   PictureServer server(2, 200ms);
-  DriverProcess driver("/slow_stream", server.port(), kWithoutRobotTime);
+  std::vector<std::string> parameters = kWithoutRobotTime;
+  parameters.emplace_back("_adaptive:=true");
+  DriverProcess driver("/slow_stream", server.port(), parameters);
   DiagnosticsListener diagnostics;
   const auto slow = diagnostics.waitFor("slow_stream/aibo_driver: stream", [](const auto& status) {
     return status.level == DiagnosticStatus::WARN && status.message.find("only ") == 0;
   });
   EXPECT_THAT(slow.message, HasSubstr("of 30.0 pictures/s: is the radio link weak"));
   EXPECT_EQ(DiagnosticsListener::value(slow, "pictures per second asked for"), "30.0");
+  driver.waitForOutput("adaptive has no effect: the age of the pictures is not known", test_support::kSafetyNet);
 }
 
 // The client knows the proxy's address, and the datagrams come from the robot's, as behind a NAT.
@@ -121,6 +215,13 @@ TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
   EXPECT_NE(DiagnosticsListener::value(fallen_back, "datagrams from strangers"), "0");
   TopicListener<sensor_msgs::CompressedImage> pictures("/no_udp/camera/image_raw/compressed");
   EXPECT_TRUE(pictures.waitForNext());
+  dynamic_reconfigure::Reconfigure call;
+  call.request.config.strs.resize(1);
+  call.request.config.strs[0].name = "transport";
+  call.request.config.strs[0].value = "auto";
+  ASSERT_TRUE(ros::service::call("/no_udp/aibo_driver/set_parameters", call));
+  const auto either = waitForStatus(diagnostics, "no_udp/aibo_driver: stream", DiagnosticStatus::OK, "pictures/s");
+  EXPECT_EQ(DiagnosticsListener::value(either, "transport wanted"), "auto") << "this way is as good";
 }
 
 TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
@@ -129,13 +230,19 @@ TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
   test_support::Conditions slow_link;
   slow_link.bytes_per_second = 60000;  // 12 pictures a second at quality 85
   proxy.setConditions(slow_link);
-  DriverProcess driver("/adaptive", proxy.port(),
-                       {"_adaptive:=true", "_telemetry_rate:=0", "_read_timeout:=20", test_support::kByTcp});
+  DriverProcess driver(
+      "/adaptive", proxy.port(),
+      {"_adaptive:=true", "_max_picture_age:=0.2", "_telemetry_rate:=0", "_read_timeout:=20", test_support::kByTcp});
   DiagnosticsListener diagnostics;
   const auto lowered = diagnostics.waitFor("adaptive/aibo_driver: stream", [](const auto& status) {
     return DiagnosticsListener::value(status, "adaptive").find("lowered to quality 50 of 85") == 0;
   });
   EXPECT_EQ(DiagnosticsListener::value(lowered, "quality asked for"), "50");
+  EXPECT_THAT(driver.output(), HasSubstr("at most 200 ms are allowed: the stream is lowered"));
+  const auto joints = diagnostics.waitForNext("adaptive/aibo_driver: joints");
+  EXPECT_EQ(joints.level, DiagnosticStatus::OK) << "nobody has asked for measurements";
+  EXPECT_THAT(joints.message, HasSubstr("idle: telemetry_rate is 0"));
+  EXPECT_EQ(diagnostics.waitForNext("adaptive/aibo_driver: power").level, DiagnosticStatus::OK);
 }
 
 TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
@@ -161,6 +268,37 @@ TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
   send_head_to(0.5);
   const DiagnosticStatus free = wait_for(DiagnosticStatus::OK, "measurements/s");
   EXPECT_EQ(DiagnosticsListener::value(free, "said by the robot"), "");
+}
+
+TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSendsAndOfAnOlderServer) {
+  test_support::ScriptedServer server;
+  DriverProcess driver("/strange", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
+  TopicListener<DiagnosticArray> diagnostics("/diagnostics");
+  test_support::ScriptedPeer robot = server.accept();
+  robot.agreeToVersion2("F J T S");
+  version2_frames::Frame request;
+  while ((request = robot.readRequest()).header.kind != protocol::version2::REQUEST_TELEMETRY) {
+  }
+  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  ASSERT_TRUE(diagnostics.waitForNext());
+  const auto has_said = [&diagnostics](const std::string& text) {
+    return diagnostics.waitFor([&text](const DiagnosticArray& array) {
+      return std::any_of(array.status.begin(), array.status.end(), [&text](const DiagnosticStatus& each) {
+        return each.level == DiagnosticStatus::WARN && each.message.find(text) == 0;
+      });
+    }) != nullptr;
+  };
+  robot.send(version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(1000, {{'J', 2, 2000000000}})));
+  EXPECT_TRUE(has_said("1 impossible values dropped"));
+  for (unsigned frame = 1004; frame < 1804; frame += 4) {
+    robot.send(version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(frame, {{'J', 2, 0}})));
+  }
+  EXPECT_TRUE(diagnostics.waitFor([](const DiagnosticArray& array) {
+    return std::any_of(array.status.begin(), array.status.end(), [](const DiagnosticStatus& each) {
+      return each.message.find("measurements dropped: the robot sends more than twice as many") != std::string::npos;
+    });
+  }));
+  driver.waitForOutput("This robot's RCServer does not stop a walk before edges", test_support::kSafetyNet);
 }
 
 TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {

@@ -8,6 +8,7 @@
 #include <aibo_driver/SetVolume.h>
 #include <aibo_driver/Sound.h>
 #include <audio_common_msgs/AudioDataStamped.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 
@@ -95,15 +96,29 @@ TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
     for (std::size_t i = 1; i < messages.size(); ++i) {
       EXPECT_EQ(messages[i]->samples_per_second, 16000U);
       EXPECT_EQ(messages[i]->channels, 1);
+      EXPECT_EQ(messages[i]->header.frame_id, "base_link");
+      EXPECT_GT(messages[i]->frame_number, messages[i - 1]->frame_number);
       EXPECT_GT(messages[i]->header.stamp, messages[i - 1]->header.stamp);
     }
   }
+}
+
+// What the driver's diagnostics have said of its sound.
+bool saysOfSound(TopicListener<diagnostic_msgs::DiagnosticArray>& diagnostics, const std::string& name_space,
+                 const std::string& text) {
+  return diagnostics.waitFor([&](const diagnostic_msgs::DiagnosticArray& array) {
+    return std::any_of(array.status.begin(), array.status.end(), [&](const diagnostic_msgs::DiagnosticStatus& each) {
+      return each.name == name_space + "/aibo_driver: sound" && each.message.find(text) == 0;
+    });
+  }) != nullptr;
 }
 
 TEST(Microphone, IsHeardAsAudioToo) {
   SoundUser user("/audio_user");
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/audio_user/audio");
   ASSERT_TRUE(audio.waitForNext()) << "its subscriber alone switches the microphones on";
+  TopicListener<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  EXPECT_TRUE(saysOfSound(diagnostics, "audio_user", "listening"));
   TopicListener<Sound> sounds("/audio_user/microphone");
   const auto sound = sounds.waitFor([](const Sound& heard) {
     return heard.missing == 0 && *std::max_element(heard.samples.begin(), heard.samples.end()) > 9000;
@@ -164,6 +179,8 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   DriverProcess driver("/gap", server.port(), {"_stream_on_start:=false"}, {}, AIBO_DRIVER_NODE_WITH_ALL);
   test_support::ScriptedPeer robot = server.accept();
   robot.agreeToVersion2("F A");
+  TopicListener<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  ASSERT_TRUE(saysOfSound(diagnostics, "gap", "idle"));
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
   ASSERT_TRUE(isSwitchedOn(&robot));
   const std::vector<std::uint8_t> samples(4 * version2::SAMPLES_PER_FRAME, 1);
@@ -183,6 +200,7 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   with_silence.insert(with_silence.end(), samples.begin(), samples.end());
   EXPECT_EQ(heard[1]->audio.data, with_silence);
   EXPECT_NEAR((heard[1]->header.stamp - heard[0]->header.stamp).toSec(), 0.008, 0.004) << "when the silence began";
+  EXPECT_TRUE(saysOfSound(diagnostics, "gap", "sound is missing"));
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {
@@ -213,6 +231,19 @@ TEST(PlaySoundService, PlaysAFileAndSaysWhyItDoesNot) {
   const auto set = user.call<SetVolume>("set_volume", volume);
   EXPECT_TRUE(set.success) << set.message;
   EXPECT_EQ(set.volume, 2);
+  writeSoundFile(user.path("long.wav"), tone(16000 * 60));
+  EXPECT_TRUE(user.play(user.path("long.wav")).success);
+  PlaySound::Request stop;
+  stop.stop = 1;
+  EXPECT_EQ(user.call<PlaySound>("play_sound", stop).message, "No sound plays.");
+  TopicListener<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  EXPECT_TRUE(diagnostics.waitFor([](const diagnostic_msgs::DiagnosticArray& array) {
+    return std::any_of(array.status.begin(), array.status.end(), [](const diagnostic_msgs::DiagnosticStatus& each) {
+      return each.name == "plays/aibo_driver: sound" &&
+             std::any_of(each.values.begin(), each.values.end(),
+                         [](const auto& entry) { return entry.key == "playing" && entry.value == "no"; });
+    });
+  }));
 }
 
 TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
@@ -238,6 +269,9 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
   EXPECT_EQ(result_of("long.wav", true), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
+  client.sendGoalAndWait(PlaySoundGoal(), ros::Duration(30));
+  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::REJECTED);
+  EXPECT_THAT(client.getResult()->message, HasSubstr("give a file or a text"));
 }
 
 }  // namespace
