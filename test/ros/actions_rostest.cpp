@@ -78,13 +78,14 @@ control_msgs::JointTolerance tolerance(const std::string& joint, double position
 
 TEST(PlayMotionGoal, EndsWithTheMotion) {
   PlayUser user("/play");
-  PlayGoal goal(user.client, PlayUser::nod(1));
+  PlayGoal goal(user.client, PlayUser::nod(0));  // it plays at least once
   const auto feedback = goal.waitForFeedback();
   ASSERT_TRUE(feedback);
   EXPECT_LT(feedback->time, ros::Duration(30));
   ASSERT_EQ(goal.waitForEnd(), State::SUCCEEDED);
   EXPECT_TRUE(goal.result()->success);
   EXPECT_EQ(goal.result()->end, EndedMovement::DONE);
+  EXPECT_EQ(goal.result()->message, "It was played to its end.");
 }
 
 // Each repetition wakes several of the driver's threads.
@@ -136,6 +137,9 @@ TEST(PlayMotionGoal, OfAMotionThatIsNotThereIsRejected) {
   PlayGoal goal(user.client, request);
   ASSERT_EQ(goal.waitForEnd(), State::REJECTED);
   EXPECT_THAT(goal.result()->message, HasSubstr("Nothing was played"));
+  PlayGoal nameless(user.client, PlayGoal::Goal());
+  ASSERT_EQ(nameless.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(nameless.result()->message, HasSubstr("give the name of a motion"));
 }
 
 TEST(PlayMotionGoal, OfAVersion1ServerSucceedsWhenItHasBegun) {
@@ -150,12 +154,17 @@ TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
   FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.5}}, 1.0);
   request.path_tolerance = {tolerance("head_pan", 0.3)};
   request.goal_tolerance = {tolerance("head_pan", 0.03)};
+  request.trajectory.header.stamp = ros::Time::now() + ros::Duration(1);
   FollowGoal goal(user.client, request);
   const auto feedback = goal.waitForFeedback();
   ASSERT_TRUE(feedback);
   EXPECT_THAT(feedback->joint_names, ::testing::ElementsAre("head_pan"));
   EXPECT_NEAR(feedback->error.positions.at(0), feedback->desired.positions.at(0) - feedback->actual.positions.at(0),
               1e-9);
+  EXPECT_NEAR(feedback->error.velocities.at(0), feedback->desired.velocities.at(0) - feedback->actual.velocities.at(0),
+              1e-9);
+  EXPECT_NEAR(feedback->desired.velocities.at(0), 0.5, 0.05);
+  EXPECT_GT(feedback->header.stamp, request.trajectory.header.stamp);
   ASSERT_EQ(goal.waitForEnd(), State::SUCCEEDED);
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::SUCCESSFUL);
   EXPECT_NEAR(user.joints.position("head_pan"), 0.5, 0.05);

@@ -219,6 +219,7 @@ TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
   user.publish("leds", message);
   const auto shown = states.waitFor([](const LedStates& each) { return each.intensities.at(5) == 1; });
   ASSERT_TRUE(shown);
+  EXPECT_LT(std::abs((ros::Time::now() - shown->header.stamp).toSec()), 20);
   EXPECT_EQ(shown->names.at(6), "face_1");
   EXPECT_FLOAT_EQ(shown->intensities.at(6), 0.2F);
   EXPECT_EQ(shown->modes.at(6), LedStates::MODE_B);

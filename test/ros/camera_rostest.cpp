@@ -1,11 +1,13 @@
 // What the driver publishes on the camera's topics.
 
 #include <aibo_driver/CameraState.h>
+#include <aibo_driver/ColorRegions.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
 #include <sensor_msgs/SetCameraInfo.h>
 #include <std_msgs/Bool.h>
 
@@ -39,6 +41,7 @@ using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
@@ -89,6 +92,7 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
   CompressedListener pictures("/stamps/camera/image_raw/compressed");
   CameraInfoListener camera_infos("/stamps/camera/camera_info");
   ImageListener images("/stamps/camera/image_raw");
+  TopicListener<aibo_driver::CameraState> states("/stamps/camera/state");
   const ros::Time begin = ros::Time::now();
   DriverProcess driver("/stamps", robot.port(), {"_frame_id:=aibo_eye", "_frame_prefix:=left"});
   ASSERT_TRUE(images.waitFor([](const sensor_msgs::Image&) { return true; }));
@@ -96,6 +100,12 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
   const auto decoded = images.waitForCount(kEnough);
   ASSERT_GE(decoded.size(), kEnough);
   const ros::Time end = ros::Time::now();
+
+  const auto state = states.waitForCount(1);
+  ASSERT_FALSE(state.empty());
+  EXPECT_EQ(state[0]->header.frame_id, "left/aibo_eye");
+  EXPECT_GE(state[0]->header.stamp, begin);
+  EXPECT_LE(state[0]->header.stamp, end);
 
   ros::Time last;
   for (const sensor_msgs::ImageConstPtr& image : decoded) {
@@ -115,10 +125,16 @@ TEST(Camera, AllMessagesOfAPictureHaveTheSameHeaderAndStampsIncrease) {
 TEST(Camera, TheTimeOffsetIsAddedToTheStamps) {
   SimulatedRobot robot;
   CompressedListener pictures("/offset/camera/image_raw/compressed");
+  TopicListener<sensor_msgs::JointState> joints("/offset/joint_states");
+  TopicListener<aibo_driver::ColorRegions> colors("/offset/color_regions");
   DriverProcess driver("/offset", robot.port(), {"_time_offset:=30"});
   const auto published = pictures.waitForCount(1);
   ASSERT_FALSE(published.empty());
   EXPECT_GT(published.front()->header.stamp, ros::Time::now());
+  const auto measured = joints.waitForNext();
+  EXPECT_TRUE(measured && measured->header.stamp > ros::Time::now());
+  const auto detected = colors.waitForNext();
+  EXPECT_TRUE(detected && detected->header.stamp > ros::Time::now());
 }
 
 TEST(Camera, ImagesAreBgrOfThePicturesSize) {
@@ -170,9 +186,15 @@ TEST(Camera, NobodyElsePublishesJpegsIfImageTransportHasACompressedPlugin) {
   ImageListener images("/plugin/camera/image_raw");
   const char* packages = std::getenv("ROS_PACKAGE_PATH");
   ASSERT_NE(packages, nullptr);
+  const std::string list = "/plugin/camera/image_raw/disable_pub_plugins";
+  ros::param::set(list, std::vector<std::string>{"image_transport/theora", "image_transport/compressed"});
   DriverProcess driver("/plugin", robot.port(), {},
                        {{"ROS_PACKAGE_PATH", std::string(COMPRESSED_PLUGIN_PACKAGE) + ":" + packages}});
   ASSERT_FALSE(images.waitForCount(kEnough).empty());
+  std::vector<std::string> disabled;
+  ros::param::get(list, disabled);
+  EXPECT_THAT(disabled,
+              ElementsAre("image_transport/theora", "image_transport/compressed", "image_transport/compressedDepth"));
   for (const sensor_msgs::CompressedImageConstPtr& picture : pictures.waitForCount(kEnough)) {
     ASSERT_EQ(picture->format, "bgr8; jpeg compressed bgr8");
   }

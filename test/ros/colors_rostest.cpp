@@ -88,13 +88,14 @@ TEST(Colors, TheMaskHasThePixels) {
 TEST(Colors, TheRobotSendsTheMaskOnlyWhileSomebodyWantsIt) {
   SimulatedRobot robot;
   const test_support::RecordingProxy proxy(robot.port());
-  DriverProcess driver("/no_mask", proxy.port());
+  DriverProcess driver("/no_mask", proxy.port(), {"_color_rate:=10"});
   const auto sends_mask = [&proxy](bool wanted) {
     const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
     const auto is_on = [](const auto& request) { return request.id == 1; };
     while (std::chrono::steady_clock::now() < end) {
       const auto requests = proxy.requestsFromDriver("Z");
       const auto last = std::find_if(requests.rbegin(), requests.rend(), is_on);
+      EXPECT_TRUE(last == requests.rend() || last->payload.at(1) == 3) << "every third image";
       if (last != requests.rend() && (last->payload.at(2) != 0) == wanted) {
         return true;
       }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
@@ -175,6 +176,7 @@ TEST_F(FleetTest, ACalibrationIsStoredForItsRobotAlone) {
 TEST(WrongRobot, GetsNoCommandsAndTheReasonIsSaid) {
   SimulatedRobot robot;
   JointListener joints("/wrong");
+  TopicListener<sensor_msgs::CameraInfo> camera_infos("/wrong/camera/camera_info");
   DiagnosticsListener diagnostics;
   DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
   TopicPublishers user("/wrong");
@@ -193,6 +195,9 @@ TEST(WrongRobot, GetsNoCommandsAndTheReasonIsSaid) {
   user.publish("joint_trajectory", trajectory);
   EXPECT_NO_THROW(driver.waitForOutput("The trajectory of [a-z_]+ is refused: " + reason, kTimeToStart));
   EXPECT_THAT(driver.output(), HasSubstr("There is no model"));
+  EXPECT_THAT(driver.output(), HasSubstr("commands are refused. Set the parameter, and start the driver again."));
+  const auto info = camera_infos.waitForNext();
+  EXPECT_TRUE(info && std::abs(info->K[0] - 189.2) < 0.1) << "that of an ERS-210";
 }
 
 TEST(WrongRobot, IsNotKnownToAVersion1Server) {

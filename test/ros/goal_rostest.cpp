@@ -4,6 +4,7 @@
 #include <aibo_driver/GoToAction.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/TakePostureAction.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
@@ -165,6 +166,22 @@ TEST(Goal, AnEdgeEndsItWithTheRobotsReason) {
   EXPECT_TRUE(user.stateSays(there.result()));
   Going back(user.go_to, goalAt(0.4));
   EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED) << "it turns and goes back";
+}
+
+TEST(Goal, ARobotThatDoesNotSayWhereItIsStops) {
+  GoalUser user("/unknown_place");
+  Going there(user.go_to, goalAt(2));
+  ASSERT_TRUE(user.walksTowards(0.1));
+  dynamic_reconfigure::Reconfigure::Request silence;
+  silence.config.doubles.resize(1);
+  silence.config.doubles[0].name = "telemetry_rate";
+  user.call<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", silence);
+  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
+  EXPECT_EQ(there.result()->message, "the robot has not said where it is for 0.5 s");
+  Going refused(user.go_to, goalAt(2));
+  EXPECT_EQ(refused.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(refused.result()->message, HasSubstr("there is no odometry"));
 }
 
 TEST(Goal, ABrokenConnectionEndsItForGood) {

@@ -168,10 +168,13 @@ TEST(Motors, DoNotWaitBehindPlayMotion) {
   ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
   const auto switcher = std::async(std::launch::async, [&] { user.setMotors(false); });
   EXPECT_TRUE(user.proxy.waitForRequest("O", kSafetyNet));
+  const auto stopper = std::async(std::launch::async, [&] { user.call<Trigger>("stop"); });
+  EXPECT_TRUE(user.proxy.waitForRequest("I", kSafetyNet)) << "nor does a stop wait behind them";
   EXPECT_FALSE(played);
   user.proxy.setMute(false);
   player.wait();
   switcher.wait();
+  stopper.wait();
 }
 
 TEST(MotionStateTopic, SaysWhatMovesTheRobotAndHowItEnded) {
@@ -197,6 +200,7 @@ TEST(MotionStateTopic, SaysWhatMovesTheRobotAndHowItEnded) {
     return state.movements.empty() && lastEnd(state).movement.kind == Movement::COMMAND &&
            lastEnd(state).how == EndedMovement::DONE;
   }));
+  EXPECT_LT(states.count(), 30u) << "only when something changes";
 }
 
 // A message has eight ends, so the first ones are no longer in the last message.

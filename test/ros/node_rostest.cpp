@@ -237,6 +237,10 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndTheFirstKeepsItsNames) {
   EXPECT_TRUE(ros::service::exists("/one/stop", false));
   EXPECT_EQ(publishersOf("/one/connection"), 1);
 
+  first.signal(SIGSTOP);
+  DriverProcess impatient("/one", robot.port(), {"__name:=second"});
+  EXPECT_EQ(impatient.waitForExit(kSafetyNet), 1);
+  impatient.waitForOutput("It does not answer. If 127.0.0.1 is switched off.*rosnode cleanup", kSafetyNet);
   first.kill();  // the master still knows it
   DriverProcess next("/one", robot.port(), {"__name:=second"});
   CompressedListener pictures("/one/camera/image_raw/compressed");
@@ -320,12 +324,18 @@ class NodeletManager {
     EXPECT_TRUE(ros::service::waitForService("/unload/manager/load_nodelet", ros::Duration(kSafetyNet.count())));
   }
 
+  static bool load(const std::string& name, const std::string& type) {
+    nodelet::NodeletLoad load;
+    load.request.name = name;
+    load.request.type = type;
+    return ros::service::call("/unload/manager/load_nodelet", load) && load.response.success;
+  }
+
+  void waitForOutput(const std::string& pattern) { process_.waitForOutput(pattern, kSafetyNet); }
+
   void loadAndUnload(const std::string& name, const std::string& type, const std::string& image_topic, int rounds) {
     for (int round = 0; round < rounds; ++round) {
-      nodelet::NodeletLoad load;
-      load.request.name = name;
-      load.request.type = type;
-      ASSERT_TRUE(ros::service::call("/unload/manager/load_nodelet", load) && load.response.success) << output(round);
+      ASSERT_TRUE(load(name, type)) << output(round);
       const ImageListener first(image_topic);
       const ImageListener second(image_topic);
       if (round % 2 == 0) {
@@ -352,6 +362,15 @@ TEST(Nodelet, IsUnloadedWhileSubscribersComeAndTheManagerGoesOn) {
   ros::param::set("/unload/aibo_driver/stream_on_demand", true);
   NodeletManager().loadAndUnload("/unload/aibo_driver", "aibo_driver/AiboDriverNodelet", "/unload/camera/image_raw",
                                  10);
+}
+
+TEST(Nodelet, ASecondDriverInTheNamespaceOfAnotherOfItsManagerIsNotLoaded) {
+  SimulatedRobot robot;
+  ros::param::set("/unload/aibo_driver/port", robot.port());
+  NodeletManager manager;
+  EXPECT_TRUE(NodeletManager::load("/unload/aibo_driver", "aibo_driver/AiboDriverNodelet"));
+  EXPECT_FALSE(NodeletManager::load("/unload/second", "aibo_driver/AiboDriverNodelet"));
+  manager.waitForOutput("namespace /unload already: another nodelet of /unload/manager");
 }
 
 // A picture of a robot, published again as if from a bag.

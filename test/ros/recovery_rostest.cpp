@@ -3,11 +3,13 @@
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/RobotState.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
 #include <chrono>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -71,6 +73,13 @@ TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->text, HasSubstr("127.0.0.1:" + std::to_string(robot->port())));
   EXPECT_NE(failed->advice, "");
+  EXPECT_EQ(failed->host, "127.0.0.1");
+  EXPECT_EQ(failed->port, robot->port());
+  EXPECT_EQ(failed->protocol_version, 0);
+  EXPECT_LT(std::abs((ros::Time::now() - failed->header.stamp).toSec()), 20);
+  const auto unknown = TopicListener<aibo_driver::RobotState>("/absent/robot_state").waitForNext();
+  EXPECT_TRUE(unknown && unknown->motors == aibo_driver::RobotState::UNKNOWN) << "it is latched";
+  EXPECT_TRUE(unknown && std::abs((ros::Time::now() - unknown->header.stamp).toSec()) < 20);
   const auto quality = TopicListener<aibo_driver::LinkQuality>("/absent/link_quality").waitForNext();
   EXPECT_TRUE(quality && quality->transport.empty());
   const auto status = diagnostics.waitFor("absent/aibo_driver: connection", [](const auto& s) {
@@ -79,6 +88,11 @@ TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
   EXPECT_THAT(status.message, HasSubstr(failed->advice));
   robot->restart();
   EXPECT_FALSE(pictures.waitForCount(1).empty());
+  const auto connected = waitForState(connection, Connection::CONNECTED);
+  ASSERT_TRUE(connected);
+  EXPECT_EQ(connected->protocol_version, 2);
+  EXPECT_EQ(connected->robot, "ERS-7");
+  EXPECT_EQ(connected->reason, "");
   EXPECT_TRUE(driver.isRunning());
 }
 

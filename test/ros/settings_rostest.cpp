@@ -4,6 +4,7 @@
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/TakePicture.h>
+#include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
@@ -14,9 +15,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
@@ -42,6 +46,7 @@ using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 // A setting that was changed stays on the parameter server, for the next driver of the same name.
 constexpr const char* kFullSpeed = "_speed_scale:=1";
@@ -101,6 +106,8 @@ class SettingsUser {
 
   void waitForLog(const std::string& pattern) { driver_.waitForOutput(pattern, test_support::kSafetyNet); }
 
+  std::string log() const { return driver_.output(); }
+
   /// The settings in force, from the answer to an empty change.
   double inForce(const std::string& name) { return valueOf(set(Config()), name); }
 
@@ -129,6 +136,27 @@ TEST(Settings, BeginWithTheParameters) {
   EXPECT_EQ(user.inForce("jpeg_quality"), 40);
   EXPECT_EQ(user.inForce("telemetry_rate"), 6.25);
   EXPECT_EQ(user.inForce("speed_scale"), 0.5);
+}
+
+TEST(Settings, TellTheirRangesToProgramsThatShowThem) {
+  TopicListener<dynamic_reconfigure::ConfigDescription> descriptions(
+      "/settings_ranges/aibo_driver/parameter_descriptions");
+  const SettingsUser user("/settings_ranges");
+  const std::vector<std::tuple<std::string, double, double>> ranges = {{"jpeg_quality", 1, 100},
+                                                                       {"frame_rate", 2, 30},
+                                                                       {"max_picture_age", 0.05, 2},
+                                                                       {"telemetry_rate", 0, 31.25},
+                                                                       {"speed_scale", 0.1, 1},
+                                                                       {"white_balance", 1, 3},
+                                                                       {"gain", 1, 3},
+                                                                       {"shutter_speed", 1, 3}};
+  EXPECT_TRUE(descriptions.waitFor([&ranges](const auto& description) {
+    return std::all_of(ranges.begin(), ranges.end(), [&description](const auto& range) {
+      const auto& [name, lowest, highest] = range;
+      return SettingsUser::valueOf(description.min, name) == lowest &&
+             SettingsUser::valueOf(description.max, name) == highest;
+    });
+  }));
 }
 
 TEST(Settings, JpegQualityChangesTheRunningStream) {
@@ -252,7 +280,13 @@ TEST(Settings, ByDefaultPicturesComeByUdpAndTheConnectionSaysSo) {
   EXPECT_TRUE(connections.waitFor([](const auto& connection) {
     return connection.transport == "udp" && connection.transport_reason == "datagrams from the robot get through";
   }));
-  EXPECT_TRUE(qualities.waitFor([](const auto& quality) { return quality.transport == "udp"; }));
+  const auto quality = qualities.waitFor(
+      [](const auto& each) { return each.transport == "udp" && each.pictures_per_second_asked == 30 && each.age > 0; });
+  ASSERT_TRUE(quality);
+  EXPECT_GE(quality->longest_age, quality->age);
+  EXPECT_LT(quality->age, 20);
+  EXPECT_GE(quality->lost, 0);
+  EXPECT_LT(std::abs((ros::Time::now() - quality->header.stamp).toSec()), 20);
   user.set(text("transport", "tcp"));
   EXPECT_TRUE(connections.waitFor([](const auto& connection) {
     return connection.transport == "tcp" && connection.transport_reason == "~transport is tcp";
@@ -263,9 +297,18 @@ TEST(Settings, ThatRosparamSetsHaveNoEffectAndTheDriverSaysSo) {
   SettingsUser user("/settings_rosparam");
   const std::string name = "/settings_rosparam/aibo_driver/jpeg_quality";
   EXPECT_EQ(user.inForce("jpeg_quality"), 85);
+  Config changed = number("speed_scale", 0.4);
+  changed.bools.resize(1);
+  changed.bools[0].name = "adaptive";
+  changed.bools[0].value = 1;
+  user.set(changed);
+  user.set(text("transport", "tcp"));
   ros::param::set(name, 50);
   user.waitForLog(name + " was set to '50', but '85' stays in force");
   EXPECT_EQ(user.inForce("jpeg_quality"), 85);
+  for (const char* const setting : {"speed_scale", "adaptive", "transport"}) {
+    EXPECT_THAT(user.log(), Not(HasSubstr(std::string(setting) + " was set to"))) << "dynamic_reconfigure did it";
+  }
 }
 
 TEST(Settings, OfTheCameraAreSeenInThePictures) {
@@ -282,6 +325,17 @@ TEST(Settings, OfTheCameraAreSeenInThePictures) {
   }));
   user.set(whole("gain", CameraState::GAIN_HIGH));
   EXPECT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_HIGH; }));
+  Config automatic = whole("white_balance", CameraState::WB_OUTDOOR_MODE);
+  automatic.bools.resize(1);
+  automatic.bools[0].name = "auto_exposure";
+  automatic.bools[0].value = 1;
+  user.set(automatic);
+  EXPECT_TRUE(states.waitFor([](const auto& state) {
+    return state.white_balance == CameraState::WB_OUTDOOR_MODE && state.auto_exposure && !state.auto_white_balance;
+  }));
+  automatic.bools[0].name = "auto_white_balance";
+  user.set(automatic);
+  EXPECT_TRUE(states.waitFor([](const auto& state) { return state.auto_exposure && state.auto_white_balance; }));
   states.clear();
   images.waitForCount(images.count() + 3);
   EXPECT_EQ(states.count(), 0u) << "nothing has changed";

@@ -1,5 +1,6 @@
 // Stamps from the robot's own clock.
 
+#include <aibo_driver/ColorRegions.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -50,12 +51,14 @@ TEST(RobotTime, IntervalsOfPicturesAndJointStatesAreWholeFrames) {
   SimulatedRobot robot;
   Pictures pictures("/robot_time/camera/image_raw/compressed");
   JointStates states("/robot_time/joint_states");
+  TopicListener<aibo_driver::ColorRegions> colors("/robot_time/color_regions");
   DriverProcess driver("/robot_time", robot.port());
   pictures.waitForCount(60);
   pictures.clear();
   states.clear();
   EXPECT_GT(partInFrames(pictures.waitForCount(100)), kMost);
   EXPECT_GT(partInFrames(states.waitForCount(100)), kMost);
+  EXPECT_GT(partInFrames(colors.waitForCount(100)), kMost);
 }
 
 /// The longest interval between two stamps, in seconds.

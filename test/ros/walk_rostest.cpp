@@ -108,9 +108,20 @@ class Walker : public JointUser {
 
 TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   Walker walker("/walk");
+  TopicListener<tf2_msgs::TFMessage> tf("/walk/tf");
   ASSERT_TRUE(walker.call<Trigger>("stand").success);
   ASSERT_TRUE(walker.walks(0.1));
-  ASSERT_TRUE(walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; }));
+  const auto odom = walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; });
+  ASSERT_TRUE(odom);
+  EXPECT_EQ(odom->header.frame_id, "odom");
+  EXPECT_EQ(odom->child_frame_id, "base_footprint");
+  EXPECT_LT(std::abs((ros::Time::now() - odom->header.stamp).toSec()), 20);
+  EXPECT_TRUE(tf.waitFor([&odom](const tf2_msgs::TFMessage& each) {
+    const auto& transform = each.transforms.front();
+    return transform.child_frame_id == "base_footprint" && transform.header.stamp == odom->header.stamp &&
+           transform.transform.translation.x == odom->pose.pose.position.x &&
+           transform.transform.rotation.w == odom->pose.pose.orientation.w;
+  }));
   walker.letGo();
   const auto let_go = std::chrono::steady_clock::now();
   const auto end = walker.waitForEnd();
@@ -289,6 +300,18 @@ TEST(Posture, IsTakenAndSaidInTheMotionState) {
       return !each.movements.empty() && each.movements[0].kind == Movement::POSTURE && each.movements[0].name == name;
     }));
   }
+}
+
+TEST(Posture, IsEndedByAnotherOne) {
+  Walker walker("/two_postures");
+  std::thread other([&walker] {
+    EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
+    EXPECT_TRUE(walker.call<Trigger>("stand").success) << "it does not wait";
+  });
+  const Trigger::Response response = walker.call<Trigger>("sit");
+  other.join();
+  EXPECT_FALSE(response.success);
+  EXPECT_THAT(response.message, HasSubstr("The robot does not sit: "));
 }
 
 TEST(Posture, IsEndedByStop) {
