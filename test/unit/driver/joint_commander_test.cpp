@@ -92,6 +92,14 @@ TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
   EXPECT_THAT(client_.told, ElementsAre("hold"));
 }
 
+TEST_F(JointCommanderTest, ATrajectoryWithoutPointsThatCannotBeSentEndsNothingElse) {
+  client_.problem = "not connected";
+  EXPECT_NO_THROW(commander_.receive(trajectory_msgs::JointTrajectory(), order()));
+  client_.problem.clear();
+  command({{"head_pan", 0.5}});
+  EXPECT_EQ(mover_.state().movements.size(), 1u);
+}
+
 TEST_F(JointCommanderTest, ARefusedTrajectoryIsNotSent) {
   trajectory_msgs::JointTrajectory message;
   message.points.resize(1);

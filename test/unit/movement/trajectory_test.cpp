@@ -82,6 +82,12 @@ TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).velocities(1)[0], 0) << "it is over";
 }
 
+TEST_F(TrajectoryTest, GoesStraightToAPointWithoutVelocities) {
+  const Trajectory trajectory = plan(pan({{1, {0.5}, {0.8}}, {2, {1.0}, {}}, {3, {0.0}, {0.3}}}));
+  EXPECT_NEAR(trajectory.sample(1.25)[0], 0.625, 1e-12);
+  EXPECT_NEAR(trajectory.sample(2.5)[0], 0.5, 1e-12) << "nor does it know the velocity there";
+}
+
 TEST_F(TrajectoryTest, MovesAllItsJoints) {
   const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}});
   EXPECT_THAT(trajectory.joints(), ::testing::ElementsAre(mouth_, pan_));
