@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "simulator/openr_host/machine.h"
 #include "support/test_client.h"
 #include "test_system.h"
 
@@ -52,6 +53,11 @@ TEST_F(ConsoleTest, PrintsToItsStreamAndToEveryListener) {
   };
   EXPECT_TRUE(test_.runUntil([&] { return has_it(first) && has_it(second); }));
   EXPECT_THAT(test_.output.str(), HasSubstr("42 and text\n"));
+}
+
+// docs/first_start.md and docs/protocol.md name it.
+TEST(ConsolePort, IsThatOfTheDocuments) {
+  EXPECT_EQ(kConsolePort, 59000);
 }
 
 TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {

@@ -47,6 +47,11 @@ class DnsEndpointTest : public testing::Test {
   std::vector<DNSEndpointHostMsg> answers_;
 };
 
+TEST_F(DnsEndpointTest, OneThatIsNotAskedDoesNothing) {
+  test_.runPending();
+  EXPECT_TRUE(answers_.empty());
+}
+
 // Page 35. Sony's sample DNSLookUp ends names with a dot, so that no domain is added.
 TEST_F(DnsEndpointTest, FindsAHostByItsNameAgainAndAgain) {
   for (const char* name : {"localhost", "localhost."}) {

@@ -130,5 +130,14 @@ TEST(StubWriterTest, DescriptionHasThePriorityOfTheOcf) {
   EXPECT_THAT(writeDescription(parse(kSample), 112), HasSubstr("description.priority = 112;\n"));
 }
 
+TEST(StubWriterTest, DescriptionHasAllServicesAndExtraEntries) {
+  const std::string text = writeDescription(parse(kSample), 112);
+  for (const char* part : {"description.subjects.push_back", "description.observers.push_back", "SampleObject.Func1.",
+                           "SampleObject.Func2.int.O", "SampleObject.Func3.Data.O", "UpdatePowerStatus", "SendCont",
+                           "std::make_unique<SampleObject>()"}) {
+    EXPECT_THAT(text, HasSubstr(part));
+  }
+}
+
 }  // namespace
 }  // namespace openr_host
