@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <future>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
-#include "client_fixture.h"
+#include "newest_client_fixture.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -110,6 +113,47 @@ TEST_F(RcServerClientTest, StartingTwiceConnectsOnce) {
   client_.start();
   ScriptedPeer peer = accept();
   EXPECT_FALSE(server_.clientComesWithin(milliseconds(50)));
+}
+
+TEST_F(RcServerClientTest, WhatComesTogetherWithTheAnswerAboutTheVersionIsRead) {
+  client_.start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'X', 2);
+  peer.send({'e', 0, 0, 0, 'j', 1, 0, 0});
+  EXPECT_TRUE(recorder_.waitForLog("an answer to no request: 'j'"));
+}
+
+class CallTimesTest : public NewestClientFixture {};
+
+TEST_F(CallTimesTest, EachCallWaitsAsLongAsItIsTold) {
+  const std::vector<std::function<void(milliseconds)>> calls = {
+      [this](milliseconds time) { client().takePicture(50, time); },
+      [this](milliseconds time) { client().setMotors(true, time); },
+      [this](milliseconds time) { client().hold({}, time); },
+      [this](milliseconds time) { client().takePosture(Posture::kStand, time); },
+      [this](milliseconds time) { client().playMotion("NOD.MTN", 1, time); },
+      [this](milliseconds time) { client().stopMotion("NOD.MTN", time); },
+      [this](milliseconds time) { client().uploadMotion("NOD.MTN", std::vector<std::uint8_t>(9), time); },
+      [this](milliseconds time) { client().deleteMotion("NOD.MTN", time); },
+      [this](milliseconds time) { client().listMotions(time); },
+      [this](milliseconds time) { client().takePictureOnRobot(50, time); },
+      [this](milliseconds time) { client().listPictures(time); },
+      [this](milliseconds time) { client().fetchPicture("AIBO0001.JPG", time); },
+      [this](milliseconds time) { client().deletePicture("AIBO0001.JPG", time); },
+      [this](milliseconds time) {
+        client().playSamples(0, {1, 2, 3}, false, time);
+      },
+      [this](milliseconds time) { client().stopSound(time); },
+      [this](milliseconds time) { client().setVolume(1, time); },
+      [this](milliseconds time) { client().shutDownRobot(time); },
+      [this](milliseconds time) { client().rebootRobot(time); }};
+  const ScriptedPeer silent = connectVersion2("F W J V T O I E S P U D N M Y A Q R");
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    const milliseconds time(10 + static_cast<int>(i));
+    EXPECT_THAT(complaintOf<TimeoutException>([&] { calls[i](time); }),
+                ::testing::HasSubstr(" within " + std::to_string(time.count()) + " ms"))
+        << i;
+  }
 }
 
 }  // namespace
