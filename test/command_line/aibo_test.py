@@ -414,7 +414,7 @@ class Asked(TestCase):
     def asked(self, kinds, *words, status=DONE):
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
-        self.aibo(*words, status=status, port=witness.port)
+        self.said = self.aibo(*words, status=status, port=witness.port).stdout.decode()
         return witness.take(*kinds)
 
     def test_for_pictures(self):
@@ -438,8 +438,11 @@ class Asked(TestCase):
         self.assertEqual(self.asked("J", "move", "head_pan=10deg", "tail_pan=-0.2rad", "--duration", 1.5),
                          [("J", 0, struct.pack(">HBxBxxxiBxxxi", 1500, 2, 2, 174533, 51, -200000))])
         self.assertGreater(time.monotonic() - begin, 1.4)
+        self.assertRegex(self.said, r"^head_pan is at (9|10)\.\d degrees\ntail_pan is at -1[012]\.\d degrees\n$")
         self.assertIn(struct.pack(">Bxxxi", 2, 1047198),
                       self.asked("V", "move", "head_pan=0deg", "--speed", "60deg/s")[-1][2])
+        self.assertIn(struct.pack(">Bxxxi", 51, 500000), self.asked("V", "move", "tail_pan=0deg")[-1][2])
+        self.assertRegex(self.text("joints"), r"(?m)^head_pan +-?0.0   -88 to 88$")
         for speed in ("0.5deg/s", "172deg/s"):
             self.assertIn("0.6deg/s to 171deg/s", self.aibo("move", "mouth=0deg", "--speed", speed,
                                                             status=WRONG_USAGE).errors)
@@ -451,10 +454,15 @@ class Asked(TestCase):
 
     def test_for_motors_and_postures(self):
         self.assertEqual(self.asked("O", "motors", "on")[-1], ("O", 0, b"\1"))
-        for posture, number in (("sit", 2), ("rest", 3), ("stand", 1)):
+        self.assertEqual(self.said, "The motors are on: the joints hold.\n")
+        for posture, number, said in (("sit", 2, "sits"), ("rest", 3, "lies, and its motors are off"),
+                                      ("stand", 1, "stands")):
             self.assertEqual(self.asked("E", posture), [("E", number, b"")])
+            self.assertEqual(self.said, f"The robot {said}.\n")
         self.assertEqual(self.asked("O", "motors", "off")[-1], ("O", 0, b"\0"))
+        self.assertEqual(self.said, "The motors are off: the joints can be moved by hand.\n")
         self.assertEqual(self.asked("IP", "stop"), [("I", 0, b"")])
+        self.assertEqual(self.said, "The robot holds: nothing moves it any more.\n")
 
     def test_for_a_walk(self):
         self.json("stand")
@@ -476,9 +484,11 @@ class Asked(TestCase):
 
     def test_for_motions(self):
         self.json("stand")
+        self.assertEqual(self.text("motions"), "LIE.MTN\nNOD.MTN\nSIT.MTN\nWAG.MTN\n")
         asked = self.asked("PV", "play", "nod", "--times", 2, "--speed", "90deg/s")
         self.assertIn(struct.pack(">Bxxxi", 2, 1570796), [each for each in asked if each[0] == "V"][-1][2])
         self.assertEqual(asked[-1][2], b"\0\2NOD.MTN")
+        self.assertEqual(self.said, "NOD.MTN was played to its end.\n")
         for speed in ("5deg/s", "1146deg/s"):
             self.assertIn("5.8deg/s", self.aibo("play", "nod", "--speed", speed, status=WRONG_USAGE).errors)
         begin = self.robot.ask("joint tail_pan")
@@ -513,6 +523,18 @@ class Asked(TestCase):
         self.assertEqual((battery["good"], battery["text"], battery["advice"]),
                          (False, "18 % charged", "Charge it soon."))
         self.assertFalse(report["good"])
+
+    def test_a_robot_that_falls_silent_is_bad(self):
+        with start("doctor", "--seconds", "60", port=self.robot.port) as doctor:
+            self.addCleanup(self.robot.process.send_signal, signal.SIGCONT)
+            while b"battery" not in (line := doctor.stdout.readline()):
+                self.assertRegex(line, rb"^ok   ")
+            self.robot.process.send_signal(signal.SIGSTOP)
+            bad, advice, end = doctor.stdout.read().splitlines()
+            self.assertRegex(bad, rb"^BAD  server    127.0.0.1:\d+ sent nothing for 500 ms")
+            self.assertEqual(advice.strip(), b"Is the robot within reach of its WLAN?")
+            self.assertEqual(end, b"See the lines that begin with BAD.")
+            self.assertEqual(doctor.wait(60), UNREACHABLE)
 
     def test_a_name_is_looked_up(self):
         report = json.loads(run("--json", "doctor", "localhost", "--seconds", "1", port=self.robot.port).stdout)
@@ -797,6 +819,9 @@ class Unreachable(TestCase):
             full.listen(0)  # Linux keeps one connection more than that, and ignores those that come after it
             with socket.create_connection(full.getsockname()):
                 report = self.json("--timeout", "0.3", "doctor", port=full.getsockname()[1], status=UNREACHABLE)
+                self.assertIn("did not answer within 300 ms. Is the robot switched on",
+                              self.aibo("--timeout", "0.3", "joints", port=full.getsockname()[1],
+                                        status=UNREACHABLE).errors)
         finding = report["findings"][-1]
         self.assertIn("did not answer", finding["text"])
         self.assertIn("is its switch WIRELESS, under the stomach cover, on?", finding["advice"])
@@ -849,7 +874,10 @@ class WrongUsage(TestCase):
                       ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
                       ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
                       ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
-                      ["play", "nod", "--seconds", "soon"], ["play", "nod", "--times", "0"], ["--json", "fly"]):
+                      ["play", "nod", "--seconds", "soon"], ["play", "nod", "--seconds", "3601"],
+                      ["move", "mouth=0deg", "--duration", "61"], ["walk", "forward=1cm/s", "--seconds", "61"],
+                      ["listen", "--seconds", "0"], ["doctor", "--seconds", "601"], ["joints", "--timeout", "61"],
+                      ["play", "nod", "--times", "0"], ["--json", "fly"]):
             with self.subTest(words):
                 result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
                                         check=False)
@@ -866,6 +894,9 @@ class WrongUsage(TestCase):
         self.assertEqual(done("--help"), done("help"))
         self.assertEqual(done("move", "--help"), done("help", "move"))
         self.assertIn("usage: aibo move JOINT=ANGLE...", done("help", "move"))
+        self.assertRegex(done("help", "move"), r"(?m)^  aibo move head_pan=30deg +looks to the left$")
+        for line in done("help", "move").split("\n\n")[1].splitlines()[:-1]:
+            self.assertTrue(60 < len(line) <= 80, line)
         self.assertEqual(json.loads(done("--json", "move", "--help"))["help"] + "\n", done("help", "move"))
         self.assertRegex(done("--version"), r"^aibo \d+\.\d+\.\d+\n$")
         result = subprocess.run([AIBO, "help", "fly"], capture_output=True, timeout=60, check=False)

@@ -192,6 +192,7 @@ class BagTest(unittest.TestCase):
             self.succeed('plot', self.record(), self.path('walk.png'), '--from', '2', '--to', '3')
         drawn = [[call[0] for call in axis.step.call_args_list] for axis in axes]
         self.assertEqual([len(lines) for lines in drawn], [2, 2, 1])
+        self.assertEqual([axis.set_ylabel.call_args[0][0] for axis in axes], ['pictures/s', 'age in ms', 'lost in %'])
         for (times, values), expected in zip(sum(drawn, []), (29.9, 30, 40, 10, 12.5)):
             self.assertEqual(times, [2, 3])
             self.assertEqual([round(value, 4) for value in values], [expected, expected])

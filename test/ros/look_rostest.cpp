@@ -96,7 +96,8 @@ TEST_F(LookTest, TurnsTheCameraToPointsInAnyFrame) {
   for (const PointStamped& where :
        {point("base_footprint", 0.6, 0.4, 0), point("base_link", 1, -1, 0.5), point("odom", 0.35, 0, 0.01)}) {
     const LookAtResult result = lookAt(where);
-    EXPECT_TRUE(result.success) << result.message;
+    EXPECT_TRUE(result.success && result.moves) << result.message;
+    EXPECT_EQ(result.message, "The head turns to the point.");
     EXPECT_LT(result.error, 0.0015);
     EXPECT_EQ(result.header.frame_id, where.header.frame_id);
     EXPECT_TRUE(seesInItsMiddle(where)) << where.header.frame_id;
@@ -276,6 +277,37 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
   ASSERT_EQ(floor.points.size(), floor.colors.size());
   EXPECT_TRUE(std::any_of(floor.colors.begin(), floor.colors.end(), [](const auto& color) { return color.r > 0.8F; }))
       << "a white line";
+
+  EXPECT_EQ(floor.pose.position.z, 0);
+  for (std::size_t i = 0; i < room->markers.size(); ++i) {
+    const auto& turn = room->markers[i].pose.orientation;
+    EXPECT_EQ(room->markers[i].id, static_cast<int>(i));
+    EXPECT_NEAR(Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).norm(), 1, 1e-9) << i;
+  }
+  const Marker& bone = room->markers[1];
+  EXPECT_EQ(bone.type, Marker::CYLINDER);
+  EXPECT_NEAR(bone.pose.position.x, 0.64, 1e-9);
+  EXPECT_NEAR(bone.pose.position.y, -0.13, 1e-9);
+  EXPECT_NEAR(bone.scale.z, 0.104, 1e-9);
+  EXPECT_GT(bone.color.r, bone.color.g + 0.3F) << "it is pink";
+  EXPECT_EQ(bone.color.a, 1);
+  const auto& turn = bone.pose.orientation;
+  const Eigen::Vector3d along = Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z) * Eigen::Vector3d::UnitZ();
+  EXPECT_TRUE(along.isApprox(Eigen::Vector3d(std::cos(1.0), std::sin(1.0), 0))) << along.transpose();
+  const auto plate = std::find_if(room->markers.begin(), room->markers.end(),
+                                  [](const Marker& marker) { return marker.type == Marker::CUBE; });
+  ASSERT_NE(plate, room->markers.end()) << "the station's";
+  EXPECT_NEAR(plate->pose.position.x, 1.42, 1e-9);
+  EXPECT_NEAR(plate->pose.position.y, 0.42, 1e-9);
+  EXPECT_NEAR(plate->pose.position.z, 0.012, 1e-9);
+  EXPECT_NEAR(plate->scale.x, 0.3, 1e-9);
+  EXPECT_NEAR(plate->scale.y, 0.26, 1e-9);
+  EXPECT_NEAR(plate->pose.orientation.z, std::sin(0.225), 1e-9);
+  EXPECT_NEAR(plate->pose.orientation.w, std::cos(0.225), 1e-9);
+  const Process on_table({AIBO_ROOM, "__ns:=/on_table", "_on_table:=true"});
+  TopicListener<MarkerArray> from_table("/on_table/room");
+  ASSERT_FALSE(from_table.waitForCount(1).empty());
+  EXPECT_LT(from_table.waitForCount(1).front()->markers.front().pose.position.z, -0.3) << "odom is on the table";
 
   TopicPublishers robot("/furnished");
   aibo_driver::CameraState state;

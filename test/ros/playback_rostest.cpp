@@ -269,6 +269,7 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
   call.request.data = 1;
   ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
   EXPECT_TRUE(call.response.success) << call.response.message;
+  EXPECT_EQ(call.response.message, "0:00 of 0:00, paused");
   EXPECT_TRUE(connection.waitFor(
       [](const Connection& message) { return message.text.find("of 0:00, paused") != std::string::npos; }));
   EXPECT_FALSE(odom.waitForNext(std::chrono::seconds(1)) && odom.waitForNext(std::chrono::seconds(1)))
@@ -286,6 +287,7 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
   call.request.data = 0;
   ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
   EXPECT_TRUE(call.response.success) << call.response.message;
+  EXPECT_EQ(call.response.message, "0:00 of 0:00");
   const auto next = odom.waitForNext();
   ASSERT_TRUE(next);
   EXPECT_NEAR(std::fmod(next->pose.pose.position.x - before->pose.pose.position.x + kSpeed, kSpeed), kSpeed * kPeriod,

@@ -429,10 +429,8 @@ class Gamepad {
   static constexpr std::size_t kDeadMan = 4;
   static constexpr std::size_t kRelease = 5;
 
-  explicit Gamepad(const std::string& name_space)
-      : joystick_(name_space),
-        teleop_({AIBO_TELEOP_JOY, "__ns:=" + name_space, "/joy:=" + name_space + "/joy",
-                 "_release_button:=" + std::to_string(kRelease)}) {
+  explicit Gamepad(const std::string& name_space, const std::vector<std::string>& parameters = {})
+      : joystick_(name_space), teleop_(command(name_space, parameters)) {
     press({});  // waits until it listens
   }
 
@@ -449,6 +447,13 @@ class Gamepad {
   Process& teleop() { return teleop_; }
 
  private:
+  static std::vector<std::string> command(const std::string& name_space, const std::vector<std::string>& parameters) {
+    std::vector<std::string> words{AIBO_TELEOP_JOY, "__ns:=" + name_space, "/joy:=" + name_space + "/joy",
+                                   "_release_button:=" + std::to_string(kRelease)};
+    words.insert(words.end(), parameters.begin(), parameters.end());
+    return words;
+  }
+
   test_support::TopicPublishers joystick_;
   Process teleop_;
 };
@@ -499,7 +504,8 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   FakeDriver driver("/sticks");
   TopicListener<Twist> walks("/sticks/cmd_vel");
   TopicListener<sensor_msgs::JointState> heads("/sticks/joint_command");
-  Gamepad pad("/sticks");
+  Gamepad pad("/sticks", {"_turn_axis:=1", "_forward_axis:=0", "_left_axis:=2", "_pan_axis:=4", "_tilt_axis:=3",
+                          "_speed:=0.1", "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3", "_dead_zone:=0.2"});
   // A robot of version 1 measures one joint after the other.
   ros::Publisher joints = ros::NodeHandle("/sticks").advertise<sensor_msgs::JointState>("joint_states", 10);
   sensor_msgs::JointState measured;
@@ -507,18 +513,18 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   for (bool is_pan = true; heads.count() < 2 && std::chrono::steady_clock::now() < end; is_pan = !is_pan) {
     measured.name = {"mouth", is_pan ? "head_pan" : "head_tilt"};
     measured.position = {-0.3, is_pan ? 0.4 : 0.2};
-    pad.press({Gamepad::kDeadMan}, {0.5F, 1, 0, 1, -1, 0, -1});  // turn, forward, -, pan, tilt, -, left
+    pad.press({Gamepad::kDeadMan}, {1, 0.6F, -1, -1, 1, 0, 0});  // forward, turn, left, tilt, pan
     joints.publish(measured);
     walks.waitForNext(std::chrono::milliseconds(50));
   }
   ASSERT_GE(heads.count(), 2U);
   const auto walk = walks.waitForCount(1).front();
-  EXPECT_DOUBLE_EQ(walk->linear.x, 0.15);
-  EXPECT_DOUBLE_EQ(walk->linear.y, -0.06);
-  EXPECT_NEAR(walk->angular.z, 0.4 / 0.9, 1e-6);
+  EXPECT_DOUBLE_EQ(walk->linear.x, 0.1);
+  EXPECT_DOUBLE_EQ(walk->linear.y, -0.05);
+  EXPECT_NEAR(walk->angular.z, 2 * 0.4 / 0.8, 1e-6) << "it begins at the edge of the dead zone";
   const auto head = heads.waitForCount(2)[1];
   EXPECT_THAT(head->name, ElementsAre("head_pan", "head_tilt"));
-  EXPECT_THAT(head->velocity, ElementsAre(1.5, 1.5)) << "the head can keep up";
+  EXPECT_THAT(head->velocity, ElementsAre(4.5, 4.5)) << "the head can keep up";
   EXPECT_GT(head->position.at(0), 0.4);
   EXPECT_LT(head->position.at(1), 0.2);
 }

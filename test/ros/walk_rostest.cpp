@@ -504,6 +504,26 @@ TEST(JoystickTeleop, RefusesAWrongMapping) {
   EXPECT_EQ(flying.waitForExit(kSafetyNet), 1);
 }
 
+#ifdef AIBO_JOY
+TEST(JoystickReader, WaitsForAJoystickWithANumber) {
+  for (const char* device : {"/dev/input/js", "/dev/input/js123", ""}) {
+    Process joy({AIBO_JOY, std::string("_dev:=") + device});
+    joy.waitForOutput("dev is '" + std::string(device) + "'; it should be /dev/input/js0 for the first", kSafetyNet);
+    EXPECT_EQ(joy.waitForExit(kSafetyNet), 1);
+    ros::param::del("/aibo_joy");
+  }
+  for (const char* parameter : {"deadzone", "autorepeat_rate"}) {
+    Process joy({AIBO_JOY, std::string("_") + parameter + ":=101"});
+    joy.waitForOutput(parameter + std::string(" is 101"), kSafetyNet);
+    EXPECT_EQ(joy.waitForExit(kSafetyNet), 1);
+    ros::param::del("/aibo_joy");
+  }
+  Process joy({AIBO_JOY, "_dev:=/dev/input/js31"});
+  joy.waitForOutput("Waiting for a joystick", kSafetyNet);
+  EXPECT_TRUE(joy.isRunning());
+}
+#endif
+
 TEST(PythonExample, StandsLooksTakesAPictureAndWalks) {
   Walker walker("/python");
   const test_support::TemporaryFolder folder;

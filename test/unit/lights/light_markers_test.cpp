@@ -73,6 +73,39 @@ TEST(LightMarkers, AreOffWhileItIsUnknownWhetherTheyShine) {
   EXPECT_TRUE(shining(lights).empty());
 }
 
+TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
+  LightMarkers lights("");
+  Touch touch;
+  touch.back_front = 1;
+  lights.setTouch(touch);
+  const Marker pad = shining(lights).at(0);
+  EXPECT_EQ(pad.type, Marker::CUBE);
+  EXPECT_EQ(pad.pose.position.x, 0.030);
+  EXPECT_EQ(pad.pose.position.y, 0);
+  EXPECT_EQ(pad.pose.position.z, 0.0450);
+  EXPECT_EQ(pad.scale.x, 0.032);
+  EXPECT_EQ(pad.scale.y, 0.028);
+  EXPECT_EQ(pad.scale.z, 0.006);
+  EXPECT_FLOAT_EQ(pad.color.a, 0.7F) << "the model shines through";
+  lights.setTouch(Touch());
+  const auto place = [&lights](int number) {
+    const std::string name = "face_" + std::to_string(number);
+    lights.setLeds(states(name, 1));
+    const auto position = shining(lights).at(0).pose.position;
+    lights.setLeds(states(name, 0));
+    return position;
+  };
+  for (int number = 1; number < 15; number += number == 9 ? 4 : 2) {  // all but the two in the middle are in pairs
+    EXPECT_GT(place(number).y, 0.005) << number;
+    EXPECT_DOUBLE_EQ(place(number).y, -place(number + 1).y);
+    EXPECT_DOUBLE_EQ(place(number).x, place(number + 1).x);
+    EXPECT_DOUBLE_EQ(place(number).z, place(number + 1).z);
+  }
+  EXPECT_DOUBLE_EQ(place(12).y, 0);
+  EXPECT_GT(place(11).z, place(12).z);
+  EXPECT_GT(place(12).x, place(11).x) << "it is the front of a ball";
+}
+
 TEST(LightMarkers, SayWhenNothingHasChanged) {
   LightMarkers lights("");
   EXPECT_FALSE(lights.setLeds(states("face_1", 0)));

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QFileDialog>
+#include <QFormLayout>
 #include <QGroupBox>
 #include <QHelpEvent>
 #include <QLabel>
@@ -837,6 +838,8 @@ TEST_F(RemoteControlTest, SettingsOfADriverCanBeChangedBeforeItHasItsRobot) {
   Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "how good", Setting::Kind::kInteger, 1, 100, {}}});
   auto* quality = find<QSpinBox>("jpeg_quality");
   EXPECT_EQ(quality->toolTip(), "how good");
+  EXPECT_EQ(qobject_cast<QFormLayout*>(quality->parentWidget()->layout())->labelForField(quality)->property("text"),
+            "Jpeg quality");
   robot_.disconnectIt(State::kNoDriver, "no driver");
   EXPECT_FALSE(quality->isEnabled());
   robot_.disconnectIt(State::kDisconnected, "the robot is off");
