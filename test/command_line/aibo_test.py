@@ -300,7 +300,8 @@ class OnBothVersions:
         with start("watch", "--save", ".", port=self.robot.port, cwd=self.folder) as watch:
             watch.stdout.readline()
             watch.send_signal(signal.SIGINT)
-            self.assertIn(b"Saved", watch.stderr.read())
+            saved = re.search(rb"Saved (\d+) pictures\.", watch.stderr.read())
+            self.assertEqual(int(saved[1]), len(os.listdir(self.folder)))
             self.assertEqual(watch.wait(60), DONE)
         self.assertTrue(all(name.endswith(".jpg") and name[0] != "." for name in os.listdir(self.folder)))
 
@@ -505,8 +506,9 @@ class Asked(TestCase):
     def test_for_sensors(self):
         self.robot.ask("press chin")
         self.robot.ask("battery 18")
+        end = time.monotonic() + 60
         while self.json("battery")["charge"] != 0.18:  # the robot looks at it once in a while
-            pass
+            self.assertLess(time.monotonic(), end)
         self.addCleanup(self.robot.ask, "battery 90")
         self.addCleanup(self.robot.ask, "release chin")
         self.assertEqual([each["pressed"] for each in self.json("sensors")["sensors"] if each["name"] == "chin"],
@@ -542,6 +544,12 @@ class Asked(TestCase):
 
 
 class Example(TestCase):
+    def test_says_what_it_needs(self):
+        for name in ("LOOK_AND_WALK", "TAKE_PICTURE", "PLAY_MOTION"):
+            ended = subprocess.run([os.environ[name], "127.0.0.1"], timeout=60, check=False, capture_output=True)
+            self.assertEqual(ended.returncode, 1)
+            self.assertIn(f"usage: {name.lower()} HOST ".encode(), ended.stderr)
+
     def test_takes_a_picture_and_plays_a_motion(self):
         robot = SimulatedRobot()
         self.addCleanup(robot.end)
@@ -584,19 +592,20 @@ class WithPermission(TestCase):
         stick = self.folder / "stick"
         shutil.copytree(STICK, stick)
         (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(
-            "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\n", encoding="ascii")
+            "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\nALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\n",
+            encoding="ascii")
         self.stick = stick / "OPEN-R/MW/DATA/P"
         self.robot = SimulatedRobot("--memory-stick", str(stick))
         self.addCleanup(self.robot.end)
 
     def test_motions_are_stored_and_deleted(self):
-        self.assertEqual(self.json("upload", NOD)["motion"], "NOD.MTN")
+        self.assertEqual(self.json("upload", NOD), {"motion": "NOD.MTN", "bytes": NOD.stat().st_size})
         self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
         self.json("delete", "wave")
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
         allows = next(f for f in self.examined()["findings"] if f["topic"] == "allows")
-        self.assertEqual(allows["text"], "upload, delete, pictures")
+        self.assertEqual(allows["text"], "upload, delete, pictures, shut down, reboot")
 
     def test_pictures_are_taken_listed_fetched_and_deleted(self):
         self.assertIn("no pictures", self.text("pictures"))
@@ -649,7 +658,7 @@ class WithSound(TestCase):
         """A program in place of espeak-ng, which keeps the text."""
         program = self.folder / "bin/espeak-ng"
         program.parent.mkdir()
-        program.write_text(f"#!/bin/sh\ncat > '{self.folder}/text'\ncat '{self.folder}/bark.wav' > \"$5\"\n")
+        program.write_text(f"#!/bin/sh\necho \"$*\" > '{self.folder}/options'\ncat > '{self.folder}/text'\ncat '{self.folder}/bark.wav' > \"$5\"\n")
         program.chmod(0o755)
         path = os.environ["PATH"]
         self.addCleanup(os.environ.__setitem__, "PATH", path)
@@ -695,6 +704,9 @@ class WithSound(TestCase):
                       ["play-sound", "bark.wav"]):
             self.assertTrue(self.json(*words)["to_its_end"], words)
         self.assertEqual((self.folder / "text").read_text(), "--stdin $(reboot)")
+        self.aibo("say", "--voice", "de", "Guten", "Morgen")
+        self.assertIn(" -v de ", " " + (self.folder / "options").read_text())
+        self.assertEqual((self.folder / "text").read_text(), "Guten Morgen")
         self.assertIn("missing.wav", self.aibo("play-sound", "missing.wav", status=FAILED).errors)
         self.assertIn("no WAV, FLAC or Ogg", self.aibo("play-sound", "text", status=FAILED).errors)
 

@@ -75,6 +75,19 @@ class CalibrateWalkTest(unittest.TestCase):
         self.assertAlmostEqual(way.x, 1)
         self.assertAlmostEqual(way.y, 0.1)
 
+    def test_waits_for_odometry(self):
+        with mock.patch.object(program.rospy, 'Publisher') as publisher, \
+                mock.patch.object(program.rospy, 'Subscriber') as subscriber:
+            robot = program.Robot()
+        self.assertEqual(publisher.call_args[0], ('cmd_vel', program.Twist))
+        self.assertEqual(subscriber.call_args[0], ('odom', program.Odometry, robot.hear))
+        with mock.patch.object(program.time, 'sleep', lambda _: robot.hear(self.odometry(1, 2, 0))):
+            robot.await_odometry()
+        robot.pose = None
+        with mock.patch.object(program, 'PATIENCE', -1), mock.patch.object(program.rospy, 'resolve_name', lambda _: '/o'), \
+                self.assertRaisesRegex(program.Problem, 'nothing comes on /o. Does the driver run'):
+            robot.await_odometry()
+
     def test_steers_as_it_is_told(self):
         robot = program.Robot.__new__(program.Robot)
         robot.velocity = mock.Mock()

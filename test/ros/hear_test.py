@@ -63,6 +63,18 @@ class HearTest(unittest.TestCase):
                     aibo_hear.Ear().hear(sound([1, 2], channels=2))
                 self.assertIn(words, ' '.join(start.call_args[0][0]))
 
+    def test_hears_the_microphone_until_it_ends(self):
+        with mock.patch.object(aibo_hear.rospy, 'init_node') as node, \
+                mock.patch.object(aibo_hear.rospy, 'Subscriber') as subscriber, \
+                mock.patch.object(aibo_hear.rospy, 'spin', lambda: subscriber.call_args[0][2](sound([7]))), \
+                self.assertRaises(SystemExit) as end:
+            aibo_hear.main()
+        self.assertIsNone(end.exception.code)
+        node.assert_called_once_with('aibo_hear')
+        self.assertEqual(subscriber.call_args[0][:2], ('microphone', Sound))
+        subscriber.return_value.unregister.assert_called_once()
+        self.assertEqual(list(memoryview((self.folder / '16000-1').read_bytes()).cast('h')), [7])
+
     def test_says_that_its_player_has_ended(self):
         self.play_with(('false',))
         ear = aibo_hear.Ear()

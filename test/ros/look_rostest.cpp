@@ -161,7 +161,13 @@ TEST(LookOfAFleet, IsThatOfTheRobotInTheNamespace) {
   EXPECT_TRUE(result->success) << result->message;
   EXPECT_TRUE(user.waitForPanBeyond(0.6));
   ASSERT_FALSE(floor.waitForCount(1).empty());
-  EXPECT_EQ(floor.waitForCount(1).front()->header.frame_id, "left/base_footprint");
+  const Marker& drawn = *floor.waitForCount(1).front();
+  EXPECT_EQ(drawn.header.frame_id, "left/base_footprint");
+  EXPECT_EQ(drawn.type, Marker::CUBE);
+  EXPECT_TRUE(drawn.frame_locked) << "it moves with the robot";
+  EXPECT_LE(drawn.pose.position.z + drawn.scale.z / 2, 0);
+  EXPECT_GT(std::min(drawn.scale.x, drawn.scale.y), 1);
+  EXPECT_TRUE(drawn.color.a > 0 && drawn.color.a < 0.1F) << "hardly visible";
 }
 
 TEST(LookWithoutADriver, SaysThatNobodyListens) {
@@ -218,6 +224,24 @@ TEST(BallFollowerExample, LooksAtTheBallWhileItSeesIt) {
     EXPECT_TRUE(is_last(*each) || each->point == point.point)
         << "nothing for no ball, for a speck, and for one in the middle";
   }
+}
+
+TEST(BallFollowerExample, LooksAtWhatItIsToldToFind) {
+  TopicListener<PointStamped> points("/bone/look_at");
+  const Process node({BALL_FOLLOWER, "__ns:=/bone", "_name:=blue_bone", "_fewest_pixels:=1000"});
+  TopicPublishers robot("/bone");
+  aibo_driver::ColorRegions regions = ballAt(155.5F, 31.5F);
+  for (int i = 0; i < 100 && points.count() == 0; ++i) {
+    regions.regions[0].pixels = 999;
+    regions.regions[0].box.height = 10;
+    robot.publish("color_regions", regions);
+    regions.regions[0].pixels = 1000;
+    regions.regions[0].box.height = 40;
+    robot.publish("color_regions", regions);
+    points.waitForCount(1, std::chrono::milliseconds(kSafetyNet) / 100);
+  }
+  ASSERT_GT(points.count(), 0U);
+  EXPECT_NEAR(points.waitForCount(1).front()->point.z, 0.085 * 192 / 40, 1e-3) << "as long as it is high";
 }
 
 TEST(Lights, ShowWhatShinesAndWhatIsTouched) {

@@ -467,9 +467,12 @@ TEST(Gamepad, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   pad.teleop().waitForOutput("/pad/stop: ", kSafetyNet);
   EXPECT_THAT(pad.teleop().output(), Not(HasSubstr("/release: ")));
   pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
+  driver.tell(RobotState::ON, RobotState::SITTING);
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
   pad.teleop().waitForOutput("The robot may move again", kSafetyNet);
+  const std::string said = pad.teleop().output();
+  EXPECT_EQ(said.find("/caller has stopped"), said.rfind("/caller has stopped")) << "only news is said";
 }
 
 TEST(Gamepad, StopsWhileAReleaseWaitsForItsAnswer) {
@@ -540,11 +543,21 @@ TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   }
   Process teleop({"/bin/sh", "-c",
                   std::string("exec ") + AIBO_TELEOP_KEYBOARD +
-                      " __ns:=/board _speed:=0.2 _side_speed:=0.03 _turn_speed:=0.7 < " + name});
+                      " __ns:=/board _speed:=0.2 _side_speed:=0.03 _turn_speed:=0.7 _key_timeout:=0 < " + name});
   teleop.waitForOutput("speeds: 0.200 m/s, sideways 0.030 m/s, turn 0.70 rad/s", kSafetyNet);
   teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again", kSafetyNet);
+  driver.tell(RobotState::ON, RobotState::SITTING);
+  driver.stop("/other");
+  teleop.waitForOutput("/other has stopped the robot", kSafetyNet);
+  const std::string said = teleop.output();
+  EXPECT_EQ(said.find("/user has stopped"), said.rfind("/user has stopped")) << "only news is said";
   EXPECT_EQ(::write(keys, "R", 1), 1);
   teleop.waitForOutput("The robot may move again", kSafetyNet);
+  TopicListener<Twist> walks("/board/cmd_vel");
+  EXPECT_EQ(::write(keys, "j", 1), 1);
+  for (const auto& walk : walks.waitForCount(12)) {
+    EXPECT_EQ(walk->angular.z, 0.7) << "a key counts until the next one";
+  }
   ::close(keys);
   ::close(terminal);
 }

@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QDesktopServices>
+#include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -246,6 +247,7 @@ TEST_F(RemoteControlTest, ShowsWhatTheRobotDoesWhileThereIsADriver) {
   condition.posture = Posture::kLying;
   Q_EMIT robot_.conditionChanged(condition);
   EXPECT_EQ(textOf("condition"), "lies, motors off");
+  EXPECT_EQ(find<QLabel>("condition")->toolTip(), "lies, motors off");
   robot_.disconnectIt(State::kNoDriver, "the driver does not answer");
   EXPECT_EQ(textOf("condition"), "");
 }
@@ -338,8 +340,10 @@ TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
 TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestCanBeOpened) {
   robot_.connectIt();
   open("Camera");
+  const QString usual = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
+  EXPECT_EQ(textOf("path"), "Pictures are saved in " + usual + ".");
   window_.setFolder("");
-  EXPECT_EQ(window_.folder(), QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+  EXPECT_EQ(window_.folder(), usual);
   int changes = 0;
   QObject::connect(&window_, &RemoteControl::changed, [&changes] { ++changes; });
   click("folder");
@@ -616,6 +620,7 @@ TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
 TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   Q_EMIT robot_.answered(false, "stand: the robot fell");
   EXPECT_TRUE(textOf("status").endsWith("stand: the robot fell"));
+  EXPECT_EQ(find<QLabel>("status")->toolTip(), "stand: the robot fell");
   EXPECT_TRUE(find<QLabel>("status")->styleSheet().contains("color"));
   Q_EMIT robot_.answered(true, "stand: the robot stands");
   EXPECT_EQ(find<QLabel>("status")->styleSheet(), "") << "it has succeeded";
@@ -709,8 +714,11 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   find<QAbstractButton>("listen")->click();
   find<QAbstractButton>("listen")->click();
   EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum()) << "nothing is heard yet";
+  QElapsedTimer patience;
+  patience.start();
   EXPECT_TRUE(QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); },
                               10000));
+  EXPECT_GE(patience.elapsed(), 2500) << "sound may take its time";
   open("Move");
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
   open("Sound");
@@ -733,6 +741,11 @@ TEST_F(RemoteControlTest, TheRobotSaysASentenceAndTheEscapeKeyStopsIt) {
   EXPECT_EQ(robot_.take(), QStringList("stop"));
   QTest::keyClick(text, Qt::Key_Return);
   EXPECT_EQ(robot_.take(), QStringList("say Good dog"));
+  EXPECT_EQ(text->selectedText(), "Good dog") << "the next sentence replaces it";
+  text->setText(QString(2000, 'a'));
+  EXPECT_LE(text->text().size(), 1000);
+  text->setText(" Sit ");
+  EXPECT_EQ(click("Say"), QStringList("say Sit"));
   EXPECT_EQ(click("Silence"), QStringList("stop sound"));
   text->clear();
   EXPECT_EQ(click("Say"), QStringList());
@@ -886,6 +899,10 @@ TEST_F(RemoteControlTest, EachJointIsInTheGroupOfItsLeg) {
   EXPECT_EQ(robot_.take(), QStringList("mouth -0.3"));
   robot_.connectIt(2, "R2D2");
   EXPECT_EQ(window_.findChild<JointSlider*>("mouth"), nullptr);
+  Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
+  robot_.connectIt();
+  Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
+  EXPECT_EQ(find<JointSlider>("mouth")->slider()->value(), -200);
 }
 
 class JointSliderTest : public ::testing::Test {
