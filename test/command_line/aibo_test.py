@@ -904,6 +904,7 @@ class WrongUsage(TestCase):
             self.assertEqual((result.returncode, result.stderr), (DONE, ""))
             return result.stdout
         self.assertEqual(done("--help"), done("help"))
+        self.assertRegex(done("help"), r"(?m)^Options of all commands:\n  --host NAME ")
         self.assertEqual(done("move", "--help"), done("help", "move"))
         self.assertIn("usage: aibo move JOINT=ANGLE...", done("help", "move"))
         self.assertRegex(done("help", "move"), r"(?m)^  aibo move head_pan=30deg +looks to the left$")

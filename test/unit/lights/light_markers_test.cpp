@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <set>
+#include <tuple>
 
 #include "robot_model/robot_model.h"
 
@@ -96,7 +98,8 @@ TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
     return position;
   };
   for (int number = 1; number < 15; number += number == 9 ? 4 : 2) {  // all but the two in the middle are in pairs
-    EXPECT_GT(place(number).y, 0.005) << number;
+    const double from_middle = std::hypot(place(number).x - 0.031, place(number).y - 0.005, place(number).z - 0.009);
+    EXPECT_NEAR(from_middle, 0.0355, 1e-9) << number << " is on one of two balls, one at each side";
     EXPECT_DOUBLE_EQ(place(number).y, -place(number + 1).y);
     EXPECT_DOUBLE_EQ(place(number).x, place(number + 1).x);
     EXPECT_DOUBLE_EQ(place(number).z, place(number + 1).z);
@@ -123,6 +126,25 @@ TEST(LightMarkers, SayWhenNothingHasChanged) {
 
 TEST(LightMarkers, ShowEachSensorThatIsTouchedOnItsLink) {
   LightMarkers lights("left");
+  const std::tuple<std::uint8_t Touch::*, const char*, double> places[] = {
+      {&Touch::back_front, "base_link", 0.030},
+      {&Touch::back_middle, "base_link", -0.004},
+      {&Touch::back_rear, "base_link", -0.038},
+      {&Touch::head, "head_tilt_link", -0.002},
+      {&Touch::chin, "mouth_link", 0.020},
+      {&Touch::paw_left_front, "left_front_foot_link", 0},
+      {&Touch::paw_left_hind, "left_hind_foot_link", 0},
+      {&Touch::paw_right_front, "right_front_foot_link", 0},
+      {&Touch::paw_right_hind, "right_hind_foot_link", 0}};
+  for (const auto& [place, link, x] : places) {
+    Touch one;
+    one.*place = 1;
+    EXPECT_TRUE(lights.setTouch(one));
+    ASSERT_EQ(shining(lights).size(), 1u) << link;
+    EXPECT_EQ(shining(lights)[0].header.frame_id, std::string("left/") + link);
+    EXPECT_EQ(shining(lights)[0].pose.position.x, x) << link;
+  }
+  lights.setTouch(Touch());
   Touch touch;
   touch.paw_right_hind = 1;
   lights.setTouch(touch);
