@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include "simulator/ers7/camera/camera_optics.h"
 
@@ -280,6 +281,33 @@ TEST(ImageSensor, EachBandOfTheFineDetailGoesToItsOwnPlane) {
       const double mean = sum / kPixels - 128;
       EXPECT_NEAR(mean, number == band ? 35 : 0, number == band ? 25 : 0.5) << band << " in " << number;
       ++number;
+    }
+  }
+}
+
+TEST(ImageSensor, BrightnessAndColoursHaveNoiseOfTheirOwn) {
+  constexpr std::size_t kPixels = std::size_t{kPictureWidth} * kPictureHeight;
+  YCrCbImage picture;
+  ImageSensor(1).expose(LightImage(kPixels, Color::Constant(0.3)), DetailImage(kPixels), CameraSettings(), 1, &picture);
+  const auto covariance = [](const YCrCbImage::Plane& one, const YCrCbImage::Plane& other) {
+    double sum = 0;
+    double sum_of_one = 0;
+    double sum_of_other = 0;
+    for (std::size_t i = 0; i < kPixels; ++i) {
+      sum += one[i] * other[i];
+      sum_of_one += one[i];
+      sum_of_other += other[i];
+    }
+    return sum / kPixels - sum_of_one / kPixels * sum_of_other / kPixels;
+  };
+  const std::vector<const YCrCbImage::Plane*> planes = {&picture.y,    &picture.cr,   &picture.cb,
+                                                        &picture.y_lh, &picture.y_hl, &picture.y_hh};
+  for (const YCrCbImage::Plane* one : planes) {
+    EXPECT_GT(covariance(*one, *one), 0.1);
+    for (const YCrCbImage::Plane* other : planes) {
+      if (one != other) {
+        EXPECT_LT(std::abs(covariance(*one, *other)), 0.1 * covariance(*one, *one));
+      }
     }
   }
 }

@@ -85,6 +85,7 @@ TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
         return std::chrono::nanoseconds(0);
       },
       [this] { return now_; });
+  work(milliseconds(40));  // before the handler
   const char pixels[16] = {};
   FilledOnRead image(pixels, sizeof(pixels));
   encoder_.on_notify = [&](const ONotifyEvent&) {
@@ -114,6 +115,41 @@ TEST_F(HandlerTimeTest, AnObjectKeepsItsDataUntilItHasFinished) {
   test_.system.handleMessages();
   EXPECT_EQ(region->NumberOfReference(), 1);
   region->RemoveReference();
+}
+
+// The encoder keeps the processor from objects of lower classes.
+TEST(HandlerTime, AnObjectComputesUnlessItsDescriptionSaysThatItWaits) {
+  for (const bool waits : {false, true}) {
+    TestSystem test;
+    std::chrono::nanoseconds now{0};
+    test.system.modelTime(
+        [](const std::string& object, Entry entry, std::chrono::nanoseconds) {
+          return milliseconds(object == "Upper" && entry == Entry::kNotify ? 20 : 0);
+        },
+        [&] { return now; });
+    TestObject& camera = test.add("Camera");
+    ObjectDescription description = TestObject::describe("Upper");
+    if (waits) {
+      description.waits = true;
+    }
+    auto& upper = static_cast<TestObject&>(test.system.create(description));
+    TestObject& lower = test.add("Lower", 112);
+    int handled = 0;
+    lower.on_notify = [&](const ONotifyEvent&) { ++handled; };
+    test.boot({{"Camera", "Upper"}, {"Camera", "Lower"}});
+    test.as(upper, [&] { upper.observer().AssertReady(); });
+    test.as(lower, [&] { lower.observer().AssertReady(); });
+    test.run();
+    test.as(camera, [&] {
+      camera.subject().SetData("image", 5);
+      camera.subject().NotifyObservers();
+    });
+    test.run();
+    EXPECT_EQ(handled, waits ? 1 : 0);
+    now = milliseconds(20);
+    test.run();
+    EXPECT_EQ(handled, 1);
+  }
 }
 
 TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {

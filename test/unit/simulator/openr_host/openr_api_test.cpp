@@ -141,6 +141,18 @@ TEST_F(OpenrApiTest, ObjectsReachNoFileOutsideOfTheMemoryStick) {
   });
 }
 
+TEST(OpenrApi, AnObjectIsTheRunningOneWhileItIsMade) {
+  TestSystem test;
+  ObjectDescription description = TestObject::describe("Made");
+  std::string running;
+  description.create = [&running] {
+    running = System::current().runningObject();
+    return std::make_unique<TestObject>();
+  };
+  test.system.create(description);
+  EXPECT_EQ(running, "Made");
+}
+
 // Declared in the SDK's MCOOP.h.
 TEST_F(OpenrApiTest, ARegionIsDeletedOnce) {
   asObject([] {

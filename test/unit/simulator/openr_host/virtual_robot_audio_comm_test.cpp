@@ -56,6 +56,10 @@ class VirtualRobotAudioCommTest : public testing::Test {
     EXPECT_EQ(info.samplingRate, 16000);
     EXPECT_EQ(info.bitsPerSample, 16);
     Heard heard{info.frameNumber, std::vector<OSoundSampleStereo16>(info.dataSize / 4)};
+    EXPECT_EQ(info.actualDataSize, info.dataSize);
+    EXPECT_EQ(info.maxDataSize, info.dataSize);
+    EXPECT_EQ(info.frameSize, 512u) << "8 ms";
+    EXPECT_EQ(info.format, osoundformatPCM);
     std::memcpy(heard.samples.data(), region.Base() + info.dataOffset, info.dataSize);
     heard_.push_back(heard);
   }
