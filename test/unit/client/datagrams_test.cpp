@@ -453,6 +453,22 @@ TEST_F(DatagramsTest, EachGroupOfALargePictureMayLoseADatagram) {
   EXPECT_THAT(delivered(), ElementsAre(1));
 }
 
+TEST_F(DatagramsTest, ADatagramThatWasRepairedAndComesLateIsADuplicate) {
+  startStream();
+  std::vector<Bytes> picture = nextLargePicture();
+  const Bytes of_first_group = picture[3];
+  const Bytes of_second_group = picture[10];
+  picture.erase(picture.begin() + 17);  // the parity of the second group
+  picture.erase(picture.begin() + 10);
+  picture.erase(picture.begin() + 3);
+  arrive(picture);
+  EXPECT_EQ(1u, counters_.repaired_datagrams);
+  arrive(of_first_group);
+  EXPECT_THAT(delivered(), IsEmpty()) << "a part of the second group is missing";
+  arrive(of_second_group);
+  EXPECT_THAT(delivered(), ElementsAre(1));
+}
+
 TEST_F(DatagramsTest, TwoLostDatagramsOfAGroupCannotBeRepaired) {
   startStream();
   std::vector<Bytes> picture = nextPicture(true);

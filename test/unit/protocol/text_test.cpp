@@ -54,6 +54,7 @@ TEST(PlainText, HasNoIncompleteCharacter) {
   for (const std::string character : {"\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x90\xb6"}) {
     for (size_t size = 1; size < character.size(); ++size) {
       EXPECT_FALSE(isPlain("a" + character.substr(0, size)));
+      EXPECT_FALSE(isPlainText(character.data(), size)) << "what follows is not of the text";
     }
   }
 }
