@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <vector>
 
 #include "protocol/camera_settings.h"
 #include "protocol/color_requests.h"
