@@ -4,10 +4,9 @@
 #include <OPENR/OList.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OUnits.h>
-#include <gmock/gmock.h>
-
 #include <dirent.h>
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -16,6 +15,8 @@
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <memory>
+#include <string>
 
 #include "support/temporary_folder.h"
 #include "test_system.h"
