@@ -763,6 +763,9 @@ class Lost(TestCase):
                     self.assertIsNone(watch.poll())
                 robot.end()
                 self.assertNotIn(b"no pictures", watch.stdout.readline())
+                while not (line := watch.stdout.readline()).startswith(b"no pictures: "):
+                    self.assertNotEqual(line, b"")
+                self.assertIn(b" the connection. ", line)
             finally:
                 watch.kill()
                 robot.end()
@@ -856,6 +859,16 @@ class Unreachable(TestCase):
         self.assertIn("Is another client connected?", self.aibo("joints", port=port, status=UNREACHABLE).errors)
         report = self.json("doctor", port=port, status=UNREACHABLE)
         self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
+
+    def test_a_server_that_measures_nothing(self):
+        problems = {("joints",): b"does not report its joints", ("sensors",): b"does not report its sensors",
+                    ("battery",): b"does not report its battery",
+                    ("move", "mouth=0deg"): b"does not report where its joints are, so none was moved"}
+        started = [start(*words, port=self.server(says_hello(b"RCServer"))) for words in problems]
+        for command, problem in zip(started, problems.values()):
+            with self.subTest(problem), command:
+                self.assertIn(problem, command.communicate()[1])
+                self.assertEqual(command.returncode, FAILED)
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))

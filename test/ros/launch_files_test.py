@@ -184,7 +184,10 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'),
                          {name[1:]: value for name, value in flat('', mapping)})
         self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
-        self.assertIn('/joy_node', nodes(resolve('teleop.launch', joy=True, joy_reader='joy_node')))
+        self.assertEqual(parameters(config)['/aibo_joy/dev'], '/dev/input/js0')
+        config = resolve('teleop.launch', joy=True, joy_reader='joy_node', joy_dev='/dev/input/js1')
+        self.assertIn('/joy_node', nodes(config))
+        self.assertEqual(driver_parameters(config, '/joy_node'), {'dev': '/dev/input/js1', 'autorepeat_rate': 20})
         self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_reader='none'))), ['/aibo/aibo_teleop_joy'])
 
     def test_the_model_has_the_frame_prefix(self):

@@ -502,6 +502,18 @@ TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
   EXPECT_TRUE(hears("leds back=0.75 face_1=0.25"));
 }
 
+TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
+  RobotState state;
+  state.stopped_by = "/anna";
+  tell("robot_state", state);
+  EXPECT_TRUE(hears("condition 0 0 /anna"));
+  notes_.clear();
+  robot_.useDriver("/told_too");
+  EXPECT_TRUE(hears("connection waiting for the driver in /told_too"));
+  EXPECT_EQ(notes_.filter("condition"), QStringList("condition 0 0 "));
+  EXPECT_TRUE(QTest::qWaitFor([this] { return publishers_["robot_state"].getNumSubscribers() == 0; }, kTimeout));
+}
+
 TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   MotionState state;
   state.text = "walks";

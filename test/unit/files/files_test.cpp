@@ -380,6 +380,9 @@ TEST(WithoutComments, APictureOfACameraStaysAsItIs) {
 
 TEST(WithoutComments, CommentsAndApplicationDataAreLeftOut) {
   const Bytes picture = test_pictures::make();
+  Bytes filled = picture;
+  filled.insert(filled.begin() + 2, 3, 0xFF);  // bytes that may precede a marker
+  EXPECT_EQ(withoutComments(filled), picture);
   const std::string key = "\nssh-rsa key of a stranger\n";
   EXPECT_EQ(withoutComments(withSegment(picture, 0xFE, key)), picture);
   EXPECT_EQ(withoutComments(withSegment(withSegment(picture, 0xFE, ""), 0xFE, std::string(65533, 'x'))), picture);

@@ -163,6 +163,7 @@ TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
   EXPECT_TRUE(find<QWidget>("Play")->isEnabled());
   EXPECT_TRUE(find<QWidget>("take_picture")->isEnabled());
   EXPECT_EQ(robot_.take(), QStringList()) << "it cannot list its motions";
+  EXPECT_EQ(textOf("connection"), "robot at robot:54321, connected (version 1)") << "it does not tell its kind";
 }
 
 TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASecondClickInFright) {
