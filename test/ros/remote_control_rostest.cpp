@@ -44,6 +44,7 @@
 #include <QTimer>
 #include <QtTest/QTest>
 #include <algorithm>
+#include <csignal>
 #include <functional>
 #include <map>
 #include <memory>
@@ -56,6 +57,7 @@
 #include "remote_control/joint_slider.h"
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
+#include "support/process.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
@@ -78,6 +80,8 @@ using aibo_driver::remote_control::PictureView;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
+using test_support::kSafetyNet;
+using test_support::Process;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
@@ -698,6 +702,20 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   answer(point->header, "the head turns");
   EXPECT_TRUE(hears("yes, look there: the head turns"));
   EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
+}
+
+TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceUntilCtrlC) {
+  const ros::Publisher driver = ros::NodeHandle("/window").advertise<Connection>("connection", 1, true);
+  Process program({AIBO_REMOTE_CONTROL, "__ns:=/window"}, {{"QT_QPA_PLATFORM", "offscreen"}});
+  EXPECT_TRUE(QTest::qWaitFor([&driver] { return driver.getNumSubscribers() > 0; }, kTimeout));
+  program.signal(SIGINT);
+  EXPECT_EQ(program.waitForExit(kSafetyNet), 0) << program.output();
+}
+
+TEST(RemoteControlProgram, SaysThatThereIsNoDisplay) {
+  Process program({AIBO_REMOTE_CONTROL}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", ""}});
+  EXPECT_EQ(program.waitForExit(kSafetyNet), 1);
+  EXPECT_THAT(program.output(), ::testing::HasSubstr("there is no display for its window (DISPLAY is not set)"));
 }
 
 TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {

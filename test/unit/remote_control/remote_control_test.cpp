@@ -87,6 +87,7 @@ TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   robot_.connectIt();
   window_.setFolder("/pictures");
   EXPECT_EQ(click("take_picture"), QStringList("picture /pictures"));
+  EXPECT_EQ(find<QAbstractButton>("take_picture")->text(), "Take picture");
   EXPECT_EQ(click("stop"), QStringList("stop"));
   EXPECT_EQ(click("Stand"), QStringList("stand"));
   EXPECT_EQ(click("Sit"), QStringList("sit"));
