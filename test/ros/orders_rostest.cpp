@@ -6,6 +6,7 @@
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
@@ -41,6 +42,7 @@ using test_support::kSafetyNet;
 using test_support::TopicListener;
 using test_support::trajectory;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 // More than the noise of a joint that stands.
@@ -157,6 +159,7 @@ TEST_P(OrdersTest, NothingMovesTheRobotBetweenStopAndRelease) {
     return state.stopped != 0 && state.stopped_by == ros::this_node::getName();
   };
   EXPECT_TRUE(user.robot_states.waitFor(is_stopped));
+  EXPECT_THAT(user.driver.output(), Not(HasSubstr("command of head_pan ends early"))) << "it was meant to";
   std::this_thread::sleep_for(milliseconds(300));
   user.states.clear();
   user.publish("joint_command", command({{"head_pan", -1.0}}));
@@ -255,6 +258,16 @@ TEST(Orders, PosturesAreTakenUnderAStreamOfVelocities) {
 
 TEST(Orders, ARobotThatWasLiftedDoesNotWalkByItself) {
   OrderUser user("/lifted");
+  TopicListener<nav_msgs::Odometry> odometry("/lifted/odom");
+  EXPECT_TRUE(user.call<Trigger>("stand").success);
+  user.robot.type("lift on");
+  EXPECT_TRUE(odometry.waitFor([](const nav_msgs::Odometry& odom) {
+    return odom.pose.covariance[0] > 0.9;  // m^2: it may be put down elsewhere
+  }));
+  user.robot_states.clear();
+  user.robot.type("lift off");
+  const auto stands = [](const RobotState& state) { return state.posture == RobotState::STANDING; };
+  ASSERT_TRUE(user.robot_states.waitFor(stands));
   ASSERT_TRUE(user.walks());
   user.states.clear();
   user.robot.type("lift on");
@@ -309,6 +322,9 @@ TEST(Orders, AMotionThatMayOrMayNotPlayIsSaidToUntilItIsKnown) {
   EXPECT_THAT(answer.message, StartsWith("NOD.MTN may or may not play"));
   EXPECT_TRUE(user.waitForMovement(Movement::MOTION));
   EXPECT_EQ(user.waitForEnd(Movement::MOTION).how, EndedMovement::DONE);
+  user.states.clear();
+  EXPECT_THAT(user.play("fly", 1).message, StartsWith("FLY.MTN may or may not play"));
+  EXPECT_EQ(user.waitForEnd(Movement::MOTION, EndedMovement::REFUSED).movement.name, "FLY.MTN");
 }
 
 TEST(Orders, AMotionIsStoppedByZeroRepetitions) {

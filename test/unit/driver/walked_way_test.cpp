@@ -150,6 +150,7 @@ TEST_F(WalkedWayTest, BecomesAMessage) {
   EXPECT_GT(odom.twist.covariance[35], 2 * odom.twist.covariance[0]) << "it mostly turns";
   measure({});
   EXPECT_LT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 1e-5) << "it stands";
+  EXPECT_GT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 0) << "0 would mean unknown";
 }
 
 }  // namespace

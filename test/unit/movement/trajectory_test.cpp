@@ -172,6 +172,7 @@ TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
   EXPECT_DOUBLE_EQ(trajectory.sample(0)[0], 0.05);
   EXPECT_DOUBLE_EQ(trajectory.sample(1)[0], 1);
   EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).duration(), 0);
+  EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).sample(0)[0], 0.05) << "it stays where it is";
 }
 
 TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
