@@ -109,6 +109,23 @@ TEST(Walk, IsSlowWithWeakMotorsToo) {
   EXPECT_LT(spreadOf(missing).highest, 0.3);
 }
 
+TEST(Walk, KeepsItsBalanceOnSlopes) {
+  for (const std::size_t floor : {4U, 5U}) {  // 6 degrees up and to the left
+    std::vector<double> missing;
+    std::vector<double> turns;
+    for (const World& world : physics::sampleOfWorlds(kWorlds, 1)) {
+      const World slope = onFloor(world, physics::unevenFloors()[floor]);
+      const Record record = physics::walk(slope, physics::always({0.1, 0, 0}), kSecondsOfDirection);
+      physics::print("slope", record, std::cout, false);
+      EXPECT_FALSE(record.fell) << describe(slope);
+      missing.push_back(errorOf(record, 0.1, 0));
+      turns.push_back(errorOf(record, 0, 2));
+    }
+    EXPECT_LT(spreadOf(missing).middle, 0.1);
+    EXPECT_LT(spreadOf(turns).middle, 0.08);
+  }
+}
+
 TEST(Walk, FollowsRandomCommands) {
   const Record record = physics::walk(World(), physics::randomly(physics::walkLimits(), 1), 120);
   physics::print("random", record, std::cout);

@@ -197,7 +197,8 @@ int JointMotion::StepTowards(int cruise) const {
 
 // The step to the target, or the nearest one within the limits. A joint that is too fast brakes.
 int JointMotion::FollowingStep() const {
-  const int step = std::min(std::max(target_ - position_, -step_limit_), step_limit_);
+  const int limit = step_limit_ - step_limit_ / 32;  // a motor at its highest speed has no torque left
+  const int step = std::min(std::max(target_ - position_, -limit), limit);
   return std::min(std::max(step, step_ - acceleration_), step_ + acceleration_);
 }
 

@@ -22,7 +22,8 @@
 /// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
 /// Motors lag and give way, so the legs walk at a different velocity from the one commanded. It is measured, and the
-/// command is made faster, slower or more to one side until the measured velocity is the wanted one.
+/// command is made faster, slower or more to one side until the measured velocity is the wanted one. The accelerometer
+/// tells how the robot leans, and its feet go nearer to that side.
 ///
 /// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
 /// cannot follow on the way to a posture, it gives way, and the robot tries another way.
@@ -172,6 +173,7 @@ class Walker {
   void ChangeVelocity();
   void CompareVelocity(unsigned frames);
   void CorrectVelocity();
+  void FeelLean(const FallWatch::Reading& reading, unsigned frames);
   void SetFeet(const protocol::version2::Velocity& velocity);
   void StandsAfterWalk();
   void ReplaceNext(const EndReason& reason);
@@ -231,6 +233,8 @@ class Walker {
   protocol::version2::Velocity expected_;    ///< what should be measured now
   protocol::version2::Velocity missing_;     ///< what is not measured of it, smoothed
   protocol::version2::Velocity correction_;  ///< of velocity_, so that it is measured
+  robot_model::Point lean_;                  ///< radian; more than it should, to the front and to the left, smoothed
+  robot_model::Point shift_;                 ///< of the feet, to where the robot leans
   double effort_;
   double phase_;
   int frames_since_steered_;

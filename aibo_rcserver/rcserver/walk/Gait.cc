@@ -20,6 +20,11 @@ const double OTHERS_IN_WAVES = 2;
 // m/s; the range of speeds in which the limits of the trot give way to those of the waves. Our choice.
 const double NARROWING = 0.05;
 
+// s; by how much more feet lag behind the body's way to the side than behind its way ahead, and m; how far ahead of the
+// shoulders' middle is what goes to the side in a turn. Found with the bench: the robot leans the least.
+const double LAG_ASIDE = 0.09;
+const double TURNS_AHEAD = 0.025;
+
 // The position of a point that accelerates evenly for `easing`, moves on, and slows down evenly for `easing` at the
 // end. Positions and times are shares of the whole.
 // @param from its speed at both ends
@@ -93,17 +98,18 @@ double StepParameters::*const NUMBERS[] = {
 
 // The numbers of a step are in the order of StepParameters, those of the waves in the order of WaveParameters.
 GaitParameters::GaitParameters() {
-  const StepParameters turning = {0.4437, 0.5105, 0.0145, 0.0266, 0.1148,  0.0156, 0.0151,
-                                  0.0197, 0.0008, 0.0163, 0.0195, -0.0052, 0.1237, 0.0368};
+  const StepParameters turning = {0.4279, 0.5032, 0.0161, 0.0280, 0.1171,  0.0143, 0.0150,
+                                  0.0210, 0.0033, 0.0208, 0.0245, -0.0197, 0.1100, 0.0260};
   const StepParameters fast = {0.54,   0.5038, 0.0054, 0.0384, 0.1232,  0.0129, 0.0165,
                                0.0105, 0.0045, 0.0161, 0.0117, -0.0725, 0.1314, 0.0458};
-  const StepParameters backing = {0.4461, 0.5129, 0.0076, 0.0368, 0.1152, 0.0146, 0.0158,
-                                  0.0135, 0.0130, 0.0117, 0.0218, 0.0022, 0.1067, 0.0381};
+  const StepParameters backing = {0.4733, 0.5195, 0.0063, 0.0299, 0.1105, 0.0139, 0.0153,
+                                  0.0119, 0.0104, 0.0100, 0.0246, 0.0048, 0.1497, 0.0238};
   const WaveParameters in_waves = {0.546,
                                    0.403,
                                    0.16,
                                    0.33,
                                    0.17,
+                                   0.18,
                                    {{{-0.6488, 0.1380, 0.0334, 0.0421, -0.1111, -0.0100, -0.0028, 0.0095, -0.0242},
                                      {0.1181, 0.0664, -0.0025},
                                      {0.9618, 0.3059, -0.1460, -0.0795, -0.0004, -0.0200, -0.0168, -0.0144, 0.0042}}},
@@ -120,9 +126,9 @@ GaitParameters::GaitParameters() {
   highest.turn = 1.5;
   fastest = 0.3;
   highest_of_legs.forward = 1.05 * highest.forward;
-  highest_of_legs.back = 1.06 * highest.back;
-  highest_of_legs.left = 1.15 * highest.left;
-  highest_of_legs.turn = 1.08 * highest.turn;
+  highest_of_legs.back = 1.08 * highest.back;
+  highest_of_legs.left = 1.14 * highest.left;
+  highest_of_legs.turn = 1.06 * highest.turn;
   fastest_of_legs = 1.1 * fastest;
 }
 
@@ -165,12 +171,15 @@ StepParameters Gait::StepAt(const Velocity& velocity) const {
   return step;
 }
 
-void Gait::FindPosture(double phase, const Velocity& velocity, double effort, LegAngles* angles) const {
+void Gait::FindPosture(double phase, const Velocity& velocity, double effort, LegAngles* angles,
+                       const Point& shift) const {
   const StepParameters step = StepAt(velocity);
   const double with_floor = step.duty + 2 * step.margin;
   const double sine = sin(step.nose_down);
   const double cosine = cos(step.nose_down);
   const double waves = ShareOfWaves(velocity.forward);
+  const double shift_ahead = effort * (1 - waves) * shift.x;
+  const double shift_left = effort * shift.y - LAG_ASIDE * (velocity.left + TURNS_AHEAD * velocity.turn);
   for (int i = 0; i < robot_model::NUMBER_OF_LEGS; ++i) {
     const Leg leg = static_cast<Leg>(i);
     const Point middle = FootMiddle(step, leg);
@@ -180,8 +189,8 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
     // The time in seconds that the foot needs from here to the middle of its line at the floor's speed.
     const double ahead = PlaceAt(step, time + step.margin) * with_floor * step.period - step.lag;
     const double aside = velocity.turn * middle.y;
-    const Point foot = {middle.x + ahead * (std::min(velocity.forward, parameters_.waves.none) - aside),
-                        middle.y + ahead * (velocity.left + velocity.turn * middle.x), middle.z + lift};
+    const Point foot = {middle.x + ahead * (std::min(velocity.forward, parameters_.waves.none) - aside) + shift_ahead,
+                        middle.y + ahead * (velocity.left + velocity.turn * middle.x) + shift_left, middle.z + lift};
     const Point in_body = {foot.x * cosine - foot.z * sine, foot.y, foot.x * sine + foot.z * cosine};
     findLegAngles(leg, in_body, &angles[i]);
     if (waves > 0) {
@@ -194,6 +203,11 @@ void Gait::FindPosture(double phase, const Velocity& velocity, double effort, Le
 double Gait::UnseenWay(const Velocity& velocity) const {
   const double waves = ShareOfWaves(velocity.forward);
   return parameters_.waves.unseen * waves * waves;
+}
+
+double Gait::NoseDown(const Velocity& velocity) const {
+  const double waves = ShareOfWaves(velocity.forward);
+  return (1 - waves) * StepAt(velocity).nose_down - waves * parameters_.waves.nose_up;
 }
 
 double Gait::ShareOfWaves(double forward) const {

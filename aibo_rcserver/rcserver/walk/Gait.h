@@ -54,6 +54,7 @@ struct WaveParameters {
   double none;        ///< m/s; up to this speed, the robot trots
   double all;         ///< m/s; from this speed on, the legs move in waves alone
   double unseen;      ///< UnseenWay() in waves alone
+  double nose_up;     ///< radian; how far the body leans back in waves alone
   LegWaves front;
   LegWaves hind;
 };
@@ -81,6 +82,9 @@ struct GaitParameters {
 /// on a straight line around its middle; in the air, it goes back to the other end of that line, and touches down with
 /// the speed of the floor. Knees are too slow for more than 200 mm/s of this. So above 160 mm/s, the angles of the
 /// joints come nearer and nearer to waves that repeat in each step. The hind knees are bent then, and the nose is up.
+///
+/// A robot that leans more than it should tips over its diagonal pairs of feet: a swinging foot hits the floor early,
+/// and the robot rocks. So the feet can be placed nearer to the side to which it leans.
 ///
 /// A pure function: it has no state, and the same arguments give the same angles. A robot that stands still is a robot
 /// that walks with velocity 0 and effort 0, whatever the phase is.
@@ -120,6 +124,9 @@ class Gait {
   /// and floors on the bench.
   double UnseenWay(const protocol::version2::Velocity& velocity) const;
 
+  /// How far the body leans forward on level ground, in radian.
+  double NoseDown(const protocol::version2::Velocity& velocity) const;
+
   /// True while a leg's foot is on the floor.
   /// @param phase of the step, 0..1
   static bool IsOnFloor(const StepParameters& step, robot_model::Leg leg, double phase) {
@@ -129,10 +136,11 @@ class Gait {
   /// Computes the angles of the legs.
   /// @param phase of the step, 0..1
   /// @param velocity that Limited() or LimitedForLegs() has returned
-  /// @param effort 0..1: share of the lift and of the waves; less than 1 at the beginning and the end of a walk
+  /// @param effort 0..1: share of the lift, the waves and the shift; less than 1 at the beginning and the end of a walk
   /// @param[out] angles of the four legs, in radian, in the order of robot_model::Leg
+  /// @param shift of all feet, in metres: x ahead, y to the left
   void FindPosture(double phase, const protocol::version2::Velocity& velocity, double effort,
-                   robot_model::LegAngles* angles) const;
+                   robot_model::LegAngles* angles, const robot_model::Point& shift = robot_model::Point()) const;
 
  private:
   static double LegPhase(robot_model::Leg leg, double phase);

@@ -130,6 +130,16 @@ TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
   EXPECT_THAT(inForce(forward, left, 0), ElementsAre(forward / 2, left / 2, 0)) << "they share the legs' speed";
 }
 
+TEST_F(WalkTest, PutsItsFeetToTheSideToWhichItLeans) {
+  for (const int left : {-600000, 600000}) {
+    robot_.sensor("acceleration_up_down") = -9806650;
+    robot_.sensor("acceleration_right_left") = -left;
+    walk();
+    const int outward = robot_.joint("left_front_elevator").position - robot_.joint("right_front_elevator").position;
+    EXPECT_GT(left > 0 ? outward : -outward, 150000);
+  }
+}
+
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK | TELEMETRY_WITH_DUTY, std::string("\0\4", 2)).header.id, 3);
   pass(20);

@@ -122,6 +122,20 @@ TEST_F(GaitTest, LiftsEachFootAsHighAsTheEffortSays) {
   }
 }
 
+TEST_F(GaitTest, ShiftsAllFeetAsFarAsTheEffortSays) {
+  for (const double effort : {1.0, 0.4}) {
+    Legs shifted;
+    gait_.FindPosture(0.3, {0.1, 0, 0.1}, effort, shifted.data(), {0.01, -0.005, 0});
+    for (const Leg leg : kLegs) {
+      const std::size_t i = static_cast<std::size_t>(leg);
+      const Point from = findFoot(leg, legs(0.3, {0.1, 0, 0.1}, effort)[i]);
+      const Point to = findFoot(leg, shifted[i]);
+      EXPECT_NEAR(to.x - from.x, effort * 0.01, 1e-4);
+      EXPECT_NEAR(to.y - from.y, effort * -0.005, 1e-4);
+    }
+  }
+}
+
 // A foot that touches down slower or faster than the floor drags or brakes the robot.
 TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
   constexpr double kStep = 1e-4;

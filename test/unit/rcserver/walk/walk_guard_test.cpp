@@ -327,7 +327,7 @@ TEST_F(WalkGuardTest, APawThatFindsNoFloorEndsTheWalk) {
   walk(kForward, 1, reading);
   EXPECT_THAT(objection(kForward), HasSubstr("the left front paw finds no floor"));
   look(onFloor());
-  EXPECT_THAT(objection({0.05, 0, 0.3}), HasSubstr("the floor ends there"));
+  EXPECT_THAT(objection({0.05, 0, 0.4}), HasSubstr("the floor ends there"));
   EXPECT_EQ(objection(kBack), "");
 }
 
