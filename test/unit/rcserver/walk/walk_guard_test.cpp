@@ -246,7 +246,9 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
   LegAngles legs[NUMBER_OF_LEGS];
   gait_.FindPosture(0, {0, 0, 0}, 0, legs);
   const double toes = findFoot(robot_model::LEFT_FRONT_LEG, legs[robot_model::LEFT_FRONT_LEG]).x + 0.04;
-  const double edge = 0.109 + 0.223 * 0.866;  // where the chest sensor looks
+  const StepParameters stance = gait_.StepAt({0, 0, 0});
+  const double sensor = stance.height - 0.0034 - 0.109 * std::sin(stance.nose_down);
+  const double edge = 0.109 + 0.866 * sensor / std::sin(M_PI / 6 + stance.nose_down);  // where the sensor looks
   look(atEdge());
   look(onFloor());
   EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.007);
