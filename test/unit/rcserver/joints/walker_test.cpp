@@ -142,7 +142,10 @@ class WalkerTest : public ::testing::Test {
       ASSERT_LE(std::abs(now[i] - before[i]) * kFramesASecond, robot_.joints[joint].highest_speed);
       fastest_ = std::max(fastest_, std::abs(now[i] - before[i]) * kFramesASecond);
       if (walker().State() == protocol::version2::WALK_STATE_WALKS && walker().Moves(joint)) {
-        farthest_lag_ = std::max(farthest_lag_, std::abs(joints_.Planner().Target(joint) - now[i]));
+        const int lag = std::abs(joints_.Planner().Target(joint) - now[i]);
+        farthest_lag_ = std::max(farthest_lag_, lag);
+        steps_ += 1;
+        late_steps_ += lag > kDegree ? 1 : 0;
       }
     }
   }
@@ -200,8 +203,11 @@ class WalkerTest : public ::testing::Test {
   FallWatch::Reading reading_ = kUpright;
   unsigned frame_ = 0;
   unsigned frames_since_report_ = 0;
-  int fastest_ = 0;       // microradian/s
-  int farthest_lag_ = 0;  // microradian
+  int fastest_ = 0;                      // microradian/s
+  static constexpr int kDegree = 17453;  // microradian
+  int farthest_lag_ = 0;                 // microradian
+  int steps_ = 0;                        // of all joints
+  int late_steps_ = 0;                   // those that lag by more than a degree
 };
 
 // -------------------------------------------------------------------------------------------------------------- walk
@@ -250,7 +256,7 @@ TEST_F(WalkerTest, TellsTheWayOfTheFeet) {
   EXPECT_NEAR(way, commanded, 0.01) << "and slows down";
 }
 
-// What a joint lags behind is what a foot slips.
+// What a joint lags behind is what a foot slips. While the velocity changes a lot, a joint may be late for some frames.
 TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> any(-1, 1);
@@ -263,7 +269,8 @@ TEST_F(WalkerTest, NoJointComesNearItsLimitsWhateverIsSteered) {
     }
     steer(velocity, 10 + static_cast<int>((any(random) + 1) * 100));
   }
-  EXPECT_LT(farthest_lag_, 17453) << "1 degree";
+  EXPECT_LT(farthest_lag_, 4 * kDegree);
+  EXPECT_LT(late_steps_, steps_ / 20000);
 }
 
 TEST_F(WalkerTest, SharesTheLegsSpeedWhileTheVelocityChanges) {
