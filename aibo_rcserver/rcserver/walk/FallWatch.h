@@ -13,9 +13,10 @@
 ///   have touched the floor at once since it stood up: they may be broken, the robot may be hung up for a test, or it
 ///   may lie on its shanks.
 ///
-/// A verdict counts when it has been the same for PATIENCE, and a fall when the robot has lain for so long, even if it
-/// tumbles from one side to another. A reading far below gravity, such as that of a missing
-/// accelerometer, is ignored.
+/// The acceleration is a mean of the last reports, because the legs of a robot that has fallen shake it while they
+/// still walk. A verdict counts when it has been the same for PATIENCE, and a fall when the robot has lain for so long,
+/// even if it tumbles from one side to another. A mean far below gravity, such as that of a missing accelerometer, is
+/// ignored.
 class FallWatch {
  public:
   enum Verdict { UPRIGHT, ON_LEFT_SIDE, ON_RIGHT_SIDE, UPSIDE_DOWN, CARRIED };
@@ -33,7 +34,7 @@ class FallWatch {
     bool paws[robot_model::NUMBER_OF_LEGS];  ///< those that touch the floor, in the order of robot_model::Leg
   };
 
-  FallWatch() : verdict_(UPRIGHT), since_(0), candidate_(UPRIGHT), candidate_since_(0), paws_work_(false) {}
+  FallWatch() : mean_(), verdict_(UPRIGHT), since_(0), candidate_(UPRIGHT), candidate_since_(0), paws_work_(false) {}
 
   /// Call for each report of the sensors.
   /// @param stands true if the robot stands or walks
@@ -42,7 +43,7 @@ class FallWatch {
 
   Verdict Now() const { return verdict_; }
 
-  /// The verdict of the last report alone.
+  /// The verdict of the mean of the last reports.
   Verdict Last() const { return candidate_; }
 
   /// True if the robot lies on its side or its back.
@@ -57,6 +58,7 @@ class FallWatch {
  private:
   Verdict Judge(const Reading& reading, bool stands);
 
+  Reading mean_;  ///< of the last reports; the paws are those of the last one
   Verdict verdict_;
   unsigned since_;  ///< frame
   Verdict candidate_;

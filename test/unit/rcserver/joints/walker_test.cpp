@@ -558,7 +558,7 @@ TEST_F(WalkerTest, SaysHowTheRobotIs) {
   pass(60);
   EXPECT_EQ(now(), POSTURE_CARRIED);
   reading_ = kOnItsSide;
-  pass(60);
+  pass(80);
   EXPECT_EQ(now(), POSTURE_FALLEN);
 }
 
@@ -787,7 +787,7 @@ TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
   reading_ = kOnItsSide;
   steer({0.1, 0, 0}, 24);
   EXPECT_TRUE(walker().IsActive()) << "a knock";
-  pass(40);
+  pass(52);
   EXPECT_FALSE(walker().IsActive());
   EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its right side"));
   EXPECT_THAT(walker().Problem(POSTURE_SIT), HasSubstr("the robot lies on its right side"));

