@@ -239,6 +239,17 @@ TEST_F(WalkerTest, SaysTheVelocityInForce) {
   EXPECT_DOUBLE_EQ(joints_.Steer({gait.highest.forward, 0, gait.highest.turn}).turn, gait.highest.turn / 2);
 }
 
+TEST_F(WalkerTest, WalksNoFasterThanItTrotsWhereTheGroundIsSteep) {
+  for (const double lean : {0.01, 0.1, -0.1}) {
+    // As far back as it leans at 250 mm/s, which is near to how it leans at 200 and at 300.
+    reading_ = {0.124 * kGravity, lean * kGravity, kGravity, {true, true, true, true}};
+    steer({0.3, 0, 0}, 700);
+    walker().TakeVelocity();
+    steer({0.3, 0, 0}, 125);
+    EXPECT_NEAR(walker().TakeVelocity().forward, lean == 0.01 ? 0.3 : 0.2, 0.03) << lean;
+  }
+}
+
 // The sum of what telemetry says is the way: what odometry needs.
 TEST_F(WalkerTest, TellsTheWayOfTheFeet) {
   walker().TakeVelocity();
