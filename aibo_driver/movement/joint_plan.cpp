@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "text/number.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -29,20 +29,14 @@ constexpr milliseconds kLongestSilence{5000};
 
 constexpr const char* kNewer = "a newer trajectory moves its joints";
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.2f", value);
-  return text;
-}
-
 // Says how far a joint is from its target, in words that follow the joint's name. The text is empty if it has arrived.
 std::string describeDistance(const MeasuredJoint& measured, double target, const Tolerance& tolerance) {
   const double way = std::abs(measured.position - target);
   if (!(way <= tolerance.position)) {
-    return " is " + number(way) + " rad from where it was sent";
+    return " is " + text::decimal(way, 2) + " rad from where it was sent";
   }
   if (tolerance.speed && !(std::abs(measured.velocity) <= *tolerance.speed)) {
-    return " still moves with " + number(measured.velocity) + " rad/s";
+    return " still moves with " + text::decimal(measured.velocity, 2) + " rad/s";
   }
   return "";
 }
@@ -305,12 +299,10 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
     const std::optional<std::size_t> joint = table_.findByName(name);
     const std::optional<MeasuredJoint> measured = joint ? measured_.find(*joint) : std::nullopt;
     if (measured && now - measured->arrival > job.oldest) {
-      char text[160];
-      std::snprintf(text, sizeof(text),
-                    "was last measured %.1f s ago, and a trajectory needs to know where it is: "
-                    "at most %.1f s are allowed. Does joint_states still come?",
-                    seconds(now - measured->arrival), seconds(job.oldest));
-      throw aibo_client::InvalidArgumentException(name + " " + text);
+      throw aibo_client::InvalidArgumentException(
+          name + " was last measured " + text::decimal(seconds(now - measured->arrival), 1) +
+          " s ago, and a trajectory needs to know where it is: at most " + text::decimal(seconds(job.oldest), 1) +
+          " s are allowed. Does joint_states still come?");
     }
   }
 }

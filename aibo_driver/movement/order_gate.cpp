@@ -1,6 +1,6 @@
 #include "movement/order_gate.h"
 
-#include <cstdio>
+#include "text/number.h"
 
 namespace aibo_driver::movement {
 
@@ -19,10 +19,8 @@ std::string OrderGate::refusal(const Order& order, SteadyTime now, bool may_act_
     return "it came before " + overruled_by_;
   }
   if (now - order.received > kLongestWait) {
-    char text[64];
-    std::snprintf(text, sizeof(text), "too old: it has waited for %.1f s, and 0.5 s are allowed",
-                  std::chrono::duration<double>(now - order.received).count());
-    return text;
+    const double waited = std::chrono::duration<double>(now - order.received).count();
+    return "too old: it has waited for " + text::decimal(waited, 1) + " s, and 0.5 s are allowed";
   }
   return "";
 }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "text/number.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -27,9 +27,7 @@ constexpr double kStartTolerance = 0.1;  // rad
 }
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f", value);
-  return text;
+  return text::decimal(value, 3);
 }
 
 bool allFinite(const std::vector<double>& values) {

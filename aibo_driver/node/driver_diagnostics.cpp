@@ -4,11 +4,11 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 
-#include <cstdio>
 #include <utility>
 
 #include "node/camera/camera_options.h"
 #include "node/connection_publisher.h"
+#include "text/number.h"
 
 namespace aibo_driver::node {
 
@@ -21,12 +21,6 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 using diagnostic_updater::DiagnosticStatusWrapper;
 
-std::string oneDecimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", value);
-  return text;
-}
-
 // A stream that has just begun or has a short gap is not faulty.
 constexpr double kSlowTime = 2.0;  // seconds
 
@@ -35,7 +29,7 @@ constexpr double kLate = 0.25;  // seconds
 
 void reportDelay(const robot_time::RobotClock::Reading& reading, DiagnosticStatusWrapper& status) {
   if (reading.mean_delay > kLate) {
-    status.mergeSummary(DiagnosticStatus::WARN, "the robot's data is " + oneDecimal(1000 * reading.mean_delay) +
+    status.mergeSummary(DiagnosticStatus::WARN, "the robot's data is " + text::decimal(1000 * reading.mean_delay, 1) +
                                                     " ms late on average: is the radio link weak, or this computer "
                                                     "busy?");
   }
@@ -125,9 +119,9 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("streaming", yesOrNo(sources_.client.streaming()));
   status.add("adaptive", sources_.adapter.describe());
   status.add("quality asked for", sources_.client.jpegQuality());
-  status.add("pictures per second", oneDecimal(reading.picturesPerSecond()));
-  status.add("pictures per second asked for", oneDecimal(period_.asked_rate));
-  status.add("KB per second", oneDecimal(reading.kilobytesPerSecond()));
+  status.add("pictures per second", text::decimal(reading.picturesPerSecond(), 1));
+  status.add("pictures per second asked for", text::decimal(period_.asked_rate, 1));
+  status.add("KB per second", text::decimal(reading.kilobytesPerSecond(), 1));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
   status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
   status.add("pictures received", client.pictures);
@@ -169,13 +163,13 @@ void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
                                                " damaged pictures dropped: is the RCServer on the robot the one that "
                                                "belongs to this driver, and its memory stick in order?");
   } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
-    status.summary(DiagnosticStatus::WARN, "only " + oneDecimal(reading.picturesPerSecond()) + " of " +
-                                               oneDecimal(period_.asked_rate) +
+    status.summary(DiagnosticStatus::WARN, "only " + text::decimal(reading.picturesPerSecond(), 1) + " of " +
+                                               text::decimal(period_.asked_rate, 1) +
                                                " pictures/s: is the radio link weak, or the robot or this computer "
                                                "busy?");
   } else if (reading.pictures > 0) {
-    status.summary(DiagnosticStatus::OK, oneDecimal(reading.picturesPerSecond()) + " pictures/s, " +
-                                             oneDecimal(reading.kilobytesPerSecond()) + " KB/s");
+    status.summary(DiagnosticStatus::OK, text::decimal(reading.picturesPerSecond(), 1) + " pictures/s, " +
+                                             text::decimal(reading.kilobytesPerSecond(), 1) + " KB/s");
   } else if (!sources_.policy.wanted()) {
     status.summary(DiagnosticStatus::OK, "idle: the stream is off (set_streaming turns it on)");
   } else if (sources_.policy.waitsForSubscriber()) {
@@ -209,12 +203,12 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   } else if (sources_.settings.telemetryPeriod() == 0) {
     status.summary(DiagnosticStatus::OK, "idle: telemetry_rate is 0");
   } else if (period_.measurement_rate > 0) {
-    status.summary(DiagnosticStatus::OK, oneDecimal(period_.measurement_rate) + " measurements/s");
+    status.summary(DiagnosticStatus::OK, text::decimal(period_.measurement_rate, 1) + " measurements/s");
   } else {
     status.summary(DiagnosticStatus::WARN, "the robot sends no joint positions: does its RCServer support joints?");
   }
   reportWhatCannotMove(status);
-  status.add("measurements per second", oneDecimal(period_.measurement_rate));
+  status.add("measurements per second", text::decimal(period_.measurement_rate, 1));
   status.add("measurements received", client.telemetry);
   status.add("measurements dropped for newer ones", client.dropped_telemetry);
   status.add("measurements dropped, more than asked for", client.thinned_telemetry);
@@ -253,7 +247,7 @@ void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
   }
   status.add("listening", yesOrNo(listens));
   status.add("playing", yesOrNo(sources_.player.isPlaying()));
-  status.add("messages per second", oneDecimal(period_.sound_rate));
+  status.add("messages per second", text::decimal(period_.sound_rate, 1));
   status.add("messages", client.sounds);
   status.add("gaps", client.sound_gaps);
   status.add("messages dropped, more than asked for", client.thinned_sounds);

@@ -1,10 +1,10 @@
 #include "sound/player.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "text/number.h"
 
 namespace aibo_driver::sound {
 
@@ -29,9 +29,7 @@ std::chrono::duration<double> timeUntilRoom(std::size_t room) {
 }
 
 std::string secondsOf(std::uint32_t samples) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", samples / static_cast<double>(kSoundRate));
-  return text;
+  return text::decimal(samples / static_cast<double>(kSoundRate), 1) + " s";
 }
 
 std::string describe(const SoundEnd& end, const std::string& problem) {

@@ -14,13 +14,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "node/node.h"
+#include "text/number.h"
 #include "text/plain_text.h"
 #include "tools/node_process.h"
 
@@ -135,10 +135,8 @@ class Monitor {
     if (!used || !used_before) {
       return "unknown share";
     }
-    char text[32];
     const double share = std::chrono::duration<double>(*used - *used_before) / std::chrono::duration<double>(elapsed);
-    std::snprintf(text, sizeof text, "%.1f %%", 100.0 * share);
-    return text;
+    return text::decimal(100.0 * share, 1) + " %";
   }
 
   const double seconds_;

@@ -14,6 +14,7 @@
 #include "command_line/local_clients.h"
 #include "command_line/quantities.h"
 #include "command_line/stream_report.h"
+#include "text/number.h"
 
 namespace aibo_driver::command_line {
 
@@ -55,9 +56,7 @@ double secondsSince(steady_clock::time_point begin) {
 }
 
 std::string inMilliseconds(double seconds) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f ms", 1000 * seconds);
-  return text;
+  return text::decimal(1000 * seconds, 1) + " ms";
 }
 
 std::string numericAddress(const aibo_client::SocketAddress& address) {

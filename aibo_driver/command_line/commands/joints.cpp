@@ -14,6 +14,7 @@
 #include "movement/joint_table.h"
 #include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
+#include "text/number.h"
 
 namespace aibo_driver::command_line {
 
@@ -37,9 +38,7 @@ double roundedDegrees(double radian) {
 }
 
 std::string inDegrees(double radian) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f degrees", roundedDegrees(radian));
-  return text;
+  return text::decimal(roundedDegrees(radian), 1) + " degrees";
 }
 
 /// The targets of joints.

@@ -3,10 +3,10 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
-#include <cstdio>
 #include <string>
 
 #include "node/body/sensor_messages.h"
+#include "text/number.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -27,9 +27,7 @@ void updateFrom(const aibo_client::Telemetry& telemetry, const robot_model::Robo
 }
 
 std::string rounded(double value, const char* unit) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.0f %s", value, unit);
-  return text;
+  return text::decimal(value, 0) + " " + unit;
 }
 
 void warnOfCharge(double charge, DiagnosticStatusWrapper& status) {

@@ -2,17 +2,14 @@
 
 #include <ros/console.h>
 
-#include <cstdio>
-
 #include "node/camera/camera_options.h"
+#include "text/number.h"
 
 namespace aibo_driver::node {
 namespace {
 
 std::string rateOf(int every_nth_image) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f", frameRateOf(every_nth_image));
-  return text;
+  return text::decimal(frameRateOf(every_nth_image), 1);
 }
 
 int inMilliseconds(double seconds) {

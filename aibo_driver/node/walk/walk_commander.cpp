@@ -4,9 +4,9 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 
 #include "node/orders.h"
+#include "text/number.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -49,9 +49,7 @@ void WalkCommander::receive(const Twist& message, const movement::Order& order) 
 }
 
 void WalkCommander::runOut() {
-  char text[64];
-  std::snprintf(text, sizeof(text), "no cmd_vel came for %.1f s", Seconds(settings_.timeout).count());
-  mover_.stopWalking(text);
+  mover_.stopWalking("no cmd_vel came for " + text::decimal(Seconds(settings_.timeout).count(), 1) + " s");
 }
 
 }  // namespace aibo_driver::node
