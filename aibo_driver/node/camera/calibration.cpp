@@ -218,6 +218,7 @@ std::string Calibration::store(const CameraInfo& info) {
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   stored_ = info;
+  misfit_reported_ = false;
   return {};
 }
 
