@@ -28,8 +28,6 @@ class ClientExperiment : public Experiment {
   Outcome run(unsigned trial, Random& random) final;
 
  protected:
-  static constexpr std::chrono::milliseconds kPatience{20000};
-
   virtual Outcome attempt(unsigned trial, Random& random) = 0;
 
   int version() const { return version_; }

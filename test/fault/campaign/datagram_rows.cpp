@@ -21,8 +21,6 @@ namespace {
 using aibo_client::PictureTransport;
 using interposers::DatagramFault;
 
-constexpr std::chrono::seconds kPatience{20};
-
 /// Makes one kind of fault, to about every third datagram.
 class AnyDatagramFault final : public DatagramFault {
  public:

@@ -19,6 +19,9 @@ using namespace test_support;
 using Random = std::mt19937;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
+/// How long a trial waits for what has to happen.
+constexpr std::chrono::seconds kPatience{20};
+
 /// The result of one trial.
 struct Outcome {
   std::optional<Milliseconds> recovery;  ///< from the end of the fault to the first good picture

@@ -24,7 +24,6 @@ namespace version2 = protocol::version2;
 namespace fault_bench {
 namespace {
 
-constexpr milliseconds kPatience{20000};
 // Pictures that waited during a pause of 5 s are older than this. Those that a busy computer delays are not.
 constexpr milliseconds kStale{3000};
 const std::string kStream = "W\x55";

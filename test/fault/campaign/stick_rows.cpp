@@ -22,8 +22,6 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-constexpr milliseconds kStickPatience{20000};
-
 struct StickFault {
   StickState state;
   const char* reason;  ///< in the robot's words; null: the picture is stored, later
@@ -91,7 +89,7 @@ class StickExperiment : public Experiment {
   /// @return empty, or why there is no picture
   std::string take() {
     try {
-      taken_.push_back(client_.takePictureOnRobot(85, kStickPatience));
+      taken_.push_back(client_.takePictureOnRobot(85, kPatience));
       return "";
     } catch (const CommandException& error) {
       return error.what();
@@ -119,13 +117,13 @@ class StickExperiment : public Experiment {
                                     std::to_string(taken_.size()));
     }
     for (const std::string& name : taken_) {
-      client_.deletePicture(name, kStickPatience);
+      client_.deletePicture(name, kPatience);
     }
     taken_.clear();
   }
 
   void awaitPictures(int count) {
-    const TimePoint end = steady_clock::now() + kStickPatience;
+    const TimePoint end = steady_clock::now() + kPatience;
     for (const int before = pictures_; pictures_ < before + count;) {
       if (steady_clock::now() > end) {
         throw std::runtime_error("no picture came any more");
