@@ -86,7 +86,7 @@ version2_frames::Frame ScriptedPeer::readRequest() {
 void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {
   const protocol::BasicGetCommand question = readCommand();
   if (question.command != protocol::REQUEST_NEWER_VERSION) {
-    throw std::runtime_error("the client has not asked for version 2");
+    throw std::runtime_error("the client has not asked for version 2, but sent " + std::string(1, question.command));
   }
   send({'x', 2, 0, 0});
   const int number = readFrame().header.request_number;
