@@ -10,8 +10,6 @@
 namespace aibo_driver::command_line {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 struct Unit {
   const char* name;
   double size;
@@ -60,11 +58,11 @@ std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, 
 }
 
 double parseAngle(const std::string& what, const std::string& text) {
-  return parseWithUnit(what, text, {{"deg", kPi / 180}, {"rad", 1}}, "a number with its unit: 30deg or 0.52rad");
+  return parseWithUnit(what, text, {{"deg", M_PI / 180}, {"rad", 1}}, "a number with its unit: 30deg or 0.52rad");
 }
 
 double parseAngularSpeed(const std::string& what, const std::string& text) {
-  return parseWithUnit(what, text, {{"deg/s", kPi / 180}, {"rad/s", 1}},
+  return parseWithUnit(what, text, {{"deg/s", M_PI / 180}, {"rad/s", 1}},
                        "a number with its unit: 30deg/s or 0.52rad/s");
 }
 
@@ -95,7 +93,7 @@ int parseWholeNumber(const std::string& what, const std::string& text, int lowes
 }
 
 double degrees(double radian) {
-  return radian * 180 / kPi;
+  return radian * 180 / M_PI;
 }
 
 std::chrono::nanoseconds nanosecondsOf(double seconds) {

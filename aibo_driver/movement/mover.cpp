@@ -96,8 +96,8 @@ std::string reasonOf(const std::exception& error) {
 
 // The sender of an order chooses a part of the reason. It is published, remembered, and sent to other nodes.
 EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) {
-  constexpr std::size_t kLongest = 1000;
-  return {std::move(movement), how, text::plainLine(reason, kLongest)};
+  constexpr std::size_t kLongestReason = 1000;
+  return {std::move(movement), how, text::plainLine(reason, kLongestReason)};
 }
 
 }  // namespace

@@ -20,9 +20,9 @@ namespace {
 constexpr std::chrono::milliseconds kPlayTimeout{2000};
 constexpr std::chrono::milliseconds kFileTimeout{5000};
 constexpr std::chrono::milliseconds kUploadTimeout{15000};
-constexpr double kLongestPlay = 3600;  // s
-constexpr double kLowestSpeed = 0.1;   // rad/s, as in the driver
-constexpr double kBlindPlay = 10;      // s, for a server that does not report ends
+constexpr double kLongestPlay = 3600;       // s
+constexpr double kLowestMotionSpeed = 0.1;  // rad/s, as in the driver
+constexpr double kBlindPlay = 10;           // s, for a server that does not report ends
 
 ExitStatus list(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
@@ -58,7 +58,7 @@ ExitStatus play(const Arguments& arguments, Output& output) {
   double seconds = limited ? arguments.number("seconds", 0.1, kLongestPlay) : kLongestPlay;
   const double speed =
       arguments.has("speed") ? parseAngularSpeed("--speed", arguments.get("speed")) : movement::kNoSpeedLimit;
-  if (!(speed >= kLowestSpeed && speed <= movement::kNoSpeedLimit)) {
+  if (!(speed >= kLowestMotionSpeed && speed <= movement::kNoSpeedLimit)) {
     throw aibo_client::InvalidArgumentException("--speed must be from 5.8deg/s (0.1 rad/s) to 1145deg/s (20 rad/s)");
   }
   Robot robot(arguments.robot, output);

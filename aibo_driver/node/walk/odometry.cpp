@@ -5,10 +5,8 @@
 namespace aibo_driver::node {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // With a standard deviation of half a turn, the direction is unknown.
-constexpr double kLargestTurnVariance = kPi * kPi;
+constexpr double kLargestTurnVariance = M_PI * M_PI;
 
 double square(double value) {
   return value * value;
@@ -28,7 +26,7 @@ void Odometry::walk(const aibo_client::WalkVelocity& velocity, double time) {
   const double way_y = forward * std::sin(direction) + left * std::cos(direction);
   x_ += way_x;
   y_ += way_y;
-  yaw_ = std::remainder(yaw_ + turn, 2 * kPi);
+  yaw_ = std::remainder(yaw_ + turn, 2 * M_PI);
 
   Eigen::Matrix3d change = Eigen::Matrix3d::Identity();
   change(0, 2) = -way_y;

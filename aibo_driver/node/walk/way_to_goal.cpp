@@ -9,8 +9,6 @@ using aibo_client::WalkVelocity;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // The robot stops at the place when it is so close, and goes there again when it is as far away as this.
 constexpr double kStopAt = 0.02;         // m
 constexpr double kGoAgainAt = 0.04;      // m
@@ -38,7 +36,7 @@ double turnFor(double angle) {
 PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose) {
   return {origin.x + pose.x * std::cos(origin.yaw) - pose.y * std::sin(origin.yaw),
           origin.y + pose.x * std::sin(origin.yaw) + pose.y * std::cos(origin.yaw),
-          std::remainder(origin.yaw + pose.yaw, 2 * kPi)};
+          std::remainder(origin.yaw + pose.yaw, 2 * M_PI)};
 }
 
 WalkVelocity WayToGoal::velocityAt(const PlanePose& here) {
@@ -48,7 +46,7 @@ WalkVelocity WayToGoal::velocityAt(const PlanePose& here) {
     const double turn = turnFrom(here);
     return {0, 0, std::abs(turn) <= kStopTurningAt ? 0 : turnFor(turn)};
   }
-  const double bearing = std::remainder(std::atan2(goal_.y - here.y, goal_.x - here.x) - here.yaw, 2 * kPi);
+  const double bearing = std::remainder(std::atan2(goal_.y - here.y, goal_.x - here.x) - here.yaw, 2 * M_PI);
   if (distance <= kAnyDirection) {
     return {kSlowly * std::cos(bearing), kSlowly * std::sin(bearing), 0};
   }
@@ -61,7 +59,7 @@ double WayToGoal::distanceFrom(const PlanePose& here) const {
 }
 
 double WayToGoal::turnFrom(const PlanePose& here) const {
-  return std::remainder(goal_.yaw - here.yaw, 2 * kPi);
+  return std::remainder(goal_.yaw - here.yaw, 2 * M_PI);
 }
 
 bool WayToGoal::hasArrived(const PlanePose& here) const {

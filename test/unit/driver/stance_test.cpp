@@ -93,7 +93,7 @@ TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   EXPECT_THAT(stance.foot_on_floor, Each(false));
 }
 
-geometry_msgs::Vector3 toMessage(const Vector3d& vector) {
+geometry_msgs::Vector3 vectorMessage(const Vector3d& vector) {
   geometry_msgs::Vector3 message;
   message.x = vector.x();
   message.y = vector.y();
@@ -112,14 +112,14 @@ TEST(BodyPoseTest, IsThatOfTheLegsAndOfTheSmoothedAcceleration) {
   };
   BodyPose pose;
   EXPECT_FALSE(pose.isKnown());
-  pose.accelerate(toMessage(kLevel), ros::Time(100));
+  pose.accelerate(vectorMessage(kLevel), ros::Time(100));
   EXPECT_TRUE(pose.isKnown());
   expect_pose_with(pose, kLevel);
-  pose.accelerate(toMessage(tilted), ros::Time(100.25));
+  pose.accelerate(vectorMessage(tilted), ros::Time(100.25));
   expect_pose_with(pose, kLevel + (1 - std::exp(-1)) * (tilted - kLevel));
-  pose.accelerate(toMessage(tilted), ros::Time(90));
+  pose.accelerate(vectorMessage(tilted), ros::Time(90));
   expect_pose_with(pose, kLevel + (1 - std::exp(-1)) * (tilted - kLevel));
-  pose.accelerate(toMessage(tilted), ros::Time(90.25));
+  pose.accelerate(vectorMessage(tilted), ros::Time(90.25));
   expect_pose_with(pose, kLevel + (1 - std::exp(-2)) * (tilted - kLevel));
 }
 
