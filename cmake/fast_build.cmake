@@ -39,6 +39,6 @@ endfunction()
 # Names in anonymous namespaces have to be unique in such a target.
 function(aibo_compile_together)
   if(AIBO_FAST_BUILD)
-    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 6)
+    set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
   endif()
 endfunction()
