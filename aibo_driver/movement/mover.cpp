@@ -183,6 +183,9 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     overruleWalk(movement);
     plan_.command(id, targets, now);
     takeEndsOfPlan();
+    if (same != nullptr) {
+      same->troubles.clear();  // the robot tries again, and says so if the joint still does not follow
+    }
     return same != nullptr ? Begun{id, same->end, false, ""} : begin(std::move(movement));
   });
   if (listener_.on_begin) {
@@ -652,7 +655,11 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     const EndedHow how = refusal.cause == RefusalCause::kReplaced ? EndedHow::kReplaced : EndedHow::kRefused;
     if (refusal.cause == RefusalCause::kJointFault) {
       for (const MovementId id : commandersOf(refusal)) {
-        find(id)->trouble = refusal.reason;  // the movement's other joints go on
+        for (const int joint : refusal.ids) {  // the movement's other joints go on
+          if (const std::optional<std::size_t> index = table_.findById(joint)) {
+            find(id)->troubles[table_[*index].name] = refusal.reason;
+          }
+        }
       }
     } else if (refusal.request == aibo_client::RefusedRequest::kJoints) {
       for (const MovementId id : commandersOf(refusal)) {
@@ -815,8 +822,13 @@ void Mover::takeEndsOfPlan() {
     if (record != nullptr && !end.joints.empty()) {
       record->movement.joints = std::move(end.joints);
     }
-    const bool has_trouble = record != nullptr && !record->trouble.empty() && end.how == EndedHow::kNotReached;
-    close(end.id, end.how, has_trouble ? record->trouble + " (" + end.reason + ")" : end.reason);
+    std::string reason = end.reason;
+    if (record != nullptr && end.how == EndedHow::kNotReached) {
+      for (const auto& [joint, trouble] : record->troubles) {
+        reason = end.reason.find(joint + ' ') != std::string::npos ? trouble + " (" + end.reason + ")" : reason;
+      }
+    }
+    close(end.id, end.how, reason);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <future>
 #include <list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -211,9 +212,9 @@ class Mover {
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    bool has_begun = false;             ///< for a walk: the robot has accepted one of its velocities
-    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when walkOn() was last called
-    std::string trouble;                ///< a joint that does not follow, in words; empty if there is none
+    bool has_begun = false;                       ///< for a walk: the robot has accepted one of its velocities
+    std::optional<SteadyTime> steered;            ///< for a walk to a goal: when walkOn() was last called
+    std::map<std::string, std::string> troubles;  ///< joints that did not follow the latest command, and in which way
   };
 
   /// News that the listener has not been told yet.

@@ -235,6 +235,15 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   pass(milliseconds(3200), 0.0);
   EXPECT_EQ(endOf(commanded), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
+  const auto both = mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.5, 0.5}, {});
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  pass(milliseconds(3200), 0.5);
+  EXPECT_EQ(reasonOf(both), "left_front_rotator is 0.50 rad from where it was sent") << "it became free";
+  const auto again = command("head_pan", 0.0);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  command("head_pan", 0.1);
+  pass(milliseconds(3200), 0.2);
+  EXPECT_EQ(reasonOf(again), "head_pan is 0.10 rad from where it was sent") << "it followed the second command";
 }
 
 TEST_F(MoverTest, ATrajectoryMayTakeLongerThanAHoldUp) {
