@@ -65,7 +65,6 @@ void TransportChoice::giveUp(TimePoint now) {
   pause_ = now >= began_ + kProven ? kPause : pause_;
   given_up_ = true;
   has_passed_ = false;
-  tests_ = 0;
   next_test_ = now + pause_;
   pause_ = std::min(2 * pause_, kLongestPause);
 }
