@@ -176,7 +176,8 @@ TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConn
 TEST(Microphone, AGapIsSilenceInAudio) {
   namespace version2 = protocol::version2;
   test_support::ScriptedServer server;
-  DriverProcess driver("/gap", server.port(), {"_stream_on_start:=false"}, {}, AIBO_DRIVER_NODE_WITH_ALL);
+  DriverProcess driver("/gap", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"}, {},
+                       AIBO_DRIVER_NODE_WITH_ALL);
   test_support::ScriptedPeer robot = server.accept();
   robot.agreeToVersion2("F A");
   TopicListener<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
