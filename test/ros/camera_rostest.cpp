@@ -298,7 +298,13 @@ TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
   const CameraInfo info = user.next();
   EXPECT_EQ(info.width, 208u);
   EXPECT_NEAR(info.K[0], 191.9, 0.1);
-  EXPECT_NO_THROW(user.driver().waitForOutput("is for pictures of 200x160, but the robot sends 208x160", kTimeToLog));
+  const std::string misfit = "is for pictures of 200x160, but the robot sends 208x160";
+  EXPECT_NO_THROW(user.driver().waitForOutput(misfit, kTimeToLog));
+  for (int i = 0; i < 3; ++i) {
+    user.next();
+  }
+  const std::string output = user.driver().output();
+  EXPECT_EQ(output.find(misfit, output.find(misfit) + 1), std::string::npos) << "it is logged once";
 }
 
 TEST(Calibration, InAFileThatIsDamagedIsNotPublished) {

@@ -83,6 +83,22 @@ TEST(Colors, TheMaskHasThePixels) {
   ASSERT_TRUE(found);
   EXPECT_EQ(found->encoding, "rgb8");
   EXPECT_EQ(found->width, 104U);
+  const auto has_only = [](const sensor_msgs::Image& mask, const aibo_client::ColorTable& table) {
+    const aibo_driver::node::RgbColor color = aibo_driver::node::colorOf(table);
+    bool is_so = true;
+    for (std::size_t i = 0; i + 2 < mask.data.size(); i += 3) {
+      const std::vector<unsigned char> pixel(&mask.data[i], &mask.data[i + 3]);
+      is_so = is_so && (pixel == std::vector<unsigned char>(3) ||
+                        pixel == std::vector<unsigned char>{color.red, color.green, color.blue});
+    }
+    return is_so;
+  };
+  EXPECT_TRUE(has_only(*found, aibo_driver::node::loadColorTable("pink_ball")));
+  const std::string all = "name: all\nranges: [{y: [0, 255], cr: [0, 255], cb: [0, 255]}]";
+  ASSERT_TRUE(load("/mask", 0, "", all).success);
+  EXPECT_TRUE(masks.waitFor([&](const sensor_msgs::Image& mask) {
+    return mask.data.front() != 0 && has_only(mask, aibo_driver::node::parseColorTable(all, "all"));
+  })) << "another table has another color";
 }
 
 TEST(Colors, TheRobotSendsTheMaskOnlyWhileSomebodyWantsIt) {

@@ -301,11 +301,22 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
   ASSERT_EQ(floor.points.size(), floor.colors.size());
   EXPECT_TRUE(std::any_of(floor.colors.begin(), floor.colors.end(), [](const auto& color) { return color.r > 0.8F; }))
       << "a white line";
+  double area = 0;
+  for (std::size_t i = 0; i + 2 < floor.points.size(); i += 3) {
+    const auto* corner = &floor.points[i];
+    area += ((corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
+             (corner[2].x - corner[0].x) * (corner[1].y - corner[0].y)) /
+            2;
+  }
+  EXPECT_NEAR(area, 4.8 * 4 + 3.2 * 2.5, 1e-6) << "the room and its carpet, all triangles seen from above";
+  EXPECT_LT(floor.points.front().z, floor.points.back().z) << "the carpet lies on the floor";
+  EXPECT_LT(floor.points.back().z, 0) << "below the feet";
 
   EXPECT_EQ(floor.pose.position.z, 0);
   for (std::size_t i = 0; i < room->markers.size(); ++i) {
     const auto& turn = room->markers[i].pose.orientation;
     EXPECT_EQ(room->markers[i].id, static_cast<int>(i));
+    EXPECT_EQ(room->markers[i].ns, "room") << "as rviz calls it";
     EXPECT_NEAR(Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).norm(), 1, 1e-9) << i;
   }
   const Marker& bone = room->markers[1];

@@ -207,6 +207,7 @@ TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
   const auto getting_up = walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); });
   ASSERT_TRUE(getting_up);
   EXPECT_EQ(getting_up->movements[0].name, "stand");
+  walker.driver.waitForOutput("INFO.*The robot has fallen, and gets up", kSafetyNet);
   EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) {
     return !each.ended.empty() && lastEnd(each).movement.kind == Movement::WALK &&
            lastEnd(each).reason == "the robot lies on its left side";

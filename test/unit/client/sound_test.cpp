@@ -373,6 +373,21 @@ TEST_F(SoundTest, SamplesAreSentAtTheirPlaceInTheSound) {
   EXPECT_EQ(8192U, answer.get().sound.room);
 }
 
+// As many as a robot plays in half a second. They are sent while the robot answers other requests.
+TEST_F(SoundTest, AnAnswerIsDueAsEverAfterSamples) {
+  begin();
+  for (unsigned i = 0; i < 4; ++i) {
+    play({1, 2048 * i, 2048, false});
+  }
+  pass(milliseconds(250));
+  EXPECT_EQ("H 0", request());
+  for (int i = 0; i < 4; ++i) {
+    pass(milliseconds(i < 3 ? 250 : 249));
+    request();
+  }
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
+}
+
 TEST_F(SoundTest, AStopGoesBeforeSoundsThatWait) {
   begin("H F W A I O");
   const auto samples = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));

@@ -46,6 +46,19 @@ TEST(BallFinder, ABallThatIsCutOffByTheBorderIsNoFartherAway) {
   EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 8, 0.02);
 }
 
+TEST(BallFinder, FindsASmallBallInEachCorner) {
+  for (const double x : {1.5, 102.5}) {
+    for (const double y : {1.5, 78.5}) {
+      sensor_msgs::Image mask = emptyMask();
+      drawDisc(x, y, 1.5, &mask);  // 9 pixels
+      const auto ball = findBall(mask);
+      ASSERT_TRUE(ball) << x << " " << y;
+      EXPECT_NEAR(ball->left, (52 - x) / kFocalLength, 1e-9);
+      EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 1.5, 1e-9);
+    }
+  }
+}
+
 TEST(BallFinder, TellsTheBoneFromTheBall) {
   sensor_msgs::Image mask = emptyMask();
   drawDisc(70, 20, 5, &mask);

@@ -62,6 +62,7 @@ TEST(ColorTableFile, IsWrittenAsItIsRead) {
 
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
   EXPECT_THAT(tableRefusal("{"), HasSubstr("FILE: it is not YAML"));
+  EXPECT_THAT(tableRefusal("name: a\n\tkey: b"), HasSubstr("see its line 2."));
   EXPECT_THAT(tableRefusal("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
   EXPECT_THAT(tableRefusal(std::string(8193, '[')), HasSubstr("too long"));
   EXPECT_THAT(tableRefusal(std::string(8192, '[')), HasSubstr("FILE: it is not YAML"));

@@ -47,6 +47,7 @@ TEST(LightMarkers, HaveAPlaceForEachLedAndNoneShinesAtFirst) {
     const bool is_on_back = model.leds[i].place == robot_model::LED_ON_BACK;
     EXPECT_EQ(marker.header.frame_id, is_on_back ? "base_link" : "head_tilt_link") << name;
     EXPECT_TRUE(marker.frame_locked);
+    EXPECT_EQ(marker.ns, "lights") << "as rviz calls them";
     EXPECT_EQ(marker.pose.orientation.w, 1);
     EXPECT_GT(std::min({marker.scale.x, marker.scale.y, marker.scale.z}), 0) << name;
     EXPECT_TRUE(lights.setLeds(states(name, 0)));

@@ -127,6 +127,9 @@ TEST_F(JointCommandFilterTest, LimitsTheSpeedToTheVelocityGiven) {
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means that none is given";
   EXPECT_GT(target({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
+  const JointTargets two = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {1.5, 0.2}}).targets;
+  EXPECT_DOUBLE_EQ(two.at(kHeadPan).speed, 1.5);
+  EXPECT_DOUBLE_EQ(two.at(kMouth).speed, 0.2) << "its own";
 }
 
 TEST_F(JointCommandFilterTest, ApproachesTheFirstPositionSlowlyEvenIfItIsRepeated) {
@@ -190,9 +193,15 @@ TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesIfNothing
 }
 
 TEST_F(JointCommandFilterTest, AssumesThatAnUnmeasuredJointIsFarAway) {
-  target({{"head_pan"}, {0.0}, {}});
-  now_ += milliseconds(3000);  // 88 degrees at 0.5 rad/s take 3.07 s
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kApproachSpeed);
+  for (const double position : {0.0, 1.0, -1.0}) {
+    filter_.startApproach();
+    target({{"head_pan"}, {position}, {}});
+    const double longest_way = 1.53589 + std::abs(position);  // from the limit on the other side
+    now_ += milliseconds(static_cast<int>(1000 * longest_way / kApproachSpeed));
+    EXPECT_DOUBLE_EQ(target({{"head_pan"}, {position}, {}}).speed, kApproachSpeed) << position;
+    now_ += milliseconds(510);  // a joint settles
+    EXPECT_DOUBLE_EQ(target({{"head_pan"}, {position}, {}}).speed, kSpeedLimit) << position;
+  }
 }
 
 TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
