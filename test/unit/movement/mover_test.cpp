@@ -743,6 +743,16 @@ TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   mover_.stop(order());
   EXPECT_EQ(endOf(both), EndedHow::kStopped);
   EXPECT_THAT(both.ended()->movement.joints, ElementsAre("head_pan")) << "that it moved last";
+  mover_.release(order());
+  const auto head = follow("head_pan", 0.5, 1.0);
+  const auto way = follow("left_front_rotator", 0.5, 1.0);
+  const auto later = mover_.follow(order(), {{"left_front_rotator"}, {{1.0, {0.0}, {}}}}, std::chrono::seconds(5));
+  mover_.takePosture(order("/panel"), Posture::kStand);
+  for (const auto& trajectory : {way, later}) {
+    EXPECT_EQ(endOf(trajectory), EndedHow::kReplaced);
+    EXPECT_EQ(reasonOf(trajectory), "/panel called stand");
+  }
+  EXPECT_EQ(head.ended(), nullptr);
 }
 
 TEST_F(MoverTest, EndsEverythingWithTheConnection) {
