@@ -232,6 +232,7 @@ TEST(PlaySoundService, PlaysAFileAndSaysWhyItDoesNot) {
   const auto set = user.call<SetVolume>("set_volume", volume);
   EXPECT_TRUE(set.success) << set.message;
   EXPECT_EQ(set.volume, 2);
+  EXPECT_EQ(set.message, "The volume is 2.");
   writeSoundFile(user.path("long.wav"), tone(16000 * 60));
   EXPECT_TRUE(user.play(user.path("long.wav")).success);
   PlaySound::Request stop;
