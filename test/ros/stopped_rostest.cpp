@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <future>
 #include <mutex>
@@ -126,6 +127,13 @@ class FakeDriver {
     motion_.publish(state);
   }
 
+  /// The camera sees a ball of this width. All in pixels of the mask; 0: no ball.
+  void showBall(unsigned left, unsigned width) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ball_left_ = left;
+    ball_width_ = width;
+  }
+
   void takePosture(bool takes) {
     Movement posture;
     posture.kind = Movement::POSTURE;
@@ -142,6 +150,12 @@ class FakeDriver {
     black.step = 3 * black.width;
     black.encoding = "rgb8";
     black.data.resize(black.step * black.height);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      for (unsigned i = 0; i < ball_width_ * ball_width_; ++i) {
+        black.data.at((20 + i / ball_width_) * black.step + 3 * (ball_left_ + i % ball_width_)) = 1;
+      }
+    }
     mask_.publish(black);
     joints_.publish(sensor_msgs::JointState());
   }
@@ -150,8 +164,10 @@ class FakeDriver {
   const bool is_slow_;
   std::promise<void> release_was_called_;
   std::promise<void> may_answer_;
-  std::mutex mutex_;  ///< of state_now_, because services are called on several threads
+  std::mutex mutex_;  ///< of what is told and seen, because services are called on several threads
   RobotState state_now_;
+  unsigned ball_left_ = 0;
+  unsigned ball_width_ = 0;
   ros::Publisher state_;
   ros::Publisher motion_;
   ros::Publisher joints_;
@@ -292,6 +308,27 @@ class BallFollower : public ::testing::Test {
   TopicListener<Twist> steps_{"/follows/cmd_vel"};
   std::unique_ptr<Process> node_;
 };
+
+TEST_F(BallFollower, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
+  start();
+  const auto steers = [this](double forward, double left, double turn) {
+    return steps_.waitFor([&](const Twist& step) {
+      return std::hypot(step.linear.x - forward, step.linear.y - left, step.angular.z - turn) < 1e-3;
+    }) != nullptr;
+  };
+  EXPECT_TRUE(steers(0, 0, 0.4)) << "it has not seen a ball yet";
+  driver_.showBall(10, 6);
+  EXPECT_TRUE(steers(0.12, 0, 0.569)) << "far away on the left";
+  driver_.showBall(65, 16);
+  EXPECT_TRUE(steers(0.036, -0.04, -0.306)) << "near on the right";
+  steps_.clear();
+  driver_.showBall(0, 0);
+  EXPECT_TRUE(steers(0, 0, -0.4));
+  driver_.showBall(37, 30);
+  EXPECT_TRUE(steers(-0.05, -0.04, 0)) << "too near";
+  driver_.showBall(0, 6);
+  EXPECT_TRUE(steers(0.12, 0, 0.6)) << "it turns no faster";
+}
 
 TEST_F(BallFollower, NeedsLeaveToGoOnAfterAStop) {
   start();
