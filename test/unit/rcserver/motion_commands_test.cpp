@@ -154,15 +154,18 @@ TEST_F(Version1MotionsTest, uploadsInPiecesOfAnySize) {
   }
   const std::string content = motionBytes(text);
   ASSERT_GT(content.size(), 2U * 1024);
-  const std::string bytes = upload("new.mtn", content) + request('J', kPan);
-  for (size_t begin = 0; begin < bytes.size(); begin += 700) {
-    client_->send(bytes.substr(begin, 700));
-    machine_->runPending();
+  for (const std::string name : {"NEW.MTN", "next.mtn"}) {
+    const std::string bytes = upload(name, content) + request('J', kPan);
+    for (size_t begin = 0; begin < bytes.size(); begin += 700) {
+      client_->send(bytes.substr(begin, 700));
+      machine_->runPending();
+    }
+    EXPECT_EQ(answer(), "u7 0") << name;
+    EXPECT_EQ(answer().substr(0, 2), "j2") << "bytes after the content are a request";
   }
-  EXPECT_EQ(answer(), "u7 0");
-  EXPECT_EQ(answer().substr(0, 2), "j2") << "bytes after the content are a request";
   EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), content);
-  EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NEW.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
+  EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEXT.MTN"), content);
+  EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NEW.MTN", "NEXT.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
 }
 
 TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNoFile) {
@@ -175,6 +178,8 @@ TEST_F(Version1MotionsTest, anUploadThatIsCutOffLeavesNoFile) {
   EXPECT_THAT(motions(), ElementsAre("LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"));
   client_ = connectServed();
   EXPECT_EQ(answerTo(fileRequest('P', "NEW.MTN", 1)), "e0 1");
+  EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "u7 0");
+  EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), motion_);
 }
 
 TEST_F(Version1MotionsTest, aFileThatIsNotAMotionIsNotStored) {
