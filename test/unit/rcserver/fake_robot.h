@@ -6,6 +6,7 @@
 #include <OPENR/ODataFormats.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <functional>
@@ -274,9 +275,9 @@ class FakeRobot : public openr_host::VirtualRobot {
   longword image_lag = 0;  ///< frames by which the frame number of an image is too low
   byte cr = 128;           ///< of images
   byte cb = 128;
-  bool counts_images = true;     ///< in the field counter; false: it does not change
-  std::optional<byte> detail{};  ///< of images, in all three bands; without it there are no such bands
-  int images_read = 0;           ///< of those taken, the number whose pixels were read
+  bool counts_images = true;                    ///< in the field counter; false: it does not change
+  std::optional<std::array<byte, 3>> detail{};  ///< of images, in LH, HL and HH; without it there are no such bands
+  int images_read = 0;                          ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
   bool refuses_color_tables = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
@@ -393,7 +394,9 @@ class FakeRobot : public openr_host::VirtualRobot {
       std::fill_n(bytes, width, static_cast<byte>(brightness(image_)));
       std::fill_n(bytes + width, width, cr);
       std::fill_n(bytes + 2 * width, width, cb);
-      std::fill_n(bytes + 3 * width, (bands - 3) * width, detail.value_or(0));
+      for (size_t band = 3; band < bands; ++band) {
+        std::fill_n(bytes + band * width, width, (*detail)[band - 3]);
+      }
     }
     if (noise_) {
       std::generate_n(pixels, bands * width * height, [this] { return static_cast<byte>(random_() & 0xff); });

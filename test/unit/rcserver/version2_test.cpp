@@ -343,9 +343,9 @@ TEST_F(Version2Test, CameraWithoutFineDetailHasNoDoubleResolution) {
 }
 
 // Sony's sample W3AIBO (JPEGEncoder.cc): with the same detail d in all bands, the four pixels are Y - d, Y - d, Y - d
-// and Y + 3 d.
+// and Y + 3 d. LH differs between rows, HL between columns.
 TEST_F(Version2Test, DoubleResolutionIsMadeOfTheBandsOfFineDetail) {
-  robot_.detail = static_cast<byte>(128 + 8);
+  robot_.detail = {128 + 12, 128 + 6, 128 + 2};
   takeImage();
   answerTo('W', 95, stream(true, LAYER_DOUBLE));
   takeImage();
@@ -357,14 +357,19 @@ TEST_F(Version2Test, DoubleResolutionIsMadeOfTheBandsOfFineDetail) {
   const Brightness shown = brightnessOf(picture.jpeg);
   EXPECT_EQ(shown.width, 416);
   EXPECT_EQ(shown.height, 320);
-  EXPECT_NEAR(shown.level, FakeRobot::brightness(robot_.lastImage()) - 8, 4);
+  const int level = FakeRobot::brightness(robot_.lastImage());
+  ASSERT_EQ(shown.block.size(), 4U);
+  EXPECT_NEAR(shown.block[0], level - 16, 4);
+  EXPECT_NEAR(shown.block[1], level - 8, 4);
+  EXPECT_NEAR(shown.block[2], level + 4, 4);
+  EXPECT_NEAR(shown.block[3], level + 20, 4);
   send(frame('F', 85, 1000, pictureOf(LAYER_LOW)));
   takeImage();
   EXPECT_EQ(nextPicture().image.width, 52) << "another layer during the stream";
 }
 
 TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
-  robot_.detail = byte{128};
+  robot_.detail = {128, 128, 128};
   robot_.showNoise();
   takeImage();
   send(frame('F', 100, 5, pictureOf(LAYER_DOUBLE)));
