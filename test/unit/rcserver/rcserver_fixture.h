@@ -3,6 +3,7 @@
 #ifndef TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 #define TEST_UNIT_RCSERVER_RCSERVER_FIXTURE_H
 
+#include <TCPEndpointMsg.h>
 #include <gmock/gmock.h>
 
 #include <cstdint>
@@ -127,6 +128,12 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
+    auto& received = options.catalog.at("RCSERVER.BIN").extra_entries.at(2);  // ReceiveCont in stub.cfg
+    received = [this, entry = received](OObject& object, ANTENVMSG message) {
+      auto* answer = static_cast<TCPEndpointReceiveMsg*>(message);
+      answer->error = receive_error_.value_or(answer->error);
+      entry(object, message);
+    };
     if (refused_entry_) {
       options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
     }
@@ -198,6 +205,7 @@ class RCServerFixture : public ::testing::Test {
   openr_host::HandlerTime handler_time_;
   std::optional<size_t>
       refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
+  std::optional<TCPEndpointError> receive_error_;  ///< with which the IPStack answers a receive
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes of each send to the IPStack

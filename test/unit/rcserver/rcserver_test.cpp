@@ -334,6 +334,17 @@ TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   client->close();
   machine_->runPending();
   EXPECT_THAT(console_.str(), HasSubstr("is gone: it closed the connection\n"));
+  const std::pair<TCPEndpointError, std::string> reasons[] = {{TCP_CONNECTION_RESET, "it reset the connection"},
+                                                              {TCP_CONNECTION_TIMEOUT, "it cannot be reached"},
+                                                              {TCP_FAIL, "the IPStack failed"}};
+  for (const auto& [error, reason] : reasons) {
+    client = connectServed();
+    receive_error_ = error;
+    client->send(request('J', 2));
+    EXPECT_TRUE(awaitEnd(*client)) << reason;
+    receive_error_.reset();
+    EXPECT_THAT(console_.str(), HasSubstr("is gone: " + reason + "\n"));
+  }
 }
 
 }  // namespace
