@@ -381,8 +381,8 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   const bool lies = FallWatch::IsFallen(fall);
   if (gets_up_ && lies && attempts_ < ATTEMPTS) {
     plans_again_ = plans_again_ || (!rolls_ && FallWatch::IsFallen(fall_watch_.Last()));
-  } else if (gets_up_ && lies && rolls_) {
-    // This is the last attempt.
+  } else if (gets_up_ && lies && (rolls_ || !FallWatch::IsFallen(fall_watch_.Last()))) {
+    // This is the last attempt, or the robot is on its belly, which the verdict tells later.
   } else if (fall != FallWatch::UPRIGHT) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
@@ -575,7 +575,7 @@ int Walker::SpeedIn(Postures::Stage stage) const {
 }
 
 void Walker::FinishWay() {
-  const bool still_lies = rolls_ && FallWatch::IsFallen(fall_watch_.Last());
+  const bool still_lies = FallWatch::IsFallen(fall_watch_.Last());
   if (rolls_ && !(still_lies && attempts_ >= ATTEMPTS)) {
     PlanWay(true);
     BeginNextStage();

@@ -485,16 +485,18 @@ TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
 // While it walks without the guard, nobody looks, and it may turn away from an edge.
 TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
   const Velocity ahead = {0.1, 0, 0};
+  const Velocity turn = {0, 0, 0.5};
   walk();
   joints_.Steer(ahead, true);
   for (int i = 0; i < 3; ++i) {
     walker().HaveLooked({0.9, 2, 2, {}, {true, true, true, true}});  // no floor before its chest
   }
+  EXPECT_THAT(walker().ProblemOfWalk(true, &turn), HasSubstr("the floor ends ahead: turn, or walk back; let go first"));
   passUntilIdle();
   EXPECT_THAT(ends(), ElementsAre(HasSubstr("the floor ends ahead")));
   joints_.Steer({0, 0, 0});
   EXPECT_THAT(walker().ProblemOfWalk(true, &ahead), HasSubstr("the floor ends ahead"));
-  walk({0, 0, 0.5});
+  walk(turn);
   joints_.Steer({0, 0, 0});
   passUntilIdle();
   EXPECT_EQ(walker().ProblemOfWalk(true, &ahead), nullptr);
@@ -883,6 +885,23 @@ TEST_F(WalkerTest, ARobotThatCannotGetUpGivesUpAndGoesSoft) {
   EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
   EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
   EXPECT_TRUE(goesSoft());
+}
+
+TEST_F(WalkerTest, ARobotThatGetsOntoItsBellyAtTheLastAttemptStandsUp) {
+  reading_ = kOnItsSide;
+  pass(100);
+  int frames = 0;
+  for (int i = 0; i < 2; ++i) {  // the second time begins as the third one will
+    joints_.Take(POSTURE_STAND);
+    frames = passUntilIdle();
+  }
+  ends();
+  joints_.Take(POSTURE_STAND);
+  pass(frames - 30);
+  reading_ = kUpright;
+  passUntilIdle();
+  EXPECT_THAT(ends(), ElementsAre("stand: "));
+  EXPECT_TRUE(isIn(POSTURE_STAND));
 }
 
 TEST_F(WalkerTest, AFallOnTheWayToAPostureThatBeganUprightEndsIt) {
