@@ -220,10 +220,10 @@ TEST(Joint, HasNoSpeedLeftAtItsStop) {
 
 TEST(Joint, ItsSignalsCountTheEncodersStepsFromTheMechanicalLimit) {
   const robot_model::Joint& model_of_joint = jointModel("tail_pan");  // -60 degrees
-  Joint joint(model_of_joint, 0);
+  Joint joint(model_of_joint, static_cast<int>(-30 * kMicroradiansADegree));
   joint.command(static_cast<int>(30 * kMicroradiansADegree));
   joint.passFrame(0);
-  EXPECT_NEAR(reading(joint).signal, 60 / 0.05, 1);
+  EXPECT_NEAR(reading(joint).signal, 30 / 0.05, 1);
   EXPECT_NEAR(reading(joint).refSignal, 90 / 0.05, 1);
 }
 
