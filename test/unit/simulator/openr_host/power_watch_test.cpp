@@ -60,6 +60,22 @@ TEST_F(PowerWatchTest, AnEntryObservesOnceUntilItStops) {
   EXPECT_FALSE(watch_.isWatching());
 }
 
+TEST_F(PowerWatchTest, EachEntryIsToldOfItsOwnBits) {
+  const OServiceEntry next{oidOf(1), 1};
+  OPowerStatus wanted;
+  wanted.robotStatus = orsbPAUSE;
+  watch_.observe(entry_, wanted, present_);
+  wanted.robotStatus = orsbALL;
+  watch_.observe(next, wanted, present_);
+  changed_.robotStatus = orsbPAUSE;
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(entry_, next));
+  EXPECT_THAT(watch_.look(changed_), IsEmpty());
+  changed_.robotStatus |= orsbMOTOR_POWER;
+  EXPECT_THAT(watch_.look(changed_), ElementsAre(next));
+  EXPECT_TRUE(watch_.unobserve(entry_));
+  EXPECT_THAT(watch_.look(present_), ElementsAre(next));
+}
+
 TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   TestSystem test;
   TestObject& object = test.add("Monitor");

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
+#include <functional>
 #include <numeric>
 
 #include "test_system.h"
@@ -12,6 +13,7 @@
 namespace openr_host {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -175,14 +177,38 @@ TEST_F(VirtualRobotAudioCommTest, EightKilohertzHaveEightBitsWithSign) {
   EXPECT_THAT(std::vector<sword>(played.begin(), played.begin() + 5), ElementsAre(256, 256, -32768, -32768, 0));
 }
 
-TEST_F(VirtualRobotAudioCommTest, AVectorOfAnotherKindIsRefusedAndReadyComesInTheNextFrame) {
-  test_.robot.sound_type = ospksndMONO8K8B;
-  send({makeVector(numbers(1, 128))});
-  EXPECT_THAT(test_.output.str(), HasSubstr("sound vector refused"));
-  EXPECT_EQ(readies_, 1);
-  pass(2);
-  EXPECT_EQ(readies_, 2);
-  EXPECT_FALSE(comm_.isActive());
+TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonAndReadyComesInTheNextFrame) {
+  const std::string other_kind = "it is not PCM, mono, of the rate and bits for which the speaker is set";
+  const std::string outside = "its data is empty, or outside of its region";
+  const std::vector<std::pair<std::string, std::function<void(OSoundVectorData&)>>> cases = {
+      {"its type is not odataSOUND_VECTOR", [](auto& vector) { vector.vectorInfo.type = odataCOMMAND_VECTOR; }},
+      {"it has not one sound, but 0", [](auto& vector) { vector.vectorInfo.numData = 0; }},
+      {"it has not one sound, but 2", [](auto& vector) { vector.vectorInfo.numData = 2; }},
+      {"primitive 31 is not an open speaker", [](auto& vector) { vector.info[0].primitiveID = 31; }},
+      {other_kind, [](auto& vector) { vector.info[0].format = osoundformatUNDEF; }},
+      {other_kind, [](auto& vector) { vector.info[0].channel = osoundchannelSTEREO; }},
+      {other_kind, [](auto& vector) { vector.info[0].samplingRate = 8000; }},
+      {other_kind, [](auto& vector) { vector.info[0].bitsPerSample = 8; }},
+      {outside, [](auto& vector) { vector.info[0].dataSize = 0; }},
+      {outside, [](auto& vector) { vector.info[0].dataSize += 1; }},
+      {outside, [](auto& vector) { vector.info[0].dataOffset = sizeof(OSoundVectorData) - 1; }},
+      {outside, [](auto& vector) { vector.info[0].dataOffset = 0xffffffffU; }},
+      {other_kind, [this](auto& /*vector*/) { test_.robot.sound_type = ospksndMONO8K8B; }},
+  };
+  for (const auto& [message, spoil] : cases) {
+    const RegionReference vector = makeVector(numbers(1, 128));
+    void* const base = vector->Base();
+    spoil(*static_cast<OSoundVectorData*>(base));
+    const int readies = readies_;
+    send({vector});
+    EXPECT_THAT(test_.output.str(), AllOf(HasSubstr("ERROR"), HasSubstr("OVirtualRobotAudioComm"),
+                                          HasSubstr("sound vector refused: " + message)));
+    EXPECT_EQ(readies_, readies) << message;
+    pass(2);
+    EXPECT_EQ(readies_, readies + 1) << message;
+    EXPECT_FALSE(comm_.isActive());
+    test_.output.str("");
+  }
   EXPECT_THAT(test_.robot.played, IsEmpty());
 }
 
