@@ -214,9 +214,12 @@ TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("face_1").intensity, 100);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
-  expectAnswer(request('L', kFace1, 50), 'l', kFace1, 50);
-  passFrames(kUntilMeasured);
-  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L does not change the mode";
+  for (const int led : {kFace1, 0}) {
+    expectAnswer(request('L', led, 50), 'l', led, 50);
+    passFrames(kUntilMeasured);
+    EXPECT_EQ(robot_.led("face_1").intensity, 50);
+    EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L does not change the mode";
+  }
   expectAnswer(request('Y', 1, 100), 'y', 1, 100);
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A);
