@@ -303,6 +303,7 @@ TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
   passFrames(4);
   expectAnswer(request('K', kLeftEar, 0), 'k', kLeftEar, 0);
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 0);
+  expectAnswer(request('K', 0, 1), 'k', 0, 0);  // only the right one is drawn
   passFrames(100);
   EXPECT_GT(framesDrawn(kLeftEar), 0);
   EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);

@@ -128,12 +128,15 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
-    auto& received = options.catalog.at("RCSERVER.BIN").extra_entries.at(2);  // ReceiveCont in stub.cfg
-    received = [this, entry = received](OObject& object, ANTENVMSG message) {
-      auto* answer = static_cast<TCPEndpointReceiveMsg*>(message);
-      answer->error = receive_error_.value_or(answer->error);
-      entry(object, message);
-    };
+    for (const size_t entry : {1, 2}) {  // SendCont and ReceiveCont in stub.cfg
+      auto& called = options.catalog.at("RCSERVER.BIN").extra_entries.at(entry);
+      called = [this, entry, original = called](OObject& object, ANTENVMSG message) {
+        if (entry == failing_entry_) {
+          static_cast<TCPEndpointBaseMsg*>(message)->error = failure_;
+        }
+        original(object, message);
+      };
+    }
     if (refused_entry_) {
       options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
     }
@@ -204,8 +207,9 @@ class RCServerFixture : public ::testing::Test {
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
   std::optional<size_t>
-      refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
-  std::optional<TCPEndpointError> receive_error_;  ///< with which the IPStack answers a receive
+      refused_entry_;         ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
+  size_t failing_entry_ = 0;  ///< 1 or 2, in stub.cfg: the IPStack answers to it with this failure
+  TCPEndpointError failure_ = TCP_FAIL;
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes of each send to the IPStack

@@ -337,13 +337,17 @@ TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   const std::pair<TCPEndpointError, std::string> reasons[] = {{TCP_CONNECTION_RESET, "it reset the connection"},
                                                               {TCP_CONNECTION_TIMEOUT, "it cannot be reached"},
                                                               {TCP_FAIL, "the IPStack failed"}};
-  for (const auto& [error, reason] : reasons) {
-    client = connectServed();
-    receive_error_ = error;
-    client->send(request('J', 2));
-    EXPECT_TRUE(awaitEnd(*client)) << reason;
-    receive_error_.reset();
-    EXPECT_THAT(console_.str(), HasSubstr("is gone: " + reason + "\n"));
+  for (const size_t entry : {1, 2}) {
+    for (const auto& [error, reason] : reasons) {
+      client = connectServed();
+      console_.str("");
+      failing_entry_ = entry;
+      failure_ = error;
+      client->send(request('J', 2));
+      EXPECT_TRUE(awaitEnd(*client)) << reason;
+      failing_entry_ = 0;
+      EXPECT_THAT(console_.str(), HasSubstr("is gone: " + reason + "\n"));
+    }
   }
 }
 
