@@ -96,16 +96,23 @@ class CalibrateWalkTest(unittest.TestCase):
         self.assertEqual((twist.linear.x, twist.linear.y, twist.angular.z), (0.1, 0.2, -0.3))
 
     def test_drives_and_asks_for_each_way(self):
-        drives, answers = [], iter(['', '0.95', '-0.1', '9', '', '0.45', '', '-18'])
+        drives, said_and_done = [], []
+        answers = iter(['', '0.95', '-0.1', '9', '', '0.45', '', '-18'])
         robot = mock.Mock()
 
         def drive(velocity, part_done):
             drives.append((velocity, [part_done(way) for way in (Way(x=0.5), Way(y=0.5), Way(turn=math.pi))]))
+            said_and_done.append('drives')
             return len(drives)
+
+        def answer(question):
+            said_and_done.append('waits' if 'Press Enter to begin' in question else 'asks')
+            return next(answers)
         robot.drive = drive
-        with mock.patch('builtins.input', side_effect=lambda _: next(answers)), mock.patch('builtins.print'):
+        with mock.patch('builtins.input', side_effect=answer), mock.patch('builtins.print'):
             said, real = program.measure(robot)
         self.assertEqual(drives, [((0.1, 0, 0), [0.5, 0, 0]), ((0, 0.05, 0), [0, 1, 0]), ((0, 0, 0.5), [0, 0, 0.25])])
+        self.assertEqual(' '.join(said_and_done), 'waits drives asks asks asks waits drives asks waits drives asks')
         self.assertEqual(said, {'ahead': 1, 'left': 2, 'turn': 3})
         self.assertEqual((real['ahead'].x, real['ahead'].y), (0.95, -0.1))
         self.assertAlmostEqual(real['ahead'].turn, math.pi / 20)
