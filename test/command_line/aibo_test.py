@@ -259,7 +259,9 @@ class OnBothVersions:
         self.aibo("upload", NOD, "con", status=WRONG_USAGE)
 
     def test_watches_the_stream(self):
-        lines = self.text("--json", "watch", "--seconds", "2").splitlines()
+        watched = self.aibo("--json", "watch", "--seconds", "2")
+        self.assertNotIn("Saved", watched.errors)
+        lines = watched.stdout.splitlines()
         self.assertEqual(len(lines), 2)
         for line in map(json.loads, lines):
             self.assertTrue(line["connected"])
@@ -385,12 +387,14 @@ class Version2(OnBothVersions, TestCase):
         self.json("stand")
 
     def test_ctrl_c_ends_a_walk(self):
-        with start("walk", "forward=2cm/s", "--seconds", "60", port=self.robot.port) as walk:
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        with start("walk", "forward=2cm/s", "--seconds", "60", port=witness.port) as walk:
             with self.assertRaises(subprocess.TimeoutExpired):
                 walk.wait(3)
             walk.send_signal(signal.SIGINT)
-            self.assertEqual(walk.wait(60), 130)
-            walk.communicate()
+            self.assertEqual((walk.wait(60), walk.communicate()[1]), (130, b"aibo: the walk was interrupted\n"))
+        self.assertEqual([kind for kind, _, _ in witness.take("S", "I")[-2:]], ["S", "I"], "it holds")
         self.json("stand")
 
     def test_sets_the_camera_for_a_picture(self):
@@ -400,7 +404,8 @@ class Version2(OnBothVersions, TestCase):
 
     def test_measures_age_and_loss(self):
         stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
-        self.assertIsNotNone(stream["age"])
+        self.assertLess(0, stream["age"])
+        self.assertLess(stream["age"], stream["worst_age"])
         self.assertIsNotNone(stream["loss"])
 
 
@@ -426,8 +431,10 @@ class Asked(TestCase):
                                 (["--white-balance", "auto", "--gain", "low", "--shutter", "fast", "--auto-exposure"],
                                  {2: 1, 3: 3, 4: 1, 5: 1})):
             with self.subTest(words):
-                asked = {number: value[0] for _, number, value in self.asked("G", "picture", "-o", "a.jpg", *words)}
+                requests = self.asked("GF", "picture", "-o", "a.jpg", "-q", 40, "--resolution", "104x80", *words)
+                asked = {number: value[0] for kind, number, value in requests if kind == "G"}
                 self.assertEqual({number: asked[number] for number in settings}, settings)
+                self.assertEqual({request for request in requests if request[0] == "F"}, {("F", 40, b"\1")})
         watched = self.asked("WG", "watch", "--seconds", 1, "-q", 30, "--resolution", "52x40", "--every", 3,
                              "--gain", "low")
         self.assertIn(("W", 30, b"\1\2\0\3"), watched)
@@ -942,6 +949,10 @@ class Documents(unittest.TestCase):
     def text(*words):
         return subprocess.run([AIBO, *words], capture_output=True, timeout=60, check=True, text=True).stdout
 
+    @staticmethod
+    def words_of(example):
+        return " ".join(example.split())
+
     def setUp(self):
         self.commands = re.findall(r"^  ([a-z]+) +\S", self.text("help").split("Options")[0], re.MULTILINE)
         self.assertIn("doctor", self.commands)
@@ -950,13 +961,18 @@ class Documents(unittest.TestCase):
         manual = self.text("manual").replace("\\-", "-")
         completion = self.text("completion")
         document = (PROJECT / "docs/command_line.md").read_text(encoding="utf-8")
+        explained = set(map(self.words_of, re.findall(r"\.TP\n\.B (aibo .*\n.*)\n", manual)))
         for command in self.commands:
             with self.subTest(command):
                 self.assertRegex(manual, rf"(?m)^\.SS {command}\b")
                 self.assertRegex(document, rf"`{command}\b")
                 section = re.search(rf"(?m)^    {command}\).*$", completion)[0]
                 common = re.search(r"common='(.*)'", completion)[1]
-                for option in set(self.OPTION.findall(self.text("help", command).split("Options", 1)[1])):
+                text, options = self.text("help", command).split("Options", 1)
+                about, examples = text.split("\nExamples:\n")
+                self.assertLessEqual(max(map(len, about.splitlines())), 80)
+                self.assertLessEqual(set(map(self.words_of, examples.strip().splitlines())), explained)
+                for option in set(self.OPTION.findall(options)):
                     self.assertRegex(manual, rf"(?m)^\.TP\n\.B .*{option}\b")
                     self.assertIn(option, section + common)
         for option in self.OPTION.findall(document):

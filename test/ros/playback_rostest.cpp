@@ -310,8 +310,10 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   {
     rosbag::Bag bag(path("other.bag"), rosbag::bagmode::Write);
     bag.write("/turtle/cmd_vel", kBegin, geometry_msgs::Twist());
+    bag.write("/turtle/connection/old", kBegin, geometry_msgs::Twist());
   }
-  EXPECT_THAT(complaintAbout(path("other.bag")), HasSubstr("has no robot, but only the topics /turtle/cmd_vel"));
+  EXPECT_THAT(complaintAbout(path("other.bag")),
+              HasSubstr("has no robot, but only the topics /turtle/cmd_vel, /turtle/connection/old"));
   WalkBag(path("left.bag"), "/left", "left/").walk(1);
   EXPECT_THAT(complaintAbout(path("left.bag")), HasSubstr("play it with frame_prefix:=left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),

@@ -340,6 +340,9 @@ TEST(RemoteControlRos, FindsADriverByItself) {
   const DriverProcess driver("/somewhere", simulated.port());
   User user("");
   EXPECT_TRUE(user.waitForConnection());
+  user.window.useDriver("/elsewhere");
+  EXPECT_TRUE(user.waitFor([&] { return user.find<QComboBox>("driver")->currentText() == "/elsewhere"; }));
+  EXPECT_GE(user.find<QComboBox>("driver")->findText("/somewhere"), 0) << "it can be chosen again";
 }
 
 // What passes between the window and a driver, which is a fake, and without a window.
@@ -686,6 +689,8 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   EXPECT_DOUBLE_EQ(point->point.x, 0.26);
   EXPECT_DOUBLE_EQ(point->point.y, -0.4);
   EXPECT_DOUBLE_EQ(point->point.z, 1);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_["camera/camera_info"].getNumSubscribers() == 0; }, kTimeout))
+      << "it is needed only once";
   LookAtResult result;
   const auto answer = [&](const std_msgs::Header& header, const std::string& message) {
     result.header = header;

@@ -6,6 +6,7 @@
 namespace joystick {
 namespace {
 
+using ::testing::_;
 using ::testing::ElementsAre;
 using ::testing::FloatNear;
 using ::testing::HasSubstr;
@@ -51,6 +52,11 @@ TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
   EXPECT_THAT(state->axes, ElementsAre(1, -1, FloatNear(-0.5F, 1e-3F), 1, 1));
   EXPECT_THAT(state->buttons, ElementsAre(0, 1));
   EXPECT_THAT(joystick.describe(), HasSubstr("with 5 axes and 2 buttons"));
+  for (const auto& [hat, right_and_up] : {std::pair(SDL_HAT_RIGHTDOWN, -1), std::pair(SDL_HAT_CENTERED, 0)}) {
+    hardware.setHat(hat);
+    joystick.read();
+    EXPECT_THAT(joystick.read()->axes, ElementsAre(_, _, _, right_and_up, right_and_up));
+  }
 }
 
 TEST(SdlJoystick, MayBePulledOutAndPluggedInAgain) {

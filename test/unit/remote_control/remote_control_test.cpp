@@ -6,6 +6,7 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
 #include <QElapsedTimer>
@@ -144,6 +145,7 @@ TEST_F(RemoteControlTest, APlaybackIsShownAndCommandsNothing) {
   const int width = window_.minimumSizeHint().width();
   robot_.disconnectIt(State::kPlayback, "playback of " + QString(300, 'a') + ".bag, 0:12 of 1:30");
   EXPECT_EQ(window_.minimumSizeHint().width(), width);
+  EXPECT_GT(find<QLabel>("connection")->heightForWidth(200), find<QLabel>("connection")->heightForWidth(9000));
   robot_.connectIt();
   EXPECT_EQ(click("stop"), QStringList("stop"));
 }
@@ -157,12 +159,14 @@ TEST_F(RemoteControlTest, BeforeAnythingIsKnownOnlyStopCanBeClicked) {
 
 TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
   robot_.connectIt(1);
-  for (const char* name : {"Stand", "Motors off", "drive_pad", "motions"}) {
+  for (const char* name : {"Stand", "Sit", "Rest", "Motors on", "Motors off", "drive_pad", "motions", "List again",
+                           "listen", "say_text", "Say", "Silence"}) {
     EXPECT_FALSE(find<QWidget>(name)->isEnabled()) << name;
     EXPECT_TRUE(find<QWidget>(name)->toolTip().contains("version 1")) << name;
   }
-  EXPECT_TRUE(find<QWidget>("Play")->isEnabled());
-  EXPECT_TRUE(find<QWidget>("take_picture")->isEnabled());
+  for (const char* name : {"Play", "motion_name", "Stop motions", "head_pad", "take_picture", "face_1", "Left ear"}) {
+    EXPECT_TRUE(find<QWidget>(name)->isEnabled()) << name;
+  }
   EXPECT_EQ(robot_.take(), QStringList()) << "it cannot list its motions";
   EXPECT_EQ(textOf("connection"), "robot at robot:54321, connected (version 1)") << "it does not tell its kind";
 }
@@ -198,7 +202,10 @@ TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
   const auto expect_disabled = [this](const RobotCondition& condition, const QStringList& disabled,
                                       const QString& why) {
     Q_EMIT robot_.conditionChanged(condition);
-    for (const char* name : {"Stand", "Rest", "Motors on", "Motors off", "drive_pad", "head_pad", "Play"}) {
+    for (const char* name :
+         {"Stand",  "Sit",         "Rest",    "Motors on",    "Motors off", "drive_pad", "head_pad",
+          "Play",   "motion_name", "motions", "Stop motions", "List again", "face_1",    "Odd",
+          "all on", "Both ears",   "listen",  "Say",          "Silence",    "say_text",  "take_picture"}) {
       EXPECT_EQ(find<QWidget>(name)->isEnabled(), !disabled.contains(name)) << name << ": " << why.toStdString();
       EXPECT_EQ(find<QWidget>(name)->toolTip() == "Not now: " + why, disabled.contains(name)) << name;
     }
@@ -216,7 +223,7 @@ TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
   expect_disabled(condition, {"drive_pad", "head_pad", "Play"}, "the motors are off; click Stand, or Motors on");
   condition.is_stopped = true;
   condition.stopped_by = "/gamepad";
-  expect_disabled(condition, {"Stand", "Motors on", "drive_pad", "head_pad", "Play"},
+  expect_disabled(condition, {"Stand", "Sit", "Motors on", "drive_pad", "head_pad", "Play"},
                   "/gamepad has stopped the robot; click Release");
   EXPECT_EQ(textOf("condition"), "stopped by /gamepad");
 
@@ -543,6 +550,14 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
     open(page);
     EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
     EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
+    const auto widgets = find<QWidget>(page)->findChildren<QWidget*>();
+    for (QWidget* one : widgets) {
+      for (QWidget* other : widgets) {
+        EXPECT_FALSE(one < other && one->parent() == other->parent() && one->isVisible() && other->isVisible() &&
+                     one->geometry().intersects(other->geometry()))
+            << page << ": " << one->objectName().toStdString() << " covers " << other->objectName().toStdString();
+      }
+    }
   }
   window_.resize(window_.minimumSizeHint());
   const auto* tabs = find<QTabWidget>("")->tabBar();
@@ -815,7 +830,8 @@ TEST_F(RemoteControlTest, APatternReplacesTheFace) {
   EXPECT_EQ(click("Lower"), (QStringList{"face 0", "face_1,face_2,face_3,face_4,face_5,face_6,face_7 1"}));
   EXPECT_EQ(click("Upper"), (QStringList{"face 0", "face_8,face_9,face_10,face_11,face_12,face_13,face_14 1"}));
   EXPECT_EQ(click("Even"), (QStringList{"face 0", "face_2,face_4,face_6,face_8,face_10,face_12,face_14 1"}));
-  EXPECT_EQ(click("Odd"), (QStringList{"face 0", "face_1,face_3,face_5,face_7,face_9,face_11,face_13 1"}));
+  find<QSlider>("intensity")->setValue(40);
+  EXPECT_EQ(click("Odd"), (QStringList{"face 0", "face_1,face_3,face_5,face_7,face_9,face_11,face_13 0.4"}));
 }
 
 TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
@@ -841,8 +857,11 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 100"));
   find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 60"));
-  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}});
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}, {"gain", 2}, {"auto_exposure", true}, {"speed_scale", 0.5}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 70);
+  EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
+  EXPECT_TRUE(find<QCheckBox>("auto_exposure")->isChecked());
+  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.5);
   EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";
   Q_EMIT robot_.settingsDescribed({{"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}}});
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 50}, {"gain", 1}});
