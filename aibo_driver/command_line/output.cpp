@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "command_line/interruption.h"
 #include "files/files.h"
 #include "text/plain_text.h"
 
@@ -13,6 +14,9 @@ namespace {
 
 void write(std::FILE* stream, const void* data, std::size_t size) {
   if (std::fwrite(data, 1, size, stream) != size || std::fflush(stream) != 0) {
+    if (errno == EINTR && interruption() != 0) {
+      throw Interrupted("interrupted");  // nobody has read for some time
+    }
     throw OutputException(std::string("cannot write to the standard output: ") + std::strerror(errno));
   }
 }

@@ -124,11 +124,13 @@ def says_hello(server, names=b"", flood=None):
 
 
 class Witness(ScriptedServer):
-    """Stands between a command and a robot, and keeps the requests of version 2: kind, id and payload."""
+    """Stands between a command and a robot. It keeps the requests of version 2, kind, id and payload, and counts what
+    the robot sends."""
 
     def __init__(self, port):
         self.robot_port = port
         self.sent = b""
+        self.heard = 0
         super().__init__(self.relay)
 
     def relay(self, client):
@@ -138,6 +140,7 @@ class Witness(ScriptedServer):
                     if not (data := side.recv(65536)):
                         return
                     self.sent += data if side is client else b""
+                    self.heard += len(data) if side is robot else 0
                     (robot if side is client else client).sendall(data)
 
     def take(self, *kinds):
@@ -439,6 +442,17 @@ class Asked(TestCase):
                              "--gain", "low")
         self.assertIn(("W", 30, b"\1\2\0\3"), watched)
         self.assertIn(("G", 2, b"\1"), watched)
+
+    def test_pictures_that_a_slow_player_misses_are_counted(self):
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        with start("watch", "--play", port=witness.port) as watch:
+            while witness.heard < 1000000:
+                self.assertIsNone(watch.poll())
+                time.sleep(0.01)
+            watch.send_signal(signal.SIGINT)
+            self.assertRegex(watch.communicate()[1], rb"This computer was too slow for [1-9]\d* pictures\.\n$")
+            self.assertEqual(watch.returncode, DONE)
 
     def test_for_joints(self):
         self.json("stand")
