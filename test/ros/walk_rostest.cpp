@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -445,6 +446,47 @@ TEST(JoystickTeleop, WalksWhileTheDeadManButtonIsPressed) {
   joy.axes = {1.0F};
   joystick.publish("joy", joy);
   teleop.waitForOutput("The joystick has 1 axes", kSafetyNet);
+}
+
+TEST(JoystickTeleop, EachAxisHasItsDirectionAndSpeed) {
+  struct Case {
+    std::string name_space;
+    std::vector<std::string> parameters;
+    std::array<std::size_t, 3> axes;  // ahead, to the left, and turning to the left
+    std::array<double, 3> speeds;
+  };
+  const Case cases[] = {
+      {"/usual", {}, {1, 6, 0}, {0.15, 0.06, 1}},
+      {"/own",
+       {"_forward_axis:=5", "_left_axis:=0", "_turn_axis:=6", "_speed:=0.1", "_side_speed:=0.05", "_turn_speed:=0.5"},
+       {5, 0, 6},
+       {0.1, 0.05, 0.5}}};
+  for (const auto& [name_space, parameters, axes, speeds] : cases) {
+    TopicListener<Twist> commands(name_space + "/cmd_vel");
+    TopicPublishers joystick(name_space);
+    std::vector<std::string> words{AIBO_TELEOP_JOY, "__ns:=" + name_space, "/joy:=" + name_space + "/joy"};
+    words.insert(words.end(), parameters.begin(), parameters.end());
+    const Process teleop(words);
+    for (std::size_t i = 0; i < 3; ++i) {
+      sensor_msgs::Joy joy;
+      joy.axes = std::vector<float>(7, 0.0F);
+      joy.axes[axes[i]] = 1;
+      joy.buttons = {0, 0, 0, 0, 1, 0};
+      std::array<double, 3> wanted{};
+      wanted[i] = speeds[i];
+      bool came = false;
+      for (const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+           !came && std::chrono::steady_clock::now() < end;) {
+        joystick.publish("joy", joy);  // again, as joysticks do
+        commands.clear();
+        const auto all = commands.waitForCount(1, std::chrono::milliseconds(50));
+        came = !all.empty() && std::abs(all[0]->linear.x - wanted[0]) + std::abs(all[0]->linear.y - wanted[1]) +
+                                       std::abs(all[0]->angular.z - wanted[2]) <
+                                   1e-6;
+      }
+      EXPECT_TRUE(came) << name_space << ", axis " << axes[i];
+    }
+  }
 }
 
 TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
