@@ -583,9 +583,13 @@ class Example(TestCase):
         self.assertEqual((taken.returncode, taken.stdout), (0, f"208x160 pixels, {len(content)} bytes\n"))
         self.assertEqual(example("TAKE_PICTURE", "/nowhere/a.jpg").returncode, 1)
         self.assertEqual(example("PLAY_MOTION", "list").stdout.split(), ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
-        played = example("PLAY_MOTION", "NOD.MTN", input="\n")
-        self.assertEqual(played.returncode, 0)
-        self.assertIn("Press Enter", played.stdout)
+        with subprocess.Popen([os.environ["PLAY_MOTION"], "127.0.0.1", "NOD.MTN", str(robot.port)], text=True,
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE) as played:
+            self.assertIn("Press Enter", played.stdout.readline())
+            with self.assertRaises(subprocess.TimeoutExpired):
+                played.wait(1)
+            played.communicate("\n")
+            self.assertEqual(played.returncode, 0)
         missing = example("PLAY_MOTION", "NONE.MTN")
         self.assertEqual(missing.returncode, 1)
         self.assertIn("NONE.MTN", missing.stderr)
@@ -623,6 +627,7 @@ class WithPermission(TestCase):
         self.assertEqual(self.json("upload", NOD), {"motion": "NOD.MTN", "bytes": NOD.stat().st_size})
         self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
+        self.assertEqual(self.text("upload", NOD, "wave"), f"WAVE.MTN is on the robot, {NOD.stat().st_size} bytes.\n")
         self.json("delete", "wave")
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
         allows = next(f for f in self.examined()["findings"] if f["topic"] == "allows")
@@ -879,6 +884,8 @@ class Unreachable(TestCase):
         port = self.server(turn_away)
         self.assertIn("Is another client connected?", self.aibo("joints", port=port, status=UNREACHABLE).errors)
         report = self.json("doctor", port=port, status=UNREACHABLE)
+        self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]],
+                         [("name", True), ("port", True), ("server", False)])
         self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
 
     def test_a_server_that_measures_nothing(self):
@@ -890,6 +897,9 @@ class Unreachable(TestCase):
             with self.subTest(problem), command:
                 self.assertIn(problem, command.communicate()[1])
                 self.assertEqual(command.returncode, FAILED)
+        report = self.json("doctor", port=self.server(says_hello(b"RCServer")), status=UNREACHABLE)
+        self.assertIn({"topic": "battery", "good": False, "text": "the robot does not report its battery",
+                       "advice": "Does its server support sensors?"}, report["findings"])
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))
@@ -919,7 +929,8 @@ class WrongUsage(TestCase):
         for words in ([], ["fly"], ["move"], ["move", "head_pan"], ["move", "head_pan=30"], ["motors", "maybe"],
                       ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
                       ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
-                      ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
+                      ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["watch", "--seconds", "604801"],
+                      ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
                       ["play", "nod", "--seconds", "soon"], ["play", "nod", "--seconds", "3601"],
                       ["move", "mouth=0deg", "--duration", "61"], ["walk", "forward=1cm/s", "--seconds", "61"],
                       ["listen", "--seconds", "0"], ["doctor", "--seconds", "601"], ["joints", "--timeout", "61"],
@@ -930,6 +941,16 @@ class WrongUsage(TestCase):
                 self.assertEqual(result.returncode, WRONG_USAGE, result)
                 self.assertTrue(result.stderr.startswith(b"aibo: "), result.stderr)
                 self.assertEqual(result.stdout != b"", "--json" in words)
+
+    def test_the_highest_values_are_taken(self):
+        with socket.socket() as reserved:
+            reserved.bind(("127.0.0.1", 0))
+            for words in (["watch", "--seconds", "604800", "--every", "65535"], ["picture", "-q", "100"],
+                          ["picture", "-q", "1"], ["play", "nod", "--seconds", "3600"], ["joints", "--timeout", "60"],
+                          ["move", "mouth=0deg", "--duration", "60"], ["walk", "forward=1cm/s", "--seconds", "60"],
+                          ["doctor", "--seconds", "600"], ["joints", "--timeout", "0.1"]):
+                with self.subTest(words):
+                    self.aibo(*words, port=reserved.getsockname()[1], status=UNREACHABLE)
 
     def test_help_is_no_wrong_usage_unless_there_is_none(self):
         def done(*words):
