@@ -50,7 +50,8 @@ if times == 1:
 text = sys.argv[3].split("save_to: '")[1][:-2].replace("''", "'")
 Path(text).write_bytes(bytes(1234))
 print("success: True")
-(home / 'monitor').write_text('0')
+(home / 'end').write_text('0')
+(home / 'end').rename(home / 'monitor')
 ''',
     'Xvfb': '''
 os.write(3, b'77\\n')
@@ -101,7 +102,10 @@ class StepsTest(unittest.TestCase):
             (self.home / name).mkdir(parents=True)
         for name in ('demo', 'lib.sh'):
             shutil.copy(SCRIPTS / name, self.home / 'scripts')
-        (self.home / '.build/devel/setup.bash').write_text(f'PATH={self.home}/bin:$PATH\n')
+        # Each wait of the script is noted under the name of its function.
+        (self.home / '.build/devel/setup.bash').write_text(
+            f'PATH={self.home}/bin:$PATH\n'
+            f'sleep() {{ echo "${{FUNCNAME[1]}}" >> {self.home}/waits; command sleep "$@"; }}\n')
         for name, play in PLAYS.items():
             self.play(name, play)
             program = self.home / ('scripts' if name in ('install_dependencies', 'build') else 'bin') / name
@@ -136,6 +140,10 @@ class StepsTest(unittest.TestCase):
             return path.read_bytes()
         except OSError:  # it has ended, or belongs to somebody else
             return b''
+
+    def waits(self):
+        file = self.home / 'waits'
+        return file.read_text() if file.exists() else ''
 
     def started(self, name):
         """The arguments of each start of a program, and its last environment."""
@@ -198,7 +206,7 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(self.launched()['rviz'], 'false')
         views, environment = self.started('roslaunch')
         self.assertEqual(views[1], [str(self.home / 'launch/view.launch')])
-        self.assertEqual(environment['DISPLAY'], ':77')
+        self.assertEqual((environment['DISPLAY'], environment['LIBGL_ALWAYS_SOFTWARE']), (':77', '1'))
         self.assertEqual(Path(environment['HOME']).parent, self.home / 'tmp')
         self.assertEqual(len(self.started('import')[0]), 2)
 
@@ -220,10 +228,12 @@ class StepsTest(unittest.TestCase):
         for words in ('a node says something', 'no picture came.', 'docs/troubleshooting.md'):
             self.assertIn(words, errors)
         (self.home / 'monitor').unlink()
+        (self.home / 'waits').unlink()
         self.play('roslaunch', "sys.exit('no such file')")
         errors = self.demo(status=1)
         self.assertIn('no such file\n', errors)
         self.assertIn('roslaunch did not start', errors)
+        self.assertNotIn('wait_for_end', self.waits(), 'nothing has to be waited for')
         self.play('roslaunch', PLAYS['roslaunch'].replace('while True:\n    signal.pause()', 'listener.accept()'))
         self.assertIn('the nodes did not start, or stopped by themselves', self.demo(status=1))
         self.play('build', 'sys.exit(1)')
@@ -232,7 +242,7 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(self.started('roslaunch')[0], [])
 
     def test_ctrl_c_ends_it_at_any_time(self):
-        self.play('rosservice', "(home / 'asked').touch()\ntime.sleep(1000)")
+        self.play('rosservice', "(home / 'asked').touch()\nsys.exit('no picture yet')")
         child, terminal = pty.fork()
         if child == 0:
             os.chdir(self.place)
