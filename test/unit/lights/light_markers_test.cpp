@@ -90,6 +90,13 @@ TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
   EXPECT_EQ(pad.scale.y, 0.028);
   EXPECT_EQ(pad.scale.z, 0.006);
   EXPECT_FLOAT_EQ(pad.color.a, 0.7F) << "the model shines through";
+  touch = Touch();
+  touch.paw_left_front = touch.paw_left_hind = touch.paw_right_front = touch.paw_right_hind = 1;
+  lights.setTouch(touch);
+  EXPECT_EQ(shining(lights).size(), 4u);
+  for (const Marker& paw : shining(lights)) {
+    EXPECT_EQ(std::vector({paw.scale.x, paw.scale.y, paw.scale.z}), std::vector(3, 0.032)) << paw.header.frame_id;
+  }
   lights.setTouch(Touch());
   const auto place = [&lights](int number) {
     const std::string name = "face_" + std::to_string(number);

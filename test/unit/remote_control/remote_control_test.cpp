@@ -18,6 +18,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QPaintEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
@@ -492,7 +493,11 @@ TEST_F(RemoteControlTest, AnotherKindOfRobotHasItsOwnLimits) {
   QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 0, -1));
   EXPECT_EQ(robot_.take().replaceInStrings("-0.0", "0.0"),  // as Qt 6 writes it
             QStringList(QString("head_pan 0.0, head_tilt %1").arg(tilt.lowest, 0, 'f', 1)));
-  EXPECT_EQ(find<JointSlider>("head_tilt")->slider()->minimum(), qRound(1000 * tilt.lowest));
+  auto* slider = find<JointSlider>("head_tilt");
+  EXPECT_EQ(slider->slider()->minimum(), qRound(1000 * tilt.lowest));
+  robot_.connectIt(2, "ERS-210");
+  deleteLeftovers();
+  EXPECT_EQ(find<JointSlider>("head_tilt"), slider) << "somebody may hold it";
 }
 
 TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
@@ -522,6 +527,15 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   EXPECT_EQ(robot_.take(), QStringList()) << "a text is shown instead";
 }
 
+// What of a widget was painted.
+struct PaintWatch : QObject {
+  bool eventFilter(QObject*, QEvent* event) override {
+    painted += event->type() == QEvent::Paint ? static_cast<QPaintEvent*>(event)->region() : QRegion();
+    return false;
+  }
+  QRegion painted;
+};
+
 TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
   robot_.connectIt();
   Q_EMIT robot_.streamingChanged(true);
@@ -539,6 +553,13 @@ TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
   }
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_NE(shows(view->rect().center()), QColor(Qt::blue));
+  robot_.connectIt();
+  QCoreApplication::processEvents();
+  PaintWatch watch;
+  view->installEventFilter(&watch);
+  Q_EMIT robot_.pictureArrived(picture);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return watch.painted == view->rect(); }))
+      << "nothing of the text is left beside it";
 }
 
 TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
