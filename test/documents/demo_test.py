@@ -102,10 +102,15 @@ class StepsTest(unittest.TestCase):
             (self.home / name).mkdir(parents=True)
         for name in ('demo', 'lib.sh'):
             shutil.copy(SCRIPTS / name, self.home / 'scripts')
-        # Each wait of the script is noted under the name of its function.
+        # Each wait of the script is noted under the name of its function. Those for a display and for a picture on it
+        # count their tries, so they can be short.
         (self.home / '.build/devel/setup.bash').write_text(
             f'PATH={self.home}/bin:$PATH\n'
-            f'sleep() {{ echo "${{FUNCNAME[1]}}" >> {self.home}/waits; command sleep "$@"; }}\n')
+            'sleep() {\n'
+            f'  echo "${{FUNCNAME[1]}}" >> {self.home}/waits\n'
+            '  [[ ${FUNCNAME[1]} != @(start_display|save_screenshot) ]] || set -- 0.01\n'
+            '  command sleep "$@"\n'
+            '}\n')
         for name, play in PLAYS.items():
             self.play(name, play)
             program = self.home / ('scripts' if name in ('install_dependencies', 'build') else 'bin') / name
@@ -257,7 +262,7 @@ class StepsTest(unittest.TestCase):
                 out += data
         except OSError:  # the terminal of a program that has ended
             pass
-        self.assertEqual(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), 130)
+        self.assertEqual(os.WEXITSTATUS(os.waitpid(child, 0)[1]), 130)
         self.assertIn(b'Stopping\r\n', out)
         self.assertTrue((self.home / 'interrupted').exists())
         self.check_that_nothing_is_left()
