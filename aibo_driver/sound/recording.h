@@ -2,13 +2,13 @@
 #ifndef AIBO_DRIVER_SOUND_RECORDING_H
 #define AIBO_DRIVER_SOUND_RECORDING_H
 
+#include <sndfile.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
 
 #include "aibo_client/sound.h"
-
-struct sf_private_tag;  // SNDFILE of libsndfile
 
 namespace aibo_driver::sound {
 
@@ -33,7 +33,7 @@ class Recording {
 
   const std::string path_;
   const aibo_client::MicrophoneSettings settings_;
-  std::unique_ptr<sf_private_tag, int (*)(sf_private_tag*)> file_;
+  std::unique_ptr<SNDFILE, int (*)(SNDFILE*)> file_;
   std::uint64_t frames_ = 0;
 };
 
