@@ -24,7 +24,6 @@
 #include <future>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "support/process.h"
@@ -430,20 +429,18 @@ TEST(Monitor, TellsHowManyPicturesComeAndHowOldTheyAre) {
   Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2"});
   sensor_msgs::CompressedImage picture;
   picture.data.resize(1000);
-  auto film = std::async(std::launch::async, [&] {
-    for (int i = 0; monitor.isRunning(); ++i) {
-      picture.header.stamp = ros::Time::now() - ros::Duration(i % 10 == 0 ? 3000 : 1000);
-      pictures.publish(picture);
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    }
-  });
+  int count = 0;
+  const ros::WallTimer film =
+      ros::NodeHandle().createWallTimer(ros::WallDuration(0.02), [&](const ros::WallTimerEvent&) {
+        picture.header.stamp = ros::Time::now() - ros::Duration(count++ % 10 == 0 ? 3000 : 1000);
+        pictures.publish(picture);
+      });
   // As many kilobytes as pictures. The mean is between 1000 and 1500 s.
   EXPECT_NO_THROW(
       monitor.waitForOutput("([0-9]+\\.[0-9]) pictures/s +\\1 KB/s   stamp to topic: 1[0-4][0-9]{5}\\.[0-9] "
                             "ms \\(worst 300[0-9]{4}\\.[0-9]\\)   driver: [0-9.]+ % of one processor\\n",
                             kSafetyNet));
   EXPECT_EQ(monitor.waitForExit(kSafetyNet), 0);
-  film.get();
 }
 
 // A node that takes the connection and says nothing. It would keep a monitor from its next line for ever.
