@@ -99,14 +99,14 @@ void ConnectionBar::fillChooser() {
 }
 
 void ConnectionBar::showBattery(double charge, double temperature) {
-  QString text;
+  QStringList parts;
   if (std::isfinite(charge)) {
-    text = QString("Battery %1 %").arg(qRound(100 * charge));
+    parts.append(QString("Battery %1 %").arg(qRound(100 * charge)));
   }
   if (std::isfinite(temperature)) {
-    text += QString::fromUtf8(", %1 \u00B0C").arg(qRound(temperature));
+    parts.append(QString::fromUtf8("%1 \u00B0C").arg(qRound(temperature)));
   }
-  battery_->setText(text);
+  battery_->setText(parts.join(", "));
   battery_->setStyleSheet(charge < 0.2 ? "color: #e53935; font-weight: bold" : "");
 }
 
