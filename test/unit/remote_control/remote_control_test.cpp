@@ -95,6 +95,8 @@ TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   EXPECT_EQ(click("Rest"), QStringList("rest"));
   EXPECT_EQ(click("Motors on"), QStringList("motors on"));
   EXPECT_EQ(click("Motors off"), QStringList("motors off"));
+  EXPECT_TRUE(find<QWidget>("Motors on")->toolTip().startsWith("The joints hold"));
+  EXPECT_TRUE(find<QWidget>("Motors off")->toolTip().endsWith("A robot that stands falls!"));
   open("Motions");
   EXPECT_EQ(click("Stop motions"), QStringList("stop motions"));
   EXPECT_EQ(click("List again"), QStringList("list"));
@@ -134,6 +136,12 @@ TEST_F(RemoteControlTest, APlaybackIsShownAndCommandsNothing) {
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
   EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
   EXPECT_FALSE(find<QLabel>("who_moves")->isHidden());
+  EXPECT_FALSE(find<QLabel>("movement")->isHidden());
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
+  Q_EMIT robot_.touched({"chin"});
+  robot_.disconnectIt(State::kPlayback, where);  // again, as its time goes on
+  EXPECT_TRUE(find<AxisPad>("head_pad")->measured());
+  EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
   robot_.take();
   for (QPushButton* button : window_.findChildren<QPushButton*>()) {
     EXPECT_EQ(button->isEnabled(), button->text() == "Folder...") << button->text().toStdString();
@@ -167,18 +175,24 @@ TEST_F(RemoteControlTest, WhatVersion1CannotDoIsDisabledAndSaysSo) {
   for (const char* name : {"Play", "motion_name", "Stop motions", "head_pad", "take_picture", "face_1", "Left ear"}) {
     EXPECT_TRUE(find<QWidget>(name)->isEnabled()) << name;
   }
+  EXPECT_NE(window_.findChild<JointSlider*>("head_pan"), nullptr) << "those of an ERS-7";
   EXPECT_EQ(robot_.take(), QStringList()) << "it cannot list its motions";
   EXPECT_EQ(textOf("connection"), "robot at robot:54321, connected (version 1)") << "it does not tell its kind";
 }
 
 TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASecondClickInFright) {
+  const auto looks = [this](const QString& color, const QString& tip) {
+    return find<QWidget>("stop")->styleSheet().contains(color) && find<QWidget>("stop")->toolTip().startsWith(tip);
+  };
   robot_.connectIt();
+  EXPECT_TRUE(looks("#c62828", "Holds everything that moves"));
   EXPECT_EQ(click("stop"), QStringList("stop"));
   RobotCondition condition;
   condition.is_stopped = true;
   condition.stopped_by = "/gamepad";
   Q_EMIT robot_.conditionChanged(condition);
   EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
+  EXPECT_TRUE(looks("#1565c0", "Lets the robot move again"));
   EXPECT_EQ(click("stop"), QStringList("stop"));
   EXPECT_TRUE(QTest::qWaitFor([this] { return click("stop") == QStringList("release"); }));
   QTest::keyClick(&window_, Qt::Key_Space);
@@ -221,19 +235,19 @@ TEST_F(RemoteControlTest, WhatCannotMoveNowIsDisabledAndSaysWhy) {
   condition.motors = RobotCondition::Motors::kOff;
   condition.posture = RobotCondition::Posture::kLying;
   expect_disabled(condition, {"drive_pad", "head_pad", "Play"}, "the motors are off; click Stand, or Motors on");
+  const auto look = [this](const QString& why) {
+    robot_.take();
+    Q_EMIT window_.findChild<PictureView*>()->clicked({0.5, 0.5});
+    EXPECT_EQ(robot_.take(), QStringList());
+    EXPECT_TRUE(textOf("status").endsWith("look there: not now: " + why));
+  };
+  look("the motors are off; click Stand, or Motors on");
   condition.is_stopped = true;
   condition.stopped_by = "/gamepad";
   expect_disabled(condition, {"Stand", "Sit", "Motors on", "drive_pad", "head_pad", "Play"},
                   "/gamepad has stopped the robot; click Release");
   EXPECT_EQ(textOf("condition"), "stopped by /gamepad");
-
-  auto* view = window_.findChild<PictureView*>();
-  Q_EMIT robot_.streamingChanged(true);
-  Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
-  robot_.take();
-  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center());
-  EXPECT_EQ(robot_.take(), QStringList());
-  EXPECT_TRUE(textOf("status").endsWith("look there: not now: /gamepad has stopped the robot; click Release"));
+  look("/gamepad has stopped the robot; click Release");
 }
 
 TEST_F(RemoteControlTest, ShowsWhatTheRobotDoesWhileThereIsADriver) {
@@ -417,6 +431,15 @@ TEST_F(RemoteControlTest, EachSideOfThePadHasItsDirectionAndTheMiddleIsStill) {
   EXPECT_EQ(press(Qt::LeftButton, 1, 0), QStringList("walk 0.00 0.00 -1.00"));
   EXPECT_EQ(press(Qt::RightButton, -1, 0), QStringList("walk 0.00 0.06 0.00"));
   EXPECT_EQ(press(Qt::LeftButton, 0.05, -0.05), QStringList("walk 0.00 0.00 0.00"));
+  EXPECT_EQ(press(Qt::RightButton, -0.2, 0.6), QStringList("walk 0.09 0.01 0.00")) << "both at once";
+  const auto is_circled = [&] {
+    const QColor color = pad->grab().toImage().pixelColor(placeOn(pad, 0.5, 0.5) + QPoint(10, 0));
+    return color == pad->palette().color(QPalette::Highlight);
+  };
+  QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0.5, 0.5));
+  EXPECT_TRUE(is_circled());
+  QTest::mouseRelease(pad, Qt::LeftButton);
+  EXPECT_FALSE(is_circled());
 }
 
 TEST_F(RemoteControlTest, TheRightButtonStepsToTheSides) {
@@ -631,6 +654,7 @@ TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
   robot_.connectIt();
   open("Move");
   EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
+  EXPECT_TRUE(find<QLabel>("who_moves")->toolTip().endsWith("last ended: posture stand, done"));
   const int width = window_.minimumSizeHint().width();
   Q_EMIT robot_.movementChanged("moved by /" + QString(300, 'a') + " (walk)", false);
   EXPECT_EQ(window_.minimumSizeHint().width(), width);
@@ -664,6 +688,8 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "");
   Q_EMIT robot_.batteryMeasured(0.9, kUnknown);
   EXPECT_EQ(textOf("battery"), "Battery 90 %");
+  Q_EMIT robot_.batteryMeasured(kUnknown, 31.4);
+  EXPECT_EQ(textOf("battery"), QString::fromUtf8("31 \u00B0C"));
   Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
   EXPECT_EQ(textOf("link"), "0.0 pictures/s");
   Q_EMIT robot_.linkMeasured({30, 0.01, 0});
@@ -740,6 +766,12 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   EXPECT_TRUE(QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); },
                               10000));
   EXPECT_GE(patience.elapsed(), 2500) << "sound may take its time";
+  Q_EMIT robot_.heard(-20);
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
+  EXPECT_TRUE(
+      QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); }, 10000))
+      << "the sound has ended";
+  EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum());
   open("Move");
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
   open("Sound");
@@ -841,11 +873,13 @@ TEST_F(RemoteControlTest, APatternReplacesTheFace) {
 TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   robot_.connectIt();
   open("Camera");
-  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", false}, {"speed_scale", 1.0}});
+  Q_EMIT robot_.settingsChanged(
+      {{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", false}, {"speed_scale", 1.0}, {"telemetry_rate", 20.0}});
   Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}},
                                    {"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}},
                                    {"auto_exposure", "", Setting::Kind::kSwitch, 0, 0, {}},
-                                   {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}}});
+                                   {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}},
+                                   {"telemetry_rate", "", Setting::Kind::kNumber, 0, 31.25, {}}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 85);
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
   EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 1.0);
@@ -855,12 +889,19 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(robot_.take(), QStringList("gain 1"));
   find<QDoubleSpinBox>("speed_scale")->stepDown();
   EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.9"));
+  find<QDoubleSpinBox>("telemetry_rate")->stepDown();
+  EXPECT_EQ(robot_.take(), QStringList("telemetry_rate 19"));
   find<QDoubleSpinBox>("speed_scale")->setValue(-3);
   EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.1"));
   find<QSpinBox>("jpeg_quality")->setValue(999);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 100"));
   find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 60"));
+  find<QSpinBox>("jpeg_quality")->selectAll();
+  QTest::keyClicks(find<QSpinBox>("jpeg_quality"), "42");
+  EXPECT_EQ(robot_.take(), QStringList()) << "no wish for 4";
+  QTest::keyClick(find<QSpinBox>("jpeg_quality"), Qt::Key_Return);
+  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 42"));
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}, {"gain", 2}, {"auto_exposure", true}, {"speed_scale", 0.5}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 70);
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
@@ -948,12 +989,19 @@ TEST_F(JointSliderTest, CannotBeMovedBeforeItsJointIsMeasured) {
   EXPECT_FALSE(slider_.slider()->isEnabled());
   slider_.measure(0.4);
   EXPECT_TRUE(slider_.slider()->isEnabled());
+  QTest::keyClick(slider_.slider(), Qt::Key_Right);
+  EXPECT_EQ(slider_.slider()->value(), 420);
+  QTest::keyClick(slider_.slider(), Qt::Key_PageUp);
+  EXPECT_EQ(slider_.slider()->value(), 520);
+  EXPECT_TRUE(slider_.toolTip().startsWith(QString::fromUtf8("head_pan: -86\u00B0 to 86\u00B0. ")));
 }
 
 TEST_F(JointSliderTest, FollowsItsJointWithoutCommandingIt) {
   slider_.measure(0.4);
   slider_.measure(0.5);
   EXPECT_EQ(slider_.slider()->value(), 500);
+  slider_.measure(0.506);
+  EXPECT_EQ(slider_.slider()->value(), 506);
   EXPECT_EQ(moved_, JointPositions());
 }
 
@@ -984,8 +1032,10 @@ TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {
   slider_.measure(0.4);
   slider_.slider()->setValue(1000);
   EXPECT_EQ(moved_, JointPositions({{"head_pan", 1.0}}));
-  slider_.measure(0.6);
-  EXPECT_EQ(slider_.slider()->value(), 1000) << "the joint is on its way";
+  for (const double way : {0.6, 0.95}) {
+    slider_.measure(way);
+    EXPECT_EQ(slider_.slider()->value(), 1000) << "the joint is on its way";
+  }
   slider_.measure(0.99);
   slider_.measure(0.7);
   EXPECT_EQ(slider_.slider()->value(), 700) << "it has been there, and somebody else has moved it";
