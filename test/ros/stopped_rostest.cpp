@@ -545,7 +545,8 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   TopicListener<Twist> walks("/sticks/cmd_vel");
   TopicListener<sensor_msgs::JointState> heads("/sticks/joint_command");
   Gamepad pad("/sticks", {"_turn_axis:=1", "_forward_axis:=0", "_left_axis:=2", "_pan_axis:=4", "_tilt_axis:=3",
-                          "_speed:=0.1", "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3", "_dead_zone:=0.2"});
+                          "_speed:=0.1", "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3", "_dead_zone:=0.2",
+                          "_stop_button:=2", "_picture_button:=3"});
   // A robot of version 1 measures one joint after the other.
   ros::Publisher joints = ros::NodeHandle("/sticks").advertise<sensor_msgs::JointState>("joint_states", 10);
   sensor_msgs::JointState measured;
@@ -567,6 +568,10 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   EXPECT_THAT(head->velocity, ElementsAre(4.5, 4.5)) << "the head can keep up";
   EXPECT_GT(head->position.at(0), 0.4);
   EXPECT_LT(head->position.at(1), 0.2);
+  pad.press({3});
+  pad.teleop().waitForOutput("/sticks/take_picture cannot be called", kSafetyNet);
+  pad.press({2});
+  pad.teleop().waitForOutput("/sticks/stop: ", kSafetyNet);
 }
 
 TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {

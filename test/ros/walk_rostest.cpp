@@ -398,6 +398,13 @@ TEST(KeyboardTeleop, WalksWhileAKeyIsHeldDownAndLeavesTheTerminalAsItWas) {
   EXPECT_EQ(teleop.waitForExit(kSafetyNet), 0);
   EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "it ends with a stop";
   EXPECT_TRUE(keyboard.showsKeys());
+  for (const int end : {SIGTERM, SIGHUP}) {
+    Process another(keyboard.start(std::string(AIBO_TELEOP_KEYBOARD) + " __ns:=/keys"));
+    another.waitForOutput("speeds", kSafetyNet);
+    another.signal(end);
+    EXPECT_EQ(another.waitForExit(kSafetyNet), 0) << end;
+    EXPECT_TRUE(keyboard.showsKeys()) << end;
+  }
 }
 
 TEST(KeyboardTeleop, EndsWithTheTerminal) {

@@ -141,6 +141,21 @@ TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
   EXPECT_TRUE(velocity->isZero());
 }
 
+TEST(JoyMappingTest, NamesNoPartThatTheJoystickDoesNotHave) {
+  for (int JoyMapping::*axis : {&JoyMapping::forward_axis, &JoyMapping::turn_axis, &JoyMapping::left_axis,
+                                &JoyMapping::pan_axis, &JoyMapping::tilt_axis}) {
+    JoyMapping wrong = mapping();
+    wrong.*axis = 7;
+    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 7 and button 7"));
+  }
+  for (int JoyMapping::*button : {&JoyMapping::dead_man_button, &JoyMapping::stop_button, &JoyMapping::release_button,
+                                  &JoyMapping::picture_button}) {
+    JoyMapping wrong = mapping();
+    wrong.*button = 8;
+    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 6 and button 8"));
+  }
+}
+
 TEST(JoyMappingTest, NeedNotNameEveryPart) {
   JoyMapping few;
   few.left_axis = few.pan_axis = few.tilt_axis = few.stop_button = few.picture_button = kNoPlace;

@@ -32,6 +32,13 @@ TEST_F(KeySteeringTest, GoesWhereTheKeyIsSeenFromK) {
   expect('.', -0.1, 0, 0.5);
 }
 
+TEST_F(KeySteeringTest, GoesAlsoByTheArrowKeys) {
+  expect(kArrowUp, 0.1, 0, 0);
+  expect(kArrowDown, -0.1, 0, 0);
+  expect(kArrowLeft, 0, 0, 0.5);
+  expect(kArrowRight, 0, 0, -0.5);
+}
+
 TEST_F(KeySteeringTest, GoesSidewaysWithCapitals) {
   expect('J', 0, 0.05, 0);
   expect('L', 0, -0.05, 0);
