@@ -78,6 +78,7 @@ using aibo_driver::remote_control::JointSlider;
 using aibo_driver::remote_control::Part;
 using aibo_driver::remote_control::PictureView;
 using aibo_driver::remote_control::RemoteControl;
+using aibo_driver::remote_control::RobotConnection;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
 using test_support::kSafetyNet;
@@ -152,7 +153,7 @@ class RemoteControlRosTest : public ::testing::Test {
 };
 
 TEST_F(RemoteControlRosTest, ShowsTheRobotsStateAndPictures) {
-  EXPECT_TRUE(user_.waitForText("connection", "ERS-7"));
+  EXPECT_TRUE(user_.waitForText("connection", QString("ERS-7 at 127.0.0.1:%1, connected").arg(simulated_.port())));
   EXPECT_TRUE(user_.waitForText("battery", "Battery"));
   EXPECT_TRUE(user_.waitForText("link", "pictures/s"));
   int pictures = 0;
@@ -397,6 +398,20 @@ class ToldTest : public ::testing::Test {
     tell("connection", connection);
   }
 
+  // One half is red, the other half is blue.
+  static sensor_msgs::CompressedImage picture() {
+    QImage image(104, 80, QImage::Format_RGB32);
+    image.fill(Qt::red);
+    QPainter(&image).fillRect(52, 0, 52, 80, Qt::blue);
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    EXPECT_TRUE(image.save(&buffer, "JPG", 95));
+    sensor_msgs::CompressedImage message;
+    message.header.stamp = ros::Time(5);
+    message.data.assign(bytes.begin(), bytes.end());
+    return message;
+  }
+
   // What is latched waits for a subscriber.
   template <typename Message>
   void tell(const std::string& topic, const Message& message) {
@@ -507,6 +522,16 @@ TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
   leds.intensities = {0.25F, 0.75F};
   tell("led_states", leds);
   EXPECT_TRUE(hears("leds back=0.75 face_1=0.25"));
+  using State = RobotConnection::State;
+  State seen = State::kConnected;
+  QObject::connect(&robot_, &RosRobot::connectionChanged, [&seen](const RobotConnection& now) { seen = now.state; });
+  for (const auto& [told, state] : {std::pair<int, State>(Connection::CONNECTING, State::kConnecting),
+                                    {Connection::PLAYBACK, State::kPlayback},
+                                    {Connection::DISCONNECTED, State::kDisconnected}}) {
+    connect(QString("state %1").arg(told), static_cast<std::uint8_t>(told));
+    EXPECT_TRUE(hears(QString("connection state %1").arg(told)));
+    EXPECT_EQ(seen, state) << told;
+  }
 }
 
 TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
@@ -550,6 +575,11 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
       robot_.show(part, looks);
     }
   };
+  robot_.show(Part::kMicrophones, true);  // alone
+  aibo_driver::Sound sound;
+  sound.samples.assign(1000, 16384);
+  tell("microphone", sound);
+  EXPECT_TRUE(hears("level -6"));
   show(true);
   const std::pair<const char*, std::uint8_t Touch::*> places[] = {{"paw_left_front", &Touch::paw_left_front},
                                                                   {"paw_left_hind", &Touch::paw_left_hind},
@@ -566,6 +596,12 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
     tell("touch", touch);
     EXPECT_TRUE(hears(QString("touched ") + name));
   }
+  Touch tap;
+  tap.chin = tap.head = 1;
+  tell("touch", tap);
+  tell("touch", Touch());
+  EXPECT_TRUE(hears("touched chin,head")) << "however short it is";
+  EXPECT_TRUE(hears("touched "));
   for (const char* name : {"near", "far", "chest", "head"}) {
     sensor_msgs::Range range;
     range.range = 0.25F;
@@ -581,23 +617,14 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
   joints.name = {"head_pan"};
   joints.position = {0.5};
   tell("joint_states", joints);
-  EXPECT_TRUE(hears("joints head_pan=0.5 mouth=-0.25")) << "a robot of version 1 measures one after the other";
-  aibo_driver::Sound sound;
-  sound.samples.assign(1000, 16384);
-  tell("microphone", sound);
-  EXPECT_TRUE(hears("level -6"));
-
-  QImage image(104, 80, QImage::Format_RGB32);
-  image.fill(Qt::red);
-  QPainter(&image).fillRect(52, 0, 52, 80, Qt::blue);
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  ASSERT_TRUE(image.save(&buffer, "JPG", 95));
-  sensor_msgs::CompressedImage picture;
-  picture.data = {0xFF, 0xD8};
-  tell("camera/image_raw/compressed", picture);  // damaged
-  picture.data.assign(bytes.begin(), bytes.end());
-  tell("camera/image_raw/compressed", picture);
+  joints.name = {"tail_pan"};
+  tell("joint_states", joints);
+  EXPECT_TRUE(hears("joints head_pan=0.5 mouth=-0.25 tail_pan=0.5"))
+      << "a robot of version 1 measures one after the other";
+  sensor_msgs::CompressedImage damaged;
+  damaged.data = {0xFF, 0xD8};
+  tell("camera/image_raw/compressed", damaged);
+  tell("camera/image_raw/compressed", picture());
   EXPECT_TRUE(hears("picture 104x80 red blue"));
   show(false);
   for (const char* topic : {"touch", "range/near", "range/far", "range/chest", "range/head", "joint_states",
@@ -684,6 +711,8 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   camera.height = 160;
   camera.K = {200, 0, 104, 0, 100, 80, 0, 0, 1};
   tell("camera/camera_info", camera);
+  tell("camera/image_raw/compressed", picture());
+  EXPECT_TRUE(hears("picture 104x80 red blue"));
   const auto point = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.75, 0.25}); });
   EXPECT_EQ(point->header.frame_id, "eye");
   EXPECT_DOUBLE_EQ(point->point.x, 0.26);
@@ -691,11 +720,12 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   EXPECT_DOUBLE_EQ(point->point.z, 1);
   EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_["camera/camera_info"].getNumSubscribers() == 0; }, kTimeout))
       << "it is needed only once";
+  EXPECT_EQ(point->header.stamp, ros::Time(5)) << "where the camera was then";
   LookAtResult result;
-  const auto answer = [&](const std_msgs::Header& header, const std::string& message) {
+  const auto answer = [&](const std_msgs::Header& header, const std::string& message, bool success = true) {
     result.header = header;
     result.message = message;
-    result.success = 1;
+    result.success = static_cast<std::uint8_t>(success);
     tell("look_at_result", result);
   };
   std_msgs::Header stranger = point->header;
@@ -707,14 +737,18 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   answer(point->header, "the head turns");
   EXPECT_TRUE(hears("yes, look there: the head turns"));
   EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
+  answer(point->header, "out of reach", false);
+  EXPECT_TRUE(hears("no, look there: out of reach"));
 }
 
-TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceUntilCtrlC) {
-  const ros::Publisher driver = ros::NodeHandle("/window").advertise<Connection>("connection", 1, true);
-  Process program({AIBO_REMOTE_CONTROL, "__ns:=/window"}, {{"QT_QPA_PLATFORM", "offscreen"}});
-  EXPECT_TRUE(QTest::qWaitFor([&driver] { return driver.getNumSubscribers() > 0; }, kTimeout));
-  program.signal(SIGINT);
-  EXPECT_EQ(program.waitForExit(kSafetyNet), 0) << program.output();
+TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceOrAnyUntilCtrlC) {
+  for (const char* name_space : {"/window", "/"}) {
+    const ros::Publisher driver = ros::NodeHandle("/window").advertise<Connection>("connection", 1, true);
+    Process program({AIBO_REMOTE_CONTROL, std::string("__ns:=") + name_space}, {{"QT_QPA_PLATFORM", "offscreen"}});
+    EXPECT_TRUE(QTest::qWaitFor([&driver] { return driver.getNumSubscribers() > 0; }, kTimeout)) << name_space;
+    program.signal(SIGINT);
+    EXPECT_EQ(program.waitForExit(kSafetyNet), 0) << program.output();
+  }
 }
 
 TEST(RemoteControlProgram, SaysThatThereIsNoDisplay) {
@@ -734,6 +768,10 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
   window.show();
   EXPECT_TRUE(QTest::qWaitFor([&] { return screen.contains(window.frameGeometry()); }, kTimeout));
   EXPECT_GT(window.width(), screen.width() / 2);
+  window.setGeometry(40, 30, 300, 200);
+  panel->initialize(nullptr);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(window.geometry(), QRect(40, 30, 300, 200)) << "it fits already";
   const auto is_kept = [&](const QString& driver, const QString& folder) {
     rviz::Config config;
     panel->save(config);
