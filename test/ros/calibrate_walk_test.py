@@ -121,10 +121,10 @@ class CalibrateWalkTest(unittest.TestCase):
 
     def run_program(self, parameters, *arguments):
         """What becomes of the parameters of a driver after a walk of 0.9 m instead of 1 m."""
-        robot = mock.Mock()
+        robot, self.said = mock.Mock(), []
         with mock.patch.object(program, 'Robot', return_value=robot), \
                 mock.patch.object(program, 'measure', return_value=(STRAIGHT, {**STRAIGHT, 'ahead': Way(0.9)})), \
-                mock.patch.object(program.rospy, 'init_node'), mock.patch('builtins.print'), \
+                mock.patch.object(program.rospy, 'init_node'), mock.patch('builtins.print', self.said.append), \
                 mock.patch.object(program.rospy, 'resolve_name', lambda name: '/aibo/' + name), \
                 mock.patch.object(program.rospy, 'get_param', lambda name, usual: parameters.get(name, usual)), \
                 mock.patch.object(program.sys, 'argv', ['aibo_calibrate_walk', *arguments, '__ns:=aibo']):
@@ -133,10 +133,15 @@ class CalibrateWalkTest(unittest.TestCase):
 
     def test_writes_what_the_driver_can_read(self):
         with tempfile.TemporaryDirectory() as folder:
-            path = os.path.join(folder, 'a.yaml')
-            self.run_program({'aibo_driver/guard': False, 'aibo_driver/walk_scale': 0.8}, path)
-            with open(path, encoding='utf-8') as file:
+            parameters = {'aibo_driver/guard': False, 'aibo_driver/walk_scale': 0.8}
+            os.mkdir(folder + '/.ros')
+            with mock.patch.dict(os.environ, HOME=folder):
+                self.run_program(parameters)
+            with open(folder + '/.ros/walk_calibration.yaml', encoding='utf-8') as file:
                 self.assertEqual(program.yaml.safe_load(file), {**program.USUAL, 'walk_scale': 0.72})
+            with self.assertRaises(OSError):
+                self.run_program(parameters, folder + '/missing/a.yaml')
+            self.assertIn('walk_scale: 0.72 (was 0.8)', self.said[0], 'the measurement is not lost')
 
     def test_needs_a_driver_that_does_not_guard_the_walk(self):
         with self.assertRaisesRegex(program.Problem, '/aibo/aibo_driver guards the walk. Start it with guard:=false'):
@@ -150,11 +155,17 @@ class CalibrateWalkTest(unittest.TestCase):
             steered.append((x, y, turn))
             robot.pose = (robot.pose[0], robot.pose[1] + x, robot.pose[2])
 
-        robot.steer = steer
-        with mock.patch.object(program.time, 'sleep'):
+        def wait(seconds):
+            clock[0] += 3  # longer than its patience in all
+            if seconds == program.STANDS_AFTER:
+                robot.pose = (robot.pose[0], robot.pose[1] + 0.05, robot.pose[2])
+
+        robot.steer, clock = steer, [0]
+        with mock.patch.object(program.time, 'sleep', wait), \
+                mock.patch.object(program.time, 'monotonic', lambda: clock[0]):
             way = robot.drive((0.25, 0, 0), lambda way: way.x / 1.0)
         self.assertEqual(steered, [(0.25, 0, 0)] * 4 + [(0.0, 0.0, 0.0)])
-        self.assertAlmostEqual(way.x, 1.0)
+        self.assertAlmostEqual(way.x, 1.05)
         self.assertAlmostEqual(way.y, 0.0)
 
     def test_a_robot_that_does_not_walk_is_no_calibration(self):
