@@ -130,13 +130,15 @@ class BagTest(unittest.TestCase):
 
     def test_a_film_has_the_pace_of_the_pictures(self):
         recorder = self.folder / 'ffmpeg'
-        recorder.write_text('#!/bin/sh\nfor last; do :; done\ncat > "$last"\n')
+        recorder.write_text('#!/bin/sh\necho "$*" > "$0.words"\nfor last; do :; done\ncat > "$last"\n')
         recorder.chmod(0o755)
         self.succeed('mp4', self.record(), self.path('walk.mp4'), '--from', '1', '--to', '2',
                      PATH='%s:%s' % (self.folder, os.environ['PATH']))
         film = Path(self.path('walk.mp4')).read_bytes()
         shown = [film[i + len(JPEG)] for i in range(0, len(film), len(JPEG) + 1)]
         self.assertEqual(shown, [i for i in range(10, 20) for _ in range(3)] + [20])
+        words = (self.folder / 'ffmpeg.words').read_text()
+        self.assertRegex(words, r' -f mjpeg -framerate 30 -i - .* -f mp4 \S+/walk\.mp4\.part$')
 
     def test_a_film_needs_ffmpeg(self):
         self.fail_with('sudo apt install ffmpeg', 'mp4', self.record(), self.path('walk.mp4'), PATH='/nonexistent')

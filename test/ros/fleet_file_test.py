@@ -66,6 +66,7 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
         self.assert_refused('robots: {a: {host: h, ns: b}}', "has the setting 'ns'")
         self.assert_refused('robots: {my dog: {host: h}}', "'my dog' cannot be the name")
+        self.assert_refused('robots: {1st: {host: h}}', "'1st' cannot be the name")
         self.assert_refused('robots: {fleet: {host: h}}', "'fleet' cannot be the name")
         self.assert_refused('robots: {a: {host: h, pose: [1, 2]}}', r'pose should be \[x, y, yaw\]')
         self.assert_refused('robots: {a: {host: h, pose: [1, 2, .nan]}}', 'pose should be')
