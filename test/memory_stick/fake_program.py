@@ -34,7 +34,7 @@ def code(*more):
     return text + bytes(TEXT_SIZE - len(text))
 
 
-def sections(text=None, data=None, ctors=None, got=None):
+def sections(text=None, data=None, ctors=None, got=None, dtors=None):
     """The sections of a linked program: name, kind, flags, address, contents or size."""
     return [
         (".reginfo", REGINFO, 2, 0x400094, bytes(24)),
@@ -42,7 +42,7 @@ def sections(text=None, data=None, ctors=None, got=None):
         (".rodata", PROGBITS, 2, RODATA_AT, bytes(RODATA_SIZE)),
         (".data", PROGBITS, 3, DATA_AT, words(RODATA_AT, 7, 0, TEXT_AT) if data is None else data),
         (".ctors", PROGBITS, 3, CTORS_AT, words(-1, TEXT_AT, 0) if ctors is None else ctors),
-        (".dtors", PROGBITS, 3, DTORS_AT, words(-1, 0)),
+        (".dtors", PROGBITS, 3, DTORS_AT, words(-1, 0) if dtors is None else dtors),
         (".got", PROGBITS, 0x10000003, GOT_AT, words(0, 0x80000000, DATA_AT, 0) if got is None else got),
         (".bss", NOBITS, 3, BSS_AT, 0x100),
     ]

@@ -19,6 +19,7 @@ PROJECT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(PROJECT / "scripts"))
 from stick import binary, debian, sdk as sony  # noqa: E402
 from stick.merge import merge, relocations_by_section  # noqa: E402
+from stick.problem import Problem  # noqa: E402
 from stick.wlan import Wlan, wlan_conf  # noqa: E402
 
 C_HEADERS = ("algorithm ctype.h dirent.h errno.h limits.h math.h setjmp.h stdarg.h stddef.h stdio.h stdlib.h string.h "
@@ -196,6 +197,7 @@ class TheNetwork(Workshop):
         address = ("--essid", "AIBO", "--ip", "192.168.7.2")
         for options, what, advice in (
                 (("--ip", "192.168.7.2"), "WLAN options need --essid", "Add it"),
+                (("--channel", "5"), "WLAN options need --essid", "Add it"),
                 (("--essid", ""), "the network's name '' cannot be", "1 to 32 letters"),
                 (("--essid", "x" * 33), "cannot be used by the robot", "1 to 32 letters"),
                 (("--essid", "my home"), "'my home' cannot be", "without spaces"),
@@ -212,6 +214,8 @@ class TheNetwork(Workshop):
             with self.subTest(options=options):
                 self.expect_failure(self.make_stick(*options), what, advice)
                 self.assertFalse(self.stick.exists(), "nothing is written")
+        for address in ("0.0.0.0", "224.0.0.1", "240.0.0.1", "192.168.7.0"):
+            self.assertRaises(Problem, wlan_conf, Wlan("AIBO", ip=address))
 
 
 class AnIncompleteSdk(Workshop):
@@ -242,12 +246,14 @@ class AnIncompleteSdk(Workshop):
         self.expect_failure(said, "there is no make on this computer", "apt-get install make")
 
     def test_names_everything_at_once(self):
-        for path in ("bin/mipsel-linux-nm", "OPEN_R/lib/libOPENR.a", "OPEN_R/bin/gensnap"):
+        for path in ("bin/mipsel-linux-nm", "OPEN_R/bin/gensnap"):
             (self.sdk / path).unlink()
+        shutil.rmtree(str(self.sdk / "OPEN_R/lib"))
         (self.libjpeg / "jpeglib.h").unlink()
         self.stick = self.folder / "not_mounted" / "stick"
         said = self.make_stick("--essid", "my home").stderr
-        for name in ("mipsel-linux-nm", "libOPENR.a", "gensnap", "sources of libjpeg", "the stick mounted?", "my home"):
+        for name in ("mipsel-linux-nm", "libantMCOOP.a and 3 more", "gensnap", "sources of libjpeg",
+                     "the stick mounted?", "my home"):
             self.assertIn(name, said)
 
     def test_whose_tools_do_not_run_here(self):
@@ -371,6 +377,8 @@ class Verification(Workshop):
         self.assertIn("An ERS-7M3 needs r4 or later; r5 is recommended", said)
         self.assertIn("since r5: its WLAN", said)
         self.assertNotIn("r3: its EEPROM", said)
+        version.write_text(version.read_text().replace("ERS-7", "ERS-210"))
+        self.assertNotIn("M3", self.verify().stdout)
         version.unlink()
         self.assertIn("The revision of Sony's system is not known", self.verify().stdout)
 
@@ -407,6 +415,8 @@ class Verification(Workshop):
                             "does not connect PictureEncoder.Job.PictureJob.O", "write the stick again")
         self.expect_problem(path, b"RCServer.Effector.OCommandVectorData.S\n", "line 1: a line needs two services",
                             "write the stick again")
+        self.expect_problem(path, effector + b" RCServer.Effector.OCommandVectorData.S\n",
+                            "line 1: a line needs two services", "write the stick again")
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
                             "have different data types", "the same")
 
@@ -423,6 +433,9 @@ class Verification(Workshop):
         self.expect_problem(path, b"HOSTNAME=AIBO\n", "there is no line ESSID=NAME", "Add the name")
         self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n",
                             "the WEP key has 6 characters", "5 or 13")
+        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nAPMODE=0\nCHANNEL=12\n", "no channel '12'", "1 to 11")
+        self.expect_problem(path, b"ESSID=AIBO\nETHER_IP=192.168.7.2\nETHER_NETMASK=255.255.255.0\n"
+                                  b"IP_GATEWAY=192.168.8.1\n", "not in the robot's network", "access point's computer")
         self.expect_problem(path, b"ESSID=AIBO\nETHER_IP = 192.168.7\n",
                             "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
 
@@ -510,6 +523,8 @@ class AProgram(unittest.TestCase):
     def test_with_words_that_the_loader_would_spoil(self):
         words = ".RelDataEntry names words that are not addresses in this program: "
         self.expect(words + "0x10 is outside of all sections", self.finished(fake.RELOCATED + (0x400010,)))
+        many = tuple(range(0x400010, 0x400024, 4))
+        self.expect("0x18 is outside of all sections with data and 2 more", self.finished(fake.RELOCATED + many))
         behind = fake.BSS_AT - fake.BASE
         self.expect(words + f"{behind:#x} is outside", self.finished(fake.RELOCATED + (fake.BSS_AT,)))
         self.expect(words + f"{fake.DATA_AT + 4 - fake.BASE:#x} holds 0x7",
@@ -526,6 +541,7 @@ class AProgram(unittest.TestCase):
     def test_without_the_marks_around_its_constructors(self):
         for ctors in (fake.words(0, fake.TEXT_AT, 0), fake.words(-1, fake.TEXT_AT, 7)):
             self.expect(".ctors does not begin with -1 and end with 0", self.finished(ctors=ctors))
+        self.expect(".dtors does not begin with -1 and end with 0", self.finished(dtors=fake.words(-1, 7)))
 
     def test_whose_code_depends_on_its_address(self):
         wrong_gp = fake.words(*fake.set_gp(fake.TEXT_AT, fake.GP + 0x60), 0x27bdffe0).ljust(fake.TEXT_SIZE, b"\0")
@@ -540,6 +556,8 @@ class AProgram(unittest.TestCase):
 
     def test_that_needs_much_of_its_stack(self):
         self.expect("a function needs 20480 bytes of a stack of 32768", self.finished(text=fake.code(0x27bdb000)))
+        printing = fake.code(0x27bdbff0)  # newlib's, with 16400 bytes
+        self.assertEqual(self.faults(self.finished(text=printing), fake.linked(text=printing)), [])
 
     def test_with_relocations_that_gensnap_does_not_know(self):
         for relocations, fault in ((((0, fake.R_MIPS_26, 1),), "gensnap does not know: R_MIPS_26"),
@@ -562,9 +580,10 @@ class CheckBinary(Workshop):
         self.assertIn("no fault found", done.stdout)
 
     def test_is_part_of_the_build(self):
-        program = self.sdk / "program"
-        program.write_bytes(program.read_bytes().replace(b"mCOOP", b"other"))
-        self.expect_failure(self.make_stick(), "RCSERVER.BIN: .SnapShotHdr describes no OPEN-R", "Do not start it")
+        (self.sdk / "faulty").write_bytes((self.sdk / "program").read_bytes().replace(b"mCOOP", b"other"))
+        with (self.sdk / "OPEN_R/bin/mkbin").open("a") as script:
+            script.write('case $output in *PictureEncoder*) cp "${0%/*}/../../faulty" "$output" ;; esac\n')
+        self.expect_failure(self.make_stick(), "ENCODER.BIN: .SnapShotHdr describes no OPEN-R", "Do not start it")
         self.assertFalse(self.stick.exists())
 
 
