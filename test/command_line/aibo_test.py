@@ -172,6 +172,12 @@ class TestCase(unittest.TestCase):
     def json(self, *words, **options):
         return json.loads(self.text("--json", *words, **options))
 
+    def asked(self, kinds, *words, status=DONE):
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        self.said = self.aibo(*words, status=status, port=witness.port).stdout.decode()
+        return witness.take(*kinds)
+
     def examined(self):
         """The report of a short examination. On a busy computer, the stream is slow, and doctor says so."""
         result = run("--json", "doctor", "--seconds", "1", port=self.robot.port)
@@ -189,6 +195,8 @@ class OnBothVersions:
         self.assertEqual((picture["width"], picture["height"], picture["file"]),
                          (208, 160, str(self.folder / "a.jpg")))
         self.assertEqual(content[:3], b"\xff\xd8\xff")
+        said, size = self.text("picture", "-o", "a.jpg"), (self.folder / "a.jpg").stat().st_size
+        self.assertEqual(said, f"208x160 pixels, {size} bytes: {self.folder}/a.jpg\n")
 
     def test_gives_a_picture_a_name(self):
         self.aibo("picture")
@@ -355,9 +363,9 @@ class Version1(OnBothVersions, TestCase):
         self.assertEqual(errors.count("no request to set the camera"), 1, errors)
 
     def test_plays_for_ten_seconds_because_it_does_not_know_the_end(self):
-        with start("play", "wag", port=self.robot.port) as play:
-            self.assertIn(b"it is stopped after 10 s", play.stderr.readline())
-            play.send_signal(signal.SIGINT)
+        played = self.aibo("play", "wag", "--times", "50")
+        self.assertIn("it is stopped after 10 s", played.errors)
+        self.assertEqual(played.stdout, b"WAG.MTN was played, and stopped when its time was over.\n")
 
     def test_stops_motions(self):
         self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
@@ -420,17 +428,13 @@ class Asked(TestCase):
         cls.robot = SimulatedRobot(console=True)
         cls.addClassCleanup(cls.robot.end)
 
-    def asked(self, kinds, *words, status=DONE):
-        witness = Witness(self.robot.port)
-        self.addCleanup(witness.end)
-        self.said = self.aibo(*words, status=status, port=witness.port).stdout.decode()
-        return witness.take(*kinds)
-
     def test_for_pictures(self):
         self.assertEqual(self.asked("F", "picture", "-o", "a.jpg", "-q", 40, "--resolution", "104x80"),
                          [("F", 40, b"\1")])
         for words, settings in ((["--white-balance", "outdoor", "--gain", "high", "--shutter", "slow"],
                                  {1: 2, 2: 3, 3: 1, 4: 0, 5: 0}),
+                                (["--white-balance", "fluorescent", "--gain", "mid", "--shutter", "mid"],
+                                 {1: 3, 2: 2, 3: 2, 4: 0, 5: 0}),
                                 (["--white-balance", "auto", "--gain", "low", "--shutter", "fast", "--auto-exposure"],
                                  {2: 1, 3: 3, 4: 1, 5: 1})):
             with self.subTest(words):
@@ -493,6 +497,7 @@ class Asked(TestCase):
         self.assertEqual(steps[-1][2], bytes(8))
         self.assertGreaterEqual(len(steps), 3)
         self.assertEqual(self.asked("S", "walk", "turn=10deg/s", "--seconds", 0.3, "--unguarded")[0][1], 0)
+        self.assertEqual(self.asked("S", "walk", "forward=0.01m/s", "--seconds", 0.3)[0][2][:2], b"\0\x0a")
 
     def test_a_walk_is_ended_by_whoever_lifts_the_robot(self):
         robot = SimulatedRobot(console=True)
@@ -519,24 +524,27 @@ class Asked(TestCase):
         with start("play", "wag", "--times", "50", port=witness.port) as play:
             while self.robot.ask("joint tail_pan") == begin:
                 self.assertIsNone(play.poll())
-            play.send_signal(signal.SIGINT)
-            self.assertEqual(play.wait(60), 130)
+            play.send_signal(signal.SIGTERM)
+            self.assertEqual(play.wait(60), 128 + signal.SIGTERM)
             self.assertEqual(play.communicate()[1], b"aibo: interrupted\n")
-        self.assertEqual([payload for _, _, payload in witness.take("P")], [b"\0\x32WAG.MTN", b"\0\0WAG.MTN"])
+        for asked in (witness.take("P"), self.asked("P", "play", "wag", "--times", 50, "--seconds", 0.5)):
+            self.assertEqual([payload for _, _, payload in asked], [b"\0\x32WAG.MTN", b"\0\0WAG.MTN"])
 
     def test_for_sensors(self):
-        self.robot.ask("press chin")
+        for sensor in ("chin", "head_touch"):
+            self.robot.ask("press " + sensor)
+            self.addCleanup(self.robot.ask, "release " + sensor)
         self.robot.ask("battery 18")
         end = time.monotonic() + 60
         while self.json("battery")["charge"] != 0.18:  # the robot looks at it once in a while
             self.assertLess(time.monotonic(), end)
         self.addCleanup(self.robot.ask, "battery 90")
-        self.addCleanup(self.robot.ask, "release chin")
         self.assertEqual([each["pressed"] for each in self.json("sensors")["sensors"] if each["name"] == "chin"],
                          [True])
         words = self.text("sensors")
         self.assertRegex(words, r"(?m)^chin +1\.000 on$")
-        self.assertRegex(words, r"(?m)^head_touch +\d\.000 $")
+        self.assertRegex(words, r"(?m)^head_touch +\d+\.000 touched$")
+        self.assertRegex(words, r"(?m)^back_front +\d\.000 $")
         self.assertRegex(words, r"(?m)^range_near +\S+ m$")
         self.assertRegex(words, r"(?m)^acceleration_up_down +-?9\.\d+ m/s\^2$")
         self.assertRegex(words, r"(?m)^temperature +\S+ degrees Celsius$")
@@ -546,6 +554,13 @@ class Asked(TestCase):
         self.assertEqual((battery["good"], battery["text"], battery["advice"]),
                          (False, "18 % charged", "Charge it soon."))
         self.assertFalse(report["good"])
+
+    def test_a_stream_with_few_or_lost_pictures_is_bad(self):
+        for options in (("--encode-time", "45"), ("--protocol-version", "1", "--encode-time", "100")):
+            self.robot = SimulatedRobot(*options)
+            self.addCleanup(self.robot.end)
+            stream = next(finding for finding in self.examined()["findings"] if finding["topic"] == "stream")
+            self.assertEqual((stream["good"], stream["advice"][:31]), (False, "Bring the robot nearer to its a"), stream)
 
     def test_a_robot_that_falls_silent_is_bad(self):
         with start("doctor", "--seconds", "60", port=self.robot.port) as doctor:
@@ -628,7 +643,7 @@ class WithPermission(TestCase):
         self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
         self.assertEqual(self.text("upload", NOD, "wave"), f"WAVE.MTN is on the robot, {NOD.stat().st_size} bytes.\n")
-        self.json("delete", "wave")
+        self.assertEqual(self.text("delete", "wave"), "WAVE.MTN was deleted from the robot.\n")
         self.assertNotIn("WAVE.MTN", self.json("motions")["motions"])
         allows = next(f for f in self.examined()["findings"] if f["topic"] == "allows")
         self.assertEqual(allows["text"], "upload, delete, pictures, shut down, reboot")
@@ -636,13 +651,16 @@ class WithPermission(TestCase):
     def test_pictures_are_taken_listed_fetched_and_deleted(self):
         self.assertIn("no pictures", self.text("pictures"))
         self.assertEqual(self.json("snap", "-q", "40"), {"picture": "AIBO0001.JPG"})
-        self.assertIn("AIBO0002.JPG", self.text("snap"))
+        self.assertEqual(self.asked("M", "snap", "-q", "30"), [("M", 30, b"")])
+        self.assertEqual(self.said, "AIBO0002.JPG is on the robot's memory stick.\n")
         self.assertEqual(self.json("pictures")["pictures"], ["AIBO0001.JPG", "AIBO0002.JPG"])
         fetched = self.json("fetch", "aibo0001")
         self.assertEqual(fetched["file"], str(self.folder / "AIBO0001.JPG"))
         content = (self.stick / "AIBO0001.JPG").read_bytes()
         self.assertEqual(fetched["bytes"], len(content))
         self.assertEqual((self.folder / "AIBO0001.JPG").read_bytes(), content)
+        self.assertEqual(self.text("fetch", "aibo0001"),
+                         f"AIBO0001.JPG, {len(content)} bytes: {self.folder}/AIBO0001.JPG\n")
         self.assertEqual(self.aibo("fetch", "AIBO0002.JPG", "-o", "-").stdout,
                          (self.stick / "AIBO0002.JPG").read_bytes())
         self.assertEqual(self.json("delete", "aibo0001.jpg"), {"picture": "AIBO0001.JPG"})
@@ -730,7 +748,7 @@ class WithSound(TestCase):
                       ["play-sound", "bark.wav"]):
             self.assertTrue(self.json(*words)["to_its_end"], words)
         self.assertEqual((self.folder / "text").read_text(), "--stdin $(reboot)")
-        self.aibo("say", "--voice", "de", "Guten", "Morgen")
+        self.assertIn(("A", 3, b"\2"), self.asked("A", "say", "--voice", "de", "Guten", "Morgen", "--volume", 2))
         self.assertIn(" -v de ", " " + (self.folder / "options").read_text())
         self.assertEqual((self.folder / "text").read_text(), "Guten Morgen")
         self.assertIn("missing.wav", self.aibo("play-sound", "missing.wav", status=FAILED).errors)
@@ -851,8 +869,18 @@ class Unreachable(TestCase):
             self.assertIn("refused the connection", error["error"])
             self.assertIn("AIBO_HOST", error["error"])
             self.assertEqual(error["status"], UNREACHABLE)
+            self.assertNotIn("AIBO_HOST", self.json("joints", "--host", "127.0.0.1", port=port,
+                                                    status=UNREACHABLE)["error"])
             report = self.json("doctor", port=port, status=UNREACHABLE)
             self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
+            self.assertIn("Name the robot: aibo doctor HOST.", report["findings"][-1]["advice"])
+            # The port of a robot's console is fixed, so the address is one that no other test has.
+            address = "127.1.%d.%d" % divmod(os.getpid() % 65536, 256)
+            report = self.json("doctor", address, port=port, status=UNREACHABLE)
+            self.assertNotIn("Name the robot", report["findings"][-1]["advice"])
+            with socket.create_server((address, 59000)):
+                report = self.json("doctor", address, port=port, status=UNREACHABLE)
+            self.assertIn("the robot is on, but RCServer is not running", report["findings"][-1]["advice"])
 
     def test_a_robot_that_does_not_answer(self):
         with socket.socket() as full:
@@ -887,6 +915,8 @@ class Unreachable(TestCase):
         self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]],
                          [("name", True), ("port", True), ("server", False)])
         self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
+        users = iter((turn_away, turn_away, says_hello(b"RCServer", b"NOD.MTN")))  # the robot is free a moment later
+        self.assertEqual(self.text("motions", port=self.server(lambda client: next(users)(client))), "NOD.MTN\n")
 
     def test_a_server_that_measures_nothing(self):
         problems = {("joints",): b"does not report its joints", ("sensors",): b"does not report its sensors",
@@ -1024,6 +1054,8 @@ class Documents(unittest.TestCase):
         self.assertEqual(complete("aibo", "watch", "--s"), ["--seconds", "--save", "--shutter"])
         self.assertEqual(complete("aibo", "walk", "t"), ["turn="])
         self.assertEqual(complete("aibo", "picture", "-o", str(NOD.with_suffix(""))), [str(NOD)])
+        self.assertEqual(complete("aibo", "upload", str(NOD.with_suffix(""))), [str(NOD)])
+        self.assertEqual(complete("aibo", "motors", "o"), ["on", "off"])
         self.assertEqual(complete("aibo", "help", "doc"), ["doctor"])
 
     @unittest.skipUnless(shutil.which("groff"), "groff is not installed")
