@@ -202,6 +202,9 @@ TEST_F(ColorTableTest, HoldsTheColorsOfAPartOfAPicture) {
   ASSERT_TRUE(tables[0].segments[18]) << "Y is 145";
   EXPECT_EQ(tables[0].segments[18]->cr_max, 203 + 9);
   EXPECT_EQ(tables[0].segments[18]->cb_min, 103 - 9);
+  const ros::Publisher driver = ros::NodeHandle("/aibo").advertise<sensor_msgs::Image>("camera/image_raw", 1, true);
+  driver.publish(paint("bgr8"));
+  EXPECT_THAT(run({"--region", "20,20,12,16"}, 0), HasSubstr("contains 100.0 % of the region"));
 }
 
 TEST_F(ColorTableTest, IsPrintedForAPictureInAFile) {
@@ -209,6 +212,7 @@ TEST_F(ColorTableTest, IsPrintedForAPictureInAFile) {
   folder_.write("a.jpg", std::string(jpeg.begin(), jpeg.end()));
   const std::string output = run({"--file", folder_.path("a.jpg"), "--region", "10,10,20,20"}, 0);
   EXPECT_EQ(aibo_driver::node::parseColorTable(output.substr(output.find('\n') + 1), "a").name, "my_color") << output;
+  EXPECT_EQ(run({"--file", folder_.path("a.jpg"), "--region", "10,10,20,20", "--margin", "6"}, 0), output);
 }
 
 TEST_F(ColorTableTest, WhatCannotBeMadeIsExplained) {
