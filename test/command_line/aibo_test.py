@@ -560,7 +560,8 @@ class Asked(TestCase):
             self.robot = SimulatedRobot(*options)
             self.addCleanup(self.robot.end)
             stream = next(finding for finding in self.examined()["findings"] if finding["topic"] == "stream")
-            self.assertEqual((stream["good"], stream["advice"][:31]), (False, "Bring the robot nearer to its a"), stream)
+            self.assertFalse(stream["good"], stream)
+            self.assertIn("Bring the robot nearer", stream["advice"])
 
     def test_a_robot_that_falls_silent_is_bad(self):
         with start("doctor", "--seconds", "60", port=self.robot.port) as doctor:
