@@ -235,6 +235,11 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   const std::string bag = path("left.bag");
   Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=30"}));
   EXPECT_EQ(playback.waitForExit(std::chrono::seconds(1)), std::nullopt) << "nobody watches yet";
+  std_srvs::SetBool pause;
+  pause.request.data = 1;
+  ASSERT_TRUE(ros::service::waitForService("/other/aibo_playback/pause_playback", ros::Duration(30)));
+  ASSERT_TRUE(ros::service::call("/other/aibo_playback/pause_playback", pause));
+  EXPECT_FALSE(pause.response.success) << "it does not play yet";
   TopicListener<Connection> connection("/other/connection");
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
   EXPECT_NEAR(odom.waitForCount(10).front()->pose.pose.position.x, 2 * kSpeed, 1e-6);
@@ -327,6 +332,23 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("both.bag")),
               HasSubstr("several robots: /left, /team/right. Choose one, such as recorded_ns:=left."));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_start:=5"}), HasSubstr("start is 5"));
+}
+
+TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobot) {
+  {
+    rosbag::Bag bag(path("two.bag"), rosbag::bagmode::Write);
+    for (const char* topic : {"/left/camera/image_raw", "/left/camera/image_raw/compressed", "/left/joint_states",
+                              "/lefty/joint_states", "/right/connection", "/diagnostics", "/tf"}) {
+      bag.write(topic, kBegin, geometry_msgs::Twist());
+    }
+  }
+  std::vector<std::string> topics;
+  aibo_driver::tools::Recording recording(path("two.bag"), "/left");
+  for (const rosbag::ConnectionInfo* connection : recording.messages().getConnections()) {
+    topics.push_back(connection->topic);
+  }
+  EXPECT_THAT(topics, ::testing::UnorderedElementsAre("/diagnostics", "/left/joint_states",
+                                                      "/left/camera/image_raw/compressed"));
 }
 
 TEST(ChangeStamp, ChangesOnlyAHeaderAtTheBeginning) {
