@@ -70,7 +70,7 @@ TEST(Version1, PictureLetterBeginsNoValueReply) {
 
 TEST(FileRequest, IsANameAndTwoNumbers) {
   unsigned char bytes[FILE_PAYLOAD_SIZE];
-  encodeFileRequest({"NOD.MTN", 0x0102, 0xfffe}, bytes);
+  encodeFileRequest(FileRequest{"NOD.MTN", 0x0102, 0xfffe}, bytes);
   EXPECT_THAT(bytes, ElementsAre('N', 'O', 'D', '.', 'M', 'T', 'N', 0, 0, 0, 0, 0, 0x02, 0x01, 0xfe, 0xff));
 
   const FileRequest file = decodeFileRequest(bytes);
@@ -81,7 +81,7 @@ TEST(FileRequest, IsANameAndTwoNumbers) {
 
 TEST(FileRequest, EndsItsNameAtTheFirstZeroByteOrAfterTwelve) {
   unsigned char bytes[FILE_PAYLOAD_SIZE];
-  encodeFileRequest({"WALK_FWD.MTN", 0xffff, 0xffff}, bytes);
+  encodeFileRequest(FileRequest{"WALK_FWD.MTN", 0xffff, 0xffff}, bytes);
   EXPECT_STREQ(decodeFileRequest(bytes).name, "WALK_FWD.MTN");
   bytes[3] = 0;  // whatever an old client has left behind that
   EXPECT_STREQ(decodeFileRequest(bytes).name, "WAL");
@@ -95,8 +95,8 @@ TEST(FileRequest, AnnouncesBlocksOf512BytesAndTheRest) {
     announceContent(size, &file);
     EXPECT_EQ(contentSize(file), size);
   }
-  EXPECT_EQ(contentSize({"", 2, 3}), 1027U);
-  EXPECT_EQ(contentSize({"", 65535, 65535}), MAX_CONTENT_SIZE);
+  EXPECT_EQ(contentSize(FileRequest{"", 2, 3}), 1027U);
+  EXPECT_EQ(contentSize(FileRequest{"", 65535, 65535}), MAX_CONTENT_SIZE);
 }
 
 TEST(Version1, IntensityOfAnLedIsTheLowByte) {

@@ -34,8 +34,12 @@ class OCalendarTime {
   void RFC2822(char* text) const {
     static const char kDays[] = "SunMonTueWedThuFriSat";
     static const char kMonths[] = "JanFebMarAprMayJunJulAugSepOctNovDec";
-    sprintf(text, "%.3s, %d %.3s %d %02d:%02d:%02d %c%02d00", kDays + 3 * dow_, day_, kMonths + 3 * (month_ - 1),
-            otimeSTART_YEAR + year_, hour_, min_, sec_, timeDif_ < 0 ? '-' : '+', timeDif_ < 0 ? -timeDif_ : timeDif_);
+    const int length = snprintf(text, 32, "%.3s, %d %.3s %d %02d:%02d:%02d %c%02d00", kDays + 3 * dow_, day_,
+                                kMonths + 3 * (month_ - 1), otimeSTART_YEAR + year_, hour_, min_, sec_,
+                                timeDif_ < 0 ? '-' : '+', timeDif_ < 0 ? -timeDif_ : timeDif_);
+    if (length >= 32) {
+      text[0] = '\0';  // somebody has written other numbers into this object
+    }
   }
 
   int year_;   ///< since otimeSTART_YEAR
