@@ -382,7 +382,7 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   if (gets_up_ && lies && attempts_ < ATTEMPTS) {
     plans_again_ = plans_again_ || (!rolls_ && FallWatch::IsFallen(fall_watch_.Last()));
   } else if (gets_up_ && lies && (rolls_ || !FallWatch::IsFallen(fall_watch_.Last()))) {
-    // This is the last attempt, or the robot is on its belly, which the verdict tells later.
+    // This is the last attempt, or the robot is on its belly already, and the verdict is late.
   } else if (fall != FallWatch::UPRIGHT) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
