@@ -103,6 +103,7 @@ TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
 
 TEST_F(HandlerTimeTest, AnObjectKeepsItsDataUntilItHasFinished) {
   auto* region = new RCRegion(4);
+  encoder_.on_notify = [](const ONotifyEvent&) {};  // no message follows
   test_.as(camera_, [&] {
     camera_.subject().SetData(region);
     camera_.subject().NotifyObservers();
