@@ -367,6 +367,18 @@ TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
   EXPECT_TRUE(tailMoves());
 }
 
+// What it sends has no answer: the stream ends before its first picture.
+TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatOnlySendsGoesOn) {
+  auto client = connectServed();
+  startPlaying(*client);
+  for (int i = 0; i < 4; ++i) {
+    passFrames(400);
+    client->send(request('W', 85) + request('W', 85));
+    machine_->runPending();
+  }
+  EXPECT_TRUE(tailMoves());
+}
+
 // -------------------------------------------------------------------------------------------------------- motors
 
 TEST_F(PlayingClientTest, MotionEndedByTheMotorsDoesNotContinueWhenTheyAreOnAgain) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "picture_checks.h"
@@ -193,16 +194,22 @@ TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatStopsIt) {
   EXPECT_TRUE(pictures().empty());
 }
 
-TEST_F(PicturesTest, NoPictureOfTheOldQualityFollowsTheAnswerThatChangesIt) {
-  ASSERT_TRUE(startsStreamWithSlowEncoder());
-  answerTo('W', 20, kStreamOn);
-  encoder_.speedUp();
-  takeImage();
-  takeImage();
-  const std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 2U);
-  EXPECT_EQ(made[0].header.id, 20);
-  EXPECT_EQ(made[1].header.id, 20);
+TEST_F(PicturesTest, NoPictureOfTheOldQualityOrLayerFollowsTheAnswerThatChangesIt) {
+  for (const auto& [quality, layer] :
+       {std::make_pair(20, protocol::version2::LAYER_HIGH), std::make_pair(85, protocol::version2::LAYER_MIDDLE)}) {
+    ASSERT_TRUE(startsStreamWithSlowEncoder());
+    answerTo('W', quality, {1, static_cast<char>(layer), 0, 1});
+    encoder_.speedUp();
+    takeImage();
+    takeImage();
+    const std::vector<Frame> made = pictures();
+    ASSERT_EQ(made.size(), 2U);
+    for (const Frame& picture : made) {
+      EXPECT_EQ(picture.header.id, quality);
+      EXPECT_EQ(pictureIn(picture).image.layer, layer);
+    }
+    reconnect();
+  }
 }
 
 TEST_F(PicturesTest, PictureInTheMakingIsStillOwedAfterTheStreamStops) {
