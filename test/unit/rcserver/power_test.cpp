@@ -63,7 +63,7 @@ class PowerTest : public FakeRobotFixture {
     send(frame('W', 100, 1, kStreamOn));
     for (size_t sent = 0; sends_.empty() || sent < sends_.size();) {
       sent = sends_.size();
-      passFrames(kFramesASecond);  // no send ends any more when all buffers are full
+      passFrames(5 * FakeRobot::kFramesPerImage);  // no send ends any more when all buffers are full
       send(frame('H', 0, 2));
     }
   }
