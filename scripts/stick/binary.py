@@ -35,6 +35,11 @@ RELOCATIONS = {"R_MIPS_NONE", "R_MIPS_32", "R_MIPS_CALL16", "R_MIPS_HI16", "R_MI
                "R_MIPS_GOT16", "R_MIPS_PC32"}
 
 
+# Debian 11's iter_sections() and iter_segments() cannot choose a type.
+def relocation_tables(elf):
+    return (section for section in elf.iter_sections() if section["sh_type"] == "SHT_REL")
+
+
 class Summary(NamedTuple):
     """What a program is made of, for comparison with another compiler's."""
     name: str
@@ -108,12 +113,12 @@ class Program:
         if flags & ~0x3 != 0x1004:  # except for noreorder and PIC: o32, MIPS I, CPIC
             yield (f"its flags are {flags:#x}; the loader is known to accept 0x1005: MIPS I, the ABI o32, and code that "
                    "finds its data by gp (CPIC)")
-        segments = [(segment["p_type"], segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"])
-                    for segment in self._elf.iter_segments("PT_LOAD")]
-        if segments != [("PT_LOAD", 0, 0), ("PT_LOAD", None, TABLES_AT)]:
+        loaded = [segment for segment in self._elf.iter_segments() if segment["p_type"] == "PT_LOAD"]
+        segments = [(segment["p_offset"] if segment["p_vaddr"] == 0 else None, segment["p_vaddr"]) for segment in loaded]
+        if segments != [(0, 0), (None, TABLES_AT)]:
             raise Broken(f"it must have two segments, one for the program at 0 and one for the header at "
                          f"{TABLES_AT:#x}")
-        self._memory = next(self._elf.iter_segments("PT_LOAD"))["p_memsz"]
+        self._memory = loaded[0]["p_memsz"]
         for section in self._placed():
             if section["sh_type"] != "SHT_NOBITS" and section["sh_offset"] != section["sh_addr"]:
                 yield (f"{section.name} is at {section['sh_offset']:#x} in the file, but at {section['sh_addr']:#x} "
@@ -252,7 +257,7 @@ class Program:
         elf = ELFFile(io.BytesIO(self._relocations))
         placed = {section.name: section for section in self._placed()}
         unknown, absolute, outside = set(), [], []
-        for table in elf.iter_sections("SHT_REL"):
+        for table in relocation_tables(elf):
             section = placed.get(table.name[len(".rel"):])
             if section is None:
                 continue

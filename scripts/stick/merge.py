@@ -8,6 +8,8 @@ import struct
 
 from elftools.elf.elffile import ELFFile
 
+from .binary import relocation_tables
+
 LINKED_AT = 0x400000   # where GNU ld puts programs; gensnap subtracts it, too
 TABLES_AT = 0xf0000000  # the address of gensnap's tables in Sony's ldscript-snap
 PAGE = 0x1000
@@ -29,7 +31,7 @@ def relocations_by_section(program):
     """The program, with each relocation's offset from the beginning of its section, as in object files."""
     elf = ELFFile(io.BytesIO(program))
     changed = bytearray(program)
-    for table in elf.iter_sections("SHT_REL"):
+    for table in relocation_tables(elf):
         base = elf.get_section(table["sh_info"])["sh_addr"]
         for place in range(table["sh_offset"], table["sh_offset"] + table["sh_size"], table["sh_entsize"]):
             offset, = struct.unpack_from("<I", changed, place)

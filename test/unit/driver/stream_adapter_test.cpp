@@ -20,7 +20,10 @@ using ::testing::IsEmpty;
 /// What is logged while it lives.
 class LogListener : public ros::console::LogAppender {
  public:
-  LogListener() { ros::console::register_appender(this); }
+  LogListener() {
+    ROSCONSOLE_AUTOINIT;  // Debian 11's rosconsole loses appenders that come before
+    ros::console::register_appender(this);
+  }
   ~LogListener() override { ros::console::deregister_appender(this); }
 
   LogListener(const LogListener&) = delete;
