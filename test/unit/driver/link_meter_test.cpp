@@ -149,8 +149,9 @@ TEST_F(LinkMeterTest, AServerOfVersion1TellsNeitherAgeNorLoss) {
 TEST_F(LinkMeterTest, HasTheLatencySinceTheFirstByte) {
   Picture picture;
   picture.first_byte_time = begin_;
-  meter_.add(picture, 0, 1, begin_ + milliseconds(2));
   meter_.add(picture, 0, 1, begin_ + milliseconds(4));
+  picture.first_byte_time = begin_ + milliseconds(8);
+  meter_.add(picture, 0, 1, begin_ + milliseconds(10));
   const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(100));
   EXPECT_DOUBLE_EQ(reading.mean_latency, 0.003);
   EXPECT_DOUBLE_EQ(reading.max_latency, 0.004);

@@ -448,6 +448,7 @@ TEST_F(JointPlanTest, ResumesAfterAHoldUp) {
   measure(1.5);
   advance(1.5);
   EXPECT_NEAR(wanted(fate, 1.5), 0.512 / 2 + 0.016, 0.002);
+  EXPECT_NEAR(duration<double>(*plan_.endOf(fate, at(1.5)) - at(0)).count(), 3.5 - 0.544, 0.002);
 }
 
 }  // namespace
