@@ -385,6 +385,8 @@ TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
   TopicListener<Range> ranges("/version_1/range/chest");
   TopicListener<Imu> accelerations("/version_1/imu/data_raw");
   TopicListener<Touch> touch("/version_1/touch");
+  TopicListener<LedStates> leds("/version_1/led_states");
+  EXPECT_TRUE(leds.waitFor([](const LedStates& each) { return areAll(each, NAN); })) << "it does not say what is lit";
   EXPECT_TRUE(ranges.waitForNext());
   const auto acceleration = accelerations.waitForNext();
   ASSERT_TRUE(acceleration);

@@ -106,7 +106,8 @@ TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
   const DriverProcess driver("/alone", 1);
   const std::string name = "alone/aibo_driver: ";
   waitForStatus(diagnostics, name + "stream", DiagnosticStatus::WARN, "no pictures: the robot is not connected");
-  waitForStatus(diagnostics, name + "joints", DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
+  const std::string unknown = "no joint positions: the robot is not connected";
+  EXPECT_EQ(waitForStatus(diagnostics, name + "joints", DiagnosticStatus::WARN, unknown).message, unknown);
   waitForStatus(diagnostics, name + "power", DiagnosticStatus::OK, "idle: the robot is not connected");
   waitForStatus(diagnostics, name + "sound", DiagnosticStatus::OK, "idle: microphone has no subscriber");
   const TopicListener<aibo_driver::Sound> listener("/alone/microphone");

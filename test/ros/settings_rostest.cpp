@@ -190,6 +190,10 @@ TEST(Settings, TelemetryRateChangesJointStates) {
     last = state.header.stamp;
     return interval > 0.9 && interval < 1.1;  // the robot measures every 32 ms
   }));
+  user.set(number("telemetry_rate", 0));
+  TopicPublishers topics("/settings_rate");
+  topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 0.5}}, 1));
+  user.waitForLog("telemetry_rate is 0");
 }
 
 TEST(Settings, SpeedScaleSlowsTheJointsDown) {
