@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 SCRIPTS = Path(__file__).resolve().parents[2] / 'scripts'
 DEMO = SCRIPTS / 'demo'
@@ -184,7 +185,11 @@ class StepsTest(unittest.TestCase):
         self.assertTrue((self.home / 'interrupted').exists())
 
     def test_connects_to_a_robot(self):
-        self.assertIn('Starting the driver for the robot at aibo.local', self.demo('--robot', 'aibo.local', '--walk'))
+        with mock.patch.dict(os.environ):
+            os.environ.pop('HOME', None)  # a service of the system has none
+            out = self.demo('--robot', 'aibo.local', '--walk')
+        self.assertIn('Starting the driver for the robot at aibo.local', out)
+        self.assertEqual(self.started('roslaunch')[1].get('HOME'), '/root')
         self.assertEqual(self.launched(), {'rviz': 'false', 'still': 'false', 'walk': 'true', 'simulation': 'false',
                                            'host': 'aibo.local', 'picture_folder': str(self.place)})
 
