@@ -233,7 +233,8 @@ class OnBothVersions:
         joint = json.loads(result.stdout)["joints"][0]
         self.assertTrue(joint["clamped"])
         self.assertAlmostEqual(joint["target"], -0.052, delta=0.01)  # 3 degrees
-        self.assertIn("mouth cannot go to 30.0 degrees", result.errors)
+        self.assertIn("mouth cannot go to 30.0 degrees, beyond the joint's limit: it goes to -3.0 degrees.\n",
+                      result.errors)
 
     def test_moves_nothing_if_one_joint_is_misspelt(self):
         before = self.position("tail_tilt")
@@ -275,7 +276,7 @@ class OnBothVersions:
         lines = watched.stdout.splitlines()
         self.assertEqual(len(lines), 2)
         for line in map(json.loads, lines):
-            self.assertTrue(line["connected"])
+            self.assertEqual((line["connected"], line["problem"]), (True, ""))
             self.assertGreater(line["stream"]["pictures"], 0)
 
     def test_saves_the_stream_under_names_of_its_own(self):
