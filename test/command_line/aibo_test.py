@@ -229,12 +229,13 @@ class OnBothVersions:
         return next(joint["position"] for joint in self.json("joints")["joints"] if joint["name"] == name)
 
     def test_says_what_was_clamped(self):
-        result = self.aibo("--json", "move", "mouth=30deg", "--speed", "120deg/s")
+        result = self.aibo("--json", "move", "mouth=30deg", "head_tilt=-15deg", "--speed", "120deg/s")
         joint = json.loads(result.stdout)["joints"][0]
         self.assertTrue(joint["clamped"])
         self.assertAlmostEqual(joint["target"], -0.052, delta=0.01)  # 3 degrees
-        self.assertIn("mouth cannot go to 30.0 degrees, beyond the joint's limit: it goes to -3.0 degrees.\n",
-                      result.errors)
+        for note in ("mouth cannot go to 30.0 degrees, beyond the joint's limit: it goes to -3.0 degrees.\n",
+                     "head_tilt cannot go to -15.0 degrees, where another joint or the body is in its way: it goes to "):
+            self.assertIn(note, result.errors)
 
     def test_moves_nothing_if_one_joint_is_misspelt(self):
         before = self.position("tail_tilt")
