@@ -122,18 +122,18 @@ class WalkBag {
   }
 
   template <typename Message>
-  void write(const std::string& topic, const Message& message, const boost::shared_ptr<ros::M_string>& header = {}) {
-    bag_.write(name_space_ + "/" + topic, kBegin + ros::Duration(time_), message, header);
+  void write(const std::string& topic, const Message& message, const std::string& latching = "0") {
+    bag_.write(name_space_ + "/" + topic, kBegin + ros::Duration(time_), message,
+               boost::make_shared<ros::M_string>(
+                   ros::M_string{{"type", ros::message_traits::datatype(message)},
+                                 {"md5sum", ros::message_traits::md5sum(message)},
+                                 {"message_definition", ros::message_traits::definition(message)},
+                                 {"latching", latching}}));
   }
 
   template <typename Message>
   void writeLatched(const std::string& topic, const Message& message) {
-    write(topic, message,
-          boost::make_shared<ros::M_string>(
-              ros::M_string{{"type", ros::message_traits::datatype<Message>()},
-                            {"md5sum", ros::message_traits::md5sum<Message>()},
-                            {"message_definition", ros::message_traits::definition<Message>()},
-                            {"latching", "1"}}));
+    write(topic, message, "1");
   }
 
   rosbag::Bag bag_;
@@ -234,12 +234,15 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   TopicListener<tf2_msgs::TFMessage> tf("/tf");
   const std::string bag = path("left.bag");
   Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=30"}));
-  EXPECT_EQ(playback.waitForExit(std::chrono::seconds(1)), std::nullopt) << "nobody watches yet";
+  EXPECT_EQ(playback.waitForExit(std::chrono::milliseconds(1500)), std::nullopt) << "nobody watches yet";
   std_srvs::SetBool pause;
   pause.request.data = 1;
   ASSERT_TRUE(ros::service::waitForService("/other/aibo_playback/pause_playback", ros::Duration(30)));
   ASSERT_TRUE(ros::service::call("/other/aibo_playback/pause_playback", pause));
   EXPECT_FALSE(pause.response.success) << "it does not play yet";
+  pause.request.data = 0;
+  ASSERT_TRUE(ros::service::call("/other/aibo_playback/pause_playback", pause));
+  EXPECT_FALSE(pause.response.success) << "nor is there anything to go on with";
   TopicListener<Connection> connection("/other/connection");
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
   EXPECT_NEAR(odom.waitForCount(10).front()->pose.pose.position.x, 2 * kSpeed, 1e-6);
