@@ -284,7 +284,7 @@ TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMean
   EXPECT_TRUE(user_.click("stop", "no answer from the service"));
   driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port(), kPatient);
   EXPECT_TRUE(user_.waitForConnection());
-  EXPECT_TRUE(user_.click("Motors on", "motors on: "));
+  EXPECT_TRUE(user_.click("stop", "stop: The robot holds"));
 }
 
 TEST_F(RemoteControlRosTest, ARobotThatIsSwitchedOffIsShown) {
@@ -544,6 +544,11 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
   EXPECT_TRUE(hears("connection waiting for the driver in /told_too"));
   EXPECT_EQ(notes_.filter("condition"), QStringList("condition 0 0 "));
   EXPECT_TRUE(QTest::qWaitFor([this] { return publishers_["robot_state"].getNumSubscribers() == 0; }, kTimeout));
+  const ros::Publisher other = ros::NodeHandle("/told_too").advertise<Connection>("connection", 1, true);
+  Connection paused;
+  paused.text = "a playback, paused";
+  other.publish(paused);
+  EXPECT_TRUE(hears("connection a playback, paused")) << "it says nothing else";
 }
 
 TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
