@@ -74,6 +74,12 @@ TEST(LightMarkers, AreOffWhileItIsUnknownWhetherTheyShine) {
   lights.setLeds(states("face_1", 1.0F));
   EXPECT_TRUE(lights.setLeds(states("face_1", std::nanf(""))));
   EXPECT_TRUE(shining(lights).empty());
+  LedStates two = states("face_1", 1.0F);
+  two.names.push_back("face_2");
+  two.intensities.push_back(1.0F);
+  two.modes.push_back(LedStates::MODE_A);
+  EXPECT_TRUE(lights.setLeds(two));
+  EXPECT_EQ(shining(lights).size(), 2u);
 }
 
 TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
