@@ -17,17 +17,10 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// What is logged while it lives.
+/// Keeps what is logged. It stays registered, because Debian 11's rosconsole crashes when a listener goes.
 class LogListener : public ros::console::LogAppender {
  public:
-  LogListener() {
-    ROSCONSOLE_AUTOINIT;  // Debian 11's rosconsole loses appenders that come before
-    ros::console::register_appender(this);
-  }
-  ~LogListener() override { ros::console::deregister_appender(this); }
-
-  LogListener(const LogListener&) = delete;
-  LogListener& operator=(const LogListener&) = delete;
+  LogListener() { ros::console::register_appender(this); }
 
   void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
            int /*line*/) override {
@@ -36,6 +29,13 @@ class LogListener : public ros::console::LogAppender {
 
   std::vector<std::string> texts;
 };
+
+/// Has what is logged from now on.
+const LogListener& listenToLog() {
+  static auto* const listener = new LogListener;
+  listener->texts.clear();
+  return *listener;
+}
 
 class StreamAdapterTest : public ::testing::Test {
  protected:
@@ -69,7 +69,7 @@ TEST_F(StreamAdapterTest, WithoutAdaptiveTheStreamIsThatOfTheWish) {
 }
 
 TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
-  const LogListener listener;
+  const LogListener& listener = listenToLog();
   adapter_.setWish(wish(true));
   EXPECT_EQ(adapter_.describe(), "not lowered");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
@@ -99,7 +99,7 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
 }
 
 TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEachWish) {
-  const LogListener listener;
+  const LogListener& listener = listenToLog();
   for (const bool adaptive : {true, false, true}) {
     adapter_.setWish(wish(adaptive));
     for (int i = 0; i < 100; ++i) {

@@ -11,8 +11,8 @@ using ::testing::ElementsAre;
 using ::testing::FloatNear;
 using ::testing::HasSubstr;
 
-// Ubuntu 20.04 has SDL 2.0.10, which has no virtual joysticks.
-#if SDL_VERSION_ATLEAST(2, 0, 14)
+// Ubuntu 20.04 has SDL 2.0.10, which has no virtual joysticks; Debian 11's 2.0.14 loses some of their values.
+#if SDL_VERSION_ATLEAST(2, 0, 16)
 
 // A joystick without hardware, with 3 axes, 2 buttons and a hat.
 class VirtualJoystick {
@@ -41,7 +41,6 @@ class VirtualJoystick {
 TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
   SdlJoystick joystick(0, "");
   VirtualJoystick hardware;
-  joystick.read();              // an older SDL takes the first values for those of a joystick that nobody moves
   hardware.setAxis(0, -32768);  // left
   hardware.setAxis(1, 32767);   // down
   hardware.setAxis(2, 16384);
