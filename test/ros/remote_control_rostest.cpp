@@ -284,6 +284,7 @@ TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMean
   EXPECT_TRUE(user_.click("stop", "no answer from the service"));
   driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port(), kPatient);
   EXPECT_TRUE(user_.waitForConnection());
+  EXPECT_TRUE(user_.click("Motors on", "motors on: "));
   EXPECT_TRUE(user_.click("stop", "stop: The robot holds"));
 }
 
