@@ -128,11 +128,12 @@ int runNode(const std::string& name, const std::function<std::shared_ptr<void>()
   endOnInterrupt();
   warnOfWrongAddress();
   try {
-    const std::shared_ptr<void> node = make();
+    std::shared_ptr<void> node = make();
     const MasterWatch master_watch(ros::this_node::getName());
     while (!ros::isShuttingDown()) {  // unlike ros::spin(), this sleeps until there is something to do
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
     }
+    node.reset();  // roscpp 1.15 waits for callbacks of services, and these for an answer of the robot
     ros::waitForShutdown();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The " << name << " cannot start. " << error.what());
