@@ -213,7 +213,9 @@ TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
   receive(makeFrame('f', 0, payload));
   payload[15] = 0x9b;  // docs/protocol.md
   receive(makeFrame('f', 0, payload));
-  ASSERT_EQ(2u, pictures_.size());
+  payload[15] = 0x1b;
+  receive(makeFrame('f', 0, payload));
+  ASSERT_EQ(3u, pictures_.size());
   EXPECT_FALSE(pictures_[0]->settings);
   ASSERT_TRUE(pictures_[1]->settings);
   CameraSettings expected;

@@ -35,6 +35,8 @@ TEST_F(DatagramsTest, ThePortIsSentBeforeTheStreamIsRequested) {
   wish_.datagram_port = 0;
   EXPECT_EQ('B', request());
   EXPECT_EQ(Bytes({0, 0}), payload_);
+  receive(makeFrame('b', number_, payload_));
+  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
 }
 
 TEST_F(DatagramsTest, APictureIsDeliveredWhenItIsWholeInAnyOrderOfItsParts) {

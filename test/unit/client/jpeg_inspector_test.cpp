@@ -26,7 +26,8 @@ constexpr std::size_t kFrameWidth = 7;
 constexpr std::size_t kFrameComponentCount = 9;
 constexpr std::size_t kFramePrecision = 4;
 constexpr std::size_t kFrameLumaSampling = 11;
-constexpr std::size_t kScanSpectralEnd = 12;
+constexpr std::size_t kFrameLength = 3;  // its low byte
+constexpr std::size_t kScanSpectralStart = 11;
 
 constexpr std::uint8_t kSof0 = 0xC0;
 constexpr std::uint8_t kSos = 0xDA;
@@ -190,7 +191,9 @@ TEST(JpegInspectorTest, UnusualSubsamplingIsRefused) {
 }
 
 TEST(JpegInspectorTest, AScanThatIsNotTheOnlyOneOfABaselinePictureIsRefused) {
-  EXPECT_EQ("not a baseline scan", problemOf(alter(kSos, kScanSpectralEnd, 5)));
+  for (const std::size_t offset : {0, 1, 2}) {  // spectral start and end, successive approximation
+    EXPECT_EQ("not a baseline scan", problemOf(alter(kSos, kScanSpectralStart + offset, 5)));
+  }
   EXPECT_EQ("not one scan of all components", problemOf(alter(kSos, 4, 1)));
   EXPECT_EQ("a scan of components that the frame does not have", problemOf(alter(kSos, 5, 77)));
   Bytes jpeg = test_pictures::make();
@@ -208,6 +211,7 @@ TEST(JpegInspectorTest, APictureWithoutItsTablesIsRefused) {
 }
 
 TEST(JpegInspectorTest, ASegmentThatLiesAboutItsLengthIsRefused) {
+  EXPECT_EQ("a frame header of wrong length", problemOf(alter(kSof0, kFrameLength, 18)));
   for (const std::uint8_t marker : {std::uint8_t{0xE0}, kDqt, kSof0, kDht}) {
     Bytes jpeg = alter(marker, 2, 0xFF);
     EXPECT_EQ("cut off in its header", problemOf(jpeg));

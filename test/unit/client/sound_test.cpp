@@ -350,6 +350,15 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
   push(frame, kSixteenMilliseconds);
   push(frame + 3600 * 125, kSixteenMilliseconds);
   EXPECT_EQ((3600 * 125 - 2) * 128U, heard_.back().missing) << "an hour without sound";
+  push(frame + 7200 * 125, kSixteenMilliseconds);
+  EXPECT_EQ(0U, heard_.back().missing) << "the same hour";
+}
+
+TEST_F(SoundTest, NothingIsMissingIfAPushComesTwice) {
+  listen();
+  push(700, kSixteenMilliseconds);
+  push(700, kSixteenMilliseconds);
+  EXPECT_EQ(0U, heard_.back().missing);
 }
 
 TEST_F(SoundTest, APushOfMoreThanASecondIsDropped) {

@@ -761,6 +761,9 @@ TEST_F(Version1SessionTest, AMotionIsPlayedAndStopped) {
   auto play = ask('P', "NOD.MTN", 3);
   EXPECT_EQ(Bytes({'P', 0, 'N', 'O', 'D', '.', 'M', 'T', 'N', 0, 0, 0, 0, 0, 3, 0, 0, 0}), bytes());
   EXPECT_EQ("", command());
+  receive({'u', 0, 0, 0});
+  EXPECT_FALSE(done(play));
+  EXPECT_EQ(1, logged("sent an answer to no request: 'u'"));
   receive({'p', 0, 0, 0});
   EXPECT_EQ(CallOutcome::kDone, play.get().outcome);
   auto stop = ask('P');
@@ -909,6 +912,10 @@ TEST_F(SilentServerTest, IsConnectedWhenItRefuses) {
   receive({'e', 0, 0, 0});
   EXPECT_TRUE(silent_.ready());
   EXPECT_TRUE(log_.empty());
+  auto answer = takePicture(30);
+  EXPECT_EQ("F30", silentCommand());
+  receivePicture(1);
+  EXPECT_TRUE(done(answer));
 }
 
 TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
