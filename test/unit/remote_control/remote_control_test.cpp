@@ -194,7 +194,10 @@ TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASeco
   EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
   EXPECT_TRUE(looks("#1565c0", "Lets the robot move again"));
   EXPECT_EQ(click("stop"), QStringList("stop"));
-  EXPECT_TRUE(QTest::qWaitFor([this] { return click("stop") == QStringList("release"); }));
+  EXPECT_TRUE(QTest::qWaitFor([this, &condition] {
+    Q_EMIT robot_.conditionChanged(condition);  // the robot says so again and again
+    return click("stop") == QStringList("release");
+  }));
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_EQ(robot_.take(), QStringList("stop")) << "the space bar never releases";
 
@@ -738,6 +741,25 @@ TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
   robot_.connectIt();
   Q_EMIT robot_.driversFound({"/aardvark", "/aibo", "/right"});
   EXPECT_EQ(chooser->currentText(), "/aibo") << "not the first of them";
+  EXPECT_EQ(chooser->count(), 3) << "none of those from before";
+}
+
+TEST_F(RemoteControlTest, NothingCoversAnythingElse) {
+  robot_.connectIt();
+  auto* tabs = find<QTabWidget>("");
+  for (int page = 0; page < tabs->count(); ++page) {
+    tabs->setCurrentIndex(page);
+    QCoreApplication::processEvents();
+    const auto widgets = window_.findChildren<QWidget*>();
+    for (const QWidget* one : widgets) {
+      for (const QWidget* other : widgets) {
+        if (one < other && one->parent() == other->parent() && one->isVisible() && other->isVisible()) {
+          EXPECT_FALSE(one->geometry().intersects(other->geometry()))
+              << one->objectName().toStdString() << " and " << other->objectName().toStdString();
+        }
+      }
+    }
+  }
 }
 
 TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {

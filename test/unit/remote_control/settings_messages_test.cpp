@@ -15,7 +15,7 @@ Setting settingOf(const QString& name) {
   AiboDriverConfig most = least;
   least.jpeg_quality = 1;
   most.jpeg_quality = 100;
-  least.telemetry_rate = 0;
+  least.telemetry_rate = 0.25;
   most.telemetry_rate = 31.25;
   least.__toMessage__(description.min);
   most.__toMessage__(description.max);
@@ -36,6 +36,7 @@ TEST(SettingsMessages, NumbersHaveTheirRange) {
   EXPECT_EQ(settingOf("jpeg_quality").lowest, 1);
   EXPECT_EQ(settingOf("jpeg_quality").highest, 100);
   EXPECT_EQ(settingOf("telemetry_rate").kind, Setting::Kind::kNumber);
+  EXPECT_EQ(settingOf("telemetry_rate").lowest, 0.25);
   EXPECT_EQ(settingOf("telemetry_rate").highest, 31.25);
   EXPECT_EQ(settingOf("auto_exposure").kind, Setting::Kind::kSwitch);
 }
