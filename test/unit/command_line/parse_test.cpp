@@ -40,11 +40,13 @@ TEST(Parse, EachCommonOptionMayStandBeforeTheCommand) {
 TEST(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {
   ::setenv("AIBO_HOST", "from_environment", 1);
   EXPECT_EQ(parse({"joints"}).arguments.robot.host, "from_environment");
+  EXPECT_TRUE(parse({"joints"}).arguments.robot.host_is_given);
   EXPECT_EQ(parse({"joints", "--host", "from_option"}).arguments.robot.host, "from_option");
   ::setenv("AIBO_HOST", "", 1);
   EXPECT_FALSE(parse({"joints"}).arguments.robot.host_is_given);
   ::unsetenv("AIBO_HOST");
   EXPECT_FALSE(parse({"joints"}).arguments.robot.host_is_given);
+  EXPECT_TRUE(parse({"joints", "--host", "from_option"}).arguments.robot.host_is_given);
 }
 
 TEST(Parse, RefusesWhatNoCommandHas) {

@@ -1079,6 +1079,8 @@ TEST_F(MoverGoalTest, AWalkToAGoalIsDoneWhenTheRobotStandsThere) {
 }
 
 TEST_F(MoverGoalTest, WhoIsThereAlreadyDoesNotWalk) {
+  walksToGoal();
+  robotEnds(EndedHow::kFell, "the robot lies on its side");
   const Mover::Begun begun = walkToGoal();
   told();
   EXPECT_FALSE(mover_.walkOn(begun.id, {}));
