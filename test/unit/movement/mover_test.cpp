@@ -991,6 +991,14 @@ TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
   EXPECT_EQ(ends_.back().how, EndedHow::kDone);
 }
 
+TEST_F(MoverTest, ANodeThatSteersAgainAfterAPauseGoesOnWithItsWalk) {
+  walk();
+  now_ += std::chrono::seconds(1);
+  steer(0.1);
+  EXPECT_THAT(ends_, IsEmpty());
+  EXPECT_THAT(mover_.state().movements, SizeIs(1));
+}
+
 TEST_F(MoverTest, AWalkThatTheRobotRefusesHasNotBegun) {
   steer(0.1);
   mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
