@@ -6,7 +6,6 @@ void StallDetector::restart(TimePoint now) {
   catching_up_ = false;
   fresh_since_ = now;
   last_empty_ = now;
-  last_bytes_ = now;
 }
 
 void StallDetector::bytesArrived(TimePoint now) {
