@@ -1024,6 +1024,21 @@ TEST_F(MoverTest, AWalkThatWasStoppedHasThatReasonThoughItsNodeSteersOnBeforeThe
   EXPECT_EQ(ends_.back().reason, "no cmd_vel came for 0.5 s");
 }
 
+TEST_F(MoverTest, AWalkWhoseNodeHasLetGoIsDoneThoughNothingComesAfterwards) {
+  walk();
+  steer(0);
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(ends_.back().how, EndedHow::kDone);
+}
+
+TEST_F(MoverTest, AWalkThatFallsWhileItIsBeingStoppedHasFallen) {
+  walk();
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "the robot lies on its side"});
+  EXPECT_EQ(ends_.back().how, EndedHow::kFell);
+}
+
 // On a slow link, what the robot says of the walk before comes late.
 TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
   steer(0.1);
