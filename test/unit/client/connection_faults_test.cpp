@@ -34,6 +34,8 @@ class ConnectionFaultsTest : public ClientFixture {
     sendUntilDelivered(&next, jpeg);
     ASSERT_TRUE(recorder_.waitForPictures(pictures + 1));
     EXPECT_EQ(jpeg, recorder_.pictures().back()->jpeg);
+    EXPECT_EQ("", client_.status().reason);
+    EXPECT_EQ("", client_.status().advice);
   }
 
   void expectProtocolError(const Bytes& bytes, const std::string& reason) {

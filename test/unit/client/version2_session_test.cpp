@@ -102,7 +102,10 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   Version2Session session(connection, now);
   const Wish wish = {true, 85, 4};
   EXPECT_FALSE(session.nextRequest(wish, now).empty());
-  EXPECT_TRUE(session.nextRequest(wish, now).empty());
+  Call stop = callToHold({});
+  stop.deadline = now + milliseconds(5000);
+  session.add(std::move(stop));
+  EXPECT_TRUE(session.nextRequest(wish, now).empty()) << "not even for a stop";
   EXPECT_FALSE(session.ready());
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1000)), Fault);
 }

@@ -68,9 +68,11 @@ TEST(Parse, TakesAsManyWordsAsTheSynopsisSays) {
   EXPECT_EQ(parse({"say", "a", "b", "c", "d"}).arguments.words.size(), 4U);
 }
 
-TEST(Parse, HelpNeedsNoArguments) {
+TEST(Parse, HelpAndVersionNeedNoArguments) {
   EXPECT_TRUE(parse({"--help"}).help);
+  EXPECT_TRUE(parse({"--version"}).version);
   EXPECT_EQ(parse({"move", "--help"}).command->name, "move");
+  EXPECT_TRUE(parse({"move", "--version"}).version);
 }
 
 }  // namespace

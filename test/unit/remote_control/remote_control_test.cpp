@@ -623,6 +623,7 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   robot_.connectIt();
   EXPECT_EQ(robot_.take(), QStringList());
   open("Motions");
+  Q_EMIT robot_.motionsListed({"OLD.MTN"});
   Q_EMIT robot_.motionsListed({"NOD.MTN", "WAG.MTN"});
   find<QListWidget>("motions")->setCurrentRow(1);
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 1"));
