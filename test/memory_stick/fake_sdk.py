@@ -3,13 +3,9 @@ of the right kind, and log their arguments in `log`."""
 import functools
 import random
 import shutil
-import sys
-from pathlib import Path
 
 import fake_program
-
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from stick.merge import merge  # noqa: E402
+from stick.merge import merge
 
 LOG = 'echo "${{0##*/}} $*" >> "${{0%/*}}/{up}/log"\n'
 

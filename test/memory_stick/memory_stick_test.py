@@ -1,8 +1,10 @@
 """Tests scripts/memory_stick with a fake SDK: what it writes, and what it says when something is wrong. Works on a copy of
 the project, in which tests may break things."""
 import gzip
+import multiprocessing
 import os
 import re
+import runpy
 import shutil
 import struct
 import subprocess
@@ -12,11 +14,22 @@ import unittest
 import unittest.mock
 from pathlib import Path
 
-import fake_program as fake
-import fake_sdk
-
 PROJECT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(PROJECT / "scripts"))
+SHARED = tempfile.TemporaryDirectory()  # of all tests
+
+
+def copy_project(copy):
+    for name in ("scripts", "aibo_rcserver"):
+        shutil.copytree(str(PROJECT / name), str(copy / name), ignore=shutil.ignore_patterns("__pycache__"))
+
+
+COPY = Path(SHARED.name).resolve() / "project"
+SCRIPT = COPY / "scripts/memory_stick"
+copy_project(COPY)
+sys.path.insert(0, str(SCRIPT.parent))
+runpy.run_path(str(SCRIPT))  # loads its modules
+import fake_program as fake  # noqa: E402
+import fake_sdk  # noqa: E402
 from stick import binary, debian, sdk as sony  # noqa: E402
 from stick.merge import merge, relocations_by_section  # noqa: E402
 from stick.problem import Problem  # noqa: E402
@@ -49,26 +62,46 @@ WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/me
                               re.MULTILINE)
 
 
+def files_of(folder):
+    """The files and when each was last changed."""
+    return {path: path.stat().st_ctime_ns for path in folder.rglob("*") if path.is_file()}
+
+
 class Workshop(unittest.TestCase):
-    """A copy of the project, a fake SDK, libjpeg, and an empty folder for the stick."""
+    """A copy of the project, a fake SDK, libjpeg, and an empty folder for the stick. What a test has changed is made again
+    for the next one."""
+    made = {COPY: files_of(COPY)}
 
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name).resolve()
-        self.project = self.folder / "project"
-        for name in ("scripts", "aibo_rcserver"):
-            shutil.copytree(str(PROJECT / name), str(self.project / name), ignore=shutil.ignore_patterns("__pycache__"))
-        self.sdk = self.folder / "sdk"
-        self.libjpeg = self.folder / "jpeg-6b"
         self.stick = self.folder / "stick"
-        fake_sdk.make_sdk(self.sdk)
-        fake_sdk.make_libjpeg(self.libjpeg)
+        self.project, self.sdk, self.libjpeg = COPY, COPY.with_name("sdk"), COPY.with_name("jpeg-6b")
+        shutil.rmtree(str(self.project / ".build"), ignore_errors=True)
+        (self.sdk / "log").unlink(missing_ok=True)
+        for shared, make in ((self.project, copy_project), (self.sdk, fake_sdk.make_sdk),
+                             (self.libjpeg, fake_sdk.make_libjpeg)):
+            if self.made.get(shared) != files_of(shared):
+                shutil.rmtree(str(shared), ignore_errors=True)
+                make(shared)
+                self.made[shared] = files_of(shared)
 
     def run_script(self, *arguments):
-        command = [sys.executable, "-B", str(self.project / "scripts" / "memory_stick"), *map(str, arguments)]
-        return subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
-                              check=False)
+        """Runs it in a fork, because Python needs longer to start and to load the modules than the script to check."""
+        with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
+            def run():
+                os.dup2(output.fileno(), 1)
+                os.dup2(errors.fileno(), 2)
+                sys.argv = [str(SCRIPT), *map(str, arguments)]
+                runpy.run_path(str(SCRIPT), run_name="__main__")
+
+            fork = multiprocessing.get_context("fork").Process(target=run)
+            fork.start()
+            fork.join()
+            output.seek(0)
+            errors.seek(0)
+            return subprocess.CompletedProcess(arguments, fork.exitcode, output.read(), errors.read())
 
     def make_stick(self, *options):
         return self.run_script("--sdk", self.sdk, "--libjpeg", self.libjpeg, "--output", self.stick, *options)
@@ -709,11 +742,13 @@ class TheSourcesWithSonysHeaders(Workshop):
         self.assertIn("All sources compile with Sony's headers", done.stdout)
 
     def test_that_use_what_the_sdk_has_not_are_named(self):
-        with (self.project / "aibo_rcserver/rcserver/Session.cc").open("a") as source:
+        sources = self.project / "aibo_rcserver"  # one small program is enough here
+        (sources / "memory_stick/programs/objects.txt").write_text("FileKeeper FILES.BIN file_keeper\nshared - mtn\n")
+        with (sources / "file_keeper/FileKeeper.cc").open("a") as source:
             source.write("\n#include <strings.h>\nint none = oidNONE;\n")
         done = self.check()
-        self.expect_failure(done, "Session.cc includes <strings.h>, which the SDK does not", "another header")
-        self.expect_failure(done, "Session.cc does not compile with Sony's headers", "oidNONE")
+        self.expect_failure(done, "FileKeeper.cc includes <strings.h>, which the SDK does not", "another header")
+        self.expect_failure(done, "FileKeeper.cc does not compile with Sony's headers", "oidNONE")
 
     def test_without_headers_say_so(self):
         shutil.rmtree(str(self.sdk / "mipsel-linux"))
