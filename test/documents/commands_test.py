@@ -6,6 +6,8 @@ page do not see, names commands that cannot run in a test, and why:
     <!-- not run (scripts/demo): a reason -->    commands that begin with this
     <!-- not run: a reason -->                   all commands of the block
 """
+import contextlib
+import io
 import os
 import re
 import shlex
@@ -20,8 +22,10 @@ import unittest
 import wave
 from pathlib import Path
 
-import roslaunch.config
 import roslaunch.arg_dump
+import roslaunch.config
+import roslaunch.xmlloader
+import rosservice
 
 PROJECT = Path(__file__).resolve().parents[2]
 PAGES = [PROJECT / 'README.md', PROJECT / 'CONTRIBUTING.md'] + sorted((PROJECT / 'docs').glob('*.md'))
@@ -44,6 +48,9 @@ class Command:
         self.place = '%s:%d' % (page.relative_to(PROJECT), line)
         self.text = text
         self.program = text.split()[0]
+        self.run = text
+        for old, new in REPLACED.items():
+            self.run = self.run.replace(old, new)
 
 
 def commands_in(page):
@@ -92,10 +99,11 @@ class CommandsTest(unittest.TestCase):
         master = free_port()
         programs = Path(os.environ['BUILD_FOLDER']) / 'devel/lib/aibo_driver'
         # In a new build folder, catkin's environment does not have our messages yet.
-        messages = '%s:%s' % (os.environ['PYTHON_MESSAGES'], os.environ.get('PYTHONPATH', ''))
-        cls.environment = dict(
-            os.environ, PYTHONPATH=messages, ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1',
-            ROS_HOME=str(cls.folder), HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
+        sys.path.insert(0, os.environ['PYTHON_MESSAGES'])
+        os.environ.update(
+            PYTHONPATH='%s:%s' % (sys.path[0], os.environ.get('PYTHONPATH', '')), PWD=str(cls.folder),
+            ROS_MASTER_URI='http://127.0.0.1:%d' % master, ROS_IP='127.0.0.1', ROS_HOME=str(cls.folder),
+            HOME=str(cls.folder), QT_QPA_PLATFORM='offscreen', PATH='%s:%s' % (programs, os.environ['PATH']))
         for port in cls.robot_ports:
             cls.start(['aibo_rcserver', '--port', str(port), '--no-console', '--memory-stick', 'stick%d' % port])
         cls.start(['roslaunch', '-p', str(master), 'patient.launch'])
@@ -113,12 +121,13 @@ class CommandsTest(unittest.TestCase):
             with wave.open(str(cls.folder / name), 'wb') as sound:
                 sound.setparams((1, 2, 16000, 0, 'NONE', ''))
                 sound.writeframes(bytes(6400))
-        # A busy computer may be silent for longer than a robot.
+        # A busy computer may be silent for longer than a robot. No command needs more pictures a second.
         (cls.folder / 'patient.launch').write_text('''
             <launch>
               <param name="/aibo/aibo_driver/read_timeout" value="20.0"/>
               <include file="%s/launch/aibo.launch">
                 <arg name="port" value="%d"/> <arg name="picture_folder" value="%s"/>
+                <arg name="frame_rate" value="5"/> <arg name="telemetry_rate" value="10"/>
               </include>
             </launch>''' % (PROJECT, cls.robot_ports[0], cls.folder))
         (cls.folder / 'robots.yaml').write_text(
@@ -131,7 +140,7 @@ class CommandsTest(unittest.TestCase):
 
     @classmethod
     def start(cls, command):
-        process = subprocess.Popen(command, cwd=cls.folder, env=cls.environment, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(command, cwd=cls.folder, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         cls.addClassCleanup(cls.end, process)
 
@@ -159,14 +168,12 @@ class CommandsTest(unittest.TestCase):
 
     @classmethod
     def shell(cls, text):
-        for old, new in REPLACED.items():
-            text = text.replace(old, new)
         functions = 'aibo() { command aibo --port %d "$@"; }' % cls.robot_ports[1]
         if PROJECT / 'build' in Path(os.environ['BUILD_FOLDER']).parents:
             functions += '; rosrun() { "${@:2}"; }'  # rosrun leaves out this folder, where builds with sanitizers are
         return subprocess.Popen(['bash', '-c', 'set -o pipefail; %s; %s' % (functions, text)], cwd=cls.folder,
-                                env=cls.environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, text=True, start_new_session=True)
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                start_new_session=True)
 
     def test_scripts_know_their_options(self):
         for command in filter(lambda each: each.program.startswith('scripts/'), COMMANDS):
@@ -185,28 +192,47 @@ class CommandsTest(unittest.TestCase):
                 path = str(PROJECT / 'launch' / name)
                 for argument in arguments:
                     self.assertIn(argument.split(':=')[0], roslaunch.arg_dump.get_args([path]))
-                roslaunch.config.load_config_default([(path, arguments)], port=None, assign_machines=False)
+                roslaunch.xmlloader.XmlLoader(resolve_anon=False).load(
+                    path, roslaunch.config.ROSLaunchConfig(), argv=arguments)
 
     def test_the_others_end_well(self):
-        for command in self.for_shell(endless=False):
-            with self.subTest(place=command.place, command=command.text):
-                process = self.shell(command.text)
-                self.addCleanup(self.kill, process)
-                output, _ = process.communicate(timeout=PATIENCE)
-                self.assertEqual(process.returncode, 0, output)
-                self.assertNotIn('success: False', output)
+        commands = self.for_shell(endless=False)
+        for command in (each for each in commands if each.program != 'rostopic'):
+            if command.program == 'rosservice' and '|' not in command.run:
+                with self.subTest(place=command.place, command=command.text):
+                    self.assertNotIn('success: False', self.call(command.run))
+            else:
+                self.expect_good_end(command, self.shell(command.run))
+        self.call('rosservice call /aibo/stand')  # after the last of these, the robot lies
+        # rostopic pub waits for three seconds after its work, so all of them run at once.
+        for command, process in [(each, self.shell(each.run)) for each in commands if each.program == 'rostopic']:
+            self.expect_good_end(command, process)
+
+    @staticmethod
+    def call(text):
+        """rosservice without a process of its own, which would compute far longer than the call."""
+        with contextlib.redirect_stdout(io.StringIO()) as output:
+            rosservice.rosservicemain(shlex.split(os.path.expandvars(text), comments=True))
+        return output.getvalue()
+
+    def expect_good_end(self, command, process):
+        self.addCleanup(self.kill, process)
+        with self.subTest(place=command.place, command=command.text):
+            output, _ = process.communicate(timeout=PATIENCE)
+            self.assertEqual(process.returncode, 0, output)
+            self.assertNotIn('success: False', output)
 
     def test_the_action_in_python_plays_a_motion(self):
         page = (PROJECT / 'docs/python.md').read_text(encoding='utf-8')
         program = re.search(r'^```python\n(.*?)^```', page, re.MULTILINE | re.DOTALL).group(1)
-        done = subprocess.run([sys.executable, '-c', program], cwd=self.folder, env=self.environment,
+        done = subprocess.run([sys.executable, '-c', program], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stdout)
         # A machine that is held up for half a second loses the connection, and the robot's motion ends.
         self.assertRegex(done.stdout, 'It was played to its end|the connection to the robot was lost')
 
     def test_those_without_an_end_keep_running(self):
-        running = [(command, self.shell(command.text)) for command in self.for_shell(endless=True)]
+        running = [(command, self.shell(command.run)) for command in self.for_shell(endless=True)]
         for _, process in running:
             self.addCleanup(self.kill, process)
         time.sleep(4)  # a command that is wrong ends sooner
