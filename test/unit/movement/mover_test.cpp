@@ -938,6 +938,9 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
         mover_.robotChanged({MotorState::kOn, PostureNow::kFallen});
       },
       [this] {
+        mover_.robotChanged({MotorState::kOff, PostureNow::kStanding});
+      },
+      [this] {
         mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
       }};
   for (std::size_t i = 0; i < overrules.size(); ++i) {
@@ -956,6 +959,7 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
 TEST_F(MoverTest, AVelocityThatCameTooLateDoesNotOverruleTheNext) {
   walk();
   mover_.refused({RefusedRequest::kWalk, RefusalCause::kTooOld, {}, "too old", client_.steering_order});
+  EXPECT_THAT(ends_, IsEmpty()) << "the robot walks on";
   steerOn(0.1);
   EXPECT_THAT(told(), SizeIs(10));
   mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
@@ -1185,6 +1189,13 @@ TEST_F(MoverGoalTest, StopEndsItAndRefusesTheNext) {
   EXPECT_EQ(walkToGoal().ended(), nullptr);
 }
 
+TEST_F(MoverGoalTest, ItDoesNotGoOnWhileTheRobotIsToldToStop) {
+  const Mover::Begun begun = walksToGoal();
+  client_.meanwhile = [&] { EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0})); };
+  mover_.stop(order("/panel"));
+  EXPECT_THAT(told(), ElementsAre("hold"));
+}
+
 TEST_F(MoverGoalTest, AnotherConnectionDoesNotResumeIt) {
   const Mover::Begun begun = walksToGoal();
   mover_.disconnected();
@@ -1254,6 +1265,25 @@ TEST_F(MoverGoalTest, ARefusalOfTheRobotEndsIt) {
   EXPECT_EQ(begun.ended()->reason, "the motors are off; switch them on first");
 }
 
+TEST_F(MoverGoalTest, ARefusalEndsItEvenIfItReplacesAWalkThatHasNotBegun) {
+  steer(0.1);
+  const Mover::Begun begun = walkToGoal();
+  EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", begun.id});
+  EXPECT_EQ(endOf(begun), EndedHow::kRefused);
+}
+
+TEST_F(MoverTest, TheEndOfAnOlderPostureIsNotThatOfTheNextOne) {
+  mover_.takePosture(order(), Posture::kSit);
+  mover_.stop(order());
+  mover_.release(order());
+  const Mover::Begun begun = mover_.takePosture(order(), Posture::kStand);
+  mover_.ended({EndedKind::kPosture, EndedHow::kStopped, "sit", "everything was told to hold"});
+  EXPECT_EQ(begun.ended(), nullptr);
+  mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
+  EXPECT_EQ(endOf(begun), EndedHow::kDone);
+}
+
 TEST_F(MoverTest, CancellingAPostureHoldsTheLegs) {
   const Mover::Begun begun = mover_.takePosture(order(), Posture::kSit);
   told();
@@ -1262,6 +1292,14 @@ TEST_F(MoverTest, CancellingAPostureHoldsTheLegs) {
   EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
   EXPECT_EQ(begun.ended()->reason, "the goal was cancelled");
   EXPECT_THAT(told(), ElementsAre(StartsWith("hold 11")));
+}
+
+TEST_F(MoverTest, AWalkThatIsSlowerThanTheRobotSaysEndsAsOthersDo) {
+  steer(0.0004);
+  mover_.steered({}, client_.steering_order);
+  EXPECT_THAT(ends_, IsEmpty());
+  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
+  EXPECT_THAT(ends_, SizeIs(1));
 }
 
 TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {
