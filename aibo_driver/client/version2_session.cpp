@@ -622,7 +622,7 @@ void Version2Session::onPush(char kind, const Payload& payload) {
     case version2::TELEMETRY_PUSH:
       return onTelemetry(payload);
     case version2::COLORS_PUSH:
-      return connection_.colors.receive(payload.data, payload.size, color_tables_, frame_began_);
+      return onColors(payload);
     case version2::SOUND_PUSH:
       return onSound(payload);
     case version2::END_PUSH:
@@ -768,6 +768,13 @@ void Version2Session::onTelemetry(const Payload& payload) {
     } else {
       setWalk(entry.id, entry.value, &telemetry.walk);
     }
+  }
+}
+
+// Colours that were detected before a change of the tables would get the names of the new ones.
+void Version2Session::onColors(const Payload& payload) {
+  if (outstanding(version2::REQUEST_COLORS) == 0) {
+    connection_.colors.receive(payload.data, payload.size, color_tables_, frame_began_);
   }
 }
 

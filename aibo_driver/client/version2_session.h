@@ -114,6 +114,7 @@ class Version2Session final : public Session {
   void onStreamPicture(const Payload& payload);
   void onRequestedPicture(int number, const Payload& payload);
   void onTelemetry(const Payload& payload);
+  void onColors(const Payload& payload);
   void onJointsAccepted(const Payload& payload);
   void onLedsAccepted(const Payload& payload);
   void onSound(const Payload& payload);

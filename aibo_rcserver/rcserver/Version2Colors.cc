@@ -49,6 +49,7 @@ void Version2::LoadColorTable() {
             static_cast<int>(table.channel), channels);
     Refuse(CODE_REFUSED, text);
   } else if (robot_.colors.Load(table)) {
+    outbox_.Colors().Drop();  // those that wait were detected with the earlier table
     Reply(NoPayload());
   } else {
     Refuse(CODE_REFUSED, "the robot's camera does not take this table; the robot's console says why");

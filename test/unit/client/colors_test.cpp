@@ -73,8 +73,12 @@ class ColorsTest : public SessionFixture {
     wish_.color_tables[0] = tableNamed("ball");
     wish_.colors = {true, 1, with_mask};
     EXPECT_EQ("Z 2 0 0 0 0", request());
+    answer();
     EXPECT_EQ(std::string("Z 1 0 1 ") + (with_mask ? "1 0" : "0 0"), request());
+    answer();
   }
+
+  void answer() { receive(makeFrame('z', number_, payload_)); }
 
   void push(const version2::ColorRegions& colors, const Bytes& packed_plane = {}) {
     receive(makeFrame('z', 0, payloadOf(colors, packed_plane)));
@@ -126,6 +130,18 @@ TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
   EXPECT_DOUBLE_EQ(colors.regions[0].y, 40.5);
   EXPECT_EQ(colors.regions[0].left, 45);
   EXPECT_EQ(colors.regions[0].height, 10);
+}
+
+TEST_F(ColorsTest, WhatTheRobotDetectedWithAnEarlierTableDoesNotGetTheNameOfTheNewOne) {
+  detectBall();
+  wish_.color_tables[0] = tableNamed("box");
+  EXPECT_EQ("Z 2 0 0 0 0", request());
+  push(regionsOf({kBall}));
+  EXPECT_THAT(colors_, IsEmpty());
+  answer();
+  push(regionsOf({kBall}));
+  ASSERT_THAT(colors_, SizeIs(1));
+  EXPECT_EQ(colors_[0].regions[0].name, "box");
 }
 
 TEST_F(ColorsTest, TheMaskIsUnpacked) {
@@ -194,6 +210,7 @@ TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
   EXPECT_THAT(colors_, IsEmpty()) << "the detection is off";
   wish_.colors.on = true;
   request();
+  answer();
   push(regionsOf({kBall}));
   ASSERT_THAT(colors_, SizeIs(1));
   EXPECT_THAT(colors_[0].regions, IsEmpty()) << "the channel has no table";
@@ -212,6 +229,8 @@ TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
 
 TEST_F(ColorsTest, ARefusalIsLogged) {
   detectBall();
+  wish_.colors.with_mask = true;
+  request();
   receive(makeFrame('e', number_, version2_frames::makeError(0, "it does not")));
   EXPECT_EQ(logged("to detect colours: it does not"), 1);
 }

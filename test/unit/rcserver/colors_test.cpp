@@ -209,16 +209,18 @@ TEST_F(ColorsTest, NewSettingsHoldFromTheNextImageOn) {
   EXPECT_TRUE(nextImage().regions.has_plane);
 }
 
-TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOff) {
-  connectBehindAPicture();
-  send(frame('Z', COLORS_ON, 1, colorSettings(1)));
-  takeImage();
-  send(frame('Z', COLORS_OFF, 2));
-  std::optional<Frame> next = nextFrame();
-  while (next && next->header.request_number != 2) {
-    next = nextFrame();
+TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
+  for (const std::string& change : {frame('Z', COLORS_OFF, 2), frame('Z', COLORS_TABLE, 2, bytesOf(tableOf(0)))}) {
+    connectBehindAPicture();
+    send(frame('Z', COLORS_ON, 1, colorSettings(1)));
+    takeImage();
+    send(change);
+    std::optional<Frame> next = nextFrame();
+    while (next && next->header.request_number != 2) {
+      next = nextFrame();
+    }
+    EXPECT_THAT(pushed(), IsEmpty());
   }
-  EXPECT_THAT(pushed(), IsEmpty());
 }
 
 TEST_F(ColorsTest, WhatAClientDidNotReadIsNotForTheNext) {
