@@ -139,6 +139,12 @@ TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheStreamsIsForItsCall
     EXPECT_EQ(1u, pictures_.size()) << "the first one only";
   }
   EXPECT_EQ(2u, counters_.pictures);
+  wish_.streaming = false;
+  request();
+  takePictureOf(Resolution::kMiddle);
+  request();
+  receive(makeFrame('f', number_, version2_frames::makePicture(test_pictures::makeNumbered(2), 2)));
+  EXPECT_EQ(2u, pictures_.size()) << "there is no stream any more";
 }
 
 TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {

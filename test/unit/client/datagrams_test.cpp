@@ -539,6 +539,38 @@ TEST_F(DatagramsTest, ANewPortBeginsToCountAgain) {
   }
 }
 
+TEST_F(DatagramsTest, TheAnswerAboutAnOlderPortIsNotTheOneAboutTheNewOne) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  ASSERT_EQ('B', request());
+  const Bytes older = version2_frames::makeFrame('b', number_, payload_);
+  wish_.datagram_port = kPort + 1;
+  ASSERT_EQ('B', request());
+  receive(older);
+  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
+  receive(version2_frames::makeFrame('b', number_, payload_));
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+}
+
+TEST_F(DatagramsTest, ANewPortHasAsMuchTimeForItsFirstPictureAsTheFirstOne) {
+  const auto send_by_tcp = [this] {
+    ++picture_;
+    receive(byTcp(picture_, frameOf(picture_)));
+  };
+  startStream();
+  live(std::chrono::seconds(1), [this] { arrive(nextPicture()); });
+  wish_.datagram_port = 0;
+  live(std::chrono::seconds(3), send_by_tcp);
+  wish_.datagram_port = kPort + 1;
+  ASSERT_EQ('B', request());
+  const Bytes reply = version2_frames::makeFrame('b', number_, payload_);
+  live(milliseconds(900), send_by_tcp);
+  receive(reply);
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
+  live(milliseconds(900));
+  EXPECT_EQ(PictureTransport::kUdp, connection_.transport) << "the time begins with the answer";
+}
+
 TEST_F(DatagramsTest, OverANewPortNothingIsRepliedToDatagramsFromBeforeTheReturnToTcp) {
   startStream();
   for (int i = 0; i < 100 && connection_.transport == PictureTransport::kUdp; ++i) {

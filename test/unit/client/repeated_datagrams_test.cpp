@@ -321,4 +321,18 @@ TEST_F(RepeatedDatagramsTest, EachOrderHasOtherNumbers) {
   EXPECT_NE(first.first_picture, order_.first_picture);
 }
 
+TEST_F(RepeatedDatagramsTest, TheAnswerToAnOlderOrderIsNotTheOneToTheNewOne) {
+  wish_.datagram_port = 0;
+  answer();
+  wish_.datagram_port = kPort;
+  ASSERT_EQ('X', request());
+  const Bytes older = version2_frames::makeFrame('x', number_, payload_);
+  wish_.datagram_port = kPort + 1;
+  ASSERT_EQ('X', request());
+  receive(older);
+  EXPECT_EQ(aibo_client::PictureTransport::kTcp, connection_.transport);
+  receive(version2_frames::makeFrame('x', number_, payload_));
+  EXPECT_EQ(aibo_client::PictureTransport::kUdp, connection_.transport);
+}
+
 }  // namespace

@@ -437,6 +437,9 @@ TEST_F(SoundTest, ALateEndOfTheSoundBeforeIsNotTakenForThatOfTheNewOne) {
   EXPECT_EQ("1 replaced", ends());
   pushEnd(version2::END_DONE, 600);
   EXPECT_EQ("1 replaced, 2 done", ends());
+  play({3, 0, 600, false});
+  pushEnd(version2::END_DONE, 600);
+  EXPECT_EQ("1 replaced, 2 done", ends()) << "the new one is as long only so far";
 }
 
 TEST_F(SoundTest, AStoppedSoundEndsAtOnce) {
