@@ -228,6 +228,18 @@ TEST_F(PicturesTest, PictureInTheMakingIsStillOwedAfterTheStreamStops) {
   expectPictureOfImage(owed[0], image);
 }
 
+TEST_F(PicturesTest, PictureOfTheStreamInTheMakingDoesNotAnswerARequestThatCameMeanwhile) {
+  ASSERT_TRUE(startsStreamWithSlowEncoder());
+  send(frame('F', 85, 1001, kLayerHigh));
+  takeImage();
+  encoder_.speedUp();
+  encoder_.obey();
+  const std::vector<Frame> made = pictures();
+  ASSERT_EQ(made.size(), 2U);
+  EXPECT_EQ(made[0].header.request_number, 0);
+  EXPECT_EQ(made[1].header.request_number, 1001);
+}
+
 TEST_F(PicturesTest, FailureOfTheEncoderIsReportedAndTheClientDropped) {
   encoder_.slowDown();
   send(frame('F', 85, 7, kLayerHigh));

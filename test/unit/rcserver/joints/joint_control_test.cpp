@@ -231,6 +231,10 @@ TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
   joints_.StopAll();
   EXPECT_TRUE(wasCommandedSince(later, pan_));
   EXPECT_TRUE(wasCommandedSince(later, tail_));
+  const unsigned last = joints_.NumberOfCommands();
+  joints_.Take(protocol::version2::POSTURE_SIT);
+  EXPECT_TRUE(wasCommandedSince(last, findJointByName(ers7(), "left_front_knee"))) << "a posture takes the legs";
+  EXPECT_FALSE(wasCommandedSince(last, tail_));
 }
 
 // ---------------------------------------------------------------------------------------------------- JointWatch

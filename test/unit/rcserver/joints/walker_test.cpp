@@ -503,6 +503,8 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
 }
 
 TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
+  command("head_pan", 500000);
+  pass(100);
   joints_.Take(POSTURE_REST);
   pass(60);
   joints_.ClientGone();
@@ -516,6 +518,7 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   }
   EXPECT_TRUE(wanted_motors_off);
   EXPECT_TRUE(isIn(POSTURE_REST));
+  EXPECT_EQ(position("head_pan"), 0) << "the head is level";
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has not asked for it";
   take(POSTURE_STAND);
   walk();
@@ -532,9 +535,9 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   command("head_pan", 500000);
   take(POSTURE_REST);
   EXPECT_EQ(position("head_pan"), 0);
-  take(POSTURE_STAND);
+  take(POSTURE_SIT);
   joints_.Take(POSTURE_REST);
-  pass(10);
+  pass(10);  // it stands up first, and levels its head while it lies down
   command("head_pan", 500000);
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_REST));
