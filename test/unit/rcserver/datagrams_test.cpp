@@ -244,8 +244,12 @@ TEST_F(DatagramsTest, StreamThatIsSwitchedOffIsOffByUdpToo) {
     takeImage();
     EXPECT_FALSE(partsAt(receiver).empty());
   }
+  encoder_.slowDown();
+  takeImage();
+  ASSERT_TRUE(encoder_.hasJob());
   answerTo('W', 85, kStreamOff);
   EXPECT_THAT(console_.str(), HasSubstr("stream off after 3 pictures, 0 camera images left out\n"));
+  encoder_.speedUp();
   takeImage();
   takeImage();
   EXPECT_THAT(partsAt(receiver), IsEmpty());
@@ -675,6 +679,14 @@ TEST_F(RepeatedDatagramsTest, TheNextClientGetsNothingOfTheLastOnes) {
   reconnect();
   passFrames(1);
   EXPECT_THAT(picturesByTcp(), IsEmpty());
+  robot_.showNoise();
+  orderTo(receiver);
+  for (int picture = 0; picture < 3; ++picture) {
+    nextPicture(receiver);
+  }
+  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  reconnect();
+  EXPECT_THAT(morePicturesByTcp(), IsEmpty()) << "of those that were to be sent by TCP";
 }
 
 }  // namespace

@@ -127,6 +127,16 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
   }
 }
 
+TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
+  answerTo('E', protocol::version2::POSTURE_REST);
+  send(frame('P', 0, 2, playPayload("WAG.MTN", 1)));
+  ASSERT_TRUE(file_keeper_.hasJob());
+  passFrames(500);
+  answers();
+  finishJobs();
+  EXPECT_THAT(answers(), ElementsAre("e2 the motors are off; switch them on first"));
+}
+
 TEST_F(FileJobsTest, AMotionDoesNotMoveAJointThatWasHeldWhileItsFileWasRead) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('I', 1, 2, "\2"));
   EXPECT_THAT(answers(), ElementsAre("i2"));

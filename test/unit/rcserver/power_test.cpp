@@ -281,7 +281,7 @@ TEST_F(PowerTest, RobotThatBootsWithALowBatteryLiesDownUnlessItIsBeingCharged) {
 TEST_F(PowerTest, RobotTakenFromItsStationWithALowBatteryLiesDown) {
   robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW | orsbBATTERY_CHARGING;
   start();
-  passFrames(kFramesASecond);
+  passFrames(11 * kFramesASecond);  // longer than a robot may take to lie down
   ASSERT_TRUE(machine_->isOn());
   robot_.power_status.robotStatus = orsbBATTERY_CAPACITY_LOW;
   passUntilOff(10 * kFramesASecond);

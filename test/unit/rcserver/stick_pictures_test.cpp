@@ -379,6 +379,20 @@ TEST_F(StickPicturesTest, AFileThatIsBeingReadIsForgottenWithItsClient) {
   expectReply(ask('Y', LIST_PICTURES), 'y', "MINE.JPG");
 }
 
+TEST_F(StickPicturesTest, AFileThatWaitsToBeSentIsTheAnswerToItsOwnRequest) {
+  put("MINE.JPG", "of mine");
+  connectBehindAPicture();
+  send(frame('Y', FETCH_PICTURE, 2, "MINE.JPG"));
+  passFrames(8);
+  send(frame('H', 0, 3));
+  std::optional<Frame> next = nextFrame();
+  while (next && next->header.request_number != 2) {
+    next = nextFrame();
+  }
+  ASSERT_TRUE(next);
+  EXPECT_EQ(textOf(*next), "of mine");
+}
+
 TEST_F(StickPicturesTest, AFileThatWaitsToBeSentIsForgottenWithItsClient) {
   put("MINE.JPG", "of mine");
   connectBehindAPicture();
