@@ -679,6 +679,8 @@ TEST_F(RepeatedDatagramsTest, TheNextClientGetsNothingOfTheLastOnes) {
   reconnect();
   passFrames(1);
   EXPECT_THAT(picturesByTcp(), IsEmpty());
+  disconnect();
+  connectVersion2(2048);  // so that it takes long to send a picture
   robot_.showNoise();
   orderTo(receiver);
   for (int picture = 0; picture < 3; ++picture) {
