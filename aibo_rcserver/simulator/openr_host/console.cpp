@@ -150,7 +150,6 @@ bool Console::makeRoom() {
   }
   print(*idlest, "This console was idle, and another listener needs its place.\n");
   idlest->socket.close();
-  idlest->unsent.clear();
   return true;
 }
 

@@ -226,7 +226,7 @@ void IpStack::pass(const Envelope& message, void (Kind::*operation)(const Envelo
 template <typename Message, typename Kind>
 void IpStack::passData(const Envelope& message, void (Kind::*operation)(const Envelope&)) {
   const auto& request = message.as<Message>();
-  if (find<Kind>(request.module) != nullptr && !hasBuffer(buffers_, request)) {
+  if (!hasBuffer(buffers_, request)) {
     answer<Message>(deliver_, message, Kind::kBufferInvalid);
   } else {
     pass<Message>(message, operation);

@@ -188,7 +188,7 @@ bool TcpEndpoint::closesAtOnce(bool abort) const {
 
 void TcpEndpoint::closeAtOnce(bool abort) {
   state_ = State::kClosed;
-  if (abort && socket_.isOpen()) {
+  if (abort) {
     const linger reset{1, 0};
     setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &reset, sizeof(reset));
   }

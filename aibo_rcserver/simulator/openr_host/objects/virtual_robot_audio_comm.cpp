@@ -77,7 +77,6 @@ OStatus VirtualRobotAudioComm::DoInit(const OSystemEvent& /*event*/) {
 }
 
 OStatus VirtualRobotAudioComm::DoStop(const OSystemEvent& /*event*/) {
-  microphone_->clear();
   speaker_->DeassertReady();
   sounds_.clear();
   return oSUCCESS;

@@ -43,8 +43,6 @@ OStatus VirtualRobotComm::DoInit(const OSystemEvent& /*event*/) {
 }
 
 OStatus VirtualRobotComm::DoStop(const OSystemEvent& /*event*/) {
-  image_sensor_->clear();
-  sensor_->clear();
   effector_->DeassertReady();
   commanders_.clear();
   return oSUCCESS;
