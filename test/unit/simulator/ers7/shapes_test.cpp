@@ -48,6 +48,7 @@ TEST(Shapes, ARayHitsTheNearFaceOfABox) {
 TEST(Shapes, ARayThatMissesOrPointsAwayHitsNothing) {
   for (const Shape& shape : {Shape(kSphere), Shape(kCapsule), Shape(kBox)}) {
     EXPECT_FALSE(intersect(rayAhead(3.5, 0), shape).has_value());
+    EXPECT_FALSE(intersect(rayAhead(-3.5, 0), shape).has_value());
     EXPECT_FALSE(intersect(Ray{{9, 0, 0}, Vector3d::UnitX()}, shape).has_value());
   }
 }

@@ -198,6 +198,10 @@ TEST_F(SimulatedErs7Test, TheCameraRefusesUnknownRequests) {
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 0), oINVALID_ARG);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 4), oINVALID_ARG);
   EXPECT_EQ(control(oprmreqCAM_SET_GAIN), oINVALID_ARG);
+  longword gain[2] = {ocamparamGAIN_LOW, 0};
+  EXPECT_EQ(robot_.controlPrimitive(camera_, oprmreqCAM_SET_GAIN, gain, sizeof(gain), nullptr, 0), oINVALID_ARG);
+  EXPECT_EQ(robot_.controlPrimitive(camera_, oprmreqCAM_SET_GAIN, nullptr, sizeof(gain[0]), nullptr, 0), oINVALID_ARG);
+  EXPECT_EQ(robot_.getPowerStatus(nullptr), oINVALID_ARG);
   EXPECT_EQ(control(383), oINVALID_ARG);
   EXPECT_EQ(control(392), oINVALID_ARG);
   EXPECT_EQ(robot_.cameraSettings().gain, ocamparamGAIN_MID);

@@ -242,6 +242,9 @@ TEST_F(IpStackTest, AClientThatHasFinishedSendingStillGetsItsReply) {
   ASSERT_TRUE(haveAnswers(2));
   EXPECT_THAT(answers_, testing::UnorderedElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
                                                       is(antOperation_TCPSend, TCP_SUCCESS)));
+  close(endpoint);
+  ASSERT_TRUE(test_.runUntil([&] { return client_->ended(); }));
+  EXPECT_FALSE(client_->wasReset());
 }
 
 TEST_F(IpStackTest, AResetEndsBothTheSendAndTheReceive) {
@@ -460,6 +463,14 @@ TEST_F(IpStackTest, AnEndpointConnectsToAServerAndGetsItsOwnAddress) {
   EXPECT_EQ(inBuffer(3), "you");
 }
 
+TEST_F(IpStackTest, ClosingEndsAConnectThatIsUnderWay) {
+  const TcpListener server("127.0.0.1", 0);
+  const auto endpoint = createEndpoint();
+  post(TCPEndpointConnectMsg(endpoint, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), server.port()));
+  close(endpoint);
+  expectAnswers({is(antOperation_TCPConnect, TCP_CONNECTION_CLOSED), is(antOperation_TCPClose, TCP_SUCCESS)});
+}
+
 TEST_F(IpStackTest, ConnectingFailsWhereNothingListens) {
 #ifdef __mips__
   GTEST_SKIP() << "QEMU 7.2 returns the host's error number in SO_ERROR: 111 instead of MIPS's 146.";
@@ -512,6 +523,7 @@ TEST_F(IpStackTest, ConnectionsSendAtOnceAndNoticeAVanishedClient) {
 TEST_F(IpStackTest, DataOutsideASharedBufferIsRefused) {
   const auto endpoint = connect();
   byte own[16];
+  test_.on_send = [] { ADD_FAILURE() << "it is not sent"; };
   post(TCPEndpointSendMsg(endpoint, own, sizeof(own)));
   post(TCPEndpointSendMsg(endpoint, buffer_ + 1, kBufferSize));
   post(TCPEndpointSendMsg(endpoint, buffer_, 0));

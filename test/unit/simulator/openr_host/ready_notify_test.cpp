@@ -281,9 +281,11 @@ TEST_F(ReadyNotifyTest, CallsForPrimitivesGoToTheRobot) {
   });
 }
 
-TEST(OpenrCallTest, FailsWithoutAMachine) {
+TEST_F(ReadyNotifyTest, CallsFailOutsideOfAMachine) {
+  boot();
   OPrimitiveID id = 0;
   EXPECT_THROW(OPENR::OpenPrimitive("PRM:/r1", &id), std::logic_error);
+  EXPECT_THROW(OSubject().NotifyObservers(), std::logic_error) << "it is not registered";
 }
 
 }  // namespace

@@ -222,6 +222,9 @@ TEST_F(UdpEndpointTest, OperationsNeedAnEndpoint) {
   ASSERT_TRUE(haveAnswers(2));
   EXPECT_EQ(answers_[0].error, UDP_OPERATION_INVALID);
   EXPECT_EQ(answers_[1].error, UDP_OPERATION_INVALID) << "it is a TCP endpoint";
+  UDPEndpointBindMsg bind(antModuleRef(), IP_ADDR_ANY, IP_PORT_ANY);
+  call(bind);
+  EXPECT_EQ(bind.error, UDP_OPERATION_INVALID);
 }
 
 }  // namespace

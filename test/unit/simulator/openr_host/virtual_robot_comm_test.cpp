@@ -406,6 +406,7 @@ TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn)
 }
 
 TEST_F(VirtualRobotCommTest, TheNextEventIsThatOfTheSensorsOrAnImage) {
+  EXPECT_EQ(comm_.nextEvent(), 0u);
   pass(1);  // 100
   EXPECT_EQ(comm_.nextEvent(), 103u);
   robot_.frames_with_image = {102, 104};
