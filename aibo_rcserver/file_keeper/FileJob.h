@@ -54,7 +54,7 @@ struct FileResult {
   unsigned ticket;  ///< the job's ticket
   Outcome outcome;
   protocol::FileName name;               ///< set after STORE of a picture
-  size_t size;                           ///< bytes of the content after READ, otherwise 0
+  size_t size;                           ///< bytes of the content; only after a READ that is DONE
   unsigned char content[FILE_CAPACITY];  ///< set after READ
   protocol::version2::FileList list;     ///< set after LIST
 };

@@ -48,7 +48,6 @@ void FileKeeper::NotifyJob(const ONotifyEvent& event) {
   FileResult* const result = results_.Memory();
   result->ticket = job.ticket;
   result->outcome = CheckStick(job.operation);
-  result->size = 0;
   if (result->outcome == FileResult::DONE) {
     files_.CarryOut(job, result);
   }

@@ -95,7 +95,6 @@ int CompareNames(const void* a, const void* b) {
 void StickFiles::CarryOut(const FileJob& job, FileResult* result) const {
   result->ticket = job.ticket;
   result->outcome = FileResult::DONE;
-  result->size = 0;
   switch (job.operation) {
     case FileJob::READ:
       result->outcome = Read(job.kind, job.name, result->content, largestFile(job.kind), &result->size);

@@ -57,7 +57,6 @@ Motion::Motion() {
 }
 
 bool Motion::read(const unsigned char* bytes, size_t size) {
-  clear();
   problem_[0] = '\0';
   if (readAll(bytes, size)) {
     return true;

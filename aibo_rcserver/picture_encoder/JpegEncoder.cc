@@ -79,8 +79,6 @@ JpegEncoder::JpegEncoder() : created_(false), quality_(NO_QUALITY) {
   destination_.manager.empty_output_buffer = BufferIsFull;
   destination_.manager.term_destination = EndBuffer;
   compress_.dest = &destination_.manager;
-  compress_.image_width = 0;
-  compress_.image_height = 0;
   created_ = true;
 }
 

@@ -13,17 +13,12 @@ const char TOO_MANY_JOINTS[] = "more joints than any robot has";
 const char JOINT_TWICE[] = "a joint is named twice";
 
 BasicGetCommand versionRequest() {
-  BasicGetCommand request;
-  request.command = REQUEST_NEWER_VERSION;
-  request.identifier = VERSION;
+  const BasicGetCommand request = {REQUEST_NEWER_VERSION, VERSION};
   return request;
 }
 
 ValueReply versionReply() {
-  ValueReply reply;
-  reply.letter = REPLY_NEWER_VERSION;
-  reply.identifier = VERSION;
-  reply.value = 0;
+  const ValueReply reply = {REPLY_NEWER_VERSION, VERSION, 0};
   return reply;
 }
 

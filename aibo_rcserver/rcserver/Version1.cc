@@ -35,8 +35,6 @@ Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands&
 
 void Version1::Begin() {
   is_uploading_ = false;
-  upload_name_[0] = '\0';
-  uploaded_ = 0;
   for (int i = 0; i < number_of_sources_; ++i) {
     sources_[i].is_in_block = true;
   }

@@ -140,7 +140,6 @@ void Version2::Begin() {
   telemetry_period_ = 0;
   content_ = TELEMETRY_PLAIN;
   has_pushed_telemetry_ = false;
-  last_telemetry_ = 0;
   detects_colors_ = false;
 }
 
