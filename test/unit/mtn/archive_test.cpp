@@ -222,9 +222,10 @@ class AiboMtnTest : public UnpackTest {
   AiboMtnTest() { std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles); }
 
   /// Its output and errors, then its exit code.
-  std::string run(const std::string& arguments) const {
+  /// @param before commands of the shell
+  std::string run(const std::string& arguments, const std::string& before = "") const {
     std::string output;
-    FILE* const pipe = ::popen((AIBO_MTN " " + arguments + " 2>&1").c_str(), "r");
+    FILE* const pipe = ::popen((before + AIBO_MTN " " + arguments + " 2>&1").c_str(), "r");
     std::array<char, 256> buffer{};
     while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
       output += buffer.data();
@@ -261,6 +262,14 @@ TEST_F(AiboMtnTest, makesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently)
   EXPECT_THAT(run(text + " /nowhere/x.mtn"), HasSubstr("/nowhere/x.mtn cannot be written\n1"));
 }
 
+TEST_F(AiboMtnTest, saysThatAFileDoesNotFitOntoTheDisk) {
+  for (const size_t size : {7, 100000}) {
+    std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf({{"a", "WAVE", std::string(size, 'x')}});
+    EXPECT_THAT(run("--unpack --force " + archive() + " " + folder_.string(), "trap '' XFSZ; ulimit -f 0; "),
+                HasSubstr("a.wav cannot be written\n1"));
+  }
+}
+
 TEST_F(AiboMtnTest, saysThatItDoesNotCheckTheMotionOfAnUnknownRobot) {
   motion_tool::KeyFrameMotion motion = sampleMotion();
   motion.design = "OTHER";
@@ -282,6 +291,7 @@ TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
   EXPECT_EQ(run(archive()), "aibo_mtn: " + archive() + ": the archive is cut off: it claims to have 2 files\n1");
   EXPECT_THAT(run("--unpack " + archive()), HasSubstr("usage:"));
   EXPECT_THAT(run("--force " + archive()), HasSubstr("usage:"));
+  EXPECT_THAT(run("x.txt x.mtn y.mtn"), HasSubstr("usage:"));
 }
 
 }  // namespace
