@@ -133,7 +133,7 @@ int runNode(const std::string& name, const std::function<std::shared_ptr<void>()
     while (!ros::isShuttingDown()) {  // unlike ros::spin(), this sleeps until there is something to do
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
     }
-    node.reset();  // roscpp 1.15 waits for callbacks of services, and these for an answer of the robot
+    node.reset();  // ends calls to the robot: roscpp 1.15 waits below for services that wait for such a call
     ros::waitForShutdown();
   } catch (const std::exception& error) {
     ROS_FATAL_STREAM("The " << name << " cannot start. " << error.what());

@@ -144,7 +144,7 @@ TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheStreamsIsForItsCall
   takePictureOf(Resolution::kMiddle);
   request();
   receive(makeFrame('f', number_, version2_frames::makePicture(test_pictures::makeNumbered(2), 2)));
-  EXPECT_EQ(2u, pictures_.size()) << "there is no stream any more";
+  EXPECT_EQ(2u, pictures_.size()) << "the stream is off";
 }
 
 TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {
