@@ -1111,7 +1111,7 @@ TEST_F(MoverGoalTest, WhoIsThereAlreadyDoesNotWalk) {
   const Mover::Begun begun = walkToGoal();
   told();
   EXPECT_FALSE(mover_.walkOn(begun.id, {}));
-  EXPECT_EQ(begun.ended()->how, EndedHow::kDone);
+  EXPECT_EQ(endOf(begun), EndedHow::kDone);
   EXPECT_THAT(told(), IsEmpty());
 }
 
