@@ -205,10 +205,7 @@ void PictureDatagrams::Close() {
   order_.port = 0;
   is_sending_ = false;
   is_repairing_ = false;
-  missing_ = 0;
-  is_parity_due_ = false;
-  unsent_part_ = 0;
-  number_of_parts_ = 0;
+  DropUnsent();
 }
 
 // Repeated parts go first, because the client waits for them.
@@ -282,10 +279,14 @@ void PictureDatagrams::SendDatagram(size_t size) {
   send.continuation = reinterpret_cast<void*>(endpoint_number_);
   is_sending_ = send.Send(stack_, object_, Extra_Entry[entryDatagramCont], sizeof(send)) == ANT_SUCCESS;
   if (!is_sending_) {
-    missing_ = 0;
-    is_parity_due_ = false;
-    unsent_part_ = number_of_parts_;
+    DropUnsent();
   }
+}
+
+void PictureDatagrams::DropUnsent() {
+  missing_ = 0;
+  is_parity_due_ = false;
+  unsent_part_ = number_of_parts_;
 }
 
 // If the IPStack refuses, no acknowledgement is received, so each picture waits for the timeout.

@@ -124,6 +124,7 @@ class PictureDatagrams : public DatagramSwitch {
   void SendContent(unsigned picture, bool is_parity, size_t part, const byte* content);
   void SendTest();
   void SendDatagram(size_t size);
+  void DropUnsent();
   void Receive();
   KeptPicture& Kept(unsigned picture) { return kept_[picture % protocol::version2::KEPT_PICTURES]; }
   byte* DatagramBuffer() const;
