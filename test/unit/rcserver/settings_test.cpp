@@ -108,6 +108,7 @@ TEST_P(BrokenLines, AreReportedAndNothingIsAllowed) {
       GetParam().line + "\nnonsense");
   EXPECT_THAT(result.problems, ElementsAre(Pair(6, HasSubstr(GetParam().problem)), Pair(7, HasSubstr("NAME=VALUE"))));
   EXPECT_FALSE(result.settings.allow_upload || result.settings.allow_reboot || result.settings.motors_at_boot);
+  EXPECT_FALSE(result.settings.allow_sound);
   EXPECT_TRUE(result.settings.power_monitor);
   EXPECT_EQ(result.settings.silent_client_seconds, 10U);
   EXPECT_FALSE(result.settings.allowed_addresses.Allow(0xc0a80114));
