@@ -113,8 +113,6 @@ void WalkGuard::Forget() {
   edges_added_ = 0;
   reports_without_floor_ = 0;
   reports_with_obstacle_ = 0;
-  reach_ = 0;
-  obstacle_ = NOTHING_AHEAD;
   paw_without_floor_ = NO_PAW;
   for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
     steps_felt_[i] = 0;
@@ -249,7 +247,6 @@ void WalkGuard::FeelFloor(const Reading& reading, const LegAngles* legs, double 
     if (step == NULL || !IsLongOnFloor(*step, leg, phase)) {
       steps_felt_[i] = has_touched_[i] ? steps_felt_[i] + 1 : reports_in_air_[i] > 0 ? 0 : steps_felt_[i];
       has_touched_[i] = false;
-      reports_in_air_[i] = 0;
       continue;
     }
     has_touched_[i] = has_touched_[i] || reading.paws[i];
