@@ -1,6 +1,7 @@
 #include "simulator/sent_pictures.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "protocol/picture_datagram.h"
 #include "protocol/version1.h"
@@ -43,16 +44,16 @@ bool isJpegBehind(const Header& header, const unsigned char* bytes, std::size_t 
 
 bool SentPictures::add(const void* data, std::size_t size) {
   const auto* bytes = static_cast<const unsigned char*>(data);
+  const bool follows = bytes == std::exchange(next_, bytes + size);
   is_parity_ = false;
   if (size > 0 && bytes[0] == protocol::version2::DATAGRAM_MARK && addDatagram(bytes, size)) {
     return !is_parity_ && jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
   }
-  const bool goes_on = jpeg_.size() < jpeg_size_ && bytes == next_;
+  const bool goes_on = follows && jpeg_.size() < jpeg_size_;
   const bool begins = !goes_on && begin(bytes, size);
   if (goes_on) {
     jpeg_.append(bytes, bytes + std::min(size, jpeg_size_ - jpeg_.size()));
   }
-  next_ = bytes + size;
   return begins;
 }
 
@@ -72,7 +73,6 @@ bool SentPictures::addDatagram(const unsigned char* bytes, std::size_t size) {
   }
   jpeg_size_ = datagram.jpeg_size;
   jpeg_.append(bytes + DATAGRAM_HEADER_SIZE, bytes + size);
-  next_ = nullptr;
   return true;
 }
 

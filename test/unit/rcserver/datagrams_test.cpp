@@ -152,7 +152,10 @@ TEST_F(DatagramsTest, DatagramsAndPicturesAreCounted) {
       EXPECT_EQ(part.header.picture, picture);
       EXPECT_EQ(part.header.sequence, sequence++);
     }
-    EXPECT_NEAR(brightnessOf(joined(parts)).level, FakeRobot::brightness(robot_.lastImage()), 3);
+    const std::vector<uint8_t> jpeg = joined(parts);
+    EXPECT_NEAR(brightnessOf(jpeg).level, FakeRobot::brightness(robot_.lastImage()), 3);
+    ASSERT_TRUE(sent_pictures_.isComplete());
+    EXPECT_EQ(sent_pictures_.jpeg(), std::string(jpeg.begin(), jpeg.end()));
   }
   EXPECT_GE(sequence, 5U);
 }
