@@ -783,6 +783,9 @@ TEST(MotionPlanner, MovesAJointThatHasFollowedWithItsOwnAccelerationAgain) {
   planner.Hold(knee);
   planner.NextFrame();
   const int before = planner.Position(knee);
+  setTarget(planner, joint("tail_pan"), 100000);
+  planner.NextFrame();
+  EXPECT_EQ(planner.Position(knee), before) << "another joint was commanded";
   setTarget(planner, knee, microradians(90));
   planner.NextFrame();
   EXPECT_EQ(planner.Position(knee) - before, 52796210 / 15625);

@@ -162,6 +162,14 @@ TEST_F(MotionPlayerTest, beginsWhereTheJointsAreWithoutAJump) {
   EXPECT_NEAR(at("head_pan"), 50, 1e-4);
 }
 
+TEST_F(MotionPlayerTest, stopsOnTheWayToItsBeginning) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 60\nat 80 head_pan 60\n")), "");
+  passFrames(40);
+  stop("A.MTN");
+  passFrames(500);
+  EXPECT_LT(at("head_pan"), 50);
+}
+
 TEST_F(MotionPlayerTest, playsAsOftenAsItIsTold) {
   const std::string there_and_back = motionBytes("at 0 head_pan -10\nat 320 head_pan 10\nat 640 head_pan -10\n");
   for (const int repetitions : {1, 2, 5}) {

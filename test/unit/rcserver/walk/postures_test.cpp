@@ -113,6 +113,20 @@ TEST_F(PosturesTest, ARobotThatLiesRollsOntoItsBelly) {
   EXPECT_THAT(wayToBelly(FallWatch::UPSIDE_DOWN, 1), ElementsAre(Postures::TIP_LEFT));
 }
 
+TEST_F(PosturesTest, BothSidesRollInTheSameWay) {
+  using P = Postures;
+  for (const auto& [left, right] :
+       {std::make_pair(P::REACH_LEFT, P::REACH_RIGHT), {P::PUSH_LEFT, P::PUSH_RIGHT}, {P::TIP_LEFT, P::TIP_RIGHT}}) {
+    for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
+      const LegAngles& one = postures_.Legs(left)[leg];
+      const LegAngles& other = postures_.Legs(right)[(leg + 2) % robot_model::NUMBER_OF_LEGS];
+      EXPECT_EQ(one.rotator, other.rotator) << right << ", leg " << leg;
+      EXPECT_EQ(one.elevator, other.elevator) << right << ", leg " << leg;
+      EXPECT_EQ(one.knee, other.knee) << right << ", leg " << leg;
+    }
+  }
+}
+
 TEST_F(PosturesTest, AreReachedAtOnceFromEveryWayToStand) {
   const Legs standing_high = {{{-23 * kDegree, 5 * kDegree, 44 * kDegree},
                                {26 * kDegree, 5 * kDegree, 57 * kDegree},
