@@ -106,7 +106,9 @@ TEST_F(BodyTest, BatteryIsReadOnceASecond) {
   expectAnswer(request('S', kTemperature), 's', kTemperature, 2505);
   robot_.power_status.remainingCapacity = 86;
   robot_.power_status.temperature = 65535;
-  passFrames(140);
+  passFrames(100);
+  expectAnswer(request('S', kBattery), 's', kBattery, 87);
+  passFrames(40);
   expectAnswer(request('S', kBattery), 's', kBattery, 86);
   expectAnswer(request('S', kTemperature), 's', kTemperature, 32767);
 }
@@ -484,6 +486,13 @@ TEST_F(BodyVersion2Test, TelemetryLeavesOutSensorsWithoutAValue) {
   const std::vector<TelemetryEntry> sensors = sensorTelemetry();
   EXPECT_EQ(sensors.size(), 17U);
   EXPECT_THAT(sensors, Not(Contains(Field(&TelemetryEntry::id, Eq(55)))));
+}
+
+TEST_F(BodyVersion2Test, JointsThatReportWithoutSensorsAreServed) {
+  robot_.sensor_values.clear();
+  answerTo('T', 0, payloadOf(TelemetryPeriod{4}));
+  passFrames(8);
+  EXPECT_EQ(nextFrame()->header.kind, TELEMETRY_PUSH);
 }
 
 TEST_F(BodyVersion2Test, LedsAreSetTogetherAndAnsweredByTheAcceptedValues) {

@@ -135,6 +135,15 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(second.width, 0);
 }
 
+TEST(ColorCounterTest, EachImageIsCountedAnew) {
+  const std::vector<byte> pixels = emptyPlane();
+  ColorRegions regions{};
+  for (int image = 0; image < 2; ++image) {
+    countColors({pixels.data(), kWidth, kHeight, kWidth}, 1, &regions);
+    EXPECT_EQ(regions.count, 1);
+  }
+}
+
 TEST_F(ColorsTest, ThePlaneComesOnDemand) {
   load(tableOf(0));
   draw(10, 20, 4, 2, 0, &robot_.color_plane);

@@ -95,8 +95,9 @@ TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
 
 TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3));
-  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 the memory stick is busy with an earlier request"), "h3"));
+  send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3) + frame('N', 0, 5));
+  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 the memory stick is busy with an earlier request"), "h3",
+                                     HasSubstr("e5 the memory stick is busy")));
   finishJobs();
   EXPECT_THAT(answers(), ElementsAre("p1"));
   EXPECT_TRUE(hasFile("NOD.MTN"));

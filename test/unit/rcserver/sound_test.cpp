@@ -9,9 +9,11 @@
 #include <string>
 #include <vector>
 
+#include "protocol/picture_datagram.h"
 #include "protocol/sound_requests.h"
 #include "rcserver/Outbox.h"
 #include "rcserver_fixture.h"
+#include "support/udp_socket.h"
 
 namespace {
 
@@ -641,9 +643,9 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
 TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   const auto pictures = [this](int steps = 25) {
     pass(25);
-    replies_.clear();
+    begun_pictures_ = 0;
     pass(steps);
-    return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
+    return begun_pictures_;
   };
   answerTo('W', 85, kStreamOn);
   play(0, samplesOf(mark, 0, 4000));
@@ -656,6 +658,10 @@ TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   EXPECT_GT(pictures(), 4) << "enough waits for the speaker";
   play(0, samplesOf(mark, 0, 4000), true);
   EXPECT_GT(pictures(), 4) << "no more is to come";
+  const test_support::UdpSocket receiver;
+  answerTo('B', 0, payloadOf(DatagramPort{receiver.port()}));
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_LE(pictures(), 1) << "by UDP";
   EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
 }
 
