@@ -15,6 +15,9 @@ namespace {
 
 using ::testing::HasSubstr;
 
+// The header of a frame that no server takes.
+const std::string kTooLarge("Z\0\0\1\0\1\0\1", 8);
+
 class ConnectionsTest : public FakeRobotFixture {
  protected:
   void SetUp() override { start(); }
@@ -22,7 +25,7 @@ class ConnectionsTest : public FakeRobotFixture {
   // A client that gets a last message before the server closes, and does not close itself.
   std::unique_ptr<TestClient> connectAndBreakTheProtocol() {
     auto client = connect();
-    client->send(request('X', 2) + std::string("Z\0\0\1\0\1\0\1", 8));
+    client->send(request('X', 2) + kTooLarge);
     machine_->runPending();
     return client;
   }
@@ -66,6 +69,26 @@ TEST_F(ConnectionsTest, LastMessageArrivesThoughTheServerCloses) {
   ASSERT_TRUE(last_word);
   EXPECT_EQ(last_word->header.kind, 'e');
   EXPECT_TRUE(awaitEnd(*client));
+}
+
+TEST_F(ConnectionsTest, LastMessageArrivesThoughTheClientReadsLateAndAnotherWasThereLongBefore) {
+  connectServed()->close();
+  passFrames(200);
+  client_ = connect(2048);
+  std::string requests = request('X', 2);
+  for (int i = 0; i < 300; ++i) {
+    requests += frame('V', 0, 7);
+  }
+  client_->send(requests + kTooLarge);
+  machine_->runPending();
+  passFrames(4);
+  EXPECT_TRUE(await(*client_)) << "the agreement to version 2";
+  std::optional<Frame> next = nextFrame();
+  while (next && next->header.request_number == 7) {
+    next = nextFrame();
+  }
+  ASSERT_TRUE(next);
+  EXPECT_EQ(next->header.kind, 'e');
 }
 
 TEST_F(ConnectionsTest, ClientThatIsSlowToCloseIsNotAbortedForTwoSeconds) {
