@@ -661,7 +661,7 @@ TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   const test_support::UdpSocket receiver;
   answerTo('B', 0, payloadOf(DatagramPort{receiver.port()}));
   play(0, samplesOf(mark, 0, 4000));
-  EXPECT_LE(pictures(), 1) << "by UDP";
+  EXPECT_LE(pictures(100), 4) << "by UDP";
   EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
 }
 
