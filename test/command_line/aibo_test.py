@@ -1,5 +1,6 @@
 """The program aibo as its users and their scripts see it: exit status, files, JSON; with servers of both versions, with
 none, with one that is busy, and with one that is hostile."""
+import io
 import itertools
 import json
 import math
@@ -11,11 +12,13 @@ import signal
 import socket
 import struct
 import subprocess
+import sys
 import tempfile
 import threading
 import time
 import unittest
 import wave
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 PROJECT = Path(__file__).resolve().parents[2]
@@ -1072,5 +1075,25 @@ class Documents(unittest.TestCase):
         self.assertNotRegex(libraries, r"libros|roscpp|xmlrpcpp")
 
 
+class ClassesAtOnce:
+    """Runs the tests of all classes at the same time, because they mostly wait. Each class keeps its order."""
+
+    def run(self, classes):
+        result = unittest.TestResult()
+        with ThreadPoolExecutor(max_workers=len(list(classes))) as pool:
+            for log, of_class in pool.map(self.run_class, classes):
+                sys.stderr.write(log)
+                result.testsRun += of_class.testsRun
+                result.errors += of_class.errors
+                result.failures += of_class.failures
+        return result
+
+    @staticmethod
+    def run_class(tests):
+        log = io.StringIO()
+        result = unittest.TextTestRunner(stream=log).run(tests)
+        return log.getvalue(), result
+
+
 if __name__ == "__main__":
-    unittest.main()
+    unittest.main(testRunner=ClassesAtOnce())
