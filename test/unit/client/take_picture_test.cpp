@@ -55,6 +55,22 @@ TEST_F(TakePictureTest, ARequestIsNotRepeatedAfterAReconnect) {
   EXPECT_FALSE(next.readCommandWithin(milliseconds(50)));
 }
 
+TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer) {
+  ScriptedPeer peer = startStream();
+  const auto reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
+  const std::uint64_t begun = client_.statistics().bytes_received + 100;
+  peer.send({reply.begin(), reply.begin() + 100});
+  ASSERT_TRUE(eventually([&] { return client_.statistics().bytes_received >= begun; }));
+  auto taken = takeInBackground(40);
+  EXPECT_FALSE(peer.readCommandWithin(milliseconds(50))) << "the stream will answer";
+  peer.send({reply.begin() + 100, reply.end()});
+  EXPECT_TRUE(eventually([&] {
+    peer.sendPicture(test_pictures::makeNumbered(2));
+    return taken.wait_for(milliseconds(1)) == std::future_status::ready;
+  }));
+  EXPECT_EQ(test_pictures::makeNumbered(2), taken.get()->jpeg);
+}
+
 TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {
   EXPECT_THROW(client_.takePicture(-1, seconds(1)), InvalidArgumentException);
   EXPECT_THROW(client_.takePicture(101, seconds(1)), InvalidArgumentException);
