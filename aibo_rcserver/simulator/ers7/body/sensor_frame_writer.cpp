@@ -7,7 +7,7 @@ namespace {
 
 static_assert(sizeof(OJointValue) == sizeof(OSensorValue), "a joint's values take the place of a sensor's");
 
-OSensorFrameVectorData* vectorIn(RCRegion* region) {
+OSensorFrameVectorData* framesIn(RCRegion* region) {
   void* base = region->Base();
   return static_cast<OSensorFrameVectorData*>(base);
 }
@@ -24,7 +24,7 @@ std::size_t sensorFramesSize(std::size_t entries) {
 }
 
 void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& entries) {
-  ODataVectorInfo& header = vectorIn(region)->vectorInfo;
+  ODataVectorInfo& header = framesIn(region)->vectorInfo;
   header = ODataVectorInfo();
   header.type = odataSENSOR_FRAME_VECTOR;
   header.memRegionID = region->MemID();
@@ -36,7 +36,7 @@ void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& 
   header.numData = header.maxNumData;
   std::size_t offset = dataOffset(entries.size());
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    OSensorFrameInfo* info = vectorIn(region)->GetInfo(static_cast<int>(i));
+    OSensorFrameInfo* info = framesIn(region)->GetInfo(static_cast<int>(i));
     *info = OSensorFrameInfo();
     info->type = entries[i].type;
     info->primitiveID = entries[i].primitive;
@@ -50,8 +50,8 @@ void prepareSensorFrames(RCRegion* region, const std::vector<SensorFrameEntry>& 
 
 void writeSensorFrames(RCRegion* region, std::size_t entry, longword frame, const void* readings) {
   const int index = static_cast<int>(entry);
-  vectorIn(region)->GetInfo(index)->frameNumber = frame - (Joint::kReadings - 1);
-  std::memcpy(vectorIn(region)->GetData(index)->frame, readings, Joint::kReadings * sizeof(OSensorValue));
+  framesIn(region)->GetInfo(index)->frameNumber = frame - (Joint::kReadings - 1);
+  std::memcpy(framesIn(region)->GetData(index)->frame, readings, Joint::kReadings * sizeof(OSensorValue));
 }
 
 }  // namespace simulated_ers7

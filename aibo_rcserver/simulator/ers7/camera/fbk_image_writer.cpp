@@ -33,7 +33,7 @@ constexpr LayerFormat kLayers[] = {
 constexpr std::size_t kNumberOfLayers = std::size(kLayers);
 constexpr std::size_t kDataOffset = offsetof(OFbkImageVectorData, info) + kNumberOfLayers * sizeof(OFbkImageInfo);
 
-OFbkImageVectorData* vectorIn(RCRegion* region) {
+OFbkImageVectorData* layersIn(RCRegion* region) {
   void* base = region->Base();
   return static_cast<OFbkImageVectorData*>(base);
 }
@@ -131,7 +131,7 @@ std::size_t fbkImageSize() {
 }
 
 void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
-  OFbkImageVectorData* vector = vectorIn(region);
+  OFbkImageVectorData* vector = layersIn(region);
   *vector = OFbkImageVectorData();
   vector->vectorInfo.type = odataFBKIMAGE_VECTOR;
   vector->vectorInfo.memRegionID = region->MemID();
@@ -157,7 +157,7 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera) {
 }
 
 void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
-  OFbkImageVectorData* vector = vectorIn(region);
+  OFbkImageVectorData* vector = layersIn(region);
   for (const LayerFormat& format : kLayers) {
     vector->GetInfo(format.layer)->frameNumber = frame;
   }
@@ -165,17 +165,17 @@ void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
 }
 
 const void* otherBands(RCRegion* region) {
-  return vectorIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kPictureWidth;
+  return layersIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kPictureWidth;
 }
 
 void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number) {
-  byte* high = vectorIn(region)->GetData(ofbkimageLAYER_H);
+  byte* high = layersIn(region)->GetData(ofbkimageLAYER_H);
   writeColors(picture, high);
   writeTag(high, kLayers[0], image_number, {});
 }
 
 void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number) {
-  OFbkImageVectorData* vector = vectorIn(region);
+  OFbkImageVectorData* vector = layersIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
   writeColors(picture, high);
   writeBand(picture.y_lh, high + 3 * kPictureWidth);
