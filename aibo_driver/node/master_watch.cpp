@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -59,13 +60,13 @@ class Registration {
     const Missing missing{without(known_publications, topicsOf(ros::this_node::getAdvertisedTopics)),
                           without(known_subscriptions, topicsOf(ros::this_node::getSubscribedTopics)),
                           without(known_services, advertisedServices())};
+    const std::size_t missing_before = std::exchange(missing_, missing.count());
     if (missing.count() == 0) {
-      was_missing_ = false;
       rememberParameters();
       return;
     }
     // What is just being advertised is missing once. A master that was restarted knows none of the services.
-    if (!known_services.empty() && !std::exchange(was_missing_, true)) {
+    if (!known_services.empty() && missing_before == 0) {
       return;
     }
     if (known_services.empty()) {
@@ -170,9 +171,9 @@ class Registration {
   const std::string service_uri_;
   const XmlRpcPeer master_;
   const XmlRpcPeer self_;
-  XmlRpcValue parameters_;    ///< as the master had them last
-  Names services_;            ///< all services that the master ever knew
-  bool was_missing_ = false;  ///< in the check before
+  XmlRpcValue parameters_;   ///< as the master had them last
+  Names services_;           ///< all services that the master ever knew
+  std::size_t missing_ = 0;  ///< how many names in the last check
 };
 
 }  // namespace
