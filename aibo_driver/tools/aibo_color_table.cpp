@@ -118,7 +118,6 @@ int main(int argc, char** argv) {
   try {
     options::variables_map values;
     options::store(options::parse_command_line(argc, argv, all), values);
-    options::notify(values);
     if (values.count("help") > 0 || values.count("region") == 0) {
       (values.count("help") > 0 ? std::cout : std::cerr) << all;
       return values.count("help") > 0 ? 0 : 2;
