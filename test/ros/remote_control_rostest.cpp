@@ -34,6 +34,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLabel>
+#include <QLayout>
 #include <QListWidget>
 #include <QPainter>
 #include <QScreen>
@@ -44,8 +45,10 @@
 #include <QTimer>
 #include <QtTest/QTest>
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -57,6 +60,7 @@
 #include "remote_control/joint_slider.h"
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
+#include "remote_control/service_calls.h"
 #include "support/process.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
@@ -535,6 +539,19 @@ TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
   }
 }
 
+TEST_F(ToldTest, ANewConnectionIsShownBeforeTheNextSearchForDrivers) {
+  int changes = 0;
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        const auto begin = std::chrono::steady_clock::now();
+        const QString text = QString("change %1").arg(++changes);
+        connect(text);
+        return hears("connection " + text) && std::chrono::steady_clock::now() - begin < std::chrono::seconds(1);
+      },
+      kTimeout))
+      << "a search comes every 2 s";
+}
+
 TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
   RobotState state;
   state.stopped_by = "/anna";
@@ -747,6 +764,26 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   EXPECT_TRUE(hears("no, look there: out of reach"));
 }
 
+TEST(RemoteControlCalls, EndWithTheWindowEvenIfNobodyAnswers) {
+  using std_srvs::Trigger;
+  std::promise<void> asked;
+  std::promise<void> may_answer;
+  std::promise<bool> answered;
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> answer = [&](auto&, auto&) {
+    asked.set_value();
+    answered.set_value(may_answer.get_future().wait_for(kSafetyNet) == std::future_status::ready);
+    return true;
+  };
+  const ros::ServiceServer server = ros::NodeHandle().advertiseService("/hangs", answer);
+  {
+    aibo_driver::remote_control::ServiceCalls calls;
+    calls.start<Trigger>("/hangs", {}, [](const Trigger::Response*) { ADD_FAILURE() << "the window is gone"; });
+    ASSERT_EQ(asked.get_future().wait_for(kSafetyNet), std::future_status::ready);
+  }
+  may_answer.set_value();
+  EXPECT_TRUE(answered.get_future().get()) << "the window waited for an answer";
+}
+
 TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceOrAnyUntilCtrlC) {
   for (const char* name_space : {"/window", "/"}) {
     const ros::Publisher driver = ros::NodeHandle("/window").advertise<Connection>("connection", 1, true);
@@ -774,6 +811,7 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
   window.show();
   EXPECT_TRUE(QTest::qWaitFor([&] { return screen.contains(window.frameGeometry()); }, kTimeout));
   EXPECT_GT(window.width(), screen.width() / 2);
+  EXPECT_TRUE(panel->layout()->contentsMargins().isNull()) << "rviz has a margin of its own";
   window.setGeometry(40, 30, 300, 200);
   panel->initialize(nullptr);
   QCoreApplication::processEvents();
