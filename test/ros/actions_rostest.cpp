@@ -219,6 +219,22 @@ TEST(FollowGoal, IsAbortedIfAJointDoesNotArrive) {
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::GOAL_TOLERANCE_VIOLATED);
 }
 
+TEST(FollowGoal, IsAbortedIfAJointStillMovesAtItsEnd) {
+  FollowUser user("/follow_moving");
+  FollowJointTrajectoryGoal request;
+  bool still_moves = false;
+  for (int i = 0; i < 30 && !still_moves; ++i) {  // on a busy computer, the joint may stop before it is looked at
+    request = FollowUser::goal({{"head_pan", i % 2 == 0 ? 0.5 : -0.5}}, 0.5);
+    request.goal_tolerance = {tolerance("head_pan", -1)};
+    request.goal_tolerance[0].velocity = 0.001;
+    request.goal_time_tolerance = ros::Duration(0.001);
+    FollowGoal goal(user.client, request);
+    still_moves = goal.waitForEnd() == State::ABORTED &&
+                  goal.result()->error_string.find("head_pan still moves with") != std::string::npos;
+  }
+  EXPECT_TRUE(still_moves);
+}
+
 TEST(FollowGoal, IsPreemptedByANewerOneForItsJointsOnly) {
   FollowUser user("/follow_two");
   FollowGoal head(user.client, FollowUser::goal({{"head_pan", 1.0}}, 4.0));
@@ -245,6 +261,13 @@ TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {
   FollowGoal unknown(user.client, FollowUser::goal({{"third_leg", 1.0}}, 1.0));
   ASSERT_EQ(unknown.waitForEnd(), State::REJECTED);
   EXPECT_EQ(unknown.result()->error_code, FollowJointTrajectoryResult::INVALID_JOINTS);
+  FollowJointTrajectoryGoal many = FollowUser::goal({}, 1.0);
+  many.trajectory.joint_names.assign(1001, "head_pan");
+  many.trajectory.points[0].positions.assign(1001, 1.0);
+  FollowGoal long_one(user.client, many);
+  ASSERT_EQ(long_one.waitForEnd(), State::REJECTED);
+  EXPECT_EQ(long_one.result()->error_code, FollowJointTrajectoryResult::INVALID_JOINTS);
+  EXPECT_THAT(long_one.result()->error_string, HasSubstr("at most 1000 names are allowed"));
   FollowJointTrajectoryGoal old = FollowUser::goal({{"head_pan", 1.0}}, 1.0);
   old.trajectory.header.stamp = ros::Time::now() - ros::Duration(10);
   FollowGoal late(user.client, old);
