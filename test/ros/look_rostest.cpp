@@ -131,8 +131,17 @@ TEST_F(LookTest, TurnsAsFarAsItCanAndSaysSo) {
   EXPECT_TRUE(result.moves);
   EXPECT_GT(result.error, 0.5);
   EXPECT_THAT(result.message, HasSubstr("out of reach"));
+  EXPECT_THAT(result.message, HasSubstr(" be " + std::to_string(std::lround(result.error * 180 / M_PI)) + " degrees"));
   EXPECT_TRUE(user_.waitForPanBeyond(1.5)) << "to its limit";
   node_.waitForOutput("WARN.*out of reach", kSafetyNet);
+  const auto reaches = [this](double left, double up) {  // degrees
+    const Eigen::Vector3d way = Eigen::AngleAxisd(left * M_PI / 180, Eigen::Vector3d::UnitZ()) *
+                                Eigen::AngleAxisd(-up * M_PI / 180, Eigen::Vector3d::UnitY()) *
+                                Eigen::Vector3d(100, 0, 0);
+    return static_cast<bool>(lookAt(point("base_link", way.x(), way.y(), way.z())).success);
+  };
+  EXPECT_TRUE(reaches(87, 0) && reaches(-87, 0) && reaches(0, 44) && reaches(0, -69));
+  EXPECT_FALSE(reaches(90, 0) || reaches(-90, 0) || reaches(0, 47) || reaches(0, -72)) << "the message says 88, 70, 45";
 }
 
 TEST_F(LookTest, SaysWhyItDoesNotTurn) {
