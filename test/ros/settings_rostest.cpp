@@ -313,6 +313,7 @@ TEST(Settings, ThatRosparamSetsHaveNoEffectAndTheDriverSaysSo) {
   for (const char* const setting : {"speed_scale", "adaptive", "transport"}) {
     EXPECT_THAT(user.log(), Not(HasSubstr(std::string(setting) + " was set to"))) << "dynamic_reconfigure did it";
   }
+  EXPECT_THAT(user.log(), Not(HasSubstr("/port was set to"))) << "it was before the driver was started";
 }
 
 TEST(Settings, OfTheCameraAreSeenInThePictures) {

@@ -387,6 +387,17 @@ TEST(BallFollowerAtItsStart, WaitsForAStoppedRobotAndForLeave) {
   EXPECT_FALSE(steps.waitForCount(1).empty());
 }
 
+TEST(BallFollowerAtItsStart, WaitsForTheMotorsButForNoLeave) {
+  FakeDriver driver("/begins_limp");
+  driver.tell(RobotState::OFF, RobotState::LYING);
+  TopicListener<Twist> steps("/begins_limp/cmd_vel");
+  const Process node({AIBO_FOLLOW_BALL, "__ns:=/begins_limp"});
+  EXPECT_TRUE(ros::service::waitForService("/begins_limp/aibo_follow_ball/go_on", ros::Duration(kSafetyNet.count())));
+  EXPECT_TRUE(steps.waitForCount(1, std::chrono::milliseconds(1500)).empty());
+  driver.tell(RobotState::ON, RobotState::STANDING);
+  EXPECT_FALSE(steps.waitForCount(1).empty());
+}
+
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   FakeDriver driver("/stares");
   driver.stop("/user");

@@ -500,7 +500,8 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
   Walker walker("/gamepad");
   TopicPublishers joystick("/gamepad_of");
   ros::param::set("/gamepad/aibo_teleop_joy/motions", std::map<std::string, int>{{"WAG", 2}});
-  ros::param::set("/gamepad/aibo_teleop_joy/postures", std::map<std::string, int>{{"sit", 5}});
+  ros::param::set("/gamepad/aibo_teleop_joy/postures",
+                  std::map<std::string, int>{{"sit", 5}, {"stand", -1}, {"rest", -1}});
   Process teleop({AIBO_TELEOP_JOY, "__ns:=/gamepad", "/joy:=/gamepad_of/joy"});
   sensor_msgs::Joy joy;
   joy.axes = std::vector<float>(7, 0.0F);
