@@ -130,10 +130,12 @@ TEST(Monitor, StartedBareWatchesTheDriverUnderAibo) {
 }
 
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
-  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_seconds:=1"});
-  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
-  monitor.waitForOutput("no driver in namespace /nobody", kSafetyNet);
-  monitor.waitForOutput("no picture came within 1 s", kSafetyNet);
+  for (const char* time : {"_seconds:=1", "_first_picture_timeout:=1"}) {
+    Process monitor({AIBO_MONITOR, "__ns:=/nobody", time});
+    EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1) << time;
+    monitor.waitForOutput("no driver in namespace /nobody", kSafetyNet);
+    monitor.waitForOutput("no picture came within 1 s", kSafetyNet);
+  }
 }
 
 TEST(Node, EndsWithAnErrorThatNamesABadParameterAndItsRange) {

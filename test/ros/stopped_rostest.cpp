@@ -1,5 +1,6 @@
 // The programs that steer, or that move the robot by themselves, while somebody has stopped it. The driver is a fake.
 
+#include <aibo_driver/Connection.h>
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
@@ -432,6 +433,11 @@ TEST(Monitor, SaysWhoHasStoppedTheRobot) {
   monitor.waitForOutput("stopped by /user, until release", kSafetyNet);
   driver.release();
   monitor.waitForOutput("until release\\nno pictures: no driver in namespace /watched yet\\n", kSafetyNet);
+  ros::Publisher connections = ros::NodeHandle("/watched").advertise<aibo_driver::Connection>("connection", 1, true);
+  aibo_driver::Connection connection;
+  connection.text = "the robot \x1b[2J is off";
+  connections.publish(connection);
+  monitor.waitForOutput("no pictures: the robot [^\x1b]* is off\\n", kSafetyNet);
 }
 
 TEST(Monitor, TellsHowManyPicturesComeAndHowOldTheyAre) {
