@@ -55,8 +55,8 @@ class SettingsProblems {
 
 /// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, case does not matter, and the
 /// line ends of all systems are accepted. If any line is wrong, the whole file is ignored, because that line may have
-/// been a restriction. Then only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all other
-/// settings have their defaults.
+/// been a restriction. Then only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all
+/// other settings have their defaults.
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
 
 /// Reads RCSERVER.CFG from the memory stick. The console shows each wrong line and who may connect. Without the file,
