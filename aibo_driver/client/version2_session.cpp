@@ -60,10 +60,8 @@ version2::Layer layerOf(Resolution resolution) {
 
 template <typename Item>
 std::vector<int> idsOf(const std::vector<Item>& items) {
-  std::vector<int> ids;
-  for (const Item& item : items) {
-    ids.push_back(item.id);
-  }
+  std::vector<int> ids(items.size());
+  std::transform(items.begin(), items.end(), ids.begin(), [](const Item& item) { return item.id; });
   return ids;
 }
 

@@ -1,5 +1,6 @@
 #include "command_line/quantities.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
@@ -43,17 +44,20 @@ double parseWithUnit(const std::string& what, const std::string& text, const std
   refuse(what, text, allowed);
 }
 
+Assignment parseAssignment(const std::string& word, const std::string& example) {
+  const std::size_t equals = word.find('=');
+  if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
+    throw aibo_client::InvalidArgumentException("'" + word + "' has to have the form NAME=VALUE, such as " + example);
+  }
+  return {word.substr(0, equals), word.substr(equals + 1)};
+}
+
 }  // namespace
 
 std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, const std::string& example) {
-  std::vector<Assignment> assignments;
-  for (const std::string& word : words) {
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos || equals == 0 || equals + 1 == word.size()) {
-      throw aibo_client::InvalidArgumentException("'" + word + "' has to have the form NAME=VALUE, such as " + example);
-    }
-    assignments.push_back({word.substr(0, equals), word.substr(equals + 1)});
-  }
+  std::vector<Assignment> assignments(words.size());
+  std::transform(words.begin(), words.end(), assignments.begin(),
+                 [&](const std::string& word) { return parseAssignment(word, example); });
   return assignments;
 }
 

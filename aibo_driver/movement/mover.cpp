@@ -825,7 +825,9 @@ void Mover::takeEndsOfPlan() {
     std::string reason = end.reason;
     if (record != nullptr && end.how == EndedHow::kNotReached) {
       for (const auto& [joint, trouble] : record->troubles) {
-        reason = end.reason.find(joint + ' ') != std::string::npos ? trouble + " (" + end.reason + ")" : reason;
+        if (end.reason.find(joint + ' ') != std::string::npos) {
+          reason = trouble + " (" + end.reason + ")";
+        }
       }
     }
     close(end.id, end.how, reason);
