@@ -16,6 +16,7 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <regex>
 #include <set>
 #include <string>
@@ -121,12 +122,15 @@ TEST(LookAround, StartedBareCommandsTheDriverUnderAibo) {
   look_around.waitForOutput("under /aibo", kSafetyNet);
 }
 
-TEST(Monitor, StartedBareWatchesTheDriverUnderAibo) {
+TEST(Monitor, StartedBareWatchesTheDriverUnderAiboAndTheNextOne) {
   SimulatedRobot robot;
-  DriverProcess driver("/", robot.port());
+  auto driver = std::make_unique<DriverProcess>("/", robot.port());
   Process monitor({AIBO_MONITOR, "__ns:=/"});
   monitor.waitForOutput("under /aibo", kSafetyNet);
-  monitor.waitForOutput("pictures/s", kSafetyNet);
+  monitor.waitForOutput("driver: [0-9.]+ % of one", kSafetyNet);
+  driver.reset();
+  driver = std::make_unique<DriverProcess>("/", robot.port());
+  monitor.waitForOutput("unknown share of one [^%]*\\n[^%]*driver: [0-9.]+ % of one", kSafetyNet);
 }
 
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
