@@ -138,6 +138,8 @@ TEST(PositionControllers, MoveEveryJoint) {
   }
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
   EXPECT_LT(user.jointRequests(), posture.size());
+  user.publish("head_pan_position_controller/command", std_msgs::Float64());
+  EXPECT_TRUE(user.joints.waitForPosition("head_pan", 0)) << "the next one, too";
 }
 
 TEST(JointTrajectory, MovesEveryJoint) {

@@ -3,6 +3,7 @@
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/MotionState.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -213,13 +214,15 @@ TEST(Settings, SpeedScaleSlowsTheJointsDown) {
 TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   JointListener joints("/settings_trajectory");
   SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed, kPatient});
+  TopicListener<aibo_driver::MotionState> states("/settings_trajectory/motion_state");
   TopicPublishers topics("/settings_trajectory");
   ASSERT_TRUE(joints.messages().waitForNext());
   topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 1.5));
   const auto waitForPanBeyond = [&joints](double position) {
     return joints.messages().waitFor([=](const auto& state) { return positionOf(state, "head_pan") > position; });
   };
-  ASSERT_TRUE(waitForPanBeyond(0.1));
+  const auto begun = states.waitFor([](const auto& state) { return !state.movements.empty(); });
+  ASSERT_TRUE(begun && waitForPanBeyond(0.1));
   user.set(number("speed_scale", 0.1));
   // The mean speed, because a busy computer may be late with some commands, and the joint then stops for a moment.
   const auto halfway = waitForPanBeyond(0.5);
@@ -227,6 +230,9 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   ASSERT_TRUE(halfway && later);
   EXPECT_LT(0.4 / (later->header.stamp - halfway->header.stamp).toSec(), 0.3) << "0.2 is allowed";
   EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0)) << "it still goes to the end";
+  EXPECT_TRUE(states.waitFor([&begun](const auto& state) {
+    return !state.movements.empty() && state.movements[0].end > begun->movements[0].end + ros::Duration(1);
+  })) << "its end is said to be later";
 }
 
 TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
@@ -248,7 +254,9 @@ TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
   call.request.resolution = "52x40";
   ASSERT_TRUE(ros::service::call("/settings_size/take_picture", call));
   EXPECT_THAT(call.response.message, HasSubstr("52x40 pixels"));
-  user.set(text("resolution", "1x1"));
+  const Config same = user.set(text("resolution", "1x1"));
+  EXPECT_TRUE(std::any_of(same.strs.begin(), same.strs.end(),
+                          [](const auto& each) { return each.name == "resolution" && each.value == "416x320"; }));
   EXPECT_FALSE(states.waitFor([](const auto& state) { return state.width == 52; }, std::chrono::milliseconds(500)));
 }
 

@@ -213,6 +213,15 @@ TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
     return !each.ended.empty() && lastEnd(each).movement.kind == Movement::WALK &&
            lastEnd(each).reason == "the robot lies on its left side";
   }));
+  walker.letGo();
+  ASSERT_TRUE(walker.waitForEnd(Movement::POSTURE));
+  walker.robot.type("lie feet");  // the simulated robot cannot turn over
+  ASSERT_TRUE(walker.call<Trigger>("stand").success);
+  ASSERT_TRUE(walker.walks(0.05));
+  walker.state.clear();
+  walker.robot.type("lie left");
+  EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }))
+      << "after the next fall, too";
 }
 
 TEST(Walk, ARobotThatHasFallenStaysDownOnceAUserSwitchedItsMotorsOff) {
