@@ -254,14 +254,17 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   writeSoundFile(user.path("long.wav"), tone(16000 * 60));
   actionlib::SimpleActionClient<PlaySoundAction> client("/plays_goals/play_sound");
   ASSERT_TRUE(client.waitForServer(ros::Duration(30)));
-  const auto result_of = [&](const std::string& file, bool cancel) {
+  const auto begin = [&](actionlib::SimpleActionClient<PlaySoundAction>& player, const std::string& file) {
     PlaySoundGoal goal;
     goal.file = user.path(file);
-    client.sendGoal(goal);
+    player.sendGoal(goal);
     // A client takes a goal for lost that it cancels before the server has heard of it.
-    while (cancel && client.getState() == actionlib::SimpleClientGoalState::PENDING) {
+    while (player.getState() == actionlib::SimpleClientGoalState::PENDING) {
       ros::WallDuration(0.01).sleep();
     }
+  };
+  const auto result_of = [&](const std::string& file, bool cancel) {
+    begin(client, file);
     if (cancel) {
       client.cancelGoal();
     }
@@ -271,6 +274,14 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
   EXPECT_EQ(result_of("long.wav", true), actionlib::SimpleClientGoalState::PREEMPTED);
   EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
+  begin(client, "long.wav");
+  writeSoundFile(user.path("second.wav"), tone(16000));
+  actionlib::SimpleActionClient<PlaySoundAction> other("/plays_goals/play_sound");
+  ASSERT_TRUE(other.waitForServer(ros::Duration(30)));
+  begin(other, "second.wav");
+  client.cancelGoal();  // at once: the driver need not have seen that this sound has ended
+  EXPECT_TRUE(other.waitForResult(ros::Duration(30)));
+  EXPECT_EQ(other.getState(), actionlib::SimpleClientGoalState::SUCCEEDED) << "only its own sound is cancelled";
   client.sendGoalAndWait(PlaySoundGoal(), ros::Duration(30));
   EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::REJECTED);
   EXPECT_THAT(client.getResult()->message, HasSubstr("give a file or a text"));
