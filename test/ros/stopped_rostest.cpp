@@ -55,7 +55,7 @@ class FakeDriver {
   explicit FakeDriver(const std::string& name_space, bool is_slow = false) : handle_(name_space), is_slow_(is_slow) {
     constexpr bool kLatched = true;
     state_ = handle_.advertise<RobotState>("robot_state", 1, kLatched);
-    motion_ = handle_.advertise<MotionState>("motion_state", 1, kLatched);
+    motion_ = handle_.advertise<MotionState>("motion_state", 10, kLatched);
     joints_ = handle_.advertise<sensor_msgs::JointState>("joint_states", 1);
     mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
     release_ = handle_.advertiseService<Trigger::Request, Trigger::Response>(
@@ -250,7 +250,12 @@ TEST_F(LookAroundTest, WaitsForWhateverElseMovesTheRobotAndLongerAfterSomebodyHa
   auto limp = begin("/limp", "_pause:=3600", [](FakeDriver& driver, bool is_limp) {
     driver.tell(is_limp ? RobotState::OFF : RobotState::ON, RobotState::LYING);
   });
-  auto neck = begin("/nods", "_pause:=7", movement(Movement::COMMAND, {"tail_pan", "neck_tilt"}));
+  auto neck = begin("/nods", "_pause:=7", [](FakeDriver& driver, bool nods) {
+    movement(Movement::COMMAND, {"tail_pan", nods ? "neck_tilt" : "mouth"})(driver, true);
+    if (!nods) {
+      driver.move({});  // what moved last does not make the pause shorter
+    }
+  });
   for (const Gaze& gaze : {tail.get(), limp.get()}) {
     EXPECT_TRUE(gaze.waits);
     EXPECT_EQ(gaze.all.size(), 2U) << "it does not wait any longer";
@@ -424,6 +429,8 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   driver.release();
   driver.tell(RobotState::OFF, RobotState::LYING);
   EXPECT_TRUE(says("the motors are off"));
+  driver.tell(RobotState::ON, RobotState::STANDING);
+  EXPECT_TRUE(says("nobody listens")) << "it would turn again";
 }
 
 TEST(Monitor, SaysWhoHasStoppedTheRobot) {
