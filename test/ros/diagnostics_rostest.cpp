@@ -2,6 +2,7 @@
 // names have blanks instead of slashes.
 
 #include <aibo_driver/Sound.h>
+#include <aibo_driver/TakePicture.h>
 #include <diagnostic_msgs/DiagnosticArray.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
@@ -240,6 +241,9 @@ TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
   });
   EXPECT_EQ(DiagnosticsListener::value(lowered, "quality asked for"), "50");
   EXPECT_THAT(driver.output(), HasSubstr("at most 200 ms are allowed: the stream is lowered"));
+  aibo_driver::TakePicture picture;
+  ASSERT_TRUE(ros::service::call("/adaptive/take_picture", picture));
+  EXPECT_THAT(picture.response.message, HasSubstr("at quality 85."));
   const auto joints = diagnostics.waitForNext("adaptive/aibo_driver: joints");
   EXPECT_EQ(joints.level, DiagnosticStatus::OK) << "nobody has asked for measurements";
   EXPECT_THAT(joints.message, HasSubstr("idle: telemetry_rate is 0"));

@@ -22,8 +22,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <future>
 #include <string>
 
+#include "support/picture_server.h"
+#include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/motion_states.h"
 #include "support/ros/topic_listener.h"
@@ -36,8 +39,10 @@ using aibo_driver::Connection;
 using aibo_driver::EndedMovement;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
+using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::lastEnd;
+using test_support::PictureServer;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
@@ -118,6 +123,28 @@ TEST_P(ListenersTest, AreNotNeededForATrajectory) {
     is_there = motion_state.waitFor(is_done, std::chrono::seconds(1)) != nullptr;
   }
   EXPECT_TRUE(is_there);
+}
+
+TEST(ListenersOfDiagnostics, AreNotToldOfDamageBeforeTheyCame) {
+  PictureServer server(2, std::chrono::milliseconds(20));
+  TopicListener<aibo_driver::LinkQuality> seconds("/late/link_quality");
+  TopicListener<sensor_msgs::CompressedImage> pictures("/late/camera/image_raw/compressed");
+  const DriverProcess driver("/late", server.port(), {"_use_robot_time:=false", "_read_timeout:=20"});
+  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  std::promise<void> damaged;
+  server.spoilNext([&damaged](test_support::Bytes jpeg) {
+    damaged.set_value();
+    jpeg.resize(jpeg.size() / 2);
+    return jpeg;
+  });
+  ASSERT_EQ(damaged.get_future().wait_for(test_support::kSafetyNet), std::future_status::ready);
+  pictures.clear();
+  ASSERT_GE(pictures.waitForCount(20).size(), 20U) << "the damaged one comes before them";
+  seconds.clear();
+  ASSERT_GE(seconds.waitForCount(2).size(), 2U);
+  const auto status = DiagnosticsListener().waitForNext("late/aibo_driver: stream");
+  EXPECT_EQ(DiagnosticsListener::value(status, "pictures damaged"), "1");
+  EXPECT_EQ(status.message.find("damaged"), std::string::npos) << status.message;
 }
 
 INSTANTIATE_TEST_SUITE_P(Versions, ListenersTest, ::testing::Values(1, 2));
