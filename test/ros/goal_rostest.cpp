@@ -207,17 +207,15 @@ TEST(TakePosture, EndsWhenTheRobotHasTakenIt) {
   EXPECT_EQ(stands.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(stands.result()->end, EndedMovement::STOPPED);
   EXPECT_TRUE(user.stateSays(stands.result()));
-  user.publish("joint_trajectory", test_support::trajectory({{"tail_pan", 0.5}}, 60));
-  const auto only_wags = [](const MotionState& each) {
-    return each.movements.size() == 1 && each.movements[0].kind == Movement::TRAJECTORY;
-  };
-  ASSERT_TRUE(user.state.waitFor(only_wags));
+  sensor_msgs::JointState slow = test_support::command({{"head_pan", 0.5}});
+  slow.velocity = {0.05};
+  user.publish("joint_command", slow);
+  ASSERT_TRUE(user.waitForPanBeyond(0.02));  // the robot has it, so the posture does not overrule it
   Taking again(user.take_posture, postureOf("stand"));
   ASSERT_TRUE(again.waitForFeedback());
-  user.state.clear();
   again.cancel();
   EXPECT_EQ(again.waitForEnd(), State::PREEMPTED);
-  EXPECT_TRUE(user.state.waitFor(only_wags)) << "it ends nobody else's movement";
+  EXPECT_TRUE(user.waitForPanBeyond(0.15)) << "it ends nobody else's movement";
   Taking wrong(user.take_posture, postureOf("dance"));
   EXPECT_EQ(wrong.waitForEnd(), State::REJECTED);
   EXPECT_THAT(wrong.result()->message, HasSubstr("there are stand, sit and rest"));
