@@ -131,8 +131,8 @@ class Monitor {
       driver_time_.reset();
     }
     const auto used = driver_process_ ? processorTime(*driver_process_) : std::nullopt;
-    if (driver_process_ && !used) {
-      driver_name_.clear();  // it has ended, and the next pictures may come from another process of this name
+    if (!used) {
+      driver_name_.clear();  // the next call looks again, because a driver may be started again under its name
     }
     const auto used_before = std::exchange(driver_time_, used);
     if (!used || !used_before) {

@@ -129,6 +129,7 @@ TEST(Monitor, StartedBareWatchesTheDriverUnderAiboAndTheNextOne) {
   monitor.waitForOutput("under /aibo", kSafetyNet);
   monitor.waitForOutput("driver: [0-9.]+ % of one", kSafetyNet);
   driver.reset();
+  monitor.waitForOutput("no pictures: [^\\n]*\\nno pictures: ", kSafetyNet);
   driver = std::make_unique<DriverProcess>("/", robot.port());
   monitor.waitForOutput("unknown share of one [^%]*\\n[^%]*driver: [0-9.]+ % of one", kSafetyNet);
 }
