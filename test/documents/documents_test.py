@@ -1,6 +1,6 @@
 """docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
 name. Links between documents lead somewhere. docs/first_start.md fits on one sheet of paper. The Debian packages have
-everything that is installed."""
+everything that is installed. Scripts that the tests do not run build what there is to build."""
 import fnmatch
 import os
 import re
@@ -154,6 +154,21 @@ class PackagesTest(unittest.TestCase):
         commands += [Path(path).name for path in self.installed() if path.startswith("usr/bin/")]
         self.assertGreater(len(commands), 2)
         self.assertEqual(sorted(commands), sorted(pages))
+
+
+class ScriptsTest(unittest.TestCase):
+    @unittest.skipUnless((Path(os.environ["BUILD_FOLDER"]) / "build.ninja").exists(), "needs a build with ninja")
+    def test_build_targets_that_exist(self):
+        ninja = subprocess.run(["ninja", "-C", os.environ["BUILD_FOLDER"], "-t", "targets", "all"],
+                               stdout=subprocess.PIPE, universal_newlines=True, check=True)
+        targets = set(re.findall(r"^([^:\s]+): ", ninja.stdout, re.MULTILINE))
+        built = []
+        for script in filter(Path.is_file, sorted((PROJECT / "scripts").iterdir())):
+            text = script.read_text("utf-8").replace("\\\n", " ")
+            for arguments in re.findall(r'"\$project_dir/scripts/build" (?:--sanitize \S+ )?([^$\n]*)', text):
+                built += [(script.name, word) for word in arguments.split() if re.fullmatch(r"\w{2,}", word)]
+        self.assertGreater(len(built), 20)
+        self.assertEqual([(script, word) for script, word in built if word not in targets], [])
 
 
 class FirstStartSheetTest(unittest.TestCase):
