@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <ctime>
+#include <utility>
 #include <vector>
 
 namespace aibo_driver::node {
@@ -100,6 +101,17 @@ TEST_F(AdaptiveStreamTest, OnAFullLinkPicturesAreTooOldForLessThanASecond) {
     passOverLink(rate_at_85, 60s);
   }
   EXPECT_LT(longest_too_old_, 1s);
+}
+
+// It asks for 95 % of what arrives.
+TEST_F(AdaptiveStreamTest, OneChangeIsEnoughForWhatTheLinkCarries) {
+  for (const auto& [rate_at_85, quality] : {std::pair(25.0, 75), {21.0, 65}, {17.3, 55}, {12.0, 50}}) {
+    stream_ = AdaptiveStream({85, 1}, kMaxAge);
+    while (!stream_.isLowered()) {
+      passOverLink(rate_at_85, 1ms);
+    }
+    EXPECT_EQ(stream_.inForce().jpeg_quality, quality) << rate_at_85;
+  }
 }
 
 TEST_F(AdaptiveStreamTest, TriesAHigherStepEverMoreRarely) {
