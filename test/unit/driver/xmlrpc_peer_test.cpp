@@ -2,14 +2,21 @@
 
 #include <gtest/gtest.h>
 #include <sys/socket.h>
+#include <xmlrpcpp/XmlRpcServer.h>
+#include <xmlrpcpp/XmlRpcServerMethod.h>
 
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <future>
+#include <thread>
 
 #include "support/sockets.h"
 
 namespace aibo_driver::node {
 namespace {
+
+using XmlRpc::XmlRpcValue;
 
 TEST(XmlRpcPeer, ACallToAProgramThatDoesNotAnswerEndsWithTheNode) {
   const auto silent = test_support::bindTo("127.0.0.1", 0);
@@ -21,6 +28,39 @@ TEST(XmlRpcPeer, ACallToAProgramThatDoesNotAnswerEndsWithTheNode) {
                         end.get_future().share());
   EXPECT_THROW(peer.call("getPid", {}), NoAnswer);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2)) << "for so long it waits for an answer";
+}
+
+TEST(XmlRpcPeer, AFaultIsNoAnswerAndARefusalIsNoResult) {
+  struct Method : XmlRpc::XmlRpcServerMethod {
+    Method(const char* name, int status, XmlRpc::XmlRpcServer* server)
+        : XmlRpcServerMethod(name, server), status_(status) {}
+
+    void execute(XmlRpcValue& arguments, XmlRpcValue& answer) override {
+      answer[0] = status_;
+      answer[1] = "";
+      answer[2] = arguments[1];
+    }
+
+    const int status_;
+  };
+  XmlRpc::XmlRpcServer server;
+  ASSERT_TRUE(server.bindAndListen(0));
+  const Method accepts("accept", 1, &server);
+  const Method refuses("refuse", 0, &server);
+  const Method fails("fail", -1, &server);
+  std::atomic<bool> is_over{false};
+  std::thread program([&] {
+    while (!is_over) {
+      server.work(0.01);
+    }
+  });
+  const XmlRpcPeer peer("127.0.0.1", static_cast<std::uint32_t>(server.get_port()));
+  EXPECT_EQ(peer.call("accept", {"an argument"}), XmlRpcValue("an argument"));
+  EXPECT_FALSE(peer.call("refuse", {1}));
+  EXPECT_FALSE(peer.call("fail", {1}));
+  EXPECT_THROW(peer.call("getPid", {}), NoAnswer) << "this program has no such method";
+  is_over = true;
+  program.join();
 }
 
 }  // namespace
