@@ -132,14 +132,14 @@ TEST_F(RemoteControlTest, APlaybackIsShownAndCommandsNothing) {
   Q_EMIT robot_.batteryMeasured(0.82, 31.4);
   Q_EMIT robot_.linkMeasured({29.96, 0.012, 0.034});
   Q_EMIT robot_.movementChanged("moved by /anna (walk)", false);
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
+  Q_EMIT robot_.touched({"chin"});
+  robot_.disconnectIt(State::kPlayback, where);  // again, as its time goes on
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
   EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
   EXPECT_FALSE(find<QLabel>("who_moves")->isHidden());
   EXPECT_FALSE(find<QLabel>("movement")->isHidden());
-  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
-  Q_EMIT robot_.touched({"chin"});
-  robot_.disconnectIt(State::kPlayback, where);  // again, as its time goes on
   EXPECT_TRUE(find<AxisPad>("head_pad")->measured());
   EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
   robot_.take();
