@@ -131,7 +131,7 @@ TEST(Monitor, StartedBareWatchesTheDriverUnderAiboAndTheNextOne) {
   driver.reset();
   monitor.waitForOutput("no pictures: [^\\n]*\\nno pictures: ", kSafetyNet);
   driver = std::make_unique<DriverProcess>("/", robot.port());
-  monitor.waitForOutput("unknown share of one [^%]*\\n[^%]*driver: [0-9.]+ % of one", kSafetyNet);
+  monitor.waitForOutput("% of one[^%]*no pictures[^%]*driver: [0-9.]+ % of one", kSafetyNet);
 }
 
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
