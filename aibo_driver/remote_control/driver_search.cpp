@@ -83,6 +83,7 @@ std::string settingsOf(const std::string& name_space, const MasterState& state) 
   if (driver == state.publishers.end()) {
     return "";
   }
+  const std::vector<std::string> drivers = driversIn(state);
   std::string elsewhere;
   for (const auto& [topic, nodes] : state.publishers) {
     if (!endsWith(topic, kSettings) ||
@@ -91,10 +92,13 @@ std::string settingsOf(const std::string& name_space, const MasterState& state) 
       continue;
     }
     const std::string owner = topic.substr(0, topic.size() - kSettings.size());
-    if (owner.compare(0, name_space.size() + 1, name_space + "/") == 0) {
+    const auto has_it = [&owner](const std::string& space) { return owner.rfind(space + "/", 0) == 0; };
+    if (has_it(name_space)) {
       return owner;
     }
-    elsewhere = owner;
+    if (std::none_of(drivers.begin(), drivers.end(), has_it)) {
+      elsewhere = owner;
+    }
   }
   return elsewhere;
 }

@@ -41,5 +41,22 @@ TEST(DriverSearch, InANodeletManagerTheSettingsAreThoseInTheSameNamespace) {
   EXPECT_EQ(settingsOf("/left", state), "/left/driver");
 }
 
+// The driver in /aibo was started bare, so its settings are elsewhere.
+TEST(DriverSearch, SettingsInTheNamespaceOfAnotherDriverAreNotTakenForThoseElsewhere) {
+  for (const std::string owner : {"/a_driver", "/driver", "/z_driver"}) {
+    MasterState state;
+    for (const std::string name_space : {"/aibo", "/aibo2", "/right"}) {
+      state.types[name_space + "/connection"] = kConnection;
+      state.publishers[name_space + "/connection"] = {"/manager"};
+    }
+    for (const std::string& each : {owner, std::string("/aibo2/driver"), std::string("/right/driver")}) {
+      state.types[each + "/parameter_updates"] = kSettings;
+      state.publishers[each + "/parameter_updates"] = {"/manager"};
+    }
+    EXPECT_EQ(settingsOf("/aibo", state), owner);
+    EXPECT_EQ(settingsOf("/right", state), "/right/driver");
+  }
+}
+
 }  // namespace
 }  // namespace aibo_driver::remote_control
