@@ -98,6 +98,11 @@ TEST(Actions, RepeatTheirStateOnceASecondOrAsOftenAsTheUserLikes) {
     EXPECT_TRUE(ros::param::get("/usual_actions/actionlib_status_frequency", frequency));
     EXPECT_EQ(frequency, 1);
   }
+  {
+    ros::param::set("/all_quick/actionlib_status_frequency", 10.0);
+    const PlayUser user("/all_quick/actions");
+    EXPECT_FALSE(ros::param::has("/all_quick/actions/actionlib_status_frequency")) << "it would hide the user's";
+  }
   ros::param::set("/quick_actions/actionlib_status_frequency", 10.0);
   const PlayUser user("/quick_actions");
   EXPECT_TRUE(ros::param::get("/quick_actions/actionlib_status_frequency", frequency));
