@@ -564,6 +564,22 @@ TEST(Gamepad, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
   pad.teleop().waitForOutput("/held/stop: ", kSafetyNet);
 }
 
+// As after another joystick was plugged in.
+TEST(Gamepad, StopsAlsoWithFewerAxesThanItsMappingNames) {
+  FakeDriver driver("/few");
+  TopicListener<Twist> walks("/few/cmd_vel");
+  Gamepad pad("/few");
+  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+  while (walks.count() == 0 && std::chrono::steady_clock::now() < end) {
+    pad.press({Gamepad::kDeadMan}, {0, 1, 0, 0, 0, 0, 0});
+    walks.waitForNext(std::chrono::milliseconds(50));
+  }
+  pad.press({Gamepad::kDeadMan}, {0, 1});
+  EXPECT_TRUE(walks.waitFor([](const Twist& walk) { return walk.linear.x == 0; }));
+  pad.press({Gamepad::kStop}, {0, 1});
+  pad.teleop().waitForOutput("/few/stop: ", kSafetyNet);
+}
+
 TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   FakeDriver driver("/sticks");
   TopicListener<Twist> walks("/sticks/cmd_vel");
