@@ -363,10 +363,18 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
     return balls.waitFor([&](const Marker& ball) {
       const double seconds = (ros::Time::now() - state.header.stamp + since_switched_on).toSec();
       return std::abs(ball.pose.position.y - 0.16 * std::sin(2 * M_PI * seconds / 6.0)) < 0.02 &&
-             ball.pose.position.x == 0.85;
+             ball.pose.position.x == 0.85 && std::abs(ball.pose.position.z - 0.0425) < 1e-9;
     });
   };
   EXPECT_TRUE(swing(ros::Duration(1.5)));
+  TopicPublishers robot_on_table("/on_table");
+  robot_on_table.publish("camera/state", state);
+  TopicListener<Marker> ball_below("/on_table/room/ball");
+  const auto below = ball_below.waitForNext();
+  ASSERT_TRUE(below);
+  EXPECT_NEAR(below->pose.position.z, from_table.waitForCount(1).front()->markers.front().pose.position.z + 0.0425,
+              1e-9)
+      << "the ball is on the floor";
   EXPECT_TRUE(swing(ros::Duration(604.5))) << "the robot was switched on at another time";
 
   aibo_driver::Connection lost;
