@@ -185,7 +185,7 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
   ASSERT_TRUE(isSwitchedOn(&robot));
   const std::vector<std::uint8_t> samples(4 * version2::SAMPLES_PER_FRAME, 1);
-  for (const unsigned frame : {1000U, 1002U}) {
+  const auto send = [&robot, &samples](unsigned frame) {
     std::vector<std::uint8_t> bytes =
         version2_frames::makeFrame('a', 0,
                                    version2_frames::encoded(version2::HeardSound{frame, version2::SAMPLES_PER_FRAME, 2,
@@ -193,7 +193,9 @@ TEST(Microphone, AGapIsSilenceInAudio) {
     bytes[1] = version2::SOUND_MICROPHONE;
     robot.send(bytes);
     robot.readFrame();  // the client's next sign of life; the second frame is over by then
-  }
+  };
+  send(1000);
+  send(1002);
   const auto heard = audio.waitForCount(2);
   ASSERT_EQ(heard.size(), 2U);
   EXPECT_EQ(heard[0]->audio.data, samples);
@@ -202,6 +204,11 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   EXPECT_EQ(heard[1]->audio.data, with_silence);
   EXPECT_NEAR((heard[1]->header.stamp - heard[0]->header.stamp).toSec(), 0.008, 0.004) << "when the silence began";
   EXPECT_TRUE(saysOfSound(diagnostics, "gap", "sound is missing"));
+  diagnostics.clear();
+  send(1003);
+  EXPECT_TRUE(saysOfSound(diagnostics, "gap", "listening")) << "the gap was said";
+  diagnostics.clear();
+  EXPECT_TRUE(saysOfSound(diagnostics, "gap", "nothing is heard"));
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {
