@@ -303,6 +303,8 @@ TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSendsAndOfAnOlderServer) {
       return each.message.find("measurements dropped: the robot sends more than twice as many") != std::string::npos;
     });
   }));
+  diagnostics.clear();
+  EXPECT_TRUE(has_said("the robot sends no joint positions")) << "what it sent before was said";
   driver.waitForOutput("This robot's RCServer does not stop a walk before edges", test_support::kSafetyNet);
 }
 
