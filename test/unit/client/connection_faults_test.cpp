@@ -1,10 +1,12 @@
 #include <dirent.h>
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 #include <thread>
 
+#include "client/tcp_transport.h"
 #include "client_fixture.h"
 
 using namespace aibo_client;
@@ -130,6 +132,36 @@ TEST(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
   server.vanish();
   peer.close();
   EXPECT_TRUE(fail(7));
+}
+
+// The wait is at least 200 ms. An attempt that gets no answer takes as long as the longest wait.
+TEST(BackoffTest, AnAttemptThatTookLongNeedsNoWaitAfterIt) {
+  using std::chrono::steady_clock;
+  ScriptedServer full(ScriptedServer::Begin::kAbsent);
+  full.listen(0);
+  TcpTransport other;
+  other.connect("127.0.0.1", full.port(), steady_clock::now() + std::chrono::seconds(10));
+  ClientOptions options;
+  options.port = full.port();
+  options.connect_timeout = options.reconnect_wait_min = options.reconnect_wait_max = milliseconds(400);
+  std::atomic<int> attempts{0};
+  std::atomic<bool> came_at_once{false};
+  Callbacks callbacks;
+  callbacks.on_status = [&, failed = steady_clock::time_point()](const ConnectionStatus& status) mutable {
+    const steady_clock::time_point now = steady_clock::now();
+    if (status.state == ConnectionState::kConnecting) {
+      came_at_once = came_at_once || now < failed + milliseconds(100);
+      ++attempts;
+    } else {
+      failed = now;
+    }
+  };
+  RcServerClient client(options, callbacks);
+  client.start();
+  while (!came_at_once && attempts <= 10) {
+    std::this_thread::sleep_for(milliseconds(1));
+  }
+  EXPECT_TRUE(came_at_once);
 }
 
 TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
