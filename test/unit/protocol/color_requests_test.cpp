@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
 #include <random>
 #include <string>
 
@@ -42,6 +43,9 @@ TEST(ColorPlane, IsPackedByPackBits) {
   EXPECT_EQ(packed(hex("01 02 02 03")), hex("03 01 02 02 03"));
   EXPECT_EQ(packed(hex("01 02 02 02")), hex("00 01 fe 02"));
   EXPECT_EQ(packed(Bytes(129, 0)), hex("81 00 00 00"));
+  Bytes different(129);
+  std::iota(different.begin(), different.end(), static_cast<unsigned char>(0));
+  EXPECT_EQ(packed(different), hex("7f") + firstOf(different, 128) + hex("00 80"));
   EXPECT_EQ(packed(Bytes(MAX_COLOR_PLANE_SIZE, 0)).size(), 2 * 65U) << "an empty plane of an ERS-7";
 }
 
