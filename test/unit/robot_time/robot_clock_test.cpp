@@ -254,6 +254,10 @@ TEST(RobotClock, ReportsHowLongMessagesWereDelayed) {
   clock.timeOf(1, 1008, at(100.064 + 0.040));
   clock.timeOf(1, 1012, at(100.096 + 0.010));
   EXPECT_NEAR(clock.read().longest_delay, 0.040, 1e-3) << "not the latest";
+  RobotClock late;
+  late.timeOf(1, 1000, at(100));
+  late.timeOf(1, 1004, at(100.012));
+  EXPECT_NEAR(late.read().mean_delay, 0, 1e-6) << "the first was late; no delay is shorter than the shortest";
 }
 
 // Each reading says what has happened since the one before, and how many timelines there were in all.
