@@ -164,6 +164,27 @@ TEST(BackoffTest, AnAttemptThatTookLongNeedsNoWaitAfterIt) {
   EXPECT_TRUE(came_at_once);
 }
 
+// After a connection, the wait does not begin with the attempt that made it. A server that takes a client of too many
+// closes its connection at once; this one was silent for longer.
+TEST(BackoffTest, AConnectionThatLastedIsFollowedByAWaitAndWasNotTurnedAway) {
+  ScriptedServer server;
+  Recorder recorder;
+  ClientOptions options;
+  options.port = server.port();
+  options.read_timeout = std::chrono::seconds(10);
+  options.reconnect_wait_min = options.reconnect_wait_max = milliseconds(400);
+  RcServerClient client(options, recorder.callbacks());
+  client.start();
+  ScriptedPeer peer = server.accept();
+  EXPECT_EQ('X', peer.readCommand().command);
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const auto closed = std::chrono::steady_clock::now();
+  peer.close();
+  const ScriptedPeer next = server.accept();
+  EXPECT_GE(std::chrono::steady_clock::now() - closed, milliseconds(200));
+  EXPECT_EQ(FaultKind::kClosed, client.status().fault);
+}
+
 TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
   client_.setStreaming(true);
   client_.start();
