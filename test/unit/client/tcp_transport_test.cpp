@@ -87,6 +87,32 @@ TEST(TcpTransportTest, TheNextAddressOfANameIsTriedIfTheFirstFails) {
   server.accept();
 }
 
+TEST(TcpTransportTest, AnAddressThatDoesNotAnswerLeavesTimeForTheNextOne) {
+  ScriptedServer full(ScriptedServer::Begin::kAbsent);
+  full.listen(0);
+  TcpTransport other;
+  other.connect("127.0.0.1", full.port(), in(seconds(10)));
+  ScriptedServer server;
+  TcpTransport transport([&](const std::string&, int) {
+    NameLookupResult result = resolveWithSystem("127.0.0.1", full.port());
+    result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
+    return result;
+  });
+  int attempts = 0;
+  const auto connects = [&] {
+    try {
+      transport.connect("robot", 54321, in(milliseconds(400)));
+      return true;
+    } catch (const Fault&) {
+      return false;  // on a busy computer, the time may not be enough
+    }
+  };
+  while (attempts < 20 && !connects()) {
+    ++attempts;
+  }
+  EXPECT_LT(attempts, 20);
+}
+
 TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   ScriptedServer server;
   TcpTransport transport;
