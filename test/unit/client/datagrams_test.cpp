@@ -671,10 +671,14 @@ TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
   test_support::UdpSocket robot;
   unsigned sequence = 0;
   const std::vector<Bytes> forged = test_support::makeDatagrams(makeJpeg(99), 0, 100, &sequence);
+  const std::uint64_t received = client().statistics().bytes_received;
+  std::size_t sent = 0;
   for (const Bytes& datagram : forged) {
     stranger.send(port, datagram);
+    sent += datagram.size();
   }
   EXPECT_TRUE(eventually([&] { return client().statistics().foreign_datagrams == forged.size(); }));
+  EXPECT_GE(client().statistics().bytes_received, received + sent) << "also those";
   sendUntilDelivered(client(), [&] { sendPicture(&robot, port); });
   ASSERT_FALSE(recorder_.pictures().empty());
   EXPECT_NE(makeJpeg(99), recorder_.pictures().front()->jpeg);
