@@ -157,6 +157,14 @@ TEST_F(TelemetryIntakeTest, AJointThatIsThereTwiceCountsOnce) {
   EXPECT_THAT(log_, ElementsAre(HasSubstr("left_front_knee appears twice")));
 }
 
+TEST_F(TelemetryIntakeTest, AJointItsDutyAndASensorWithItsNumberAreNamedOnceEach) {
+  for (int i = 0; i < 2; ++i) {
+    measure({{kHeadTouch, kLargest}}, {{kHeadTouch, kLargest}});
+    measure({{kHeadTouch, 0, 2.147}});
+  }
+  EXPECT_THAT(log_, SizeIs(3));
+}
+
 TEST_F(TelemetryIntakeTest, AnImpossibleDutyIsDroppedAndItsPositionIsNot) {
   measure({{kKnee, 0.5, 2.147}, {kHeadPan, 0.5, -1.0}});
   ASSERT_THAT(delivered_, SizeIs(1));
