@@ -103,12 +103,13 @@ TEST_F(Version1MotionsTest, playsAMotionFromTheMemoryStick) {
 TEST_F(Version1MotionsTest, flicksTheEarsOfAMotionAndTellsTheConsoleWhatIsDifferent) {
   start("");
   stick_.write(std::string(kFolder) + "/EARS.MTN",
-               motionBytes("at 0 head_pan 0 left_ear 0\nat 800 head_pan 90 left_ear 1\nat 1600 head_pan 90\n"));
+               motionBytes("at 0 head_pan 0 left_ear 0 right_ear 0\nat 800 head_pan 90 left_ear 1 right_ear 1\n"
+                           "at 1600 head_pan 90 right_ear 0\n"));
   EXPECT_EQ(answerTo(fileRequest('P', "EARS.MTN", 1)), "p7 0");
   passFrames(kLongestMotion);
   EXPECT_NEAR(degrees("head_pan"), 88, 0.01);
   EXPECT_EQ(framesDrawn(0), LightDriver::EAR_FRAMES);
-  EXPECT_EQ(framesDrawn(1), 0);
+  EXPECT_EQ(framesDrawn(1), 2 * LightDriver::EAR_FRAMES);
   const std::string line = "RCServer: EARS.MTN: 2 positions are clipped, by up to 2.0 degrees (head_pan at 800 ms)\n";
   EXPECT_THAT(console_.str(), HasSubstr(line));
   EXPECT_EQ(console_.str().find(line), console_.str().rfind(line)) << "once";
