@@ -459,6 +459,9 @@ class BodyVersion2Test : public BodyTest {
                  [](const TelemetryEntry& entry) { return entry.group == GROUP_SENSOR; });
     return sensors;
   }
+
+  const std::string on_ = std::string(1, '\1');  // of the motors
+  const std::string off_ = std::string(1, '\0');
 };
 
 MATCHER_P2(IsSensor, id, value, "") {
@@ -513,11 +516,11 @@ TEST_F(BodyVersion2Test, UnknownLedRefusesTheWholeRequest) {
 
 // Vectors for an ear are output before the one with the present positions.
 TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsEvenBehindVectorsForAnEar) {
-  answerTo('O', 0, std::string(1, '\0'));
+  answerTo('O', 0, off_);
   FakeRobot::FakeJoint& tail = robot_.joint("tail_pan");
   tail.reference = tail.position + 100000;
   answerTo('K', 0, std::string("\1\0", 2));
-  answerTo('O', 0, "\1");
+  answerTo('O', 0, on_);
   passFrames(kUntilMeasured);
   EXPECT_TRUE(tail.gain);
   EXPECT_EQ(tail.error_when_gain_went_on, 0);
@@ -525,16 +528,46 @@ TEST_F(BodyVersion2Test, GainsGoOnAfterThePresentPositionsEvenBehindVectorsForAn
 
 // A limp joint is turned by hand.
 TEST_F(BodyVersion2Test, MotorsSwitchedOffAndOnWhileGoingOnHoldThePresentPositions) {
-  answerTo('O', 0, std::string(1, '\0'));
+  answerTo('O', 0, off_);
   passFrames(kUntilMeasured);
-  answerTo('O', 0, "\1");
-  answerTo('O', 0, std::string(1, '\0'));
+  answerTo('O', 0, on_);
+  answerTo('O', 0, off_);
   FakeRobot::FakeJoint& tail = robot_.joint("tail_pan");
   tail.position += 100000;
-  answerTo('O', 0, "\1");
+  answerTo('O', 0, on_);
   passFrames(kUntilMeasured);
   EXPECT_TRUE(tail.gain);
   EXPECT_EQ(tail.error_when_gain_went_on, 0);
+}
+
+TEST_F(BodyVersion2Test, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {
+  const struct {
+    bool& fault;
+    const char* words;
+  } cases[] = {{robot_.refuses_power, "there is no power for the motors"},
+               {robot_.joint("mouth").is_mute, "mouth does not report its position, so the motors stay off"}};
+  for (const auto& [fault, words] : cases) {
+    answerTo('O', 0, off_);
+    fault = true;
+    expectRefusal(answerTo('O', 0, on_), CODE_REFUSED, "cannot switch its motors on");
+    expectRefusal(answerTo('E', POSTURE_STAND), CODE_REFUSED, "cannot switch its motors on");
+    EXPECT_THAT(console_.str(), HasSubstr(words));
+    passFrames(kUntilMeasured);
+    EXPECT_EQ(textOf(answerTo('O', 0)), off_) << words;
+    EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false))) << words;
+    fault = false;
+    EXPECT_EQ(textOf(answerTo('O', 0, on_)), on_) << words;
+    passFrames(kUntilMeasured);
+    EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true))) << words;
+  }
+}
+
+TEST_F(BodyVersion2Test, MotorThatCannotBeSwitchedOffIsNamedAndTheOthersGoOff) {
+  robot_.joints.front().keeps_gain = true;
+  answerTo('O', 0, off_);
+  EXPECT_THAT(console_.str(), HasSubstr(std::string(robot_.model.joints[0].name) + " still holds its position"));
+  const std::vector<FakeRobot::FakeJoint> others(robot_.joints.begin() + 1, robot_.joints.end());
+  EXPECT_THAT(others, Each(Field(&FakeRobot::FakeJoint::gain, false)));
 }
 
 TEST_F(BodyVersion2Test, EarsAreAnsweredByTheirState) {

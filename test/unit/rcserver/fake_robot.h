@@ -42,6 +42,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool jammed = false;
     bool refuses_gain = false;   ///< EnableJointGain fails
     bool refuses_gains = false;  ///< SetJointGain fails
+    bool keeps_gain = false;     ///< DisableJointGain fails
+    bool is_mute = false;        ///< GetJointValue fails
     std::optional<int> duty{};   ///< that it reports; otherwise it is full unless the joint is at its reference
     robot_model::PidGains gains = {};
     int position = 0;
@@ -158,16 +160,22 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus disableJointGain(OPrimitiveID id) override {
+    if (at(id).keeps_gain) {
+      return oFAIL;
+    }
     at(id).gain = false;
     at(id).gains = {};
     return oSUCCESS;
   }
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
     *value = read(at(id));
-    return oSUCCESS;
+    return at(id).is_mute ? oFAIL : oSUCCESS;
   }
   OStatus getSensorValue(OPrimitiveID, OSensorValue*) override { return oINVALID_PRIMITIVE_ID; }
   OStatus setMotorPower(OPower power) override {
+    if (refuses_power) {
+      return oFAIL;
+    }
     powered = power == opowerON;
     return oSUCCESS;
   }
@@ -272,6 +280,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;
+  bool refuses_power = false;
   longword image_lag = 0;  ///< frames by which the frame number of an image is too low
   byte cr = 128;           ///< of images
   byte cb = 128;
