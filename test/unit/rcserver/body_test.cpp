@@ -222,9 +222,9 @@ TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
     EXPECT_EQ(robot_.led("face_1").intensity, 50);
     EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B) << "L does not change the mode";
   }
-  expectAnswer(request('Y', 1, 100), 'y', 1, 100);
+  expectAnswer(request('Y', 1, 50), 'y', 1, 50);
   passFrames(kUntilMeasured);
-  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A);
+  EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A) << "the mode alone changes";
 }
 
 TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
