@@ -179,6 +179,14 @@ TEST_F(MotionPlayerTest, playsAsOftenAsItIsTold) {
   }
 }
 
+TEST_F(MotionPlayerTest, allMotionsAreNotRepeatedAnyMoreIfItIsTold) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 320 head_pan 10\n"), 1000), "");
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0\nat 320 tail_pan 10\n"), 1000), "");
+  passFrames(3);
+  player_->EndRepetitions();
+  EXPECT_LT(pathOf("head_pan").size(), 100U);
+}
+
 TEST_F(MotionPlayerTest, aMotionThatEndsWhereItBeganRepeatsWithoutAStop) {
   planner_.SetPosition(joint("head_pan"), 0);
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 10\nat 320 head_pan 0\n"), 10), "");
