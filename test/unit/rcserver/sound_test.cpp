@@ -221,6 +221,23 @@ TEST_F(SoundTest, AtEightKilohertzHighTonesDoNotComeBackAsLowOnes) {
   }
 }
 
+// The filter overshoots where the sound changes.
+TEST_F(SoundTest, AtEightKilohertzTheLoudestSoundKeepsItsSign) {
+  robot_.sound = [](size_t i) {
+    const sword loudest = i / 80 % 2 == 0 ? 32767 : -32768;  // 100 Hz
+    return OSoundSampleStereo16{loudest, loudest};
+  };
+  listen(1, 8000);
+  pass(126);
+  const Samples& heard = heard_[0];
+  int changes = 0;
+  for (size_t i = 1; i < heard.size(); ++i) {
+    changes += (heard[i - 1] < 0) != (heard[i] < 0) ? 1 : 0;
+  }
+  EXPECT_NEAR(changes, static_cast<double>(heard.size()) / 40, 10);
+  EXPECT_THAT(heard, SizeIs(Ge(7000U)));
+}
+
 TEST_F(SoundTest, OneChannelIsTheMeanOfBoth) {
   robot_.sound = [](size_t) { return OSoundSampleStereo16{1000, -400}; };
   listen(1);
