@@ -210,12 +210,14 @@ TEST_F(OpenrApiTest, ColourTablesGoToTheCamera) {
     tables->vectorInfo.type = odataCOMMAND_VECTOR;
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oINVALID_DATA_TYPE);
     tables->vectorInfo.type = odataCDT_VECTOR;
+    tables->SetNumData(8);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oSUCCESS);
     tables->SetNumData(9);
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL) << "more tables than there is room for";
     EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oSUCCESS);
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
   });
-  EXPECT_EQ(test_.robot.calls, std::vector<std::string>{"setCdtVectorData 1 8"});
+  EXPECT_EQ(test_.robot.calls, (std::vector<std::string>{"setCdtVectorData 1 8", "setCdtVectorData 8 8"}));
 }
 
 TEST_F(OpenrApiTest, ThereAreNoSyncKeys) {
