@@ -85,6 +85,9 @@ void PictureDatagrams::Stop() {
 }
 
 void PictureDatagrams::HandOver() {
+  if (order_.port == 0) {
+    return;  // what may be missing has been handed over, or was for another client
+  }
   const unsigned unacknowledged = next_picture_ - acknowledged_;
   Close();
   left_over_ = unacknowledged < KEPT_PICTURES ? unacknowledged : KEPT_PICTURES;
