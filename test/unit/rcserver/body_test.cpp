@@ -36,6 +36,7 @@ namespace {
 
 using namespace protocol::version2;
 using robot_model::Sensor;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::Eq;
@@ -176,7 +177,15 @@ TEST_F(SensorBlockTest, JointsAndSensorsCanBeLeftOutAndTakenIn) {
 }
 
 TEST_F(SensorBlockTest, NextClientFindsEverythingInTheBlock) {
-  expectAnswer(request('S', kBattery, 0), 's', kBattery, 0);
+  for (int i = 0; i < robot_.model.number_of_joints; ++i) {
+    const int joint = robot_.model.joints[i].identifier;
+    expectAnswer(request('S', joint, 0), 's', joint, 0);
+  }
+  for (int i = 0; i < robot_.model.number_of_sensors; ++i) {
+    const int sensor = robot_.model.sensors[i].identifier;
+    expectAnswer(request('S', sensor, 0), 's', sensor, 0);
+  }
+  EXPECT_EQ(readBlock(0).size(), 0U);
   disconnect();
   client_ = connectServed();
   EXPECT_EQ(readBlock(36).size(), 36U);
@@ -210,10 +219,12 @@ TEST_F(BodyTest, EveryLedIsSetByItsIdentifier) {
 TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
   expectAnswer(request('L', 0, 200), 'l', 0, 200);
   passFrames(kUntilMeasured);
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, AnyOf(1, 200))));
   EXPECT_EQ(robot_.led("face_14").intensity, 200);
   EXPECT_EQ(robot_.led("wireless").intensity, 1);
   expectAnswer(request('Y', 2, 100), 'y', 2, 100);
   passFrames(kUntilMeasured);
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, AnyOf(1, 100))));
   EXPECT_EQ(robot_.led("face_1").intensity, 100);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
   for (const int led : {kFace1, 0}) {
@@ -287,6 +298,9 @@ TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   passFrames(100);
   EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kLeftEar), 0);
+  const std::vector<bool>& path = robot_.ears[1].path;
+  const auto drawn = std::find(path.begin(), path.end(), true);
+  EXPECT_EQ(std::count(drawn, drawn + LightDriver::EAR_FRAMES, true), LightDriver::EAR_FRAMES) << "without a gap";
   EXPECT_FALSE(robot_.ears[1].drawn);
 }
 

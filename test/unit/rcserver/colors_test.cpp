@@ -252,11 +252,11 @@ TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
 
 TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
   load(tableOf(0));
-  load(tableOf(5));
+  load(tableOf(6));
   switchOn();
   reconnect();
   EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
-  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL5), Each(ocdtINIT));
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL6), Each(ocdtINIT));
   takeImage();
   EXPECT_THAT(pushed(), IsEmpty());
   switchOn();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/units.h"
@@ -25,6 +26,7 @@ using ::testing::HasSubstr;
 constexpr int kNeckTilt = 1;
 constexpr int kHeadPan = 2;
 constexpr int kTailPan = 51;
+constexpr int kTailTilt = 52;
 
 // More than enough for any motion with the standard limits.
 constexpr unsigned kLongestWay = 500;
@@ -200,16 +202,27 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
 // --------------------------------------------------------------------------------------------------------------- jam
 
 TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
-  robot_.joint("head_pan").jammed = true;
-  answerTo(request('J', kHeadPan, 5000));
-  answerTo(request('J', kTailPan, 3000));
-  passFrames(kLongestWay);
-  EXPECT_THAT(console_.str(), HasSubstr("head_pan is jammed"));
-  EXPECT_EQ(robot_.joint("head_pan").reference, robot_.joint("head_pan").position) << "its motor still pushes";
-  EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
-  expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
-  expectError(request('J', kHeadPan));
-  expectAnswer(request('J', kHeadPan), 'j', kHeadPan, 0);
+  for (const auto& [name, id] : {std::pair("head_pan", kHeadPan), std::pair("tail_tilt", kTailTilt)}) {
+    SCOPED_TRACE(name);
+    FakeRobot::FakeJoint& joint = robot_.joint(name);
+    const int before = centidegreesFromMicroradians(joint.position);
+    joint.jammed = true;
+    answerTo(request('J', id, 5000));
+    answerTo(request('J', kTailPan, 3000));
+    passFrames(kLongestWay);
+    EXPECT_THAT(console_.str(), HasSubstr(std::string(name) + " is jammed"));
+    EXPECT_EQ(joint.reference, joint.position) << "its motor still pushes";
+    EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
+    expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
+    expectError(request('J', id));
+    expectAnswer(request('J', id), 'j', id, before);
+    answerTo(request('J', id, 4000));
+    passFrames(kLongestWay);
+    joint.jammed = false;
+    expectError(request('J', 0, 0));
+    expectAnswer(request('J', 0, 0), 'j', 0, 0);
+    passFrames(kLongestWay);
+  }
 }
 
 // --------------------------------------------------------------------------------------------------- simulated robot

@@ -28,6 +28,7 @@ struct Brightness {
   int width = 0;
   int height = 0;
   int level = -1;
+  int bottom = -1;         ///< level of the last row
   std::vector<int> block;  ///< 2 x 2 pixels, row by row, the first of which has this level
 };
 
@@ -43,6 +44,7 @@ inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
                     TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
     const auto middle = gray.begin() + brightness.height / 2 * brightness.width;
     brightness.level = *middle;
+    brightness.bottom = gray.back();
     brightness.block = {middle[0], middle[1], middle[brightness.width], middle[brightness.width + 1]};
   }
   return brightness;

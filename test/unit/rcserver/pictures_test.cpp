@@ -67,6 +67,7 @@ class PicturesTest : public Version2Fixture {
   void expectPictureOfImage(const Frame& picture, unsigned image) {
     EXPECT_EQ(imageCount(picture), image);
     EXPECT_NEAR(brightness(picture), FakeRobot::brightness(image), 3);
+    EXPECT_NEAR(brightnessOf(pictureIn(picture).jpeg).bottom, FakeRobot::brightness(image), 3);
   }
 };
 

@@ -443,6 +443,10 @@ TEST_F(Version2Test, SpeedLimitsAreSetAndRead) {
               ElementsAre(std::make_pair(kPanId, 1000000), std::make_pair(kNeckTiltId, 3185226)));
   const Values all = limitsIn(answerTo('V', 0));
   ASSERT_EQ(all.size(), 18U);
+  for (size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(all[i].first, robot_.model.joints[i].identifier);
+    EXPECT_GT(all[i].second, 0);
+  }
   EXPECT_THAT(all, ::testing::Contains(std::make_pair(kPanId, 1000000)));
   answerTo('J', 0, targets({{kPanId, 1000000}}));
   std::vector<int>& path = robot_.joint("head_pan").path;
@@ -698,18 +702,20 @@ TEST_F(HoldTest, WithTheMotorsOffThereIsNothingToStop) {
 
 // -------------------------------------------------------------------------------------------------------------- jam
 
+constexpr unsigned char kTailTiltId = 52;  // the last one
+
 class JamTest : public Version2Test {
  protected:
   void SetUp() override {
     Version2Test::SetUp();
-    robot_.joint("head_pan").jammed = true;
-    commandHead(1000000);
-    EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e head_pan is jammed")));
+    robot_.joint("tail_tilt").jammed = true;
+    command(1000000);
+    EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e tail_tilt is jammed")));
   }
 
-  void commandHead(int position) {
+  void command(int position) {
     live();
-    answerTo('J', 0, targets({{kPanId, position}}));
+    answerTo('J', 0, targets({{kTailTiltId, position}}));
     passFrames(4 * JointWatch::PATIENCE);
   }
 
@@ -731,33 +737,33 @@ class JamTest : public Version2Test {
 };
 
 TEST_F(JamTest, IsOverOnceTheJointFollowsItsCommandsAgain) {
-  robot_.joint("head_pan").jammed = false;
+  robot_.joint("tail_tilt").jammed = false;
   passFrames(4 * JointWatch::PATIENCE);
   EXPECT_THAT(pushed(), ElementsAre()) << "nobody knows before it is commanded";
-  commandHead(500000);
-  EXPECT_THAT(pushed(), ElementsAre("i40 head_pan\nit follows its commands again"));
-  commandHead(-500000);
+  command(500000);
+  EXPECT_THAT(pushed(), ElementsAre("i40 tail_tilt\nit follows its commands again"));
+  command(200000);
   EXPECT_THAT(pushed(), ElementsAre());
 }
 
 TEST_F(JamTest, IsReportedAgainWhileItLasts) {
-  commandHead(500000);
-  EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e head_pan is jammed")));
+  command(500000);
+  EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e tail_tilt is jammed")));
 }
 
 TEST_F(JamTest, IsNotOverBecauseTheMotorsAreSwitchedOffTheJointIsMovedByHandAndTheyAreOnAgain) {
   live();
   EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
-  robot_.joint("head_pan").position += 400000;
+  robot_.joint("tail_tilt").position += 400000;
   EXPECT_TRUE(motorsAfter("\1"));
   passFrames(4 * JointWatch::PATIENCE);
   EXPECT_THAT(pushed(), ElementsAre());
 }
 
 TEST_F(JamTest, IsNotTheNextClients) {
-  robot_.joint("head_pan").jammed = false;
+  robot_.joint("tail_tilt").jammed = false;
   reconnect();
-  commandHead(500000);
+  command(500000);
   EXPECT_THAT(pushed(), ElementsAre());
 }
 
