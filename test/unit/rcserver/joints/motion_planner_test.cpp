@@ -636,6 +636,17 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   EXPECT_LT(planner.Position(rotator), microradians(40));
 }
 
+TEST(MotionPlanner, StopsAMouthThatOpensTowardsAHeldHead) {
+  MotionPlanner planner(ers7());
+  setTarget(planner, joint("head_tilt"), microradians(-5));
+  runUntilAllHaveArrived(planner);
+  setTarget(planner, joint("mouth"), microradians(-50));
+  run(planner, 1);
+  planner.Hold(joint("head_tilt"));
+  EXPECT_LE(runUntilAllHaveArrived(planner), 13);
+  EXPECT_GT(planner.Position(joint("mouth")), microradians(-31));
+}
+
 TEST(MotionPlanner, DoesNotLowerAnElevatorOntoAHeldRotator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");

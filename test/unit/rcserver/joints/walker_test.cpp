@@ -366,6 +366,13 @@ TEST_F(WalkerTest, ACommandToALegEndsTheWalkAndOneToTheHeadDoesNot) {
   EXPECT_EQ(position("left_front_knee"), 500000);
   EXPECT_FALSE(joints_.AreMoving()) << "the other legs hold";
   EXPECT_THAT(ends(), ElementsAre("walk: left_front_knee was commanded"));
+  take(POSTURE_STAND);
+  joints_.Take(POSTURE_SIT);
+  pass(20);
+  const int last = position("right_hind_knee");
+  command("left_front_knee", 600000);
+  pass(100);
+  EXPECT_NEAR(position("right_hind_knee"), last, 50000) << "the other legs hold";
 }
 
 TEST_F(WalkerTest, HoldingEndsIt) {
@@ -412,18 +419,18 @@ TEST_F(WalkerTest, APostureMakesTheClientLetGoOfAWalkThatGetsReady) {
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowMakesTheClientLetGo) {
   walk();
-  joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
+  joints_.Planner().SetSpeedLimit(joint("right_hind_knee"), 3000000);
   pass(1);
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("is too low for walking; let go first"));
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsItBack) {
   walk();
-  joints_.Planner().SetSpeedLimit(joint("left_front_knee"), 3000000);
+  joints_.Planner().SetSpeedLimit(joint("right_hind_knee"), 3000000);
   passUntilIdle();
   pass(50);
   EXPECT_TRUE(isIn(POSTURE_STAND));
-  EXPECT_THAT(ends(), ElementsAre("walk: the speed limit of left_front_knee is too low for walking"));
+  EXPECT_THAT(ends(), ElementsAre("walk: the speed limit of right_hind_knee is too low for walking"));
   EXPECT_EQ(walker().Problem(POSTURE_SIT), nullptr) << "postures are slow";
   walk();
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
@@ -539,6 +546,7 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   joints_.Take(POSTURE_REST);
   pass(10);  // it stands up first, and levels its head while it lies down
   command("head_pan", 500000);
+  EXPECT_TRUE(walker().Levels(joint("head_tilt")));
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_EQ(position("head_pan"), 500000);
