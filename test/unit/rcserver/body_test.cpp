@@ -524,6 +524,7 @@ TEST_F(BodyVersion2Test, LedsAreSetTogetherAndAnsweredByTheAcceptedValues) {
 
 TEST_F(BodyVersion2Test, UnknownLedRefusesTheWholeRequest) {
   expectRefusal(answerTo('L', 0, leds({{kHeadColor, 255, LED_MODE_A}, {99, 1, LED_MODE_A}})), CODE_REFUSED, "LED 99");
+  expectRefusal(answerTo('L', 0, leds({{99, 1, LED_MODE_A}, {kHeadColor, 255, LED_MODE_A}})), CODE_REFUSED, "LED 99");
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("head_color").intensity, 0);
 }

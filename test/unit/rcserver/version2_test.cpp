@@ -459,8 +459,10 @@ TEST_F(Version2Test, SpeedLimitsAreSetAndRead) {
 
 TEST_F(Version2Test, SpeedLimitThatCannotBeMeantRefusesTheWholeRequest) {
   expectRefusal(answerTo('V', 0, limits({{kPanId, 1000000}, {kNoJoint, 1}})), CODE_REFUSED, "99");
+  expectRefusal(answerTo('V', 0, limits({{kNoJoint, 1}, {kPanId, 1000000}})), CODE_REFUSED, "99");
   for (const int limit : {0, -1}) {
     expectRefusal(answerTo('V', 0, limits({{kPanId, 1000000}, {kNeckTiltId, limit}})), CODE_REFUSED, "above 0");
+    expectRefusal(answerTo('V', 0, limits({{kNeckTiltId, limit}, {kPanId, 1000000}})), CODE_REFUSED, "above 0");
   }
   EXPECT_THAT(limitsIn(answerTo('V', 0)), ::testing::Contains(std::make_pair(kPanId, 10057460)));
 }
@@ -689,6 +691,8 @@ TEST_F(HoldTest, TheJointsNamedStopAndTheOthersGoOn) {
 TEST_F(HoldTest, WhatCannotBeHeldIsRefusedAndEverythingGoesOn) {
   expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kPanId), static_cast<char>(kNoJoint)}), CODE_REFUSED,
                 "this robot has no joint 99, so the whole request was refused");
+  expectRefusal(answerTo('I', HOLD_JOINTS, {static_cast<char>(kNoJoint), static_cast<char>(kPanId)}), CODE_REFUSED,
+                "99");
   expectRefusal(answerTo('I', HOLD_JOINTS), CODE_REFUSED, "bad request: no joint is named");
   expectRefusal(answerTo('I', HOLD_EVERYTHING, "\2"), CODE_REFUSED, "bad request: the payload");
   expectRefusal(answerTo('I', 2), CODE_REFUSED, "bad request: the id is neither 0");
