@@ -76,8 +76,8 @@ std::vector<std::string> driversIn(const MasterState& state) {
   return found;
 }
 
-// A nodelet manager may have several drivers, each with a name in its own namespace. The parameters and topics of a
-// node that was started bare are in different namespaces.
+// A nodelet manager may have several drivers, each with a name in its own namespace, and one of these may be within
+// another. The parameters and topics of a node that was started bare are in different namespaces.
 std::string settingsOf(const std::string& name_space, const MasterState& state) {
   const auto driver = state.publishers.find(name_space + kConnection);
   if (driver == state.publishers.end()) {
@@ -93,7 +93,8 @@ std::string settingsOf(const std::string& name_space, const MasterState& state) 
     }
     const std::string owner = topic.substr(0, topic.size() - kSettings.size());
     const auto has_it = [&owner](const std::string& space) { return owner.rfind(space + "/", 0) == 0; };
-    if (has_it(name_space)) {
+    const auto is_nearer = [&](const std::string& space) { return space.size() > name_space.size() && has_it(space); };
+    if (has_it(name_space) && std::none_of(drivers.begin(), drivers.end(), is_nearer)) {
       return owner;
     }
     if (std::none_of(drivers.begin(), drivers.end(), has_it)) {

@@ -58,5 +58,18 @@ TEST(DriverSearch, SettingsInTheNamespaceOfAnotherDriverAreNotTakenForThoseElsew
   }
 }
 
+TEST(DriverSearch, SettingsBelongToTheInnermostDriver) {
+  MasterState state;
+  for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
+    state.types[name_space + "/connection"] = kConnection;
+    state.publishers[name_space + "/connection"] = {"/manager"};
+    state.types[name_space + "/z_driver/parameter_updates"] = kSettings;
+    state.publishers[name_space + "/z_driver/parameter_updates"] = {"/manager"};
+  }
+  for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
+    EXPECT_EQ(settingsOf(name_space, state), name_space + "/z_driver");
+  }
+}
+
 }  // namespace
 }  // namespace aibo_driver::remote_control
