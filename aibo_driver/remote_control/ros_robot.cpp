@@ -270,11 +270,11 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
       also(*response);
     } else {
       // The window asks for the motions by itself and shows them. That must not hide the answer to the user's request.
-      const bool is_shown = std::is_same_v<Service, ListMotions> && response->success != 0;
-      if (!is_shown) {
-        answer(response->success != 0, request + ": " + fromRos(response->message));
+      const bool success = response->success != 0;
+      if (!std::is_same_v<Service, ListMotions> || !success) {
+        answer(success, request + ": " + fromRos(response->message));
       }
-      if (also) {
+      if (also && success) {
         also(*response);
       }
     }
@@ -322,9 +322,6 @@ void RosRobot::release() {
 
 void RosRobot::takePicture(const QString& folder) {
   const auto done = [this, folder](const TakePicture::Response& response) {
-    if (response.success == 0) {
-      return;
-    }
     try {
       const QString path = savePicture(response.image.data, folder);
       const QImage image = QImage::fromData(response.image.data.data(), static_cast<int>(response.image.data.size()));

@@ -5,6 +5,7 @@
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/ListMotions.h>
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
@@ -12,6 +13,7 @@
 #include <aibo_driver/RobotState.h>
 #include <aibo_driver/Say.h>
 #include <aibo_driver/Sound.h>
+#include <aibo_driver/TakePicture.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
@@ -53,6 +55,7 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -72,10 +75,12 @@ namespace {
 using aibo_driver::Connection;
 using aibo_driver::EndedMovement;
 using aibo_driver::LinkQuality;
+using aibo_driver::ListMotions;
 using aibo_driver::LookAtResult;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
 using aibo_driver::RobotState;
+using aibo_driver::TakePicture;
 using aibo_driver::Touch;
 using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::JointSlider;
@@ -441,6 +446,11 @@ class ToldTest : public ::testing::Test {
       asked_.append(describe(request));
       response.success = may_;
       response.message = may_ ? "well" : "never";
+      if constexpr (std::is_same_v<Service, TakePicture>) {
+        response.image = may_ ? picture() : response.image;
+      } else if constexpr (std::is_same_v<Service, ListMotions>) {
+        response.names.assign(may_ ? 1 : 0, "NOD.MTN");
+      }
       return true;
     };
     services_.push_back(ros::NodeHandle(kTold).advertiseService(name, answer));
@@ -731,6 +741,34 @@ TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) 
     EXPECT_TRUE(hears("no, rest: the last call has not been answered yet"));
   }
   expectAsked("rest", "no, rest: never");
+}
+
+TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
+  const TemporaryFolder folder;
+  const auto ask = [&] {
+    robot_.takePicture(QString::fromStdString(folder.path().string()));
+    robot_.listMotions();
+  };
+  QObject::connect(&robot_, &RosRobot::pictureTaken,
+                   [this](const QImage& image) { note(QString("taken %1").arg(image.width())); });
+  serve<TakePicture>("take_picture", [](const auto&) { return QString(); });
+  serve<ListMotions>("list_motions", [](const auto&) { return QString(); });
+  may_ = false;
+  ask();
+  EXPECT_TRUE(hears("no, take picture: never"));
+  EXPECT_TRUE(hears("no, list motions: never"));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    may_ = true;
+  }
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        ask();  // again, because the first calls may not be quite over
+        return notes_.contains("taken 104") && notes_.contains("has NOD.MTN");
+      },
+      kTimeout));
+  EXPECT_FALSE(notes_.contains("taken 0")) << "an empty file";
+  EXPECT_FALSE(notes_.contains("has "));
 }
 
 TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
