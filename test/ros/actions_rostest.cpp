@@ -4,14 +4,19 @@
 #include <aibo_driver/PlayMotionAction.h>
 #include <control_msgs/FollowJointTrajectoryAction.h>
 #include <gmock/gmock.h>
+#include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
+#include <atomic>
 #include <cstddef>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
 
+#include "node/followed_action.h"
 #include "support/ros/goal_watch.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
@@ -107,6 +112,58 @@ TEST(Actions, RepeatTheirStateOnceASecondOrAsOftenAsTheUserLikes) {
   const PlayUser user("/quick_actions");
   EXPECT_TRUE(ros::param::get("/quick_actions/actionlib_status_frequency", frequency));
   EXPECT_EQ(frequency, 10);
+}
+
+// The robot may have done it before it hears of the end, and what is cancelled may be impossible to stop.
+TEST(Actions, AGoalThatWasCancelledSucceedsIfItIsDoneAllTheSame) {
+  using aibo_driver::node::ActionWay;
+  using aibo_driver::node::Followed;
+  using End = aibo_driver::node::GoalEnd<PlayMotionAction>;
+  ros::CallbackQueue queue;
+  ros::NodeHandle handle("/followed");
+  handle.setCallbackQueue(&queue);
+  ros::AsyncSpinner thread(1, &queue);
+  std::atomic<End::State> state{};
+  std::atomic<bool> is_over{false};
+  std::atomic<bool> can_stop{true};
+  ActionWay<PlayMotionAction> way;
+  way.name = "do";
+  way.begin = [&](const auto&, const auto&) {
+    const auto stop = [&](const auto&) {
+      is_over = true;
+      if (!can_stop) {
+        throw std::runtime_error("it goes on");
+      }
+    };
+    const auto look = [&](const Followed<PlayMotionAction>::Publish& publish) -> std::optional<End> {
+      if (is_over) {
+        return End{state, {}, ""};
+      }
+      publish({});
+      return std::nullopt;
+    };
+    return Followed<PlayMotionAction>{"", stop, look};
+  };
+  aibo_driver::node::FollowedAction<PlayMotionAction> action(handle, way);
+  thread.start();
+  PlayGoal::Client client("/followed/do");
+  ASSERT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+  for (const auto& [end, alone, cancelled] : {std::tuple(End::State::kSucceeded, State::SUCCEEDED, State::SUCCEEDED),
+                                              std::tuple(End::State::kCanceled, State::PREEMPTED, State::PREEMPTED),
+                                              std::tuple(End::State::kAborted, State::ABORTED, State::PREEMPTED)}) {
+    state = end;
+    is_over = true;
+    EXPECT_EQ(PlayGoal(client, PlayUser::nod(1)).waitForEnd(), alone);
+    for (const bool stops : {true, false}) {
+      can_stop = stops;
+      is_over = false;
+      PlayGoal goal(client, PlayUser::nod(1));
+      ASSERT_TRUE(goal.waitForFeedback());
+      goal.cancel();
+      EXPECT_EQ(goal.waitForEnd(), cancelled) << stops;
+    }
+  }
+  thread.stop();
 }
 
 TEST(PlayMotionGoal, ThatIsCancelledStopsTheMotion) {
