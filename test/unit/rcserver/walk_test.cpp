@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "protocol/hello.h"
 #include "protocol/walk_requests.h"
@@ -344,6 +346,32 @@ TEST_F(WalkTest, ARobotThatIsLiftedStops) {
   ASSERT_FALSE(ends_.empty());
   EXPECT_THAT(ends_.front(), HasSubstr("2 4 walk: the robot is carried"));
   EXPECT_FALSE(isLimp());
+}
+
+TEST_F(WalkTest, AGuardedOneStopsBeforeWhatTheHeadLooksAt) {
+  robot_.sensor("acceleration_up_down") = -9806650;
+  robot_.sensor("range_near") = 50000;
+  const std::pair<std::array<JointValue, 3>, bool> cases[] = {
+      {{{{1, 0}, {2, 0}, {3, 0}}}, true},
+      {{{{1, 0}, {2, 0}, {3, 700000}}}, false},        // it is over the head
+      {{{{1, 0}, {2, 1200000}, {3, 0}}}, false},       // it is beside the robot
+      {{{{1, -1000000}, {2, 0}, {3, 700000}}}, true},  // the neck is down
+  };
+  for (const auto& [head, stops] : cases) {
+    SCOPED_TRACE(head[0].value + head[1].value + head[2].value);
+    JointTargets targets = {0, 3, {}};
+    std::copy(head.begin(), head.end(), targets.joints);
+    live();
+    EXPECT_EQ(answerTo('J', 0, payloadOf(targets)).header.kind, 'j');
+    pass(2 * kFramesASecond);
+    errors_.clear();
+    for (unsigned passed = 0; passed < 4 * kFramesASecond; passed += 12) {
+      send(frame('S', STEER_GUARDED, 900, steering(100)));
+      pass(12);
+    }
+    EXPECT_EQ(::testing::Value(errors_, Contains(HasSubstr("something is in the way"))), stops);
+    steer(0, 2 * kFramesASecond);
+  }
 }
 
 TEST_F(WalkTest, ALowBatteryEndsItInTheStandAndThenTheRobotRests) {
