@@ -104,6 +104,11 @@ TEST_F(PosturesTest, AreReachedFromAnyOtherPostureByLyingDownFirst) {
   EXPECT_THAT(way(on_its_knees_, POSTURE_SIT), ElementsAre(P::SPREAD, P::FOLD, P::REST, P::STAND, P::SIT));
   EXPECT_THAT(way(on_its_knees_, POSTURE_REST), ElementsAre(P::SPREAD, P::FOLD, P::REST));
   EXPECT_THAT(way(straight_, POSTURE_STAND, true), ElementsAre(P::SPREAD, P::FOLD, P::REST, P::STAND));
+  for (std::size_t leg = 0; leg < straight_.size(); ++leg) {
+    Legs one_straight = legs(POSTURE_REST);
+    one_straight[leg] = straight_[leg];
+    EXPECT_THAT(way(one_straight, POSTURE_REST), ElementsAre(P::SPREAD, P::FOLD, P::REST)) << leg;
+  }
 }
 
 TEST_F(PosturesTest, ARobotThatLiesRollsOntoItsBelly) {

@@ -122,6 +122,25 @@ TEST_F(WalkGuardTest, ALeaningBodyMakesTheWayToTheFloorLongerAndIsNoEdge) {
   EXPECT_THAT(objection(kForward), HasSubstr("the floor ends ahead"));
 }
 
+TEST_F(WalkGuardTest, AFootInTheAirIsNotWhereTheFloorIs) {
+  for (int leg = 0; leg < NUMBER_OF_LEGS; ++leg) {
+    LegAngles legs[NUMBER_OF_LEGS];
+    gait_.FindPosture(0, {0, 0, 0}, 0, legs);
+    robot_model::Point foot = findFoot(static_cast<robot_model::Leg>(leg), legs[leg]);
+    foot.z += 0.03;
+    findLegAngles(static_cast<robot_model::Leg>(leg), foot, &legs[leg]);
+    for (const double chest : {0.32, 0.36}) {
+      WalkGuard::Reading reading = onFloor();
+      reading.chest = chest;
+      guard_.Forget();
+      for (int i = 0; i < 3; ++i) {
+        guard_.Look(reading, legs, 0, nullptr);
+      }
+      EXPECT_EQ(objection(kForward).empty(), chest == 0.32) << leg;
+    }
+  }
+}
+
 TEST_F(WalkGuardTest, TheLegsSayHowFarTheFloorShouldBe) {
   GaitParameters high;
   high.in_place.nose_down = -0.2;  // looks farther ahead
