@@ -547,10 +547,12 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   pass(10);  // it stands up first, and levels its head while it lies down
   command("head_pan", 500000);
   EXPECT_TRUE(walker().Levels(joint("head_tilt")));
+  command("head_tilt", 100000);
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_EQ(position("head_pan"), 500000);
-  EXPECT_EQ(position("neck_tilt"), -174533) << "the others are levelled";
+  EXPECT_EQ(position("head_tilt"), 100000);
+  EXPECT_EQ(position("neck_tilt"), -174533) << "it was not commanded, so it is levelled";
   joints_.Steer({0.1, 0, 0});
   EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest is over";
   take(POSTURE_STAND);
