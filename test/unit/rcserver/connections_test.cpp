@@ -50,12 +50,15 @@ class ConnectionsTest : public FakeRobotFixture {
 // Internet Protocol Version4, 2.7: an orderly close lasts until the other side has closed, too. The server aborts one
 // that takes too long.
 TEST_F(ConnectionsTest, ClientsThatNeverCloseAreForgottenWithinTwoSeconds) {
-  for (int i = 0; i < 2; ++i) {
+  for (size_t i = 0; i < 2; ++i) {
     const auto first = connectAndBreakTheProtocol();
     const auto second = connectAndBreakTheProtocol();
     passFrames(250 + 8);
     auto third = connect();
     EXPECT_TRUE(isServed(*third)) << i;
+    const auto fourth = connect();
+    passFrames(4);
+    EXPECT_EQ(timesSaid("is being served"), i + 1) << "both connections are free again";
     third->close();
     machine_->runPending();
   }
