@@ -5,7 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "protocol/units.h"
@@ -126,11 +126,12 @@ TEST_F(JointsTest, TargetBeyondTheLimitsIsClampedAndTheReplySaysSo) {
 }
 
 TEST_F(JointsTest, IdentifierZeroSetsAllJointsWithinTheirLimits) {
-  expectAnswer(request('J', 0, 1000), 'j', 0, 1000);
-  passFrames(kLongestWay);
-  for (size_t i = 0; i < robot_.joints.size(); ++i) {
-    const Joint& joint = robot_.model.joints[i];
-    EXPECT_EQ(robot_.joints[i].position, std::min(std::max(174533, joint.lowest), joint.highest)) << joint.name;
+  for (const int sign : {1, -1}) {
+    expectAnswer(request('J', 0, sign * 1000), 'j', 0, sign * 1000);
+    passFrames(kLongestWay);
+    std::vector<int> posture(robot_.joints.size(), sign * 174533);
+    clampPosture(robot_.model, posture.data());
+    EXPECT_EQ(positions(), posture);
   }
   expectError(request('J', 0));
 }
@@ -202,12 +203,14 @@ TEST_F(JointsTest, AccelerationLimitIsReadSetAndKept) {
 // --------------------------------------------------------------------------------------------------------------- jam
 
 TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
-  for (const auto& [name, id] : {std::pair("head_pan", kHeadPan), std::pair("tail_tilt", kTailTilt)}) {
+  const std::tuple<const char*, int, int> first_and_last[] = {{"neck_tilt", kNeckTilt, -4000},
+                                                              {"tail_tilt", kTailTilt, 4000}};
+  for (const auto& [name, id, target] : first_and_last) {
     SCOPED_TRACE(name);
     FakeRobot::FakeJoint& joint = robot_.joint(name);
     const int before = centidegreesFromMicroradians(joint.position);
     joint.jammed = true;
-    answerTo(request('J', id, 5000));
+    answerTo(request('J', id, target));
     answerTo(request('J', kTailPan, 3000));
     passFrames(kLongestWay);
     EXPECT_THAT(console_.str(), HasSubstr(std::string(name) + " is jammed"));
@@ -216,7 +219,7 @@ TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
     expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
     expectError(request('J', id));
     expectAnswer(request('J', id), 'j', id, before);
-    answerTo(request('J', id, 4000));
+    answerTo(request('J', id, target / 2));
     passFrames(kLongestWay);
     joint.jammed = false;
     expectError(request('J', 0, 0));

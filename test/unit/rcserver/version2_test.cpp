@@ -717,9 +717,9 @@ class JamTest : public Version2Test {
     EXPECT_THAT(pushed(), ElementsAre(HasSubstr("e tail_tilt is jammed")));
   }
 
-  void command(int position) {
+  void command(int position, unsigned char joint = kTailTiltId) {
     live();
-    answerTo('J', 0, targets({{kTailTiltId, position}}));
+    answerTo('J', 0, targets({{joint, position}}));
     passFrames(4 * JointWatch::PATIENCE);
   }
 
@@ -748,6 +748,11 @@ TEST_F(JamTest, IsOverOnceTheJointFollowsItsCommandsAgain) {
   EXPECT_THAT(pushed(), ElementsAre("i40 tail_tilt\nit follows its commands again"));
   command(200000);
   EXPECT_THAT(pushed(), ElementsAre());
+  for (const bool jammed : {true, false}) {
+    robot_.joint("neck_tilt").jammed = jammed;
+    command(-500000, kNeckTiltId);
+    EXPECT_THAT(pushed(), ElementsAre(HasSubstr(jammed ? "e neck_tilt is jammed" : "i40 neck_tilt\n")));
+  }
 }
 
 TEST_F(JamTest, IsReportedAgainWhileItLasts) {
