@@ -236,6 +236,9 @@ TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
   expectAnswer(request('Y', 1, 50), 'y', 1, 50);
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_A) << "the mode alone changes";
+  expectAnswer(request('Y', 1, 0), 'y', 1, 0);
+  passFrames(kUntilMeasured);
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, 0)));
 }
 
 TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {

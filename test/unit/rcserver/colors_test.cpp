@@ -99,10 +99,13 @@ class ColorsTest : public FakeRobotFixture {
 };
 
 TEST_F(ColorsTest, TheCameraGetsTheTable) {
-  load(tableOf(2));
+  ColorTable wanted = tableOf(2);
+  wanted.segments[0] = {1, 2, 3, 4};
+  load(wanted);
   ASSERT_THAT(robot_.color_tables, SizeIs(1));
   const std::vector<longword>& table = robot_.color_tables.at(ocdtCHANNEL2);
-  EXPECT_THAT(std::vector<longword>(table.begin(), table.end() - 1), Each(ocdtINIT));
+  EXPECT_THAT(std::vector<longword>(table.begin() + 1, table.end() - 1), Each(ocdtINIT));
+  EXPECT_EQ(table.front(), longword{4} << 24 | longword{3} << 16 | longword{2} << 8 | longword{1});
   EXPECT_EQ(table.back(), longword{190} << 24 | longword{120} << 16 | longword{230} << 8 | longword{150});
 }
 
