@@ -275,6 +275,13 @@ TEST_F(Version2MotionsTest, tellsTheConsoleOfEachMotionThatIsPlayedDifferently) 
     EXPECT_THAT(console_.str(), HasSubstr("RCServer: " + name + ": 1 position is clipped"));
     EXPECT_EQ(answerTo(play("", 0)), "p");
   }
+  for (int i = 3; i <= 17; ++i) {  // the last of the 16 that the robot remembers comes again
+    const std::string name = "M" + std::to_string(std::min(i, 16)) + ".MTN";
+    stick_.write(std::string(kFolder) + "/" + name, motionBytes("at 0 head_pan 0\nat 1600 head_pan 91\n"));
+    EXPECT_EQ(answerTo(play(name, 1)), "p");
+    EXPECT_EQ(answerTo(play("", 0)), "p");
+  }
+  EXPECT_EQ(console_.str().find("M16.MTN:"), console_.str().rfind("M16.MTN:"));
 }
 
 TEST_F(Version2MotionsTest, tellsWhatIsPlayedDifferentlyOnlyIfItIsAsked) {
