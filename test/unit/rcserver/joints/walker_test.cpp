@@ -7,8 +7,10 @@
 #include <functional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "motion_bytes.h"
 #include "rcserver/joints/JointControl.h"
 
 namespace {
@@ -560,6 +562,24 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   joints_.Take(POSTURE_REST);
   joints_.Steer({0.1, 0, 0});
   EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest does not follow the walk any more";
+}
+
+TEST_F(WalkerTest, TheHeadIsLeftAsAMotionThatBeginsLaterLeavesIt) {
+  const protocol::MotionName name_of_motion = "HEAD.MTN";
+  for (const auto& [name, degrees] :
+       {std::pair("neck_tilt", -20), std::pair("head_pan", 20), std::pair("head_tilt", 10)}) {
+    take(POSTURE_SIT);
+    joints_.Take(POSTURE_REST);
+    pass(10);  // it stands up first, and levels its head while it lies down
+    const std::string angle = std::string(" ") + name + " " + std::to_string(degrees);
+    const std::string motion = motionBytes("at 0" + angle + "\nat 80" + angle + "\n");
+    motion.copy(reinterpret_cast<char*>(joints_.Motions().FindRoom()), motion.size());
+    ASSERT_EQ(joints_.Motions().Play(name_of_motion, motion.size(), 1, false, nullptr), nullptr);
+    joints_.MotionHasBegun();
+    passUntilIdle();
+    EXPECT_NEAR(position(name), degrees * kDegree, 100) << name;
+    EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: ", "rest: "));
+  }
 }
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
