@@ -377,7 +377,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   play(0, samplesOf([](size_t i) { return tone(1000, i); }, 0, 4000), true);
   pass(40);
   play(0, samplesOf(mark, 0, 4000), true);
-  play(0, {}, true);
+  EXPECT_EQ(play(0, {}, true), SPEAKER_CAPACITY) << "what was stopped takes no room";
   pass(2);
   play(0, samplesOf(mark, 0, 4000));
   pass(300);
@@ -577,6 +577,7 @@ TEST_F(SoundTest, AClientThatGoesFallsSilentAndTheNextOneBeginsAnew) {
   pass(20);
   EXPECT_THAT(heard_, IsEmpty());
   EXPECT_THAT(ends_, IsEmpty());
+  EXPECT_EQ(play(0, {}), SPEAKER_CAPACITY) << "a question";
   listen();
   const auto sound = [](size_t i) { return mark(i + 5000); };
   playAll(sound, kRate);
