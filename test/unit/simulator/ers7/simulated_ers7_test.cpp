@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -478,6 +479,15 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   robot.setCharge(0.87);
   ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
   EXPECT_EQ(half.remainingCapacity, 87);
+  const std::tuple<double, bool, bool> low_and_empty[] = {{0.101, false, false}, {0.1, true, false}, {0, true, true}};
+  for (const auto& [charge, is_low, is_empty] : low_and_empty) {
+    robot.setCharge(charge);
+    OPowerStatus status;
+    ASSERT_EQ(robot.getPowerStatus(&status), oSUCCESS);
+    EXPECT_EQ((status.robotStatus & orsbBATTERY_CAPACITY_LOW) != 0, is_low) << charge;
+    EXPECT_EQ((status.batteryStatus & obsbREMAINING_CAPACITY_ALARM) != 0, is_low) << charge;
+    EXPECT_EQ((status.batteryStatus & obsbFULLY_DISCHARGED) != 0, is_empty) << charge;
+  }
 }
 
 TEST_F(SimulatedErs7Test, SwitchingOffReleasesAndClosesEverything) {
