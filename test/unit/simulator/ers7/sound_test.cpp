@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <iterator>
+#include <string>
 
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"
@@ -128,6 +130,24 @@ TEST_F(SimulatedSoundTest, AFileWithTwoChannelsHasOneForEachMicrophone) {
   const MicrophoneFrame heard = robot_.passSound(0, nullptr);
   EXPECT_EQ(heard[0].L, 1000);
   EXPECT_EQ(heard[0].R, -2000);
+}
+
+// A chunk of odd size is followed by a byte that does not count.
+TEST_F(SimulatedSoundTest, AFileOfAnotherProgramIsHeardWithoutItsOtherChunks) {
+  const test_support::TemporaryFolder folder;
+  const std::string path = folder.path("other.wav").string();
+  SpeakerFrame frame{};
+  frame[0] = 1000;
+  WavWriter(path).write(frame);
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  for (const std::size_t place : {36, 12}) {  // before the samples, and before the format
+    bytes.insert(place, "LIST\3\0\0\0abc\0", 12);
+  }
+  bytes.replace(bytes.find("fmt ") + 8, 2, "\xfe\xff");  // the format is extensible
+  std::ofstream(path, std::ios::binary) << bytes;
+  EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
+  EXPECT_EQ(robot_.passSound(0, nullptr)[0].L, 1000);
 }
 
 TEST_F(SimulatedSoundTest, ARobotThatStartsAgainIsNotMute) {
