@@ -564,7 +564,7 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
   EXPECT_FALSE(walker().Levels(joint("neck_tilt"))) << "the rest does not follow the walk any more";
 }
 
-TEST_F(WalkerTest, TheHeadIsLeftAsAMotionThatBeginsLaterLeavesIt) {
+TEST_F(WalkerTest, TheHeadIsLeftAsALaterMotionOrHoldLeavesIt) {
   const protocol::MotionName name_of_motion = "HEAD.MTN";
   for (const auto& [name, degrees] :
        {std::pair("neck_tilt", -20), std::pair("head_pan", 20), std::pair("head_tilt", 10)}) {
@@ -579,6 +579,13 @@ TEST_F(WalkerTest, TheHeadIsLeftAsAMotionThatBeginsLaterLeavesIt) {
     passUntilIdle();
     EXPECT_NEAR(position(name), degrees * kDegree, 100) << name;
     EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: ", "rest: "));
+    take(POSTURE_SIT);
+    joints_.Take(POSTURE_REST);
+    pass(10);
+    joints_.Stop(joint(name));
+    passUntilIdle();
+    EXPECT_NEAR(position(name), degrees * kDegree, 100) << name << " was told to hold";
+    ends();
   }
 }
 
