@@ -117,6 +117,8 @@ TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
   }
   robot_.getPowerStatus(&status);
   EXPECT_EQ(status.remainingCapacity, 12);
+  EXPECT_EQ(say("battery 0"), "ok: battery 0\n");
+  EXPECT_EQ(say("battery 100"), "ok: battery 100\n");
 }
 
 TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFreed) {
