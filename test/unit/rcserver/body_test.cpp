@@ -112,6 +112,13 @@ TEST_F(BodyTest, BatteryIsReadOnceASecond) {
   passFrames(40);
   expectAnswer(request('S', kBattery), 's', kBattery, 86);
   expectAnswer(request('S', kTemperature), 's', kTemperature, 32767);
+  robot_.refuses_power_status = true;
+  passFrames(140);
+  expectAnswer(request('S', kBattery), 's', kBattery, 86);
+  robot_.refuses_power_status = false;
+  robot_.power_status.remainingCapacity = 85;
+  passFrames(140);
+  expectAnswer(request('S', kBattery), 's', kBattery, 85);
 }
 
 TEST_F(BodyTest, JointReadAsASensorGivesItsAngle) {

@@ -180,6 +180,9 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus getPowerStatus(OPowerStatus* status) override {
+    if (refuses_power_status) {
+      return oFAIL;
+    }
     *status = power_status;
     return oSUCCESS;
   }
@@ -289,6 +292,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   int images_read = 0;                          ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
   bool refuses_color_tables = false;
+  bool refuses_power_status = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
   std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one
