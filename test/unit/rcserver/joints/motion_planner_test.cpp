@@ -410,6 +410,10 @@ TEST(MotionPlanner, LetsJointsArriveTogetherWhateverWasCommandedBefore) {
         joints.push_back(target.joint);
       }
     }
+    if (!joints.empty() && i % 2 == 0) {
+      planner.SetAccelerationLimit(joints[0], planner.AccelerationLimit(joints[0]) / 4);
+      ASSERT_THAT(framesLeftOf(planner, joints), Each(planner.FramesLeft(joints[0])));
+    }
     for (int frame = 1; !joints.empty() && planner.FramesLeft(joints[0]) > 0; ++frame) {
       planner.NextFrame();
       if (frame == 20) {
