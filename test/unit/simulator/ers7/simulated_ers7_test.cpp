@@ -192,6 +192,12 @@ TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
   EXPECT_EQ(robot_.setCdtVectorData(tables), oSUCCESS);
   tables.GetInfo(0)->Init(camera_, ocdtCHANNEL7);
   EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_ARG);
+  tables.SetNumData(2);
+  tables.GetInfo(0)->Init(camera_, ocdtCHANNEL0);
+  tables.GetInfo(1)->Init(camera_ + 1, ocdtCHANNEL1);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_PRIMITIVE_ID);
+  tables.GetInfo(1)->Init(camera_, ocdtCHANNEL7);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_ARG);
 }
 
 TEST_F(SimulatedErs7Test, TheCameraRefusesUnknownRequests) {
