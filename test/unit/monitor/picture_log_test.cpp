@@ -83,6 +83,24 @@ TEST_F(PictureLogTest, FindsAPictureOfVersion2) {
   EXPECT_EQ(lines()[0].bytes, 3U);
 }
 
+TEST_F(PictureLogTest, AssemblesAPictureFromItsPartsAndForgetsOneThatIsCutOff) {
+  Bytes message(protocol::PICTURE_HEADER_SIZE);
+  protocol::encodePictureHeader(8, message.data());
+  message.insert(message.end(), {0xFF, 0xD8, 0xFF, 1, 2, 3, 4, 5});
+  const std::size_t half = message.size() - 4;
+  log_.cameraImageTaken();
+  const auto between = system_clock::now();
+  log_.aboutToSend(message.data(), half);
+  log_.cameraImageTaken();
+  log_.aboutToSend(message.data() + half, 4);
+  ASSERT_THAT(lines(), SizeIs(1));
+  EXPECT_THAT(lines()[0].time, Le(between)) << "the picture began before the next image";
+  log_.aboutToSend(message.data(), half);
+  const Bytes to_the_next_client{'e', 0, 0, 0};
+  log_.aboutToSend(to_the_next_client.data(), to_the_next_client.size());
+  EXPECT_THAT(lines(), SizeIs(1));
+}
+
 TEST_F(PictureLogTest, SkipsWhatIsNotAPicture) {
   for (const Bytes& message : {Bytes{'e', 0, 0, 0}, Bytes{'f', 0, 0}, Bytes{'f', 0, 0, 0, 6, 0xFF, 0xD8, 0xFF}}) {
     log_.aboutToSend(message.data(), message.size());
