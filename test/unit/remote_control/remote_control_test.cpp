@@ -387,8 +387,15 @@ TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestCanBeOpened) {
   QTextBrowser viewer;
   QDesktopServices::setUrlHandler("file", &viewer, "setSource");
   click("thumbnail");
-  QDesktopServices::unsetUrlHandler("file");
   EXPECT_EQ(viewer.source(), QUrl("file:///chosen/a.jpg"));
+  const qint64 icon = find<QAbstractButton>("thumbnail")->icon().cacheKey();
+  Q_EMIT robot_.pictureTaken(QImage(104, 80, QImage::Format_RGB32), "/other/b.jpg");
+  click("thumbnail");
+  QDesktopServices::unsetUrlHandler("file");
+  EXPECT_EQ(viewer.source(), QUrl("file:///other/b.jpg")) << "the last one";
+  EXPECT_EQ(textOf("path"), "/other/b.jpg");
+  EXPECT_EQ(find<QWidget>("thumbnail")->toolTip(), "Opens /other/b.jpg");
+  EXPECT_NE(find<QAbstractButton>("thumbnail")->icon().cacheKey(), icon);
 }
 
 TEST_F(RemoteControlTest, TheStreamsButtonFollowsTheRobotNotTheClick) {
