@@ -53,6 +53,22 @@ TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
   EXPECT_EQ(gain.choices[0].second, QVariant(1));
 }
 
+// Python puts a text with an apostrophe between double quotes.
+TEST(SettingsMessages, AChoiceMayHaveAnyDescriptionAndValue) {
+  auto description = AiboDriverConfig::__getDescriptionMessage__();
+  description.groups.at(0).parameters.resize(1);
+  auto& parameter = description.groups[0].parameters[0];
+  parameter.type = "int";
+  parameter.edit_method =
+      "{'enum_description': 'any', 'enum': ["
+      "{'name': 'NONE', 'type': 'int', 'value': -1, 'srcline': 1, 'description': '', 'ctype': 'int'}, "
+      "{'name': 'OWN', 'type': 'int', 'value': 0, 'srcline': 2, 'description': \"the camera's own\", 'ctype': 'int'}, "
+      "{'name': 'LOW', 'type': 'int', 'value': 20, 'srcline': 3, 'description': '1, or \"low\"', 'ctype': 'int'}]}";
+  const QVector<QPair<QString, QVariant>> expected{
+      {"NONE", -1}, {"OWN (the camera's own)", 0}, {"LOW (1, or \"low\")", 20}};
+  EXPECT_EQ(settingsIn(description).at(0).choices, expected);
+}
+
 TEST(SettingsMessages, ATextThatIsNoChoiceIsLeftOut) {
   auto description = AiboDriverConfig::__getDescriptionMessage__();
   description.groups.at(0).parameters.resize(1);
