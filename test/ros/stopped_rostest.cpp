@@ -427,6 +427,7 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   };
   EXPECT_TRUE(says("/user has stopped the robot; call release"));
   driver.release();
+  EXPECT_TRUE(says("nobody listens")) << "it would turn, since a robot of version 1 tells nothing of its motors";
   driver.tell(RobotState::OFF, RobotState::LYING);
   EXPECT_TRUE(says("the motors are off"));
   driver.tell(RobotState::ON, RobotState::STANDING);
