@@ -154,6 +154,11 @@ TEST(JoyMappingTest, NamesNoPartThatTheJoystickDoesNotHave) {
     wrong.*button = 8;
     EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 6 and button 8"));
   }
+  for (std::map<std::string, int> JoyMapping::*buttons : {&JoyMapping::motions, &JoyMapping::postures}) {
+    JoyMapping wrong = mapping();
+    wrong.*buttons = {{"first", 0}, {"second", 8}, {"third", 1}};
+    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 6 and button 8"));
+  }
 }
 
 TEST(JoyMappingTest, NeedNotNameEveryPart) {
