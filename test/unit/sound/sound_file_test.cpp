@@ -80,6 +80,8 @@ TEST_F(SoundFileTest, AFileWithTheRobotsRateIsPlayedBitByBit) {
 TEST_F(SoundFileTest, OfSeveralChannelsTheMeanIsPlayed) {
   writeSoundFile(path("a.wav"), {100, 300, -100, 0}, 16000, 2);
   EXPECT_THAT(readAll("a.wav"), ElementsAre(200, -50));
+  writeSoundFile(path("most.wav"), {800, 0, 0, 0, 0, 0, 0, 80}, 16000, 8);
+  EXPECT_THAT(readAll("most.wav"), ElementsAre(110));
 }
 
 TEST_F(SoundFileTest, OtherRatesAreConverted) {
@@ -169,9 +171,23 @@ TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
     recording.add(sound);
     sound.channels = 1;  // it was on its way when the settings were changed
     recording.add(sound);
+    sound.channels = 2;
+    sound.samples_per_second = 8000;
+    recording.add(sound);
     EXPECT_EQ(4.0 / 16000, recording.seconds());
   }
   EXPECT_THAT(readAll("heard.wav"), ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
+}
+
+TEST_F(SoundFileTest, ALongGapIsAsLongInARecording) {
+  Recording recording(path("gap.wav"), {true, 1, 16000});
+  aibo_client::HeardSound sound;
+  sound.channels = 1;
+  sound.samples_per_second = 16000;
+  sound.missing = 40001;  // it is written in parts
+  sound.samples = {1};
+  recording.add(sound);
+  EXPECT_EQ(40002.0 / 16000, recording.seconds());
 }
 
 TEST_F(SoundFileTest, ARecordingReplacesNoFile) {

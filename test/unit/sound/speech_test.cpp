@@ -73,10 +73,17 @@ TEST_F(SpeechTest, WithoutTheProgramTheAnswerSaysWhatToInstall) {
 }
 
 TEST_F(SpeechTest, ImpossibleTextsAndVoicesAreRefused) {
+  install("cat speech.wav > \"$5\"");
+  for (const char* const voice : {"en_gb-x+F3", "9"}) {
+    EXPECT_NO_THROW(speak(std::string(4000, 'a'), voice)) << voice;
+  }
+  EXPECT_NO_THROW(speak("hello", std::string(40, 'v')));
   EXPECT_THROW(speak("", ""), InvalidArgumentException);
   EXPECT_THROW(speak(std::string(4001, 'a'), ""), InvalidArgumentException);
-  EXPECT_THROW(speak("hello", "/tmp/voice"), InvalidArgumentException);
-  EXPECT_THROW(speak("hello", "-x"), InvalidArgumentException);
+  for (const char* const voice : {"/tmp/voice", "-x", "_x", "+x", "a b", "a.b"}) {
+    EXPECT_THROW(speak("hello", voice), InvalidArgumentException) << voice;
+  }
+  EXPECT_THROW(speak("hello", std::string(41, 'v')), InvalidArgumentException);
 }
 
 }  // namespace
