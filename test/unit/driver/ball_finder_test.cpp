@@ -60,14 +60,27 @@ TEST(BallFinder, FindsASmallBallInEachCorner) {
 }
 
 TEST(BallFinder, TellsTheBoneFromTheBall) {
-  sensor_msgs::Image mask = emptyMask();
-  drawDisc(70, 20, 5, &mask);
-  for (int x = 10; x <= 50; x += 4) {
-    drawDisc(x, 50, 6, &mask);  // a long thing, larger than the ball
+  for (const bool is_upright : {false, true}) {
+    sensor_msgs::Image mask = emptyMask();
+    drawDisc(70, 20, 5, &mask);
+    for (int place = 10; place <= 50; place += 4) {
+      drawDisc(is_upright ? 30 : place, is_upright ? place : 50, 6, &mask);  // a long thing, larger than the ball
+    }
+    const auto ball = findBall(mask);
+    ASSERT_TRUE(ball);
+    EXPECT_NEAR(ball->left, (52 - 70) / kFocalLength, 0.01);
   }
-  const auto ball = findBall(mask);
-  ASSERT_TRUE(ball);
-  EXPECT_NEAR(ball->left, (52 - 70) / kFocalLength, 0.01);
+}
+
+TEST(BallFinder, TheLargestIsTheNearest) {
+  for (const double upper : {4, 8}) {
+    sensor_msgs::Image mask = emptyMask();
+    drawDisc(30, 20, upper, &mask);
+    drawDisc(70, 60, 12 - upper, &mask);
+    const auto ball = findBall(mask);
+    ASSERT_TRUE(ball);
+    EXPECT_NEAR(ball->left, (52 - (upper == 8 ? 30 : 70)) / kFocalLength, 0.002);
+  }
 }
 
 TEST(BallFinder, DoesNotTakeBallAndBoneTogetherForABall) {

@@ -39,6 +39,9 @@ TEST(TableMaker, TheTableHasTheColorsOfTheRegionAndNoOthers) {
   const Coverage coverage = coverageOf(table, pinkSquare(), region);
   EXPECT_GE(coverage.inside, 0.97);
   EXPECT_EQ(coverage.outside, 0);
+  const Coverage of_a_part = coverageOf(table, pinkSquare(), {20, 20, 20, 10});
+  EXPECT_EQ(of_a_part.inside, coverage.inside) << "each row is the same";
+  EXPECT_NEAR(of_a_part.outside, coverage.inside * 200 / (104 * 80 - 200), 1e-9);
   EXPECT_FALSE(table.segments[0]);
   EXPECT_FALSE(table.segments[31]);
   ASSERT_TRUE(table.segments[17]);  // Y is about 140
