@@ -168,7 +168,8 @@ class ScriptsTest(unittest.TestCase):
             for arguments in re.findall(r'"\$project_dir/scripts/build" (?:--sanitize \S+ )?([^$\n]*)', text):
                 built += [(script.name, word) for word in arguments.split() if re.fullmatch(r"\w{2,}", word)]
         self.assertGreater(len(built), 20)
-        self.assertEqual([(script, word) for script, word in built if word not in targets], [])
+        optional = {"benchmarks", "aibo_walk_bench"}  # need packages that not every system has
+        self.assertEqual([(script, word) for script, word in built if word not in targets | optional], [])
 
 
 class FirstStartSheetTest(unittest.TestCase):
