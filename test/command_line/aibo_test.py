@@ -157,6 +157,14 @@ class Witness(ScriptedServer):
 
 
 class TestCase(unittest.TestCase):
+    robot = None  # the robot of all tests of a class, if there is one
+
+    # addClassCleanup ends those of all classes before Python 3.11, and classes run at the same time.
+    @classmethod
+    def tearDownClass(cls):
+        if cls.robot:
+            cls.robot.end()
+
     def setUp(self):
         self.folder = Path(tempfile.mkdtemp(prefix="aibo_test."))
         self.addCleanup(shutil.rmtree, self.folder)
@@ -361,7 +369,6 @@ class Version1(OnBothVersions, TestCase):
     @classmethod
     def setUpClass(cls):
         cls.robot = SimulatedRobot("--protocol-version", "1")
-        cls.addClassCleanup(cls.robot.end)
 
     def test_says_what_such_a_server_cannot_do(self):
         for words in (["motions"], ["stand"], ["sit"], ["rest"], ["walk", "forward=5cm/s"], ["motors", "on"],
@@ -402,7 +409,6 @@ class Version2(OnBothVersions, TestCase):
     @classmethod
     def setUpClass(cls):
         cls.robot = SimulatedRobot()
-        cls.addClassCleanup(cls.robot.end)
 
     def test_plays_a_motion_to_its_end(self):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
@@ -452,7 +458,6 @@ class Asked(TestCase):
     @classmethod
     def setUpClass(cls):
         cls.robot = SimulatedRobot(console=True)
-        cls.addClassCleanup(cls.robot.end)
 
     def test_for_pictures(self):
         self.assertEqual(self.asked("F", "picture", "-o", "a.jpg", "-q", 40, "--resolution", "104x80"),
