@@ -354,14 +354,28 @@ TEST_F(JointPlanTest, ForTheEndOfATrajectoryHoldsNoJointThatWasCommanded) {
 TEST_F(JointPlanTest, EndsAll) {
   const auto running = add(pan({{1, {1}, {}}}), 0, 0);
   const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
-  const auto commanded = command({{kMouth, {kMouth, -0.1, 0.1}}}, 0);
+  std::vector<MovementId> commanded;
+  for (const int id : {table_.joints().front().id, kMouth, table_.joints().back().id}) {
+    commanded.push_back(command({{id, {id, -0.1, 0.1}}}, 0));
+  }
   plan_.endAll(EndedHow::kStopped, "stop was called");
   EXPECT_EQ(endOf(running), EndedHow::kStopped);
   EXPECT_EQ(endOf(waiting), EndedHow::kStopped);
-  EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
+  for (const MovementId each : commanded) {
+    EXPECT_EQ(endOf(each), EndedHow::kStopped);
+  }
   EXPECT_TRUE(plan_.empty());
   EXPECT_THAT(plan_.advance(at(0.1)), IsEmpty());
   EXPECT_THAT(plan_.holdingTargets(at(0.1)), IsEmpty());
+}
+
+TEST_F(JointPlanTest, IsNotEmptyWhileAnyJointMoves) {
+  for (const JointProperties& joint : table_.joints()) {
+    const auto commanded = command({{joint.id, {joint.id, joint.highest, 1.0}}}, 0);
+    EXPECT_FALSE(plan_.empty()) << joint.name;
+    plan_.end(commanded, EndedHow::kStopped, "stop was called");
+    EXPECT_TRUE(plan_.empty());
+  }
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {

@@ -176,6 +176,7 @@ TEST_F(MoverTest, MovesAndHoldsEveryJoint) {
     there.joints.push_back({joint.id, joint.lowest});
   }
   const auto commanded = mover_.command(order(), names, positions, {});
+  EXPECT_EQ(mover_.jointsOf(commanded.id), names);
   const std::vector<std::string> sent = told();
   EXPECT_EQ(std::count(sent.back().begin(), sent.back().end(), ':'), 18);
   mover_.stop(order());
@@ -186,12 +187,18 @@ TEST_F(MoverTest, MovesAndHoldsEveryJoint) {
   mover_.release(order());
   now_ += std::chrono::seconds(10);
   const auto again = mover_.command(order(), names, positions, {});
+  EXPECT_EQ(mover_.command(order(), names, positions, {}).id, again.id);
   now_ += std::chrono::seconds(10);
   there.arrival = now_;
-  there.joints[0].position += 0.2;
+  there.joints.front().position += 0.2;
+  there.joints.back().position += 0.3;
   measured_.update(there);
   EXPECT_FALSE(mover_.goOn());
-  EXPECT_EQ(reasonOf(again), names[0] + " is 0.20 rad from where it was sent");
+  EXPECT_EQ(reasonOf(again),
+            "neck_tilt is 0.20 rad from where it was sent, tail_tilt is 0.30 rad from where it was sent");
+  EXPECT_EQ(again.ended()->movement.joints, names);
+  const auto refused = mover_.command({"/user", now_ - std::chrono::hours(1)}, names, positions, {});
+  EXPECT_EQ(refused.ended()->movement.joints, names);
 }
 
 TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
@@ -735,17 +742,19 @@ TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
 
 TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   const auto leg = command("left_front_rotator", 0.5);
+  const auto last = command("right_hind_knee", 0.5);
   const auto both = mover_.command(order(), {"head_pan", "left_front_knee"}, {0.5, 0.5}, {});
   mover_.takePosture(order("/panel"), Posture::kSit);
   EXPECT_EQ(reasonOf(leg), "/panel called sit");
+  EXPECT_EQ(reasonOf(last), "/panel called sit");
   EXPECT_EQ(both.ended(), nullptr);
   EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
   mover_.stop(order());
   EXPECT_EQ(endOf(both), EndedHow::kStopped);
   EXPECT_THAT(both.ended()->movement.joints, ElementsAre("head_pan")) << "that it moved last";
   mover_.release(order());
-  const auto head = follow("head_pan", 0.5, 1.0);
   const auto way = follow("left_front_rotator", 0.5, 1.0);
+  const auto head = follow("head_pan", 0.5, 1.0);
   const auto later = mover_.follow(order(), {{"left_front_rotator"}, {{1.0, {0.0}, {}}}}, std::chrono::seconds(5));
   mover_.takePosture(order("/panel"), Posture::kStand);
   for (const auto& trajectory : {way, later}) {
