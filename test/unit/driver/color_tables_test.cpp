@@ -55,6 +55,7 @@ TEST(ColorTableFile, IsWrittenAsItIsRead) {
   gaps.name = "a: strange \"name\"";
   gaps.segments[3] = ColorRange{0, 255, 7, 7};
   gaps.segments[5] = ColorRange{0, 255, 7, 8};
+  gaps.segments.back() = ColorRange{0, 255, 7, 9};
   const ColorTable again = parseColorTable(toYaml(gaps), "FILE");
   EXPECT_EQ(again.name, gaps.name);
   EXPECT_EQ(again.segments, gaps.segments);
@@ -100,6 +101,11 @@ TEST(ColorTableFile, StandsForItsColor) {
   EXPECT_GT(color.red, 230);
   EXPECT_LT(color.green, 120);
   EXPECT_GT(color.blue, 160);
+  for (const int segment : {0, aibo_client::kColorSegments - 1}) {
+    ColorTable table;
+    table.segments.at(static_cast<std::size_t>(segment)) = ColorRange{200, 250, 0, 250};
+    EXPECT_GT(colorOf(table).red, 230) << segment;
+  }
 }
 
 class ColorTableServiceTest : public ::testing::Test {
@@ -178,7 +184,7 @@ aibo_client::DetectedColors someColors() {
   colors.width = 4;
   colors.height = 1;
   colors.regions = {{3, "pink", 2, 1.5, 0, 1, 0, 2, 1}, {5, "blue", 0, 0, 0, 0, 0, 0, 0}};
-  colors.mask = {0, 8, 9, 0x80};
+  colors.mask = {8, 0, 9, 0x80};
   return colors;
 }
 
@@ -216,7 +222,7 @@ TEST(ColorMessages, TheMaskHasTheColorOfTheLowestChannel) {
   EXPECT_EQ(mask.width, 4U);
   EXPECT_EQ(mask.height, 1U);
   EXPECT_EQ(mask.step, 12U);
-  EXPECT_THAT(mask.data, ElementsAre(0, 0, 0, 4, 5, 6, 1, 2, 3, 7, 8, 9));
+  EXPECT_THAT(mask.data, ElementsAre(4, 5, 6, 0, 0, 0, 1, 2, 3, 7, 8, 9));
 }
 
 }  // namespace

@@ -110,7 +110,7 @@ TEST(DriverParameters, TheCameraIsNamedAfterTheNamespaceUnlessItHasAName) {
 TEST(DriverParameters, AFramePrefixIsPutBeforeEveryFrame) {
   EXPECT_EQ(parse(XmlRpcValue()).frame("imu_link"), "imu_link");
   EXPECT_EQ(parse(one("frame_prefix", "left")).frame("imu_link"), "left/imu_link");
-  for (const char* wrong : {"/left", "left/", "my left"}) {
+  for (const char* wrong : {"/left", "left/", "my left", " left", "left "}) {
     EXPECT_THAT(refusal("frame_prefix", wrong), HasSubstr("not beginning or ending with '/'")) << wrong;
   }
 }
@@ -291,7 +291,9 @@ TEST(DriverParameters, AreRefusedWhenTheTextMakesNoSense) {
   EXPECT_THAT(refusal("host", ""), HasSubstr("name or address"));
   EXPECT_THAT(refusal("host", "my robot"), HasSubstr("name or address"));
   EXPECT_THAT(refusal("frame_id", "/camera"), HasSubstr("not beginning with '/'"));
-  EXPECT_THAT(refusal("camera_name", "my-camera"), HasSubstr("letters, digits and underscores"));
+  for (const char* wrong : {"my-camera", "-camera", "camera-"}) {
+    EXPECT_THAT(refusal("camera_name", wrong), HasSubstr("letters, digits and underscores"));
+  }
   EXPECT_THAT(refusal("camera_info_url", "/home/me/camera.yaml"), HasSubstr("file:///"));
   EXPECT_THAT(refusal("color_tables", 3), HasSubstr("separated by blanks"));
   EXPECT_THAT(refusal("microphone_channels", 3), HasSubstr("1..2"));

@@ -53,6 +53,10 @@ TEST_F(ParameterWatchTest, ASettingThatWasSetWithoutEffectIsToldOnceWithTheWayTo
   parameters_["jpeg_quality"] = 51;
   check();
   EXPECT_EQ(1u, check().size()) << "the same change again";
+  parameters_["adaptive"] = true;
+  parameters_["speed_scale"] = 0.5;
+  check();
+  EXPECT_EQ(2u, check().size()) << "the first and the last one";
 }
 
 TEST_F(ParameterWatchTest, AChangeByDynamicReconfigureIsNone) {

@@ -177,6 +177,14 @@ TEST_F(TouchSensorsTest, HoldsEachSensorUnderItsName) {
   }
 }
 
+TEST(TouchSensors, OfAnErs210HaveOneBack) {
+  TouchSensors touch(*robot_model::findRobotModel("ERS-210"));
+  Telemetry telemetry;
+  telemetry.sensors.push_back({node::sensorOf(*robot_model::findRobotModel("ERS-210"), "back").identifier, 1});
+  const auto message = touch.read(telemetry);
+  EXPECT_TRUE(message && message->back_middle);
+}
+
 // Model Information ERS-7: the rear of the back is touched from 14 on, and no longer below 10.
 TEST_F(TouchSensorsTest, HoldsATouchUntilItIsClearlyOver) {
   const auto touchedAt = [this](double strength) {

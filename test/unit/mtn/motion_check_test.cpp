@@ -43,6 +43,8 @@ TEST(MotionCheckTest, findsAJointBeyondItsLimits) {
 TEST(MotionCheckTest, findsJointsInEachOthersWay) {
   EXPECT_THAT(obstaclesOf("at 0 neck_tilt -60 head_tilt 4\n"),
               ElementsAre(HasSubstr("at 0 ms, head_tilt is below 5.0 degrees, where it hits neck_tilt at -60.0")));
+  EXPECT_THAT(obstaclesOf("at 0 mouth -40 head_tilt 4 left_front_rotator -22 left_front_elevator -9.5\n"),
+              ElementsAre(HasSubstr("hits left_front_rotator at"), HasSubstr("hits mouth at")));
 }
 
 TEST(MotionCheckTest, findsAJointThatWouldBeTooFast) {
@@ -61,6 +63,7 @@ TEST(MotionCheckTest, knowsTheEars) {
 
 TEST(MotionCheckTest, describesAWholeMotionInOneLine) {
   EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 80\n"), "");
+  EXPECT_THAT(changesOf("at 0 tail_tilt 10\nat 32 tail_tilt 55\n"), HasSubstr("1 step is too fast"));
   EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 90\nat 3200 head_pan -90\nat 3232 head_pan -60\n"),
             "on an ERS-7, 2 positions are clipped, by up to 2.0 degrees (head_pan at 1600 ms); "
             "1 step is too fast, so it takes 3.25 s, which is 0.02 s longer");

@@ -100,8 +100,8 @@ TEST(TextFormTest, namesAnUnknownJointByItsLocator) {
 
 TEST(TextFormTest, printsNoControlCharacters) {
   KeyFrameMotion motion = sampleMotion();
-  motion.name = "\x1b[2J#\n";
-  EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ?[2J??\n"));
+  motion.name = "#\x1b[2J\n#";
+  EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ??[2J??\n"));
 }
 
 TEST(TextFormTest, namesTheLineOfAMistake) {

@@ -80,7 +80,7 @@ TEST_F(SpeechTest, ImpossibleTextsAndVoicesAreRefused) {
   EXPECT_NO_THROW(speak("hello", std::string(40, 'v')));
   EXPECT_THROW(speak("", ""), InvalidArgumentException);
   EXPECT_THROW(speak(std::string(4001, 'a'), ""), InvalidArgumentException);
-  for (const char* const voice : {"/tmp/voice", "-x", "_x", "+x", "a b", "a.b"}) {
+  for (const char* const voice : {"/tmp/voice", "-x", "_x", "+x", "a b", "a.b", "voice/"}) {
     EXPECT_THROW(speak("hello", voice), InvalidArgumentException) << voice;
   }
   EXPECT_THROW(speak("hello", std::string(41, 'v')), InvalidArgumentException);
