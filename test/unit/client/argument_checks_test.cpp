@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "aibo_client/rcserver_client.h"
@@ -52,6 +53,16 @@ TEST(ArgumentChecksTest, LedsAreChecked) {
   EXPECT_THROW(checkLedCommands({{1, 1}, {1, 2}}), InvalidArgumentException);
   EXPECT_THROW(checkLedCommands({{1, -1}}), InvalidArgumentException);
   EXPECT_THROW(checkLedCommands({{1, 256}}), InvalidArgumentException);
+}
+
+TEST(ArgumentChecksTest, EachSegmentOfAColorTableIsChecked) {
+  ColorTable table;
+  EXPECT_NO_THROW(checkColorTable(table));
+  for (std::optional<ColorRange>& segment : table.segments) {
+    segment = ColorRange{0, 256, 0, 0};
+    EXPECT_THROW(checkColorTable(table), InvalidArgumentException);
+    segment.reset();
+  }
 }
 
 TEST(ArgumentChecksTest, MotionsAreChecked) {

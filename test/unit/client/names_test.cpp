@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 #include "aibo_client/exceptions.h"
 
 using namespace aibo_client;
@@ -9,6 +11,10 @@ using namespace aibo_client;
 TEST(Names, BelongToTheIdentifiersOfTheProtocol) {
   EXPECT_EQ(idOfJoint("head_pan"), 2);
   EXPECT_EQ(nameOfJoint(2), "head_pan");
+  for (const auto& [name, id] : {std::pair("neck_tilt", 1), {"tail_tilt", 52}}) {  // the first and the last one
+    EXPECT_EQ(idOfJoint(name, "ERS-7"), id);
+    EXPECT_EQ(nameOfJoint(id, "ERS-7"), name);
+  }
   EXPECT_EQ(nameOfSensor(idOfSensor("battery")), "battery");
   EXPECT_EQ(nameOfLed(idOfLed("face_1")), "face_1");
 }
