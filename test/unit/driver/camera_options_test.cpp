@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <type_traits>
+#include <utility>
+
 #include "node/camera/camera_state_publisher.h"
 
 namespace aibo_driver::node {
@@ -76,11 +79,24 @@ TEST(CameraState, IsTheSameForALaterPictureWithTheSameSettings) {
   picture.frame_number = 2;
   picture.image_count = 3;
   EXPECT_TRUE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
-  picture.settings->shutter_speed = 3;
-  EXPECT_FALSE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
-  picture.settings->shutter_speed = 2;
-  picture.width = 52;
-  EXPECT_FALSE(isSameState(first, cameraStateOf(picture, std_msgs::Header())));
+}
+
+TEST(CameraState, IsAnotherOneIfAnyOfItsValuesDiffers) {
+  aibo_client::Picture picture;
+  picture.settings = aibo_client::CameraSettings();
+  const CameraState first = cameraStateOf(picture, std_msgs::Header());
+  const auto expect_another = [&](const char* name, auto& value) {
+    const auto before = std::exchange(value, static_cast<std::decay_t<decltype(value)>>(value == 0 ? 1 : 0));
+    EXPECT_FALSE(isSameState(first, cameraStateOf(picture, std_msgs::Header()))) << name;
+    value = before;
+  };
+  expect_another("width", picture.width);
+  expect_another("height", picture.height);
+  expect_another("white_balance", picture.settings->white_balance);
+  expect_another("gain", picture.settings->gain);
+  expect_another("shutter_speed", picture.settings->shutter_speed);
+  expect_another("auto_exposure", picture.settings->auto_exposure);
+  expect_another("auto_white_balance", picture.settings->auto_white_balance);
 }
 
 }  // namespace
