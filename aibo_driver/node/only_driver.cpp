@@ -29,19 +29,6 @@ void refuseASecondOneInThisProcess(const ros::NodeHandle& handle) {
   }
 }
 
-/// The nodes that publish a topic, in the order in which they registered.
-std::vector<std::string> publishersOf(const std::string& topic, const XmlRpcPeer& master) {
-  std::vector<std::string> publishers;
-  auto state = master.call("getSystemState", {});
-  for (int i = 0; state && i < (*state)[0].size(); ++i) {
-    XmlRpcValue& published = (*state)[0][i];  // the topic and its publishers
-    for (int j = 0; published[0] == XmlRpcValue(topic) && j < published[1].size(); ++j) {
-      publishers.push_back(published[1][j]);
-    }
-  }
-  return publishers;
-}
-
 /// @return what to do about a node if it runs, or if that is not certain; empty if it has ended
 std::string adviceAbout(const std::string& node, const XmlRpcPeer& master) {
   std::string host;
@@ -62,6 +49,20 @@ std::string adviceAbout(const std::string& node, const XmlRpcPeer& master) {
 
 }  // namespace
 
+std::vector<std::string> publishersBefore(const std::string& node, const std::string& topic, XmlRpcValue system_state) {
+  std::vector<std::string> publishers;
+  for (int i = 0; i < system_state[0].size(); ++i) {
+    XmlRpcValue& published = system_state[0][i];  // the topic and its publishers
+    for (int j = 0; published[0] == XmlRpcValue(topic) && j < published[1].size(); ++j) {
+      if (published[1][j] == XmlRpcValue(node)) {
+        break;
+      }
+      publishers.push_back(published[1][j]);
+    }
+  }
+  return publishers;
+}
+
 OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
   refuseASecondOneInThisProcess(handle);
   // The driver's own publisher is latched, too. Programs that record topics adopt what the first publisher says.
@@ -69,10 +70,10 @@ OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
   claim_ = ros::NodeHandle(handle).advertise<Connection>("connection", 1, kLatched);
   const XmlRpcPeer master = XmlRpcPeer::master();
   try {
-    for (const std::string& node : publishersOf(claim_.getTopic(), master)) {
-      if (node == ros::this_node::getName()) {
-        return;
-      }
+    const auto state = master.call("getSystemState", {});
+    const std::vector<std::string> earlier =
+        state ? publishersBefore(ros::this_node::getName(), claim_.getTopic(), *state) : std::vector<std::string>();
+    for (const std::string& node : earlier) {
       if (const std::string advice = adviceAbout(node, master); !advice.empty()) {
         refuse(handle.getNamespace(), "the node " + node, advice);
       }

@@ -4,8 +4,17 @@
 
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <string>
+#include <vector>
 
 namespace aibo_driver::node {
+
+/// The nodes that publish a topic and registered before a node, in the order in which they registered.
+/// @param system_state the master's answer to getSystemState
+std::vector<std::string> publishersBefore(const std::string& node, const std::string& topic,
+                                          XmlRpc::XmlRpcValue system_state);
 
 /// Ensures that a namespace has only one driver. A second driver would double every topic and take over the services.
 /// When it ended, it would take the services with it.
