@@ -250,12 +250,13 @@ TEST(FollowGoal, ThatIsCancelledHoldsItsJoints) {
 
 TEST(FollowGoal, IsAbortedIfAJointLeavesItsPath) {
   FollowUser user("/follow_path");
-  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}}, 1.0);
-  request.path_tolerance = {tolerance("head_pan", 0.0001)};
+  // The joint before it has no tolerance.
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}, {"neck_tilt", -1.0}}, 1.0);
+  request.path_tolerance = {tolerance("neck_tilt", 0.0001)};
   FollowGoal goal(user.client, request);
   ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::PATH_TOLERANCE_VIOLATED);
-  EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan is"));
+  EXPECT_THAT(goal.result()->error_string, HasSubstr("neck_tilt is"));
 }
 
 TEST(FollowGoal, IsAbortedIfAJointDoesNotKeepItsSpeed) {
