@@ -146,6 +146,16 @@ TEST(Walk, IsStoppedByTheDriverEachTimeThatNoneComes) {
   }
 }
 
+TEST(Walk, IsStoppedByTheDriverIfOnlyNonsenseComes) {
+  Walker walker("/nonsense", {"_cmd_vel_timeout:=0.2"});
+  ASSERT_TRUE(walker.walks(0.1));
+  walker.steer(std::nan(""));
+  EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) {
+    return std::any_of(each.ended.begin(), each.ended.end(),
+                       [](const EndedMovement& end) { return end.reason == "no cmd_vel came for 0.2 s"; });
+  }));
+}
+
 TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
   Walker walker("/zero");
   ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";
