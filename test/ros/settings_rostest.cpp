@@ -361,7 +361,10 @@ TEST(Settings, OutOfRangeAreSetToTheNearestAllowedValue) {
   EXPECT_EQ(user.valueOf(user.set(number("telemetry_rate", -1)), "telemetry_rate"), 0);
   EXPECT_EQ(user.valueOf(user.set(number("speed_scale", 0)), "speed_scale"), 0.1);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(user.valueOf(user.set(number("speed_scale", nan)), "speed_scale"), 0.1) << "unchanged";
+  for (const char* name : {"frame_rate", "max_picture_age", "telemetry_rate", "speed_scale"}) {
+    const double in_force = user.valueOf(user.set(number(name, 1)), name);  // frame_rate cannot be so low
+    EXPECT_EQ(user.valueOf(user.set(number(name, nan)), name), in_force) << name;
+  }
 }
 
 }  // namespace
