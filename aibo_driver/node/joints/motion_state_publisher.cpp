@@ -103,6 +103,19 @@ MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime 
   return message;
 }
 
+// Each message adds as many ends as fit into it.
+std::vector<MotionState> toMessages(const movement::Mover::State& state, std::size_t fresh,
+                                    movement::SteadyTime steady_now, const ros::Time& now) {
+  std::vector<MotionState> messages;
+  for (std::size_t left = fresh; left > kEndsInMessage; left -= kEndsInMessage) {
+    movement::Mover::State earlier = state;
+    earlier.ended.resize(state.ended.size() - (left - kEndsInMessage));
+    messages.push_back(toMessage(earlier, steady_now, now));
+  }
+  messages.push_back(toMessage(state, steady_now, now));
+  return messages;
+}
+
 RobotState toMessage(const movement::Mover::State& state) {
   RobotState message;
   message.motors = static_cast<std::uint8_t>(state.robot.motors);
@@ -130,17 +143,15 @@ void MotionStatePublisher::publish() {
   const movement::Mover::State state = mover_.state();
   const ros::Time now = ros::Time::now();
   const auto steady_now = std::chrono::steady_clock::now();
-  // Each message adds as many ends as fit into it. The last message has the newest ends.
   const std::size_t fresh = std::min(state.ends - std::exchange(ends_, state.ends), state.ended.size());
-  for (std::size_t left = fresh; left > kEndsInMessage; left -= kEndsInMessage) {
-    movement::Mover::State earlier = state;
-    earlier.ended.resize(state.ended.size() - (left - kEndsInMessage));
-    publisher_.publish(toMessage(earlier, steady_now, now));
+  std::vector<MotionState> messages = toMessages(state, fresh, steady_now, now);
+  if (areSame(messages.back(), last_)) {
+    messages.pop_back();
+  } else {
+    last_ = messages.back();
   }
-  const MotionState present = toMessage(state, steady_now, now);
-  if (!areSame(present, last_)) {
-    last_ = present;
-    publisher_.publish(present);
+  for (const MotionState& message : messages) {
+    publisher_.publish(message);
   }
   RobotState robot = toMessage(state);
   robot.header = last_robot_.header;

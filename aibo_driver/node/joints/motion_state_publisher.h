@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <mutex>
+#include <vector>
 
 #include "movement/mover.h"
 
@@ -23,6 +24,12 @@ std::uint8_t endConstant(aibo_client::EndedHow how);
 /// Makes a message with at most kEndsInMessage ends.
 /// @param steady_now, now the same time on the two clocks; the stamps are those of the second one
 MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now);
+
+/// Makes the messages that tell of the newest ends, with at most kEndsInMessage in each. The last one is the present
+/// state.
+/// @param fresh how many of the ends are to be told; at most those in the state
+std::vector<MotionState> toMessages(const movement::Mover::State& state, std::size_t fresh,
+                                    movement::SteadyTime steady_now, const ros::Time& now);
 
 /// Makes a message, without a stamp, of what the robot can do now.
 RobotState toMessage(const movement::Mover::State& state);

@@ -2,6 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
 namespace aibo_driver::node {
 
 using aibo_client::EndedHow;
@@ -75,6 +80,29 @@ TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
   EXPECT_EQ(message.ended[1].how, EndedMovement::NOT_REACHED);
   EXPECT_EQ(message.ended[1].reason, "head_pan is 0.50 rad off");
   EXPECT_EQ(message.text, "nothing moves the robot; last ended: look_at of head_pan: head_pan is 0.50 rad off");
+}
+
+TEST(MotionStateMessage, SeveralTellOfEndsThatDoNotFitIntoOne) {
+  movement::Mover::State state;
+  constexpr int kEnds = 20;
+  for (int i = 0; i < kEnds; ++i) {
+    state.ended.push_back({{Kind::kMotion, std::to_string(i), "", {}, {}}, EndedHow::kDone, ""});
+  }
+  for (const int fresh : {0, 1, 8, 9, 16, 17, kEnds}) {
+    const auto messages = toMessages(state, static_cast<std::size_t>(fresh), kSteadyNow, kNow);
+    EXPECT_THAT(messages, SizeIs(std::max(1, (fresh + 7) / 8))) << fresh;
+    std::set<std::string> told;
+    for (const MotionState& message : messages) {
+      EXPECT_THAT(message.ended, SizeIs(kEndsInMessage)) << fresh;
+      for (const EndedMovement& end : message.ended) {
+        told.insert(end.movement.name);
+      }
+    }
+    for (int i = kEnds - fresh; i < kEnds; ++i) {
+      EXPECT_EQ(told.count(std::to_string(i)), 1U) << i << " of " << fresh;
+    }
+    EXPECT_EQ(messages.back().ended.back().movement.name, "19");
+  }
 }
 
 // The numbers are the same on both sides.
