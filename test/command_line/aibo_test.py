@@ -159,7 +159,7 @@ class Witness(ScriptedServer):
 class TestCase(unittest.TestCase):
     robot = None  # the robot of all tests of a class, if there is one
 
-    # addClassCleanup ends those of all classes before Python 3.11, and classes run at the same time.
+    # Classes run at the same time. Before Python 3.11, addClassCleanup would let the first that ends end all robots.
     @classmethod
     def tearDownClass(cls):
         if cls.robot:

@@ -103,7 +103,6 @@ MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime 
   return message;
 }
 
-// Each message adds as many ends as fit into it.
 std::vector<MotionState> toMessages(const movement::Mover::State& state, std::size_t fresh,
                                     movement::SteadyTime steady_now, const ros::Time& now) {
   std::vector<MotionState> messages;

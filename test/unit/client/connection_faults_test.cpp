@@ -164,8 +164,8 @@ TEST(BackoffTest, AnAttemptThatTookLongNeedsNoWaitAfterIt) {
   EXPECT_TRUE(came_at_once);
 }
 
-// After a connection, the wait does not begin with the attempt that made it. A server that takes a client of too many
-// closes its connection at once; this one was silent for longer.
+// After a connection, the wait does not begin with the attempt that made it. A server that turns a
+// client away closes its connection at once; this one is silent for longer.
 TEST(BackoffTest, AConnectionThatLastedIsFollowedByAWaitAndWasNotTurnedAway) {
   ScriptedServer server;
   Recorder recorder;

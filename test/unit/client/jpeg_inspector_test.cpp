@@ -195,7 +195,7 @@ TEST(JpegInspectorTest, AScanThatIsNotTheOnlyOneOfABaselinePictureIsRefused) {
   EXPECT_EQ("a scan of components that the frame does not have", problemOf(alter(kSos, 5, 77)));
 }
 
-/// The problem of a marker within compressed data (ITU T.81, B.1.1.5 and B.2.1); 0 is none.
+/// What is wrong with a marker within compressed data (ITU T.81, B.1.1.5 and B.2.1). A 0 makes no marker.
 std::string problemInData(int marker) {
   if (marker == 0 || (marker >= 0xD0 && marker <= 0xD7)) {
     return "";
@@ -203,7 +203,7 @@ std::string problemInData(int marker) {
   return marker == 0xD9 ? "bytes after its end" : "a marker within its compressed data";
 }
 
-/// The problem of a marker with an empty segment before the frame header (table B.1).
+/// What is wrong with a marker that has an empty segment before the frame header (table B.1).
 std::string problemInHeader(int marker) {
   if (marker == kDht || marker == kDqt || marker == 0xDD || (marker >= 0xE0 && marker <= 0xEF) || marker == 0xFE) {
     return "";
