@@ -46,8 +46,10 @@ std::vector<double> lifeIn(unsigned char memory_before) {
                    static_cast<double>(joints.TakeFault(joint)), static_cast<double>(joints.TakeRecovery(joint))});
     }
   }
-  for (EndLog::End end; joints.Ends().Take(EndLog::CLIENT, &end);) {
-    life.push_back(end.how);
+  for (const EndLog::Reader reader : {EndLog::CLIENT, EndLog::CONSOLE}) {
+    for (EndLog::End end; joints.Ends().Take(reader, &end);) {
+      life.push_back(end.how);
+    }
   }
   joints.~JointControl();
   return life;

@@ -42,6 +42,15 @@ class WalkerTest : public ::testing::Test {
   int joint(const std::string& name) const { return findJointByName(robot_, name.c_str()); }
   int position(const std::string& name) { return joints_.Planner().Position(joint(name)); }
 
+  // A motion with these key frames, by a client.
+  void play(const std::string& key_frames, int repetitions = 1) {
+    const protocol::MotionName name = "HEAD.MTN";
+    const std::string motion = motionBytes(key_frames);
+    motion.copy(reinterpret_cast<char*>(joints_.Motions().FindRoom()), motion.size());
+    ASSERT_EQ(joints_.Motions().Play(name, motion.size(), repetitions, false, nullptr), nullptr);
+    joints_.MotionHasBegun();
+  }
+
   // A client commands a joint.
   void command(const std::string& name, int position) {
     protocol::version2::JointTargets targets = {0, 1, {{joints_.Identifier(joint(name)), position}}};
@@ -126,9 +135,9 @@ class WalkerTest : public ::testing::Test {
   void walk(const Velocity& velocity = {0.1, 0, 0}) { steer(velocity, 2 * kFramesASecond); }
 
   // "walk: left_front_knee was commanded"
-  std::vector<std::string> ends() {
+  std::vector<std::string> ends(EndLog::Reader reader = EndLog::CLIENT) {
     std::vector<std::string> texts;
-    for (EndLog::End end; joints_.Ends().Take(EndLog::CLIENT, &end);) {
+    for (EndLog::End end; joints_.Ends().Take(reader, &end);) {
       texts.push_back(std::string(end.name) + ": " + end.reason);
     }
     return texts;
@@ -330,6 +339,9 @@ TEST_F(WalkerTest, AVelocityOfZeroDoesNotMakeARobotMoveThatDoesNotWalk) {
   pass(100);
   EXPECT_TRUE(isIn(POSTURE_SIT));
   EXPECT_FALSE(walker().IsActive());
+  play("at 0 left_front_knee 60\nat 800 left_front_knee 80\n");
+  joints_.Steer({0, 0, 0});
+  EXPECT_TRUE(joints_.Motions().IsPlaying()) << "and takes its legs from nobody";
 }
 
 TEST_F(WalkerTest, RisesSlowlyBeforeItWalks) {
@@ -483,6 +495,13 @@ TEST_F(WalkerTest, AClientThatHasEndedItsWalkItselfMaySteerAtOnce) {
   passUntilIdle();
   EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
+  walk();
+  joints_.Steer({0.1, 0, 0}, true);
+  joints_.Steer({0, 0, 0});
+  for (int i = 0; i < 3; ++i) {
+    walker().HaveLooked({0.9, 2, 2, {}, {true, true, true, true}});  // no floor before its chest
+  }
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "what it sees while it slows down does not matter";
 }
 
 TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
@@ -509,6 +528,36 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
   joints_.Steer({0, 0, 0});
   passUntilIdle();
   EXPECT_EQ(walker().ProblemOfWalk(true, &ahead), nullptr);
+}
+
+TEST_F(WalkerTest, ARobotThatHasBeenSomewhereElseDoesNotKnowTheGroundAnyMore) {
+  const WalkGuard::Reading no_floor = {0.9, 2, 2, {}, {true, true, true, true}};
+  const Velocity ahead = {0.2, 0, 0};
+  const std::pair<std::string, std::function<void()>> cases[] = {
+      {"where it was", [] {}},
+      {"lifted", [this] { reading_ = kInTheAir; }},
+      {"fallen", [this] { reading_ = kOnItsSide; }},
+      {"held", [this] { joints_.StopAll(); }},
+      {"seated", [this] { take(POSTURE_SIT); }},
+  };
+  for (const auto& [name, change] : cases) {
+    SCOPED_TRACE(name);
+    walk();
+    for (int i = 0; i < 3; ++i) {
+      joints_.Steer(ahead, true);
+      walker().HaveLooked(no_floor);
+    }
+    passUntilIdle();
+    joints_.Steer({0, 0, 0});
+    change();
+    pass(80);
+    walker().HaveLooked(no_floor);
+    reading_ = kUpright;
+    pass(80);
+    take(POSTURE_STAND);
+    EXPECT_EQ(walker().ProblemOfWalk(true, &ahead) != nullptr, name == "where it was");
+    joints_.Steer({0, 0, 0});
+  }
 }
 
 TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
@@ -565,17 +614,13 @@ TEST_F(WalkerTest, TheHeadIsLevelledForARestUnlessItIsCommandedLater) {
 }
 
 TEST_F(WalkerTest, TheHeadIsLeftAsALaterMotionOrHoldLeavesIt) {
-  const protocol::MotionName name_of_motion = "HEAD.MTN";
   for (const auto& [name, degrees] :
        {std::pair("neck_tilt", -20), std::pair("head_pan", 20), std::pair("head_tilt", 10)}) {
     take(POSTURE_SIT);
     joints_.Take(POSTURE_REST);
     pass(10);  // it stands up first, and levels its head while it lies down
     const std::string angle = std::string(" ") + name + " " + std::to_string(degrees);
-    const std::string motion = motionBytes("at 0" + angle + "\nat 80" + angle + "\n");
-    motion.copy(reinterpret_cast<char*>(joints_.Motions().FindRoom()), motion.size());
-    ASSERT_EQ(joints_.Motions().Play(name_of_motion, motion.size(), 1, false, nullptr), nullptr);
-    joints_.MotionHasBegun();
+    play("at 0" + angle + "\nat 80" + angle + "\n");
     passUntilIdle();
     EXPECT_NEAR(position(name), degrees * kDegree, 100) << name;
     EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: ", "rest: "));
@@ -587,6 +632,35 @@ TEST_F(WalkerTest, TheHeadIsLeftAsALaterMotionOrHoldLeavesIt) {
     EXPECT_NEAR(position(name), degrees * kDegree, 100) << name << " was told to hold";
     ends();
   }
+}
+
+TEST_F(WalkerTest, APostureEndsAMotionOfTheHeadOnlyIfTheHeadHasToBeLevel) {
+  const auto expectLevelHead = [this](bool is_level) {
+    EXPECT_EQ(position("neck_tilt") == -174533, is_level);
+    EXPECT_EQ(position("head_pan") == 0, is_level);
+    EXPECT_EQ(position("head_tilt") == 0, is_level);
+  };
+  const std::string way =
+      "at 0 neck_tilt -20 head_pan 20 head_tilt 10\nat 800 neck_tilt -30 head_pan 40 head_tilt 20\n";
+  play(way, 1000);
+  for (const Posture posture : {POSTURE_SIT, POSTURE_STAND}) {
+    joints_.Take(posture);
+    passUntilIdle();
+    expectLevelHead(false);
+  }
+  EXPECT_THAT(ends(), ElementsAre("sit: ", "stand: "));
+  joints_.Take(POSTURE_REST);
+  passUntilIdle();
+  expectLevelHead(true);
+  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture", "rest: "));
+  reading_ = kOnItsSide;
+  pass(100);
+  play(way, 1000);
+  pass(100);
+  joints_.Take(POSTURE_STAND);
+  pass(3 * kFramesASecond);
+  expectLevelHead(true);
+  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture")) << "it rolls over";
 }
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
@@ -617,16 +691,15 @@ TEST_F(WalkerTest, SaysHowTheRobotIs) {
 
 TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
   walk();
+  command("tail_tilt", 1000000);
+  pass(5);
   joints_.ClientGone();
   EXPECT_TRUE(walker().IsActive());
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_LT(position("tail_tilt"), 500000) << "it stops at once";
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has nothing to do with it";
-  EndLog::End news;
-  ASSERT_TRUE(joints_.Ends().Take(EndLog::CONSOLE, &news));
-  while (joints_.Ends().Take(EndLog::CONSOLE, &news)) {
-  }
-  EXPECT_STREQ(news.reason, "the client is gone") << "the console has it";
+  EXPECT_THAT(ends(EndLog::CONSOLE), ElementsAre("stand: ", "walk: the client is gone"));
 }
 
 TEST_F(WalkerTest, TheNextClientHearsNothingOfTheOneBefore) {
@@ -922,9 +995,53 @@ TEST_F(WalkerTest, ARobotThatCannotGetUpGivesUpAndGoesSoft) {
   reading_ = kOnItsSide;
   pass(100);
   joints_.Take(POSTURE_STAND);
-  EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
+  int frames = 0;
+  int frames_still = 0;
+  int most_still = 0;
+  for (; walker().IsActive() && frames < 3000; ++frames) {
+    const std::vector<int> before = positions();
+    pass(1);
+    frames_still = positions() == before ? frames_still + 1 : 0;
+    most_still = std::max(most_still, frames_still);
+  }
+  EXPECT_GT(frames, 6 * kFramesASecond);
+  EXPECT_NEAR(most_still, 45, 5) << "after it has rolled over, it lies still";
   EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
   EXPECT_TRUE(goesSoft());
+}
+
+TEST_F(WalkerTest, ARobotThatFallsAgainWhileItStandsUpTriesAgain) {
+  const auto standUp = [this](int knock, int until_knock) {
+    reading_ = kOnItsSide;
+    pass(100);
+    joints_.Take(POSTURE_STAND);
+    pass(200);
+    reading_ = kUpright;
+    pass(until_knock);
+    reading_ = knock > 0 ? kOnItsSide : kUpright;
+    pass(knock);
+    reading_ = kUpright;
+    return knock + until_knock + passUntilIdle();
+  };
+  const int frames = standUp(0, 0);
+  EXPECT_THAT(ends(), ElementsAre("stand: "));
+  EXPECT_EQ(standUp(24, frames - 100), frames) << "a knock";
+  EXPECT_THAT(ends(), ElementsAre("stand: "));
+  EXPECT_GT(standUp(80, frames - 100), frames + 100) << "a fall";
+  EXPECT_THAT(ends(), ElementsAre("stand: "));
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  reading_ = kOnItsSide;
+  pass(100);
+  joints_.Take(POSTURE_STAND);
+  pass(200);
+  reading_ = kUpright;
+  pass(frames - 300);
+  while (walker().TriesAnotherWay(joint("left_hind_knee"))) {
+    pass(4);
+  }
+  reading_ = kOnItsSide;
+  EXPECT_LT(passUntilIdle(), 80) << "that was its last attempt";
+  EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
 }
 
 TEST_F(WalkerTest, ARobotThatGetsOntoItsBellyAtTheLastAttemptStandsUp) {

@@ -2,7 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace {
 
@@ -111,6 +113,20 @@ TEST_F(WalkedVelocityTest, TakesTheAverageOfTheReportsSinceTheLastTime) {
   const double taken = walked_.Take(true).forward;
   EXPECT_NEAR(taken, heightOf(swungBy(0)) * 0.01 / kSeconds / 2, 1e-3);
   EXPECT_EQ(walked_.Take(true).forward, 0) << "the last report's";
+  Velocity sum = {0, 0, 0};
+  for (const double angle : {0.01, 0.03}) {
+    Legs legs = swungBy(-angle);
+    legs[robot_model::LEFT_HIND_LEG].elevator = angle;
+    legs[robot_model::RIGHT_HIND_LEG] = {-2 * angle, -angle, 0};
+    report(legs, kAllPaws);
+    const Velocity& now = walked_.Now();
+    sum = {sum.forward + now.forward, sum.left + now.left, sum.turn + now.turn};
+  }
+  const Velocity average = walked_.Take(true);
+  EXPECT_DOUBLE_EQ(average.forward, sum.forward / 2);
+  EXPECT_DOUBLE_EQ(average.left, sum.left / 2);
+  EXPECT_DOUBLE_EQ(average.turn, sum.turn / 2);
+  EXPECT_GT(std::min(std::abs(average.left), std::abs(average.turn)), 1e-3);
   EXPECT_TRUE(walked_.Take(false).isZero());
 }
 
