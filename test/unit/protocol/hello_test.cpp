@@ -4,6 +4,8 @@
 
 #include <cstring>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "layouts.h"
 
@@ -98,8 +100,20 @@ TEST(Hello, HasTheLimitsOfTheWalkOfARobotThatWalks) {
   EXPECT_DOUBLE_EQ(again.walk.turn, 1.2);
 
   ASSERT_THAT(decode(kHello, &again), IsNull());
-  EXPECT_EQ(again.walk.forward, 0);
-  EXPECT_EQ(again.walk.turn, 0);
+  for (const double limit : {again.walk.forward, again.walk.back, again.walk.left, again.walk.turn}) {
+    EXPECT_EQ(limit, 0);
+  }
+}
+
+TEST(Hello, HasTheLimitsOfARobotThatWalksInOneDirectionOnly) {
+  Hello hello = exampleHello();
+  for (const auto& [walk, limits] : std::vector<std::pair<WalkLimits, std::string>>{{{0.15, 0, 0, 0}, "150:0:0:0"},
+                                                                                    {{0, 0.1, 0, 0}, "0:100:0:0"},
+                                                                                    {{0, 0, 0.06, 0}, "0:0:60:0"},
+                                                                                    {{0, 0, 0, 1.2}, "0:0:0:1200"}}) {
+    hello.walk = walk;
+    EXPECT_EQ(encode(hello), kHello + ("walk_limits=" + limits + "\n"));
+  }
 }
 
 TEST(Hello, IsRefusedWithMalformedLimitsOfTheWalk) {

@@ -28,13 +28,15 @@ Opening::Verdict verdictOn(const std::string& bytes) {
 
 TEST(Opening, RecognisesHttpOfAnyMethodInOnePieceAndByteByByte) {
   for (const std::string& method : kMethods) {
-    const std::string line = method + " / HTTP/1.1\r\nHost: localhost\r\n\r\n";
-    EXPECT_EQ(verdictOn(line), Opening::STRANGER) << method;
-    Opening opening;
-    for (const char byte : line) {
-      add(opening, {byte});
+    for (const std::string target : {" /", " *", " http://localhost/"}) {
+      const std::string line = method + target + " HTTP/1.1\r\nHost: localhost\r\n\r\n";
+      EXPECT_EQ(verdictOn(line), Opening::STRANGER) << line;
+      Opening opening;
+      for (const char byte : line) {
+        add(opening, {byte});
+      }
+      EXPECT_EQ(opening.verdict(), Opening::STRANGER) << line;
     }
-    EXPECT_EQ(opening.verdict(), Opening::STRANGER) << method;
   }
 }
 
