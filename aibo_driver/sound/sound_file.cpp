@@ -106,7 +106,9 @@ class FileSource : public Source {
   void resample(const std::vector<float>& block) {
     std::vector<float> out(static_cast<std::size_t>(kBlock));
     SRC_DATA data = {};
-    data.data_in = block.data();
+    // Without a place for input, the resampler would keep the end of the sound.
+    const float nothing = 0;
+    data.data_in = block.empty() ? &nothing : block.data();
     data.input_frames = static_cast<long>(block.size());
     data.data_out = out.data();
     data.output_frames = static_cast<long>(out.size());

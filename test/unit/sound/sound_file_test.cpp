@@ -88,8 +88,7 @@ TEST_F(SoundFileTest, OtherRatesAreConverted) {
   for (const int rate : {8000, 22050, 44100, 48000}) {
     writeSoundFile(path("a.wav"), tone(static_cast<std::size_t>(rate), rate), rate);
     const Samples samples = readAll("a.wav");
-    // The filter keeps up to 3 ms of the end to itself.
-    EXPECT_NEAR(16000, static_cast<double>(samples.size()), 48) << rate;
+    EXPECT_NEAR(16000, static_cast<double>(samples.size()), 1) << rate << ": all of it, to its end";
     EXPECT_NEAR(10000, amplitudeOfTone(samples), 100) << rate;
   }
 }
