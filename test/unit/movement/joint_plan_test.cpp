@@ -245,6 +245,12 @@ TEST_F(JointPlanTest, WhatWaitsKeepsTheOtherJointsWithTheirVelocities) {
   EXPECT_NEAR(velocity(later, 3), 0.1, 1e-6);
   follow(3.032, 4.05);
   EXPECT_THAT(plan_.wantedBy(later, at(4.1)), IsEmpty()) << "it is over";
+  const auto last = add(pan({{0.5, {0}, {}}}), 4.1, 4.1);
+  for (double now = 4.132; now < 4.7; now += 0.032) {
+    advance(now);
+  }
+  EXPECT_FALSE(endOf(last)) << "it was not measured where it should be";
+  EXPECT_THAT(plan_.wantedBy(last, at(4.7)), IsEmpty()) << "it is over";
 }
 
 // What is sent ahead is the newer one's already.

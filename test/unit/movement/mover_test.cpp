@@ -47,8 +47,7 @@ class MoverTest : public ::testing::Test {
   MoverTest() {
     client_.present.robot.capabilities = {"I", "S", "E", "O"};
     measure(0.0);
-    mover_.setListener({{},
-                        {},
+    mover_.setListener({[this] { shown_ = mover_.state(); }, [this] { moving_ = mover_.state().movements.size(); },
                         [this](const EndedMovement& ended) { ends_.push_back(ended); },
                         [this](const std::string& text) { warnings_.push_back(text); }});
   }
@@ -140,6 +139,8 @@ class MoverTest : public ::testing::Test {
   MeasuredJoints measured_{table_};
   bool telemetry_ = true;
   Mover mover_{table_, measured_, client_, 0.5, false, [this] { return telemetry_; }, [this] { return now_; }};
+  Mover::State shown_;      // when the mover last said that it had changed
+  std::size_t moving_ = 0;  // movements when the mover last asked to be called regularly
   std::vector<EndedMovement> ends_;
   std::vector<std::string> warnings_;
 };
@@ -163,6 +164,20 @@ TEST_F(MoverTest, ACommandWhoseJointDoesNotMoveIsNotReached) {
   pass(milliseconds(3200), 0.0);
   EXPECT_EQ(endOf(begun), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(begun), "head_pan is 0.50 rad from where it was sent");
+}
+
+TEST_F(MoverTest, SaysThatItHasChangedAndWhenItHasToGoOn) {
+  command("head_pan", 0.5);
+  EXPECT_EQ(moving_, 1u);
+  follow("left_front_rotator", 0.1, 1.0);
+  EXPECT_EQ(moving_, 2u);
+  EXPECT_THAT(shown_.movements, SizeIs(2));
+  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
+  EXPECT_EQ(shown_.robot.posture, PostureNow::kStanding);
+  mover_.stop(order("/panel"));
+  EXPECT_THAT(shown_.movements, IsEmpty());
+  EXPECT_EQ(shown_.ends, 2u);
+  EXPECT_EQ(shown_.stopped_by, "/panel");
 }
 
 TEST_F(MoverTest, MovesAndHoldsEveryJoint) {
@@ -869,7 +884,12 @@ TEST_F(MoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
 }
 
 TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
+  const auto under_way = follow("head_pan", 1.0, 1.0);
+  client_.told.clear();
   client_.present.robot.design = "ERS-210";
+  mover_.goOn();
+  EXPECT_EQ(endOf(under_way), EndedHow::kRefused);
+  EXPECT_THAT(reasonOf(under_way), HasSubstr("it is an ERS-210"));
   EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("it is an ERS-210"));
   EXPECT_THAT(reasonOf(command("head_pan", 1.0)), HasSubstr("it is an ERS-210"));
   EXPECT_THAT(reasonOf(mover_.takePosture(order(), Posture::kSit)), HasSubstr("it is an ERS-210"));
@@ -1211,6 +1231,12 @@ TEST_F(MoverGoalTest, AnotherConnectionDoesNotResumeIt) {
   EXPECT_EQ(begun.ended()->how, EndedHow::kLost);
   mover_.connected();
   EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
+  EXPECT_THAT(told(), IsEmpty());
+  now_ += milliseconds(1);
+  const Mover::Begun again = walksToGoal();
+  ++client_.connections;  // nobody has told the mover yet
+  EXPECT_FALSE(mover_.walkOn(again.id, {0.1, 0, 0}));
+  EXPECT_EQ(endOf(again), EndedHow::kLost);
   EXPECT_THAT(told(), IsEmpty());
 }
 
