@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <sstream>
 #include <string>
@@ -38,9 +39,11 @@ class FittedMotionTest : public ::testing::Test {
   }
 
   std::vector<int> posture(int key_frame) const {
-    std::vector<int> positions(static_cast<std::size_t>(fitted_.numberOfJoints()));
-    fitted_.posture(key_frame, positions.data());
-    return positions;
+    std::vector<int> positions(static_cast<std::size_t>(fitted_.numberOfJoints()) + 2, INT_MIN);
+    fitted_.posture(key_frame, &positions[1]);
+    EXPECT_EQ(positions.front(), INT_MIN) << "only the motion's joints are written";
+    EXPECT_EQ(positions.back(), INT_MIN);
+    return {positions.begin() + 1, positions.end() - 1};
   }
 
   std::string description() const {
@@ -97,6 +100,9 @@ TEST_F(FittedMotionTest, followersMakeRoomForWhereTheirLeadersReallyGo) {
 TEST_F(FittedMotionTest, jointsThatAreNotInTheMotionAreOutOfTheWay) {
   ASSERT_TRUE(fit("at 0 head_tilt -15\n"));
   EXPECT_EQ(fitted_.changes().clipped, 0);
+  EXPECT_THAT(posture(0), ElementsAre(microradians(-15)));
+  ASSERT_TRUE(fit("at 0 neck_tilt -60\n"));
+  EXPECT_THAT(posture(0), ElementsAre(microradians(-60)));
 }
 
 TEST_F(FittedMotionTest, positionsFurtherOffAreRefusedWithTheWorst) {
@@ -161,6 +167,7 @@ TEST_F(FittedMotionTest, hasTheRobotsEarsApartFromItsJoints) {
 
 TEST_F(FittedMotionTest, earsThatAreNotInTheMotionNeverFlick) {
   ASSERT_TRUE(fit("at 0 head_pan 0 right_ear 0\nat 160 right_ear 1\n"));
+  bytes_[bytes_.size() - 3 * mtn::VALUE_SIZE] = 1;  // the body's yaw, before the two positions
   EXPECT_FALSE(fitted_.flicks(1, findEarByName(robot_, "left_ear")));
 }
 
@@ -178,6 +185,21 @@ TEST_F(FittedMotionTest, jointsThatTheRobotDoesNotHaveAreRefusedUnlessTheyAreLef
 TEST_F(FittedMotionTest, aMotionOfNoneOfTheRobotsJointsIsRefusedInAnyCase) {
   EXPECT_FALSE(fit("at 0 head_roll 0 tail_tilt 1\n", true, "ERS-210"));
   EXPECT_THAT(fitted_.problem(), StrEq("moves no joint that this robot has"));
+}
+
+TEST_F(FittedMotionTest, keepsNothingOfTheMotionBefore) {
+  for (const bool leave_out : {true, false}) {
+    fit("at 0 tail_tilt 0 left_ear 0 right_ear 0 head_pan 0 PRM:/r9/c1-Joint2:91 0\n"
+        "at 160 left_ear 1 right_ear 1 head_pan 90\n",
+        leave_out);
+    ASSERT_TRUE(fit("at 0 head_pan 0\nat 1600 head_pan 30\nat 3200\n"));
+    EXPECT_STREQ(fitted_.problem(), "");
+    EXPECT_EQ(description(), "");
+    EXPECT_EQ(fitted_.numberOfKeyFrames(), 3);
+    EXPECT_THAT(posture(1), ElementsAre(microradians(30)));
+    EXPECT_FALSE(fitted_.moves(findJointByName(robot_, "tail_tilt")));
+    EXPECT_FALSE(fitted_.flicks(1, 0) || fitted_.flicks(1, 1));
+  }
 }
 
 TEST_F(FittedMotionTest, describesAllChangesInOneLine) {

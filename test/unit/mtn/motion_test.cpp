@@ -114,6 +114,12 @@ TEST_F(MotionTest, refusesBytesAfterTheLastSection) {
 
 TEST_F(MotionTest, refusesAFileThatIsTooLarge) {
   EXPECT_THAT(problemOf(sample_ + std::string(mtn::MAX_FILE_SIZE, '\0')), HasSubstr("at most 64000"));
+  for (const size_t size : {64000U, 64001U}) {
+    const size_t unused = size - sample_.size();  // bytes after the texts of section 1
+    std::string bytes = changed(kSection1 + 4, static_cast<std::uint32_t>(kSection2 - kSection1 + unused), 4);
+    bytes.insert(kSection2, unused, 'x');
+    EXPECT_EQ(problemOf(bytes), size == 64000 ? "" : "it has 64001 bytes, and at most 64000 are allowed");
+  }
 }
 
 TEST_F(MotionTest, refusesWrongSections) {
@@ -154,7 +160,9 @@ TEST_F(MotionTest, refusesWrongJoints) {
   EXPECT_THAT(problemOf(changed(kSection2 + 8, 33, 2)), HasSubstr("33 joints"));
   EXPECT_THAT(problemOf(changed(kSection2 + 8, 3, 2)), HasSubstr("joint"));
   EXPECT_THAT(problemOf(changed(kSection2 + 11, 'p', 1)), HasSubstr("joint 0 has no locator"));
-  EXPECT_THAT(problemOf(changed(kSection2 + 20, '\n', 1)), HasSubstr("joint 0 has no locator"));
+  for (const unsigned char character : {'\n', ' ', '\x7f', '\xff'}) {
+    EXPECT_THAT(problemOf(changed(kSection2 + 20, character, 1)), HasSubstr("joint 0 has no locator"));
+  }
 }
 
 TEST_F(MotionTest, takesAsManyJointsAndCharactersAsItHasRoomFor) {
@@ -207,6 +215,8 @@ TEST_F(MotionTest, isEmptyAfterAnInvalidFile) {
   EXPECT_EQ(motion.numberOfKeyFrames(), 0);
   EXPECT_EQ(motion.frameMilliseconds(), 0);
   EXPECT_EQ(std::string(motion.name()) + motion.creator() + motion.design(), "");
+  ASSERT_TRUE(motion.read(bytes, sample_.size()));
+  EXPECT_THAT(motion.problem(), StrEq(""));
 }
 
 // ------------------------------------------------------------------------------------------------------ any bytes

@@ -124,6 +124,8 @@ TEST(TextFormTest, namesTheLineOfAMistake) {
   for (const std::string frame : {"0", "-1", "7", "1001", "65552"}) {  // 65552 is 16 in the two bytes of a motion file
     EXPECT_THAT(problemOf("frame " + frame + "\n" + begin), HasSubstr("a frame of " + frame + " ms"));
   }
+  EXPECT_EQ(problemOf("frame 8\n" + begin + "at 24\nframe 16\n"),
+            "a key frame comes 24 ms after the one before, which is not a whole number of frames of 16 ms");
   EXPECT_THAT(problemOf("frame 0\n" + begin + "at 160\n"), HasSubstr("a frame of 0 ms"));
 }
 
