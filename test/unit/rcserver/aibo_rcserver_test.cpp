@@ -27,6 +27,7 @@ namespace {
 using test_support::Process;
 using test_support::Reply;
 using test_support::TestClient;
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 std::vector<std::string> command(const std::vector<std::string>& options) {
@@ -84,7 +85,7 @@ TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
     EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
     robot.signal(signal);
     EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
-    EXPECT_THAT(robot.output(), HasSubstr("Stopped\n"));
+    EXPECT_THAT(robot.output(), AllOf(HasSubstr("RCServer: waiting for a client on port"), HasSubstr("Stopped\n")));
   }
 }
 

@@ -339,11 +339,13 @@ TEST_F(DatagramsTest, WithoutAnotherLossTheParitiesEnd) {
   partsAt(receiver);
   receiver.reply(lossReport(0));
   unsigned with_parity = 0;
+  begun_pictures_ = 0;
   for (int i = 0; i < 100; ++i) {
     takeImage();
     with_parity += hasParity(partsAt(receiver)) ? 1 : 0;
   }
   EXPECT_EQ(with_parity, 64U);
+  EXPECT_EQ(begun_pictures_, 100) << "the picture log takes no parity for a picture";
 }
 
 TEST_F(DatagramsTest, AParityThatIsCutByAChangeOfThePortIsForgotten) {

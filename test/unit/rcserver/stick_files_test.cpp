@@ -16,6 +16,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 class StickFilesTest : public ::testing::Test {
  protected:
@@ -82,6 +83,16 @@ TEST_F(StickFilesTest, anUploadReplacesAnExistingFile) {
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_EQ(content, "new one");
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
+}
+
+// On a computer, an empty folder is what rename() does not replace. On the robot it may be any file.
+TEST_F(StickFilesTest, anUploadReplacesWhatCannotBeReplacedByRenaming) {
+  std::filesystem::create_directory(folder_ / "HOP.MTN");
+  EXPECT_TRUE(store("HOP.MTN", "new"));
+  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
+  std::filesystem::create_directories(folder_ / "FULL.MTN" / "inside");
+  EXPECT_FALSE(store("FULL.MTN", "new"));
+  EXPECT_THAT(inFolder(), UnorderedElementsAre("HOP.MTN", "FULL.MTN")) << "nothing is left of the upload";
 }
 
 TEST_F(StickFilesTest, anUploadFollowsNoLink) {
@@ -159,6 +170,18 @@ TEST_F(StickFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_FALSE(is_stored);
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
   EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
+}
+
+TEST(PathOnMemoryStick, IsRefusedIfItDoesNotFit) {
+  const std::string stick(1000, 's');
+  const std::string longest(MAX_PATH_SIZE - stick.size() - 2, 'n');
+  HostSettings host;
+  host.memory_stick = stick.c_str();
+  char path[MAX_PATH_SIZE] = "untouched";
+  EXPECT_FALSE(pathOnMemoryStick(host, (longest + "n").c_str(), path));
+  EXPECT_STREQ(path, "untouched");
+  EXPECT_TRUE(pathOnMemoryStick(host, longest.c_str(), path));
+  EXPECT_EQ(path, stick + "/" + longest);
 }
 
 }  // namespace
