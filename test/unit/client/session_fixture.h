@@ -38,15 +38,15 @@ class SessionFixture : public testing::Test {
     look();
   }
 
-  /// Lets time pass, with nothing to read, as the client's loop does.
+  /// Lets time pass, with nothing to read, as the client's loop does: the session acts only when it asked to.
   void pass(TimePoint::duration time) {
     const TimePoint end = now_ + time;
-    while (now_ < end) {
-      const TimePoint next = std::min(end, session().nextDeadline());
+    for (TimePoint next = session().nextDeadline(); now_ < end && next <= end; next = session().nextDeadline()) {
       ASSERT_GT(next, now_) << "the loop would spin";
       now_ = next;
       look();
     }
+    now_ = end;
   }
 
   std::future<aibo_client::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
