@@ -63,6 +63,24 @@ TEST(ArgumentChecksTest, EachSegmentOfAColorTableIsChecked) {
     EXPECT_THROW(checkColorTable(table), InvalidArgumentException);
     segment.reset();
   }
+  const auto complaint_about = [&table](const ColorRange& range) -> std::string {
+    table.segments[2] = range;
+    try {
+      checkColorTable(table);
+    } catch (const InvalidArgumentException& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ("", complaint_about({0, 255, 0, 255}));
+  EXPECT_EQ("", complaint_about({7, 7, 9, 9}));
+  const std::string where = " of segment 2 of the colour table is ";
+  EXPECT_EQ("the lowest Cr" + where + "8, but has to be 0..7", complaint_about({8, 7, 0, 9}));
+  EXPECT_EQ("the lowest Cr" + where + "-1, but has to be 0..7", complaint_about({-1, 7, 0, 9}));
+  EXPECT_EQ("the highest Cr" + where + "-1, but has to be 0..255", complaint_about({-1, -1, 0, 9}));
+  EXPECT_EQ("the lowest Cb" + where + "10, but has to be 0..9", complaint_about({0, 7, 10, 9}));
+  EXPECT_EQ("the lowest Cb" + where + "-1, but has to be 0..9", complaint_about({0, 7, -1, 9}));
+  EXPECT_EQ("the highest Cb" + where + "256, but has to be 0..255", complaint_about({0, 7, 0, 256}));
 }
 
 TEST(ArgumentChecksTest, MotionsAreChecked) {
