@@ -354,6 +354,16 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
   EXPECT_EQ(0U, heard_.back().missing) << "the same hour";
 }
 
+TEST_F(SoundTest, WhatWasHeardIsNotMissingToo) {
+  listen();
+  for (unsigned i = 0; i < 625; ++i) {
+    push(2 * i, kSixteenMilliseconds);
+    now_ += milliseconds(16);
+  }
+  push(1250 + 1000, kSixteenMilliseconds);
+  EXPECT_EQ(0U, heard_.back().missing) << "18 s of sound cannot come in 10 s";
+}
+
 TEST_F(SoundTest, NothingIsMissingIfAPushComesTwice) {
   listen();
   push(700, kSixteenMilliseconds);
@@ -476,6 +486,18 @@ TEST_F(SoundTest, AStoppedSoundDoesNotBeginAgainWithALateAnswer) {
   receive(makeSoundFrame(2, late, encoded(version2::SpeakerRoom{100})));
   connection_.sound.connectionLost();
   EXPECT_EQ("1 stopped", ends());
+}
+
+TEST_F(SoundTest, ALateAnswerForTheSoundBeforeDoesNotEndTheNewOne) {
+  begin();
+  add(callToPlaySamples({1, 0, 1, false}, {7}), milliseconds(2000));
+  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
+  const int late = number_;
+  play({2, 0, 600, true});
+  receive(makeSoundFrame(2, late, encoded(version2::SpeakerRoom{100})));
+  EXPECT_EQ("", ends());
+  pushEnd(version2::END_DONE, 600);
+  EXPECT_EQ("2 done", ends());
 }
 
 TEST_F(SoundTest, ASoundThatTheRobotRefusesHasNotBegunAndHasNoEnd) {

@@ -66,11 +66,13 @@ TEST_F(StallDetectorTest, APictureThatBeganBeforeTheQuietIsStaleEvenIfItEndsAfte
 
 TEST_F(StallDetectorTest, ARobotThatNeverPausesIsCaughtUpWithInTheEnd) {
   now_ += milliseconds(200);
+  const TimePoint begin = now_;
   int stale = 0;
   while (pictureIsStale()) {
     ++stale;
     now_ += milliseconds(1);
   }
+  EXPECT_TRUE(detector_.isStale(begin)) << "this one has waited";
   EXPECT_GE(stale, StallDetector::kCatchUpLimit.count());
   EXPECT_LE(stale, StallDetector::kCatchUpLimit.count() + 2);
   now_ += milliseconds(1);
@@ -95,7 +97,10 @@ TEST_F(StallDetectorTest, ARobotThatSendsWithoutAnyPauseIsCaughtUpWithOnce) {
 TEST_F(StallDetectorTest, AStreamThatBeginsAgainWhileOldPicturesAreCaughtUpWithIsFresh) {
   now_ += milliseconds(5000);
   EXPECT_TRUE(pictureIsStale());
+  const TimePoint before = now_;
+  now_ += milliseconds(1);
   detector_.restart(now_);
+  EXPECT_TRUE(detector_.isStale(before)) << "a picture of the stream before";
   EXPECT_EQ(detector_.nextLook() - now_, StallDetector::kStallLimit / 2);
   EXPECT_FALSE(pictureIsStale());
   now_ += milliseconds(40);
