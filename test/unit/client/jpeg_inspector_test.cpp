@@ -118,8 +118,10 @@ TEST(JpegInspectorTest, PicturesOfEveryQualityAndUsualSubsamplingAreGood) {
 TEST(JpegInspectorTest, FillBytesBeforeAMarkerAreAllowed) {
   Bytes jpeg = test_pictures::make();
   jpeg.insert(jpeg.begin() + static_cast<std::ptrdiff_t>(test_pictures::findMarker(jpeg, kSof0)), 3, 0xFF);
-  jpeg.insert(jpeg.end() - 2, 2, 0xFF);
-  EXPECT_EQ("", problemOf(jpeg));
+  for (int fill_bytes = 1; fill_bytes <= 3; ++fill_bytes) {
+    jpeg.insert(jpeg.end() - 2, 0xFF);
+    EXPECT_EQ("", problemOf(jpeg)) << fill_bytes << " before the end";
+  }
 }
 
 TEST(JpegInspectorTest, APictureCutAtAnyLengthIsRefused) {
@@ -147,6 +149,15 @@ TEST(JpegInspectorTest, BytesThatAreNotAJpegAreRefused) {
   EXPECT_THAT(problemOf(Bytes(5000, 0)), HasSubstr("not a JPEG"));
   EXPECT_THAT(problemOf({'G', 'I', 'F', '8', '9', 'a'}), HasSubstr("not a JPEG"));
   EXPECT_EQ("cut off in its header", problemOf({0xFF, 0xD8}));
+  for (const std::size_t i : {0, 1}) {
+    Bytes jpeg = test_pictures::make();
+    jpeg[i] = 0xFE;
+    EXPECT_THAT(problemOf(jpeg), HasSubstr("not a JPEG"));
+  }
+  Bytes without_marker = test_pictures::make();
+  without_marker.erase(without_marker.begin() +
+                       static_cast<std::ptrdiff_t>(test_pictures::findMarker(without_marker, kDqt)));
+  EXPECT_EQ("no marker where one is required", problemOf(without_marker));
 }
 
 TEST(JpegInspectorTest, ProgressiveJpegsAreRefused) {
@@ -184,6 +195,9 @@ TEST(JpegInspectorTest, OtherColoursThanYCbCrAreRefused) {
 TEST(JpegInspectorTest, UnusualSubsamplingIsRefused) {
   for (const int sampling : {0x00, 0x41, 0x14, 0x44, 0x33, 0xFF}) {
     EXPECT_EQ("an unusual subsampling", problemOf(alter(kSof0, kFrameLumaSampling, sampling)));
+  }
+  for (const std::size_t chroma : {3, 6}) {
+    EXPECT_EQ("an unusual subsampling", problemOf(alter(kSof0, kFrameLumaSampling + chroma, 0x21)));
   }
 }
 
