@@ -219,7 +219,7 @@ TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
   receive(makeFrame('f', 0, payload));
   payload[15] = 0x9b;  // docs/protocol.md
   receive(makeFrame('f', 0, payload));
-  payload[15] = 0x1b;
+  payload[15] = 0x7d;
   receive(makeFrame('f', 0, payload));
   ASSERT_EQ(3u, pictures_.size());
   EXPECT_FALSE(pictures_[0]->settings);
@@ -228,6 +228,11 @@ TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
   expected.shutter_speed = 1;
   expected.auto_white_balance = true;
   EXPECT_TRUE(*pictures_[1]->settings == expected);
+  expected.white_balance = 1;
+  expected.gain = expected.shutter_speed = 3;
+  expected.auto_exposure = true;
+  expected.auto_white_balance = false;
+  EXPECT_TRUE(pictures_[2]->settings == expected);
 }
 
 class CameraRequestsVersion1Test : public SessionFixture {
@@ -245,10 +250,14 @@ TEST_F(CameraRequestsVersion1Test, ASettingChangesNoByteAndTheLogSaysThatItHasNo
   EXPECT_TRUE(log_.empty());
   wish_.format = {Resolution::kDouble, 4};
   wish_.camera.gain = 3;
+  wish_.colors.on = true;
+  wish_.microphone.on = true;
   EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
   EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
-  EXPECT_EQ(1, logged("version 1 of the protocol, which has no request for resolution and rate"));
-  EXPECT_EQ(1, logged("version 1 of the protocol, which has no request to set the camera"));
+  for (const char* each :
+       {"for resolution and rate", "to set the camera", "to detect colours", "for its microphones"}) {
+    EXPECT_EQ(1, logged(std::string("version 1 of the protocol, which has no request ") + each)) << each;
+  }
 }
 
 TEST_F(CameraRequestsVersion1Test, APictureOfAnotherResolutionIsRefused) {

@@ -222,13 +222,17 @@ TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality)
   auto answer = takePicture(40);
   EXPECT_EQ("F40", command());
   EXPECT_EQ("", command());
-  receivePicture(1);
+  const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
+  receive({reply.begin(), reply.begin() + 100});
+  receive({reply.begin() + 100, reply.end()});
   ASSERT_TRUE(done(answer));
   const Answer got = answer.get();
   EXPECT_EQ(test_pictures::makeNumbered(1), got.picture->jpeg);
   EXPECT_EQ(0, got.stream_quality);
   EXPECT_EQ(1u, pictures_.size()) << "it is published like any other";
   EXPECT_EQ("", command());
+  takePicture(50);
+  EXPECT_EQ("F50", command()) << "without a pause";
 }
 
 TEST_F(Version1SessionTest, QualityZeroIsThatOfTheStream) {
@@ -281,7 +285,11 @@ TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
   auto answer = takePicture(30);
   EXPECT_EQ("", command());
   pass(milliseconds(150));
-  receivePicture(2);
+  const Bytes late = test_pictures::makeReply(test_pictures::makeNumbered(2));
+  receive({late.begin(), late.begin() + 100});
+  pass(milliseconds(300));
+  EXPECT_EQ("", command()) << "its rest is on its way";
+  receive({late.begin() + 100, late.end()});
   pass(milliseconds(199));
   EXPECT_EQ("", command());
   EXPECT_FALSE(done(answer)) << "a late picture of the stream is not fresh";
@@ -602,6 +610,23 @@ TEST_F(Version1SessionTest, AServerWithoutSensorsIsAskedForItsJointsAlone) {
   EXPECT_EQ(18u, counters_.refusals);
 }
 
+TEST_F(Version1SessionTest, AServerWithoutJointsIsAskedForItsSensorsAloneAndOneWithoutEitherForNothing) {
+  wish_.telemetry_period = 4;
+  const auto refuse_all = [this](char kind) {
+    for (int i = 0; i < 100; ++i) {
+      const std::string request = command();
+      if (!request.empty()) {
+        request[0] == kind ? receive({'e', 0, 0, 0}) : receiveValue(request);
+      }
+      pass(milliseconds(25));
+    }
+  };
+  refuse_all('J');
+  EXPECT_THAT(run(milliseconds(2000)), AllOf(HasSubstr("S5 S6 "), testing::Not(HasSubstr("J"))));
+  refuse_all('S');
+  EXPECT_EQ("", run(milliseconds(2000)));
+}
+
 TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
   for (int i = 0; i < 3; ++i) {
     commandJoints({{77, 0.1}});
@@ -612,6 +637,11 @@ TEST_F(Version1SessionTest, ARefusedCommandIsLoggedOnceAndTheNextOneSent) {
   EXPECT_EQ(3u, counters_.refusals);
   commandJoints({{1, 0.1}});
   EXPECT_EQ("J1=573", command());
+  receiveValue("J1", 573);
+  commandJoints({{77, 0.1}});
+  EXPECT_EQ("J77=573", command());
+  receive({'e', 0, 0, 0});
+  EXPECT_EQ(2, logged("refused the request 'J' for joint 77: error code 0")) << "joints were taken meanwhile";
 }
 
 TEST_F(Version1SessionTest, ARefusalNamesThePartAndOneThatNobodyAwaitsIsTold) {
@@ -905,6 +935,11 @@ TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
   EXPECT_TRUE(pictures_.empty());
   EXPECT_EQ("", silentCommand());
   pass(milliseconds(10000));
+  auto answer = takePicture(30);
+  EXPECT_EQ("F30", silentCommand());
+  receivePicture(2);
+  ASSERT_TRUE(done(answer));
+  EXPECT_EQ(test_pictures::makeNumbered(2), answer.get().picture->jpeg);
 }
 
 TEST_F(SilentServerTest, IsConnectedWhenItRefuses) {
