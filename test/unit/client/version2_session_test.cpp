@@ -844,18 +844,45 @@ TEST_F(Version2SessionTest, ALateAnswerToANumberedCallIsTold) {
   EXPECT_EQ(7u, late_answers_[1].order);
   EXPECT_TRUE(late_answers_[1].accepted);
   EXPECT_EQ("clip", late_answers_[1].changes);
+  std::vector<int> numbers;
+  for (std::uint64_t order = 100; order <= 164; ++order) {
+    numbers.push_back(play(order));
+  }
+  for (const int number : numbers) {
+    receive(makeFrame('p', number, {}));
+  }
+  ASSERT_EQ(2u + 64u, late_answers_.size()) << "the oldest of 65 is forgotten";
+  EXPECT_EQ(101u, late_answers_[2].order);
+}
+
+TEST_F(Version2SessionTest, AnOrderThatTimesOutBeforeItIsSentIsNotSentLater) {
+  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(10000));
+  EXPECT_EQ("U2", request());
+  Call call = callToPlay("SIT.MTN", 1, 0);
+  call.order = 7;
+  auto play = add(std::move(call), milliseconds(100));
+  EXPECT_EQ("", request());
+  pass(milliseconds(100));
+  ASSERT_TRUE(done(play));
+  const Answer answer = play.get();
+  EXPECT_EQ(CallOutcome::kTimeout, answer.outcome);
+  EXPECT_EQ("the request could not be sent within 100 ms.", answer.problem);
+  EXPECT_FALSE(answer.was_sent);
+  receive(makeFrame('u', 2, {}));
+  EXPECT_EQ("", request());
 }
 
 TEST_F(Version2SessionTest, AnOrderThatCouldNotBeSentInTimeIsTooOld) {
   auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(10000));
   EXPECT_EQ("U2", request());
   Call call = callToPlay("SIT.MTN", 1, 0);
-  call.not_after = now_ + milliseconds(300);
+  call.not_after = now_ + milliseconds(100);
   auto play = add(std::move(call), milliseconds(5000));
   EXPECT_EQ("", request());
-  live(milliseconds(299));
+  pass(milliseconds(99));
   EXPECT_FALSE(done(play));
-  live(milliseconds(1));
+  pass(milliseconds(1));
+  ASSERT_TRUE(done(play));
   const Answer answer = play.get();
   EXPECT_EQ(CallOutcome::kRefused, answer.outcome);
   EXPECT_EQ("The order to play the motion SIT.MTN is too old: it could not be sent to robot:54321 in time.",
