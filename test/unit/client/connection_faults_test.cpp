@@ -104,6 +104,20 @@ TEST_F(ConnectionFaultsTest, AClientThatWasServedBeforeIsTurnedAwayLikeAnyOther)
   EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
 }
 
+TEST_F(ConnectionFaultsTest, AServerThatClosesAfterItsFirstAnswerHasNotTurnedTheClientAway) {
+  ClientOptions options = optionsFor(server_);
+  options.protocol_version = 1;
+  RcServerClient client(options, recorder_.callbacks());
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  expectCommand(&peer, 'F', 85);
+  peer.sendPicture(test_pictures::make());
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  peer.close();
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
+  EXPECT_EQ(FaultKind::kClosed, client.status().fault);
+}
+
 // With the waits of a client that did not reach its robot five times, seven more attempts would take more than 20 s.
 TEST(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
   ScriptedServer server;

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <atomic>
 #include <future>
+#include <mutex>
 
 #include "newest_client_fixture.h"
 
@@ -195,6 +197,45 @@ TEST_F(JointsTest, AServerThatCannotHoldIsNotAsked) {
   ASSERT_TRUE(eventually([&] { return client().status().protocol_version == 1; }));
   EXPECT_THAT(complaintOf<CommandException>([&] { client().hold({}, seconds(20)); }),
               HasSubstr("speaks version 1 of the protocol, which has no request to hold joints; send the joints"));
+}
+
+// The client's thread is kept in a callback, so that it finds both orders at once.
+TEST_F(JointsTest, AJointCommandIsNotSentAfterAHoldThatCameAfterIt) {
+  std::mutex gate;
+  std::atomic<bool> waits{false};
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_telemetry = [&](const Telemetry&) {
+    waits = true;
+    const std::lock_guard<std::mutex> lock(gate);
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("J L I");
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  const auto answer = [&peer] {
+    const version2_frames::Frame frame = peer.readRequest();
+    peer.send(makeFrame(protocol::version2::replyKind(frame.header.kind), frame.header.request_number, frame.payload));
+    return frame.header.kind;
+  };
+  char first = 'J';
+  for (int i = 0; i < 20 && first == 'J'; ++i) {  // it is sent if the thread of hold() came too late
+    std::unique_lock<std::mutex> lock(gate);
+    waits = false;
+    ASSERT_TRUE(eventually([&] {
+      peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
+      return waits.load();
+    }));
+    client.commandJoints({{1, 0.1}}, milliseconds(0));
+    auto held = std::async(std::launch::async, [&client] { client.hold({}, seconds(20)); });
+    EXPECT_EQ(std::future_status::timeout, held.wait_for(milliseconds(20 + 50 * i)));
+    lock.unlock();
+    first = answer();
+    EXPECT_EQ('I', first == 'J' ? answer() : first);
+    held.get();
+  }
+  client.commandLeds({{7, 1}});
+  EXPECT_EQ('L', answer());
 }
 
 TEST_F(JointsTest, WhatIsToBeHeldIsCheckedFirst) {

@@ -61,7 +61,9 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
   const std::uint64_t begun = client_.statistics().bytes_received + 100;
   peer.send({reply.begin(), reply.begin() + 100});
   ASSERT_TRUE(eventually([&] { return client_.statistics().bytes_received >= begun; }));
-  auto taken = takeInBackground(40);
+  int quality = 0;
+  auto taken =
+      std::async(std::launch::async, [this, &quality] { return client_.takePicture(40, seconds(20), &quality); });
   EXPECT_FALSE(peer.readCommandWithin(milliseconds(50))) << "the stream will answer";
   peer.send({reply.begin() + 100, reply.end()});
   EXPECT_TRUE(eventually([&] {
@@ -69,6 +71,7 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
     return taken.wait_for(milliseconds(1)) == std::future_status::ready;
   }));
   EXPECT_EQ(test_pictures::makeNumbered(2), taken.get()->jpeg);
+  EXPECT_EQ(85, quality) << "the stream's";
 }
 
 TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {
