@@ -145,6 +145,20 @@ TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain
   EXPECT_THAT(pauses, ElementsAre(10, 20, 40));
 }
 
+TEST_F(TransportChoiceTest, AllTestsAreSentAgainHoweverManyTheFirstTimeNeeded) {
+  lets_through_ = false;
+  start();
+  watch(milliseconds(200));
+  lets_through_ = true;
+  watch(seconds(1));
+  EXPECT_EQ("U", ways_);
+  const int before = tests_;
+  lets_through_ = false;
+  watch(seconds(15));
+  EXPECT_EQ("UT", ways_);
+  EXPECT_EQ(before + 4, tests_);
+}
+
 TEST_F(TransportChoiceTest, AfterAMinuteThatWentWellThePauseIsShortAgain) {
   start();
   for (const int well : {1, 61}) {

@@ -149,7 +149,9 @@ TEST(RobotClock, GoesOnWhenFrameNumbersWrapAround) {
   robot.reboot(0xffffffffu - 45 * 125);
   robot.run(30);
   expectAccurate(robot);
-  EXPECT_EQ(robot.clock.read().timelines, 1u);
+  const RobotClock::Reading reading = robot.clock.read();
+  EXPECT_EQ(reading.timelines, 1u);
+  EXPECT_NEAR(reading.drift, 100e-6, 50e-6);
 }
 
 TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestarted) {
