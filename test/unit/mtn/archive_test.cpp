@@ -292,6 +292,7 @@ TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
   EXPECT_THAT(run("--unpack " + archive()), HasSubstr("usage:"));
   EXPECT_THAT(run("--force " + archive()), HasSubstr("usage:"));
   EXPECT_THAT(run("x.txt x.mtn y.mtn"), HasSubstr("usage:"));
+  EXPECT_THAT(run(""), HasSubstr("usage:"));
 }
 
 }  // namespace

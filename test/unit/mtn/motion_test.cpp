@@ -156,8 +156,8 @@ TEST_F(MotionTest, refusesTextsThatLeaveTheirSection) {
 }
 
 TEST_F(MotionTest, refusesWrongJoints) {
-  EXPECT_THAT(problemOf(changed(kSection2 + 8, 0, 2)), HasSubstr("0 joints"));
-  EXPECT_THAT(problemOf(changed(kSection2 + 8, 33, 2)), HasSubstr("33 joints"));
+  EXPECT_THAT(problemOf(changed(kSection2 + 8, 0, 2)), HasSubstr("0 joints are outside 1..32"));
+  EXPECT_THAT(problemOf(changed(kSection2 + 8, 33, 2)), HasSubstr("33 joints are outside 1..32"));
   EXPECT_THAT(problemOf(changed(kSection2 + 8, 3, 2)), HasSubstr("joint"));
   EXPECT_THAT(problemOf(changed(kSection2 + 11, 'p', 1)), HasSubstr("joint 0 has no locator"));
   for (const unsigned char character : {'\n', ' ', '\x7f', '\xff'}) {

@@ -75,7 +75,10 @@ TEST(TextFormTest, namesTheEarsAndTheirStates) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(print(bytes))), bytes);
   EXPECT_THAT(parse("robot ERS-210\nat 0 left_ear 0\n").locators, ElementsAre("PRM:/r1/c1/c2/c3/e1-Joint3:j5"));
   EXPECT_THAT(problemOf("robot ERS-7\nat 0 left_ear 0.5\n"), HasSubstr("\"0.5\" is not a number of states"));
-  EXPECT_THAT(problemOf("robot ERS-7\nat 0 left_ear 6283186\n"), HasSubstr("left_ear has a state that does not fit"));
+  for (const std::string state : {"6283186", "-6283186"}) {
+    EXPECT_THAT(problemOf("robot ERS-7\nat 0 left_ear " + state + "\n"),
+                HasSubstr("left_ear has a state that does not fit"));
+  }
 }
 
 TEST(TextFormTest, survivesTheRoundTrip) {

@@ -68,6 +68,7 @@ TEST(ColorPlane, IsRefusedUnlessItHasTheRightSize) {
   EXPECT_THAT(unpackProblem(hex("fc"), 5), HasSubstr("size")) << "a run without its byte";
   EXPECT_THAT(unpackProblem(hex("01 07"), 2), HasSubstr("size")) << "two bytes, and one is there";
   EXPECT_THAT(unpackProblem(hex("80 fc 07"), 5), HasSubstr("size")) << "128 is not used";
+  EXPECT_THAT(unpackProblem(hex("80") + Bytes(129, 7), 129), HasSubstr("size"));
 }
 
 }  // namespace

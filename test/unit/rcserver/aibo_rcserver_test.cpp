@@ -221,6 +221,8 @@ TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
 TEST(AiboRCServer, FindsItsMemoryStickByItself) {
   Process robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
   portOf(robot);
+  Process another({AIBO_RCSERVER, "--port", "0", "--no-console"});
+  portOf(another);  // so the port of the console is not in use
   robot.signal(SIGTERM);
   EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
 }

@@ -124,9 +124,11 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
   UdpSocket receiver;
   robot_.showNoise();
   streamTo(receiver);
+  begun_pictures_ = 0;
   takeImage();
   const std::vector<ReceivedPart> parts = partsAt(receiver);
   ASSERT_GE(parts.size(), 3U);
+  EXPECT_EQ(begun_pictures_, 1) << "for the picture log";
   for (size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].header.part, i);
     EXPECT_EQ(parts[i].header.sequence, i);
@@ -330,6 +332,11 @@ TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
   const std::vector<ReceivedPart> next = partsAt(receiver);
   ASSERT_FALSE(next.empty());
   EXPECT_EQ(next[0].header.picture, parts[0].header.picture + 1);
+  ASSERT_FALSE(sent_pictures_.isComplete()) << "a parity is no picture";
+  send(frame('F', 50, 77, kLayerHigh));
+  takeImage();
+  EXPECT_EQ(picturesByTcp().size(), 1U);
+  EXPECT_TRUE(sent_pictures_.isComplete());
 }
 
 TEST_F(DatagramsTest, WithoutAnotherLossTheParitiesEnd) {

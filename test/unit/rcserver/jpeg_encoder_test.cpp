@@ -189,6 +189,15 @@ TEST_F(JpegEncoderTest, RedIsRedAndBlueIsBlue) {
   EXPECT_GT(blue.at(100, 80)[2], 245);
 }
 
+TEST_F(JpegEncoderTest, APlainPictureOfAnyWidthIsPlainToItsEdges) {
+  for (const size_t width : {44U, 52U, 88U, 104U, 176U, 208U}) {
+    const Decoded decoded = decode(encode(CameraImageFixture::plain({40, 90, 200}, width, 60).image(), 50));
+    for (size_t i = 0; i < decoded.rgb.size(); ++i) {
+      ASSERT_NEAR(decoded.rgb[i], decoded.rgb[i % 3], 1) << width;
+    }
+  }
+}
+
 TEST_F(JpegEncoderTest, EachPartOfThePictureShowsThatPartOfTheImage) {
   const CameraImageFixture quadrants(208, 160, [](size_t x, size_t y) {
     return Pixel{static_cast<uint8_t>(x < 104 ? 60 : 200), static_cast<uint8_t>(y < 80 ? 90 : 160), 128};
