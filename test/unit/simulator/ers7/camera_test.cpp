@@ -51,6 +51,7 @@ class TestPicture : public PictureSource {
       image_.cb[i] = static_cast<std::uint8_t>(x);
       image_.y_lh[i] = 100;
       image_.y_hl[i] = 150;
+      image_.y_hh[i] = 77;
     }
   }
 
@@ -164,7 +165,7 @@ TEST_F(CameraTest, TheLowerLayersAreMeansOfTheHigherOnes) {
 TEST_F(CameraTest, TheFineDetailOfHIsThatOfThePicture) {
   RCRegion* region = camera_.capture(0);
   const std::pair<OFbkImageBand, int> bands[] = {
-      {ofbkimageBAND_Y_LH, 100}, {ofbkimageBAND_Y_HL, 150}, {ofbkimageBAND_Y_HH, 128}};
+      {ofbkimageBAND_Y_LH, 100}, {ofbkimageBAND_Y_HL, 150}, {ofbkimageBAND_Y_HH, 77}};
   for (const auto& [band, value] : bands) {
     const OFbkImage detail = bandOf(region, ofbkimageLAYER_H, band);
     ASSERT_TRUE(detail.IsValid());
@@ -217,8 +218,10 @@ TEST_F(CameraTest, DetectedColoursAreInTheirPlaneAndCountedInEveryTag) {
     EXPECT_EQ(image.ColorFrequency(ocdtCHANNEL4), 255) << "as far as a byte goes";
     EXPECT_EQ(image.FieldCounter(), 1);
   }
+  EXPECT_EQ(bandOf(camera_.capture(4), ofbkimageLAYER_H, ofbkimageBAND_Y).ColorFrequency(ocdtCHANNEL4), 255)
+      << "also if nothing else is read";
   camera_.reset();
-  EXPECT_EQ(bandOf(camera_.capture(4), ofbkimageLAYER_C, ofbkimageBAND_CDT).Pixel(50, 10), 0);
+  EXPECT_EQ(bandOf(camera_.capture(8), ofbkimageLAYER_C, ofbkimageBAND_CDT).Pixel(50, 10), 0);
 }
 
 TEST_F(CameraTest, TheTagInTheLastRowCountsTheCamerasImages) {
@@ -321,9 +324,15 @@ TEST_F(CameraTest, AConstantPictureIsWrittenAgainAfterAnotherOne) {
 }
 
 TEST_F(CameraTest, TheInfosContainCameraAndFrame) {
-  OFbkImageVectorData* vector = vectorIn(camera_.capture(1234));
-  EXPECT_EQ(vector->vectorInfo.type, odataFBKIMAGE_VECTOR);
-  EXPECT_EQ(vector->vectorInfo.numData, 4u);
+  RCRegion* const region = camera_.capture(1234);
+  OFbkImageVectorData* vector = vectorIn(region);
+  const ODataVectorInfo& header = vector->vectorInfo;
+  EXPECT_EQ(header.type, odataFBKIMAGE_VECTOR);
+  EXPECT_EQ(header.totalSize, region->Size());
+  EXPECT_EQ(header.infoOffset, offsetof(OFbkImageVectorData, info));
+  EXPECT_EQ(header.infoSize, sizeof(OFbkImageInfo));
+  EXPECT_EQ(header.maxNumData, 4u);
+  EXPECT_EQ(header.numData, 4u);
   for (const OFbkImageLayer layer : {ofbkimageLAYER_H, ofbkimageLAYER_M, ofbkimageLAYER_L, ofbkimageLAYER_C}) {
     EXPECT_EQ(vector->GetInfo(layer)->primitiveID, kId);
     EXPECT_EQ(vector->GetInfo(layer)->frameNumber, 1234u);

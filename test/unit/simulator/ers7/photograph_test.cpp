@@ -159,6 +159,15 @@ TEST_F(PhotographTest, AJpegOfAnySizeFillsThePicture) {
   }
 }
 
+TEST_F(PhotographTest, AJpegOfAnySizeIsAsSharpAsTheCamera) {
+  for (const int pixel : {1, 2, 4, 7}) {
+    const auto image = readPhotograph(write("a.jpg", jpeg(208 * pixel, 160 * pixel, [pixel](int x, int) {
+                                              return std::string(3, x / pixel % 2 == 0 ? '\xFF' : '\0');
+                                            })));
+    EXPECT_GT(image.y[at(100, 80)], image.y[at(101, 80)] + 150) << pixel;
+  }
+}
+
 TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
   const std::string whole_jpeg = jpeg(208, 160, [](int x, int y) { return std::string(3, static_cast<char>(x * y)); });
   const std::string whole_ppm = ppm(208, 160, [](int, int) { return kGrey; });
@@ -168,9 +177,11 @@ TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
       {"empty.jpeg", ""},
       {"cut.ppm", whole_ppm.substr(0, whole_ppm.size() - 1)},
       {"ascii.ppm", "P3\n1 1\n255\n0 0 0\n"},
+      {"other.ppm", "Q6\n1 1\n255\n000"},
       {"deep.ppm", "P6\n1 1\n65535\n000000"},
       {"huge.ppm", "P6\n999999999 999999999\n255\n"},
-      {"nothing.ppm", "P6\n0 0\n255\n"},
+      {"narrow.ppm", "P6\n0 1\n255\n"},
+      {"low.ppm", "P6\n1 0\n255\n"},
       {"header.ppm", "P6\n208"},
   };
   for (const auto& [name, content] : broken) {
@@ -191,6 +202,7 @@ TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
   write("b.ppm", ppm(208, 160, [](int, int) { return kBlue; }));
   write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
   write("notes.txt", "left alone");
+  std::filesystem::create_directory(folder_ / "folder.jpg");
   PhotoShow show(folder_.string(), 2);
   const auto is_red = [&show](double seconds) { return show.picture(seconds, 1, CameraSettings()).cr[0] > 200; };
   EXPECT_TRUE(is_red(0));

@@ -46,6 +46,14 @@ TEST(Scene, ARayHitsTheFaceOfATurnedCube) {
   EXPECT_TRUE(hit.normal.isApprox(-direction, 1e-9));
 }
 
+TEST(Scene, ARayEndsAtTheFirstOfTwoBodies) {
+  const Vector3d blue(2.05, -0.62, 0.07);
+  const Vector3d yellow(2.20, -0.40, 0.07);
+  const Vector3d step = yellow - blue;
+  EXPECT_EQ(Scene().castRay({blue - step, step.normalized()}).surface, Surface::kBlueCube);
+  EXPECT_EQ(Scene().castRay({yellow + step, -step.normalized()}).surface, Surface::kYellowCube);
+}
+
 TEST(Scene, ATableHasAnEdgeAndABoard) {
   const Scene scene(true);
   EXPECT_EQ(scene.groundAt({0, 0}), kTableHeight);
@@ -60,6 +68,15 @@ TEST(Scene, ATableHasAnEdgeAndABoard) {
   EXPECT_NEAR(board.distance, kTableHalfWidth - kBoardThickness, 1e-9);
   EXPECT_NEAR(scene.clearance({0, 0, kTableHeight + 0.1}), kTableHalfWidth - kBoardThickness, 1e-9)
       << "the table is no obstacle";
+  for (const double x : {kTableX - kTableHalfLength + 0.02, kTableX + kTableHalfLength - 0.02}) {
+    for (const double side : {-1, 1}) {
+      for (const double height : {0.01, kTableHeight - 0.05}) {
+        const SceneHit leg = scene.castRay({{x, 0, height}, {0, side, 0}});
+        EXPECT_EQ(leg.surface, Surface::kWood);
+        EXPECT_NEAR(leg.distance, kTableHalfWidth - 0.05, 1e-9);
+      }
+    }
+  }
 }
 
 TEST(Scene, TheBallRollsToAndFro) {

@@ -18,6 +18,7 @@
 #include "simulator/ers7/body/stance.h"
 #include "simulator/ers7/camera/camera_optics.h"
 #include "simulator/ers7/camera/photographs.h"
+#include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -188,6 +189,8 @@ TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
   tables.GetInfo(0)->Init(1, ocdtCHANNEL0);
   EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_PRIMITIVE_ID);
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
+  tables.GetInfo(0)->Init(openJoint("head_pan"), ocdtCHANNEL0);
+  EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_PRIMITIVE_ID);
   tables.GetInfo(0)->Init(camera_, ocdtCHANNEL0);
   EXPECT_EQ(robot_.setCdtVectorData(tables), oSUCCESS);
   tables.GetInfo(0)->Init(camera_, ocdtCHANNEL7);
@@ -461,7 +464,13 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   OPowerStatus full;
   ASSERT_EQ(robot.getPowerStatus(&full), oSUCCESS);
   EXPECT_EQ(full.remainingCapacity, 100);
+  EXPECT_EQ(full.fullyChargedCapacity, 2200) << "mAh";
+  EXPECT_EQ(full.voltage, 8200) << "mV";
   EXPECT_EQ(full.robotStatus, orsbBATTERY_CONNECTED);
+  EXPECT_EQ(full.current, -32767) << "mA; no more fit";
+  OPowerStatus usual;
+  ASSERT_EQ(robot_.getPowerStatus(&usual), oSUCCESS);
+  EXPECT_EQ(usual.current, -1466) << "in 90 minutes";
   robot.setMotorPower(opowerON);
   longword frame = 0;
   const auto passSeconds = [&](longword seconds) {
@@ -474,7 +483,7 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
   EXPECT_EQ(half.remainingCapacity, 50);
   EXPECT_EQ(half.robotStatus, orsbBATTERY_CONNECTED | orsbMOTOR_POWER);
-  EXPECT_LT(half.voltage, full.voltage);
+  EXPECT_EQ(half.voltage, 7500);
   EXPECT_GT(half.temperature, full.temperature);
   EXPECT_NEAR(full.temperature, 2982, 1) << "25 degrees Celsius, in tenths of a kelvin";
   passSeconds(31);
@@ -500,7 +509,21 @@ TEST_F(SimulatedErs7Test, SwitchingOffReleasesAndClosesEverything) {
   const OPrimitiveID pan = driveJoint("head_pan");
   const OPrimitiveID ear = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
   robot_.passFrame(frame_++, {earCommand(ear, ojoint4_STATE1)});
+  camera_ = openLocator(kCameraLocator);
+  for (const auto& [request, value] : {std::pair(oprmreqCAM_SET_WHITE_BALANCE, ocamparamWB_INDOOR_MODE),
+                                       {oprmreqCAM_SET_GAIN, ocamparamGAIN_HIGH},
+                                       {oprmreqCAM_SET_SHUTTER_SPEED, ocamparamSHUTTER_SLOW}}) {
+    ASSERT_EQ(control(request, value), oSUCCESS);
+  }
+  ASSERT_EQ(control(oprmreqCAM_AE_ON), oSUCCESS);
+  ASSERT_EQ(control(oprmreqCAM_AWB_ON), oSUCCESS);
   robot_.switchOff();
+  const CameraSettings& settings = robot_.cameraSettings();
+  const CameraSettings first;
+  EXPECT_EQ(settings.white_balance, first.white_balance);
+  EXPECT_EQ(settings.gain, first.gain);
+  EXPECT_EQ(settings.shutter, first.shutter);
+  EXPECT_FALSE(settings.auto_exposure || settings.auto_white_balance);
   passFrames(1);
   EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
   OPowerStatus status;
@@ -575,6 +598,15 @@ TEST_F(SimulatedErs7Test, WhenTheFrontLegsSpreadTheCameraLooksDownWithTheBody) {
   ASSERT_LT(placeFrom(body).y(), placeFrom(level).y() - 5) << "the ball is higher in the picture";
   const Eigen::Vector2d seen = middleOfPink(robot_.captureImage(kBallPeriodFrames), placeFrom(body));
   EXPECT_LT((seen - placeFrom(body)).norm(), 1) << seen.transpose();
+}
+
+TEST_F(SimulatedErs7Test, TheBallRollsWithTheFrames) {
+  Scene scene;
+  for (const longword frame : {100U, 300U}) {
+    scene.setTime(frame * openr_host::kFrameSeconds);
+    robot_.passFrame(frame, {});
+    EXPECT_TRUE(robot_.scene().ballCenter().isApprox(scene.ballCenter(), 1e-9)) << frame;
+  }
 }
 
 TEST_F(SimulatedErs7Test, LegsThatSwingBackPushTheRobotAhead) {

@@ -10,6 +10,7 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"
@@ -66,6 +67,8 @@ TEST_F(SimulatedSoundTest, ItHearsItselfAsLoudAsTheVolumeSays) {
   EXPECT_EQ(control(oprmreqSPEAKER_MUTE_OFF), oSUCCESS);
   EXPECT_EQ(heard(), 5000);
   EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(0x1234)), oINVALID_ARG);
+  EXPECT_EQ(control(oprmreqMIC_OMNI, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oINVALID_ARG);
+  EXPECT_EQ(heard(), 5000);
 }
 
 TEST_F(SimulatedSoundTest, TheSpeakerTakesTwoKindsOfSound) {
@@ -76,6 +79,7 @@ TEST_F(SimulatedSoundTest, TheSpeakerTakesTwoKindsOfSound) {
   EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, sizeof(type), nullptr, 0),
             oSUCCESS);
   EXPECT_EQ(type.type, ospksndMONO16K16B);
+  EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, 1, nullptr, 0), oINVALID_ARG);
   EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(4)), oINVALID_ARG) << "stereo";
   robot_.closePrimitive(speaker_);
   EXPECT_EQ(robot_.soundTypeOf(speaker_), std::nullopt);
@@ -153,8 +157,11 @@ TEST_F(SimulatedSoundTest, AFileOfAnotherProgramIsHeardWithoutItsOtherChunks) {
 TEST_F(SimulatedSoundTest, ARobotThatStartsAgainIsNotMute) {
   EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oSUCCESS);
   EXPECT_EQ(control(oprmreqSPEAKER_MUTE_ON), oSUCCESS);
+  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(ospksndMONO16K16B)), oSUCCESS);
   robot_.switchOff();
   EXPECT_EQ(heard(), 5000);
+  robot_.openPrimitive("PRM:/s1-Speaker:S1", &speaker_);
+  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO8K8B);
 }
 
 // So a program can play it on this computer.
@@ -181,11 +188,16 @@ TEST_F(SimulatedSoundTest, AFileThatCannotBeHeardIsNamedWithTheRemedy) {
   const test_support::TemporaryFolder folder;
   const std::string path = folder.path("other.wav").string();
   EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("other.wav: cannot be read"));
-  std::ofstream(path) << "no sound";
-  EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("is not a WAV file"));
-  { const WavWriter writer(path); }
-  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(24).put('\0');  // of the rate
-  EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("-r 16000"));
+  for (const char* text : {"no sound", "RIFF1234WAVEdata1234"}) {
+    std::ofstream(path) << text;
+    EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("is not a WAV file"));
+  }
+  // Bytes of the encoding, the number of channels, the rate, and the bits.
+  for (const auto& [place, byte] : {std::pair(20, 2), {22, 0}, {22, 3}, {24, 0}, {34, 8}}) {
+    { const WavWriter writer(path); }
+    std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(place).put(static_cast<char>(byte));
+    EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("-r 16000")) << place;
+  }
   SimulatedErs7::Options options;
   options.speaker_file = folder.path("missing/played.wav").string();
   EXPECT_THROW(SimulatedErs7{options}, SoundError);

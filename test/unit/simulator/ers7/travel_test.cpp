@@ -151,6 +151,30 @@ TEST_F(TravelTest, ARobotThatHasLongStoodStillMovesLikeAnyOther) {
   EXPECT_GT(travel_.place().x, 0.15);
 }
 
+TEST_F(TravelTest, EachJointMovesARobotThatHasLongStoodStillOrLainStill) {
+  const auto moves = [this](const Legs& legs, const HeadAngles& head) {
+    Travel robot = travel_;
+    robot.passFrame(legs, head, scene_);
+    return !robot.stance().body.isApprox(travel_.stance().body, 1e-9) ||
+           robot.stance().paw_down != travel_.stance().paw_down;
+  };
+  pass(kStanding, 30);
+  for (std::size_t i = 0; i < kLegs; ++i) {
+    for (double LegAngles::*const joint : {&LegAngles::rotator, &LegAngles::elevator, &LegAngles::knee}) {
+      Legs legs = kStanding;
+      legs[i].*joint += 0.1;
+      EXPECT_TRUE(moves(legs, {})) << "leg " << i;
+    }
+  }
+  travel_.lie(Side::kBack);  // on its head
+  pass(kStanding, 30);
+  for (double HeadAngles::*const joint : {&HeadAngles::neck_tilt, &HeadAngles::head_tilt}) {
+    HeadAngles head;
+    head.*joint += 0.1;
+    EXPECT_TRUE(moves(kStanding, head));
+  }
+}
+
 TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
   const Velocity velocities[] = {{0.10, 0, 0}, {-0.08, 0, 0}, {0, 0.05, 0}, {0, -0.05, 0}, {0, 0, 0.8}, {0, 0, -0.8}};
   for (const Velocity& velocity : velocities) {
@@ -258,6 +282,7 @@ TEST_F(TravelTest, AWallStopsIt) {
   EXPECT_NEAR(stopped, kLowestCorner[0] + 0.15, 0.01) << "with its rump at the wall";
   trot({-0.1, 0, 0}, 4);
   EXPECT_NEAR(travel_.place().x, stopped, 0.005);
+  EXPECT_DOUBLE_EQ(travel_.stance().body.translation().x(), travel_.place().x);
 }
 
 TEST_F(TravelTest, WhereverItGoesItsCameraStaysInTheRoom) {
@@ -275,6 +300,8 @@ TEST_F(TravelTest, AHeadThatTurnsTowardsAWallPushesTheRobotAway) {
   trot({0, 0.1, 0}, 25);
   const double before = travel_.place().y;
   EXPECT_NEAR(before, kHighestCorner[1] - 0.09, 0.02);
+  EXPECT_DOUBLE_EQ(travel_.stance().body.translation().y(), before);
+  pass(kStanding, 30);
   HeadAngles head;
   for (; head.head_pan < 1.5; head.head_pan += 0.01) {
     travel_.passFrame(kStanding, head, scene_);

@@ -74,8 +74,8 @@ TEST(ObjectConfigurationTest, RefusesAnObjectThatIsListedTwice) {
               AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("A.BIN")));
 }
 
-const std::vector<std::string> kServices = {"Robot.Image.Picture.S", "Robot.Sensor.Value.S", "Server.Image.Picture.O",
-                                            "Viewer.Image.Picture.O"};
+const std::vector<std::string> kServices = {"Robot.Image.Picture.S", "Robot.Sensor.Value.S", "Other.Image.Picture.S",
+                                            "Server.Image.Picture.O", "Viewer.Image.Picture.O"};
 
 std::vector<std::string> connections(const std::string& text) {
   std::istringstream stream(text);
@@ -93,8 +93,9 @@ std::string connectionError(const std::string& text) {
 TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnyWhiteSpaceBetween) {
   EXPECT_THAT(
       connections("# the camera\r\nRobot.Image.Picture.S\tServer.Image.Picture.O # here\r\n\r\n"
-                  "Robot.Image.Picture.S\n   Viewer.Image.Picture.O"),
-      ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O", "Robot.Image.Picture.S Viewer.Image.Picture.O"));
+                  "Robot.Image.Picture.S\n   Viewer.Image.Picture.O\nOther.Image.Picture.S Viewer.Image.Picture.O"),
+      ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O", "Robot.Image.Picture.S Viewer.Image.Picture.O",
+                  "Other.Image.Picture.S Viewer.Image.Picture.O"));
   EXPECT_TRUE(connections("").empty());
 }
 

@@ -216,6 +216,10 @@ TEST_F(OpenrApiTest, ColourTablesGoToTheCamera) {
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL) << "more tables than there is room for";
     EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oSUCCESS);
     EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
+    OCommandVectorData* commands = nullptr;
+    ASSERT_EQ(OPENR::NewCommandVectorData(1, &id, &commands), oSUCCESS);
+    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL) << "not of tables";
+    EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oSUCCESS);
   });
   EXPECT_EQ(test_.robot.calls, (std::vector<std::string>{"setCdtVectorData 1 8", "setCdtVectorData 8 8"}));
 }

@@ -53,6 +53,11 @@ class VirtualRobotAudioCommTest : public testing::Test {
   void take(const RCRegion& region) {
     OSoundVectorData vector{};
     std::memcpy(&vector, region.Base(), sizeof(vector));
+    EXPECT_EQ(vector.vectorInfo.type, odataSOUND_VECTOR);
+    EXPECT_EQ(vector.vectorInfo.infoOffset, offsetof(OSoundVectorData, info));
+    EXPECT_EQ(vector.vectorInfo.infoSize, sizeof(OSoundInfo));
+    EXPECT_EQ(vector.vectorInfo.totalSize, region.Size());
+    EXPECT_EQ(vector.vectorInfo.numData, 1U);
     const OSoundInfo& info = vector.info[0];
     EXPECT_EQ(info.channel, osoundchannelSTEREO);
     EXPECT_EQ(info.samplingRate, 16000);
@@ -245,8 +250,11 @@ TEST_F(VirtualRobotAudioCommTest, SoundVectorsHaveRoomAndAreFreedOnce) {
     MemoryRegionID id = 0;
     OSoundVectorData* vector = nullptr;
     EXPECT_EQ(OPENR::NewSoundVectorData(0, 1024, &id, &vector), oNO_MEMORY);
+    EXPECT_EQ(OPENR::NewSoundVectorData(1, 0, &id, &vector), oNO_MEMORY);
     EXPECT_EQ(OPENR::NewSoundVectorData(1, std::size_t{1} << 31, &id, &vector), oNO_MEMORY);
     ASSERT_EQ(OPENR::NewSoundVectorData(2, 1024, &id, &vector), oSUCCESS);
+    EXPECT_EQ(vector->vectorInfo.type, odataSOUND_VECTOR);
+    EXPECT_EQ(vector->vectorInfo.infoSize, sizeof(OSoundInfo));
     EXPECT_EQ(vector->vectorInfo.maxNumData, 2U);
     EXPECT_EQ(vector->vectorInfo.numData, 0U);
     EXPECT_EQ(vector->GetInfo(1)->dataOffset, vector->GetInfo(0)->dataOffset + 1024);
