@@ -43,7 +43,59 @@ const char* yesOrNo(bool value) {
   return value ? "yes" : "no";
 }
 
+void addAll(const Counts& counts, DiagnosticStatusWrapper& status) {
+  for (const auto& [name, count] : counts) {
+    status.add(name, count);
+  }
+}
+
 }  // namespace
+
+Counts connectionCounts(const ClientStatistics& client) {
+  return {{"connections made", client.connections},
+          {"attempts failed", client.failed_attempts},
+          {"streams given up for silence", client.stalls},
+          {"protocol errors", client.protocol_errors},
+          {"bytes received", client.bytes_received}};
+}
+
+Counts pictureCounts(const ClientStatistics& client, const RawImagePublisher::Statistics& images) {
+  return {{"pictures received", client.pictures},
+          {"pictures damaged", client.corrupt_pictures},
+          {"pictures nobody asked for", client.unexpected_pictures},
+          {"pictures dropped for newer ones", client.stale_pictures},
+          {"images decoded", images.published},
+          {"images not decodable", images.decode_errors},
+          {"images dropped for newer ones", images.skipped}};
+}
+
+Counts datagramCounts(const ClientStatistics& client) {
+  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
+    return {};
+  }
+  return {{"datagrams received", client.datagrams},
+          {"datagrams lost", client.lost_datagrams},
+          {"datagrams out of order", client.reordered_datagrams},
+          {"datagrams that came twice", client.duplicate_datagrams},
+          {"datagrams that are no part of a picture", client.bad_datagrams},
+          {"datagrams from strangers", client.foreign_datagrams},
+          {"lost datagrams that were repaired", client.repaired_datagrams},
+          {"pictures lost with a datagram", client.lost_pictures}};
+}
+
+Counts jointCounts(const ClientStatistics& client) {
+  return {{"measurements received", client.telemetry},
+          {"measurements dropped for newer ones", client.dropped_telemetry},
+          {"measurements dropped, more than asked for", client.thinned_telemetry},
+          {"impossible values dropped", client.impossible_values},
+          {"requests refused by the robot", client.refusals}};
+}
+
+Counts soundCounts(const ClientStatistics& client) {
+  return {{"messages", client.sounds},
+          {"gaps", client.sound_gaps},
+          {"messages dropped, more than asked for", client.thinned_sounds}};
+}
 
 DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                      const std::string& name, const Sources& sources)
@@ -90,7 +142,6 @@ DriverDiagnostics::Period DriverDiagnostics::takePeriod(const LinkMeter::Reading
 
 void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   const ConnectionStatus connection = sources_.client.status();
-  const ClientStatistics statistics = sources_.client.statistics();
   const bool connected = connection.state == ConnectionState::kConnected;
   // Until the first attempt has ended, nothing has gone wrong.
   const bool failed = !connected && !connection.reason.empty();
@@ -101,17 +152,11 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   status.add("protocol version", connection.protocol_version);
   status.add("reason", connection.reason);
   status.add("what to check", connection.advice);
-  status.add("connections made", statistics.connections);
-  status.add("attempts failed", statistics.failed_attempts);
-  status.add("streams given up for silence", statistics.stalls);
-  status.add("protocol errors", statistics.protocol_errors);
-  status.add("bytes received", statistics.bytes_received);
+  addAll(connectionCounts(sources_.client.statistics()), status);
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   const LinkMeter::Reading& reading = period_.stream;
-  const ClientStatistics client = sources_.client.statistics();
-  const RawImagePublisher::Statistics raw = sources_.raw_images.statistics();
   summarizeStream(status);
   reportDelay(period_.delay, status);
   reportTransport(status);
@@ -124,36 +169,19 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("KB per second", text::decimal(reading.kilobytesPerSecond(), 1));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
   status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
-  status.add("pictures received", client.pictures);
-  status.add("pictures damaged", client.corrupt_pictures);
-  status.add("pictures nobody asked for", client.unexpected_pictures);
-  status.add("pictures dropped for newer ones", client.stale_pictures);
-  status.add("images decoded", raw.published);
-  status.add("images not decodable", raw.decode_errors);
-  status.add("images dropped for newer ones", raw.skipped);
+  addAll(pictureCounts(sources_.client.statistics(), sources_.raw_images.statistics()), status);
 }
 
 // The stream works even if pictures come by TCP instead, but the user has to know.
 void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   const ConnectionStatus connection = sources_.client.status();
-  const ClientStatistics client = sources_.client.statistics();
   if (connection.wanted_transport == aibo_client::PictureTransport::kUdp && !connection.transport_problem.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
   }
   status.add("transport", nameOf(connection.transport));
   status.add("transport wanted", nameOf(connection.wanted_transport));
   status.add("why this transport", transportReason(connection));
-  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
-    return;
-  }
-  status.add("datagrams received", client.datagrams);
-  status.add("datagrams lost", client.lost_datagrams);
-  status.add("datagrams out of order", client.reordered_datagrams);
-  status.add("datagrams that came twice", client.duplicate_datagrams);
-  status.add("datagrams that are no part of a picture", client.bad_datagrams);
-  status.add("datagrams from strangers", client.foreign_datagrams);
-  status.add("lost datagrams that were repaired", client.repaired_datagrams);
-  status.add("pictures lost with a datagram", client.lost_pictures);
+  addAll(datagramCounts(sources_.client.statistics()), status);
 }
 
 void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
@@ -183,7 +211,6 @@ void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
 
 void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   const ConnectionStatus connection = sources_.client.status();
-  const ClientStatistics client = sources_.client.statistics();
   if (connection.state != ConnectionState::kConnected) {
     status.summary(DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
   } else if (!connection.robot.design.empty() && connection.robot.design != sources_.parameters.robot) {
@@ -209,11 +236,7 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   }
   reportWhatCannotMove(status);
   status.add("measurements per second", text::decimal(period_.measurement_rate, 1));
-  status.add("measurements received", client.telemetry);
-  status.add("measurements dropped for newer ones", client.dropped_telemetry);
-  status.add("measurements dropped, more than asked for", client.thinned_telemetry);
-  status.add("impossible values dropped", client.impossible_values);
-  status.add("requests refused by the robot", client.refusals);
+  addAll(jointCounts(sources_.client.statistics()), status);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);
   status.add("said by the robot", connection.robot_message);
@@ -232,7 +255,6 @@ void DriverDiagnostics::reportWhatCannotMove(DiagnosticStatusWrapper& status) co
 }
 
 void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
-  const ClientStatistics client = sources_.client.statistics();
   const bool listens = sources_.microphone.hasSubscribers();
   if (!listens) {
     status.summary(DiagnosticStatus::OK, "idle: microphone has no subscriber");
@@ -248,9 +270,7 @@ void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
   status.add("listening", yesOrNo(listens));
   status.add("playing", yesOrNo(sources_.player.isPlaying()));
   status.add("messages per second", text::decimal(period_.sound_rate, 1));
-  status.add("messages", client.sounds);
-  status.add("gaps", client.sound_gaps);
-  status.add("messages dropped, more than asked for", client.thinned_sounds);
+  addAll(soundCounts(sources_.client.statistics()), status);
 }
 
 void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {
