@@ -90,7 +90,7 @@ ColorTable parseColorTable(const std::string& text, const std::string& source) {
   } catch (const YAML::Exception& error) {  // the library's text may quote the file, which may be any file
     throw ColorTableException(source + ": it is not YAML: see its line " + std::to_string(error.mark.line + 1) + ".");
   }
-  if (!file.IsMap() || !file["ranges"] || !file["ranges"].IsSequence() || file["ranges"].size() == 0) {
+  if (!file.IsMap() || !file["ranges"].IsSequence() || file["ranges"].size() == 0) {
     throw ColorTableException(source + ": it has no list of ranges, such as in config/colors/pink_ball.yaml.");
   }
   ColorTable table;

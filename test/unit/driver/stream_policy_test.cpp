@@ -83,9 +83,11 @@ TEST_F(StreamPolicyTest, WithoutDemandSubscribersDoNotMatter) {
 }
 
 TEST_F(StreamPolicyTest, DecidesNothingAfterStop) {
-  StreamPolicy policy(true, false);
+  StreamPolicy policy(true, true);
+  has_subscriber_ = true;
   start(policy);
   policy.stop();
+  EXPECT_TRUE(policy.waitsForSubscriber()) << "it asks nobody any more";
   policy.setWanted(false);
   EXPECT_EQ(streaming_, true);
 }
