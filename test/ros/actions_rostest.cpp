@@ -242,21 +242,25 @@ TEST(FollowGoal, ThatIsCancelledHoldsItsJoints) {
     FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 1.4}}, 7.0));
     ASSERT_TRUE(user.waitForPanBeyond(0.1));
     goal.cancel();
-    EXPECT_EQ(goal.waitForEnd(), State::PREEMPTED);
+    ASSERT_EQ(goal.waitForEnd(), State::PREEMPTED);
+    EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::SUCCESSFUL);
+    EXPECT_EQ(goal.result()->error_string, "the goal was cancelled");
     EXPECT_TRUE(user.joints.waitForSpeedBelow("head_pan", 0.03));
     EXPECT_LT(user.joints.position("head_pan"), 1.0);
   }
 }
 
-TEST(FollowGoal, IsAbortedIfAJointLeavesItsPath) {
+TEST(FollowGoal, IsAbortedAndHoldsAllItsJointsIfOneLeavesItsPath) {
   FollowUser user("/follow_path");
   // The joint before it has no tolerance.
-  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}, {"neck_tilt", -1.0}}, 1.0);
+  FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.4}, {"neck_tilt", -1.0}}, 7.0);
   request.path_tolerance = {tolerance("neck_tilt", 0.0001)};
   FollowGoal goal(user.client, request);
   ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::PATH_TOLERANCE_VIOLATED);
   EXPECT_THAT(goal.result()->error_string, HasSubstr("neck_tilt is"));
+  EXPECT_TRUE(user.joints.waitForSpeedBelow("head_pan", 0.03));
+  EXPECT_LT(user.joints.position("head_pan"), 1.0);
 }
 
 TEST(FollowGoal, IsAbortedIfAJointDoesNotKeepItsSpeed) {
@@ -339,6 +343,15 @@ TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {
   FollowGoal fast(user.client, FollowUser::goal({{"head_pan", 1.0}}, 0.01));
   ASSERT_EQ(fast.waitForEnd(), State::REJECTED);
   EXPECT_EQ(fast.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
+  for (const auto tolerances :
+       {&FollowJointTrajectoryGoal::path_tolerance, &FollowJointTrajectoryGoal::goal_tolerance}) {
+    FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 1.0}}, 1.0);
+    request.*tolerances = {tolerance("head_pan", 1), tolerance("neck_tilt", 1)};
+    FollowGoal other(user.client, request);
+    ASSERT_EQ(other.waitForEnd(), State::REJECTED);
+    EXPECT_EQ(other.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
+    EXPECT_EQ(other.result()->error_string, "it has a tolerance for neck_tilt, which it does not move");
+  }
 }
 
 TEST(FollowGoal, OfAJointThatDoesNotMoveFails) {
@@ -346,8 +359,10 @@ TEST(FollowGoal, OfAJointThatDoesNotMoveFails) {
   user.robot.type("jam head_pan");
   FollowJointTrajectoryGoal request = FollowUser::goal({{"head_pan", 0.8}}, 1.0);
   request.goal_tolerance = {tolerance("head_pan", 0)};  // the usual one
+  const ros::WallTime begin = ros::WallTime::now();
   FollowGoal goal(user.client, request);
   ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_GT((ros::WallTime::now() - begin).toSec(), 3) << "a joint has two seconds more to arrive";
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::GOAL_TOLERANCE_VIOLATED);
   EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan"));
   request.goal_tolerance = {tolerance("head_pan", -1)};  // none
@@ -369,6 +384,7 @@ TEST(FollowGoal, IsAbortedByStop) {
   ASSERT_TRUE(goal.waitForFeedback());
   EXPECT_TRUE(user.call<std_srvs::Trigger>("stop").success);
   ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
   EXPECT_THAT(goal.result()->error_string, HasSubstr("called stop"));
 }
 

@@ -120,8 +120,12 @@ TEST(Goal, TheRobotGoesToItAndToTheNext) {
 
 TEST(Goal, CancellingStopsTheRobotForTheReasonThatTheResultHas) {
   GoalUser user("/cancels");
-  Going there(user.go_to, goalAt(2));
+  Going there(user.go_to, goalAt(2, 0, 1));
   ASSERT_TRUE(user.walksTowards(0.1));
+  const auto feedback = there.waitForFeedback();
+  ASSERT_TRUE(feedback);
+  EXPECT_GT(feedback->distance, 1.2);
+  EXPECT_NEAR(feedback->turn, 1, 0.2);
   there.cancel();
   EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
