@@ -14,6 +14,7 @@
 #include <aibo_driver/Touch.h>
 #include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
+#include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/CompressedImage.h>
@@ -156,10 +157,12 @@ TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
   SimulatedRobot robot;
   Footprints footprints("/no_footprint");
   TopicListener<Imu> accelerations("/no_footprint/imu/data_raw");
+  TopicListener<nav_msgs::Odometry> odom("/no_footprint/odom");
   DriverProcess driver("/no_footprint", robot.port(),
                        {"_publish_footprint:=false", "_publish_odom_tf:=false", ownTf("/no_footprint")});
   ASSERT_GE(accelerations.waitForCount(30).size(), 30u);
-  EXPECT_EQ(footprints.count(), 0u);
+  ASSERT_TRUE(odom.waitForNext());
+  EXPECT_EQ(footprints.count(), 0u) << "neither the footprint nor the odometry";
 }
 
 TEST(TouchTopic, FollowsWhatIsPressed) {
@@ -397,6 +400,7 @@ TEST(Body, OfARobotWithAVersion1ServerWorksToo) {
   EXPECT_TRUE(played.success) << played.message;
   const auto missing = user.play("fly", 1);
   EXPECT_FALSE(missing.success);
+  EXPECT_THAT(user.driver.output(), Not(HasSubstr("ends early"))) << "no version 1 server says how a motion ends";
   EXPECT_FALSE(user.call<ListMotions>("list_motions").success) << "no version 1 server lists them";
   const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
   EXPECT_FALSE(taken.success);

@@ -121,7 +121,8 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
     const auto& transform = each.transforms.front();
     return transform.child_frame_id == "base_footprint" && transform.header.stamp == odom->header.stamp &&
            transform.transform.translation.x == odom->pose.pose.position.x &&
-           transform.transform.rotation.w == odom->pose.pose.orientation.w;
+           transform.transform.translation.y == odom->pose.pose.position.y &&
+           transform.transform.rotation == odom->pose.pose.orientation;
   }));
   walker.letGo();
   const auto let_go = std::chrono::steady_clock::now();
@@ -274,12 +275,14 @@ TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
   };
   const std::vector<ros::Time> floor = stamps_of("left/odom", "left/base_footprint");
   const std::vector<ros::Time> body = stamps_of("left/base_footprint", "left/base_link");
-  ASSERT_GT(body.size(), 10u);
+  std::size_t shared = 0;
   for (const ros::Time& stamp : body) {
     if (stamp < floor.back()) {
       EXPECT_NE(std::find(floor.begin(), floor.end(), stamp), floor.end());
+      ++shared;
     }
   }
+  EXPECT_GT(shared, 10u);
 }
 
 TEST(Walk, LeavesTheHeadToThoseWhoLookAround) {
