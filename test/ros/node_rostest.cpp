@@ -39,7 +39,9 @@ using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::Contains;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using ImageListener = TopicListener<sensor_msgs::Image>;
@@ -181,7 +183,8 @@ TEST(Node, WarnsOfACalibrationThatDoesNotExist) {
 
 TEST(Node, WarnsOfAMisspeltParameter) {
   DriverProcess driver("/misspelt", 54321, {"_jpg_quality:=50"});
-  driver.waitForOutput("/misspelt/aibo_driver/jpg_quality", kSafetyNet);
+  driver.waitForOutput("WARN.*The driver has no parameter /misspelt/aibo_driver/jpg_quality, and ignores it",
+                       kSafetyNet);
 }
 
 TEST(Node, EndsByItselfOnCtrlCWithAndWithoutARobot) {
@@ -215,6 +218,11 @@ TEST(Node, TwoDriversServeTwoRobots) {
   EXPECT_THAT(left_proxy.picturesFromRobot(), Contains(left_published.back()->data));
   EXPECT_THAT(right_proxy.picturesFromRobot(), Contains(right_published.back()->data));
   EXPECT_NE(left_published.back()->data, right_published.back()->data);
+  for (const char* const warning :
+       {"has no parameter", "There is no model", "commands are refused", "does not stop a walk",
+        "not an address of this computer", "camera_info_url names"}) {
+    EXPECT_THAT(left.output(), Not(HasSubstr(warning))) << "nothing is wrong";
+  }
 }
 
 // How many nodes publish a topic, as the master sees it.
