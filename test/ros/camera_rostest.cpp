@@ -328,11 +328,10 @@ TEST(Calibration, ThatCannotBeStoredIsNotUsed) {
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one stays";
 }
 
-TEST(Calibration, OfTwoRobotsIsInTwoFiles) {
+TEST(Calibration, OfTwoRobotsIsInTwoFilesAlsoIfTheyAreNotThere) {
   const test_support::TemporaryFolder home;
-  SimulatedRobot robot;
   for (const std::string name_space : {"/one", "/two"}) {
-    DriverProcess driver(name_space, robot.port(), {}, {{"ROS_HOME", home.path().string()}});
+    DriverProcess driver(name_space, 1, {}, {{"ROS_HOME", home.path().string()}});
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = goodCalibration();
     call.request.camera_info.K[0] = name_space == "/one" ? 190.0 : 200.0;
