@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <optional>
 
 #include "aibo_client/exceptions.h"
 #include "command_line/interruption.h"
@@ -16,6 +15,7 @@ using aibo_client::ConnectionStatus;
 using aibo_client::FaultKind;
 using aibo_client::LogLevel;
 using aibo_client::RcServerClient;
+using aibo_client::RefusalCause;
 
 namespace {
 
@@ -31,6 +31,13 @@ ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
   options.port = address.port;
   options.connect_timeout = std::clamp(address.timeout, milliseconds(50), options.connect_timeout);
   return options;
+}
+
+std::string wordsOf(const aibo_client::Refusal& refusal) {
+  if (refusal.cause == RefusalCause::kJointFault && !refusal.ids.empty()) {
+    return "joint " + std::to_string(refusal.ids.front()) + ": " + refusal.reason;
+  }
+  return (refusal.cause == RefusalCause::kRobot ? "the robot refused: " : "") + refusal.reason;
 }
 
 /// Limits something that a robot can send endlessly. The newest items are kept.
@@ -129,20 +136,11 @@ bool Robot::waitUntil(const std::function<bool(const Received&)>& done, nanoseco
   }
 }
 
-void Robot::beginRequest() {
-  showWarnings();
-  refusals_before_ = client_->statistics().refusals;
-}
-
 bool Robot::waitUnlessRefused(const std::function<bool(const Received&)>& done, nanoseconds timeout) {
-  const bool in_time = waitUntil(
-      [&](const Received& received) { return client_->statistics().refusals > refusals_before_ || done(received); },
-      timeout);
-  if (client_->statistics().refusals > refusals_before_) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    const std::string why = warnings_.empty() ? "the robot refused" : warnings_.back();
-    warnings_.clear();
-    throw aibo_client::CommandException(why);
+  const bool in_time = waitUntil([&](const Received& received) { return received.refusal || done(received); }, timeout);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (const std::optional<std::string> refusal = std::exchange(received_.refusal, std::nullopt)) {
+    throw aibo_client::CommandException(*refusal);
   }
   return in_time;
 }
@@ -159,6 +157,7 @@ aibo_client::Callbacks Robot::callbacks() {
       }
     });
   };
+  callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { noteRefusal(refusal); };
   callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
     change([&] { keep(end, kMostEnds, &received_.ends); });
   };
@@ -218,6 +217,16 @@ void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   });
 }
 
+// After the fault of a joint, version 2 may still report that it has become free and has arrived.
+void Robot::noteRefusal(const aibo_client::Refusal& refusal) {
+  change([&] {
+    const bool may_go_on = refusal.cause == RefusalCause::kJointFault && received_.status.protocol_version != 1;
+    if (!may_go_on && !received_.refusal) {
+      received_.refusal = wordsOf(refusal);
+    }
+  });
+}
+
 // The reason for a missing connection is not noted: checkConnection() and the statistics of `watch` show it.
 void Robot::noteLog(LogLevel level, const std::string& message) {
   if (level >= LogLevel::kWarn) {
@@ -247,6 +256,9 @@ void Robot::showWarnings() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     warnings.swap(warnings_);
+    if (const std::optional<std::string> refusal = std::exchange(received_.refusal, std::nullopt)) {
+      warnings.push_back(*refusal);
+    }
   }
   for (const std::string& warning : warnings) {
     output_.note("aibo: " + warning);

@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,7 @@ struct Received {
   std::map<int, aibo_client::JointReading> joints;  ///< the latest readings, by identifier
   std::map<int, double> sensors;                    ///< the latest values, by identifier
   std::map<int, double> accepted_joints;            ///< rad, by identifier
+  std::optional<std::string> refusal;               ///< why an order was refused or dropped; the first one
   std::deque<aibo_client::MotionEnd> ends;          ///< the newest kMostEnds
   std::deque<ArrivedPicture> pictures;              ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;       ///< the newest kMostSounds that nobody has taken yet
@@ -101,15 +103,13 @@ class Robot {
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
-  /// Call this before sending a request that has no answer of its own. waitUnlessRefused() then ignores older refusals,
-  /// for example of a sensor that an older robot does not have.
-  void beginRequest();
-
-  /// Waits like waitUntil() after such a request.
-  /// @throw CommandException the robot has refused a request
+  /// Waits like waitUntil() after an order that has no answer of its own. Other requests may be refused, such as one
+  /// for a sensor that an older robot does not have.
+  /// @throw CommandException the order was refused or dropped
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
 
-  /// Shows the user the client's warnings since the last call. The destructor does so, too.
+  /// Shows the user the client's warnings, and an order's refusal that nobody waited for, since the last call. The
+  /// destructor does so, too.
   void showWarnings();
 
  private:
@@ -119,6 +119,7 @@ class Robot {
   void noteStatus(const aibo_client::ConnectionStatus& status);
   void notePicture(const aibo_client::PicturePtr& picture);
   void noteTelemetry(const aibo_client::Telemetry& telemetry);
+  void noteRefusal(const aibo_client::Refusal& refusal);
   void noteLog(aibo_client::LogLevel level, const std::string& message);
   void checkConnection(const Received& received) const;
   void waitForEvent(std::chrono::steady_clock::time_point deadline);
@@ -128,10 +129,9 @@ class Robot {
   const std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended_;
   aibo_client::Event changed_;
   mutable std::mutex mutex_;
-  Received received_;                 // guarded by mutex_
-  robot_time::RobotClock clock_;      // guarded by mutex_
-  std::deque<std::string> warnings_;  // the newest kMostWarnings; guarded by mutex_
-  std::uint64_t refusals_before_ = 0;
+  Received received_;                                    // guarded by mutex_
+  robot_time::RobotClock clock_;                         // guarded by mutex_
+  std::deque<std::string> warnings_;                     // the newest kMostWarnings; guarded by mutex_
   std::unique_ptr<aibo_client::RcServerClient> client_;  // last, because its thread uses all members above
 };
 

@@ -102,10 +102,12 @@ class ScriptedServer:
         self.socket.close()
 
 
-def says_hello(server, names=b"", flood=None):
+def says_hello(server, names=b"", flood=None, answers=None):
     """A server of version 2 with a name, which lists motions of these names and refuses everything else. What `flood`
-    makes of a number comes without end."""
-    hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N\nlimits=\n" % server
+    makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
+    pushed then; the last one comes again and again. None is the usual reply."""
+    hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
+        server, b" ".join(answers or ()))
 
     def serve(client):
         client.recv(2, socket.MSG_WAITALL)
@@ -116,14 +118,24 @@ def says_hello(server, names=b"", flood=None):
             if flood and is_greeted and not select.select([client], [], [], 0)[0]:
                 client.sendall(b"".join(flood(next(numbers)) for _ in range(100)))
                 continue
-            if not (header := client.recv(8, socket.MSG_WAITALL)):
+            if len(header := client.recv(8, socket.MSG_WAITALL)) < 8:
                 return
             is_greeted = True
-            kind, _, number, size = struct.unpack(">cBHI", header)
+            kind, identifier, number, size = struct.unpack(">cBHI", header)
             client.recv(size, socket.MSG_WAITALL)
-            reply = {b"H": (b"h", hello), b"N": (b"n", names)}.get(kind, (b"e", b"\x00\x00no"))
-            client.sendall(version2_frame(reply[0], reply[1], number))
+            left = (answers or {}).get(kind, [[None]])
+            payload, *pushed = left.pop(0) if len(left) > 1 else left[0]
+            payload = {b"H": hello, b"N": names}.get(kind) if payload is None else payload
+            client.sendall(version2_frame(b"e", b"\x00\x00no", number) if payload is None else
+                           version2_frame(kind.lower(), payload, number, identifier))
+            client.sendall(b"".join(version2_frame(*frame) for frame in pushed))
     return serve
+
+
+def measured(frame=1, **groups):
+    """Pushed telemetry: the values of some joints (J) and sensors (S) by their identifiers."""
+    values = [struct.pack(">cBxxi", group.encode(), *item) for group in groups for item in groups[group].items()]
+    return b"t", struct.pack(">IHxx", frame, len(values)) + b"".join(values)
 
 
 class Witness(ScriptedServer):
@@ -169,6 +181,11 @@ class TestCase(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp(prefix="aibo_test."))
         self.addCleanup(shutil.rmtree, self.folder)
 
+    def server(self, serve):
+        server = ScriptedServer(serve)
+        self.addCleanup(server.end)
+        return server.port
+
     def aibo(self, *words, status=DONE, port=None):
         """Runs a command. Whatever happens, nothing that a terminal obeys comes out."""
         result = run(*words, port=port or self.robot.port, folder=self.folder)
@@ -210,8 +227,13 @@ class OnBothVersions:
         self.assertEqual(said, f"208x160 pixels, {size} bytes: {self.folder}/a.jpg\n")
 
     def test_gives_a_picture_a_name(self):
-        self.aibo("picture")
-        self.assertRegex("".join(os.listdir(self.folder)), r"^aibo-\d{8}-\d{6}\.jpg$")
+        def now():
+            return time.strftime("aibo-%Y%m%d-%H%M%S.jpg", time.gmtime(time.time() + 9 * 3600))
+        begin = now()
+        subprocess.run([AIBO, "--port", str(self.robot.port), "picture"], cwd=self.folder, timeout=120, check=True,
+                       stdout=subprocess.DEVNULL, env={**environment(), "TZ": "Here-9"})
+        name, = os.listdir(self.folder)
+        self.assertTrue(begin <= name <= now(), name)
 
     def test_writes_a_picture_to_a_pipe(self):
         self.assertEqual(self.aibo("picture", "-o", "-").stdout[:3], b"\xff\xd8\xff")
@@ -229,7 +251,9 @@ class OnBothVersions:
             self.assertTrue(joint["lowest"] - 0.05 <= joint["position"] <= joint["highest"] + 0.05, joint)
 
     def test_moves_joints_until_they_have_arrived(self):
-        joints = self.json("move", "head_pan=20deg", "tail_pan=-0.2rad", "--speed", "120deg/s")["joints"]
+        moved = self.aibo("--json", "move", "head_pan=20deg", "tail_pan=-0.2rad", "--speed", "120deg/s")
+        self.assertNotIn("cannot go to", moved.errors)
+        joints = json.loads(moved.stdout)["joints"]
         self.assertEqual([joint["name"] for joint in joints], ["head_pan", "tail_pan"])
         for joint, wanted in zip(joints, (0.349, -0.2)):
             self.assertAlmostEqual(joint["position"], wanted, delta=0.02)
@@ -250,7 +274,7 @@ class OnBothVersions:
 
     def test_moves_nothing_if_one_joint_is_misspelt(self):
         before = self.position("tail_tilt")
-        self.assertIn("no joint 'nose'",
+        self.assertIn("the ERS-7 has no joint 'nose': `aibo joints` lists them",
                       self.aibo("move", "tail_tilt=50deg", "nose=1deg", status=WRONG_USAGE).errors)
         self.assertAlmostEqual(self.position("tail_tilt"), before, delta=0.01)
 
@@ -263,7 +287,9 @@ class OnBothVersions:
         self.assertTrue(0.5 < battery["charge"] <= 1 and 0 < battery["temperature"] < 60, battery)
 
     def test_plays_a_motion_for_a_time(self):
+        begin = time.monotonic()
         played = self.aibo("--json", "play", "wag", "--times", "50", "--seconds", "1")
+        self.assertGreater(time.monotonic() - begin, 1)
         self.assertEqual((json.loads(played.stdout)["to_its_end"], played.errors), (False, ""))
         self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
         self.aibo("play", "../../x", status=WRONG_USAGE)
@@ -279,12 +305,12 @@ class OnBothVersions:
 
     def test_uploads_only_what_is_allowed(self):
         self.aibo("upload", NOD, "wave", status=FAILED)
-        self.assertIn("not a motion", self.aibo("upload", __file__, "wave", status=FAILED).errors)
+        self.assertIn("not a motion", self.aibo("upload", PROJECT / "package.xml", "wave", status=FAILED).errors)
         self.aibo("upload", NOD, "con", status=WRONG_USAGE)
 
     def test_watches_the_stream(self):
         watched = self.aibo("--json", "watch", "--seconds", "2")
-        self.assertNotIn("Saved", watched.errors)
+        self.assertNotRegex(watched.errors, "Saved|too slow for 0")
         lines = watched.stdout.splitlines()
         self.assertEqual(len(lines), 2)
         for line in map(json.loads, lines):
@@ -309,7 +335,12 @@ class OnBothVersions:
         report = self.examined()
         self.assertEqual({finding["topic"] for finding in report["findings"]} -
                          {"allows"}, {"name", "port", "server", "battery", "stream", "gaps"})
-        self.assertRegex(next(f["text"] for f in report["findings"] if f["topic"] == "server"), self.SERVER)
+        self.assertEqual((report["host"], report["port"]), ("127.0.0.1", self.robot.port))
+        texts = {finding["topic"]: finding["text"] for finding in report["findings"]}
+        self.assertEqual(texts["name"], "127.0.0.1 is an address")
+        self.assertRegex(texts["server"], self.SERVER)
+        self.assertEqual(texts["gaps"], "the longest time without a picture was "
+                         f"{1000 * report['stream']['longest_gap']:.0f} ms")
         self.assertGreater(report["stream"]["pictures"], 0)
 
     def test_a_busy_robot_is_called_busy(self):
@@ -386,12 +417,17 @@ class Version1(OnBothVersions, TestCase):
             self.assertLessEqual(connection.count("no request to set the camera"), 1, said)
 
     def test_plays_for_ten_seconds_because_it_does_not_know_the_end(self):
+        begin = time.monotonic()
         played = self.aibo("play", "wag", "--times", "50")
+        self.assertGreater(time.monotonic() - begin, 10)
         self.assertIn("it is stopped after 10 s", played.errors)
         self.assertEqual(played.stdout, b"WAG.MTN was played, and stopped when its time was over.\n")
 
     def test_stops_motions(self):
-        self.assertEqual(self.json("stop"), {"stopped": True, "holds": False})
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        self.assertEqual(self.json("stop", port=witness.port), {"stopped": True, "holds": False})
+        self.assertEqual(witness.sent[-1], b"P" + bytes(17), "no name: all")
 
     def check_hold(self, witness):
         """The joint is told to stay where it is: such a server may go on without its client."""
@@ -414,7 +450,10 @@ class Version2(OnBothVersions, TestCase):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
         answer = self.json("play", "nod")
         self.assertEqual((answer["motion"], answer["to_its_end"], answer["changes"]), ("NOD.MTN", True, ""))
-        self.assertIn("too fast", self.json("play", "nod", "--speed", "20deg/s")["changes"])
+        slow = self.aibo("--json", "play", "nod", "--speed", "20deg/s")
+        changes = json.loads(slow.stdout)["changes"]
+        self.assertIn("too fast", changes)
+        self.assertEqual(slow.errors, f"NOD.MTN plays differently than in its file: {changes}.\n")
 
     def test_stands_walks_and_rests(self):
         self.assertEqual(self.json("stand"), {"posture": "stand"})
@@ -440,7 +479,6 @@ class Version2(OnBothVersions, TestCase):
     def test_sets_the_camera_for_a_picture(self):
         self.json("picture", "-o", "a.jpg", "--white-balance", "indoor", "--gain", "low", "--shutter", "fast")
         self.assertEqual(self.json("picture", "-o", "b.jpg", "--resolution", "104x80")["width"], 104)
-        self.aibo("picture", "--gain", "loud", status=WRONG_USAGE)
 
     def check_hold(self, witness):
         self.assertEqual(witness.take("I"), [("I", 1, b"\2")])
@@ -473,8 +511,9 @@ class Asked(TestCase):
                 asked = {number: value[0] for kind, number, value in requests if kind == "G"}
                 self.assertEqual({number: asked[number] for number in settings}, settings)
                 self.assertEqual({request for request in requests if request[0] == "F"}, {("F", 40, b"\1")})
-        watched = self.asked("WG", "watch", "--seconds", 1, "-q", 30, "--resolution", "52x40", "--every", 3,
+        watched = self.asked("WG", "--json", "watch", "--seconds", 1, "-q", 30, "--resolution", "52x40", "--every", 3,
                              "--gain", "low")
+        self.assertLess(json.loads(self.said)["stream"]["loss"], 0.6, "images that nobody asked for are not lost")
         self.assertIn(("W", 30, b"\1\2\0\3"), watched)
         self.assertIn(("G", 2, b"\1"), watched)
 
@@ -499,12 +538,12 @@ class Asked(TestCase):
         self.assertIn(struct.pack(">Bxxxi", 2, 1047198),
                       self.asked("V", "move", "head_pan=0deg", "--speed", "60deg/s")[-1][2])
         self.assertIn(struct.pack(">Bxxxi", 51, 500000), self.asked("V", "move", "tail_pan=0deg")[-1][2])
-        self.assertRegex(self.text("joints"), r"(?m)^head_pan +-?0.0   -88 to 88$")
+        self.assertRegex(self.text("joints"), r"(?ms)\A {23}degrees   limits$.*^head_pan +-?0\.0   -88 to 88$")
         for speed in ("0.5deg/s", "172deg/s"):
             self.assertIn("0.6deg/s to 171deg/s", self.aibo("move", "mouth=0deg", "--speed", speed,
                                                             status=WRONG_USAGE).errors)
         self.robot.ask("jam head_pan")
-        late = self.aibo("move", "head_pan=40deg", "--speed", "170deg/s", status=FAILED).errors
+        late = self.aibo("move", "head_pan=40deg", "tail_pan=5deg", "--speed", "170deg/s", status=FAILED).errors
         self.robot.ask("free head_pan")
         self.assertRegex(late, "not all joints have arrived: head_pan is at -?0.[0-9] degrees instead of 40.0 degrees. "
                                "The robot says: .*head_pan")
@@ -585,6 +624,12 @@ class Asked(TestCase):
         self.assertEqual((battery["good"], battery["text"], battery["advice"]),
                          (False, "18 % charged", "Charge it soon."))
         self.assertFalse(report["good"])
+
+    def test_for_nothing_but_pictures_while_the_stream_is_examined(self):
+        witness = Witness(self.robot.port)
+        self.addCleanup(witness.end)
+        run("doctor", "--seconds", "1", port=witness.port)
+        self.assertEqual([payload for _, _, payload in witness.take("T")][:2], [b"\0\4", b"\0\0"])
 
     def test_a_stream_with_few_or_lost_pictures_is_bad(self):
         for options in (("--encode-time", "45"), ("--protocol-version", "1", "--encode-time", "100")):
@@ -803,12 +848,18 @@ class WithSound(TestCase):
         self.assertLess(size, 16000 * 2 * 30)
         self.assertTrue(self.json("joints")["joints"])
 
+    def test_a_sound_that_the_robot_ends_has_failed(self):
+        self.write("bark.wav", bytes(1000))
+        port = self.server(says_hello(b"", answers={
+            b"A": [[struct.pack(">I", 9000), (b"a", struct.pack(">BxxxIII", 3, 100, 0, 0), 0, 2)]]}))
+        self.assertIn("aibo: The robot has ended it: no more samples came for 2 s.\n",
+                      self.aibo("play-sound", "bark.wav", port=port, status=FAILED).errors)
+
     def test_a_robot_without_sound_is_said(self):
-        server = ScriptedServer(says_hello(b"RCServer"))
-        self.addCleanup(server.end)
+        port = self.server(says_hello(b"RCServer"))
         self.write("bark.wav", bytes(4000))
         for words in (["listen"], ["play-sound", "bark.wav"]):
-            self.assertIn("newer RCServer", self.aibo(*words, port=server.port, status=FAILED).errors)
+            self.assertIn("newer RCServer", self.aibo(*words, port=port, status=FAILED).errors)
 
 
 class Lost(TestCase):
@@ -849,6 +900,11 @@ class Lost(TestCase):
             finally:
                 watch.kill()
                 robot.end()
+
+    def test_a_slow_movement_goes_on_while_the_robot_is_there(self):
+        self.robot = SimulatedRobot()
+        self.addCleanup(self.robot.end)
+        self.assertRegex(self.text("move", "head_pan=40deg", "--speed", "6deg/s"), "^head_pan is at (39|40)")
 
     def test_a_movement_fails(self):
         robot = SimulatedRobot()
@@ -892,10 +948,10 @@ class Flooded(TestCase):
 
 
 class Unreachable(TestCase):
-    def server(self, serve):
-        server = ScriptedServer(serve)
-        self.addCleanup(server.end)
-        return server.port
+    @staticmethod
+    def own_address():
+        """The port of a robot's console is fixed, so the address is one that no other test has."""
+        return "127.1.%d.%d" % divmod(os.getpid() % 65536, 256)
 
     def test_nobody_there(self):
         with socket.socket() as reserved:
@@ -910,8 +966,7 @@ class Unreachable(TestCase):
             report = self.json("doctor", port=port, status=UNREACHABLE)
             self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
             self.assertIn("Name the robot: aibo doctor HOST.", report["findings"][-1]["advice"])
-            # The port of a robot's console is fixed, so the address is one that no other test has.
-            address = "127.1.%d.%d" % divmod(os.getpid() % 65536, 256)
+            address = self.own_address()
             report = self.json("doctor", address, port=port, status=UNREACHABLE)
             self.assertNotIn("Name the robot", report["findings"][-1]["advice"])
             with socket.create_server((address, 59000)):
@@ -919,15 +974,18 @@ class Unreachable(TestCase):
             self.assertIn("the robot is on, but RCServer is not running", report["findings"][-1]["advice"])
 
     def test_a_robot_that_does_not_answer(self):
-        with socket.socket() as full:
-            full.bind(("127.0.0.1", 0))
+        address = self.own_address()
+        with socket.socket() as full, socket.create_server((address, 59000)):
+            full.bind((address, 0))
             full.listen(0)  # Linux keeps one connection more than that, and ignores those that come after it
             with socket.create_connection(full.getsockname()):
-                report = self.json("--timeout", "0.3", "doctor", port=full.getsockname()[1], status=UNREACHABLE)
+                report = self.json("--timeout", "0.3", "doctor", address, port=full.getsockname()[1],
+                                   status=UNREACHABLE)
                 self.assertIn("did not answer within 300 ms. Is the robot switched on",
-                              self.aibo("--timeout", "0.3", "joints", port=full.getsockname()[1],
+                              self.aibo("--timeout", "0.3", "--host", address, "joints", port=full.getsockname()[1],
                                         status=UNREACHABLE).errors)
-        finding = report["findings"][-1]
+        finding, = report["findings"]
+        self.assertEqual((finding["topic"], finding["good"]), ("port", False))
         self.assertIn("did not answer", finding["text"])
         self.assertIn("is its switch WIRELESS, under the stomach cover, on?", finding["advice"])
         self.assertIn("pause button", finding["advice"])
@@ -969,8 +1027,9 @@ class Unreachable(TestCase):
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))
-        self.assertIn("does not speak the RCServer's protocol",
-                      self.aibo("joints", port=port, status=UNREACHABLE).errors)
+        errors = self.aibo("joints", port=port, status=UNREACHABLE).errors
+        self.assertIn("does not speak the RCServer's protocol", errors)
+        self.assertNotIn("AIBO_HOST", errors)
 
     def test_control_characters_of_a_robot_never_reach_the_terminal(self):
         for name in (b"RCServer \x1b[2J", b"RCServer \xc2\x9b2J", b"RCServer \xe2\x80\xae"):
@@ -990,10 +1049,120 @@ class Unreachable(TestCase):
             self.assertEqual(os.listdir(self.folder), [])
 
 
+class Answered(TestCase):
+    """Robots whose answers differ from those of the simulated one."""
+    JOINTS = [*range(1, 5), 51, 52, *(leg + joint for leg in (10, 20, 30, 40) for joint in range(1, 4))]
+
+    def test_a_robot_that_measures_less(self):
+        def start_with(report, *words):
+            return start("--json", *words, port=self.server(says_hello(b"", answers={b"T": [[b"\0\4", report]]})))
+        some, charge = measured(J={2: 100000, 51: -200000}, S={67: 29000000}), measured(S={66: 870000})
+        failing = {"where its joints are, so none was moved": start_with(some, "move", "head_pan=1deg"),
+                   "its battery: does its server support sensors": start_with(some, "battery"),
+                   "its battery: does its server": start_with(charge, "battery"),
+                   "its joints: does its server": start_with(charge, "joints")}
+        joints, sensors = (start_with(some, command) for command in ("joints", "sensors"))
+        for problem, command in failing.items():
+            with command:
+                self.assertIn("aibo: the robot does not report " + problem, command.communicate()[1].decode())
+                self.assertEqual(command.returncode, FAILED)
+        with joints, sensors:
+            self.assertEqual([(joint["name"], joint["position"]) for joint in json.load(joints.stdout)["joints"]],
+                             [("head_pan", 0.1), ("tail_pan", -0.2)])
+            self.assertEqual(json.load(sensors.stdout), {"robot": "ERS-7", "sensors": [
+                {"name": "temperature", "value": 29, "unit": "degrees Celsius", "pressed": None}]})
+
+    def test_an_older_refusal_is_not_that_of_a_movement(self):
+        answers = {b"T": [[None, measured(J={joint: 100000 for joint in self.JOINTS})]],
+                   b"V": [[struct.pack(">Bxxxi", 2, 500000)]],
+                   b"J": [[struct.pack(">HBxBxxxi", 0, 1, 2, 103000)]]}
+        moved = self.aibo("--json", "move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)))
+        self.assertEqual(json.loads(moved.stdout)["joints"], [
+            {"name": "head_pan", "commanded": 0.2, "target": 0.103, "position": 0.1, "clamped": True}])
+        self.assertRegex(moved.errors, "refused to send telemetry: no")
+        answers[b"J"] = [[None]]
+        refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)), status=FAILED)
+        self.assertRegex(refused.errors, r"telemetry: no\.\naibo: the robot refused: no\n$")
+
+    def test_other_ends_are_not_that_of_a_movement(self):
+        def end(what, how, name):
+            return b"i", bytes((what, how, 0, 0)) + name
+        port = self.server(says_hello(b"RCServer", answers={
+            b"E": [[b"", end(1, 2, b"stand\n"), end(3, 2, b"sit\n"), end(3, 0, b"stand\n")]],
+            b"P": [[b"", end(3, 2, b"NOD.MTN\n"), end(1, 2, b"WAG.MTN\n"), end(1, 0, b"NOD.MTN\nit took longer")]]}))
+        self.assertEqual(self.json("stand", port=port), {"posture": "stand"})
+        self.assertEqual(self.json("play", "nod", port=port), {
+            "motion": "NOD.MTN", "to_its_end": True, "changes": "", "remark": "it took longer"})
+        self.assertEqual(self.text("play", "nod", port=port), "NOD.MTN was played to its end: it took longer.\n")
+
+    def test_a_robot_without_some_of_the_sensors_moves(self):
+        robot = SimulatedRobot("--robot", "ERS-210", "--protocol-version", "1")
+        self.addCleanup(robot.end)
+        moved = self.aibo("move", "head_pan=5deg", port=robot.port)
+        self.assertRegex(moved.stdout, rb"^head_pan is at [45]\.\d degrees\n$")
+        self.assertIn("refused the request 'S' for sensor ", moved.errors)
+
+    def test_a_robot_without_a_battery_sensor_is_well(self):
+        robot = SimulatedRobot("--robot", "ERS-210")
+        self.addCleanup(robot.end)
+        report = json.loads(run("--json", "doctor", "--seconds", "1", port=robot.port).stdout)
+        topics = [finding["topic"] for finding in report["findings"]]
+        self.assertEqual(topics[:4], ["name", "port", "server", "allows"])
+        self.assertNotIn("battery", topics)
+
+    def test_an_old_server_says_which_joint_does_not_follow(self):
+        robot = SimulatedRobot("--protocol-version", "1", console=True)
+        self.addCleanup(robot.end)
+        robot.ask("jam head_pan")
+        jammed = self.aibo("move", "head_pan=40deg", "tail_pan=5deg", port=robot.port, status=FAILED)
+        self.assertEqual(jammed.errors, "aibo: joint 2: the joint does not follow its commands\n")
+
+    def test_a_refused_speed_is_said_before_a_motion_plays(self):
+        port = self.server(says_hello(b"", answers={b"P": [[b"", (b"i", b"\1\0\0\0NOD.MTN\n")]]}))
+        played = self.aibo("play", "nod", port=port)
+        self.assertIn("aibo: the robot refused: no\n", played.errors)
+        self.assertEqual(played.stdout, b"NOD.MTN was played to its end.\n")
+
+    def test_motors_that_stay_as_they_are(self):
+        for wish, state in (("on", "off"), ("off", "on")):
+            port = self.server(says_hello(b"RCServer", answers={b"O": [[bytes([state == "on"])]]}))
+            self.assertIn(f"its motors are still {state}", self.aibo("motors", wish, port=port, status=FAILED).errors)
+
+    def test_damaged_pictures_are_bad(self):
+        damaged = b"f", struct.pack(">IIHHBBH", 1, 1, 208, 160, 85, 0, 0) + b"\xff\xd8\xff"
+        port = self.server(says_hello(b"", answers={
+            b"H": [[None, damaged]], b"T": [[b"\0\4", measured(S={66: 870000})]], b"W": [[b"\1\0\0\1"]]}))
+        report = self.json("doctor", "--seconds", "1", port=port, status=FAILED)
+        finding = report["findings"][-1]
+        self.assertEqual((finding["topic"], finding["good"]), ("pictures", False))
+        self.assertRegex(finding["text"], r"^[1-9]\d* pictures were damaged$")
+
+    def test_a_picture_has_the_settings_that_were_asked_for(self):
+        robot = SimulatedRobot()
+        self.addCleanup(robot.end)
+        pictures = [self.aibo("picture", "-q", quality, "-o", "-", port=robot.port).stdout for quality in (90, 30)]
+        frames = [struct.pack(">IIHHBBH", 1, 1, 208, 160, 85, 0, settings) + jpeg
+                  for settings, jpeg in zip((0b101011, 0b100111), pictures)]
+        port = self.server(says_hello(b"RCServer", answers={b"G": [[b"\1"]], b"F": [[frame] for frame in frames]}))
+        self.assertEqual(self.aibo("picture", "--gain", "low", "-o", "-", port=port).stdout, pictures[1])
+
+    def test_sound_that_is_missing_is_counted_and_becomes_silence(self):
+        def heard(frame, sample):
+            return b"a", struct.pack(">IHBx", frame, 896, 1) + struct.pack(">h", sample) * 896, 0, 1
+        port = self.server(says_hello(b"RCServer", answers={
+            b"A": [[struct.pack(">BBH", 1, 1, 16000), heard(10, 5), heard(67, 6)]]}))
+        self.assertEqual(self.text("listen", "a.wav", "--mono", "--seconds", "0.1", port=port),
+                         "a.wav has 0 s of sound, with 1 gaps.\n")
+        with wave.open(str(self.folder / "a.wav")) as file:
+            self.assertEqual(file.readframes(9000), b"\5\0" * 896 + bytes(2 * 50 * 128) + b"\6\0" * 896)
+        self.assertEqual(self.json("listen", "--mono", "--seconds", "0.1", port=port), {"seconds": 0.112, "gaps": 1})
+
+
 class WrongUsage(TestCase):
     def test_is_refused_before_anything_is_sent(self):
         for words in ([], ["fly"], ["move"], ["move", "head_pan"], ["move", "head_pan=30"], ["motors", "maybe"],
-                      ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["picture", "-q", "0"], ["picture", "-q", "101"],
+                      ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["walk", "up=1rad/s"], ["doctor", "10.0.0.1/x"],
+                      ["watch", "--shutter", "x"], ["picture", "--gain", "loud"], ["picture", "--white-balance", "x"], ["picture", "-q", "0"], ["picture", "-q", "101"],
                       ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
                       ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["watch", "--seconds", "604801"],
                       ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
@@ -1007,6 +1176,10 @@ class WrongUsage(TestCase):
                 self.assertEqual(result.returncode, WRONG_USAGE, result)
                 self.assertTrue(result.stderr.startswith(b"aibo: "), result.stderr)
                 self.assertEqual(result.stdout != b"", "--json" in words)
+
+    def test_says_which_names_can_be_given(self):
+        self.assertEqual(self.aibo("picture", "--white-balance", "blue", port=1, status=WRONG_USAGE).errors,
+                         "aibo: --white-balance can be one of indoor, outdoor, fluorescent, auto, not 'blue'\n")
 
     def test_the_highest_values_are_taken(self):
         with socket.socket() as reserved:
@@ -1029,6 +1202,8 @@ class WrongUsage(TestCase):
         self.assertEqual(done("move", "--help"), done("help", "move"))
         self.assertIn("usage: aibo move JOINT=ANGLE...", done("help", "move"))
         self.assertRegex(done("help", "move"), r"(?m)^  aibo move head_pan=30deg +looks to the left$")
+        self.assertRegex(done("help", "move"), r"(?m)^Options of move:\n  --duration S ")
+        self.assertNotIn("Options of joints", done("help", "joints"))
         for line in done("help", "move").split("\n\n")[1].splitlines()[:-1]:
             self.assertTrue(60 < len(line) <= 80, line)
         self.assertEqual(json.loads(done("--json", "move", "--help"))["help"] + "\n", done("help", "move"))

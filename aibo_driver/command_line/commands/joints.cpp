@@ -84,7 +84,6 @@ class Mover {
     requireJoints();
     measure();
     const movement::JointTargets targets = filtered();
-    robot_.beginRequest();
     movement::sendTargets(robot_.client(), table_.design(), targets,
                           std::chrono::milliseconds(std::lround(1000 * move_.duration)));
     try {
@@ -108,7 +107,7 @@ class Mover {
     }
   }
 
-  /// Measures where the joints are, because the filter needs to know that.
+  /// Measures where the joints are, to know how long the way takes and when they have arrived.
   void measure() {
     robot_.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
     const bool measured = robot_.waitUntil(
@@ -116,12 +115,6 @@ class Mover {
     if (!measured) {
       throw FailedException("the robot does not report where its joints are, so none was moved");
     }
-    aibo_client::Telemetry telemetry;
-    telemetry.arrival = steady_clock::now();
-    for (const auto& joint : robot_.received().joints) {
-      telemetry.joints.push_back(joint.second);
-    }
-    measured_.update(telemetry);
   }
 
   movement::JointTargets filtered() {
@@ -230,7 +223,7 @@ class Mover {
   Output& output_;
   const Move& move_;
   const movement::JointTable table_;
-  movement::MeasuredJoints measured_;
+  const movement::MeasuredJoints measured_;  // stays empty: the filter always approaches its first target
   movement::JointCommandFilter filter_;
 };
 

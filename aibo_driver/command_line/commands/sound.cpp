@@ -44,7 +44,6 @@ ExitStatus listen(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
   requireSound(robot);
-  robot.beginRequest();
   robot.client().setMicrophone(settings);
   const auto hears = [](const Received& received) { return !received.sounds.empty(); };
   if (!robot.waitUnlessRefused(hears, kFirstSoundTimeout)) {
