@@ -923,7 +923,8 @@ class Flooded(TestCase):
         "reports": lambda i: version2_frame(b"e", b"\0\x03%d " % i + 250 * b"why "),
         "measurements": lambda i: version2_frame(b"t", struct.pack(">IHHcBHi", 4 * i, 1, 0, b"J", i % 256, 0, 0)),
         "answers to nothing": lambda i: version2_frame(b"n", 250 * b"A.MTN\n", 1 + i % 65535)}
-    MOST = 40 * 1024  # KB; without a flood it is 14 MB
+    FRAMES = 100000
+    MOST = 40 * 1024  # KB; without a flood it is 19 MB
 
     @unittest.skipIf("ASAN_OPTIONS" in os.environ, "a sanitizer keeps freed memory for a while")
     def test_a_command_keeps_little_of_a_flood(self):
@@ -931,14 +932,21 @@ class Flooded(TestCase):
             with self.subTest(name):
                 self.assertLess(self.peak_memory_of_watch(make), self.MOST)
 
-    @staticmethod
-    def peak_memory_of_watch(make):
-        server = ScriptedServer(says_hello(b"hostile", flood=make))
-        with start("watch", "--seconds", "4", port=server.port) as watch:
+    def peak_memory_of_watch(self, make):
+        sent = threading.Event()
+
+        def flood(number):
+            if number == self.FRAMES:
+                sent.set()
+            return make(number)
+        server = ScriptedServer(says_hello(b"hostile", flood=flood, answers={b"W": [[b"\1\0\0\1"]]}))
+        with start("watch", port=server.port) as watch:
             # Not communicate(), which would wait for the process, too.
             drains = [threading.Thread(target=pipe.read, daemon=True) for pipe in (watch.stdout, watch.stderr)]
             for drain in drains:
                 drain.start()
+            self.assertTrue(sent.wait(300))
+            watch.send_signal(signal.SIGINT)
             usage = os.wait4(watch.pid, 0)[2]
             watch.returncode = 0
             for drain in drains:
