@@ -29,7 +29,6 @@ void AddRun(unsigned begin, unsigned end, unsigned y, Count* count) {
   const unsigned pixels = end - begin;
   if (count->pixels == 0) {
     count->left = begin;
-    count->right = end - 1;
     count->top = y;
   }
   count->left = begin < count->left ? begin : count->left;
