@@ -22,7 +22,13 @@ std::vector<double> lifeIn(unsigned char memory_before) {
   std::memset(memory, memory_before, sizeof(memory));
   JointControl& joints = *new (memory) JointControl(ers7());
   std::vector<double> life;
+  for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+    life.push_back(joints.Walking().Levels(i) ? 1 : 0);
+  }
   for (unsigned frame = 0; frame < 1500; ++frame) {
+    for (int ear = 0; ear < robot_model::MAX_EARS; ++ear) {
+      life.push_back(joints.Motions().TakeFlick(ear) ? 1 : 0);
+    }
     if (frame % 12 == 0) {
       joints.Steer({0.1, 0, 0}, true);
     }

@@ -172,6 +172,17 @@ TEST_F(MotionPlayerTest, stopsOnTheWayToItsBeginning) {
   EXPECT_LT(at("head_pan"), 50);
 }
 
+TEST_F(MotionPlayerTest, aStopAfterItsEndIsNoSecondEnd) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 10\nat 80 head_pan 20\n")), "");
+  pathOf("head_pan");
+  stop("A.MTN");
+  player_->StopAll();
+  EndLog::End end;
+  ASSERT_TRUE(ends_.Take(EndLog::CLIENT, &end));
+  EXPECT_EQ(end.how, END_DONE);
+  EXPECT_FALSE(ends_.Take(EndLog::CLIENT, &end));
+}
+
 TEST_F(MotionPlayerTest, playsAsOftenAsItIsTold) {
   const std::string there_and_back = motionBytes("at 0 head_pan -10\nat 320 head_pan 10\nat 640 head_pan -10\n");
   for (const int repetitions : {1, 2, 5}) {

@@ -43,11 +43,12 @@ class WalkerTest : public ::testing::Test {
   int position(const std::string& name) { return joints_.Planner().Position(joint(name)); }
 
   // A motion with these key frames, by a client.
-  void play(const std::string& key_frames, int repetitions = 1) {
-    const protocol::MotionName name = "HEAD.MTN";
+  void play(const std::string& key_frames, int repetitions = 1, const std::string& name = "HEAD.MTN") {
+    protocol::MotionName motion_name;
+    ASSERT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
     const std::string motion = motionBytes(key_frames);
     motion.copy(reinterpret_cast<char*>(joints_.Motions().FindRoom()), motion.size());
-    ASSERT_EQ(joints_.Motions().Play(name, motion.size(), repetitions, false, nullptr), nullptr);
+    ASSERT_EQ(joints_.Motions().Play(motion_name, motion.size(), repetitions, false, nullptr), nullptr);
     joints_.MotionHasBegun();
   }
 
@@ -523,7 +524,16 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
   passUntilIdle();
   EXPECT_THAT(ends(), ElementsAre(HasSubstr("the floor ends ahead")));
   joints_.Steer({0, 0, 0});
-  EXPECT_THAT(walker().ProblemOfWalk(true, &ahead), HasSubstr("the floor ends ahead"));
+  EXPECT_STREQ(walker().ProblemOfWalk(true, &ahead), "the floor ends ahead: turn, or walk back");
+  for (int i = 0; i < 3; ++i) {
+    walker().HaveLooked({0.05, 2, 2, {}, {true, true, true, true}});
+  }
+  joints_.Steer({0, 0, 0});
+  EXPECT_STREQ(walker().ProblemOfWalk(true, &ahead), "something is in the way ahead: turn, or walk back");
+  EXPECT_STREQ(walker().ProblemOfWalk(true, &ahead),
+               "something is in the way ahead: turn, or walk back; let go first: send zero velocities, or nothing for "
+               "500 ms");
+  joints_.Steer({0, 0, 0});
   walk(turn);
   joints_.Steer({0, 0, 0});
   passUntilIdle();
@@ -565,6 +575,8 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   pass(100);
   joints_.Take(POSTURE_REST);
   pass(60);
+  command("tail_tilt", 1000000);
+  pass(5);
   joints_.ClientGone();
   bool wanted_motors_off = false;
   for (int i = 0; i < 1000 && walker().IsActive(); ++i) {
@@ -577,6 +589,7 @@ TEST_F(WalkerTest, ARestThatHasBegunIsFinishedWithoutTheClient) {
   EXPECT_TRUE(wanted_motors_off);
   EXPECT_TRUE(isIn(POSTURE_REST));
   EXPECT_EQ(position("head_pan"), 0) << "the head is level";
+  EXPECT_LT(position("tail_tilt"), 500000) << "it stops at once";
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has not asked for it";
   take(POSTURE_STAND);
   walk();
@@ -643,6 +656,7 @@ TEST_F(WalkerTest, APostureEndsAMotionOfTheHeadOnlyIfTheHeadHasToBeLevel) {
   const std::string way =
       "at 0 neck_tilt -20 head_pan 20 head_tilt 10\nat 800 neck_tilt -30 head_pan 40 head_tilt 20\n";
   play(way, 1000);
+  play("at 0 tail_pan 0\nat 800 tail_pan 30\n", 1000, "TAIL.MTN");
   for (const Posture posture : {POSTURE_SIT, POSTURE_STAND}) {
     joints_.Take(posture);
     passUntilIdle();
@@ -652,7 +666,8 @@ TEST_F(WalkerTest, APostureEndsAMotionOfTheHeadOnlyIfTheHeadHasToBeLevel) {
   joints_.Take(POSTURE_REST);
   passUntilIdle();
   expectLevelHead(true);
-  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture", "rest: "));
+  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture",
+                                  "TAIL.MTN: the motors were switched off", "rest: "));
   reading_ = kOnItsSide;
   pass(100);
   play(way, 1000);
@@ -1087,6 +1102,13 @@ TEST_F(WalkerTest, AJointThatDoesNotFollowOnTheWayToAPostureGivesWayAFewTimes) {
     pass(4);
   }
   EXPECT_FALSE(walker().TriesAnotherWay(knee));
+  take(POSTURE_STAND);
+  joints_.Take(POSTURE_REST);
+  while (!isIn(POSTURE_REST)) {
+    pass(1);
+  }
+  pass(4);
+  EXPECT_FALSE(walker().TriesAnotherWay(knee)) << "it lies already";
 }
 
 TEST(WalkerOfAnotherRobotTest, CannotWalk) {
