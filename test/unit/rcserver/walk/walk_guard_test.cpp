@@ -271,6 +271,11 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
   look(atEdge());
   look(onFloor());
   EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.007);
+  walk(kForward, 0.63);  // so that 6 cm are left
+  for (const int side : {-1, 1}) {
+    EXPECT_EQ(objection({0, 0, side * 0.2}), "");
+    EXPECT_EQ(objection({0, 0, side * 0.6}), "the floor ends there") << "it turns a corner to the edge";
+  }
 }
 
 // What holds for one side holds for the other.
