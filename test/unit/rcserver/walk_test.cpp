@@ -193,6 +193,34 @@ TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
   EXPECT_EQ(ends_.size(), 1u);
   walk();
   EXPECT_THAT(ends_, Contains("1 1 SIT.MTN: the robot was told to walk or to take a posture"));
+  file_keeper_.slowDown();
+  send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
+  ends_.clear();
+  steer(100, 50);
+  file_keeper_.speedUp();
+  pass(20);
+  EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator")) << "steering on is no new command";
+}
+
+TEST_F(WalkTest, ASpeedLimitThatIsTooLowEndsItAndIsNoFaultOfAJoint) {
+  walk();
+  answerTo(
+      'V', 0,
+      payloadOf(SpeedLimits{
+          1,
+          {{robot_.model.joints[robot_model::findJointByName(robot_.model, "right_hind_knee")].identifier, 3000000}}}));
+  pass(2 * kFramesASecond);
+  EXPECT_THAT(ends_, ElementsAre("2 3 walk: the speed limit of right_hind_knee is too low for walking"));
+  EXPECT_THAT(errors_, IsEmpty());
+}
+
+TEST_F(WalkTest, AMotionTellsThatItTookLongerBecauseTheServerWasHeldUp) {
+  answerTo('P', 0, playPayload("NOD.MTN", 1));
+  pass(20);
+  clock_.step(100);
+  pass(10 * kFramesASecond);
+  ASSERT_EQ(ends_.size(), 1U);
+  EXPECT_THAT(ends_[0], HasSubstr("1 0 NOD.MTN: the robot's program was held up, so it took "));
 }
 
 TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
@@ -294,10 +322,12 @@ TEST_F(WalkTest, WhatComesAfterALongSilenceDoesNotMoveTheRobot) {
 TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
   disconnect();
   client_ = connectServed();
-  client_->send(request('J', 2, 1000));
-  clock_.step(100);
-  machine_->runPending();
-  EXPECT_EQ(awaitLetter(*client_), 'e');
+  for (const int joint : {2, 0}) {  // one of them, and all
+    client_->send(request('J', joint, 1000));
+    clock_.step(100);
+    machine_->runPending();
+    EXPECT_EQ(awaitLetter(*client_), 'e');
+  }
   passFrames(20);
   expectAnswer(request('J', 2, 1000), 'j', 2, 1000);
 }
@@ -332,6 +362,9 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   pass(70);
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are limp"));
+  expectRefusal(answerTo('E', POSTURE_SIT), CODE_REFUSED, "the robot lies on its right side; let it stand up first");
+  pass(20);
+  EXPECT_TRUE(isLimp());
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its right side: its motors go off"));
 }
 
@@ -411,7 +444,11 @@ TEST_F(WalkTest, AnErs210CannotWalk) {
   connectVersion2();
   expectRefusal(answerTo('S', 0, steering(10)), CODE_NOT_SUPPORTED, "not supported");
   expectRefusal(answerTo('E', POSTURE_SIT), CODE_NOT_SUPPORTED, "not supported");
-  EXPECT_EQ(textOf(answerTo('H', 0)).find("walk_limits"), std::string::npos);
+  Hello hello;
+  const Frame answer = answerTo('H', 0);
+  ASSERT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
+  EXPECT_FALSE(hasCapability(hello, "S") || hasCapability(hello, "E"));
+  EXPECT_EQ(textOf(answer).find("walk_limits"), std::string::npos);
   EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
   machine_.reset();
 }
