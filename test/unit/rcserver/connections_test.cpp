@@ -443,6 +443,19 @@ TEST_P(RefusedByTheIpStackTest, ConsoleReportsItAndTheServerGoesOn) {
   EXPECT_LE(timesSaid("no endpoint to listen"), 10U) << "it is tried once a second, with two connections";
 }
 
+TEST_F(ConnectionsTest, ListeningThatFailsIsTriedAgainASecondLater) {
+  failing_entry_ = 0;
+  for (int i = 0; i < 2; ++i) {
+    const auto client = connect();
+    EXPECT_TRUE(awaitEnd(*client));
+  }
+  EXPECT_EQ(timesSaid("cannot listen on port 54321 (error "), 2U);
+  failing_entry_.reset();
+  passFrames(kFramesASecond);
+  const auto client = connect();
+  EXPECT_TRUE(isServed(*client));
+}
+
 INSTANTIATE_TEST_SUITE_P(Entries, RefusedByTheIpStackTest,
                          ::testing::Values(std::make_pair(0, "the IPStack has no endpoint to listen on port 54321"),
                                            std::make_pair(1, "is gone: the IPStack does not send"),

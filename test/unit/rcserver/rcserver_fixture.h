@@ -128,7 +128,7 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
-    for (const size_t entry : {1, 2}) {  // SendCont and ReceiveCont in stub.cfg
+    for (const size_t entry : {0, 1, 2}) {  // ListenCont, SendCont and ReceiveCont in stub.cfg
       auto& called = options.catalog.at("RCSERVER.BIN").extra_entries.at(entry);
       called = [this, entry, original = called](OObject& object, ANTENVMSG message) {
         if (entry == failing_entry_) {
@@ -207,8 +207,8 @@ class RCServerFixture : public ::testing::Test {
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
   std::optional<size_t>
-      refused_entry_;         ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
-  size_t failing_entry_ = 0;  ///< 1 or 2, in stub.cfg: the IPStack answers to it with this failure
+      refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
+  std::optional<size_t> failing_entry_;  ///< 0 to 2, in stub.cfg: the IPStack answers to it with this failure
   TCPEndpointError failure_ = TCP_FAIL;
   SlowObject encoder_;
   SlowObject file_keeper_;

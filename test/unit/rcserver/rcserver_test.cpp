@@ -345,7 +345,7 @@ TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
       failure_ = error;
       client->send(request('J', 2));
       EXPECT_TRUE(awaitEnd(*client)) << reason;
-      failing_entry_ = 0;
+      failing_entry_.reset();
       EXPECT_THAT(console_.str(), HasSubstr("is gone: " + reason + "\n"));
     }
   }
