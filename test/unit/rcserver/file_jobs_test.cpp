@@ -6,10 +6,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "motion_bytes.h"
+#include "protocol/stick_pictures.h"
 #include "rcserver_fixture.h"
 
 namespace {
@@ -95,12 +97,27 @@ TEST_F(FileJobsTest, JointCommandedWhileAFileIsReadMovesToItsTarget) {
 
 TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  send(frame('D', 0, 2, "NOD.MTN") + frame('H', 0, 3) + frame('N', 0, 5));
-  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e2 the memory stick is busy with an earlier request"), "h3",
-                                     HasSubstr("e5 the memory stick is busy")));
+  using namespace protocol::version2;
+  std::vector<std::string> refused;
+  for (const auto& [kind, id, payload] : {std::tuple('D', 0, std::string("NOD.MTN")),
+                                          {'N', 0, ""},
+                                          {'P', 0, playPayload("NOD.MTN", 1)},
+                                          {'U', 0, uploadPayload("NEW.MTN", motion_)},
+                                          {'M', 85, ""},
+                                          {'Y', int{LIST_PICTURES}, ""},
+                                          {'Y', int{FETCH_PICTURE}, "A.JPG"},
+                                          {'Y', int{DELETE_PICTURE}, "A.JPG"}}) {
+    send(frame(kind, id, 2, payload));
+    refused = answers();
+    ASSERT_EQ(refused.size(), 1U) << kind;
+    EXPECT_THAT(refused[0], HasSubstr("e2 the memory stick is busy with an earlier request")) << kind;
+  }
+  send(frame('H', 0, 3));
+  EXPECT_THAT(answers(), ElementsAre("h3"));
   finishJobs();
   EXPECT_THAT(answers(), ElementsAre("p1"));
   EXPECT_TRUE(hasFile("NOD.MTN"));
+  EXPECT_FALSE(hasFile("NEW.MTN"));
   send(frame('N', 0, 4));
   EXPECT_THAT(answers(), ElementsAre("n4"));
 }

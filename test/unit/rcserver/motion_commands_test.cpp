@@ -370,6 +370,7 @@ TEST_F(Version2MotionsTest, reportsWhyAnUploadIsRefused) {
   EXPECT_THAT(answerTo(upload("WAG~1.MTN", motion_)), HasSubstr("could stand for another file"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", "OMTN")),
               HasSubstr("e0 NEW.MTN is not a motion file: it ends before section 0"));
+  EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE, 'x'))), HasSubstr("is not a motion file"));
   EXPECT_THAT(answerTo(upload("NEW.MTN", std::string(mtn::MAX_FILE_SIZE + 1, 'x'))),
               HasSubstr("e0 64001 bytes are too many: a motion may have 64000"));
   std::filesystem::remove_all(stick_.path(kFolder));

@@ -125,7 +125,9 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   const Frame answer = ask('M', 40);
   expectReply(answer, 'm', "AIBO0001.JPG");
   EXPECT_EQ(answer.header.id, 40);
-  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
+  EXPECT_EQ(ask('M', SERVER_DEFAULT_QUALITY).header.id, protocol::DEFAULT_JPEG_QUALITY);
+  EXPECT_EQ(ask('M', 101).header.id, 100) << "at most";
+  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG", "AIBO0003.JPG"));
   const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
   EXPECT_NEAR(brightnessOf({jpeg.begin(), jpeg.end()}).level, FakeRobot::brightness(image + 1), 3);
 }
@@ -255,6 +257,7 @@ TEST_F(StickPicturesTest, AreFetchedIfTheyHave1To128KiB) {
   put("LARGE.JPG", largest + "x");
   put("FITS.JPG", largest);
   expectRefusal(ask('Y', FETCH_PICTURE, "EMPTY.JPG"), CODE_FILE_MISSING, "the file is empty; delete it");
+  expectReply(ask('Y', DELETE_PICTURE, "EMPTY.JPG"), 'y', "");
   expectRefusal(ask('Y', FETCH_PICTURE, "LARGE.JPG"), CODE_FILE_MISSING, "LARGE.JPG has more than 131072 bytes");
   expectReply(ask('Y', FETCH_PICTURE, "FITS.JPG"), 'y', largest);
 }

@@ -799,9 +799,9 @@ TEST_F(Version2Test, UnknownRequestsAreNotSupported) {
 }
 
 TEST_F(Version2Test, MalformedRequestsAreRefusedAndTheConnectionGoesOn) {
-  const std::vector<std::pair<char, std::string>> malformed = {{'F', ""},    {'F', "\4"},  {'W', "abc"}, {'J', "abc"},
-                                                               {'V', "abc"}, {'T', "abc"}, {'O', "\2"},  {'O', "ab"},
-                                                               {'L', "abc"}, {'K', "\1"},  {'K', "\1\2"}};
+  const std::vector<std::pair<char, std::string>> malformed = {{'F', ""},    {'F', "\4"},  {'W', "abc"},  {'J', "abc"},
+                                                               {'V', "abc"}, {'T', "abc"}, {'O', "\2"},   {'O', "ab"},
+                                                               {'L', "abc"}, {'K', "\1"},  {'K', "\1\2"}, {'N', "a"}};
   for (const auto& [kind, payload] : malformed) {
     expectRefusal(answerTo(kind, 0, payload), CODE_REFUSED, "bad request");
   }
