@@ -522,6 +522,13 @@ TEST_F(BodyVersion2Test, JointsThatReportWithoutSensorsAreServed) {
   EXPECT_EQ(nextFrame()->header.kind, TELEMETRY_PUSH);
 }
 
+TEST_F(BodyVersion2Test, SensorsThatReportWithoutJointsAreServed) {
+  robot_.missing_locator = robot_.model.joints[0].locator;
+  start();
+  reconnect();
+  EXPECT_EQ(sensorTelemetry().size(), 18U);
+}
+
 TEST_F(BodyVersion2Test, LedsAreSetTogetherAndAnsweredByTheAcceptedValues) {
   const Frame answer = answerTo('L', 0, leds({{kHeadColor, 3, LED_MODE_B}, {kFace1, 77, LED_MODE_B}}));
   EXPECT_EQ(answer.header.kind, 'l');
@@ -603,6 +610,9 @@ TEST_F(BodyVersion2Test, EarsAreAnsweredByTheirState) {
   EXPECT_EQ(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(kRightEar), 0);
   EXPECT_EQ(textOf(answerTo('K', 0, "\1\1")), std::string("\0\1", 2)) << "the left one rests";
+  passFrames(22);
+  EXPECT_EQ(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
+  EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyVersion2Test, PowerRequestThatIsNotAllowedNamesTheSetting) {
