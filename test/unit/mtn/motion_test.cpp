@@ -187,6 +187,13 @@ TEST_F(MotionTest, takesAsManyJointsAndCharactersAsItHasRoomFor) {
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("a joint's locator has 64 characters, more than 63"));
   }
+  motion.name += "n";
+  try {
+    motion_tool::encodeMtn(motion);
+    ADD_FAILURE() << "a name is too long";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a text has more than 255 characters: nnn"));
+  }
 }
 
 TEST_F(MotionTest, refusesAJointThatAppearsTwice) {

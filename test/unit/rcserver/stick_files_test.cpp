@@ -141,6 +141,8 @@ TEST_F(StickFilesTest, reportsWhatIsTooLargeOrNotAFile) {
   EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
   std::filesystem::create_directory(folder_ / "DIR.MTN");
   EXPECT_EQ(read("DIR.MTN", &content), FileResult::FAILED);
+  std::filesystem::create_symlink("nowhere", folder_ / "LINK.MTN");
+  EXPECT_EQ(read("LINK.MTN", &content), FileResult::FAILED);
 }
 
 TEST_F(StickFilesTest, leavesNoFileOpen) {

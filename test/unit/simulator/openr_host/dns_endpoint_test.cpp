@@ -94,6 +94,9 @@ TEST_F(DnsEndpointTest, ASecondQuestionIsBusyAndACloseEndsTheFirst) {
   post(DNSEndpointGetHostByNameMsg(endpoint_, "localhost"));
   ASSERT_TRUE(haveAnswers(3));
   EXPECT_EQ(answers_[2].error, DNS_OPERATION_INVALID);
+  DNSEndpointGetServerAddressesMsg servers(endpoint_);
+  call(servers);
+  EXPECT_EQ(servers.error, DNS_OPERATION_INVALID);
 }
 
 // Pages 33 and 34.

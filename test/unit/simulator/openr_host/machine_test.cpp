@@ -311,6 +311,9 @@ TEST_F(MachineTest, APortInUseIsNamedWithARemedy) {
   options_.ports = {{kConsolePort, other_program.port()}};
   EXPECT_THAT(bootError(), AllOf(HasSubstr("port " + port), HasSubstr("--console-port")));
   options_.ports = {{kConsolePort, 0}};
+  options_.bind_address = "203.0.113.1";
+  EXPECT_THAT(bootError(), AllOf(HasSubstr("on 203.0.113.1 cannot be used: "), HasSubstr("--bind")))
+      << "an address for documents, of no computer";
   options_.bind_address = "here";
   EXPECT_THAT(bootError(), AllOf(HasSubstr("'here'"), HasSubstr("--bind")));
 }

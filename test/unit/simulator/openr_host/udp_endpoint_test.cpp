@@ -169,12 +169,15 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
 TEST_F(UdpEndpointTest, AnEndpointMustBeBoundFirstAndOnlyOnce) {
   const auto endpoint = create();
   receive(endpoint, 1);
+  sendTo(endpoint, 7, "x");
   bind(endpoint);
   UDPEndpointBindMsg again(endpoint, IP_ADDR_ANY, IP_PORT_ANY);
   call(again);
   EXPECT_EQ(again.error, UDP_OPERATION_INVALID);
-  ASSERT_TRUE(haveAnswers(1));
-  EXPECT_EQ(answers_[0].error, UDP_OPERATION_INVALID);
+  ASSERT_TRUE(haveAnswers(2));
+  test_.runPending();
+  EXPECT_THAT(answers_, ElementsAre(Answer{antOperation_UDPReceive, UDP_OPERATION_INVALID},
+                                    Answer{antOperation_UDPSend, UDP_OPERATION_INVALID}));
 }
 
 TEST_F(UdpEndpointTest, APortCanBeTakenOnlyOnce) {
@@ -225,6 +228,9 @@ TEST_F(UdpEndpointTest, OperationsNeedAnEndpoint) {
   UDPEndpointBindMsg bind(antModuleRef(), IP_ADDR_ANY, IP_PORT_ANY);
   call(bind);
   EXPECT_EQ(bind.error, UDP_OPERATION_INVALID);
+  antEnvCreateEndpointMsg unknown(3, 8192);
+  call(unknown);
+  EXPECT_EQ(unknown.error, ANT_FAIL);
 }
 
 }  // namespace
