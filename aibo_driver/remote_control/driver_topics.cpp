@@ -283,8 +283,10 @@ void DriverTopics::showPictures(bool visible) {
     drop({calibration});
   } else if (subscribers_.count(calibration) == 0) {
     subscribe<sensor_msgs::CameraInfo>(calibration, [this](const sensor_msgs::CameraInfo& message) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      camera_ = message;
+      if (message.K[0] > 0 && message.K[4] > 0) {  // otherwise it is not calibrated
+        const std::lock_guard<std::mutex> lock(mutex_);
+        camera_ = message;
+      }
     });
   }
   if (!visible) {
@@ -349,9 +351,6 @@ void DriverTopics::followSettings(const std::string& owner) {
   subscribers_.erase(settings_owner_ + "/parameter_descriptions");
   subscribers_.erase(settings_owner_ + "/parameter_updates");
   settings_owner_ = owner;
-  if (owner.empty()) {
-    return;
-  }
   subscribe<dynamic_reconfigure::ConfigDescription>(
       owner + "/parameter_descriptions", [this](const dynamic_reconfigure::ConfigDescription& message) {
         post_([settings = settingsIn(message)](Robot& robot) { Q_EMIT robot.settingsDescribed(settings); });
@@ -412,7 +411,7 @@ bool DriverTopics::publishLookAt(const QPointF& place) {
   geometry_msgs::PointStamped message;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!camera_ || camera_->K[0] <= 0 || camera_->K[4] <= 0) {
+    if (!camera_) {
       return false;
     }
     message.header.frame_id = camera_->header.frame_id;

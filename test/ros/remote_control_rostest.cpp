@@ -15,6 +15,9 @@
 #include <aibo_driver/Sound.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/Touch.h>
+#include <dynamic_reconfigure/Config.h>
+#include <dynamic_reconfigure/ConfigDescription.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
@@ -591,17 +594,19 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
 TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   MotionState state;
   state.text = "walks";
-  const auto end = [&state](const std::string& source, const std::string& reason) {
+  const auto end = [&state](const std::string& source, const std::string& reason,
+                            std::uint8_t how = EndedMovement::REFUSED) {
     EndedMovement& ended = state.ended.emplace_back();
     ended.movement.kind = Movement::WALK;
     ended.movement.source = source;
-    ended.how = EndedMovement::REFUSED;
+    ended.how = how;
     ended.reason = reason;
   };
   end(ros::this_node::getName(), "before");
   tell("motion_state", state);
   EXPECT_TRUE(hears("walks, plays not"));
   end("/anna", "of anna");
+  end(ros::this_node::getName(), "", EndedMovement::DONE);
   end(ros::this_node::getName(), "it fell");
   state.movements.resize(2);
   state.movements[1].kind = Movement::MOTION;
@@ -618,9 +623,12 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
     }
   };
   robot_.show(Part::kMicrophones, true);  // alone
-  aibo_driver::Sound sound;
-  sound.samples.assign(1000, 16384);
-  tell("microphone", sound);
+  const auto sound = [this](std::int16_t sample) {
+    aibo_driver::Sound heard;
+    heard.samples.assign(1000, sample);
+    tell("microphone", heard);
+  };
+  sound(16384);
   EXPECT_TRUE(hears("level -6"));
   show(true);
   const std::pair<const char*, std::uint8_t Touch::*> places[] = {{"paw_left_front", &Touch::paw_left_front},
@@ -663,16 +671,43 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
   tell("joint_states", joints);
   EXPECT_TRUE(hears("joints head_pan=0.5 mouth=-0.25 tail_pan=0.5"))
       << "a robot of version 1 measures one after the other";
+  joints.name.clear();
+  for (int i = 0; i < 100; ++i) {
+    joints.name.push_back("made_up_" + std::to_string(i));
+  }
+  joints.position.assign(100, 0);
+  tell("joint_states", joints);
+  joints.name = {"mouth"};
+  tell("joint_states", joints);
+  EXPECT_TRUE(hears("joints mouth=0")) << "not all joints that somebody has made up";
   sensor_msgs::CompressedImage damaged;
   damaged.data = {0xFF, 0xD8};
   tell("camera/image_raw/compressed", damaged);
-  tell("camera/image_raw/compressed", picture());
-  EXPECT_TRUE(hears("picture 104x80 red blue"));
-  show(false);
-  for (const char* topic : {"touch", "range/near", "range/far", "range/chest", "range/head", "joint_states",
-                            "microphone", "camera/image_raw/compressed", "camera/camera_info"}) {
-    EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_[topic].getNumSubscribers() == 0; }, kTimeout)) << topic;
+  const sensor_msgs::CompressedImage good = picture();
+  for (int i = 0; i < 20; ++i) {  // meanwhile, the window does something else
+    tell("camera/image_raw/compressed", good);
+    QThread::msleep(2);
   }
+  EXPECT_TRUE(hears("picture 104x80 red blue"));
+  sound(8192);
+  EXPECT_TRUE(hears("level -12"));
+  EXPECT_EQ(notes_.filter("picture").size(), notes_.count("picture 104x80 red blue"))
+      << "none is empty: " << notes_.join("; ").toStdString();
+  EXPECT_EQ(notes_.filter("level").size(), 2) << "silence is not heard";
+  EXPECT_EQ(notes_.count("joints mouth=0"), 1) << "they have not been measured again";
+  publisherOf<sensor_msgs::CameraInfo>("camera/camera_info");
+  const auto is_heard = [this](std::uint32_t listeners) {
+    for (const char* topic : {"touch", "range/near", "range/far", "range/chest", "range/head", "joint_states",
+                              "microphone", "camera/image_raw/compressed", "camera/camera_info"}) {
+      EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_[topic].getNumSubscribers() == listeners; }, kTimeout))
+          << topic;
+    }
+  };
+  is_heard(1);
+  show(false);
+  is_heard(0);
+  show(true);
+  is_heard(1);
 }
 
 TEST_F(ToldTest, TheDriverHearsWhatTheWindowWants) {
@@ -700,6 +735,8 @@ TEST_F(ToldTest, TheDriverHearsWhatTheWindowWants) {
   EXPECT_TRUE(hears("no, LEDs: the robot is off"));
   robot_.walk(0.1, 0, 0);
   EXPECT_TRUE(hears("no, walk: the robot is off"));
+  robot_.lookAt({0.5, 0.5});
+  EXPECT_TRUE(hears("no, look there: the robot is off"));
   const auto end = commands<geometry_msgs::Twist>("cmd_vel", [this] { robot_.walk(0, 0, 0); });
   EXPECT_EQ(end->linear.x, 0) << "the end of a walk is always sent";
 }
@@ -721,8 +758,8 @@ TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) 
   expectAsked("rest", "yes, rest: well");
   robot_.setMotors(true);
   expectAsked("motors on", "yes, motors on: well");
-  robot_.setStreaming(false);
-  expectAsked("stream off", "yes, stream off: well");
+  robot_.setStreaming(true);
+  expectAsked("stream on", "yes, stream on: well");
   robot_.say("Good dog");
   expectAsked("say Good dog", "yes, say: well");
   robot_.stopSound();
@@ -741,6 +778,66 @@ TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) 
     EXPECT_TRUE(hears("no, rest: the last call has not been answered yet"));
   }
   expectAsked("rest", "no, rest: never");
+}
+
+TEST(RemoteControlRos, BeforeADriverIsFoundEachWishIsAnsweredWithThat) {
+  RosRobot robot;
+  QStringList answers;
+  QObject::connect(&robot, &RosRobot::answered, [&answers](bool success, const QString& text) {
+    EXPECT_FALSE(success) << text.toStdString();
+    answers.append(text);
+  });
+  robot.stop();
+  robot.setLeds({"back"}, 1);
+  robot.walk(0, 0, 0);
+  EXPECT_TRUE(QTest::qWaitFor([&answers] { return answers.size() == 2; }, kTimeout));
+  EXPECT_EQ(answers, QStringList({"stop: no driver has been found yet", "LEDs: no driver has been found yet"}));
+}
+
+TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
+  using dynamic_reconfigure::Config;
+  using dynamic_reconfigure::Reconfigure;
+  int descriptions = 0;
+  QObject::connect(&robot_, &RosRobot::settingsDescribed, [&](const auto& settings) {
+    ++descriptions;
+    EXPECT_EQ(settings.size(), 1);
+    note("describes " + settings.at(0).name);
+  });
+  QObject::connect(&robot_, &RosRobot::settingsChanged, [this](const auto& values) {
+    note("set " + QStringList(values.keys()).join(",") + " " + values.value("gain").toString());
+  });
+  const auto config = [](int gain) {
+    Config values;
+    values.ints.resize(1);
+    values.ints[0].name = "gain";
+    values.ints[0].value = gain;
+    return values;
+  };
+  dynamic_reconfigure::ConfigDescription description;
+  description.groups.resize(1);
+  description.groups[0].parameters.resize(1);
+  description.groups[0].parameters[0].name = "gain";
+  description.groups[0].parameters[0].type = "int";
+  description.min = config(1);
+  description.max = config(9);
+  description.dflt = config(4);
+  tell("driver/parameter_descriptions", description);
+  tell("driver/parameter_updates", config(5));
+  EXPECT_TRUE(hears("describes gain"));
+  EXPECT_TRUE(hears("set gain 5"));
+  robot_.show(Part::kSensors, true);
+  tell("touch", Touch());
+  EXPECT_TRUE(hears("touched "));
+  const boost::function<bool(Reconfigure::Request&, Reconfigure::Response&)> answer = [&](auto& asked, auto& response) {
+    EXPECT_EQ(asked.config.ints.size(), 1U);
+    response.config = config(asked.config.ints.at(0).value - 1);
+    return true;
+  };
+  services_.push_back(ros::NodeHandle(kTold).advertiseService("driver/set_parameters", answer));
+  robot_.changeSetting("gain", 9);
+  EXPECT_TRUE(hears("set gain 8")) << "the driver's word counts";
+  EXPECT_TRUE(hears("yes, gain is 8"));
+  EXPECT_EQ(descriptions, 1) << "a form that is made again loses what the user writes";
 }
 
 TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
@@ -776,6 +873,13 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   EXPECT_TRUE(hears("no, look there: nothing is known of the camera yet"));
   robot_.show(Part::kPictures, true);
   sensor_msgs::CameraInfo camera;
+  tell("camera/camera_info", camera);  // not calibrated
+  EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_["camera/camera_info"].getNumSubscribers() > 0; }, kTimeout));
+  tell("camera/image_raw/compressed", picture());
+  EXPECT_TRUE(hears("picture 104x80 red blue"));
+  notes_.clear();
+  robot_.lookAt({0.5, 0.5});
+  EXPECT_TRUE(hears("no, look there: nothing is known of the camera yet"));
   camera.header.frame_id = "eye";
   camera.width = 208;
   camera.height = 160;
@@ -834,8 +938,12 @@ TEST(RemoteControlCalls, EndWithTheWindowEvenIfNobodyAnswers) {
 TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceOrAnyUntilCtrlC) {
   for (const char* name_space : {"/window", "/"}) {
     const ros::Publisher driver = ros::NodeHandle("/window").advertise<Connection>("connection", 1, true);
+    const ros::Publisher pictures =
+        ros::NodeHandle("/window").advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 1);
     Process program({AIBO_REMOTE_CONTROL, std::string("__ns:=") + name_space}, {{"QT_QPA_PLATFORM", "offscreen"}});
     EXPECT_TRUE(QTest::qWaitFor([&driver] { return driver.getNumSubscribers() > 0; }, kTimeout)) << name_space;
+    EXPECT_TRUE(QTest::qWaitFor([&pictures] { return pictures.getNumSubscribers() > 0; }, kTimeout))
+        << "what nobody sees is not asked for";
     program.signal(SIGINT);
     EXPECT_EQ(program.waitForExit(kSafetyNet), 0) << program.output();
   }
