@@ -23,10 +23,12 @@ TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
   MasterState state;
   state.types = {{"/aibo/connection", kConnection},
                  {"/aibo_driver/parameter_updates", kSettings},
-                 {"/camera/parameter_updates", kSettings}};
+                 {"/camera/parameter_updates", kSettings},
+                 {"/zoom/parameter_updates", "std_msgs/Bool"}};
   state.publishers = {{"/aibo/connection", {"/aibo_driver"}},
                       {"/aibo_driver/parameter_updates", {"/aibo_driver"}},
-                      {"/camera/parameter_updates", {"/camera"}}};
+                      {"/camera/parameter_updates", {"/camera"}},
+                      {"/zoom/parameter_updates", {"/aibo_driver"}}};
   EXPECT_EQ(settingsOf("/aibo", state), "/aibo_driver");
   EXPECT_EQ(settingsOf("/right", state), "");
 }

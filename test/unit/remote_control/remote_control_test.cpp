@@ -353,6 +353,8 @@ TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
   open("Camera");
   click("folder");
   ASSERT_EQ(window_.findChildren<QFileDialog*>().size(), 1);
+  EXPECT_TRUE(window_.findChild<QFileDialog*>()->isVisible());
+  EXPECT_EQ(window_.findChild<QFileDialog*>()->fileMode(), QFileDialog::Directory);
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
   click("folder");
   EXPECT_EQ(window_.findChildren<QFileDialog*>().size(), 1) << "one dialog is enough";
@@ -508,8 +510,10 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
   EXPECT_TRUE(is_marked(pad->measured()->x(), pad->measured()->y()));
   EXPECT_FALSE(is_marked(-pad->measured()->x(), pad->measured()->y()));
   EXPECT_FALSE(is_marked(pad->measured()->x(), -pad->measured()->y()));
+  const QPointF before = *pad->measured();
   Q_EMIT robot_.jointsMeasured({{"head_pan", -0.8}});
-  EXPECT_LT(pad->measured()->x(), 0) << "half of the head's place is none";
+  Q_EMIT robot_.jointsMeasured({{"head_tilt", -0.2}});
+  EXPECT_EQ(*pad->measured(), before) << "half of the head's place is none";
   Q_EMIT robot_.jointsMeasured({{"head_pan", -9}, {"head_tilt", 0.3}});
   EXPECT_TRUE(is_marked(1, pad->measured()->y())) << "at the edge";
   robot_.disconnectIt(State::kDisconnected, "gone");
@@ -842,7 +846,11 @@ TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
   Q_EMIT robot_.touched({"chin", "back_rear"});
   EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
   EXPECT_FALSE(find<QLabel>("head")->property("touched").toBool());
+  const QString lit = find<QLabel>("chin")->styleSheet();
+  EXPECT_NE(lit, find<QLabel>("head")->styleSheet());
+  EXPECT_EQ(lit, find<QLabel>("back_rear")->styleSheet());
   Q_EMIT robot_.touched({"back_rear"});
+  EXPECT_EQ(find<QLabel>("chin")->styleSheet(), find<QLabel>("head")->styleSheet());
   EXPECT_FALSE(find<QLabel>("chin")->property("touched").toBool());
   EXPECT_TRUE(find<QLabel>("back_rear")->property("touched").toBool());
   robot_.disconnectIt(State::kDisconnected, "gone");
@@ -1058,6 +1066,10 @@ TEST_F(JointSliderTest, HasAMarkWhereItsJointIsAndSaysItInDegrees) {
   EXPECT_EQ(text(), QString::fromUtf8("42\u00B0")) << "it is there";
   slider_.measure(0.737);
   EXPECT_EQ(slider_.slider()->value(), 740) << "the sensor is no finer";
+  slider_.slider()->setValue(742);
+  EXPECT_EQ(text(), QString::fromUtf8("\u219243\u00B0"));
+  slider_.measure(0.74);
+  EXPECT_EQ(text(), QString::fromUtf8("42\u00B0")) << "it was there already";
 }
 
 TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {

@@ -48,6 +48,7 @@ TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
   EXPECT_EQ(resolution.choices[2].first, "208x160 (layer H)");
   EXPECT_EQ(resolution.choices[2].second, QVariant("208x160"));
   const Setting gain = settingOf("gain");
+  EXPECT_EQ(gain.kind, Setting::Kind::kChoice);
   ASSERT_EQ(gain.choices.size(), 3);
   EXPECT_EQ(gain.choices[0].first, "GAIN_LOW (-6 dB)");
   EXPECT_EQ(gain.choices[0].second, QVariant(1));
