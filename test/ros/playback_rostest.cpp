@@ -22,11 +22,13 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "support/process.h"
 #include "support/ros/topic_listener.h"
 #include "support/temporary_folder.h"
+#include "tools/playback/body_frames.h"
 #include "tools/playback/recording.h"
 
 namespace {
@@ -67,6 +69,7 @@ class WalkBag {
     for (double end = time_ + seconds; time_ < end - kPeriod / 2; time_ += kPeriod) {
       write("imu/data_raw", imu());
       write("joint_states", joints());
+      write("joint_command", joints(0.4));
       write("odom", odom());
       write("camera/image_raw/compressed", headed<sensor_msgs::CompressedImage>("camera_optical_frame"));
       write("camera/camera_info", headed<sensor_msgs::CameraInfo>("camera_optical_frame"));
@@ -101,12 +104,12 @@ class WalkBag {
     return imu;
   }
 
-  sensor_msgs::JointState joints() const {
+  sensor_msgs::JointState joints(double position = 0) const {
     auto joints = headed<sensor_msgs::JointState>("");
     for (const char* leg : {"left_front_", "left_hind_", "right_front_", "right_hind_"}) {
       for (const char* joint : {"rotator", "elevator", "knee"}) {
         joints.name.push_back(std::string(leg) + joint);
-        joints.position.push_back(0);
+        joints.position.push_back(position);
       }
     }
     return joints;
@@ -148,7 +151,7 @@ class PlaybackTest : public ::testing::Test {
 
   std::string recordAWalk(double seconds = 3) const {
     WalkBag bag(path("walk.bag"), "/aibo");
-    bag.connect();
+    bag.connect(Connection::CONNECTED, "connected");
     bag.report("/anna");
     bag.walk(seconds);
     return path("walk.bag");
@@ -210,6 +213,9 @@ TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
   EXPECT_EQ(last->transforms[0].transform.rotation.z, 0.6);
   EXPECT_EQ(last->transforms[1].child_frame_id, "base_link");
   EXPECT_GT(last->transforms[1].transform.translation.z, 0.05);
+  for (const auto& each : tf.waitForCount(0)) {
+    EXPECT_EQ(each->transforms.at(1).transform, last->transforms[1].transform) << "commands are no measurements";
+  }
 
   const auto says = [&connection](const std::string& text) {
     return connection.waitFor([&text](const Connection& message) {
@@ -233,7 +239,7 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   TopicListener<RobotState> state("/other/robot_state");
   TopicListener<tf2_msgs::TFMessage> tf("/tf");
   const std::string bag = path("left.bag");
-  Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=30"}));
+  Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=3600"}));
   EXPECT_EQ(playback.waitForExit(std::chrono::milliseconds(1500)), std::nullopt) << "nobody watches yet";
   std_srvs::SetBool pause;
   pause.request.data = 1;
@@ -340,18 +346,57 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
 TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobot) {
   {
     rosbag::Bag bag(path("two.bag"), rosbag::bagmode::Write);
-    for (const char* topic : {"/left/camera/image_raw", "/left/camera/image_raw/compressed", "/left/joint_states",
-                              "/lefty/joint_states", "/right/connection", "/diagnostics", "/tf"}) {
+    for (const char* topic :
+         {"/left/camera/image_raw", "/left/camera/image_raw/compressed", "/left/joint_states", "/lefty/joint_states",
+          "/right/connection", "/right/camera/image_raw", "/diagnostics", "/tf"}) {
       bag.write(topic, kBegin, geometry_msgs::Twist());
     }
   }
-  std::vector<std::string> topics;
-  aibo_driver::tools::Recording recording(path("two.bag"), "/left");
-  for (const rosbag::ConnectionInfo* connection : recording.messages().getConnections()) {
-    topics.push_back(connection->topic);
+  const auto topics = [this](const std::string& robot) {
+    std::vector<std::string> names;
+    aibo_driver::tools::Recording recording(path("two.bag"), robot);
+    for (const rosbag::ConnectionInfo* connection : recording.messages().getConnections()) {
+      names.push_back(connection->topic);
+    }
+    return names;
+  };
+  EXPECT_THAT(topics("/left"), ::testing::UnorderedElementsAre("/diagnostics", "/left/joint_states",
+                                                               "/left/camera/image_raw/compressed"));
+  EXPECT_THAT(topics("/right"),
+              ::testing::UnorderedElementsAre("/diagnostics", "/right/connection", "/right/camera/image_raw"))
+      << "it has no other pictures";
+}
+
+TEST(BodyFrames, FollowFromTheJointsOfAllLegsAndTheAcceleration) {
+  using aibo_driver::node::legJointName;
+  aibo_driver::tools::BodyFrames frames("left/");
+  aibo_driver::node::BodyPose pose;
+  std::array<aibo_driver::node::LegAngles, aibo_driver::node::kLegs> legs;
+  sensor_msgs::Imu imu;
+  imu.header.stamp = ros::Time(5);
+  imu.linear_acceleration.x = 1;
+  imu.linear_acceleration.y = -2;
+  imu.linear_acceleration.z = 9;
+  frames.receive(imu);
+  pose.accelerate(imu.linear_acceleration, imu.header.stamp);
+  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
+    legs[leg] = {-0.4 + 0.1 * static_cast<double>(leg), 0.1, 0.8};
+    EXPECT_TRUE(frames.frames(ros::Time(7)).empty()) << "a leg has not been measured yet";
+    sensor_msgs::JointState joints;
+    joints.name = {legJointName(leg, 0), legJointName(leg, 1), legJointName(leg, 2), "torn"};
+    joints.position = {legs[leg].rotator, legs[leg].elevator, legs[leg].knee};
+    frames.receive(joints);
   }
-  EXPECT_THAT(topics, ::testing::UnorderedElementsAre("/diagnostics", "/left/joint_states",
-                                                      "/left/camera/image_raw/compressed"));
+  const auto all = frames.frames(ros::Time(7));
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].transform.rotation.w, 1) << "it has not walked";
+  EXPECT_EQ(all[1].transform, pose.above(legs));
+  for (const auto& [frame, parent, child] : {std::make_tuple(all[0], "left/odom", "left/base_footprint"),
+                                             {all[1], "left/base_footprint", "left/base_link"}}) {
+    EXPECT_EQ(frame.header.stamp, ros::Time(7));
+    EXPECT_EQ(frame.header.frame_id, parent);
+    EXPECT_EQ(frame.child_frame_id, child);
+  }
 }
 
 TEST(ChangeStamp, ChangesOnlyAHeaderAtTheBeginning) {
@@ -376,6 +421,10 @@ TEST_F(PlaybackTest, ABagThatWasNotClosedIsExplained) {
   const std::string whole = recordAWalk(60);
   std::filesystem::resize_file(whole, std::filesystem::file_size(whole) / 2);
   EXPECT_THAT(complaintAbout(whole), HasSubstr("walk.bag cannot be read as a bag"));
+  WalkBag unfinished(path("night.bag.active"), "/aibo");
+  unfinished.walk(60);
+  std::filesystem::copy_file(path("night.bag.active"), path("night.bag"));
+  EXPECT_THAT(complaintAbout(path("night.bag")), HasSubstr("Repair it with: rosbag reindex " + path("night.bag")));
 }
 
 TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
@@ -400,11 +449,12 @@ TEST_F(PlaybackTest, AMessageThatIsCutOffIsDamage) {
   {
     WalkBag bag(path("later.bag"), "/aibo");
     bag.connect();
-    bag.walk(1);
+    bag.walk(61);
     bag.cutOff<sensor_msgs::JointState>("joint_states");
+    bag.walk(2);
   }
-  EXPECT_THAT(complaintAbout(path("later.bag"), {"_wait:=0"}),
-              HasSubstr("later.bag is damaged at 0:01 of 0:01: Buffer"));
+  EXPECT_THAT(complaintAbout(path("later.bag"), {"_wait:=0", "_rate:=50"}),
+              HasSubstr("later.bag is damaged at 1:01 of 1:02: Buffer"));
 }
 
 TEST_F(PlaybackTest, IsNotPlayedWhereADriverRuns) {
