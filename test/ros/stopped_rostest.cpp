@@ -120,6 +120,12 @@ class FakeDriver {
     state_.publish(state_now_);
   }
 
+  /// Whether the robot sees and measures anything.
+  void setAwake(bool is_awake) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_awake_ = is_awake;
+  }
+
   /// What moves the robot from now on.
   void move(const std::vector<Movement>& movements) {
     MotionState state;
@@ -152,6 +158,9 @@ class FakeDriver {
     black.data.resize(black.step * black.height);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
+      if (!is_awake_) {
+        return;
+      }
       for (unsigned i = 0; i < ball_width_ * ball_width_; ++i) {
         black.data.at((20 + i / ball_width_) * black.step + 3 * (ball_left_ + i % ball_width_)) = 1;
       }
@@ -166,6 +175,7 @@ class FakeDriver {
   std::promise<void> may_answer_;
   std::mutex mutex_;  ///< of what is told and seen, because services are called on several threads
   RobotState state_now_;
+  bool is_awake_ = true;
   unsigned ball_left_ = 0;
   unsigned ball_width_ = 0;
   ros::Publisher state_;
@@ -365,6 +375,9 @@ TEST_F(BallFollower, NeedsLeaveToGoOnWhenItWasOverruledInAnotherWay) {
   expect_to_need_leave("waits: the robot is carried", [this](bool is_over) {
     driver_.tell(RobotState::ON, is_over ? RobotState::CARRIED : RobotState::STANDING);
   });
+  expect_to_need_leave("waits: the robot has fallen", [this](bool is_over) {
+    driver_.tell(RobotState::ON, is_over ? RobotState::FALLEN : RobotState::STANDING);
+  });
   expect_to_need_leave("waits: /somebody has called sit", [this](bool is_over) { driver_.takePosture(is_over); });
 }
 
@@ -378,6 +391,22 @@ TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
   EXPECT_TRUE(becomesSilent()) << "until the robot has taken it";
   driver_.takePosture(false);
   EXPECT_TRUE(walks());
+}
+
+TEST_F(BallFollower, PausesAfterAStopForAsLongAsTheDriverIgnoresItsStream) {
+  start({"_go_on_after_stop:=true"});
+  driver_.setAwake(false);
+  EXPECT_TRUE(becomesSilent());
+  const auto stopped = std::chrono::steady_clock::now();
+  driver_.stop("/user");
+  std::string message;
+  while (callGoOn("/follows/aibo_follow_ball", &message) &&
+         std::chrono::steady_clock::now() < stopped + kSafetyNet) {  // until it knows of the stop
+  }
+  driver_.release();
+  driver_.setAwake(true);
+  EXPECT_TRUE(walks());
+  EXPECT_GE(std::chrono::steady_clock::now() - stopped, std::chrono::milliseconds(500));
 }
 
 TEST(BallFollowerAtItsStart, WaitsForAStoppedRobotAndForLeave) {
