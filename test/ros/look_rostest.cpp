@@ -6,6 +6,7 @@
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
+#include <aibo_driver/MotionState.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
@@ -28,6 +29,8 @@
 namespace {
 
 using aibo_driver::LookAtResult;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
 using geometry_msgs::PointStamped;
 using test_support::JointUser;
 using test_support::kQuick;
@@ -120,7 +123,14 @@ TEST_F(LookTest, KnowsWhereTheCameraWasWhenItTookThePicture) {
   in_body.point.x = place.x() + transform.translation.x;
   in_body.point.y = place.y() + transform.translation.y;
   in_body.point.z = place.z() + transform.translation.z;
-  EXPECT_TRUE(lookAt(clicked).success);
+  TopicListener<MotionState> motion("/look/motion_state");
+  const LookAtResult result = lookAt(clicked);
+  EXPECT_TRUE(result.success);
+  EXPECT_EQ(result.header.stamp, clicked.header.stamp) << "so that whoever has clicked knows it again";
+  EXPECT_TRUE(motion.waitFor([](const MotionState& state) {
+    return !state.movements.empty() && state.movements[0].kind == Movement::LOOK_AT &&
+           state.movements[0].source == "/look/aibo_look_at";
+  })) << "it is told from other commands";
   EXPECT_TRUE(seesInItsMiddle(in_body));
 }
 
@@ -377,10 +387,18 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
       << "the ball is on the floor";
   EXPECT_TRUE(swing(ros::Duration(604.5))) << "the robot was switched on at another time";
 
-  aibo_driver::Connection lost;
-  lost.state = aibo_driver::Connection::DISCONNECTED;
-  robot.publish("connection", lost);
-  ASSERT_TRUE(balls.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }));
+  const auto is_gone = [](const Marker& ball) { return ball.action == Marker::DELETE; };
+  aibo_driver::Connection connection;
+  connection.state = aibo_driver::Connection::CONNECTED;
+  robot.publish("connection", connection);
+  balls.clear();
+  balls.waitForCount(3);
+  EXPECT_FALSE(balls.waitFor(is_gone, std::chrono::milliseconds(0))) << "nothing has been lost";
+  connection.state = aibo_driver::Connection::DISCONNECTED;
+  robot.publish("connection", connection);
+  ASSERT_TRUE(balls.waitFor(is_gone));
+  state.frame_number = 0;  // that of a robot of version 1
+  robot.publish("camera/state", state);
   balls.clear();
   EXPECT_TRUE(balls.waitForCount(1, std::chrono::milliseconds(300)).empty()) << "nobody knows where it is";
   EXPECT_TRUE(swing(ros::Duration(4.5))) << "the robot has started again";
