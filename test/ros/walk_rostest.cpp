@@ -567,6 +567,12 @@ TEST(JoystickTeleop, RefusesAWrongMapping) {
   Process teleop({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_dead_man_button:=-1"});
   teleop.waitForOutput("dead_man_button is -1; it must be", kSafetyNet);
   EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
+  for (const std::string place : {"stop_button", "tilt_axis", "motions/WAG", "postures/sit"}) {
+    ros::param::del("/wrong_joystick");
+    Process unplugged({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_" + place + ":=-2"});
+    unplugged.waitForOutput(place + " is -2; it must be a place in sensor_msgs/Joy, from 0 on, or -1", kSafetyNet);
+    EXPECT_EQ(unplugged.waitForExit(kSafetyNet), 1);
+  }
   ros::param::set("/wrong_posture/aibo_teleop_joy/postures", std::map<std::string, int>{{"fly", 2}});
   Process flying({AIBO_TELEOP_JOY, "__ns:=/wrong_posture"});
   ros::param::set("/one_motion/aibo_teleop_joy/motions", 2);
