@@ -46,6 +46,15 @@ TEST(BallFinder, ABallThatIsCutOffByTheBorderIsNoFartherAway) {
   EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 8, 0.02);
 }
 
+TEST(BallFinder, WhatIsAtTheOtherEndOfThePictureIsNoPartOfTheBall) {
+  sensor_msgs::Image mask = emptyMask();
+  drawDisc(104 - 8, 40, 8, &mask);
+  drawDisc(0, 41, 4, &mask);
+  const auto ball = findBall(mask);
+  ASSERT_TRUE(ball);
+  EXPECT_NEAR(ball->left, (52 - (104 - 8)) / kFocalLength, 0.002);
+}
+
 TEST(BallFinder, FindsASmallBallInEachCorner) {
   for (const double x : {1.5, 102.5}) {
     for (const double y : {1.5, 78.5}) {

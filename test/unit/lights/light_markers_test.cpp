@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -67,6 +68,19 @@ TEST(LightMarkers, AreBrighterWithMoreIntensityAndDifferentInModeB) {
   EXPECT_EQ(shining(lights).at(0).color.a, 1) << "rviz takes no more";
   EXPECT_TRUE(lights.setLeds(states("face_1", 1.0F, LedStates::MODE_B)));
   EXPECT_NE(shining(lights).at(0).color.g, bright.color.g);
+}
+
+TEST(LightMarkers, HaveTheirColors) {
+  const std::tuple<const char*, int, std::array<float, 3>> colors[] = {
+      {"mode_red", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}},  {"mode_green", LedStates::MODE_A, {0.2F, 1.0F, 0.3F}},
+      {"mode_blue", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}}, {"head_color", LedStates::MODE_B, {1.0F, 0.6F, 0.1F}},
+      {"face_1", LedStates::MODE_A, {1.0F, 1.0F, 0.95F}},   {"face_1", LedStates::MODE_B, {1.0F, 0.35F, 0.75F}}};
+  for (const auto& [name, mode, color] : colors) {
+    LightMarkers lights("");
+    lights.setLeds(states(name, 0.5F, mode));
+    const auto& shown = shining(lights).at(0).color;
+    EXPECT_EQ((std::array<float, 3>{shown.r, shown.g, shown.b}), color) << name << ", mode " << mode;
+  }
 }
 
 TEST(LightMarkers, AreOffWhileItIsUnknownWhetherTheyShine) {
