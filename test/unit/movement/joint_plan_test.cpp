@@ -232,6 +232,9 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   EXPECT_EQ(endOf(later), EndedHow::kReplaced);
   EXPECT_EQ(endOf(sooner), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(at_once));
+  follow(0.032, 1.2);
+  EXPECT_EQ(endOf(at_once), EndedHow::kDone);
+  EXPECT_TRUE(plan_.empty());
 }
 
 TEST_F(JointPlanTest, WhatWaitsKeepsTheOtherJointsWithTheirVelocities) {
@@ -290,6 +293,12 @@ TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
   EXPECT_EQ(reasonOf(commanded), "a trajectory moves head_pan");
 }
 
+TEST_F(JointPlanTest, ATrajectoryBeginsWhereTheJointIsLongAfterACommand) {
+  command({{kPan, {kPan, 0.1, 1.0}}}, 0);
+  measure(5, 0.4);
+  EXPECT_NEAR(wanted(add(pan({{1, {1}, {0}}}), 5, 5), 5), 0.4, 1e-6) << "somebody has moved it by hand";
+}
+
 TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
   command({{kPan, {kPan, 0.1, 1.0}}}, 0);
   const auto fate = add(pan({{1, {1}, {0}}}), 0.15, 0.15);
@@ -301,6 +310,12 @@ TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
   EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
               AllOf(HasSubstr("head_pan was last measured 0.8 s ago"), HasSubstr("at most 0.3 s are allowed")));
+}
+
+TEST_F(JointPlanTest, RefusesATrajectoryWithoutPointsWheneverItBegan) {
+  for (const double start : {-1.0, 0.0, 1.0}) {
+    EXPECT_EQ(refusal(pan({}), start, 0), "it has points without joints, or joints without points.");
+  }
 }
 
 TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {

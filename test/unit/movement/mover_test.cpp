@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -266,6 +267,10 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   command("head_pan", 0.1);
   pass(milliseconds(3200), 0.2);
   EXPECT_EQ(reasonOf(again), "head_pan is 0.10 rad from where it was sent") << "it followed the second command";
+  const auto replaced = command("head_pan", 0.0);
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  command("head_pan", 0.3, "/other");
+  EXPECT_EQ(reasonOf(replaced), "head_pan was commanded to go elsewhere");
 }
 
 TEST_F(MoverTest, ATrajectoryMayTakeLongerThanAHoldUp) {
@@ -326,6 +331,9 @@ TEST_F(MoverTest, ACommandEndsATrajectoryAndSaysSo) {
   command("head_pan", 0.3);
   EXPECT_EQ(reasonOf(followed), "head_pan was commanded to go elsewhere");
   EXPECT_EQ(endOf(followed), EndedHow::kReplaced);
+  told();
+  mover_.goOn();
+  EXPECT_THAT(told(), IsEmpty()) << "no step of the trajectory";
 }
 
 TEST_F(MoverTest, ReadsNoOrderThatNamesFarMoreJointsThanARobotHas) {
@@ -351,6 +359,19 @@ TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
   EXPECT_EQ(endOf(nothing), EndedHow::kRefused);
 }
 
+TEST_F(MoverTest, AJointThatIsLeftOutIsNoPartOfTheMovement) {
+  walk();
+  const auto incomplete = [this] {
+    return mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.1, NAN}, {});
+  };
+  const auto first = incomplete();
+  EXPECT_THAT(mover_.state().movements.back().joints, ElementsAre("head_pan"));
+  EXPECT_EQ(incomplete().id, first.id) << "it goes on with its movement";
+  told();
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00")) << "the legs are the walk's";
+}
+
 TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
   client_.problem = "there is no robot";
   for (int i = 0; i < 10; ++i) {
@@ -363,6 +384,7 @@ TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
   EXPECT_THAT(ends_, SizeIs(2));
   command("head_pan", 0, "/other");
   command("head_tilt", 0);
+  mover_.command(order(), {"head_pan"}, {0.0}, {}, Kind::kLookAt);
   mover_.command(order(), {"head_pan"}, {0.0}, {}, Kind::kLookAt);
   EXPECT_THAT(ends_, SizeIs(5)) << "another node, another joint, another kind";
   client_.problem = "another reason";
@@ -420,6 +442,10 @@ TEST_F(MoverTest, WhatWaitedWhileStoppedDoesNotMoveTheRobotAfterTheRelease) {
   now_ += milliseconds(100);
   mover_.release(order("/panel"));
   EXPECT_EQ(reasonOf(mover_.command(waiting, {"head_pan"}, {0.5}, {})), "it came before /panel called release");
+  const Order earlier = order();
+  now_ += milliseconds(100);
+  mover_.setMotors(order("/panel"), true);
+  EXPECT_EQ(reasonOf(mover_.command(earlier, {"head_pan"}, {0.5}, {})), "it came before /panel switched the motors on");
 }
 
 TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
@@ -494,14 +520,18 @@ TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
 
 TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
   const auto played = mover_.play(order(), "NOD.MTN", 1);
+  const auto done = mover_.play(order(), "WAG.MTN", 1);
   client_.meanwhile = [this] {
     mover_.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "the client holds it"});
+    mover_.ended({EndedKind::kMotion, EndedHow::kDone, "WAG.MTN", "it took longer"});
     mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "a stop came before it was sent", 0});
   };
   const auto commanded = command("head_pan", 0.4);
   mover_.stop(order("/panel"));
   EXPECT_EQ(reasonOf(played), "/panel called stop");
   EXPECT_EQ(reasonOf(commanded), "/panel called stop");
+  EXPECT_EQ(endOf(done), EndedHow::kDone);
+  EXPECT_EQ(reasonOf(done), "it took longer") << "the stop did not end it";
 }
 
 TEST_F(MoverTest, HoldsWithoutStopping) {
@@ -742,6 +772,10 @@ TEST_F(MoverTest, StopsAMotionAlone) {
   EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
   EXPECT_EQ(reasonOf(played), "/panel stopped it");
   EXPECT_EQ(other.ended(), nullptr);
+  const auto commanded = command("head_pan", 0.5);
+  mover_.stopMotion(order("/panel"), "");
+  EXPECT_EQ(reasonOf(other), "/panel stopped it");
+  EXPECT_EQ(commanded.ended(), nullptr);
 }
 
 TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
@@ -764,6 +798,7 @@ TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   EXPECT_EQ(reasonOf(last), "/panel called sit");
   EXPECT_EQ(both.ended(), nullptr);
   EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
+  EXPECT_THAT(mover_.state().movements.at(0).joints, ElementsAre("head_pan"));
   mover_.stop(order());
   EXPECT_EQ(endOf(both), EndedHow::kStopped);
   EXPECT_THAT(both.ended()->movement.joints, ElementsAre("head_pan")) << "that it moved last";
@@ -776,6 +811,9 @@ TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
     EXPECT_EQ(endOf(trajectory), EndedHow::kReplaced);
     EXPECT_EQ(reasonOf(trajectory), "/panel called stand");
   }
+  told();
+  mover_.goOn();
+  EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:"))) << "no step for a leg";
   EXPECT_EQ(head.ended(), nullptr);
 }
 
@@ -797,7 +835,11 @@ TEST_F(MoverTest, EndsEverythingWithTheConnection) {
 
 TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
   const auto commanded = command("head_pan", 0.5);
+  mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
+  EXPECT_EQ(commanded.ended(), nullptr) << "the first report; the robot itself refuses";
+  mover_.robotChanged({MotorState::kOn, PostureNow::kLying});
   mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
+  EXPECT_EQ(commanded.ended(), nullptr);
   client_.meanwhile = [this] { mover_.robotChanged({MotorState::kOff, PostureNow::kStanding}); };
   mover_.setMotors(order("/panel"), false);
   EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
@@ -885,6 +927,7 @@ TEST_F(MoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
 
 TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
   const auto under_way = follow("head_pan", 1.0, 1.0);
+  const auto leg = command("left_front_rotator", 0.1);
   client_.told.clear();
   client_.present.robot.design = "ERS-210";
   mover_.goOn();
@@ -897,6 +940,7 @@ TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
   steer(0.1);
   EXPECT_THAT(ends_.back().reason, HasSubstr("it is an ERS-210"));
   EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_EQ(leg.ended(), nullptr) << "nothing has replaced it";
 }
 
 // ---- Walking
@@ -906,6 +950,8 @@ TEST_F(MoverTest, AStreamOfVelocitiesThatWasStoppedMovesTheRobotOnlyAfterItsNode
   mover_.stop(order("/panel"));
   told();
   steerOn(0.1);
+  EXPECT_EQ(ends_.back().reason, "stopped by /panel; call release");
+  EXPECT_THAT(ends_, SizeIs(2));
   mover_.release(order("/panel"));
   steerOn(0.1);
   EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
@@ -1339,6 +1385,9 @@ TEST_F(MoverTest, AWalkThatIsSlowerThanTheRobotSaysEndsAsOthersDo) {
 
 TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {
   walk();
+  steer(0.1, "/navigation");
+  EXPECT_THAT(ends_, IsEmpty()) << "both steer: it is one walk";
+  EXPECT_EQ(mover_.state().movements.at(0).source, "/teleop");
   now_ += milliseconds(600);
   steer(0.1, "/navigation");
   EXPECT_EQ(ends_.back().reason, "/navigation steers now");
