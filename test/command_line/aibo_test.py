@@ -1089,7 +1089,8 @@ class Answered(TestCase):
             {"name": "head_pan", "commanded": 0.2, "target": 0.103, "position": 0.1, "clamped": True}])
         self.assertRegex(moved.errors, "refused to send telemetry: no")
         answers[b"J"] = [[None]]
-        refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)), status=FAILED)
+        refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)),
+                            status=FAILED)
         self.assertRegex(refused.errors, r"telemetry: no\.\naibo: the robot refused: no\n$")
 
     def test_other_ends_are_not_that_of_a_movement(self):
@@ -1170,7 +1171,8 @@ class WrongUsage(TestCase):
     def test_is_refused_before_anything_is_sent(self):
         for words in ([], ["fly"], ["move"], ["move", "head_pan"], ["move", "head_pan=30"], ["motors", "maybe"],
                       ["walk", "forward=0m/s"], ["walk", "up=1m/s"], ["walk", "up=1rad/s"], ["doctor", "10.0.0.1/x"],
-                      ["watch", "--shutter", "x"], ["picture", "--gain", "loud"], ["picture", "--white-balance", "x"], ["picture", "-q", "0"], ["picture", "-q", "101"],
+                      ["--host", "10.0.0.1/x", "joints"], ["watch", "--shutter", "x"], ["picture", "--gain", "loud"],
+                      ["picture", "--white-balance", "x"], ["picture", "-q", "0"], ["picture", "-q", "101"],
                       ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
                       ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["watch", "--seconds", "604801"],
                       ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],

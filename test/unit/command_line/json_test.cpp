@@ -27,7 +27,7 @@ TEST(Json, NestsObjectsAndArrays) {
 }
 
 TEST(Json, EscapesWhatATerminalWouldObey) {
-  EXPECT_EQ(Json("\"\\\n\x1b[2J").text(), R"("\"\\\u000a\u001b[2J")");
+  EXPECT_EQ(Json("\"\\\n\x1b[2J\x7f").text(), R"("\"\\\u000a\u001b[2J\u007f")");
   EXPECT_EQ(Json("\xff").text(), "\"\xEF\xBF\xBD\"");                                  // not UTF-8
   EXPECT_EQ(Json("\xE2\x80\xAE").text(), "\"\xEF\xBF\xBD\xEF\xBF\xBD\xEF\xBF\xBD\"");  // U+202E turns the direction
   EXPECT_EQ(Json("Ger\xC3\xA4t").text(), "\"Ger\xC3\xA4t\"");
