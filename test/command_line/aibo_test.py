@@ -105,7 +105,7 @@ class ScriptedServer:
 def says_hello(server, names=b"", flood=None, answers=None):
     """A server of version 2 with a name, which lists motions of these names and refuses everything else. What `flood`
     makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
-    pushed then; the last one comes again and again. None is the usual reply."""
+    pushed then; the last one comes again and again. None is the usual reply, b"-" is none."""
     hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
         server, b" ".join(answers or ()))
 
@@ -126,8 +126,9 @@ def says_hello(server, names=b"", flood=None, answers=None):
             left = (answers or {}).get(kind, [[None]])
             payload, *pushed = left.pop(0) if len(left) > 1 else left[0]
             payload = {b"H": hello, b"N": names}.get(kind) if payload is None else payload
-            client.sendall(version2_frame(b"e", b"\x00\x00no", number) if payload is None else
-                           version2_frame(kind.lower(), payload, number, identifier))
+            if payload != b"-":
+                client.sendall(version2_frame(b"e", b"\x00\x00no", number) if payload is None else
+                               version2_frame(kind.lower(), payload, number, identifier))
             client.sendall(b"".join(version2_frame(*frame) for frame in pushed))
     return serve
 
@@ -1118,6 +1119,8 @@ class Answered(TestCase):
         topics = [finding["topic"] for finding in report["findings"]]
         self.assertEqual(topics[:4], ["name", "port", "server", "allows"])
         self.assertNotIn("battery", topics)
+        self.assertIn("the ERS-210 does not report how full its battery is: `aibo sensors` shows what it measures",
+                      self.aibo("battery", port=robot.port, status=FAILED).errors)
 
     def test_an_old_server_says_which_joint_does_not_follow(self):
         robot = SimulatedRobot("--protocol-version", "1", console=True)
@@ -1131,6 +1134,17 @@ class Answered(TestCase):
         played = self.aibo("play", "nod", port=port)
         self.assertIn("aibo: the robot refused: no\n", played.errors)
         self.assertEqual(played.stdout, b"NOD.MTN was played to its end.\n")
+
+    def test_the_second_ctrl_c_waits_for_no_robot(self):
+        witness = Witness(self.server(says_hello(b"", answers={b"P": [[b""], [b"-"]]})))
+        self.addCleanup(witness.end)
+        with start("play", "nod", port=witness.port) as play:
+            for frame in (b"\0\1NOD.MTN", b"\0\0NOD.MTN"):  # to play, and to stop
+                while frame not in b"".join(witness.sent):
+                    self.assertIsNone(play.poll())
+                    time.sleep(0.01)
+                play.send_signal(signal.SIGINT)
+            self.assertEqual(play.wait(60), -signal.SIGINT)
 
     def test_motors_that_stay_as_they_are(self):
         for wish, state in (("on", "off"), ("off", "on")):

@@ -75,12 +75,14 @@ ExitStatus showBattery(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
   const robot_model::RobotModel& model = robot.model();
-  const auto idOf = [&model](const char* name) {
-    const int index = robot_model::findSensorByName(model, name);
-    return index == robot_model::NO_SENSOR ? 0 : static_cast<int>(model.sensors[index].identifier);
-  };
-  const int charge_id = idOf("battery");
-  const int temperature_id = idOf("temperature");
+  const int charge_at = robot_model::findSensorByName(model, "battery");
+  const int temperature_at = robot_model::findSensorByName(model, "temperature");
+  if (charge_at == robot_model::NO_SENSOR || temperature_at == robot_model::NO_SENSOR) {
+    throw FailedException(std::string("the ") + model.design +
+                          " does not report how full its battery is: `aibo sensors` shows what it measures");
+  }
+  const int charge_id = model.sensors[charge_at].identifier;
+  const int temperature_id = model.sensors[temperature_at].identifier;
   robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
   const bool measured = robot.waitUntil(
       [&](const Received& received) {
