@@ -351,6 +351,9 @@ void DriverTopics::followSettings(const std::string& owner) {
   subscribers_.erase(settings_owner_ + "/parameter_descriptions");
   subscribers_.erase(settings_owner_ + "/parameter_updates");
   settings_owner_ = owner;
+  if (owner.empty()) {
+    return;
+  }
   subscribe<dynamic_reconfigure::ConfigDescription>(
       owner + "/parameter_descriptions", [this](const dynamic_reconfigure::ConfigDescription& message) {
         post_([settings = settingsIn(message)](Robot& robot) { Q_EMIT robot.settingsDescribed(settings); });
