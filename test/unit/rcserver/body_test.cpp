@@ -312,6 +312,7 @@ TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   const auto drawn = std::find(path.begin(), path.end(), true);
   EXPECT_EQ(std::count(drawn, drawn + LightDriver::EAR_FRAMES, true), LightDriver::EAR_FRAMES) << "without a gap";
   EXPECT_FALSE(robot_.ears[1].drawn);
+  EXPECT_EQ(robot_.ears[1].period, 1);
 }
 
 TEST_F(BodyTest, EarDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
@@ -361,6 +362,7 @@ TEST_F(BodyTest, EarsOfAnErs210AreDrawnAndLetGo) {
   expectAnswer(request('K', 0, 1), 'k', 0, 1);
   passFrames(100);
   for (const FakeRobot::FakeEar& ear : ers210.ears) {
+    EXPECT_EQ(ear.period, 0);
     EXPECT_EQ(std::count(ear.path.begin(), ear.path.end(), true), LightDriver::EAR_FRAMES);
   }
   client_.reset();
@@ -527,6 +529,7 @@ TEST_F(BodyVersion2Test, SensorsThatReportWithoutJointsAreServed) {
   start();
   reconnect();
   EXPECT_EQ(sensorTelemetry().size(), 18U);
+  expectRefusal(answerTo('O', 0, on_), CODE_REFUSED, "cannot switch its motors on");
 }
 
 TEST_F(BodyVersion2Test, LedsAreSetTogetherAndAnsweredByTheAcceptedValues) {

@@ -60,6 +60,7 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   struct FakeEar {
     bool drawn = false;
+    int period = 0;          ///< of its last command
     std::vector<bool> path;  ///< at the end of each frame
   };
 
@@ -337,7 +338,10 @@ class FakeRobot : public openr_host::VirtualRobot {
     if (command.type == odataJOINT_COMMAND2) {
       at(command.primitive).reference = valueOf<OJointCommandValue2>(command).value;
     } else if (command.primitive >= kFirstEar) {
-      ears.at(command.primitive - kFirstEar).drawn = valueOf<OJointCommandValue4>(command).value == ojoint4_STATE1;
+      const auto value = valueOf<OJointCommandValue4>(command);
+      FakeEar& ear = ears.at(command.primitive - kFirstEar);
+      ear.drawn = value.value == ojoint4_STATE1;
+      ear.period = value.period;
     } else {
       FakeLed& led = leds.at(command.primitive - kFirstLed);
       ++led.commands;
