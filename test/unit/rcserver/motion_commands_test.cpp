@@ -111,6 +111,7 @@ TEST_F(Version1MotionsTest, flicksTheEarsOfAMotionAndTellsTheConsoleWhatIsDiffer
   EXPECT_EQ(framesDrawn(0), LightDriver::EAR_FRAMES);
   EXPECT_EQ(framesDrawn(1), 2 * LightDriver::EAR_FRAMES);
   const std::string line = "RCServer: EARS.MTN: 2 positions are clipped, by up to 2.0 degrees (head_pan at 800 ms)\n";
+  EXPECT_EQ(answerTo(fileRequest('P', "EARS.MTN", 1)), "p7 0");
   EXPECT_THAT(console_.str(), HasSubstr(line));
   EXPECT_EQ(console_.str().find(line), console_.str().rfind(line)) << "once";
 }
