@@ -455,6 +455,7 @@ TEST_F(SimulatedErs7Test, BothEarsBecomeTooHotInTheSameFrame) {
   passFrames(125);
   EXPECT_TRUE(robot_.ear("left_ear").isHot());
   EXPECT_TRUE(robot_.ear("right_ear").isHot());
+  EXPECT_THROW(robot_.ear("nose"), std::invalid_argument);
 }
 
 TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {

@@ -55,7 +55,9 @@ class IpStackTest : public testing::Test {
     if (message.operation == antOperation_TCPListen || message.operation == antOperation_TCPConnect) {
       addresses_.emplace(static_cast<const TCPEndpointAddressesMsg&>(message));
     } else if (message.operation == antOperation_TCPReceive) {
-      answer.size = static_cast<const TCPEndpointReceiveMsg&>(message).sizeMin;
+      const auto& received = static_cast<const TCPEndpointReceiveMsg&>(message);
+      answer.size = received.sizeMin;
+      EXPECT_TRUE(answer.error != TCP_SUCCESS || received.sizeMax == received.sizeMin);
     }
     answers_.push_back(answer);
   }
