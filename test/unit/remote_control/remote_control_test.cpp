@@ -948,6 +948,8 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
   EXPECT_TRUE(find<QCheckBox>("auto_exposure")->isChecked());
   EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.5);
+  Q_EMIT robot_.settingsChanged({{"auto_exposure", false}});
+  EXPECT_FALSE(find<QCheckBox>("auto_exposure")->isChecked());
   EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";
   Q_EMIT robot_.settingsDescribed({{"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}}});
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 50}, {"gain", 1}});

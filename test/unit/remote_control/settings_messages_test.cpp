@@ -39,6 +39,7 @@ TEST(SettingsMessages, NumbersHaveTheirRange) {
   EXPECT_EQ(settingOf("telemetry_rate").lowest, 0.25);
   EXPECT_EQ(settingOf("telemetry_rate").highest, 31.25);
   EXPECT_EQ(settingOf("auto_exposure").kind, Setting::Kind::kSwitch);
+  EXPECT_FALSE(settingOf("auto_exposure").description.isEmpty());
 }
 
 TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
