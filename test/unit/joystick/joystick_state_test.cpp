@@ -27,6 +27,7 @@ TEST_F(ReporterTest, ReportsEachChangeAtOnceAndTheSameAgainAfterAWhile) {
   EXPECT_TRUE(after(milliseconds(10), State{{0}, {1}}));
   EXPECT_FALSE(after(milliseconds(40), State{{0}, {1}}));
   EXPECT_TRUE(after(milliseconds(10), State{{0}, {1}}));
+  EXPECT_TRUE(after(milliseconds(10), State{{1}, {1}})) << "a stick has moved";
 }
 
 TEST_F(ReporterTest, TakesASmallDeflectionForNone) {

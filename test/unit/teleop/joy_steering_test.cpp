@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <utility>
+
 namespace teleop {
 namespace {
 
@@ -69,6 +71,10 @@ TEST_F(JoySteeringTest, TurnsTheHeadByTheOtherStick) {
   ASSERT_TRUE(head);
   EXPECT_DOUBLE_EQ(head->pan, 1.0);
   EXPECT_NEAR(head->tilt, -0.5, 1e-6);
+  axes_[3] = 0;
+  EXPECT_TRUE(press({4}).head) << "up and down only";
+  std::swap(axes_[3], axes_[4]);
+  EXPECT_TRUE(press({4}).head) << "to the sides only";
   axes_ = std::vector<float>(7, 0.0F);
   EXPECT_FALSE(press({4}).head) << "others may move it";
 }
