@@ -263,12 +263,15 @@ TEST_F(Version2Test, CameraSettingsGoToTheCameraAndAreInForceUntilTheClientGoes)
   EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN, "\x03")), "\x03");
   EXPECT_EQ(textOf(answerTo('G', SETTING_SHUTTER_SPEED, "\x01")), "\x01");
   EXPECT_EQ(textOf(answerTo('G', SETTING_AUTO_EXPOSURE, "\x01")), "\x01");
+  EXPECT_EQ(textOf(answerTo('G', SETTING_AUTO_WHITE_BALANCE, "\x01")), "\x01");
   EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN)), "\x03");
   using Request = std::pair<OPrimitiveRequest, longword>;
-  EXPECT_THAT(robot_.camera_requests, ElementsAre(Request(384, 1), Request(385, 3), Request(386, 1), Request(388, 0)));
+  EXPECT_THAT(robot_.camera_requests,
+              ElementsAre(Request(384, 1), Request(385, 3), Request(386, 1), Request(388, 0), Request(390, 0)));
   robot_.camera_requests.clear();
   disconnect();
-  EXPECT_THAT(robot_.camera_requests, ElementsAre(Request(389, 0), Request(386, 2), Request(385, 2), Request(384, 3)));
+  EXPECT_THAT(robot_.camera_requests,
+              ElementsAre(Request(391, 0), Request(389, 0), Request(386, 2), Request(385, 2), Request(384, 3)));
   connectVersion2();
   EXPECT_EQ(textOf(answerTo('G', SETTING_GAIN)), "\x02");
 }
@@ -580,7 +583,9 @@ TEST_F(Version2Test, NoTelemetryFollowsTheAnswerThatEndsIt) {
 
 TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
   EXPECT_TRUE(motorsAfter(""));
+  EXPECT_TRUE(motorsAfter("\1")) << "they are on already";
   EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
+  EXPECT_FALSE(motorsAfter(std::string(1, '\0'))) << "they are off already";
   EXPECT_FALSE(motorsAfter(""));
   EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
   EXPECT_TRUE(motorsAfter("\1"));
