@@ -1,7 +1,10 @@
 // Pictures by UDP: what the client asks for, which pictures it delivers, and when it goes back to TCP.
 #include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -138,14 +141,20 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   Bytes of_a_picture_to_come = picture[0];
   of_a_picture_to_come[8] = 1;
   arrive(of_a_picture_to_come);
+  Bytes ahead = picture[0];
+  ahead[6] = 1;  // so many datagrams are not lost at once
+  arrive(ahead);
   Bytes contradiction = picture[1];
   contradiction[19] ^= 1;  // the image count may differ, the frame may not
   contradiction[23] ^= 1;
   arrive(picture[0]);
+  const std::uint64_t before = counters_.bad_datagrams;
+  EXPECT_GE(before, 100u);
   arrive(contradiction);
+  EXPECT_EQ(before + 1, counters_.bad_datagrams);
   arrive(picture);
   EXPECT_THAT(delivered(), ElementsAre(1));
-  EXPECT_GE(counters_.bad_datagrams, 100u);
+  EXPECT_THAT(repliesOf('l'), IsEmpty());
   EXPECT_EQ(1, logged("that is dropped"));
 }
 
@@ -220,11 +229,34 @@ TEST_F(DatagramsTest, APictureIsBelievedToBeAsFarAheadAsTheOutageWasLong) {
   EXPECT_THAT(delivered(), ElementsAre(1, 27));
 }
 
+TEST_F(DatagramsTest, AForgedDatagramAfterASilenceDoesNotMakeLaterPicturesLate) {
+  startStream();
+  live(milliseconds(320), [this] { arrive(nextPicture()); });
+  live(milliseconds(400));
+  unsigned sequence = sequence_ + 20;
+  arrive(test_support::makeDatagrams(makeJpeg(99), picture_ + 10, frameOf(1), &sequence, false).front());
+  arrive(nextPicture());
+  EXPECT_EQ(picture_, pictures_.size());
+}
+
+// Otherwise the robot would wait. It has gone on sending while this process was stopped.
+TEST_F(DatagramsTest, APictureThatComesAfterALongJumpIsAcknowledged) {
+  startStream();
+  live(milliseconds(320), [this] { arrive(nextPicture()); });
+  for (int i = 0; i < 70; ++i) {
+    nextPicture();
+  }
+  now_ += milliseconds(70 * 32);
+  arrive(nextPicture());
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(picture_ - 1)}), repliesOf('a').back());
+}
+
 TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
   startStream();
   arrive(nextPicture());
   unsigned sequence = sequence_;
-  arrive(test_support::makeDatagrams(makeJpeg(1), picture_, 1'000'000, &sequence, false));
+  constexpr unsigned kFuture = 1000 + 20;  // when the robot said hello, it had frame 1000
+  arrive(test_support::makeDatagrams(makeJpeg(1), picture_, kFuture, &sequence, false));
   EXPECT_THAT(delivered(), ElementsAre(1));
   nextPicture();  // its number is the forged one's
   arrive(nextPicture());
@@ -361,6 +393,7 @@ TEST_F(DatagramsTest, ARefusalMeansTcp) {
   EXPECT_EQ('B', request());
   receive(makeFrame('e', number_, version2_frames::makeError(0, "no endpoint")));
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no endpoint"));
+  EXPECT_EQ(1u, counters_.refusals);
   wish_.datagram_port = 0;
   answer();
   receive(byTcp(1, 4));
@@ -684,13 +717,37 @@ TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
   EXPECT_NE(makeJpeg(99), recorder_.pictures().front()->jpeg);
   EXPECT_EQ(PictureTransport::kUdp, client().status().transport);
   EXPECT_EQ("", client().status().transport_problem);
+  std::optional<Bytes> reply;
+  EXPECT_TRUE(eventually([&] { return (reply = robot.next()).has_value(); }));
+  EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 0}), reply) << "the first picture has come";
+  EXPECT_FALSE(stranger.next());
+}
+
+TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold) {
+  client().setStreaming(true);
+  ScriptedPeer peer = connectVersion2("F W B");
+  confirm(&peer, peer.readRequest());
+  rlimit usual{};
+  ::getrlimit(RLIMIT_NOFILE, &usual);
+  rlimit exhausted = usual;
+  const int lowest_free = ::dup(STDERR_FILENO);
+  ::close(lowest_free);
+  exhausted.rlim_cur = static_cast<rlim_t>(lowest_free);
+  ::setrlimit(RLIMIT_NOFILE, &exhausted);
+  client().setPictureTransport(PictureTransport::kUdp);
+  EXPECT_TRUE(eventually([&] { return client().status().transport_problem == "this computer has no free socket"; }));
+  ::setrlimit(RLIMIT_NOFILE, &usual);
+  EXPECT_EQ(PictureTransport::kTcp, client().status().transport);
+  client().setPictureTransport(PictureTransport::kTcp);
+  client().setPictureTransport(PictureTransport::kUdp);
+  EXPECT_GT(portIn(peer.readRequest()), 0);
 }
 
 TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
   ClientOptions options = optionsFor(server_);
   options.host = "::ffff:127.0.0.1";  // every computer has it
+  options.picture_transport = PictureTransport::kUdp;
   RcServerClient client(options, recorder_.callbacks());
-  client.setPictureTransport(PictureTransport::kUdp);
   client.setStreaming(true);
   client.start();
   ScriptedPeer peer = server_.accept();
@@ -708,6 +765,7 @@ TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
   EXPECT_GT(portIn(on), 0);
   confirm(&peer, on);
   EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kUdp; }));
+  EXPECT_EQ(PictureTransport::kUdp, client().status().wanted_transport);
   client().setPictureTransport(PictureTransport::kTcp);
   const version2_frames::Frame off = peer.readRequest();
   EXPECT_EQ('B', off.header.kind);

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <future>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -35,6 +36,20 @@ TEST_F(RcServerClientTest, AConnectionThatWorksHasNoReasonAndNoAdvice) {
   EXPECT_EQ("", status.reason);
   EXPECT_EQ("", status.advice);
   EXPECT_EQ(0, recorder_.logged("No connection"));
+}
+
+TEST_F(RcServerClientTest, TellsWhenTheStreamWasSwitchedOnOrOffAlsoByTheEndOfAConnection) {
+  ScriptedPeer peer = startStream();
+  EXPECT_TRUE(recorder_.waitForStreaming({true}));
+  EXPECT_TRUE(client_.streaming());
+  client_.setStreaming(false);
+  EXPECT_TRUE(recorder_.waitForStreaming({true, false}));
+  client_.setStreaming(true);
+  EXPECT_TRUE(recorder_.waitForStreaming({true, false, true}));
+  server_.vanish();
+  peer.close();
+  EXPECT_TRUE(recorder_.waitForStreaming({true, false, true, false}));
+  EXPECT_FALSE(client_.streaming());
 }
 
 TEST_F(RcServerClientTest, DeliversThePicturesOfTheStreamByteForByteInOrder) {
@@ -121,6 +136,59 @@ TEST_F(RcServerClientTest, WhatComesTogetherWithTheAnswerAboutTheVersionIsRead) 
   expectCommand(&peer, 'X', 2);
   peer.send({'e', 0, 0, 0, 'j', 1, 0, 0});
   EXPECT_TRUE(recorder_.waitForLog("an answer to no request: 'j'"));
+}
+
+class ClientSettingsTest : public NewestClientFixture {};
+
+TEST_F(ClientSettingsTest, EachSettingReachesTheRobot) {
+  ColorTable table;
+  table.segments[0] = ColorRange{1, 2, 3, 4};
+  CameraSettings camera;
+  camera.white_balance = camera.shutter_speed = 1;
+  camera.gain = 3;
+  camera.auto_exposure = true;
+  client().setStreaming(true);
+  client().setJpegQuality(60);
+  client().setStreamFormat({Resolution::kLow, 3});
+  client().setCameraSettings(camera);
+  client().setColorDetection({true, 4, true});
+  client().setColorTable(5, std::make_shared<ColorTable>(table));
+  client().setMicrophone({true, 1, 8000});
+  EXPECT_EQ(60, client().jpegQuality());
+  EXPECT_TRUE(client().streamFormat() == (StreamFormat{Resolution::kLow, 3}));
+  ScriptedPeer peer = connectVersion2("F W G Z A");
+  const auto expect = [&peer](const std::vector<std::string>& requests) {
+    for (const std::string& each : requests) {
+      EXPECT_EQ(each, version2_frames::textOf(peer.readRequest(), 8));
+    }
+  };
+  expect({"G 1 1", "G 2 3", "G 3 1", "G 4 1", "G 5 0", "W 60 1 2 0 3", "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0",
+          "A 1 1 1 31 64"});
+  client().setColorTable(5, nullptr);
+  expect({"Z 2 5 0 0 0 128 128 128 128"});
+}
+
+TEST_F(ClientSettingsTest, ASettingThatCannotBeIsRefused) {
+  for (const int quality : {0, 101}) {
+    EXPECT_THROW(client().setJpegQuality(quality), InvalidArgumentException);
+  }
+  for (const int every_nth_image : {0, 65536}) {
+    EXPECT_THROW(client().setStreamFormat({Resolution::kHigh, every_nth_image}), InvalidArgumentException);
+    EXPECT_THROW(client().setColorDetection({true, every_nth_image, false}), InvalidArgumentException);
+  }
+  for (const int channel : {-1, kMostColorChannels}) {
+    EXPECT_THROW(client().setColorTable(channel, nullptr), InvalidArgumentException);
+  }
+  ColorTable table;
+  table.segments[0] = ColorRange{2, 1, 3, 4};
+  EXPECT_THROW(client().setColorTable(0, std::make_shared<ColorTable>(table)), InvalidArgumentException);
+  for (const auto setting : {&CameraSettings::white_balance, &CameraSettings::gain, &CameraSettings::shutter_speed}) {
+    for (const int value : {0, 4}) {
+      CameraSettings camera;
+      camera.*setting = value;
+      EXPECT_THROW(client().setCameraSettings(camera), InvalidArgumentException);
+    }
+  }
 }
 
 class CallTimesTest : public NewestClientFixture {};
