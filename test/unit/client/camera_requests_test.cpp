@@ -89,6 +89,8 @@ TEST_F(CameraRequestsTest, RobotWithoutDoubleResolutionStreamsFullOneAndTheLogSa
   EXPECT_EQ("W 85 1 0 0 2", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(1, logged("double resolution; they have 208x160 pixels"));
+  wish_.format.resolution = Resolution::kLow;
+  EXPECT_EQ("W 85 1 2 0 2", request());
 }
 
 TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/fault.h"
@@ -129,6 +130,8 @@ TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
   EXPECT_DOUBLE_EQ(colors.regions[0].x, 50);
   EXPECT_DOUBLE_EQ(colors.regions[0].y, 40.5);
   EXPECT_EQ(colors.regions[0].left, 45);
+  EXPECT_EQ(colors.regions[0].top, 36);
+  EXPECT_EQ(colors.regions[0].width, 11);
   EXPECT_EQ(colors.regions[0].height, 10);
 }
 
@@ -175,16 +178,20 @@ TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
       {0, 111, 64 * 50, 64 * 40, 45, 36, 11, 10},  // more pixels than the box has
       {0, 100, 64 * 57, 64 * 40, 45, 36, 11, 10},  // the centroid is outside
       {0, 100, 64 * 50, 64 * 46, 45, 36, 11, 10},
+      {0, 100, 64 * 44, 64 * 40, 45, 36, 11, 10},
+      {0, 100, 64 * 50, 64 * 35, 45, 36, 11, 10},
       {0, 100, 64 * 99, 64 * 40, 95, 36, 11, 10},  // the box is outside
       {0, 100, 64 * 50, 64 * 75, 45, 72, 11, 10},
       {0, 100, 0, 0, 0, 0, 0, 0},  // no box
       {0, 0, 0, 0, 0, 0, 5, 5},    // a box of nothing
+      {0, 0, 0, 0, 0, 0, 0, 5},
+      {0, 0, 0, 0, 0, 0, 5, 0},
   };
   for (const version2::ColorRegion& region : impossible) {
     push(regionsOf({region}));
     ASSERT_FALSE(colors_.empty());
     EXPECT_THAT(colors_.back().regions, IsEmpty());
-    pass(milliseconds(35));
+    pass(milliseconds(20));
   }
   EXPECT_EQ(counters_.impossible_values, impossible.size());
   EXPECT_EQ(logged("impossible colours"), 1);
@@ -193,10 +200,17 @@ TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
 TEST_F(ColorsTest, AnImpossiblePlaneIsDropped) {
   detectBall();
   version2::ColorRegions colors = regionsOf({});
-  colors.width = 60000;
-  push(colors);
+  for (const auto& [width, height] : {std::pair<unsigned short, unsigned short>{417, 80}, {104, 321}}) {
+    colors.width = width;
+    colors.height = height;
+    push(colors);
+  }
   EXPECT_THAT(colors_, IsEmpty());
-  EXPECT_EQ(counters_.impossible_values, 1U);
+  EXPECT_EQ(counters_.impossible_values, 2U);
+  colors.width = 416;
+  colors.height = 320;
+  push(colors);
+  EXPECT_THAT(colors_, SizeIs(1));
 }
 
 TEST_F(ColorsTest, WhatDoesNotDecodeEndsTheConnection) {

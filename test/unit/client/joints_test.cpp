@@ -133,7 +133,7 @@ TEST_F(JointsTest, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
     ScriptedPeer peer = connectVersion2();
     ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
     client().commandJoints({{1, 0.1, 2.0}, {2, 0.1}}, milliseconds(0));
-    EXPECT_EQ('V', peer.readRequest().header.kind);
+    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128", version2_frames::textOf(peer.readRequest())) << "joint 1 at 2 rad/s";
     EXPECT_EQ('J', peer.readRequest().header.kind);
     client().commandJoints({{1, 0.2, 2.0}}, milliseconds(0));
     EXPECT_EQ('J', peer.readRequest().header.kind) << "the robot has the limit";

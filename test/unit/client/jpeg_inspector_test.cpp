@@ -167,8 +167,14 @@ TEST(JpegInspectorTest, ProgressiveJpegsAreRefused) {
 }
 
 TEST(JpegInspectorTest, SizesThatNoCameraHasAreRefused) {
-  for (const auto& [width, height] :
-       {std::pair<int, int>{65500, 65500}, {0, 0}, {208, 0}, {160, 208}, {208, 161}, {640, 480}, {65535, 1}}) {
+  for (const auto& [width, height] : {std::pair<int, int>{65500, 65500},
+                                      {0, 0},
+                                      {208, 0},
+                                      {160, 208},
+                                      {208, 161},
+                                      {209, 160},
+                                      {640, 480},
+                                      {65535, 1}}) {
     Bytes jpeg = test_pictures::make();
     setSize(&jpeg, width, height);
     EXPECT_EQ("a size that no camera has: " + std::to_string(width) + "x" + std::to_string(height), problemOf(jpeg));
@@ -206,6 +212,7 @@ TEST(JpegInspectorTest, AScanThatIsNotTheOnlyOneOfABaselinePictureIsRefused) {
     EXPECT_EQ("not a baseline scan", problemOf(alter(kSos, kScanSpectralStart + offset, 5)));
   }
   EXPECT_EQ("not one scan of all components", problemOf(alter(kSos, 4, 1)));
+  EXPECT_EQ("not one scan of all components", problemOf(alter(kSos, 3, 13)));
   EXPECT_EQ("a scan of components that the frame does not have", problemOf(alter(kSos, 5, 77)));
 }
 

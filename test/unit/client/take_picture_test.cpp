@@ -86,6 +86,7 @@ TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
   RcServerClient* self = nullptr;
   Callbacks callbacks;
   callbacks.on_picture = [&](const PicturePtr&) {
+    EXPECT_THROW(self->waitForConnection(seconds(20)), Exception);
     complaint.set_value(complaintOf<Exception>([&] { self->takePicture(0, seconds(20)); }));
   };
   RcServerClient client(optionsFor(server_), callbacks);

@@ -233,6 +233,12 @@ TEST_F(Version1SessionTest, WithoutAStreamAPictureIsRequestedOnceWithItsQuality)
   EXPECT_EQ("", command());
   takePicture(50);
   EXPECT_EQ("F50", command()) << "without a pause";
+  receivePicture(2);
+  pass(milliseconds(5000));
+  takePicture(60);
+  EXPECT_EQ("F60", command());
+  pass(milliseconds(499));
+  EXPECT_THROW(pass(milliseconds(1)), Fault);
 }
 
 TEST_F(Version1SessionTest, QualityZeroIsThatOfTheStream) {
@@ -659,6 +665,17 @@ TEST_F(Version1SessionTest, ARefusalNamesThePartAndOneThatNobodyAwaitsIsTold) {
   EXPECT_EQ(1, logged("sent an error that answers no request: error code 3"));
 }
 
+TEST_F(Version1SessionTest, TheAnswerForAnotherJointIsNotTheOneThatIsAwaited) {
+  commandJoints({{1, 0.1}});
+  EXPECT_EQ("J1=573", command());
+  receiveValue("J2", 573);
+  receiveValue("S1", 573);
+  EXPECT_TRUE(accepted_.empty());
+  EXPECT_EQ(2, logged("an answer to no request"));
+  receiveValue("J1", 573);
+  EXPECT_EQ(1u, accepted_.size());
+}
+
 TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
   commandJoints({{1, 0.1}});
   EXPECT_EQ("J1=573", command());
@@ -988,6 +1005,27 @@ TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
   EXPECT_EQ(1u, refusals_[0].order);
   EXPECT_THAT(refusals_[0].reason, HasSubstr("are its motors on"));
   EXPECT_TRUE(log_.empty());
+}
+
+TEST_F(Version1RefusalsTest, AJointThatCannotBeMeasuredIsNoRefusedCommand) {
+  wish_.telemetry_period = 4;
+  EXPECT_EQ('J', request());
+  receive({'e', 0, 0, 0});
+  EXPECT_TRUE(refusals_.empty());
+  EXPECT_EQ(1, logged("refused the request 'J' for joint 1"));
+}
+
+TEST_F(Version1RefusalsTest, ASensorWithTheNumberOfAMeasuredJointIsNoFaultOfTheJoint) {
+  wish_.telemetry_period = 4;
+  for (int i = 0; i < 72; ++i) {
+    const Bytes bytes = session_.nextRequest(wish_, now_);
+    if (!bytes.empty()) {
+      receive(bytes[0] == 'S' && i >= 36 ? Bytes{'e', 0, 0, 0}
+                                         : Bytes{static_cast<std::uint8_t>(bytes[0] + 'a' - 'A'), bytes[1], 0, 0});
+    }
+    now_ += milliseconds(25);
+  }
+  EXPECT_TRUE(refusals_.empty());
 }
 
 TEST_F(Version1RefusalsTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {

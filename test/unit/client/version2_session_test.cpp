@@ -1108,6 +1108,7 @@ TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgn
 
 TEST_F(Version2SessionTest, GarbageIsAProtocolError) {
   EXPECT_THAT(faultOf(Bytes(8, 0)), HasSubstr("a frame that begins with byte 0"));
+  EXPECT_THAT(faultOf({'z' + 1, 0, 0, 0, 0, 0, 0, 0}), HasSubstr("a frame that begins with byte 123"));
 }
 
 TEST_F(Version2SessionTest, AFrameThatIsTooLargeIsAProtocolErrorAsSoonAsItIsAnnounced) {
