@@ -492,7 +492,6 @@ class RepeatedDatagramsTest : public DatagramsTest {
 
 TEST_F(RepeatedDatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
   UdpSocket receiver;
-  robot_.showNoise();
   streamTo(receiver);
   takeImage();
   ASSERT_FALSE(partsAt(receiver).empty());
@@ -512,7 +511,7 @@ TEST_F(RepeatedDatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
     takeImage();
   }
   EXPECT_FALSE(receiver.next().has_value());
-  EXPECT_EQ(morePicturesByTcp().size(), 3U);
+  EXPECT_EQ(picturesByTcp().size(), 3U);
 }
 
 TEST_F(RepeatedDatagramsTest, NumbersBeginAsOrderedAndPassTheLargestOne) {
@@ -546,6 +545,25 @@ TEST_F(RepeatedDatagramsTest, MissingPartsAreRepeatedAlone) {
       EXPECT_EQ(repeated[i].bytes, original.bytes);
     }
   }
+}
+
+TEST_F(RepeatedDatagramsTest, PartsThatAreStillToBeSentAreNotRepeated) {
+  UdpSocket receiver;
+  robot_.showNoise();
+  orderTo(receiver);
+  ASSERT_TRUE(machine_->runUntil([&] {
+    clock_.step();
+    return receiver.next().has_value();
+  })) << "the first part";
+  tell(receiver, 700, 0, ~0U);
+  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  ASSERT_GE(parts.size(), 3U);
+  EXPECT_EQ(std::count_if(parts.begin(), parts.end(), [](const ReceivedPart& part) { return part.header.part == 0; }),
+            1);
+  const size_t last = numberOfParts(parts.back().header.jpeg_size) - 1;
+  EXPECT_EQ(
+      std::count_if(parts.begin(), parts.end(), [last](const ReceivedPart& part) { return part.header.part == last; }),
+      1);
 }
 
 TEST_F(RepeatedDatagramsTest, AWholePictureCanBeRepeated) {
