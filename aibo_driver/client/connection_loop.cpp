@@ -236,17 +236,18 @@ int ConnectionLoop::datagramPort(const Wish& wish) {
 
 void ConnectionLoop::listen() {
   const bool readable = transport_->wait(session_->nextDeadline());
-  const TimePoint now = steady_clock::now();
+  const TimePoint begin = steady_clock::now();
   const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
   if (size > 0) {
     heard_ = true;
     counters_.bytes_received += size;
-    connection_->pictures.bytesArrived(now);
-    session_->bytesArrived(buffer_.data(), size, now);
+    connection_->pictures.bytesArrived(begin);
+    session_->bytesArrived(buffer_.data(), size, begin);
   }
-  if (takeDatagrams(now) && size < buffer_.size()) {
-    connection_->pictures.foundEmpty(now);
+  if (takeDatagrams() && size < buffer_.size()) {
+    connection_->pictures.foundEmpty(begin);
   }
+  const TimePoint now = steady_clock::now();  // the callbacks may have taken long
   session_->checkDeadlines(now);
   for (const Session::Bytes& reply : session_->takeReplies(now)) {
     transport_->datagrams().reply(reply.data(), reply.size());
@@ -256,7 +257,7 @@ void ConnectionLoop::listen() {
 }
 
 /// @return true if no datagram is left
-bool ConnectionLoop::takeDatagrams(TimePoint now) {
+bool ConnectionLoop::takeDatagrams() {
   for (int i = 0; i < kMostDatagramsAtOnce; ++i) {
     std::size_t size = 0;
     const auto origin = transport_->datagrams().receive(buffer_.data(), buffer_.size(), &size);
@@ -268,6 +269,7 @@ bool ConnectionLoop::takeDatagrams(TimePoint now) {
       ++counters_.foreign_datagrams;
       continue;
     }
+    const TimePoint now = steady_clock::now();  // the callback for the datagram before may have taken long
     connection_->pictures.bytesArrived(now);
     if (session_->datagramArrived(buffer_.data(), size, now)) {
       transport_->datagrams().replyToLastSender();

@@ -99,7 +99,7 @@ class ConnectionLoop {
   void takeNews(TimePoint now);
   int datagramPort(const Wish& wish);
   void listen();
-  bool takeDatagrams(TimePoint now);
+  bool takeDatagrams();
   void reportSession();
   void onReady();
   void onFault(const Fault& cause);

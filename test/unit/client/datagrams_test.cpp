@@ -4,8 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <future>
 #include <optional>
 #include <string>
+#include <thread>
+#include <utility>
 #include <vector>
 
 #include "client/fault.h"
@@ -741,6 +744,55 @@ TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold
   client().setPictureTransport(PictureTransport::kTcp);
   client().setPictureTransport(PictureTransport::kUdp);
   EXPECT_GT(portIn(peer.readRequest()), 0);
+}
+
+// The callback takes longer than StallDetector::kStallLimit.
+TEST_F(DatagramClientTest, APictureThatHasWaitedForACallbackIsDroppedWhicheverWayItCame) {
+  for (const PictureTransport way : {PictureTransport::kTcp, PictureTransport::kUdp}) {
+    ScriptedServer server;
+    Recorder recorder;
+    Callbacks callbacks = recorder.callbacks();
+    std::promise<void> in_callback;
+    std::promise<void> release;
+    callbacks.on_picture = [&, record = callbacks.on_picture, is_first = true](const PicturePtr& picture) mutable {
+      record(picture);
+      if (std::exchange(is_first, false)) {
+        in_callback.set_value();
+        release.get_future().wait();
+      }
+    };
+    ClientOptions options = optionsFor(server);
+    options.picture_transport = way;
+    RcServerClient client(options, callbacks);
+    client.setStreaming(true);
+    client.start();
+    ScriptedPeer peer = server.accept();
+    peer.agreeToVersion2("F W B");
+    test_support::UdpSocket robot;
+    picture_ = sequence_ = 0;
+    const int port = way == PictureTransport::kUdp ? startStream(&peer) : 0;
+    const auto send_picture = [&] {
+      if (port != 0) {
+        return sendPicture(&robot, port);
+      }
+      peer.send(makeFrame('f', 0, version2_frames::makePicture(makeJpeg(picture_), 100 + picture_)));
+      ++picture_;
+    };
+    const auto begun = in_callback.get_future();
+    ASSERT_TRUE(eventually([&] {
+      send_picture();
+      return begun.wait_for(milliseconds(10)) == std::future_status::ready;
+    }));
+    const unsigned waits = picture_;
+    send_picture();
+    std::this_thread::sleep_for(milliseconds(150));
+    release.set_value();
+    sendUntilDelivered(client, send_picture);
+    EXPECT_GT(client.statistics().stale_pictures, 0u);
+    for (const PicturePtr& picture : recorder.pictures()) {
+      EXPECT_NE(picture->jpeg, makeJpeg(waits));
+    }
+  }
 }
 
 TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
