@@ -622,6 +622,14 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
       robot_.show(part, looks);
     }
   };
+  // If roscpp advertises a topic in one thread while another one subscribes to it, it may link the two twice.
+  publisherOf<aibo_driver::Sound>("microphone");
+  publisherOf<Touch>("touch");
+  for (const char* name : {"near", "far", "chest", "head"}) {
+    publisherOf<sensor_msgs::Range>(std::string("range/") + name);
+  }
+  publisherOf<sensor_msgs::JointState>("joint_states");
+  publisherOf<sensor_msgs::CompressedImage>("camera/image_raw/compressed");
   robot_.show(Part::kMicrophones, true);  // alone
   const auto sound = [this](std::int16_t sample) {
     aibo_driver::Sound heard;
