@@ -128,7 +128,7 @@ class ParameterReader {
 
   bool find(const std::string& name, XmlRpcValue* value) {
     known_.insert(name);
-    if (values_.getType() != XmlRpcValue::TypeStruct || !values_.hasMember(name)) {
+    if (!values_.hasMember(name)) {
       return false;
     }
     *value = values_[name];

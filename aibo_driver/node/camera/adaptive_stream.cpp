@@ -57,9 +57,6 @@ AdaptiveStream::AdaptiveStream(const Step& best, Duration max_age) : max_age_(ma
 }
 
 std::optional<AdaptiveStream::Step> AdaptiveStream::pictureArrived(SteadyTime now, Duration age) {
-  if (!changed_at_) {
-    changed_at_ = now;
-  }
   if (current_ != 0 && now - *changed_at_ < kSettling) {
     return std::nullopt;
   }

@@ -88,7 +88,7 @@ class AdaptiveStream {
   std::vector<Rung> steps_;  ///< from the best to the last resort
   std::size_t current_ = 0;
   Arrivals arrivals_;  ///< the pictures of this step in the last kCalmTime; those of kSettling are left out
-  std::optional<SteadyTime> changed_at_;  ///< when the present step began; empty before the first picture
+  std::optional<SteadyTime> changed_at_;  ///< when the present step began; empty before the first change
   std::optional<SteadyTime> raised_at_;   ///< when the stream was raised, if that was the last change
 };
 
