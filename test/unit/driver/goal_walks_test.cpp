@@ -106,9 +106,34 @@ TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("it must be left/odom"));
   EXPECT_EQ(begin(goalAt(2, 0, "left/odom")).begun().ended(), nullptr);
   EXPECT_EQ(begin(goalAt(2, 0, "/left/odom")).begun().ended(), nullptr);
-  EXPECT_EQ(begin(goalAt(2, 0, "left/base_link")).begun().ended(), nullptr);
-  ASSERT_EQ(mover_.state().movements.size(), 1U);
-  EXPECT_EQ(mover_.state().movements[0].name, "to x 3.00 m, y 0.00 m, yaw 0.00 rad") << "2 m ahead of the robot";
+  here_ = PlanePose{1, 3, 1.57079633};
+  for (const std::string frame : {"left/base_link", "/left/base_footprint"}) {
+    EXPECT_EQ(begin(goalAt(2, 0.5, "left/odom")).begun().ended(), nullptr);
+    EXPECT_EQ(begin(goalAt(2, 0.5, frame)).begun().ended(), nullptr);
+    ASSERT_EQ(mover_.state().movements.size(), 1U);
+    EXPECT_EQ(mover_.state().movements[0].name, "to x 0.50 m, y 5.00 m, yaw 1.57 rad") << "2 m ahead of the robot";
+  }
+}
+
+TEST_F(GoalWalksTest, AsFarAsIsAllowedItWalks) {
+  EXPECT_THAT(refusalOf(goalAt(-19.01)), HasSubstr("20.01 m away"));
+  EXPECT_EQ(begin(goalAt(21)).begun().ended(), nullptr);
+}
+
+TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
+  here_->yaw = 0.4;
+  GoalWalks::Walk walk = begin(goalAt(4, 4));
+  walkOn(walk, 0);
+  EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9);
+  EXPECT_NEAR(walk.turnLeft(), -0.4, 1e-9);
+  lastVelocity();
+  mover_.disconnected();
+  client_.problem = "there is no robot";
+  here_ = PlanePose{4, 0, 1};
+  ASSERT_NE(walk.goOn(), nullptr);
+  EXPECT_EQ(walk.goOn()->how, EndedHow::kLost);
+  EXPECT_EQ(walk.distanceLeft(), 5) << "it is not looked at any more";
+  EXPECT_EQ(lastVelocity(), "");
 }
 
 TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {

@@ -112,7 +112,7 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce
   EXPECT_DOUBLE_EQ(uncertainty(), 1);
   tell(PostureNow::kWalking);
   way_.motionEnded({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
-  tell(PostureNow::kCarried);
+  tell(PostureNow::kFallen);
   EXPECT_DOUBLE_EQ(uncertainty(), std::sqrt(2));
 }
 
@@ -132,6 +132,9 @@ TEST_F(WalkedWayTest, BecomesAMessage) {
   const nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
   EXPECT_NEAR(odom.pose.pose.orientation.z, std::sin(0.508), 5e-3);
   EXPECT_NEAR(odom.pose.pose.orientation.w, std::cos(0.508), 5e-3);
+  EXPECT_EQ(odom.pose.pose.position.x, way_.odometry().x());
+  EXPECT_EQ(odom.pose.pose.position.y, way_.odometry().y());
+  EXPECT_NE(way_.odometry().x(), way_.odometry().y());
   EXPECT_EQ(odom.pose.pose.position.z, 0);
   EXPECT_EQ(odom.twist.twist.linear.x, 0.1);
   EXPECT_EQ(odom.twist.twist.linear.y, -0.05);

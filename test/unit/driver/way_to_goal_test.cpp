@@ -91,6 +91,16 @@ TEST(WayToGoal, ARobotThatIsThereStays) {
   EXPECT_TRUE(way.velocityAt({1.01, 0.5, 2.01}).isZero());
 }
 
+TEST(WayToGoal, ARobotHasArrivedIfPlaceAndDirectionAreRight) {
+  const WayToGoal way({1, 0.5, 2});
+  EXPECT_TRUE(way.hasArrived({1.03, 0.53, 2.09}));
+  EXPECT_TRUE(way.hasArrived({0.97, 0.47, 1.91}));
+  EXPECT_FALSE(way.hasArrived({1.06, 0.5, 2}));
+  EXPECT_FALSE(way.hasArrived({1, 0.44, 2}));
+  EXPECT_FALSE(way.hasArrived({1, 0.5, 2.11}));
+  EXPECT_FALSE(way.hasArrived({1, 0.5, 1.89}));
+}
+
 TEST(WayToGoal, ItTurnsTowardsTheGoalBeforeItWalks) {
   WayToGoal way({-1, 0.1, 0});
   const WalkVelocity velocity = way.velocityAt({});
