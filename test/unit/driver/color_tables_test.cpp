@@ -68,12 +68,15 @@ TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
   EXPECT_THAT(tableRefusal(std::string(8193, '[')), HasSubstr("too long"));
   EXPECT_THAT(tableRefusal(std::string(8192, '[')), HasSubstr("FILE: it is not YAML"));
   EXPECT_THAT(tableRefusal(""), HasSubstr("no list of ranges"));
-  EXPECT_THAT(tableRefusal("name: a\nranges: []"), HasSubstr("no list of ranges"));
+  for (const char* const text : {"name: a\nranges: []", "name: a\nranges: {1: 2}", "a name", "[name, ranges]"}) {
+    EXPECT_THAT(tableRefusal(text), HasSubstr("no list of ranges")) << text;
+  }
   EXPECT_THAT(tableRefusal("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [3]"), HasSubstr("FILE, range 1"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 1]}]"), HasSubstr("range 1: cb is missing"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 256], cb: [0, 1]}]"), HasSubstr("cr is [0, 256]"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [9, 8], cb: [0, 1]}]"), HasSubstr("cr is [9, 8]"));
+  EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [-1, 8], cb: [0, 1]}]"), HasSubstr("cr is [-1, 8]"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [a, b], cb: [0, 1]}]"), HasSubstr("two whole numbers"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 8], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [4, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("steps of 8"));
@@ -106,6 +109,14 @@ TEST(ColorTableFile, StandsForItsColor) {
     table.segments.at(static_cast<std::size_t>(segment)) = ColorRange{200, 250, 0, 250};
     EXPECT_GT(colorOf(table).red, 230) << segment;
   }
+  ColorTable mean;
+  mean.segments[1] = ColorRange{140, 150, 118, 122};
+  mean.segments[2] = mean.segments[4] = ColorRange{152, 160, 102, 106};
+  EXPECT_EQ(colorOf(mean).red, 194) << "160 + 1.402 * 24.33";
+  EXPECT_EQ(colorOf(mean).green, 149) << "160 - 0.714 * 24.33 + 0.344 * 18.67";
+  EXPECT_EQ(colorOf(mean).blue, 126) << "160 - 1.772 * 18.67";
+  const RgbColor grey = colorOf({});
+  EXPECT_THAT((std::vector<int>{grey.red, grey.green, grey.blue}), ElementsAre(160, 160, 160));
 }
 
 class ColorTableServiceTest : public ::testing::Test {
@@ -183,7 +194,8 @@ aibo_client::DetectedColors someColors() {
   colors.image_count = 7;
   colors.width = 4;
   colors.height = 1;
-  colors.regions = {{3, "pink", 2, 1.5, 0, 1, 0, 2, 1}, {5, "blue", 0, 0, 0, 0, 0, 0, 0}};
+  colors.regions = {
+      {3, "pink", 2, 1.5, 0, 1, 0, 2, 1}, {4, "red", 5, 2.5, 6, 1, 3, 4, 7}, {5, "blue", 0, 0, 0, 0, 0, 0, 0}};
   colors.mask = {8, 0, 9, 0x80};
   return colors;
 }
@@ -191,13 +203,14 @@ aibo_client::DetectedColors someColors() {
 TEST(ColorMessages, AreInPixelsOfThePicture) {
   std_msgs::Header header;
   header.frame_id = "eye";
+  header.stamp = ros::Time(7, 5);
   const ColorRegions regions = toRegions(someColors(), header);
-  EXPECT_EQ(regions.header.frame_id, "eye");
+  EXPECT_EQ(regions.header, header);
   EXPECT_EQ(regions.frame_number, 400U);
   EXPECT_EQ(regions.image_count, 7U);
   EXPECT_EQ(regions.width, 8U);
   EXPECT_EQ(regions.height, 2U);
-  ASSERT_EQ(regions.regions.size(), 2U);
+  ASSERT_EQ(regions.regions.size(), 3U);
   const ColorRegion& region = regions.regions[0];
   EXPECT_EQ(region.channel, 3);
   EXPECT_EQ(region.name, "pink");
@@ -208,8 +221,15 @@ TEST(ColorMessages, AreInPixelsOfThePicture) {
   EXPECT_EQ(region.box.y_offset, 0U);
   EXPECT_EQ(region.box.width, 4U);
   EXPECT_EQ(region.box.height, 2U);
-  EXPECT_EQ(regions.regions[1].pixels, 0U);
-  EXPECT_FLOAT_EQ(regions.regions[1].x, 0);
+  const ColorRegion& red = regions.regions[1];
+  EXPECT_FLOAT_EQ(red.y, 12.5);
+  EXPECT_EQ(red.box.x_offset, 2U);
+  EXPECT_EQ(red.box.y_offset, 6U);
+  EXPECT_EQ(red.box.width, 8U);
+  EXPECT_EQ(red.box.height, 14U);
+  EXPECT_EQ(regions.regions[2].name, "blue");
+  EXPECT_EQ(regions.regions[2].pixels, 0U);
+  EXPECT_FLOAT_EQ(regions.regions[2].x, 0);
 }
 
 TEST(ColorMessages, TheMaskHasTheColorOfTheLowestChannel) {
@@ -217,7 +237,11 @@ TEST(ColorMessages, TheMaskHasTheColorOfTheLowestChannel) {
   channels[0] = {1, 2, 3};
   channels[3] = {4, 5, 6};
   channels[7] = {7, 8, 9};
-  const sensor_msgs::Image mask = toMask(someColors(), channels, std_msgs::Header());
+  std_msgs::Header header;
+  header.frame_id = "eye";
+  header.stamp = ros::Time(7, 5);
+  const sensor_msgs::Image mask = toMask(someColors(), channels, header);
+  EXPECT_EQ(mask.header, header);
   EXPECT_EQ(mask.encoding, "rgb8");
   EXPECT_EQ(mask.width, 4U);
   EXPECT_EQ(mask.height, 1U);
