@@ -115,11 +115,22 @@ TEST_F(LinkMeterTest, ImagesOfAPauseOfTheStreamAreNotMissed) {
   EXPECT_EQ(meter_.read(begin_ + milliseconds(10000), kCameraRate).loss, 0);
 }
 
+TEST_F(LinkMeterTest, ImagesBetweenTwoReadingsOfAStreamAreMissed) {
+  meter_.read(begin_, kCameraRate);
+  arrive(0);
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(100), kCameraRate).loss, std::nullopt);
+  arrive(4);
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(200), kCameraRate).loss, 0.75);
+}
+
 TEST_F(LinkMeterTest, WithoutAStreamNoImageIsDue) {
   for (const std::uint32_t image : {100U, 400U}) {  // of take_picture
     meter_.add(pictureOf(image), 0, 0, begin_ + milliseconds(32 * image));
   }
   EXPECT_EQ(meter_.read(begin_ + milliseconds(20000)).loss, std::nullopt);
+  arrive(700);  // of a stream that ends
+  meter_.add(pictureOf(800), 0, 0, begin_ + milliseconds(25600));
+  EXPECT_EQ(meter_.read(begin_ + milliseconds(30000)).loss, std::nullopt);
 }
 
 TEST_F(LinkMeterTest, ImagesThatWereNotAskedForAreNotMissed) {
@@ -165,6 +176,7 @@ TEST_F(LinkMeterTest, DoesNotDivideByZero) {
   const LinkMeter::Reading reading = meter_.read(begin_, kCameraRate);
   EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 0);
   EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 0);
+  EXPECT_DOUBLE_EQ(reading.mean_latency, 0);
 }
 
 class SlowStreamTest : public ::testing::Test {

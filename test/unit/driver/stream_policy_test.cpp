@@ -72,6 +72,8 @@ TEST_F(StreamPolicyTest, OnDemandSubscribersGetNothingWhileTheStreamIsNotWanted)
   policy.subscribersChanged();
   EXPECT_EQ(streaming_, false);
   EXPECT_FALSE(policy.waitsForSubscriber());
+  has_subscriber_ = false;
+  EXPECT_FALSE(policy.waitsForSubscriber()) << "one would not help";
 }
 
 TEST_F(StreamPolicyTest, WithoutDemandSubscribersDoNotMatter) {
