@@ -129,14 +129,18 @@ TEST_F(AccelerometerTest, MarksEverythingElseAsNotMeasured) {
 }
 
 TEST_F(AccelerometerTest, WaitsForAllAxesEachTime) {
-  for (int i = 0; i < 2; ++i) {
-    EXPECT_FALSE(accelerometer_.read(telemetryWith({{"acceleration_front_back", 1}})));
-    EXPECT_FALSE(accelerometer_.read(telemetryWith({{"acceleration_right_left", 2}})));
+  std::vector<std::pair<const char*, double>> axes = {
+      {"acceleration_front_back", 1}, {"acceleration_right_left", 2}, {"acceleration_up_down", 3}};
+  for (int i = 0; i < 6; ++i) {  // each of them is twice the last one
+    EXPECT_FALSE(accelerometer_.read(telemetryWith({{axes[0].first, axes[0].second}})));
+    EXPECT_FALSE(accelerometer_.read(telemetryWith({{axes[1].first, axes[1].second}}))) << axes[2].first;
     EXPECT_FALSE(accelerometer_.read(telemetryWith({{"chin", 1}})));
-    const auto message = accelerometer_.read(telemetryWith({{"acceleration_up_down", 3}}));
+    const auto message = accelerometer_.read(telemetryWith({{axes[2].first, axes[2].second}}));
     ASSERT_TRUE(message);
     EXPECT_EQ(message->linear_acceleration.x, -1);
     EXPECT_EQ(message->linear_acceleration.y, 2);
+    EXPECT_EQ(message->linear_acceleration.z, -3);
+    std::rotate(axes.begin(), axes.begin() + 1, axes.end());
   }
 }
 

@@ -13,6 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 using ::testing::Each;
+using ::testing::ElementsAre;
 
 constexpr double kDegree = 0.017453292519943295;
 const Vector3d kLevel(0, 0, 9.81);
@@ -91,6 +92,17 @@ TEST(StanceTest, WhicheverFootIsLiftedTheRobotStandsOnTheOthers) {
   }
 }
 
+// Two legs across are longer, and it rocks between the other two.
+TEST(StanceTest, OfTwoWaysToStandItTakesTheOneThatIsNearerToTheAccelerometer) {
+  Legs legs = kStanding;
+  legs[robot_model::LEFT_HIND_LEG].knee += 12 * kDegree;
+  legs[robot_model::RIGHT_FRONT_LEG].knee += 12 * kDegree;
+  const Stance behind = estimateStance(legs, accelerationAt(-4 * kDegree, -4 * kDegree));
+  EXPECT_THAT(behind.foot_on_floor, ElementsAre(true, true, false, true));
+  const Stance ahead = estimateStance(legs, accelerationAt(4 * kDegree, 4 * kDegree));
+  EXPECT_THAT(ahead.foot_on_floor, ElementsAre(true, false, true, true));
+}
+
 TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   const LegAngles spread = {0, 88 * kDegree, 0};
   const Stance stance = estimateStance(legsAt(spread, spread), kLevel);
@@ -114,6 +126,8 @@ TEST(BodyPoseTest, IsThatOfTheLegsAndOfTheSmoothedAcceleration) {
     const Stance stance = estimateStance(kStanding, acceleration);
     const auto& turn = transform.rotation;
     EXPECT_TRUE(stance.body.linear().isApprox(Eigen::Quaterniond(turn.w, turn.x, turn.y, turn.z).matrix(), 1e-9));
+    EXPECT_EQ(transform.translation.x, 0);
+    EXPECT_EQ(transform.translation.y, 0);
     EXPECT_NEAR(transform.translation.z, stance.body.translation().z(), 1e-9);
   };
   BodyPose pose;
