@@ -130,6 +130,24 @@ TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
   EXPECT_EQ(lastTold(), "play NOD.MTN 3");
 }
 
+TEST_F(RobotServicesTest, SayWhetherAMotionWasPlayedWhoseEndIsKnownBeforeTheAnswer) {
+  client_.present.robot.capabilities = {"I"};
+  mover_.connected();
+  EXPECT_EQ(play("nod").message, "NOD.MTN has begun and plays once.") << "it plays on";
+  EXPECT_THAT(mover_.state().movements, ::testing::SizeIs(1));
+  const auto end_meanwhile = [this](aibo_client::EndedHow how) {
+    client_.meanwhile = [this, how] {
+      mover_.ended({aibo_client::EndedKind::kMotion, how, "WAG.MTN", "the joints were commanded"});
+    };
+  };
+  end_meanwhile(aibo_client::EndedHow::kDone);
+  EXPECT_EQ(play("wag").message, "WAG.MTN has begun and plays once.");
+  end_meanwhile(aibo_client::EndedHow::kReplaced);
+  const auto response = play("wag");
+  EXPECT_FALSE(response.success);
+  EXPECT_EQ(response.message, "Nothing was played: the joints were commanded.");
+}
+
 TEST_F(RobotServicesTest, SayWhatTheRobotPlaysDifferently) {
   client_.motion_changes = "1 step is too fast, so it takes 2.98 s, which is 1.38 s longer";
   EXPECT_EQ(play("nod", 3).message,
