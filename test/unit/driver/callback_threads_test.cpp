@@ -73,6 +73,16 @@ TEST_F(CallbackThreadsTest, NothingOfAnOwnerThatHasGoneIsCalled) {
   EXPECT_EQ(called, std::vector<int>{2});
 }
 
+TEST(ReceiptClock, StopsAlsoIfItHasNotStarted) {
+  ReceiptClock clock;
+  clock.stop();
+  ReceiptClock started;
+  started.start();
+  const TimePoint now = steady_clock::now();
+  EXPECT_EQ(started.receipt(now), now);
+  started.stop();
+}
+
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   ReceiptClock clock;
   const TimePoint begin = TimePoint() + std::chrono::hours(2);

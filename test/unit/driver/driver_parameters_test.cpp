@@ -96,6 +96,7 @@ TEST(DriverParameters, OfTheCameraAreThoseThatItHas) {
 
 TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {
   EXPECT_EQ(parse(one("picture_folder", "/srv/pictures")).picture_folder, "/srv/pictures");
+  EXPECT_EQ(parse(one("picture_folder", "")).picture_folder, "");
   EXPECT_THAT(refusal("picture_folder", "pictures"), HasSubstr("the absolute path of a folder, or empty"));
   EXPECT_THAT(refusal("picture_folder", "~/pictures"), HasSubstr("absolute path"));
 }
@@ -109,6 +110,7 @@ TEST(DriverParameters, TheCameraIsNamedAfterTheNamespaceUnlessItHasAName) {
 
 TEST(DriverParameters, AFramePrefixIsPutBeforeEveryFrame) {
   EXPECT_EQ(parse(XmlRpcValue()).frame("imu_link"), "imu_link");
+  EXPECT_EQ(parse(one("frame_prefix", "")).frame("imu_link"), "imu_link");
   EXPECT_EQ(parse(one("frame_prefix", "left")).frame("imu_link"), "left/imu_link");
   for (const char* wrong : {"/left", "left/", "my left", " left", "left "}) {
     EXPECT_THAT(refusal("frame_prefix", wrong), HasSubstr("not beginning or ending with '/'")) << wrong;
@@ -313,6 +315,10 @@ TEST(DriverParameters, ThatTheDriverDoesNotHaveAreListed) {
   XmlRpcValue values;
   values["prot"] = 54321;
   values["diagnostic_period"] = 2.0;
+  values["host"] = "robot";
+  values["port"] = 54322;
+  values["joint_speed_limit"] = 2.5;
+  values["use_robot_time"] = true;
   values["namespace_of_others"]["port"] = 1;
   EXPECT_THAT(parse(values).unknown, ElementsAre("prot"));
 }

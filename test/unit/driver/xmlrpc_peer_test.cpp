@@ -1,6 +1,7 @@
 #include "node/xmlrpc_peer.h"
 
 #include <gtest/gtest.h>
+#include <ros/this_node.h>
 #include <sys/socket.h>
 #include <xmlrpcpp/XmlRpcServer.h>
 #include <xmlrpcpp/XmlRpcServerMethod.h>
@@ -38,7 +39,7 @@ TEST(XmlRpcPeer, AFaultIsNoAnswerAndARefusalIsNoResult) {
     void execute(XmlRpcValue& arguments, XmlRpcValue& answer) override {
       answer[0] = status_;
       answer[1] = "";
-      answer[2] = arguments[1];
+      answer[2] = arguments;
     }
 
     const int status_;
@@ -55,7 +56,11 @@ TEST(XmlRpcPeer, AFaultIsNoAnswerAndARefusalIsNoResult) {
     }
   });
   const XmlRpcPeer peer("127.0.0.1", static_cast<std::uint32_t>(server.get_port()));
-  EXPECT_EQ(peer.call("accept", {"an argument"}), XmlRpcValue("an argument"));
+  XmlRpcValue arguments;
+  arguments[0] = ros::this_node::getName();
+  arguments[1] = "an argument";
+  arguments[2] = 7;
+  EXPECT_EQ(peer.call("accept", {"an argument", 7}), arguments) << "the first says who calls";
   EXPECT_FALSE(peer.call("refuse", {1}));
   EXPECT_FALSE(peer.call("fail", {1}));
   EXPECT_THROW(peer.call("getPid", {}), NoAnswer) << "this program has no such method";
