@@ -148,6 +148,8 @@ TEST_F(PlayerTest, ASoundGoesOnIfTheNextOneIsRefused) {
 }
 
 TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
+  player_.stop();
+  EXPECT_TRUE(robot_.told.empty()) << "nothing has played yet";
   const auto first = player_.play(std::make_unique<Ramp>(5));
   const auto second = player_.play(std::make_unique<Ramp>(5));
   player_.stop(first);
