@@ -78,8 +78,6 @@ TEST(ReceiptClock, StopsAlsoIfItHasNotStarted) {
   clock.stop();
   ReceiptClock started;
   started.start();
-  const TimePoint now = steady_clock::now();
-  EXPECT_EQ(started.receipt(now), now);
   started.stop();
 }
 

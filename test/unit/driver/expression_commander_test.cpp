@@ -9,6 +9,7 @@
 
 #include "movement/movement.h"
 #include "support/fake_client.h"
+#include "support/ros/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -134,9 +135,11 @@ TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
   EXPECT_EQ(client_.leds.front().intensity, 255);
 }
 
-TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefused) {
+TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {
+  const test_support::LogListener& log = test_support::listenToLog();
   commander_.receiveLeds(face(2.0F));
   EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(log.texts, ElementsAre(AllOf(HasSubstr("face_1 cannot shine"), HasSubstr("named 'third_eye'"))));
 }
 
 TEST_F(ExpressionCommanderTest, SendsNothingToARobotOfAnotherDesign) {
@@ -146,12 +149,15 @@ TEST_F(ExpressionCommanderTest, SendsNothingToARobotOfAnotherDesign) {
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
-TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSent) {
+TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSentAndSaysWhy) {
+  const test_support::LogListener& log = test_support::listenToLog();
   client_.problem = "not connected";
   commander_.receiveLeds(face(1.0F));
   commander_.receiveEars(Ears());
   client_.problem.clear();
   EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(log.texts, ElementsAre(HasSubstr("'third_eye'"), "A command to the LEDs was dropped: not connected",
+                                     "A command to the ears was dropped: not connected"));
 }
 
 }  // namespace

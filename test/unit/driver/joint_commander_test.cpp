@@ -7,6 +7,7 @@
 #include <string>
 
 #include "support/fake_client.h"
+#include "support/ros/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -93,8 +94,10 @@ TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
 }
 
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsThatCannotBeSentEndsNothingElse) {
+  const test_support::LogListener& log = test_support::listenToLog();
   client_.problem = "not connected";
   EXPECT_NO_THROW(commander_.receive(trajectory_msgs::JointTrajectory(), order()));
+  EXPECT_THAT(log.texts, ElementsAre("The joints were not held: not connected"));
   client_.problem.clear();
   command({{"head_pan", 0.5}});
   EXPECT_EQ(mover_.state().movements.size(), 1u);

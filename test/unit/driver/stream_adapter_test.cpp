@@ -1,41 +1,23 @@
 #include "node/camera/stream_adapter.h"
 
 #include <gmock/gmock.h>
-#include <ros/console.h>
 
 #include <string>
 #include <vector>
 
 #include "support/fake_client.h"
+#include "support/ros/log_listener.h"
 
 namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
+using test_support::listenToLog;
+using test_support::LogListener;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-
-/// Keeps what is logged. It stays registered, because Debian 11's rosconsole crashes when a listener goes.
-class LogListener : public ros::console::LogAppender {
- public:
-  LogListener() { ros::console::register_appender(this); }
-
-  void log(ros::console::Level /*level*/, const char* text, const char* /*file*/, const char* /*function*/,
-           int /*line*/) override {
-    texts.emplace_back(text);
-  }
-
-  std::vector<std::string> texts;
-};
-
-/// Has what is logged from now on.
-const LogListener& listenToLog() {
-  static auto* const listener = new LogListener;
-  listener->texts.clear();
-  return *listener;
-}
 
 class StreamAdapterTest : public ::testing::Test {
  protected:
