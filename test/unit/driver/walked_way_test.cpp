@@ -27,6 +27,7 @@ class WalkedWayTest : public ::testing::Test {
   }
 
   double uncertainty() const { return std::sqrt(way_.odometry().covariance()(0, 0)); }
+  double turnUncertainty() const { return std::sqrt(way_.odometry().covariance()(2, 2)); }
 
   WalkSettings settings_;
   WalkedWay way_{settings_};
@@ -54,6 +55,10 @@ TEST_F(WalkedWayTest, GoesOnIfMeasurementsAreMissing) {
   measure({0.1, 0, 0}, 125);
   EXPECT_NEAR(way_.odometry().x(), 0.14, 1e-9);
   EXPECT_GT(uncertainty(), 0.05) << "within a second it may have stopped";
+  const double before = uncertainty();
+  measure({0, 0.1, 0.4}, 125);
+  EXPECT_GT(uncertainty(), before + 0.01) << "also to the side";
+  EXPECT_GT(turnUncertainty(), 0.2);
 }
 
 TEST_F(WalkedWayTest, IsCalibrated) {
@@ -79,6 +84,7 @@ TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
   measure({});
   EXPECT_NEAR(way_.odometry().x(), 0.08, 1e-9);
   EXPECT_GT(uncertainty(), before + 0.04);
+  EXPECT_GT(turnUncertainty(), 0.5);
   const double after = uncertainty();
   ++connection_;
   measure({}, 100000);

@@ -89,6 +89,7 @@ TEST(WayToGoal, ArrivesWhereverTheGoalIs) {
 TEST(WayToGoal, ARobotThatIsThereStays) {
   WayToGoal way({1, 0.5, 2});
   EXPECT_TRUE(way.velocityAt({1.01, 0.5, 2.01}).isZero());
+  EXPECT_GT(way.velocityAt({1.01, 0.5, 1.96}).turn, 0.05) << "it turns as far as it can";
 }
 
 TEST(WayToGoal, ARobotHasArrivedIfPlaceAndDirectionAreRight) {
@@ -110,6 +111,7 @@ TEST(WayToGoal, ItTurnsTowardsTheGoalBeforeItWalks) {
   const WalkVelocity ahead = way.velocityAt({0, 0, 3});
   EXPECT_GT(ahead.forward, 0.1);
   EXPECT_EQ(way.velocityAt({0, 0, 2.3}).forward, 0);
+  EXPECT_NEAR(way.velocityAt({-0.9, 0.1, 3.14159265}).forward, 0.08, 1e-6) << "it slows down before the place";
 }
 
 TEST(WayToGoal, WhileItTurnsAtThePlaceItMayDriftALittle) {
