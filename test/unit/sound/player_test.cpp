@@ -81,6 +81,24 @@ TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
   EXPECT_FALSE(player_.isPlaying());
 }
 
+TEST_F(PlayerTest, TheEndOfASoundIsSaidInWords) {
+  const std::pair<aibo_client::SoundEnd, const char*> ends[] = {
+      {{1, EndedHow::kDone, 24000, 0, 0}, "It was played to its end, 1.5 s."},
+      {{2, EndedHow::kReplaced, 24000, 0, 0}, "Another sound has replaced it."},
+      {{3, EndedHow::kStopped, 24000, 0, 0}, "It was stopped."},
+      {{4, EndedHow::kRefused, 24000, 0, 0}, "The robot has ended it: no more samples came for 2 s."},
+      {{5, EndedHow::kLost, 24000, 0, 0},
+       "The connection to the robot was lost. The sound does not go on when it is back."},
+      {{6, EndedHow::kUnknown, 24000, 0, 0}, "The robot does not say how it has ended."}};
+  for (const auto& [end, words] : ends) {
+    const auto playback = player_.play(std::make_unique<Ramp>(5));
+    player_.ended(end);
+    ASSERT_TRUE(playback->end()) << words;
+    EXPECT_EQ(playback->end()->how, end.how);
+    EXPECT_EQ(playback->end()->message, words);
+  }
+}
+
 TEST_F(PlayerTest, AWholeSoundOfOnePieceIsItsLast) {
   player_.play(std::make_unique<Ramp>(kMostSamplesAtOnce));
   EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048 last"));

@@ -50,6 +50,8 @@ TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
   EXPECT_THAT(speak("-w /etc/passwd", "de")->read(10), testing::ElementsAre(1, 2, 3));
   EXPECT_EQ("-w /etc/passwd", contentOf("text"));
   EXPECT_EQ("-v de --stdin -w /proc/self/fd/3\n", contentOf("arguments"));
+  speak("hello", "");
+  EXPECT_EQ("-v en --stdin -w /proc/self/fd/3\n", contentOf("arguments")) << "unless another voice is named";
 }
 
 TEST_F(SpeechTest, AFailureIsReported) {
