@@ -56,6 +56,8 @@ TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
   EXPECT_EQ(reportAt(0.9, 50).level, DiagnosticStatus::WARN);
   EXPECT_EQ(reportAt(0.9, 60).level, DiagnosticStatus::ERROR);
   EXPECT_THAT(reportAt(0.15, 60).message, AllOf(HasSubstr("15 %"), HasSubstr("60 degrees Celsius: too hot")));
+  EXPECT_THAT(reportAt(0.15, 50).message,
+              AllOf(HasSubstr("15 %: charge it soon"), HasSubstr("50 degrees Celsius: let")));
 }
 
 TEST(PowerStatus, RemembersValuesThatComeInTurn) {

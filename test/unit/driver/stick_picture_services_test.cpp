@@ -54,6 +54,7 @@ class StickPictureServicesTest : public ::testing::Test {
   DriverParameters parameters() const {
     DriverParameters parameters;
     parameters.picture_folder = folder_.path();
+    parameters.frame_prefix = "left";
     return parameters;
   }
 
@@ -85,7 +86,7 @@ TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
     EXPECT_TRUE(answer.success);
     EXPECT_EQ(answer.image.data, client_.picture->jpeg);
     EXPECT_EQ(answer.image.format, "bgr8; jpeg compressed bgr8");
-    EXPECT_EQ(answer.image.header.frame_id, "camera_optical_frame");
+    EXPECT_EQ(answer.image.header.frame_id, "left/camera_optical_frame");
     EXPECT_TRUE(answer.image.header.stamp.isZero());
   }
   EXPECT_THAT(client_.told, ElementsAre("fetch MINE.JPG", "fetch MINE.JPG", "fetch MINE.JPG"));

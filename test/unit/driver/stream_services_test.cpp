@@ -44,7 +44,7 @@ class StreamServicesTest : public ::testing::Test {
 
   Services pictureServices() {
     return takePictureServices(
-        parameters_, client_, [] { return 85; },
+        parameters_, client_, [] { return 77; },
         [](const Picture& picture) {
           sensor_msgs::CompressedImage message;
           message.data = picture.jpeg;
@@ -78,10 +78,10 @@ TEST_F(StreamServicesTest, APictureHasTheResolutionThatIsAskedFor) {
 TEST_F(StreamServicesTest, AnswerAPicture) {
   const auto answer = takePicture(0);
   EXPECT_TRUE(answer.success);
-  EXPECT_EQ(answer.message, "Took a picture of 208x160 pixels, 3 bytes, at quality 85.");
+  EXPECT_EQ(answer.message, "Took a picture of 208x160 pixels, 3 bytes, at quality 77.");
   EXPECT_THAT(answer.image.data, ElementsAre(1, 2, 3));
   takePicture(255);
-  EXPECT_THAT(client_.told, ElementsAre("picture 85", "picture 100"));
+  EXPECT_THAT(client_.told, ElementsAre("picture 77", "picture 100"));
 }
 
 TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
