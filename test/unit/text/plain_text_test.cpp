@@ -2,11 +2,19 @@
 
 #include <gmock/gmock.h>
 
+#include <string>
+#include <vector>
+
 namespace aibo_driver::text {
 namespace {
 
 TEST(PlainText, KeepsWhatIsReadAndItsLines) {
   EXPECT_EQ(plainText("Ger\xC3\xA4t\n30 \xE2\x82\xAC"), "Ger\xC3\xA4t\n30 \xE2\x82\xAC");
+  for (const char* character : {"~", "\xC2\xA1", "\xDF\xBF", "\xE0\xA0\x80", "\xEF\xBF\xBD", "\xF0\x9F\x90\xB6",
+                                "\xF3\x80\x80\x80"}) {  // the first and the last ones of 1 to 4 bytes
+    EXPECT_EQ(plainText(character), character);
+    EXPECT_EQ(charactersOf(std::string(character) + "a"), (std::vector<std::string>{character, "a"}));
+  }
 }
 
 TEST(PlainText, HasNothingThatATerminalObeys) {
