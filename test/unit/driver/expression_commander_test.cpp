@@ -88,6 +88,7 @@ TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {
 TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
   const LedOrders orders = ordersOf({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
   EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 255)));
+  EXPECT_THAT(ordersOf({"face_1"}, {-0.1F}).commands, IsEmpty());
   EXPECT_THAT(orders.refusals.text(),
               AllOf(HasSubstr("'third_eye'"), HasSubstr("face_1"), HasSubstr("face_2 cannot shine")));
 }

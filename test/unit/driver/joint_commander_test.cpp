@@ -89,8 +89,12 @@ TEST_F(JointCommanderTest, ApproachesAgainOverANewConnection) {
 }
 
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
+  command({{"head_pan", 0.5}});
+  client_.told.clear();
   commander_.receive(trajectory_msgs::JointTrajectory(), order());
   EXPECT_THAT(client_.told, ElementsAre("hold"));
+  ASSERT_EQ(mover_.state().ended.size(), 1u);
+  EXPECT_EQ(mover_.state().ended[0].reason, "/user sent an empty trajectory");
 }
 
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsThatCannotBeSentEndsNothingElse) {
@@ -141,6 +145,29 @@ TEST_F(JointCommanderTest, PositionsOfTwoNodesAreTwoMovements) {
   EXPECT_THAT(mover_.state().movements[0].joints, ElementsAre("head_pan", "head_tilt"));
   EXPECT_EQ(mover_.state().movements[1].source, "/bert");
   EXPECT_THAT(mover_.state().movements[1].joints, ElementsAre("mouth"));
+}
+
+TEST_F(JointCommanderTest, ATrajectoryBeginsAtItsStamp) {
+  arriveAt(0.0);
+  trajectory_msgs::JointTrajectory message;
+  message.header.stamp = ros::Time::now() + ros::Duration(1000);
+  message.joint_names = {"head_pan"};
+  message.points.resize(1);
+  message.points[0].positions = {1.0};
+  message.points[0].time_from_start = ros::Duration(2);
+  commander_.receive(message, order());
+  EXPECT_EQ(mover_.state().movements.back().kind, movement::Movement::Kind::kTrajectory);
+  EXPECT_THAT(client_.told, IsEmpty());
+}
+
+TEST_F(JointCommanderTest, ACommandMayHaveItsOwnSpeed) {
+  arriveAt(0.0);
+  sensor_msgs::JointState message;
+  message.name = {"head_pan"};
+  message.position = {0.5};
+  message.velocity = {0.25};
+  commander_.receive(message, order());
+  EXPECT_THAT(client_.told, ElementsAre("V 2:0.25", "J 2:0.50 in 0"));
 }
 
 TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryDoesNotReplaceIt) {

@@ -116,6 +116,7 @@ TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
     geometry_msgs::Twist twist;
     twist.linear.z = value;
     commander_.receive(twist, order("/teleop"));
+    EXPECT_EQ(last().reason, "it has a value that is NaN or infinite. Without a good message the robot stops");
   }
   EXPECT_THAT(client_.told, IsEmpty());
 }
@@ -173,6 +174,9 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "The robot sits.");
   EXPECT_THAT(toldToWalk(), ElementsAre("sit"));
+  client_.meanwhile = [this] { mover_.ended({EndedKind::kPosture, EndedHow::kDone, "rest", ""}); };
+  EXPECT_EQ(take("rest").message, "The robot lies down, and its motors are off.");
+  EXPECT_THAT(toldToWalk(), ElementsAre("rest"));
   EXPECT_THAT(kindsMoving(), IsEmpty());
 }
 
