@@ -122,6 +122,13 @@ TEST_F(AdaptiveStreamTest, TriesAHigherStepEverMoreRarely) {
   EXPECT_LE(static_cast<long>(changes_.size()) - first_half, 4) << "in the last five minutes";
 }
 
+TEST_F(AdaptiveStreamTest, AfterAnyTimeItTriesAHigherStepWithinTenMinutes) {
+  passOverLink(17.3, 2h);
+  const int quality = stream_.inForce().jpeg_quality;
+  pass(kInTime, 11min);
+  EXPECT_GT(stream_.inForce().jpeg_quality, quality);
+}
+
 TEST_F(AdaptiveStreamTest, OnlyTheStepThatProvedTooMuchWaitsLonger) {
   const auto lower_to = [this](int quality) {
     while (stream_.inForce().jpeg_quality > quality) {

@@ -72,6 +72,7 @@ TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
     EXPECT_THAT(tableRefusal(text), HasSubstr("no list of ranges")) << text;
   }
   EXPECT_THAT(tableRefusal("ranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("name"));
+  EXPECT_THAT(tableRefusal("name: [a]\nranges: [{y: [0, 7], cr: [0, 1], cb: [0, 1]}]"), HasSubstr("have a name"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [3]"), HasSubstr("FILE, range 1"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 1]}]"), HasSubstr("range 1: cb is missing"));
   EXPECT_THAT(tableRefusal("name: a\nranges: [{y: [0, 7], cr: [0, 256], cb: [0, 1]}]"), HasSubstr("cr is [0, 256]"));
@@ -97,6 +98,12 @@ TEST(ColorTableFile, PutsOnlyPlainAndShortTextIntoTopicsAndMessages) {
 TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {
   EXPECT_EQ(loadColorTable("pink_ball").segments[31], (ColorRange{160, 230, 120, 190}));
   EXPECT_THROW(loadColorTable("no_such_table"), ColorTableException);
+  try {
+    loadColorTable("no_such.yaml");
+    FAIL() << "it was read";
+  } catch (const ColorTableException& error) {
+    EXPECT_THAT(error.what(), HasSubstr("'no_such.yaml'")) << "a file in the working directory";
+  }
 }
 
 TEST(ColorTableFile, StandsForItsColor) {

@@ -105,6 +105,7 @@ TEST(DriverParameters, TheCameraIsNamedAfterTheNamespaceUnlessItHasAName) {
   EXPECT_EQ(parse(XmlRpcValue()).camera_name, "aibo");
   EXPECT_EQ(parseDriverParameters(XmlRpcValue(), "", "/team/left").camera_name, "team_left");
   EXPECT_EQ(parse(one("camera_name", "")).camera_name, "aibo");
+  EXPECT_EQ(parse(one("camera_name", "left_eye_2")).camera_name, "left_eye_2");
   EXPECT_EQ(parseDriverParameters(one("camera_name", "eye"), "", "/team/left").camera_name, "eye");
 }
 

@@ -25,6 +25,7 @@ class StreamAdapterTest : public ::testing::Test {
     StreamAdapter::Wish wish;
     wish.jpeg_quality = 80;
     wish.format.every_nth_image = 2;
+    wish.format.resolution = aibo_client::Resolution::kDouble;
     wish.adaptive = adaptive;
     return wish;
   }
@@ -44,7 +45,7 @@ class StreamAdapterTest : public ::testing::Test {
 
 TEST_F(StreamAdapterTest, WithoutAdaptiveTheStreamIsThatOfTheWish) {
   adapter_.setWish(wish(false));
-  EXPECT_THAT(client_.told, ElementsAre("quality 80", "format 0 2"));
+  EXPECT_THAT(client_.told, ElementsAre("quality 80", "format 3 2"));
   publish(2s);
   EXPECT_EQ(client_.told.size(), 2U);
   EXPECT_EQ(adapter_.describe(), "off");
@@ -59,7 +60,7 @@ TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
     publish(200ms);
   }
   EXPECT_THAT(client_.told, Contains("quality 70"));
-  EXPECT_EQ(client_.told.back(), "format 0 15");
+  EXPECT_EQ(client_.told.back(), "format 3 15");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
   EXPECT_THAT(listener.texts,
@@ -75,7 +76,7 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
   StreamAdapter::Wish patient = wish(true);
   patient.max_picture_age = 1;
   adapter_.setWish(patient);
-  EXPECT_THAT(client_.told, ElementsAre("quality 80", "format 0 2"));
+  EXPECT_THAT(client_.told, ElementsAre("quality 80", "format 3 2"));
   publish(800ms);
   EXPECT_EQ(adapter_.describe(), "not lowered");
 }
