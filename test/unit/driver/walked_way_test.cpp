@@ -156,6 +156,8 @@ TEST_F(WalkedWayTest, BecomesAMessage) {
   EXPECT_EQ(odom.pose.covariance[30], way_.odometry().covariance()(2, 0));
   EXPECT_NE(odom.pose.covariance[5], odom.pose.covariance[11]);
   EXPECT_EQ(odom.twist.covariance[7], odom.twist.covariance[0]);
+  EXPECT_GT(toMessage(way_.odometry(), {0, 0.1, 0}).twist.covariance[0], 1e-4) << "sideways";
+  EXPECT_GT(toMessage(way_.odometry(), {0.1, 0, 0}).twist.covariance[35], 1e-4) << "it does not walk quite straight";
   EXPECT_GT(odom.twist.covariance[35], 2 * odom.twist.covariance[0]) << "it mostly turns";
   measure({});
   EXPECT_LT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 1e-5) << "it stands";
