@@ -156,6 +156,14 @@ TEST_F(TrajectoryTest, KeepsScaledSpeeds) {
   EXPECT_NEAR(plan(pan({{1.0 / 3, {1}, {}}}), true).stretch(), 2, 1e-9);
 }
 
+TEST_F(TrajectoryTest, KeepsTheSpeedThatAJointItselfCanReach) {
+  const JointTable fast{"ERS-7", 100};
+  constexpr double kSpeedOfPan = 10.05746;
+  const std::vector<Trajectory::Start> start = {{pan_, 0}};
+  EXPECT_NEAR(Trajectory(pan({{0.1, {1.5}, {}}}), fast, start, true).duration(), 1.5 / kSpeedOfPan, 1e-9);
+  EXPECT_NEAR(Trajectory(pan({{0, {1.5}, {}}}), fast, start, true).duration(), 1.5 / kSpeedOfPan, 1e-9);
+}
+
 TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
   const Trajectory straight = plan(pan({{0.2, {1}, {}}, {1.2, {0}, {}}}), true);
   EXPECT_NEAR(straight.stretch(), 5.0 / 3, 1e-9);
@@ -181,6 +189,16 @@ TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
   EXPECT_DOUBLE_EQ(slow.sample(0)[0], 0);
   EXPECT_NEAR(slow.duration(), 1.5, 1e-9);
   EXPECT_LE(highestSpeed(slow), kSpeedLimit * 1.01);
+  table_.setSpeedScale(0.5);
+  for (const TrajectoryRequest& request :
+       {TrajectoryRequest{{"head_pan", "mouth"}, {{0, {-1.5, -0.8}, {}}, {1, {-1, -0.8}, {}}, {2, {-1.5, -0.8}, {}}}},
+        TrajectoryRequest{{"mouth", "head_pan"}, {{0, {-0.8, -1.5}, {}}, {1, {-0.8, -1}, {}}, {2, {-0.8, -1.5}, {}}}},
+        TrajectoryRequest{{"head_pan", "mouth"},
+                          {{0, {-1.5, -0.5}, {}}, {1, {-1, -0.5}, {}}, {2, {-1.5, -0.5}, {}}}}}) {
+    const Trajectory both = plan(request, true);
+    EXPECT_NEAR(both.duration(), 3, 1e-9) << "it waits 1 s for the joint that needs most time, whatever its place";
+    EXPECT_DOUBLE_EQ(both.stretch(), 1);
+  }
 }
 
 }  // namespace
