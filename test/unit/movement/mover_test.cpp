@@ -457,9 +457,13 @@ TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
     EXPECT_TRUE(mover_.goOn());
     EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
                 HasSubstr("still being told"));
+    mover_.stop(order("/other"));
+    EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
+                HasSubstr("still being told"))
+        << "the robot has answered the second stop only";
   };
   mover_.stop(order("/panel"));
-  EXPECT_THAT(told(), ElementsAre("hold")) << "and no step of the trajectory";
+  EXPECT_THAT(told(), ElementsAre("hold", "hold")) << "and no step of the trajectory";
   EXPECT_EQ(endOf(followed), EndedHow::kStopped);
 }
 
@@ -514,8 +518,6 @@ TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
   client_.problem = "there is no robot";
   const auto lost = follow("head_pan", 0.5, 1.0);
   EXPECT_EQ(endOf(lost), EndedHow::kLost) << "its first step cannot be sent";
-  client_.problem.clear();
-  EXPECT_EQ(command("head_pan", 0.5).ended(), nullptr) << "the halt is over";
 }
 
 TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
@@ -1269,6 +1271,29 @@ TEST_F(MoverGoalTest, ItDoesNotGoOnWhileTheRobotIsToldToStop) {
   client_.meanwhile = [&] { EXPECT_TRUE(mover_.walkOn(begun.id, {0.1, 0, 0})); };
   mover_.stop(order("/panel"));
   EXPECT_THAT(told(), ElementsAre("hold"));
+}
+
+TEST_F(MoverGoalTest, AfterAHaltThatFailedTrajectoriesAndGoalsMoveOnAsBefore) {
+  const std::function<void()> halts[] = {
+      [this] { mover_.setMotors(order(), false); }, [this] { mover_.stop(order()); },
+      [this] { mover_.cancel(follow("head_pan", 0.5, 1.0).id, "it was cancelled"); }};
+  const std::function<void()> failures[] = {doNotAnswer, [] { throw aibo_client::CommandException("it is busy."); },
+                                            [] { throw aibo_client::NetworkException("there is no robot."); }};
+  for (const auto& halt : halts) {
+    for (const auto& failure : failures) {
+      client_.meanwhile = failure;
+      problem<aibo_client::Exception>(halt);
+      EXPECT_EQ(problem<aibo_client::CommandException>([this] { mover_.release(order()); }), "none");
+      now_ += milliseconds(100);
+      measure(0);
+      follow("head_pan", 0.5, 1.0);
+      const Mover::Begun begun = walkToGoal();
+      told();
+      mover_.goOn();
+      mover_.walkOn(begun.id, {0.1, 0, 0});
+      EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:"), "steer 0.10 0.00 0.00"));
+    }
+  }
 }
 
 TEST_F(MoverGoalTest, AnotherConnectionDoesNotResumeIt) {
