@@ -830,7 +830,12 @@ class WithSound(TestCase):
                       ["play-sound", "bark.wav"]):
             self.assertTrue(self.json(*words)["to_its_end"], words)
         self.assertEqual((self.folder / "text").read_text(), "--stdin $(reboot)")
-        self.assertIn(("A", 3, b"\2"), self.asked("A", "say", "--voice", "de", "Guten", "Morgen", "--volume", 2))
+        for words, volume in ((["play-sound", "bark.wav"], []), (["play-sound", "bark.wav", "--volume", 0], [b"\0"]),
+                              (["say", "--voice", "de", "Guten", "Morgen", "--volume", 2], [b"\2"])):
+            asked = self.asked("A", *words)
+            sound = [(identifier, payload if identifier == 3 else b"") for _, identifier, payload in asked]
+            self.assertEqual(sound[:len(volume) + 1], [*((3, step) for step in volume), (2, b"")], words)
+            self.assertEqual({identifier for identifier, _ in sound[len(volume):]}, {2}, words)
         self.assertIn(" -v de ", " " + (self.folder / "options").read_text())
         self.assertEqual((self.folder / "text").read_text(), "Guten Morgen")
         self.assertIn("missing.wav", self.aibo("play-sound", "missing.wav", status=FAILED).errors)
