@@ -1198,7 +1198,8 @@ class WrongUsage(TestCase):
                       ["play", "nod", "--seconds", "soon"], ["play", "nod", "--seconds", "3601"],
                       ["move", "mouth=0deg", "--duration", "61"], ["walk", "forward=1cm/s", "--seconds", "61"],
                       ["listen", "--seconds", "0"], ["doctor", "--seconds", "601"], ["joints", "--timeout", "61"],
-                      ["play", "nod", "--times", "0"], ["--json", "fly"]):
+                      ["play", "nod", "--times", "0"], ["play-sound", "missing.wav", "--volume", "4"],
+                      ["say", "hello", "--volume", "-1"], ["--json", "fly"]):
             with self.subTest(words):
                 result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
                                         check=False)

@@ -77,17 +77,22 @@ ExitStatus listen(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
+std::optional<int> volumeIn(const Arguments& arguments) {
+  return arguments.has("volume") ? std::make_optional(arguments.wholeNumber("volume", 0, aibo_client::kLoudestVolume))
+                                 : std::nullopt;
+}
+
 /// Plays to the end. Ctrl-C stops it.
-ExitStatus play(const Arguments& arguments, Output& output, std::unique_ptr<sound::Source> source) {
+ExitStatus play(const Arguments& arguments, Output& output, std::optional<int> volume,
+                std::unique_ptr<sound::Source> source) {
   std::unique_ptr<sound::Player> player;
   Robot robot(arguments.robot, output, {}, [&player](const aibo_client::SoundEnd& end) { player->ended(end); });
   player = std::make_unique<sound::Player>(robot.client());
   // However this function ends, no more samples are sent when the client goes, which goes before the player.
   const std::shared_ptr<void> finish(nullptr, [&player](void*) { player->finish(); });
   robot.connect();
-  if (arguments.has("volume")) {
-    const int volume = arguments.wholeNumber("volume", 0, aibo_client::kLoudestVolume);
-    robot.client().setVolume(volume, Robot::kTimeout);
+  if (volume) {
+    robot.client().setVolume(*volume, Robot::kTimeout);
   }
   const auto playback = player->play(std::move(source));
   try {
@@ -106,15 +111,17 @@ ExitStatus play(const Arguments& arguments, Output& output, std::unique_ptr<soun
 }
 
 ExitStatus playSound(const Arguments& arguments, Output& output) {
-  return play(arguments, output, sound::openSoundFile(arguments.words.front()));
+  const std::optional<int> volume = volumeIn(arguments);
+  return play(arguments, output, volume, sound::openSoundFile(arguments.words.front()));
 }
 
 ExitStatus say(const Arguments& arguments, Output& output) {
+  const std::optional<int> volume = volumeIn(arguments);
   std::string text;
   for (const std::string& word : arguments.words) {
     text += (text.empty() ? "" : " ") + word;
   }
-  return play(arguments, output, sound::speak(text, arguments.get("voice")));
+  return play(arguments, output, volume, sound::speak(text, arguments.get("voice")));
 }
 
 }  // namespace
