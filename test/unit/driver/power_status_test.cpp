@@ -68,6 +68,23 @@ TEST(PowerStatus, RemembersValuesThatComeInTurn) {
   EXPECT_EQ(reportOf(power).values.size(), 2u);
 }
 
+TEST(PowerStatus, TellsTheChargeOrTheTemperatureAloneWhileTheOtherIsUnknown) {
+  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
+  PowerStatus hot(model);
+  hot.update(telling({{kTemperature, 60}}));
+  EXPECT_EQ(reportOf(hot).level, DiagnosticStatus::ERROR);
+  EXPECT_THAT(reportOf(hot).message, AllOf(HasSubstr("does not report its battery"), HasSubstr("60 degrees")));
+  ASSERT_EQ(reportOf(hot).values.size(), 1u);
+  EXPECT_EQ(reportOf(hot).values[0].value, "60.0");
+  EXPECT_EQ(reportOf(hot, !kAsked).level, DiagnosticStatus::OK) << "what it told before may be over";
+  PowerStatus empty(model);
+  empty.update(telling({{kBattery, 0}}));
+  EXPECT_EQ(reportOf(empty).level, DiagnosticStatus::ERROR);
+  EXPECT_EQ(reportOf(empty).message, "battery at 0 %: charge it now, the robot is about to switch itself off");
+  ASSERT_EQ(reportOf(empty).values.size(), 1u);
+  EXPECT_EQ(reportOf(empty).values[0].value, "0");
+}
+
 TEST(PowerStatus, OfASilentRobotIsAFaultOnlyIfItWasAsked) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
