@@ -366,6 +366,8 @@ TEST(FollowGoal, OfAJointThatDoesNotMoveFails) {
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::GOAL_TOLERANCE_VIOLATED);
   EXPECT_THAT(goal.result()->error_string, HasSubstr("head_pan"));
   request.goal_tolerance = {tolerance("head_pan", -1)};  // none
+  request.goal_tolerance[0].velocity = -1;
+  request.path_tolerance = request.goal_tolerance;
   FollowGoal anywhere(user.client, request);
   EXPECT_EQ(anywhere.waitForEnd(), State::SUCCEEDED);
 }
