@@ -333,6 +333,8 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),
               HasSubstr("no robot in /right, but in /left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_rate:=0"}), HasSubstr("rate is 0; it must"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=nan"}), HasSubstr("rate is nan; it must be 0..100"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_wait:=-1"}), HasSubstr("it must be 0.."));
   {
     rosbag::Bag bag(path("both.bag"), rosbag::bagmode::Write);
     bag.write("/left/joint_states", kBegin, sensor_msgs::JointState());
