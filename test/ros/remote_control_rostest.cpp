@@ -614,6 +614,16 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   EXPECT_TRUE(hears("walks, plays"));
   EXPECT_TRUE(hears("no, walk: it fell"));
   EXPECT_EQ(notes_.filter("no, ").size(), 1) << notes_.join("; ").toStdString();
+
+  robot_.useDriver("/told_too");
+  EXPECT_TRUE(hears("connection waiting for the driver in /told_too"));
+  notes_.clear();
+  robot_.useDriver(kTold);
+  EXPECT_TRUE(hears("walks, plays"));
+  end(ros::this_node::getName(), "it fell again");
+  tell("motion_state", state);
+  EXPECT_TRUE(hears("no, walk: it fell again"));
+  EXPECT_EQ(notes_.filter("no, ").size(), 1) << "the first is no news: " << notes_.join("; ").toStdString();
 }
 
 TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
