@@ -590,7 +590,19 @@ class Master {
   Master() : port_(freePort()), proxy_port_(freePort()) { start(); }
   ~Master() { stop(); }
 
-  void start() {
+  /// @param first a command for the master before it is heard through the proxy
+  void start(const std::vector<std::string>& first = {}) {
+    process_ =
+        std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment());
+    try {
+      process_->waitForOutput("started core service", std::chrono::seconds(60));
+    } catch (...) {
+      stop();
+      throw;
+    }
+    if (!first.empty()) {
+      EXPECT_EQ(Process(first, environment()).waitForExit(kPatience), 0);
+    }
     FaultProxy::Options options;
     options.target_port = port_;
     options.port = proxy_port_;
@@ -601,14 +613,6 @@ class Master {
       }
     };
     proxy_.emplace(options);
-    process_ =
-        std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment());
-    try {
-      process_->waitForOutput("started core service", std::chrono::seconds(60));
-    } catch (...) {
-      stop();
-      throw;
-    }
   }
 
   /// By SIGINT, because SIGKILL would leave its children behind.
@@ -706,6 +710,13 @@ class FaultsOfMaster : public Faults {
     expectAnswer({"rosparam", "get", name_space + "/aibo_driver/changed"}, "after_the_start");
     EXPECT_EQ(proxy_.connections(), reconnected);
     EXPECT_TRUE(process.isRunning());
+
+    master_.stop();
+    const std::size_t before = process.output().size();
+    master_.start({"rosparam", "set", name_space + "/aibo_driver/changed", "by_another"});
+    EXPECT_TRUE(
+        eventually([&] { return process.output().find("knows this node again", before) != std::string::npos; }));
+    expectAnswer({"rosparam", "get", name_space + "/aibo_driver/changed"}, "by_another");
     master_.stop();
     process.signal(SIGINT);
     EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "it does not end without a master";
