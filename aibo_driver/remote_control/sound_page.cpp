@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -31,12 +32,8 @@ SoundPage::SoundPage(Robot& robot, QWidget* parent)
   silence_.setSingleShot(true);
   silence_.setInterval(kSilence);
   connect(&silence_, &QTimer::timeout, this, &SoundPage::showSilence);
-  connect(listen_, &QCheckBox::toggled, this, [this](bool on) {
-    level_->setValue(kQuiet);
-    level_->setFormat(on ? "listening..." : "");
-    on ? silence_.start() : silence_.stop();
-    Q_EMIT visibilityChanged();
-  });
+  connect(listen_, &QCheckBox::toggled, this, &Page::visibilityChanged);
+  connect(this, &Page::visibilityChanged, this, &SoundPage::waitForSound);
   connect(&robot, &Robot::heard, this, &SoundPage::showLevel);
 }
 
@@ -84,7 +81,7 @@ void SoundPage::say() {
 }
 
 void SoundPage::showLevel(double level) {
-  if (!listens()) {
+  if (!listens() || !has_robot_) {
     return;  // it was on its way
   }
   silence_.start();
@@ -96,6 +93,20 @@ void SoundPage::showLevel(double level) {
   }
   if (colors != level_->palette()) {
     level_->setPalette(colors);
+  }
+}
+
+// While the page is hidden or there is no robot, nothing can come.
+void SoundPage::waitForSound() {
+  const bool waits = listens() && has_robot_;
+  level_->setValue(kQuiet);
+  level_->setFormat(waits ? "listening..." : "");
+  waits ? silence_.start() : silence_.stop();
+}
+
+void SoundPage::connectionChanged(const RobotConnection& connection) {
+  if (std::exchange(has_robot_, connection.hasRobot()) != connection.hasRobot()) {
+    waitForSound();
   }
 }
 

@@ -29,13 +29,16 @@ class SoundPage : public Page {
   QWidget* makeMicrophones();
   QWidget* makeSpeech();
   void showLevel(double level);
+  void waitForSound();
   void showSilence();
+  void connectionChanged(const RobotConnection& connection) override;
   void say();
 
   Robot& robot_;
   QCheckBox* listen_;
   QProgressBar* level_;
   QLineEdit* text_;
+  bool has_robot_ = false;
   QTimer silence_;  ///< runs out when nothing has come for a while
 };
 

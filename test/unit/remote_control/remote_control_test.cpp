@@ -812,6 +812,15 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
   open("Sound");
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 1u);
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "listening...") << "it has not waited for sound meanwhile";
+  Q_EMIT robot_.heard(-20);
+  Q_EMIT robot_.conditionChanged({});
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB") << "the connection is the same";
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  Q_EMIT robot_.heard(-20);
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "") << "there is no robot to listen to";
+  robot_.connectIt();
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "listening...");
   find<QAbstractButton>("listen")->click();
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
 }
