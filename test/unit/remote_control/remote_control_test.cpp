@@ -910,6 +910,41 @@ TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
 }
 
+// The robot does not repeat what it has said.
+TEST_F(RemoteControlTest, WhatIsSaidWhileAPageIsHiddenIsThereWhenItIsShown) {
+  robot_.connectIt();
+  Q_EMIT robot_.settingsDescribed({{"gain", "", Setting::Kind::kInteger, 0, 9, {}}});
+  for (const int round : {1, 2, 3}) {
+    open("Sound");
+    window_.setVisible(round < 3);  // at last all pages are hidden
+    const QString number = QString::number(round);
+    Q_EMIT robot_.ledsChanged({{"face_" + number, 0.4}});
+    Q_EMIT robot_.settingsChanged({{"gain", round}});
+    Q_EMIT robot_.motionsListed({number + ".MTN"});
+    Q_EMIT robot_.movementChanged("moved by /" + number, false);
+    Q_EMIT robot_.pictureTaken(QImage(208, 160, QImage::Format_RGB32), number + ".jpg");
+    Q_EMIT robot_.streamingChanged(round != 2);
+    Q_EMIT robot_.answered(true, "answer " + number);
+    window_.show();
+    open("Lights");
+    for (const int led : {1, 2, 3}) {
+      const QString name = "face_" + QString::number(led);
+      EXPECT_EQ(find<QWidget>(name)->styleSheet().isEmpty(), led != round) << led << " in round " << round;
+      EXPECT_EQ(click(name), QStringList(name + (led == round ? " 0" : " 1")));
+    }
+    open("Camera");
+    EXPECT_EQ(find<QSpinBox>("gain")->value(), round);
+    EXPECT_EQ(textOf("path"), number + ".jpg");
+    open("Motions");
+    EXPECT_EQ(find<QListWidget>("motions")->item(0)->text(), number + ".MTN");
+    EXPECT_EQ(textOf("movement"), "Now: moved by /" + number);
+    open("Move");
+    EXPECT_EQ(textOf("who_moves"), "moved by /" + number);
+    EXPECT_EQ(click("stream"), QStringList(round == 2 ? "stream on" : "stream off"));
+    EXPECT_TRUE(textOf("status").endsWith("answer " + number));
+  }
+}
+
 TEST_F(RemoteControlTest, APatternReplacesTheFace) {
   robot_.connectIt();
   open("Lights");
