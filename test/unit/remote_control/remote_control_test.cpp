@@ -1000,16 +1000,34 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "low") << "another driver has fewer settings";
 }
 
-TEST_F(RemoteControlTest, SettingsOfADriverCanBeChangedBeforeItHasItsRobot) {
+TEST_F(RemoteControlTest, ADriverThatHasSpokenHasSettingsAndAConditionBeforeItHasItsRobot) {
   Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "how good", Setting::Kind::kInteger, 1, 100, {}}});
   auto* quality = find<QSpinBox>("jpeg_quality");
   EXPECT_EQ(quality->toolTip(), "how good");
   EXPECT_EQ(qobject_cast<QFormLayout*>(quality->parentWidget()->layout())->labelForField(quality)->property("text"),
             "Jpeg quality");
-  robot_.disconnectIt(State::kNoDriver, "no driver");
-  EXPECT_FALSE(quality->isEnabled());
-  robot_.disconnectIt(State::kDisconnected, "the robot is off");
-  EXPECT_TRUE(quality->isEnabled());
+  RobotCondition condition;
+  condition.is_stopped = true;
+  condition.stopped_by = "/anna";
+  Q_EMIT robot_.conditionChanged(condition);
+  const std::tuple<State, bool, bool> states[] = {
+      {State::kNoMaster, false, false},    {State::kNoDriver, false, false},  {State::kWaiting, false, false},
+      {State::kDisconnected, true, false}, {State::kConnecting, true, false}, {State::kPlayback, true, true},
+      {State::kConnected, true, true}};
+  for (const auto& [state, has_driver, has_robot] : states) {
+    robot_.connectIt();
+    Q_EMIT robot_.linkMeasured({30, 0.01, 0});
+    Q_EMIT robot_.batteryMeasured(0.8, 31);
+    robot_.disconnectIt(state, "a reason");
+    EXPECT_EQ(quality->isEnabled(), has_driver) << int(state);
+    EXPECT_EQ(textOf("condition"), has_driver ? "stopped by /anna" : "") << int(state);
+    EXPECT_EQ(find<QAbstractButton>("stop")->text(), has_driver ? "Release" : "STOP") << int(state);
+    EXPECT_EQ(textOf("battery").isEmpty(), !has_robot) << int(state);
+    Q_EMIT robot_.linkMeasured({30, 0.01, 0});
+    EXPECT_EQ(textOf("link").isEmpty(), !has_robot) << int(state);
+    EXPECT_EQ(find<QWidget>("who_moves")->isHidden(), !has_robot) << int(state);
+    EXPECT_EQ(find<QWidget>("take_picture")->isEnabled(), state == State::kConnected) << int(state);
+  }
 }
 
 void turnWheel(QWidget* widget) {
