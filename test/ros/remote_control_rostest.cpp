@@ -626,6 +626,20 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   EXPECT_EQ(notes_.filter("no, ").size(), 1) << "the first is no news: " << notes_.join("; ").toStdString();
 }
 
+TEST_F(ToldTest, TheFirstMovementOfADriverThatFailsIsAComplaint) {
+  MotionState state;
+  state.text = "rests";
+  tell("motion_state", state);
+  EXPECT_TRUE(hears("rests, plays not"));
+  EndedMovement& ended = state.ended.emplace_back();
+  ended.movement.kind = Movement::WALK;
+  ended.movement.source = ros::this_node::getName();
+  ended.how = EndedMovement::REFUSED;
+  ended.reason = "it fell";
+  tell("motion_state", state);
+  EXPECT_TRUE(hears("no, walk: it fell"));
+}
+
 TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
   const auto show = [this](bool looks) {
     for (const Part part : {Part::kSensors, Part::kJoints, Part::kMicrophones, Part::kPictures}) {

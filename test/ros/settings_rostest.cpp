@@ -254,9 +254,16 @@ TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
   call.request.resolution = "52x40";
   ASSERT_TRUE(ros::service::call("/settings_size/take_picture", call));
   EXPECT_THAT(call.response.message, HasSubstr("52x40 pixels"));
-  const Config same = user.set(text("resolution", "1x1"));
+  Config partly_wrong = text("resolution", "1x1");
+  partly_wrong.doubles = number("frame_rate", 15).doubles;
+  const Config same = user.set(partly_wrong);
   EXPECT_TRUE(std::any_of(same.strs.begin(), same.strs.end(),
                           [](const auto& each) { return each.name == "resolution" && each.value == "416x320"; }));
+  EXPECT_TRUE(infos.waitFor([&last](const auto& info) {
+    const double interval = (info.header.stamp - last).toSec();
+    last = info.header.stamp;
+    return interval > 0.05 && interval < 0.08;  // 2 images of 33 ms
+  })) << "the rest of the change is in force";
   EXPECT_FALSE(states.waitFor([](const auto& state) { return state.width == 52; }, std::chrono::milliseconds(500)));
 }
 

@@ -104,6 +104,7 @@ TEST(DriverParameters, TheFolderForPicturesIsAnAbsolutePath) {
 TEST(DriverParameters, TheCameraIsNamedAfterTheNamespaceUnlessItHasAName) {
   EXPECT_EQ(parse(XmlRpcValue()).camera_name, "aibo");
   EXPECT_EQ(parseDriverParameters(XmlRpcValue(), "", "/team/left").camera_name, "team_left");
+  EXPECT_EQ(parseDriverParameters(XmlRpcValue(), "", "/lab/room/rex").camera_name, "lab_room_rex");
   EXPECT_EQ(parse(one("camera_name", "")).camera_name, "aibo");
   EXPECT_EQ(parse(one("camera_name", "left_eye_2")).camera_name, "left_eye_2");
   EXPECT_EQ(parseDriverParameters(one("camera_name", "eye"), "", "/team/left").camera_name, "eye");

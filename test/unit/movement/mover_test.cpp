@@ -1209,6 +1209,17 @@ TEST_F(MoverGoalTest, WhateverEndsTheWalkEndsItWithTheSameReasonAndTheNextGoalWa
   }
 }
 
+TEST_F(MoverGoalTest, AVelocityReplacesTheGoalWhoeverSendsIt) {
+  for (const char* source : {"/user", "/teleop"}) {
+    const Mover::Begun begun = walksToGoal();
+    steer(0.05, source);
+    EXPECT_THAT(told(), ElementsAre("steer 0.05 0.00 0.00")) << source;
+    EXPECT_EQ(endOf(begun), EndedHow::kReplaced) << source;
+    EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0})) << source;
+    EXPECT_THAT(told(), IsEmpty()) << source;
+  }
+}
+
 TEST_F(MoverGoalTest, ANewGoalReplacesTheOldOneAndTheRobotWalksOn) {
   const Mover::Begun first = walksToGoal();
   const Mover::Begun second = walkToGoal("/other");
