@@ -1107,6 +1107,10 @@ TEST_F(JointSliderTest, FollowsItsJointWithoutCommandingIt) {
   EXPECT_EQ(slider_.slider()->value(), 500);
   slider_.measure(0.506);
   EXPECT_EQ(slider_.slider()->value(), 506);
+  slider_.measure(0.509);
+  EXPECT_EQ(slider_.slider()->value(), 506);
+  slider_.measure(0.512);
+  EXPECT_EQ(slider_.slider()->value(), 512) << "however slowly it moves";
   EXPECT_EQ(moved_, JointPositions());
 }
 
