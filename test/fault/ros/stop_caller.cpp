@@ -8,7 +8,8 @@
 #include <cstdio>
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "stop_caller");
+  // The master shuts down whoever has the address of an earlier node of the same name. That may be the driver by now.
+  ros::init(argc, argv, "stop_caller", ros::init_options::AnonymousName);
   if (argc != 2) {
     std::fprintf(stderr, "usage: stop_caller SERVICE\n");
     return 2;
