@@ -819,6 +819,8 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   robot_.disconnectIt(State::kDisconnected, "gone");
   Q_EMIT robot_.heard(-20);
   EXPECT_EQ(find<QProgressBar>("level")->format(), "") << "there is no robot to listen to";
+  EXPECT_FALSE(QTest::qWaitFor([this] { return find<QProgressBar>("level")->format() != ""; }, 3500))
+      << "silence is noticed after 3 s, but only that of a robot";
   robot_.connectIt();
   EXPECT_EQ(find<QProgressBar>("level")->format(), "listening...");
   find<QAbstractButton>("listen")->click();
