@@ -96,7 +96,7 @@ void SoundPage::showLevel(double level) {
   }
 }
 
-// While the page is hidden or there is no robot, nothing can come.
+// No sound can come while the page is hidden or there is no robot.
 void SoundPage::waitForSound() {
   const bool waits = listens() && has_robot_;
   level_->setValue(kQuiet);

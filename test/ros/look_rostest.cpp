@@ -126,7 +126,7 @@ TEST_F(LookTest, KnowsWhereTheCameraWasWhenItTookThePicture) {
   TopicListener<MotionState> motion("/look/motion_state");
   const LookAtResult result = lookAt(clicked);
   EXPECT_TRUE(result.success);
-  EXPECT_EQ(result.header.stamp, clicked.header.stamp) << "so that whoever has clicked knows it again";
+  EXPECT_EQ(result.header.stamp, clicked.header.stamp) << "the program that clicked recognises its answer by it";
   EXPECT_TRUE(motion.waitFor([](const MotionState& state) {
     return !state.movements.empty() && state.movements[0].kind == Movement::LOOK_AT &&
            state.movements[0].source == "/look/aibo_look_at";

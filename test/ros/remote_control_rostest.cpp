@@ -623,7 +623,7 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   end(ros::this_node::getName(), "it fell again");
   tell("motion_state", state);
   EXPECT_TRUE(hears("no, walk: it fell again"));
-  EXPECT_EQ(notes_.filter("no, ").size(), 1) << "the first is no news: " << notes_.join("; ").toStdString();
+  EXPECT_EQ(notes_.filter("no, ").size(), 1) << "the first one was told before: " << notes_.join("; ").toStdString();
 }
 
 TEST_F(ToldTest, TheFirstMovementOfADriverThatFailsIsAComplaint) {

@@ -145,7 +145,7 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   of_a_picture_to_come[8] = 1;
   arrive(of_a_picture_to_come);
   Bytes ahead = picture[0];
-  ahead[6] = 1;  // so many datagrams are not lost at once
+  ahead[6] = 1;  // that many datagrams are never lost at once
   arrive(ahead);
   Bytes contradiction = picture[1];
   contradiction[19] ^= 1;  // the image count may differ, the frame may not
