@@ -197,17 +197,18 @@ AiboDriver::~AiboDriver() {
 }
 
 void AiboDriver::advertiseServices() {
+  const auto wished_quality = [this] { return adapter_.wishedQuality(); };
   advertise(handle_, streamServices(parameters_, client_, policy_));
   advertise(handle_, color_tables_.services());
   advertise(stop_threads_.handle(), stopServices(mover_));
   advertise(motion_thread_.handle(), motionServices(mover_));
   advertise(posture_threads_.handle(), postureServices(mover_));
   advertise(body_thread_.handle(), robotServices(client_));
-  advertise(body_thread_.handle(), stickPictureServices(parameters_, client_));
+  advertise(body_thread_.handle(), stickPictureServices(parameters_, client_, wished_quality));
   advertise(sound_thread_.handle(), soundServices(client_, player_));
-  advertise(picture_threads_.handle(), takePictureServices(
-                                           parameters_, client_, [this] { return adapter_.wishedQuality(); },
-                                           [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }));
+  advertise(picture_threads_.handle(),
+            takePictureServices(parameters_, client_, wished_quality,
+                                [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }));
 }
 
 void AiboDriver::advertise(ros::NodeHandle handle, Services services) {

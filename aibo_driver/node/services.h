@@ -39,7 +39,9 @@ Services robotServices(aibo_client::RcServerClient& client);
 
 /// take_picture_on_robot, list_pictures, fetch_picture and delete_picture: pictures on the robot's memory stick. The
 /// name of a picture is enough: see files::pictureFileName(). Each call waits at most 15 s.
-Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client);
+/// @param default_quality as for takePictureServices()
+Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
+                              const std::function<int()>& default_quality);
 
 /// take_picture, which waits for the robot.
 /// @param default_quality returns the quality of a picture if the caller gives none, 1..100; any thread may call it

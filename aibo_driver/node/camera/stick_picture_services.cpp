@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string>
 
 #include "aibo_client/exceptions.h"
@@ -46,15 +47,15 @@ std::string fetch(aibo_client::RcServerClient* client, const std::string& folder
 
 }  // namespace
 
-Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client) {
+Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
+                              const std::function<int()>& default_quality) {
   const std::string folder = files::pictureFolder(parameters.picture_folder);
   const std::string frame_id = parameters.frame(parameters.frame_id);
   return {
       service<TakePictureOnRobot>("take_picture_on_robot", "There is no picture",
-                                  [&client](auto& call) {
+                                  [&client, default_quality](auto& call) {
                                     const int asked = call.request.quality;
-                                    const int quality =
-                                        asked == 0 ? client.jpegQuality() : std::min(asked, kMaxQuality);
+                                    const int quality = asked == 0 ? default_quality() : std::min(asked, kMaxQuality);
                                     call.response.name = client.takePictureOnRobot(quality, kTimeout);
                                     return call.response.name + " is on the robot's memory stick, at quality " +
                                            std::to_string(quality) + ". fetch_picture gets it.";

@@ -60,17 +60,17 @@ class StickPictureServicesTest : public ::testing::Test {
 
   test_support::TemporaryFolder folder_;
   test_support::FakeClient client_;
-  Services services_ = stickPictureServices(parameters(), client_);
+  Services services_ = stickPictureServices(parameters(), client_, [] { return 77; });
 };
 
 TEST_F(StickPictureServicesTest, TakeAPictureOfTheDriversQualityOrAnother) {
   const auto answer = takePicture(0);
   EXPECT_TRUE(answer.success);
   EXPECT_EQ(answer.name, "AIBO0001.JPG");
-  EXPECT_THAT(answer.message, HasSubstr("AIBO0001.JPG is on the robot's memory stick, at quality 85."));
+  EXPECT_THAT(answer.message, HasSubstr("AIBO0001.JPG is on the robot's memory stick, at quality 77."));
   takePicture(30);
   takePicture(255);
-  EXPECT_THAT(client_.told, ElementsAre("picture on robot 85", "picture on robot 30", "picture on robot 100"));
+  EXPECT_THAT(client_.told, ElementsAre("picture on robot 77", "picture on robot 30", "picture on robot 100"));
 }
 
 TEST_F(StickPictureServicesTest, ListPictures) {
