@@ -69,10 +69,11 @@ void RcServerClient::setColorDetection(const ColorDetection& detection) {
 void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
   tell(this, "table " + std::to_string(channel) + " " + (table ? table->name : "none"));
 }
-PicturePtr RcServerClient::takePicture(int quality, milliseconds, int* quality_of_stream,
+PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* quality_of_stream,
                                        std::optional<Resolution> resolution) {
   tell(this, "picture " + std::to_string(quality) +
                  (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""));
+  fake(this).timeout = timeout;
   *quality_of_stream = fake(this).stream_quality;
   return fake(this).picture;
 }

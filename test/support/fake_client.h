@@ -2,6 +2,7 @@
 #ifndef TEST_SUPPORT_FAKE_CLIENT_H
 #define TEST_SUPPORT_FAKE_CLIENT_H
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -33,6 +34,7 @@ struct FakeClient : public aibo_client::RcServerClient {
   std::string motion_changes;                 ///< what the robot says that it plays differently
   aibo_client::PicturePtr picture;            ///< for takePicture() and fetchPicture()
   int stream_quality = 0;                     ///< of the stream that the picture is from
+  std::chrono::milliseconds timeout{0};       ///< of the last call of takePicture()
   std::vector<aibo_client::LedCommand> leds;  ///< of the last command
   std::uint64_t sounds = 0;                   ///< begun so far
   std::size_t room_for_samples = 16384;       ///< that the robot says

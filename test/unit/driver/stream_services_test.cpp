@@ -3,6 +3,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -84,10 +85,17 @@ TEST_F(StreamServicesTest, AnswerAPicture) {
   EXPECT_THAT(client_.told, ElementsAre("picture 77", "picture 100"));
 }
 
+TEST_F(StreamServicesTest, WaitForAPictureForTheTimeoutOfTheParameters) {
+  parameters_.take_picture_timeout = std::chrono::milliseconds(4500);
+  takePicture(0);
+  EXPECT_EQ(client_.timeout, std::chrono::milliseconds(4500));
+}
+
 TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
   client_.stream_quality = 85;
   EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85, from the running stream."));
-  EXPECT_THAT(takePicture(20).message, HasSubstr("quality 20 would need the stream to be off"));
+  EXPECT_THAT(takePicture(20).message,
+              HasSubstr("at quality 85, from the running stream; quality 20 would need the stream to be off"));
 }
 
 TEST_F(StreamServicesTest, SaveAPicture) {
@@ -133,6 +141,7 @@ TEST_F(StreamServicesTest, KeepTheWishForAStreamWhileTheRobotDoesNotAnswer) {
   EXPECT_FALSE(answer.success);
   EXPECT_THAT(answer.message, HasSubstr("the robot does not answer yet"));
   EXPECT_TRUE(policy_.wanted());
+  EXPECT_TRUE(setStreaming(false).success) << "nothing is missing";
 }
 
 TEST_F(StreamServicesTest, ToggleTheStream) {
