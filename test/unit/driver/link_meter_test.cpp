@@ -96,6 +96,8 @@ TEST_F(LinkMeterTest, AReconnectIsNoLoss) {
   arrive(2000);
   arrive(2001);
   EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(70000)).loss.value(), 0);
+  arrive(2003);
+  EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(70100)).loss.value(), 0.5) << "of the second connection";
 }
 
 TEST_F(LinkMeterTest, ACountThatGoesBackIsNoLoss) {
