@@ -47,6 +47,8 @@ TEST(ColorTableFile, HasRangesForStepsOfBrightness) {
   EXPECT_EQ(table.segments[19], (ColorRange{150, 230, 120, 190}));
   EXPECT_EQ(table.segments[20], (ColorRange{160, 230, 120, 190}));
   EXPECT_EQ(table.segments[31], (ColorRange{160, 230, 120, 190}));
+  const ColorTable corrected = parseColorTable(kPink + std::string("- {y: [8, 15], cr: [1, 2], cb: [3, 4]}\n"), "FILE");
+  EXPECT_EQ(corrected.segments[1], (ColorRange{1, 2, 3, 4})) << "the last range counts";
 }
 
 TEST(ColorTableFile, IsWrittenAsItIsRead) {
@@ -151,8 +153,8 @@ class ColorTableServiceTest : public ::testing::Test {
 
 TEST_F(ColorTableServiceTest, AFileATextOrNothing) {
   const test_support::TemporaryFolder folder;
-  std::ofstream(folder.path("a.yaml")) << kPink;
-  EXPECT_THAT(load(2, folder.path("a.yaml").string()).message, HasSubstr("Channel 2 detects pink"));
+  std::ofstream(folder.path("a.txt")) << kPink;
+  EXPECT_THAT(load(2, folder.path("a.txt").string()).message, HasSubstr("Channel 2 detects pink"));
   EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("Channel 0 detects pink_ball"));
   EXPECT_TRUE(load(6, "", kPink).success);
   EXPECT_THAT(load(6, "", "").message, HasSubstr("detects nothing"));
@@ -172,12 +174,15 @@ TEST_F(ColorTableServiceTest, WhatCannotBeLoadedLeavesTheChannelAsItIs) {
 
 TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {
   client_.present.state = ConnectionState::kConnecting;
-  EXPECT_THAT(load(0, "pink_ball").message, HasSubstr("no connection now"));
+  const LoadColorTable::Response later = load(0, "pink_ball");
+  EXPECT_TRUE(later.success);
+  EXPECT_THAT(later.message, HasSubstr("no connection now"));
   client_.present = {};
   client_.present.state = ConnectionState::kConnected;
   const LoadColorTable::Response response = load(0, "pink_ball");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("detects no colours"));
+  EXPECT_THAT(client_.told, ElementsAre("table 0 pink_ball", "table 0 pink_ball")) << "it is kept";
 }
 
 TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
