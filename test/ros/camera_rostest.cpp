@@ -41,6 +41,7 @@ using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -149,6 +150,17 @@ TEST(Camera, ImagesAreBgrOfThePicturesSize) {
   EXPECT_EQ(image.height, 160u);
   EXPECT_EQ(image.step, 3u * 208u);
   EXPECT_EQ(image.data.size(), 3u * 208u * 160u);
+}
+
+TEST(Camera, AllTopicsOfTheImageAreRemappedWithIt) {
+  SimulatedRobot robot;
+  ImageListener images("/remapped/eye/picture");
+  CompressedListener pictures("/remapped/eye/picture/compressed");
+  CameraInfoListener camera_infos("/remapped/eye/camera_info");
+  DriverProcess driver("/remapped", robot.port(), {"camera/image_raw:=eye/picture"});
+  EXPECT_FALSE(images.waitForCount(1).empty());
+  EXPECT_FALSE(pictures.waitForCount(1).empty());
+  EXPECT_FALSE(camera_infos.waitForCount(1).empty());
 }
 
 TEST(Camera, ImagesAreDecodedOnlyWhileTheyHaveSubscribers) {
@@ -276,7 +288,16 @@ TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
   const auto refused = user.set(info);
   EXPECT_FALSE(refused.success);
   EXPECT_THAT(refused.status_message, HasSubstr("for pictures of 200x160, but the robot sends 208x160"));
+  EXPECT_NO_THROW(user.driver().waitForOutput("WARN.*set_camera_info was refused. .*pictures of 200x160", kTimeToLog));
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one stays";
+  info.width = 832;
+  info.height = 640;
+  EXPECT_THAT(user.set(info).status_message, HasSubstr("the camera has no pictures of 832x640"));
+  info = goodCalibration();
+  info.K[0] = 0;
+  const auto empty = user.set(info);
+  EXPECT_FALSE(empty.success);
+  EXPECT_THAT(empty.status_message, HasSubstr("it is empty"));
 
   info = goodCalibration();
   info.width = 104;
@@ -340,7 +361,8 @@ TEST(Calibration, OfTwoRobotsIsInTwoFilesAlsoIfTheyAreNotThere) {
     ASSERT_TRUE(ros::service::call(service, call));
     EXPECT_TRUE(call.response.success) << call.response.status_message;
   }
-  EXPECT_THAT(contentOf(home.path("camera_info/one.yaml").string()), HasSubstr("190"));
+  EXPECT_THAT(contentOf(home.path("camera_info/one.yaml").string()),
+              AllOf(HasSubstr("190"), HasSubstr("camera_name: one")));
   EXPECT_THAT(contentOf(home.path("camera_info/two.yaml").string()), HasSubstr("200"));
 }
 

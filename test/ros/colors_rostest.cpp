@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "node/camera/color_table_file.h"
+#include "protocol/color_requests.h"
 #include "support/process.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/proxy/recording_proxy.h"
@@ -75,12 +76,13 @@ TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
 
 TEST(Colors, TheMaskHasThePixels) {
   SimulatedRobot robot;
-  DriverProcess driver("/mask", robot.port());
+  DriverProcess driver("/mask", robot.port(), {"_frame_prefix:=left"});
   MaskListener masks("/mask/color_mask");
   const auto found = masks.waitFor([](const sensor_msgs::Image& mask) {
     return mask.data.size() == 104 * 80 * 3 && std::count(mask.data.begin(), mask.data.end(), 0) < 104 * 80 * 3 - 100;
   });
   ASSERT_TRUE(found);
+  EXPECT_EQ(found->header.frame_id, "left/camera_optical_frame");
   EXPECT_EQ(found->encoding, "rgb8");
   EXPECT_EQ(found->width, 104U);
   const auto has_only = [](const sensor_msgs::Image& mask, const aibo_client::ColorTable& table) {
@@ -101,33 +103,41 @@ TEST(Colors, TheMaskHasThePixels) {
   })) << "another table has another color";
 }
 
-TEST(Colors, TheRobotSendsTheMaskOnlyWhileSomebodyWantsIt) {
+TEST(Colors, TheRobotDetectsAndSendsTheMaskOnlyWhileSomebodyWantsIt) {
   SimulatedRobot robot;
   const test_support::RecordingProxy proxy(robot.port());
   DriverProcess driver("/no_mask", proxy.port(), {"_color_rate:=10"});
-  const auto sends_mask = [&proxy](bool wanted) {
+  const auto waitForLast = [&proxy](const auto& condition) {
     const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
-    const auto is_on = [](const auto& request) { return request.id == 1; };
+    const auto is_no_table = [](const auto& request) { return request.id != protocol::version2::COLORS_TABLE; };
     while (std::chrono::steady_clock::now() < end) {
       const auto requests = proxy.requestsFromDriver("Z");
-      const auto last = std::find_if(requests.rbegin(), requests.rend(), is_on);
-      EXPECT_TRUE(last == requests.rend() || last->payload.at(1) == 3) << "every third image";
-      if (last != requests.rend() && (last->payload.at(2) != 0) == wanted) {
+      const auto last = std::find_if(requests.rbegin(), requests.rend(), is_no_table);
+      if (last != requests.rend() && condition(*last)) {
         return true;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;
   };
-  RegionsListener regions("/no_mask/color_regions");
-  EXPECT_TRUE(sends_mask(false));
-  for (int i = 0; i < 2; ++i) {
-    {
-      const MaskListener masks("/no_mask/color_mask");
-      EXPECT_TRUE(sends_mask(true));
-    }
+  const auto sends_mask = [&waitForLast](bool wanted) {
+    return waitForLast([wanted](const auto& request) {
+      EXPECT_TRUE(request.payload.empty() || request.payload.at(1) == 3) << "every third image";
+      return request.id == protocol::version2::COLORS_ON && (request.payload.at(2) != 0) == wanted;
+    });
+  };
+  {
+    const RegionsListener regions("/no_mask/color_regions");
     EXPECT_TRUE(sends_mask(false));
+    for (int i = 0; i < 2; ++i) {
+      {
+        const MaskListener masks("/no_mask/color_mask");
+        EXPECT_TRUE(sends_mask(true));
+      }
+      EXPECT_TRUE(sends_mask(false));
+    }
   }
+  EXPECT_TRUE(waitForLast([](const auto& request) { return request.id == protocol::version2::COLORS_OFF; }));
 }
 
 TEST(Colors, ATableIsLoadedWhileTheDriverRunsAndAgainAfterAReconnect) {
