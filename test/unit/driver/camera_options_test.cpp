@@ -60,7 +60,9 @@ TEST(CameraState, IsThatOfThePicture) {
 TEST(Transport, ItsReasonIsTold) {
   using aibo_client::PictureTransport;
   aibo_client::ConnectionStatus status;
-  EXPECT_EQ(transportReason(status), "");
+  status.transport_problem = "a firewall";
+  EXPECT_EQ(transportReason(status), "") << "it was that of the connection before";
+  status.transport_problem.clear();
   status.state = aibo_client::ConnectionState::kConnected;
   EXPECT_EQ(transportReason(status), "~transport is tcp");
   status.wanted_transport = PictureTransport::kAuto;
