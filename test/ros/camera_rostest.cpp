@@ -234,9 +234,10 @@ class CalibrationUser {
     driver_ = std::make_unique<DriverProcess>(name_space_, robot_.port(), parameters_);
   }
 
-  // What is published next; a message without numbers if nothing is.
+  // What is published with the next picture that is taken; a message without numbers if nothing is.
   CameraInfo next() {
-    const auto info = camera_infos_.waitForNext();
+    const auto is_new = [now = ros::Time::now()](const CameraInfo& info) { return info.header.stamp > now; };
+    const auto info = camera_infos_.waitFor(is_new);
     return info ? *info : CameraInfo();
   }
 
@@ -307,6 +308,8 @@ TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
   EXPECT_EQ(scaled.width, 208u);
   EXPECT_EQ(scaled.height, 160u);
   EXPECT_DOUBLE_EQ(scaled.K[0], 2 * info.K[0]);
+  EXPECT_TRUE(user.set(goodCalibration()).success);
+  EXPECT_EQ(user.next().K, goodCalibration().K) << "it replaces the other one";
 }
 
 TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
@@ -367,15 +370,21 @@ TEST(Calibration, OfTwoRobotsIsInTwoFilesAlsoIfTheyAreNotThere) {
 }
 
 TEST(Calibration, MustFitThePicturesThatComeWhetherAnybodyListensOrNot) {
+  const test_support::TemporaryFolder folder;
   SimulatedRobot robot;
-  DriverProcess driver("/unheard", robot.port());
-  TopicListener<aibo_driver::CameraState> pictures("/unheard/camera/state");
-  ASSERT_FALSE(pictures.waitForCount(1).empty());
+  robot.kill();
+  DriverProcess driver("/unheard", robot.port(), {"_camera_info_url:=file://" + folder.path("camera.yaml").string()});
   sensor_msgs::SetCameraInfo call;
   call.request.camera_info = goodCalibration();
   call.request.camera_info.width = 320;
   call.request.camera_info.height = 240;
-  ASSERT_TRUE(ros::service::call("/unheard/camera/set_camera_info", call));
+  const std::string service = "/unheard/camera/set_camera_info";
+  ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+  ASSERT_TRUE(ros::service::call(service, call));
+  EXPECT_TRUE(call.response.success) << "nobody knows yet what the robot sends";
+  robot.restart();
+  EXPECT_NO_THROW(driver.waitForOutput("WARN.*is for pictures of 320x240, but the robot sends 208x160", kTimeToLog));
+  ASSERT_TRUE(ros::service::call(service, call));
   EXPECT_FALSE(call.response.success);
   EXPECT_THAT(call.response.status_message, HasSubstr("the robot sends 208x160"));
 }
