@@ -200,6 +200,19 @@ TEST(StreamDiagnostics, WarnOfAStreamThatHasLessThanHalfOfTheRate) {
   driver.waitForOutput("adaptive has no effect: the age of the pictures is not known", test_support::kSafetyNet);
 }
 
+TEST(StreamDiagnostics, CountTheImagesForWhichTheDecoderHadNoTime) {
+  PictureServer server(2, 0ms);
+  DriverProcess driver("/hurried", server.port(), kWithoutRobotTime);
+  DiagnosticsListener diagnostics;
+  const boost::function<void(const sensor_msgs::ImageConstPtr&)> look = [](const sensor_msgs::ImageConstPtr&) {};
+  const ros::Subscriber viewer = ros::NodeHandle().subscribe<sensor_msgs::Image>("/hurried/camera/image_raw", 1, look);
+  const auto dropped = diagnostics.waitFor("hurried/aibo_driver: stream", [](const auto& status) {
+    const std::string count = DiagnosticsListener::value(status, "images dropped for newer ones");
+    return count != "" && count != "0";
+  });
+  EXPECT_NE(dropped.name, "");
+}
+
 // The client knows the proxy's address, and the datagrams come from the robot's, as behind a NAT.
 TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
   SimulatedRobot robot({"--bind", "127.0.0.3"});
