@@ -145,6 +145,25 @@ std::string problemOf(const sensor_msgs::CameraInfo& info) {
   return {};
 }
 
+// writeCalibration() does not notice a full disk.
+bool saveCalibration(const CameraInfo& info, const std::string& camera_name, const std::string& file) {
+  const std::filesystem::path target = std::filesystem::weakly_canonical(file);  // a link stays one
+  // The parser goes by the extension.
+  const std::filesystem::path part = target.parent_path() / (".part_" + target.filename().string());
+  std::string name;
+  CameraInfo written;
+  std::error_code error;
+  if (camera_calibration_parsers::writeCalibration(part, camera_name, info) &&
+      camera_calibration_parsers::readCalibration(part, name, written)) {
+    std::filesystem::rename(part, target, error);
+    if (!error) {
+      return true;
+    }
+  }
+  std::filesystem::remove(part, error);
+  return false;
+}
+
 Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
                          const std::string& design)
     : camera_name_(camera_name), design_(design), file_(calibrationFile(url, camera_name)), stored_(load(file_)) {
@@ -210,7 +229,7 @@ std::string Calibration::store(const CameraInfo& info) {
     return "it is for pictures of " + sizeOf(info) + ", but the robot sends " + sizeOf(width, height);
   }
   try {
-    if (!camera_calibration_parsers::writeCalibration(file_, camera_name_, info)) {
+    if (!saveCalibration(info, camera_name_, file_)) {
       return file_ + " cannot be written";
     }
   } catch (const std::exception& error) {

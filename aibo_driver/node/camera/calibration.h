@@ -76,6 +76,11 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
 /// @return the problem, for a message to the user; empty if there is none
 std::string problemOf(const sensor_msgs::CameraInfo& info);
 
+/// Writes a calibration to a file, whose folder is made if it is missing. On any error the old file stays as it was.
+/// @return false if it cannot be written, for example because the disk is full
+/// @throw std::filesystem::filesystem_error the path cannot be followed
+bool saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
+
 }  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_NODE_CAMERA_CALIBRATION_H

@@ -2,15 +2,20 @@
 
 #include <gmock/gmock.h>
 #include <ros/package.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <string>
 
 #include "aibo_client/exceptions.h"
 #include "support/good_calibration.h"
+#include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -66,6 +71,25 @@ TEST(CalibrationFile, OfAUrlThatNamesNoFileIsRefused) {
   for (const char* url : {"package://std_msgs", "package://std_msgs/", "file:///", "file:///tmp/", "file:///${EYE}"}) {
     EXPECT_THAT(refusalOf(url), HasSubstr("does not name a file")) << url;
   }
+}
+
+TEST(CalibrationFile, StaysAsItWasIfTheDiskIsFull) {
+  const test_support::TemporaryFolder folder;
+  const std::string file = folder.path("eye.yaml").string();
+  ASSERT_TRUE(saveCalibration(goodCalibration(), "left", file));
+  const auto size = std::filesystem::file_size(file);
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);  // then writing fails, as on a full disk
+  rlimit limit{};
+  ::getrlimit(RLIMIT_FSIZE, &limit);
+  const rlimit full = {100, limit.rlim_max};
+  ::setrlimit(RLIMIT_FSIZE, &full);
+  const bool is_saved = saveCalibration(goodCalibration(), "right", file);
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  std::signal(SIGXFSZ, before);
+  EXPECT_FALSE(is_saved);
+  EXPECT_EQ(std::filesystem::file_size(file), size);
+  const std::filesystem::directory_iterator files(folder.path());
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing else is left";
 }
 
 TEST(Calibration, OfTheCameraIsAccepted) {
