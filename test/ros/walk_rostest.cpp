@@ -535,7 +535,7 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
     joystick.publish("joy", joy);
   };
   press({0});
-  teleop.waitForOutput("/gamepad/take_picture: .*aibo_.*jpg", kSafetyNet);
+  teleop.waitForOutput("/gamepad/take_picture: .*Saved to .*aibo_.*jpg", kSafetyNet);
   press({4});
   press({4, 2});
   teleop.waitForOutput("/gamepad/play_motion: WAG.MTN has begun", kSafetyNet);
