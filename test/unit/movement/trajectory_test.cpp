@@ -95,6 +95,16 @@ TEST_F(TrajectoryTest, MovesAllItsJoints) {
   EXPECT_NEAR(trajectory.sample(0.5)[1], 0.2, 1e-12);
 }
 
+TEST_F(TrajectoryTest, EachJointThatMovesAlreadyKeepsItsVelocity) {
+  for (const TrajectoryRequest& request : {TrajectoryRequest{{"head_pan", "mouth"}, {{1, {0.4, -0.7}, {}}}},
+                                           TrajectoryRequest{{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}}}) {
+    const Trajectory trajectory(request, table_, {{pan_, 0, 0}, {mouth_, -0.5, 0.1}}, false);
+    const std::size_t mouth = request.joints[0] == "mouth" ? 0 : 1;
+    EXPECT_NEAR(trajectory.velocities(0)[mouth], 0.1, 1e-12);
+    EXPECT_NEAR(trajectory.velocities(0)[1 - mouth], 0.4, 1e-12) << "it goes straight";
+  }
+}
+
 TEST_F(TrajectoryTest, RefusesUnknownAndRepeatedNames) {
   EXPECT_THAT(refusal({{"left_ear"}, {{1, {0}, {}}}}), HasSubstr("no joint 'left_ear'"));
   EXPECT_THAT(refusal({{"head_pan", "head_pan"}, {{1, {0, 0}, {}}}}), HasSubstr("head_pan is named twice"));
@@ -148,6 +158,7 @@ TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
               AllOf(HasSubstr("head_pan"), HasSubstr("5.000 rad/s"), HasSubstr("3.000 rad/s"), HasSubstr("slow_down")));
   EXPECT_THAT(refusal(pan({{0.4, {1}, {0}}})), HasSubstr("3.75")) << "the middle of a cubic is its fastest";
   EXPECT_EQ(refusal(pan({{1.0 / 3, {1}, {}}})), "accepted") << "exactly the limit";
+  EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}), HasSubstr("head_pan would have to move"));
 }
 
 TEST_F(TrajectoryTest, KeepsScaledSpeeds) {
@@ -169,6 +180,7 @@ TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
   EXPECT_NEAR(straight.stretch(), 5.0 / 3, 1e-9);
   EXPECT_NEAR(straight.duration(), 2, 1e-9);
   EXPECT_NEAR(highestSpeed(straight), kSpeedLimit, 0.01);
+  EXPECT_NEAR(plan({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}, true).stretch(), 5.0 / 3, 1e-9) << "any joint";
   const Trajectory curved = plan(pan({{0.2, {0.5}, {4}}, {0.4, {1}, {0}}}), true);
   EXPECT_NEAR(highestSpeed(curved), kSpeedLimit, 0.01);
   EXPECT_NEAR(curved.sample(curved.duration())[0], 1, 1e-9);
