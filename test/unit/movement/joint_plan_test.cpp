@@ -206,6 +206,7 @@ TEST_F(JointPlanTest, AJointThatWasTakenFromATrajectoryIsNotGivenBack) {
   EXPECT_EQ(endOf(head), EndedHow::kDone);
   add({{"mouth"}, {{1, {-0.4}, {}}}}, 0.512, 0.512);
   EXPECT_EQ(endOf(old), EndedHow::kReplaced) << "it has no joint left";
+  EXPECT_EQ(reasonOf(old), "a newer trajectory moves its joints");
   EXPECT_NEAR(sent_[kPan], 0, 1e-9);
 }
 
@@ -219,7 +220,8 @@ TEST_F(JointPlanTest, ATrajectoryBeginsWhereAJointIsThatTheOneBeforeDidNotMove) 
 TEST_F(JointPlanTest, ALaterStartTakesNothingFromWhatWaits) {
   const auto sooner = add(pan({{1, {0.5}, {}}}), 1, 0);
   const auto later = add(pan({{1, {0}, {}}}), 5, 0);
-  EXPECT_THAT(plan_.jointsOf(sooner), ElementsAre("head_pan"));
+  EXPECT_NE(refusal(pan({{1, {9}, {}}}), 0.5, 0), "accepted");
+  EXPECT_THAT(plan_.jointsOf(sooner), ElementsAre("head_pan")) << "nor does one that is refused";
   EXPECT_THAT(plan_.jointsOf(later), ElementsAre("head_pan"));
 }
 
@@ -231,6 +233,7 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   const auto at_once = add(both(0, -0.4, 1), 0, 0);
   EXPECT_EQ(endOf(later), EndedHow::kReplaced);
   EXPECT_EQ(endOf(sooner), EndedHow::kReplaced);
+  EXPECT_EQ(reasonOf(sooner), "a newer trajectory moves its joints");
   EXPECT_FALSE(endOf(at_once));
   follow(0.032, 1.2);
   EXPECT_EQ(endOf(at_once), EndedHow::kDone);
@@ -291,6 +294,8 @@ TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
   EXPECT_NEAR(velocity(fate, 0.2), 0.5, 1e-6);
   EXPECT_EQ(endOf(commanded), EndedHow::kReplaced);
   EXPECT_EQ(reasonOf(commanded), "a trajectory moves head_pan");
+  command({{kMouth, {kMouth, -0.9, 0.5}}}, 0.2);
+  EXPECT_NEAR(velocity(add({{"mouth"}, {{1, {-0.9}, {0}}}}, 0.3, 0.3), 0.3), -0.5, 1e-6);
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsWhereTheJointIsLongAfterACommand) {
@@ -426,6 +431,15 @@ TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
   EXPECT_EQ(reasonOf(commanded), "mouth is 0.40 rad from where it was sent");
   EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
   EXPECT_EQ(reasonOf(followed), "head_pan is 0.50 rad from where it was sent");
+}
+
+TEST_F(JointPlanTest, ACommandGoesOnUntilItsSlowestJointShouldHaveArrived) {
+  const auto both_joints = command({{kPan, {kPan, 0.1, 1.0}}, {kMouth, {kMouth, -0.1, 0.05}}}, 0);
+  sent_ = {{kPan, 0.1}, {kMouth, -0.1}};
+  follow(0, 7.9);
+  EXPECT_FALSE(endOf(both_joints)) << "the mouth needs 8 s";
+  follow(8, 8.2);
+  EXPECT_EQ(endOf(both_joints), EndedHow::kDone);
 }
 
 TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
