@@ -146,6 +146,17 @@ class MoverTest : public ::testing::Test {
   std::vector<std::string> warnings_;
 };
 
+TEST(Movement, IsDescribedInWordsThatBeginASentence) {
+  const std::vector<std::string> joints{"head_pan", "mouth"};
+  EXPECT_EQ(describe({Kind::kCommand, "", "/user", joints, {}}), "The command of head_pan, mouth");
+  EXPECT_EQ(describe({Kind::kCommand, "", "/user", {}, {}}), "The command");
+  EXPECT_EQ(describe({Kind::kTrajectory, "", "/user", joints, {}}), "The trajectory of head_pan, mouth");
+  EXPECT_EQ(describe({Kind::kMotion, "NOD.MTN", "/user", {}, {}}), "The motion NOD.MTN");
+  EXPECT_EQ(describe({Kind::kWalk, "", "/user", {}, {}}), "The walk");
+  EXPECT_EQ(describe({Kind::kPosture, "sit", "/user", {}, {}}), "The posture sit");
+  EXPECT_EQ(describe({Kind::kLookAt, "", "/user", joints, {}}), "The look_at");
+}
+
 // ---- Ends
 
 TEST_F(MoverTest, ACommandIsDoneWhenItsJointIsMeasuredThere) {
@@ -227,7 +238,7 @@ TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
   EXPECT_EQ(other.ended(), nullptr);
   EXPECT_THAT(mover_.jointsOf(other.id), ElementsAre("head_tilt"));
   const auto followed = follow("head_pan", 0.5, 1.0);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {4, kHeadPan}, "the motors are off", 0});
   EXPECT_EQ(reasonOf(followed), "the motors are off");
   told();
   mover_.goOn();
@@ -354,6 +365,8 @@ TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
   mover_.command(order(), {"head_pan", "a", "b", "c", "d"}, {0.1, 0, 0, 0, 0}, {});
   EXPECT_THAT(warnings_, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
                                      "'c'. and 1 more"));
+  EXPECT_EQ(reasonOf(follow("a\n\x1b[31mb", 0, 1)).find_first_of("\n\x1b"), std::string::npos);
+  EXPECT_LE(reasonOf(follow(std::string(100000, 'a'), 0, 1)).size(), 1010u);
   const auto nothing = mover_.command(order(), {"a"}, {0.1}, {});
   EXPECT_EQ(reasonOf(nothing), "The ERS-7 has no joint 'a'");
   EXPECT_EQ(endOf(nothing), EndedHow::kRefused);
@@ -515,7 +528,11 @@ TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
               HasSubstr("busy"));
   EXPECT_EQ(endOf(commanded), EndedHow::kUnknown);
   EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off, but it is busy");
+  const auto unheld = command("head_pan", 0.5);
   client_.problem = "there is no robot";
+  EXPECT_EQ(problem<aibo_client::NetworkException>([this] { mover_.hold(order(), "/user said so"); }),
+            "there is no robot");
+  EXPECT_EQ(endOf(unheld), EndedHow::kLost);
   const auto lost = follow("head_pan", 0.5, 1.0);
   EXPECT_EQ(endOf(lost), EndedHow::kLost) << "its first step cannot be sent";
 }
@@ -636,6 +653,25 @@ TEST_F(MoverTest, WhatCameBeforeAPostureOrAStopOrTheMotorsDoesNotAct) {
   EXPECT_EQ(mover_.takePosture(order(), Posture::kStand).ended(), nullptr) << "at once";
 }
 
+TEST_F(MoverTest, WhatCameAfterACallThatHadToWaitActs) {
+  command("head_tilt", 0);
+  const std::function<void(const Order&)> calls[] = {
+      [this](const Order& order) { mover_.takePosture(order, Posture::kSit); },
+      [this](const Order& order) { mover_.setMotors(order, false); },
+      [this](const Order& order) { mover_.setMotors(order, true); },
+      [this](const Order& order) { mover_.hold(order, "/user sent an empty trajectory"); },
+      [this](const Order& order) { mover_.release(order); }};
+  for (const auto& call : calls) {
+    now_ += milliseconds(10);
+    const Order earlier = order();
+    now_ += milliseconds(10);
+    const Order later = order();
+    now_ += milliseconds(10);
+    call(earlier);
+    EXPECT_EQ(mover_.command(later, {"head_pan"}, {0.5}, {}).ended(), nullptr);
+  }
+}
+
 TEST_F(MoverTest, WhatCameBeforeTheConnectionDoesNotAct) {
   const Order old = order();
   now_ += milliseconds(10);
@@ -703,6 +739,7 @@ TEST_F(MoverTest, AnOrderThatStillWaitsInTheClientGetsTooOldThereAndHasTheNumber
 
 TEST_F(MoverTest, PlaysAMotionAtTheRobotsOwnSpeedsAndEndsTrajectories) {
   command("head_pan", 0.1);
+  const auto tilted = command("head_tilt", 0.1);
   const auto followed = follow("head_pan", 1.0, 1.0);
   client_.told.clear();
   mover_.play(order(), "NOD.MTN", 2);
@@ -712,6 +749,7 @@ TEST_F(MoverTest, PlaysAMotionAtTheRobotsOwnSpeedsAndEndsTrajectories) {
   EXPECT_THAT(client_.told, Each(StartsWith("V ")));
   EXPECT_THAT(client_.told, Contains("V 2:10.06"));
   EXPECT_EQ(reasonOf(followed), "/user plays NOD.MTN");
+  EXPECT_EQ(tilted.ended(), nullptr) << "the robot says so if the motion moves its joint";
 }
 
 TEST_F(MoverTest, ACommandAfterAMotionKeepsItsOwnSpeedLimit) {
@@ -760,11 +798,17 @@ TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
   EXPECT_EQ(reasonOf(refused), "There is no such motion");
 }
 
-TEST_F(MoverTest, AMotionThatWasNotSentIsRefused) {
+TEST_F(MoverTest, AMotionThatWasNotSentIsRefusedAndOneThatWasSentIsLostWithTheConnection) {
   client_.meanwhile = [] { throw TimeoutException("no answer within 2000 ms."); };
   const auto played = mover_.play(order(), "NOD.MTN", 1);
   EXPECT_EQ(endOf(played), EndedHow::kRefused);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
+  for (const bool was_sent : {false, true}) {
+    client_.meanwhile = [was_sent] {
+      throw aibo_client::NetworkException("it broke.", aibo_client::FaultKind::kNone, was_sent);
+    };
+    EXPECT_EQ(endOf(play("NOD.MTN")), was_sent ? EndedHow::kLost : EndedHow::kRefused);
+  }
 }
 
 TEST_F(MoverTest, StopsAMotionAlone) {
@@ -872,6 +916,10 @@ TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFro
       [this] {
         walk();
         mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+      },
+      [this] {
+        mover_.takePosture(order(), Posture::kRest);
+        mover_.ended({EndedKind::kPosture, EndedHow::kDone, "rest", ""});
       }};
   for (const auto& cause : causes) {
     command("head_pan", 0.0);
@@ -894,6 +942,9 @@ TEST_F(MoverTest, SendsWhereTheJointsOfATrajectoryShouldBeSoon) {
   follow("head_pan", 1.0, 1.0);
   EXPECT_THAT(client_.told, ElementsAre("V 2:3.00", "J 2:0.10 in 96"));
   EXPECT_TRUE(mover_.goOn());
+  told();
+  follow("head_pan", 0.1, 0.05);
+  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 50")) << "its end is not late";
 }
 
 TEST_F(MoverTest, SaysWhereATrajectoryWantsItsJointsAndWhenItEnds) {
@@ -924,7 +975,10 @@ TEST_F(MoverTest, RefusesTrajectoriesOfOldMeasurements) {
 
 TEST_F(MoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
   telemetry_ = false;
-  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("telemetry_rate is 0"));
+  walk();
+  EXPECT_THAT(reasonOf(follow("left_front_rotator", 1.0, 1.0)), HasSubstr("telemetry_rate is 0"));
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00")) << "a refused one does not end a walk";
 }
 
 TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
