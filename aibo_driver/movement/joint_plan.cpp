@@ -507,6 +507,9 @@ void JointPlan::endCommand(MovementId id, EndedHow how, const std::string& reaso
     std::optional<Command>& command = commands_[joint];
     if (command && command->id == id && std::exchange(command->is_open, false)) {
       joints.push_back(table_[joint].name);
+      if (how != EndedHow::kDone) {
+        command.reset();  // the joint is not on its way any more
+      }
     }
   }
   if (!joints.empty()) {

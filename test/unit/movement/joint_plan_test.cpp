@@ -350,6 +350,14 @@ TEST_F(JointPlanTest, HoldsAJointWhoseCommandIsDoneButMayWaitForTheLink) {
   EXPECT_EQ(plan_.holdingTargets(at(0.5)).count(kPan), 1u);
 }
 
+TEST_F(JointPlanTest, AJointWhoseCommandWasStoppedIsNotOnItsWayAnyMore) {
+  const auto commanded = command({{kPan, {kPan, 1.0, 0.5}}}, 0);
+  plan_.end(commanded, EndedHow::kStopped, "stop was called");
+  EXPECT_THAT(plan_.holdingTargets(at(1)), IsEmpty()) << "another stop does not move it on";
+  measure(1, 0.1);
+  EXPECT_NEAR(wanted(add(pan({{1, {0.3}, {}}}), 1, 1), 1), 0.1, 1e-6) << "it begins where it is";
+}
+
 TEST_F(JointPlanTest, ANewCommandBeginsWhereTheOldOneIs) {
   command({{kPan, {kPan, 1.0, 1.0}}}, 0);
   command({{kPan, {kPan, 0.0, 1.0}}}, 0.5);
