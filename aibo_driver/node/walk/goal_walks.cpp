@@ -117,8 +117,13 @@ const movement::EndedMovement* GoalWalks::Walk::goOn() {
   }
   const aibo_client::WalkVelocity wanted = way_.velocityAt(*here);
   const aibo_client::WalkLimits limits = walks_->client_.status().robot.walk_limits;
-  is_stopping_ = wanted.isZero();
-  walks_->mover_.walkOn(begun_.id, velocityToSend(wanted, walks_->parameters_.walk, limits));
+  const aibo_client::WalkVelocity allowed = velocityToSend(wanted, walks_->parameters_.walk, limits);
+  is_stopping_ = allowed.isZero();
+  if (is_stopping_ && !wanted.isZero()) {
+    stop("it would have to walk or turn in a way for which the limit is 0");
+    return begun_.ended();
+  }
+  walks_->mover_.walkOn(begun_.id, allowed);
   return begun_.ended();
 }
 

@@ -172,6 +172,19 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   EXPECT_EQ(walk.goOn()->how, EndedHow::kDone);
 }
 
+TEST_F(GoalWalksTest, ARobotThatMayNotTurnIsNotAtAGoalForWhichItWouldHaveTo) {
+  parameters_.walk.turn_limit = 0;
+  GoalWalks::Walk walk = begin(goalAt(2));
+  walkOn(walk, 0.02);
+  here_->yaw = 2;
+  walk.goOn();
+  EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  ASSERT_NE(walk.goOn(), nullptr);
+  EXPECT_EQ(walk.goOn()->how, EndedHow::kStopped);
+  EXPECT_THAT(walk.goOn()->reason, HasSubstr("the limit is 0"));
+}
+
 TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
   GoalWalks::Walk walk = begin(goalAt(2));
   for (int i = 0; i < 210; ++i) {
