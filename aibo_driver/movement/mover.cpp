@@ -208,6 +208,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
+    endIfHeldUp(now);
     double stretch = 1;
     try {
       checkTelemetry();
@@ -219,7 +220,6 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     }
     overruleWalk(movement);
     Begun result = begin(std::move(movement));
-    went_on_ = now;
     if (stretch > 1) {
       result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
     }
@@ -721,9 +721,7 @@ bool Mover::goOn() {
   return change([this] {
     checkConnection();
     const SteadyTime now = clock_();
-    if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
-      plan_.endTrajectories(EndedHow::kRefused, "the driver was held up");
-    }
+    endIfHeldUp(now);
     if (halts_ == 0) {
       sendSteps(plan_.advance(now));
     }
@@ -799,6 +797,14 @@ void Mover::note(const EndedMovement& ended) {
     ended_.pop_front();
   }
   news_.ended.push_back(ended);
+}
+
+// Trajectories that go on are moved on much more often.
+void Mover::endIfHeldUp(SteadyTime now) {
+  if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
+    plan_.endTrajectories(EndedHow::kRefused, "the driver was held up");
+    takeEndsOfPlan();
+  }
 }
 
 // Does nothing if it has ended.

@@ -247,6 +247,7 @@ class Mover {
   void note(const EndedMovement& ended);
   void end(MovementId id, aibo_client::EndedHow how, const std::string& reason);
   void endAll(aibo_client::EndedHow how, const std::string& reason);
+  void endIfHeldUp(SteadyTime now);
   void takeEndsOfPlan();
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
   template <typename Condition>
@@ -281,7 +282,7 @@ class Mover {
   MovementId last_id_ = 0;
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
-  SteadyTime went_on_;  ///< when goOn() was last called, or when a trajectory has begun since
+  SteadyTime went_on_;  ///< when goOn() was last called, or a trajectory was asked for since
   std::vector<Refused> refused_;
   News news_;
   aibo_client::MotorsAndPosture robot_;

@@ -305,6 +305,10 @@ TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
   const auto later = follow("head_pan", 1.0, 2.0);
   mover_.goOn();
   EXPECT_EQ(later.ended(), nullptr);
+  now_ += milliseconds(600);
+  measure(0.1);
+  EXPECT_EQ(follow("neck_tilt", -0.1, 1.0).ended(), nullptr);
+  EXPECT_EQ(reasonOf(later), "the driver was held up") << "even if an order comes first";
 }
 
 TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
