@@ -922,6 +922,7 @@ void Mover::checkConnection() {
     filter_.startApproach();
     endAll(EndedHow::kLost, kConnectionLost);
     gate_.overrule(clock_(), "the robot was connected");
+    streams_.overrule("the connection is a new one");
   }
 }
 

@@ -3,6 +3,7 @@
 // distance. When somebody stops or lifts the robot, or makes it take a posture, the node needs permission to go on
 // (leave_to_move.h).
 
+#include <aibo_driver/Connection.h>
 #include <aibo_driver/MotionState.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "node/node.h"
 #include "text/plain_text.h"
@@ -19,6 +21,7 @@
 
 namespace {
 
+using aibo_driver::Connection;
 using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using aibo_driver::ball::Ball;
@@ -30,6 +33,7 @@ class FollowBall {
   FollowBall(ros::NodeHandle handle, const ros::NodeHandle& parameters) : leave_(handle, parameters, whyItCannotWalk) {
     publisher_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     motion_ = handle.subscribe("motion_state", 1, &FollowBall::receiveMotion, this);
+    connection_ = handle.subscribe("connection", 10, &FollowBall::receiveConnection, this);
     mask_ = handle.subscribe("color_mask", 1, &FollowBall::receive, this);
   }
 
@@ -47,6 +51,14 @@ class FollowBall {
     takes_posture_ = posture != state->movements.end();
     if (takes_posture_) {
       leave_.overrule(aibo_driver::text::plainLine(posture->source + " has called " + posture->name));
+    }
+  }
+
+  // On a new connection nobody walks who has not let go since.
+  void receiveConnection(const Connection::ConstPtr& connection) {
+    const bool was_connected = std::exchange(is_connected_, connection->state == Connection::CONNECTED);
+    if (is_connected_ && !was_connected) {
+      publisher_.publish(geometry_msgs::Twist());
     }
   }
 
@@ -76,8 +88,10 @@ class FollowBall {
   aibo_driver::tools::LeaveToMove leave_;
   ros::Publisher publisher_;
   ros::Subscriber motion_;
+  ros::Subscriber connection_;
   ros::Subscriber mask_;
   bool takes_posture_ = false;
+  bool is_connected_ = true;
   int last_seen_on_ = 1;  // -1 means on the right
 };
 

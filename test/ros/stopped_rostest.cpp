@@ -343,6 +343,13 @@ TEST_F(BallFollower, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
   EXPECT_TRUE(steers(-0.05, -0.04, 0)) << "too near";
   driver_.showBall(0, 6);
   EXPECT_TRUE(steers(0.12, 0, 0.6)) << "it turns no faster";
+  test_support::TopicPublishers driver("/follows");
+  aibo_driver::Connection connection;
+  driver.publish("connection", connection);
+  connection.state = aibo_driver::Connection::CONNECTED;
+  driver.publish("connection", connection);
+  EXPECT_TRUE(steers(0, 0, 0)) << "it lets go once";
+  EXPECT_TRUE(steers(0.12, 0, 0.6)) << "and goes on";
 }
 
 TEST_F(BallFollower, NeedsLeaveToGoOnAfterAStop) {

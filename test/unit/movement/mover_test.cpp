@@ -1044,6 +1044,22 @@ TEST_F(MoverTest, AStreamThatWasStoppedForAMomentHasToLetGo) {
   EXPECT_EQ(ends_.back().reason, "/panel called stop; let go first: send a velocity of 0, or none for 0.5 s");
 }
 
+TEST_F(MoverTest, AStreamThatGoesOnOverAReconnectHasToLetGo) {
+  walk();
+  mover_.disconnected();
+  client_.problem = "there is no robot";
+  steerOn(0.1);
+  client_.problem.clear();
+  ++client_.connections;
+  mover_.connected();
+  steerOn(0.1);
+  EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
+  EXPECT_EQ(ends_.back().reason, "the connection is a new one; let go first: send a velocity of 0, or none for 0.5 s");
+  steer(0);
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
 TEST_F(MoverTest, AReleaseWithoutAStopLeavesAWalkAlone) {
   walk();
   mover_.release(order("/panel"));
