@@ -139,6 +139,15 @@ TEST_F(JointPlanTest, TakesOverWithAVelocityAlsoWithoutVelocitiesInTheRequest) {
   EXPECT_NEAR(velocity(back, 1), 0.5, 1e-6);
 }
 
+TEST_F(JointPlanTest, EachJointOfATrajectoryIsTakenOverAndHeldByItself) {
+  add(both(0.5, -0.2, 1), 0, 0);
+  run(0, 0.48);
+  EXPECT_NEAR(plan_.holdingTargets(at(0.48)).at(kMouth).position, sent_[kMouth], 1e-9);
+  const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0.5, 0.5);
+  EXPECT_NEAR(wanted(mouth, 0.5), -0.35, 1e-6);
+  EXPECT_NEAR(velocity(mouth, 0.5), 0.3, 1e-6);
+}
+
 TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   const auto old = add(pan({{4, {1}, {}}}), 0, 0);
   const auto later = add(pan({{1, {0}, {0}}}), 2, 0);
@@ -230,6 +239,9 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   const auto sooner = add(pan({{1, {-0.2}, {}}}), 1, 0);
   EXPECT_FALSE(endOf(later));
   EXPECT_THAT(plan_.jointsOf(later), ElementsAre("mouth"));
+  const auto other = add(both(0.5, -0.2, 1), 8, 0);
+  add({{"mouth"}, {{1, {-0.2}, {}}}}, 7, 0);
+  EXPECT_THAT(plan_.jointsOf(other), ElementsAre("head_pan"));
   const auto at_once = add(both(0, -0.4, 1), 0, 0);
   EXPECT_EQ(endOf(later), EndedHow::kReplaced);
   EXPECT_EQ(endOf(sooner), EndedHow::kReplaced);
@@ -285,6 +297,9 @@ TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
   EXPECT_EQ(reasonOf(running), "head_pan was commanded to go elsewhere");
   EXPECT_EQ(endOf(waiting), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(other));
+  const auto last = add({{"mouth", "head_pan"}, {{1, {-0.2, 0}, {}}}}, 7, 0);
+  command({{kPan, {kPan, 0.1, 1.0}}}, 0.1);
+  EXPECT_EQ(endOf(last), EndedHow::kReplaced) << "also as one of several";
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
@@ -315,6 +330,11 @@ TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
   EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
               AllOf(HasSubstr("head_pan was last measured 0.8 s ago"), HasSubstr("at most 0.3 s are allowed")));
+  aibo_client::Telemetry only_pan;
+  only_pan.arrival = at(0.75);
+  only_pan.joints = {{kPan, 0}};
+  measured_.update(only_pan);
+  EXPECT_THAT(refusal(both(0.5, -0.2, 1), 0.75, 0.75), HasSubstr("mouth was last measured"));
 }
 
 TEST_F(JointPlanTest, RefusesATrajectoryWithoutPointsWheneverItBegan) {

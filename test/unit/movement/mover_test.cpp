@@ -855,7 +855,8 @@ TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
   mover_.release(order());
   const auto way = follow("left_front_rotator", 0.5, 1.0);
   const auto head = follow("head_pan", 0.5, 1.0);
-  const auto later = mover_.follow(order(), {{"left_front_rotator"}, {{1.0, {0.0}, {}}}}, std::chrono::seconds(5));
+  const auto later =
+      mover_.follow(order(), {{"neck_tilt", "left_front_rotator"}, {{1.0, {0.0, 0.0}, {}}}}, std::chrono::seconds(5));
   mover_.takePosture(order("/panel"), Posture::kStand);
   for (const auto& trajectory : {way, later}) {
     EXPECT_EQ(endOf(trajectory), EndedHow::kReplaced);
@@ -1199,6 +1200,7 @@ TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
   steer(0.1);
   const std::uint64_t older = client_.steering_order;
   mover_.refused({RefusedRequest::kWalk, RefusalCause::kReplaced, {}, "the legs were commanded", older});
+  EXPECT_EQ(ends_.back().how, EndedHow::kReplaced);
   now_ += milliseconds(500);
   steer(0.1);
   mover_.steered({0.1, 0, 0}, older);

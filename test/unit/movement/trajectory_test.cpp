@@ -134,6 +134,7 @@ TEST_F(TrajectoryTest, RefusesAJointWhosePositionIsNotKnown) {
 TEST_F(TrajectoryTest, RefusesPositionsBeyondTheLimitsEvenSlowedDown) {
   EXPECT_THAT(refusal(pan({{5, {1.6}, {}}}), true), AllOf(HasSubstr("head_pan"), HasSubstr("-1.536 to 1.536 rad")));
   EXPECT_THAT(refusal(pan({{5, {-1.6}, {}}})), HasSubstr("-1.536 to 1.536 rad"));
+  EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{5, {-0.5, 1.6}, {}}}}), HasSubstr("-1.536 to 1.536 rad"));
   for (const double rounded : {1.536, -1.536}) {
     EXPECT_EQ(refusal(pan({{5, {rounded}, {}}})), "accepted");
   }
@@ -146,6 +147,8 @@ TEST_F(TrajectoryTest, RefusesVelocitiesThatCarryAJointBeyondItsLimitsBetweenTwo
   EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {0}}})), HasSubstr("at 1.333 s, the velocities carry head_pan"));
   EXPECT_THAT(refusal(pan({{1, {-1.5}, {0}}, {2, {-1.5}, {1}}})), HasSubstr("at 1.667 s, the velocities carry"));
   EXPECT_EQ(refusal(pan({{1, {0.5}, {1}}, {2, {0.5}, {-1}}})), "accepted");
+  EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{1, {-0.5, 1.5}, {0, 1}}, {2, {-0.5, 1.5}, {0, -1}}}}),
+              HasSubstr("the velocities carry head_pan"));
 }
 
 TEST_F(TrajectoryTest, LetsAJointThatIsBeyondItsLimitsComeBack) {
