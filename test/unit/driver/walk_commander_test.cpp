@@ -96,6 +96,8 @@ class WalkCommanderTest : public ::testing::Test {
 TEST_F(WalkCommanderTest, SendsAVelocityWithinTheLimits) {
   command(0.3, 0, 0.5);
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.15 0.00 0.25"));
+  command(0.01, 0.02, -0.1);
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.01 0.02 -0.10"));
 }
 
 TEST_F(WalkCommanderTest, LetsTheLegsMoveAsFastAsTheyCan) {
@@ -178,6 +180,8 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
   EXPECT_EQ(take("rest").message, "The robot lies down, and its motors are off.");
   EXPECT_THAT(toldToWalk(), ElementsAre("rest"));
   EXPECT_THAT(kindsMoving(), IsEmpty());
+  client_.meanwhile = [this] { mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""}); };
+  EXPECT_EQ(take("stand").message, "The robot stands.");
 }
 
 TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
