@@ -470,6 +470,7 @@ TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
   told();
   client_.meanwhile = [&] {
     EXPECT_EQ(followed.ended(), nullptr);
+    EXPECT_EQ(reasonOf(command("mouth", -0.1)), "stopped by /panel; call release") << "from the beginning";
     now_ += milliseconds(100);
     EXPECT_TRUE(mover_.goOn());
     EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
@@ -613,7 +614,13 @@ TEST_F(MoverTest, StopsMotionsOfAVersion1ServerIfOneWasPlayed) {
 TEST_F(MoverTest, CancelsOneTrajectoryOnly) {
   const auto pan = follow("head_pan", 1.0, 1.0);
   const auto neck = follow("neck_tilt", -0.5, 1.0);
+  const auto later = mover_.follow(order(), {{"head_pan"}, {{1.0, {0.0}, {}}}}, std::chrono::seconds(5));
   told();
+  mover_.cancel(later.id, "the goal was cancelled");
+  EXPECT_EQ(reasonOf(later), "the goal was cancelled");
+  EXPECT_THAT(told(), IsEmpty()) << "it has not begun";
+  mover_.goOn();
+  EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:"), StartsWith("J 1:"))) << "both go on";
   mover_.cancel(pan.id, "the goal was cancelled");
   EXPECT_THAT(told(), ElementsAre("hold 2"));
   EXPECT_EQ(reasonOf(pan), "the goal was cancelled");
@@ -821,6 +828,9 @@ TEST_F(MoverTest, StopsAMotionAlone) {
   mover_.stopMotion(order("/panel"), "NOD.MTN");
   EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
   EXPECT_EQ(reasonOf(played), "/panel stopped it");
+  client_.problem = "there is no robot";
+  problem<aibo_client::NetworkException>([this] { mover_.stopMotion(order("/panel"), "WAG.MTN"); });
+  client_.problem.clear();
   EXPECT_EQ(other.ended(), nullptr);
   const auto commanded = command("head_pan", 0.5);
   mover_.stopMotion(order("/panel"), "");
@@ -900,6 +910,9 @@ TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
   const auto again = command("head_pan", 0.5);
   mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
   EXPECT_EQ(reasonOf(again), "the motors are off") << "the battery, for instance";
+  client_.motors_work = false;
+  EXPECT_FALSE(mover_.setMotors(order(), true));
+  EXPECT_EQ(mover_.state().robot.motors, MotorState::kOff) << "whatever was wanted";
 }
 
 TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFromMoving) {
