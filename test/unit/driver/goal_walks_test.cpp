@@ -85,8 +85,10 @@ TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
       *number = before;
     }
   }
-  goal.pose.orientation.w = 0;
-  EXPECT_THAT(refusalOf(goal), HasSubstr("unit quaternion"));
+  for (const double length : {0, 2}) {
+    goal.pose.orientation.w = length;
+    EXPECT_THAT(refusalOf(goal), HasSubstr("unit quaternion"));
+  }
   EXPECT_THAT(refusalOf(goalAt(2, 0, "map")), HasSubstr("'map'; it must be odom, base_link or base_footprint"));
   EXPECT_THAT(refusalOf(goalAt(2, 0, "")), HasSubstr("it must be odom"));
   EXPECT_THAT(refusalOf(goalAt(2, 0, "\x1b[31mmap")), HasSubstr("it must be odom"));

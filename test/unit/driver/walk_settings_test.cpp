@@ -70,9 +70,13 @@ TEST(WalkSettings, CorrectEachAxis) {
   settings.curve = 2;
   expectNear(realVelocity({0.1, 0, 0}, settings), {0.09, 0, 0.18});
   expectNear(realVelocity({-0.1, 0.05, 0}, settings), {-0.09, 0.04, 0});
+  settings.turn_scale = 0.5;
+  expectNear(realVelocity({0.1, 0, 0.2}, settings), {0.09, 0, 0.28});
+  settings.turn_scale = 1;
   expectNear(velocityToSend({0.09, 0.04, 0}, settings, kRobot), {0.1, 0.05, -0.18});
   expectNear(velocityToSend({0, 0, 0}, settings, kRobot), {0, 0, 0});
   settings.direction = 0.3;
+  settings.turn_scale = 1.2;
   for (const WalkVelocity& wanted : {WalkVelocity{0.05, 0.01, 0.1}, WalkVelocity{-0.05, -0.01, 0.1}}) {
     expectNear(realVelocity(velocityToSend(wanted, settings, kRobot), settings), wanted);
   }
