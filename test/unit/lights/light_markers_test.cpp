@@ -72,9 +72,15 @@ TEST(LightMarkers, AreBrighterWithMoreIntensityAndDifferentInModeB) {
 
 TEST(LightMarkers, HaveTheirColors) {
   const std::tuple<const char*, int, std::array<float, 3>> colors[] = {
-      {"mode_red", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}},  {"mode_green", LedStates::MODE_A, {0.2F, 1.0F, 0.3F}},
-      {"mode_blue", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}}, {"head_color", LedStates::MODE_B, {1.0F, 0.6F, 0.1F}},
-      {"face_1", LedStates::MODE_A, {1.0F, 1.0F, 0.95F}},   {"face_1", LedStates::MODE_B, {1.0F, 0.35F, 0.75F}}};
+      {"mode_red", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}},
+      {"mode_green", LedStates::MODE_A, {0.2F, 1.0F, 0.3F}},
+      {"mode_blue", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}},
+      {"head_color", LedStates::MODE_B, {1.0F, 0.6F, 0.1F}},
+      {"face_1", LedStates::MODE_A, {1.0F, 1.0F, 0.95F}},
+      {"face_1", LedStates::MODE_B, {1.0F, 0.35F, 0.75F}},
+      {"back_front_color", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}},
+      {"back_middle_color", LedStates::MODE_A, {1.0F, 0.6F, 0.1F}},
+      {"back_rear_color", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}}};
   for (const auto& [name, mode, color] : colors) {
     LightMarkers lights("");
     lights.setLeds(states(name, 0.5F, mode));
@@ -110,6 +116,16 @@ TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
   EXPECT_EQ(pad.scale.y, 0.028);
   EXPECT_EQ(pad.scale.z, 0.006);
   EXPECT_FLOAT_EQ(pad.color.a, 0.7F) << "the model shines through";
+  lights.setTouch(Touch());
+  for (const auto& [strip, x] : {std::pair("back_front_", 0.030), {"back_middle_", -0.004}, {"back_rear_", -0.038}}) {
+    for (const char* color : {"color", "white"}) {
+      lights.setLeds(states(std::string(strip) + color, 1));
+      const Marker led = shining(lights).at(0);
+      EXPECT_LT(std::abs(led.pose.position.x - x), pad.scale.x / 2) << strip << color << " is on its pad";
+      EXPECT_GT(led.pose.position.z + led.scale.z / 2, pad.pose.position.z + pad.scale.z / 2) << strip << color;
+      lights.setLeds(states(std::string(strip) + color, 0));
+    }
+  }
   touch = Touch();
   touch.paw_left_front = touch.paw_left_hind = touch.paw_right_front = touch.paw_right_hind = 1;
   lights.setTouch(touch);
