@@ -36,6 +36,12 @@ TEST_F(HeadSteeringTest, KeepsToTheLimitsOfTheJoints) {
   }
   EXPECT_NEAR(steer(1, 1)->pan, 1.53589, 1e-6);
   EXPECT_NEAR(steer(1, 1)->tilt, 0.785398, 1e-6);
+  head_.measured({-1.5, -0.2});
+  for (int i = 0; i < 50; ++i) {
+    steer(-1, -1);
+  }
+  EXPECT_NEAR(steer(-1, -1)->pan, -1.53589, 1e-6);
+  EXPECT_NEAR(steer(-1, -1)->tilt, -0.261799, 1e-6);
 }
 
 TEST_F(HeadSteeringTest, DoesNotRunAheadOfASlowHeadOrJumpAfterAPause) {

@@ -85,6 +85,7 @@ TEST_F(KeySteeringTest, ChangesItsSpeedsAndGoesOn) {
   EXPECT_NEAR(keys_.speeds().forward, 0.1089, 1e-12);
   EXPECT_NEAR(keys_.speeds().turn, 0.5445, 1e-12);
   EXPECT_TRUE(keys_.press('z', now_));
+  EXPECT_NEAR(keys_.speeds().forward, 0.09801, 1e-12);
   EXPECT_NEAR(keys_.speeds().turn, 0.49005, 1e-12);
   EXPECT_FALSE(keys_.press('i', now_));
 }
