@@ -80,10 +80,15 @@ TEST(SdlJoystick, IsTheOneThatIsWanted) {
     const VirtualJoystick other;
     EXPECT_TRUE(second.read());
   }
-  SdlJoystick named(5, "Virtual");
-  EXPECT_FALSE(named.read());
+  {
+    SdlJoystick named(5, "Virtual");
+    EXPECT_FALSE(named.read());
+    const VirtualJoystick hardware;
+    EXPECT_TRUE(named.read());
+  }
+  SdlJoystick another(0, "no joystick has this name");
   const VirtualJoystick hardware;
-  EXPECT_TRUE(named.read());
+  EXPECT_FALSE(another.read());
 }
 
 #else
