@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+
 #include "aibo_client/exceptions.h"
 
 namespace aibo_driver::color_table {
@@ -54,6 +56,24 @@ TEST(TableMaker, AlsoTakesWhatIsALittleDarkerOrBrighter) {
   const aibo_client::ColorTable table = makeTable(grey, {20, 20, 20, 20}, "grey", 2);
   for (std::size_t segment = 0; segment < table.segments.size(); ++segment) {  // each has 8 values of Y
     EXPECT_EQ(table.segments[segment].has_value(), segment >= 16 && segment <= 18) << segment;
+  }
+}
+
+TEST(TableMaker, BlackWhiteAndFullColorsHaveTablesToo) {
+  const Region all{0, 0, 4, 4};
+  for (const std::array<std::uint8_t, 3>& bgr :
+       {std::array<std::uint8_t, 3>{0, 0, 0}, {255, 255, 255}, {255, 0, 0}, {0, 0, 255}}) {
+    node::BgrImage picture{4, 4, {}};
+    for (int i = 0; i < 16; ++i) {
+      picture.pixels.insert(picture.pixels.end(), bgr.begin(), bgr.end());
+    }
+    const aibo_client::ColorTable table = makeTable(picture, all, "full", 127);
+    for (const auto& range : table.segments) {
+      EXPECT_TRUE(!range || (range->cr_min >= 0 && range->cr_max <= 255 && range->cb_min >= 0 && range->cb_max <= 255));
+    }
+    const Coverage coverage = coverageOf(makeTable(picture, all, "exact", 0), picture, all);
+    EXPECT_EQ(coverage.inside, 1);
+    EXPECT_EQ(coverage.outside, 0) << "there is nothing else";
   }
 }
 
