@@ -226,6 +226,12 @@ class RvizConfigurationTest(unittest.TestCase):
         frame = self.template[rviz.MANAGER]['Global Options']['Fixed Frame']
         self.assertEqual(made[rviz.MANAGER]['Global Options']['Fixed Frame'], 'port/' + frame)
 
+    def test_of_one_robot_shows_that_one(self):
+        made = rviz.configuration(self.template, [('left', 'port')])
+        self.assertNotIn('/aibo', str(made))
+        model, = (d for d in made[rviz.MANAGER]['Displays'] if d['Class'] == 'rviz/RobotModel')
+        self.assertEqual((model['Robot Description'], model['TF Prefix']), ('/left/robot_description', 'port'))
+
     def test_the_view_follows_a_single_robot(self):
         followed = [rviz.configuration(self.template, robots, frame)[rviz.MANAGER]['Views']['Current']['Target Frame']
                     for robots, frame in (([('left', 'port')], None), ([('left', '')], 'base_link'),
