@@ -340,8 +340,9 @@ class OnBothVersions:
         texts = {finding["topic"]: finding["text"] for finding in report["findings"]}
         self.assertEqual(texts["name"], "127.0.0.1 is an address")
         self.assertRegex(texts["server"], self.SERVER)
-        self.assertEqual(texts["gaps"], "the longest time without a picture was "
-                         f"{1000 * report['stream']['longest_gap']:.0f} ms")
+        gap = report["stream"]["longest_gap"]
+        self.assertEqual(texts["gaps"], f"the longest time without a picture was {1000 * gap:.0f} ms")
+        self.assertEqual([finding["good"] for finding in report["findings"] if finding["topic"] == "gaps"], [gap < 0.5])
         self.assertGreater(report["stream"]["pictures"], 0)
 
     def test_a_busy_robot_is_called_busy(self):
@@ -1109,6 +1110,11 @@ class Answered(TestCase):
         self.assertEqual(self.json("play", "nod", port=port), {
             "motion": "NOD.MTN", "to_its_end": True, "changes": "", "remark": "it took longer"})
         self.assertEqual(self.text("play", "nod", port=port), "NOD.MTN was played to its end: it took longer.\n")
+
+    def test_says_how_a_movement_has_ended(self):
+        for how, words in (1, "was replaced"), (2, "was stopped"), (3, "could not go on"), (9, "ended in a way that"):
+            port = self.server(says_hello(b"", answers={b"E": [[b"", (b"i", bytes((3, how, 0, 0)) + b"sit\nwhy")]]}))
+            self.assertRegex(self.aibo("sit", port=port, status=FAILED).errors, f"\naibo: sit {words}.*: why\n$")
 
     def test_a_robot_without_some_of_the_sensors_moves(self):
         robot = SimulatedRobot("--robot", "ERS-210", "--protocol-version", "1")
