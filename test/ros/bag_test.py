@@ -209,12 +209,19 @@ class BagTest(unittest.TestCase):
         self.assertIn('robot /left, /team/right,', self.succeed('list', both))
         self.fail_with('has these robots', 'joints', both, self.path('a.csv'), '--robot', 'middle')
         self.succeed('joints', both, self.path('a.csv'), '--robot', 'team/right')
+        self.fail_with('has these robots', 'cut', both, self.path('a.bag'), '--robot', 'middle')
+        self.succeed('cut', both, self.path('one.bag'), '--robot', 'left')
+        self.succeed('cut', both, self.path('all.bag'))
+        for name, robots in (('one.bag', '/left,'), ('all.bag', '/left, /team/right,')):
+            self.assertIn('robot ' + robots, self.succeed('list', self.path(name)))
 
     def test_nothing_is_overwritten(self):
         walk = self.record()
         self.fail_with('walk.bag exists already', 'cut', walk, walk, '--to', '5')
         self.succeed('joints', walk, self.path('walk.csv'))
         self.fail_with('walk.csv exists already', 'joints', walk, self.path('walk.csv'))
+        self.succeed('jpegs', walk, self.path('pictures'))
+        self.fail_with('/0000.000_000001.jpg exists already', 'jpegs', walk, self.path('pictures'))
 
     def test_what_cannot_be_used_is_explained(self):
         self.fail_with('No such file', 'list', self.path('none.bag'))
