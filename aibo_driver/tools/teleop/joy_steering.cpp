@@ -15,21 +15,17 @@ bool isPressed(const std::vector<int>& buttons, int button) {
 
 JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<int>& buttons) {
   JoyOrders orders;
+  const bool fits = problem(axes.size(), buttons.size()).empty();
+  const bool holds_dead_man = fits && isPressed(buttons, mapping_.dead_man_button);
   orders.stop = isNew(buttons, mapping_.stop_button);
-  orders.release =
-      isNew(buttons, mapping_.release_button) && isPressed(buttons, mapping_.dead_man_button) && !orders.stop;
-  is_halted_ = is_halted_ || orders.stop || orders.release;
-  const bool is_pressed = isDeadManPressed(axes, buttons);
+  orders.release = isNew(buttons, mapping_.release_button) && holds_dead_man && !orders.stop;
+  orders.take_picture = fits && isNew(buttons, mapping_.picture_button);
+  is_halted_ = (is_halted_ || orders.stop || orders.release) && holds_dead_man;
+  const bool is_pressed = holds_dead_man && !is_halted_;
   readSticks(is_pressed, axes, &orders);
   readButtons(is_pressed, buttons, &orders);
   buttons_ = buttons;
   return orders;
-}
-
-bool JoySteering::isDeadManPressed(const std::vector<float>& axes, const std::vector<int>& buttons) {
-  const bool is_pressed = problem(axes.size(), buttons.size()).empty() && isPressed(buttons, mapping_.dead_man_button);
-  is_halted_ = is_halted_ && is_pressed;
-  return is_pressed && !is_halted_;
 }
 
 // When the button is released, the robot is told once to stop.
@@ -50,7 +46,6 @@ void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, Jo
 }
 
 void JoySteering::readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders) {
-  orders->take_picture = isNew(buttons, mapping_.picture_button);
   if (!is_pressed) {
     return;
   }

@@ -63,7 +63,6 @@ class JoySteering {
   std::string problem(std::size_t axes, std::size_t buttons) const;
 
  private:
-  bool isDeadManPressed(const std::vector<float>& axes, const std::vector<int>& buttons);
   void readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders);
   void readButtons(bool is_pressed, const std::vector<int>& buttons, JoyOrders* orders);
   bool isNew(const std::vector<int>& buttons, int button) const;

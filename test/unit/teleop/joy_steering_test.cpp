@@ -112,6 +112,14 @@ TEST(JoySteeringOfRelease, NeedsTheDeadManButtonAndThenThatItIsLetGo) {
   EXPECT_FALSE(press(1, 0).walk->isZero());
 }
 
+TEST(JoySteeringOfRelease, IsNoneWithAJoystickThatHasOtherParts) {
+  JoyMapping with_release = mapping();
+  with_release.release_button = 5;
+  JoySteering joy(with_release);
+  joy.read({0, 1}, {0, 0, 0, 0, 1, 0, 0, 0});
+  EXPECT_FALSE(joy.read({0, 1}, {0, 0, 0, 0, 1, 1, 0, 0}).release);
+}
+
 TEST(JoySteeringOfRelease, IsNoneTogetherWithAStop) {
   JoyMapping with_release = mapping();
   with_release.release_button = 5;
@@ -142,9 +150,10 @@ TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
   EXPECT_FALSE(joy_.read({1, 1}, {0, 0, 1, 1, 1}).walk);
   EXPECT_TRUE(joy_.read({1, 1}, {0, 1, 1, 1, 1}).stop);
   steer(true, 1);
-  const auto velocity = joy_.read({1, 1}, {1, 1, 1, 1, 1}).walk;
-  ASSERT_TRUE(velocity);
-  EXPECT_TRUE(velocity->isZero());
+  const JoyOrders orders = joy_.read({1, 1}, {1, 1, 1, 1, 1});
+  ASSERT_TRUE(orders.walk);
+  EXPECT_TRUE(orders.walk->isZero());
+  EXPECT_FALSE(orders.take_picture);
 }
 
 TEST(JoyMappingTest, NamesNoPartThatTheJoystickDoesNotHave) {
