@@ -1111,6 +1111,15 @@ class Answered(TestCase):
             "motion": "NOD.MTN", "to_its_end": True, "changes": "", "remark": "it took longer"})
         self.assertEqual(self.text("play", "nod", port=port), "NOD.MTN was played to its end: it took longer.\n")
 
+    def test_each_permission_has_its_name(self):
+        names = {b"U": "upload", b"D": "delete", b"M": "pictures", b"Q": "shut down", b"R": "reboot"}
+        ports = [self.server(says_hello(b"", answers={kind: [[None]]})) for kind in names]
+        started = [start("--json", "doctor", "--seconds", "1", port=port) for port in ports]
+        for doctor, name in zip(started, names.values()):
+            with doctor:
+                self.assertIn({"topic": "allows", "good": True, "text": name, "advice": ""},
+                              json.loads(doctor.communicate()[0])["findings"])
+
     def test_says_how_a_movement_has_ended(self):
         for how, words in (1, "was replaced"), (2, "was stopped"), (3, "could not go on"), (9, "ended in a way that"):
             port = self.server(says_hello(b"", answers={b"E": [[b"", (b"i", bytes((3, how, 0, 0)) + b"sit\nwhy")]]}))
