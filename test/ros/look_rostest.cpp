@@ -219,7 +219,7 @@ aibo_driver::ColorRegions ballAt(float x, float y, int pixels = 300) {
 
 TEST(BallFollowerExample, LooksAtTheBallWhileItSeesIt) {
   TopicListener<PointStamped> points("/ball/look_at");
-  const Process node({BALL_FOLLOWER, "__ns:=/ball"});
+  Process node({BALL_FOLLOWER, "__ns:=/ball"});
   TopicPublishers robot("/ball");
   std::vector<PointStamped::ConstPtr> seen;
   for (int i = 0; i < 100 && seen.empty(); ++i) {  // the first ones may come before this program is connected
@@ -234,7 +234,9 @@ TEST(BallFollowerExample, LooksAtTheBallWhileItSeesIt) {
   EXPECT_NEAR(point.point.z, distance, 1e-3);
   EXPECT_NEAR(point.point.x, distance * 52 / 192, 1e-3);
   EXPECT_NEAR(point.point.y, -distance * 48 / 192, 1e-3);
-  for (const auto& each : {ballAt(200, 10, 0), ballAt(200, 10, 5), ballAt(104, 80), ballAt(10, 79.5F)}) {
+  robot.publish("color_regions", ballAt(200, 10, 0));
+  node.waitForOutput("There is the ball[^T]*The ball is out of sight", kSafetyNet);
+  for (const auto& each : {ballAt(200, 10, 5), ballAt(104, 80), ballAt(10, 79.5F)}) {
     robot.publish("color_regions", each);
   }
   const auto is_last = [](const PointStamped& each) { return each.point.x < 0; };
