@@ -10,6 +10,7 @@
 #include <pty.h>
 #include <ros/network.h>
 #include <ros/ros.h>
+#include <ros/xmlrpc_manager.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
@@ -145,7 +146,7 @@ class FakeDriver {
     posture.kind = Movement::POSTURE;
     posture.name = "sit";
     posture.source = "/somebody";
-    move(takes ? std::vector<Movement>{posture} : std::vector<Movement>());
+    move(takes ? std::vector<Movement>{Movement(), posture} : std::vector<Movement>{Movement()});
   }
 
  private:
@@ -266,13 +267,15 @@ TEST_F(LookAroundTest, WaitsForWhateverElseMovesTheRobotAndLongerAfterSomebodyHa
       driver.move({});  // what moved last does not make the pause shorter
     }
   });
+  auto head = begin("/turns", "_pause:=7", movement(Movement::TRAJECTORY, {"head_tilt"}));
   for (const Gaze& gaze : {tail.get(), limp.get()}) {
     EXPECT_TRUE(gaze.waits);
     EXPECT_EQ(gaze.all.size(), 2U) << "it does not wait any longer";
   }
-  const Gaze nod = neck.get();
-  EXPECT_TRUE(nod.waits);
-  EXPECT_GE(nod.time, std::chrono::seconds(7));
+  for (const Gaze& gaze : {neck.get(), head.get()}) {
+    EXPECT_TRUE(gaze.waits);
+    EXPECT_GE(gaze.time, std::chrono::seconds(7));
+  }
   const Gaze gaze = walk.get();
   EXPECT_FALSE(gaze.waits) << "a walk moves only the legs";
   ASSERT_EQ(gaze.all.size(), 3U);
@@ -487,7 +490,10 @@ TEST(Monitor, SaysWhoHasStoppedTheRobot) {
 TEST(Monitor, TellsHowManyPicturesComeAndHowOldTheyAre) {
   ros::Publisher pictures =
       ros::NodeHandle("/filmed").advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 10);
-  Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2"});
+  FakeDriver driver("/filmed");
+  driver.stop("/user");
+  Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2", "_first_picture_timeout:=3600"});
+  monitor.waitForOutput("(no pictures[^\\n]*\\n){3}", kSafetyNet);  // its time begins with the first picture
   sensor_msgs::CompressedImage picture;
   picture.data.resize(1000);
   int count = 0;
@@ -497,10 +503,10 @@ TEST(Monitor, TellsHowManyPicturesComeAndHowOldTheyAre) {
         pictures.publish(picture);
       });
   // As many kilobytes as pictures. The mean is between 1000 and 1500 s.
-  EXPECT_NO_THROW(
-      monitor.waitForOutput("([0-9]+\\.[0-9]) pictures/s +\\1 KB/s   stamp to topic: 1[0-4][0-9]{5}\\.[0-9] "
-                            "ms \\(worst 300[0-9]{4}\\.[0-9]\\)   driver: [0-9.]+ % of one processor\\n",
-                            kSafetyNet));
+  EXPECT_NO_THROW(monitor.waitForOutput(
+      "([0-9]+\\.[0-9]) pictures/s +\\1 KB/s   stamp to topic: 1[0-4][0-9]{5}\\.[0-9] "
+      "ms \\(worst 300[0-9]{4}\\.[0-9]\\)   driver: [0-9.]+ % of one processor   stopped by /user, until release\\n",
+      kSafetyNet));
   EXPECT_EQ(monitor.waitForExit(kSafetyNet), 0);
 }
 
@@ -518,6 +524,10 @@ TEST(Monitor, DoesNotWaitForANodeThatDoesNotAnswer) {
   ASSERT_TRUE(ros::master::execute("registerPublisher", node, answer, subscribers, false));
   EXPECT_FALSE(aibo_driver::tools::processOfNode("/silent"));
   EXPECT_EQ(aibo_driver::tools::processOfNode(ros::this_node::getName()), ::getpid());
+  node[0] = "/elsewhere";
+  node[3] = "http://127.0.0.2:" + std::to_string(ros::XMLRPCManager::instance()->getServerPort()) + "/";
+  ASSERT_TRUE(ros::master::execute("registerPublisher", node, answer, subscribers, false));
+  EXPECT_FALSE(aibo_driver::tools::processOfNode("/elsewhere")) << "it is not known by this computer's name";
 }
 
 // A gamepad with aibo_teleop_joy, in a namespace.
@@ -645,6 +655,20 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   EXPECT_THAT(head->velocity, ElementsAre(4.5, 4.5)) << "the head can keep up";
   EXPECT_GT(head->position.at(0), 0.4);
   EXPECT_LT(head->position.at(1), 0.2);
+  // Let go and deflected again, after something else has turned the head.
+  measured.name = {"head_pan", "head_tilt"};
+  measured.position = {-0.8, 0.3};
+  const auto begins_there = [](const sensor_msgs::JointState& each) {
+    return each.position == std::vector<double>{-0.8, 0.3};
+  };
+  bool begins = false;
+  while (!begins && std::chrono::steady_clock::now() < end) {
+    joints.publish(measured);
+    pad.press({Gamepad::kDeadMan});
+    pad.press({Gamepad::kDeadMan}, {0, 0, 0, -1, 1, 0, 0});
+    begins = heads.waitFor(begins_there, std::chrono::milliseconds(50)) != nullptr;
+  }
+  EXPECT_TRUE(begins);
   pad.press({3});
   pad.teleop().waitForOutput("/sticks/take_picture cannot be called", kSafetyNet);
   pad.press({2});
