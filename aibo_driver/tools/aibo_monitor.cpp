@@ -30,6 +30,7 @@ namespace {
 using std::chrono::nanoseconds;
 using std::chrono::steady_clock;
 
+constexpr double kLongest = 1e9;             // s
 constexpr std::size_t kMostArrivals = 1000;  // in a second; a robot does not send more
 
 nanoseconds sinceEpoch(const ros::Time& time) {
@@ -39,8 +40,8 @@ nanoseconds sinceEpoch(const ros::Time& time) {
 class Monitor {
  public:
   explicit Monitor(const ros::NodeHandle& private_handle)
-      : seconds_(private_handle.param("seconds", 0.0)),
-        first_picture_timeout_(private_handle.param("first_picture_timeout", seconds_)) {
+      : seconds_(node::readNumber(private_handle, "seconds", 0, kLongest)),
+        first_picture_timeout_(node::readNumber(private_handle, "first_picture_timeout", seconds_, kLongest)) {
     pictures_ = node_.subscribe("camera/image_raw/compressed", 100, &Monitor::onPicture, this,
                                 ros::TransportHints().tcpNoDelay());
     connection_ = node_.subscribe("connection", 1, &Monitor::onConnection, this);
