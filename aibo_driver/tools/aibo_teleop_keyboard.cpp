@@ -34,7 +34,8 @@ using teleop::KeySteering;
 constexpr milliseconds kPeriod{100};
 
 // Keyboards wait for less than this before they repeat a key that is held down.
-constexpr double kHold = 0.8;  // s
+constexpr double kHold = 0.8;          // s
+constexpr double kLongestHold = 60.0;  // s
 
 std::atomic<bool> is_ending{false};
 
@@ -55,6 +56,17 @@ geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity) {
   twist.linear.y = velocity.left;
   twist.angular.z = velocity.turn;
   return twist;
+}
+
+/// @throw std::runtime_error a parameter is out of its range
+KeySteering readKeys(const ros::NodeHandle& parameters) {
+  using aibo_driver::node::readNumber;
+  teleop::Speeds speeds;
+  speeds.forward = readNumber(parameters, "speed", speeds.forward, 1.0);
+  speeds.left = readNumber(parameters, "side_speed", speeds.left, 1.0);
+  speeds.turn = readNumber(parameters, "turn_speed", speeds.turn, 10.0);
+  const double hold = readNumber(parameters, "key_timeout", kHold, kLongestHold);
+  return {speeds, milliseconds(std::lround(1000 * hold))};
 }
 
 void printSpeeds(const teleop::Speeds& speeds) {
@@ -144,16 +156,10 @@ int main(int argc, char** argv) {
     return EXIT_FAILURE;
   }
   ros::NodeHandle handle = aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo");
-  const ros::NodeHandle parameters("~");
-  teleop::Speeds speeds;
-  parameters.getParam("speed", speeds.forward);
-  parameters.getParam("side_speed", speeds.left);
-  parameters.getParam("turn_speed", speeds.turn);
-  const auto hold = milliseconds(std::lround(1000 * parameters.param("key_timeout", kHold)));
-  const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-  KeySteering keys(speeds, hold);
-  StopNotice stop_notice(handle);
   try {
+    KeySteering keys = readKeys(ros::NodeHandle("~"));
+    const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
+    StopNotice stop_notice(handle);
     steer(&keys, publisher, &stop_notice);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());

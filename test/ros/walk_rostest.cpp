@@ -441,6 +441,18 @@ TEST(KeyboardTeleop, EndsWithTheTerminal) {
   EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
 }
 
+TEST(KeyboardTeleop, RefusesSpeedsThatCannotBe) {
+  for (const char* parameter : {"speed", "side_speed", "turn_speed", "key_timeout"}) {
+    for (const char* value : {"-0.1", "61", "nan"}) {
+      Process teleop({AIBO_TELEOP_KEYBOARD, "__ns:=/wrong_keys", std::string("_") + parameter + ":=" + value});
+      teleop.waitForOutput(
+          std::string("/aibo_teleop_keyboard/") + parameter + " is " + value + ".*; it must be 0\\.\\.", kSafetyNet);
+      EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
+      ros::param::del("/wrong_keys");
+    }
+  }
+}
+
 TEST(KeyboardTeleop, SaysThatItNeedsATerminalAndAMaster) {
   Process without_terminal({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " < /dev/null"});
   without_terminal.waitForOutput("Start it in a terminal of its own", kSafetyNet);
