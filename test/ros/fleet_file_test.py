@@ -65,6 +65,7 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: h}', "robot 'a' has no host")
         self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
         self.assert_refused('robots: {a: {host: h, ns: b}}', "has the setting 'ns'")
+        self.assert_refused('robots: {a: {host: h, rviz: true}}', "has the setting 'rviz'")
         self.assert_refused('robots: {my dog: {host: h}}', "'my dog' cannot be the name")
         self.assert_refused('robots: {1st: {host: h}}', "'1st' cannot be the name")
         self.assert_refused('robots: {fleet: {host: h}}', "'fleet' cannot be the name")

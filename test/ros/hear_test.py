@@ -44,6 +44,7 @@ class HearTest(unittest.TestCase):
 
     def test_plays_silence_for_what_is_missing(self):
         self.assertEqual(self.heard(sound([1, -2]), sound([3], missing=2)), {'16000-1': [1, -2, 0, 0, 3]})
+        self.assertEqual(self.heard(sound([1, -2], channels=2, missing=1))['16000-2'], [0, 0, 1, -2])
 
     def test_bounds_the_silence(self):
         self.assertEqual(len(self.heard(sound([1], missing=4000000000))['16000-1']), 2 * 16000 + 1)
