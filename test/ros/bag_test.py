@@ -311,6 +311,8 @@ class BagTest(unittest.TestCase):
         picture = mock.Mock(data=JPEG)
         with self.assertRaisesRegex(aibo_bag.Problem, '2:00.*60:00|60:00.*0:02'):
             list(aibo_bag.film([(1, picture), (2, picture), (3602.5, picture)], 30))
+        self.assertEqual(len(list(aibo_bag.film([(0, picture), (3000, picture), (6000, picture)], 0.01))), 61,
+                         'a long film is no pause')
 
     def test_a_full_disk_leaves_no_half_a_file(self):
         walk = self.record()
