@@ -74,6 +74,7 @@ class CalibrateWalkTest(unittest.TestCase):
         way = robot.way_since(begin)
         self.assertAlmostEqual(way.x, 1)
         self.assertAlmostEqual(way.y, 0.1)
+        self.assertAlmostEqual(way.turn, 4 * math.pi, msg='it has turned back a little')
 
     def test_waits_for_odometry(self):
         with mock.patch.object(program.rospy, 'Publisher') as publisher, \
@@ -174,6 +175,19 @@ class CalibrateWalkTest(unittest.TestCase):
         with mock.patch.object(program, 'PATIENCE', 0), self.assertRaisesRegex(program.Problem, 'does not walk on'):
             robot.drive((0.1, 0, 0), lambda way: way.x)
         robot.steer.assert_called_with()
+
+    def test_a_robot_that_stops_on_its_way_is_no_calibration(self):
+        robot = program.Robot.__new__(program.Robot)
+        robot.pose, robot.turned, clock = (0.0, 0.0, 0.0), 0.0, iter(range(100))  # seconds
+
+        def steer(x=0.0, y=0.0, turn=0.0):
+            robot.pose = (min(robot.pose[0] + x, 0.3), 0.0, 0.0)
+        robot.steer = steer
+        with mock.patch.object(program.time, 'sleep'), \
+                mock.patch.object(program.time, 'monotonic', lambda: next(clock)), \
+                mock.patch.object(program.rospy, 'is_shutdown', lambda: False), \
+                self.assertRaisesRegex(program.Problem, 'does not walk on'):
+            robot.drive((0.1, 0, 0), lambda way: way.x)
 
 
 if __name__ == '__main__':
