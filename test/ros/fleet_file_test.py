@@ -70,7 +70,8 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {1st: {host: h}}', "'1st' cannot be the name")
         self.assert_refused('robots: {fleet: {host: h}}', "'fleet' cannot be the name")
         self.assert_refused('robots: {a: {host: h, pose: [1, 2]}}', r'pose should be \[x, y, yaw\]')
-        self.assert_refused('robots: {a: {host: h, pose: [1, 2, .nan]}}', 'pose should be')
+        for number in ('.nan', '-1.0e+7', '1.0e+7'):
+            self.assert_refused('robots: {a: {host: h, pose: [1, 2, %s]}}' % number, 'pose should be')
         for empty in ('', 'robots:', 'robots: []', 'a: {host: h}', 'robots: {a: {host: h}}\nrobot: {}'):
             self.assert_refused(empty, "should contain 'robots:'")
         self.assert_refused('robots: {a: {host: h}', 'it is not YAML')

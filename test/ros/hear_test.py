@@ -47,7 +47,9 @@ class HearTest(unittest.TestCase):
         self.assertEqual(self.heard(sound([1, -2], channels=2, missing=1))['16000-2'], [0, 0, 1, -2])
 
     def test_bounds_the_silence(self):
-        self.assertEqual(len(self.heard(sound([1], missing=4000000000))['16000-1']), 2 * 16000 + 1)
+        for rate in (8000, 16000):
+            heard = self.heard(sound([1], rate=rate, missing=4000000000))
+            self.assertEqual(len(heard['%d-1' % rate]), 2 * rate + 1)
 
     def test_starts_another_player_for_another_format(self):
         self.assertEqual(self.heard(sound([1]), sound([2, 3], channels=2), sound([5, 6], channels=2),
