@@ -36,6 +36,7 @@ using rosbag::MessageInstance;
 const ros::WallDuration kReportPeriod(1.0);  // as often as a driver says something
 const ros::WallDuration kLook(0.1);          // how often it looks whether somebody watches
 const ros::WallDuration kOthers(1.0);        // after the first one who watches, for the others to connect
+const ros::WallDuration kBetweenLoops(0.1);  // what is recorded may be only a moment
 const ros::WallDuration kLastMoment(0.5);    // for the last messages to arrive
 
 constexpr std::uint32_t kQueueSize = 100;
@@ -123,6 +124,8 @@ class Playback {
     try {
       if (state_ == State::kWaiting) {
         wait();
+      } else if (state_ == State::kPlaying && next_ == recording_.messages().end()) {
+        rewind();
       } else if (state_ == State::kPlaying) {
         playDue();
       } else if (state_ == State::kEnded) {
@@ -174,7 +177,7 @@ class Playback {
     if (next_ != recording_.messages().end()) {
       wakeIn(ros::WallDuration((timeline_.timeOf(next_->getTime()) - now).toSec()));
     } else if (loops_) {
-      rewind();
+      wakeIn(kBetweenLoops);
     } else {
       state_ = State::kEnded;
       report();
@@ -221,7 +224,8 @@ class Playback {
   }
 
   std::string position() const {
-    const ros::Time last = state_ == State::kEnded ? recording_.begin() + recording_.length() : playedNow();
+    const ros::Time end = recording_.begin() + recording_.length();
+    const ros::Time last = state_ == State::kEnded ? end : std::min(playedNow(), end);
     return minutes(last - recording_.begin()) + " of " + minutes(recording_.length());
   }
 

@@ -315,6 +315,19 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS);
 }
 
+TEST_F(PlaybackTest, RepeatsAlsoAMoment) {
+  {
+    WalkBag bag(path("moment.bag"), "/aibo");
+    bag.connect();
+    bag.report("/anna");
+  }
+  TopicListener<RobotState> state("/moment/robot_state");
+  Process playback(command(path("moment.bag"), "/moment", {"_loop:=true", "_wait:=0"}));
+  EXPECT_GE(state.waitForCount(3).size(), 3u);
+  playback.signal(SIGINT);
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
+}
+
 TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("none.bag")), HasSubstr("none.bag cannot be read as a bag: Error opening file"));
   std::ofstream(path("text.bag")) << "This is no bag.";
