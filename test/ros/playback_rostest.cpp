@@ -341,6 +341,7 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   }
   EXPECT_THAT(complaintAbout(path("other.bag")),
               HasSubstr("has no robot, but only the topics /turtle/cmd_vel, /turtle/connection/old"));
+  EXPECT_THAT(complaintAbout(recordAWalk(0.1), {"_frame_prefix:=left"}), HasSubstr("play it with frame_prefix:=none."));
   WalkBag(path("left.bag"), "/left", "left/").walk(1);
   EXPECT_THAT(complaintAbout(path("left.bag")), HasSubstr("play it with frame_prefix:=left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),

@@ -701,6 +701,8 @@ TEST(Keyboard, SaysWhoHasStoppedTheRobotAndReleasesIt) {
   for (const auto& walk : walks.waitForCount(12)) {
     EXPECT_EQ(walk->angular.z, 0.7) << "a key counts until the next one";
   }
+  EXPECT_EQ(::write(keys, "R", 1), 1);
+  EXPECT_TRUE(walks.waitFor([](const Twist& walk) { return walk.angular.z == 0; })) << "there is nothing to release";
   ::close(keys);
   ::close(terminal);
 }
