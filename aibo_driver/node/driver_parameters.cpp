@@ -8,8 +8,8 @@
 
 #include "aibo_client/exceptions.h"
 #include "node/camera/camera_options.h"
+#include "node/parameter_value.h"
 #include "robot_model/robot_model.h"
-#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -30,7 +30,7 @@ class ParameterReader {
     if (!find(name, &value)) {
       return;
     }
-    const double number = numberIn(value);
+    const double number = numberIn(value);  // may be written as 85.0
     if (number >= minimum && number <= maximum && number == std::floor(number)) {
       *out = static_cast<int>(number);
     } else {
@@ -105,8 +105,7 @@ class ParameterReader {
   /// @throw InvalidArgumentException values were refused; the message names all of them
   void checkRefusals() const {
     if (!refusals_.empty()) {
-      throw aibo_client::InvalidArgumentException(refusals_ +
-                                                  "'rosparam delete NAME' removes a parameter that was set before.");
+      throw aibo_client::InvalidArgumentException(refusals_ + kHowToRemove);
     }
   }
 
@@ -114,18 +113,6 @@ class ParameterReader {
   void addKnown(const std::string& name) { known_.insert(name); }
 
  private:
-  /// NaN if it is not a number. A whole number may be written as 85.0.
-  static double numberIn(XmlRpcValue& value) {
-    switch (value.getType()) {
-      case XmlRpcValue::TypeInt:
-        return static_cast<int>(value);
-      case XmlRpcValue::TypeDouble:
-        return value;
-      default:
-        return NAN;
-    }
-  }
-
   bool find(const std::string& name, XmlRpcValue* value) {
     known_.insert(name);
     if (!values_.hasMember(name)) {
@@ -136,15 +123,7 @@ class ParameterReader {
   }
 
   void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) {
-    std::string given;
-    if (value.getType() == XmlRpcValue::TypeString) {
-      given = "the text '" + text::plainLine(static_cast<std::string>(XmlRpcValue(value))) + "'";
-    } else {
-      std::ostringstream written;
-      value.write(written);
-      given = text::plainLine(written.str());
-    }
-    refusals_ += "Parameter " + name_prefix_ + name + " is " + given + "; it must be " + allowed + ". ";
+    refusals_ += describeRefusal(name_prefix_ + name, value, allowed) + " ";
   }
 
   XmlRpcValue values_;

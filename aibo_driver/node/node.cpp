@@ -16,8 +16,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
+#include <stdexcept>
 
 #include "node/master_watch.h"
+#include "node/parameter_value.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -103,10 +106,15 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 }
 
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest) {
-  parameters.getParam(name, number);
+  XmlRpc::XmlRpcValue value;
+  if (!parameters.getParam(name, value)) {
+    return number;
+  }
+  number = numberIn(value);
   if (!(number >= 0 && number <= highest)) {
-    throw std::runtime_error("Parameter " + parameters.resolveName(name) + " is " + std::to_string(number) +
-                             "; it must be 0.." + std::to_string(highest) + ".");
+    std::ostringstream allowed;
+    allowed << "a number, 0.." << highest;
+    throw std::runtime_error(describeRefusal(parameters.resolveName(name), value, allowed.str()) + " " + kHowToRemove);
   }
   return number;
 }

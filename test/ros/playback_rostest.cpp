@@ -347,8 +347,10 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_recorded_ns:=/right"}),
               HasSubstr("no robot in /right, but in /left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_rate:=0"}), HasSubstr("rate is 0; it must"));
-  EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=nan"}), HasSubstr("rate is nan; it must be 0..100"));
-  EXPECT_THAT(complaintAbout(path("left.bag"), {"_wait:=-1"}), HasSubstr("it must be 0.."));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=nan"}), HasSubstr("rate is nan; it must be a number, 0..100."));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=fast"}),
+              HasSubstr("rate is the text 'fast'; it must be a number"));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_wait:=-1"}), HasSubstr("wait is -1; it must be a number, 0.."));
   {
     rosbag::Bag bag(path("both.bag"), rosbag::bagmode::Write);
     bag.write("/left/joint_states", kBegin, sensor_msgs::JointState());

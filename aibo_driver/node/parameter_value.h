@@ -1,0 +1,24 @@
+/// @file parameter_value.h
+#ifndef AIBO_DRIVER_NODE_PARAMETER_VALUE_H
+#define AIBO_DRIVER_NODE_PARAMETER_VALUE_H
+
+#include <xmlrpcpp/XmlRpcValue.h>
+
+#include <string>
+
+namespace aibo_driver::node {
+
+/// @return NaN if the parameter is not a number, but a text, for example
+double numberIn(XmlRpc::XmlRpcValue value);
+
+/// A sentence for the user about a parameter that is refused.
+/// @param name with its namespace
+/// @param allowed completes "it must be"
+std::string describeRefusal(const std::string& name, XmlRpc::XmlRpcValue value, const std::string& allowed);
+
+/// What a user can do about a parameter that is refused, as a sentence.
+constexpr const char* kHowToRemove = "'rosparam delete NAME' removes a parameter that was set before.";
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_PARAMETER_VALUE_H
