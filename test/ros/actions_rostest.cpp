@@ -313,6 +313,16 @@ TEST(FollowGoal, IsPreemptedByANewerOneForItsJointsOnly) {
   EXPECT_EQ(knee.waitForEnd(), State::SUCCEEDED);
 }
 
+TEST(FollowGoal, ThatIsCancelledLeavesTheOthersAlone) {
+  FollowUser user("/follow_one");
+  FollowGoal head(user.client, FollowUser::goal({{"head_pan", 0.5}}, 2.0));
+  FollowGoal knee(user.client, FollowUser::goal({{"left_front_knee", 0.5}}, 2.0));
+  ASSERT_TRUE(knee.waitForFeedback());
+  knee.cancel();
+  EXPECT_EQ(knee.waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(head.waitForEnd(), State::SUCCEEDED);
+}
+
 TEST(FollowGoal, IsPreemptedByANewerOneForOneOfItsJoints) {
   FollowUser user("/follow_part");
   FollowGoal both(user.client, FollowUser::goal({{"head_pan", 1.0}, {"left_front_knee", 1.0}}, 4.0));
