@@ -46,8 +46,12 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   user.proxy.setMute(true);
   auto waiting = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
   ASSERT_TRUE(user.proxy.waitForRequest("F", kSafetyNet));
+  auto second = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
   EXPECT_TRUE(setStreaming(user, true).success);
   EXPECT_TRUE(user.proxy.waitForRequest("W", kSafetyNet));
+  constexpr std::chrono::milliseconds kLook{2};
+  while (user.proxy.requestsFromDriver("F").size() < 2 && waiting.wait_for(kLook) == std::future_status::timeout) {
+  }
   dynamic_reconfigure::Reconfigure::Request settings;
   settings.config.doubles.resize(1);
   settings.config.doubles[0].name = "telemetry_rate";
@@ -57,6 +61,7 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   const TakePicture::Response answer = waiting.get();
   EXPECT_FALSE(answer.success);
   EXPECT_THAT(answer.message, HasSubstr("There is no picture"));
+  EXPECT_FALSE(second.get().success);
 }
 
 TEST(SetStreaming, WithTheRobotGoneSaysSoAndStreamsWhenItIsBack) {
