@@ -282,6 +282,19 @@ TEST(PlayMotion, IsNotSlowedDownByTheApproachOfACommandBefore) {
   }));
 }
 
+TEST(PlayMotion, KeepsTheSpeedLimitOfTheParameter) {
+  JointUser user("/motion_limit", {"_stream_on_start:=false", "_motion_speed_limit:=0.3"});
+  aibo_driver::PlayMotion motion;
+  motion.request.name = "nod";
+  motion.request.repetitions = 1;
+  ASSERT_TRUE(ros::service::call("/motion_limit/play_motion", motion));
+  ASSERT_TRUE(motion.response.success) << motion.response.message;
+  ASSERT_TRUE(user.joints.messages().waitFor(
+      [](const JointState& state) { return test_support::speedOf(state, "neck_tilt").value_or(0) > 0.2; }));
+  EXPECT_TRUE(user.joints.waitForSpeedBelow("neck_tilt", 0.03));
+  EXPECT_LE(user.joints.highestSpeed("neck_tilt"), 0.3 + kSpeedTolerance);
+}
+
 TEST(Diagnostics, SayHowOftenTheJointsAreMeasured) {
   DiagnosticsListener diagnostics;
   const JointUser user("/joint_diagnostics");
