@@ -16,6 +16,7 @@
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
 
 namespace {
@@ -60,6 +61,19 @@ TEST(Recovery, PicturesComeAgainAfterTheReturnOfAKilledRobot) {
     EXPECT_TRUE(waitForState(connection, Connection::CONNECTED));
   }
   EXPECT_TRUE(driver.isRunning());
+}
+
+TEST(Recovery, TheFirstAttemptIsNoFaultUntilItHasEnded) {
+  const test_support::ScriptedServer silent;
+  TopicListener<Connection> connection("/first/connection");
+  DiagnosticsListener diagnostics;
+  DriverProcess driver("/first", silent.port(), {"_connect_timeout:=60", "_read_timeout:=60"});
+  const auto trying = waitForState(connection, Connection::CONNECTING);
+  ASSERT_TRUE(trying);
+  EXPECT_EQ(trying->text, "connecting to 127.0.0.1:" + std::to_string(silent.port()));
+  const auto status = diagnostics.waitForNext("first/aibo_driver: connection");
+  EXPECT_EQ(status.level, diagnostic_msgs::DiagnosticStatus::WARN);
+  EXPECT_EQ(status.message, trying->text);
 }
 
 TEST(Recovery, ADriverWithoutARobotWaitsForItAndSaysWhatToCheck) {
