@@ -51,6 +51,7 @@
 #include "support/ros/joint_messages.h"
 #include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
@@ -275,6 +276,16 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   driver.signal(SIGINT);
   driver.waitForOutput("without signing off", kSafetyNet);
   EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), EXIT_FAILURE);
+
+  master.setConditions({});
+  test_support::ScriptedServer server;
+  DriverProcess next("/deaf_master", server.port(), {"_connect_timeout:=60", "_read_timeout:=60"}, environment);
+  test_support::ScriptedPeer robot = server.accept();
+  master.setConditions(silence);
+  next.signal(SIGINT);
+  robot.waitUntilClosed();
+  next.signal(SIGINT);
+  EXPECT_EQ(next.waitForExit(kPatience).value_or(-1), 128 + SIGINT) << "a second Ctrl-C ends it at once";
 }
 
 TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
