@@ -398,7 +398,8 @@ TEST(Camera, OnDemandTheRobotStreamsOnlyWhileThereIsASubscriber) {
     return [value](const std_msgs::Bool& message) { return static_cast<bool>(message.data) == value; };
   };
   const auto is_idle = [](const diagnostic_msgs::DiagnosticStatus& status) {
-    return status.level == diagnostic_msgs::DiagnosticStatus::OK && status.message.find("idle") != std::string::npos;
+    return status.level == diagnostic_msgs::DiagnosticStatus::OK &&
+           status.message.find("idle: no camera topic has a subscriber") == 0;
   };
   // While the robot is connected and there is no subscriber.
   EXPECT_NE(diagnostics
