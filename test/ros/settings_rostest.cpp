@@ -137,6 +137,7 @@ TEST(Settings, BeginWithTheParameters) {
   EXPECT_EQ(user.inForce("jpeg_quality"), 40);
   EXPECT_EQ(user.inForce("telemetry_rate"), 6.25);
   EXPECT_EQ(user.inForce("speed_scale"), 0.5);
+  user.waitForLog("Settings in force: jpeg_quality 40 .*telemetry_rate 6.25 of 0..31.25, speed_scale 0.5 of");
 }
 
 TEST(Settings, TellTheirRangesToProgramsThatShowThem) {
@@ -259,6 +260,7 @@ TEST(Settings, ResolutionAndRateChangeTheRunningStream) {
   const Config same = user.set(partly_wrong);
   EXPECT_TRUE(std::any_of(same.strs.begin(), same.strs.end(),
                           [](const auto& each) { return each.name == "resolution" && each.value == "416x320"; }));
+  user.waitForLog("The resolution '1x1' is not one of 52x40, .* 416x320: it stays at 416x320");
   EXPECT_TRUE(infos.waitFor([&last](const auto& info) {
     const double interval = (info.header.stamp - last).toSec();
     last = info.header.stamp;
@@ -289,6 +291,7 @@ TEST(Settings, TransportChangesTheRunningStream) {
   pictures.clear();
   EXPECT_TRUE(pictures.waitForNext());
   const Config answer = user.set(text("transport", "pigeon"));
+  user.waitForLog("The transport 'pigeon' is not one of auto, tcp or udp: it stays at tcp");
   EXPECT_TRUE(std::any_of(answer.strs.begin(), answer.strs.end(),
                           [](const auto& each) { return each.name == "transport" && each.value == "tcp"; }));
 }
