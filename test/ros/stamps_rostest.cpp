@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
+#include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
@@ -59,6 +60,18 @@ TEST(RobotTime, IntervalsOfPicturesAndJointStatesAreWholeFrames) {
   EXPECT_GT(partInFrames(pictures.waitForCount(100)), kMost);
   EXPECT_GT(partInFrames(states.waitForCount(100)), kMost);
   EXPECT_GT(partInFrames(colors.waitForCount(100)), kMost);
+}
+
+TEST(RobotTime, IsNotUsedIfTheUserDoesNotWantIt) {
+  SimulatedRobot robot;
+  Pictures pictures("/no_robot_time/camera/image_raw/compressed");
+  JointStates states("/no_robot_time/joint_states");
+  TopicListener<aibo_driver::ColorRegions> colors("/no_robot_time/color_regions");
+  test_support::DiagnosticsListener diagnostics;
+  DriverProcess driver("/no_robot_time", robot.port(), {"_use_robot_time:=false"});
+  ASSERT_FALSE(pictures.waitForCount(1).empty() || states.waitForCount(1).empty() || colors.waitForCount(1).empty());
+  const auto stream = diagnostics.waitForNext("no_robot_time/aibo_driver: stream");
+  EXPECT_EQ(test_support::DiagnosticsListener::value(stream, "timelines begun"), "0");
 }
 
 /// The longest interval between two stamps, in seconds.
