@@ -310,7 +310,11 @@ TEST(DriverParameters, ReconnectWaitsFollowTheirMaximum) {
   const DriverParameters parameters = parse(one("reconnect_wait_max", 0.05));
   EXPECT_EQ(parameters.client.reconnect_wait_max, std::chrono::milliseconds(50));
   EXPECT_LE(parameters.client.reconnect_wait_min, parameters.client.reconnect_wait_max);
-  EXPECT_THAT(refusal("reconnect_wait_min", 61), HasSubstr("reconnect_wait_min is 61"));
+  XmlRpcValue both = one("reconnect_wait_max", 3);
+  both["reconnect_wait_min"] = 3;
+  EXPECT_EQ(parse(both).client.reconnect_wait_min, std::chrono::seconds(3));
+  both["reconnect_wait_min"] = 4;
+  EXPECT_THROW(parse(both), aibo_client::InvalidArgumentException);
 }
 
 TEST(DriverParameters, ThatTheDriverDoesNotHaveAreListed) {
