@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "node/node.h"
+#include "node/parameter_value.h"
 #include "text/plain_text.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
@@ -46,7 +47,11 @@ int checkPlace(const std::string& name, int place, int lowest) {
 }
 
 int readPlace(const ros::NodeHandle& parameters, const std::string& name, int place, int lowest = teleop::kNoPlace) {
-  parameters.getParam(name, place);
+  XmlRpc::XmlRpcValue value;
+  if (parameters.getParam(name, value) && !parameters.getParam(name, place)) {
+    throw std::runtime_error(aibo_driver::node::describeRefusal(parameters.resolveName(name), value,
+                                                                "a place in sensor_msgs/Joy, a whole number"));
+  }
   return checkPlace(parameters.resolveName(name), place, lowest);
 }
 

@@ -585,6 +585,13 @@ TEST(JoystickTeleop, RefusesAWrongMapping) {
     unplugged.waitForOutput(place + " is -2; it must be a place in sensor_msgs/Joy, from 0 on, or -1", kSafetyNet);
     EXPECT_EQ(unplugged.waitForExit(kSafetyNet), 1);
   }
+  ros::param::del("/wrong_joystick");
+  Process spelt_out({AIBO_TELEOP_JOY, "__ns:=/wrong_joystick", "_stop_button:=two"});
+  spelt_out.waitForOutput("stop_button is the text 'two'; it must be a place in sensor_msgs/Joy", kSafetyNet);
+  EXPECT_EQ(spelt_out.waitForExit(kSafetyNet), 1);
+  Process fast({AIBO_TELEOP_KEYBOARD, "__ns:=/wrong_joystick", "_speed:=fast"});
+  fast.waitForOutput("speed is the text 'fast'; it must be a number, 0..1", kSafetyNet);
+  EXPECT_EQ(fast.waitForExit(kSafetyNet), 1);
   ros::param::set("/wrong_posture/aibo_teleop_joy/postures", std::map<std::string, int>{{"fly", 2}});
   Process flying({AIBO_TELEOP_JOY, "__ns:=/wrong_posture"});
   ros::param::set("/one_motion/aibo_teleop_joy/motions", 2);
