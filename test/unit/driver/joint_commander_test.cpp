@@ -97,6 +97,13 @@ TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
   EXPECT_EQ(mover_.state().ended[0].reason, "/user sent an empty trajectory");
 }
 
+TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryWithoutPointsIsHeldToo) {
+  arriveAt(0.0);
+  commander_.receivePosition("head_pan", 0.5, order());
+  commander_.receive(trajectory_msgs::JointTrajectory(), order());
+  EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "hold"));
+}
+
 TEST_F(JointCommanderTest, ATrajectoryWithoutPointsThatCannotBeSentEndsNothingElse) {
   const test_support::LogListener& log = test_support::listenToLog();
   client_.problem = "not connected";
@@ -123,6 +130,8 @@ TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   ASSERT_EQ(mover_.state().ended.size(), 1u);
   EXPECT_EQ(mover_.state().ended[0].how, aibo_client::EndedHow::kRefused);
   EXPECT_THAT(mover_.state().ended[0].reason, ::testing::HasSubstr("header.stamp"));
+  EXPECT_EQ(mover_.state().ended[0].movement.kind, movement::Movement::Kind::kTrajectory);
+  EXPECT_THAT(mover_.state().ended[0].movement.joints, ElementsAre("head_pan"));
 }
 
 TEST_F(JointCommanderTest, APositionThatCameBeforeAMessageIsSentBeforeIt) {
