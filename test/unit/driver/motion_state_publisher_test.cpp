@@ -40,9 +40,10 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   state.movements = {
       {Kind::kCommand, "", "/sliders", {"mouth"}, {}},
       {Kind::kTrajectory, "", "/planner", {"head_pan", "neck_tilt"}, kSteadyNow + std::chrono::seconds(2)},
-      {Kind::kMotion, "NOD.MTN", "", {}, {}}};
+      {Kind::kMotion, "NOD.MTN", "", {}, {}},
+      {Kind::kWalk, "to x 1.00 m", "/navigator", {}, {}}};
   const MotionState message = messageOf(state);
-  ASSERT_THAT(message.movements, SizeIs(3));
+  ASSERT_THAT(message.movements, SizeIs(4));
   EXPECT_EQ(message.movements[0].kind, Movement::COMMAND);
   EXPECT_EQ(message.movements[0].source, "/sliders");
   EXPECT_TRUE(message.movements[0].end.isZero());
@@ -51,7 +52,8 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_EQ(message.movements[1].end, kNow + ros::Duration(2));
   EXPECT_EQ(message.movements[2].name, "NOD.MTN");
   EXPECT_EQ(message.text,
-            "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN");
+            "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN "
+            "and /navigator (walk to x 1.00 m)");
 }
 
 TEST(MotionStateMessage, NothingIsSaidToEndInThePast) {
