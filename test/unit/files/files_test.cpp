@@ -297,6 +297,13 @@ TEST_F(SaveJpegTest, RefusesControlCharactersInAPath) {
   EXPECT_EQ(filesInFolder(), 0u);
 }
 
+TEST_F(SaveJpegTest, TakesALongPath) {
+  const std::string album(200, 'a');
+  fs::create_directory(folder_ / album);
+  const std::string path = (folder_ / album / "picture.jpg").string();
+  EXPECT_EQ(save(path), path);
+}
+
 TEST_F(SaveJpegTest, TakesANameThatLooksLikeAnOption) {
   EXPECT_EQ(save("-rf.jpg"), (folder_ / "-rf.jpg").string());
 }
@@ -413,6 +420,7 @@ TEST(FileNameOnRobot, HasCapitalsAndAnEnding) {
   EXPECT_EQ(motionFileName("nod"), "NOD.MTN");
   EXPECT_EQ(motionFileName("Nod.mtn"), "NOD.MTN");
   EXPECT_EQ(motionFileName(""), "");
+  EXPECT_EQ(motionFileName("nod\x1b[2J\n"), "NOD?[2J?.MTN");
   EXPECT_EQ(pictureFileName("aibo0001"), "AIBO0001.JPG");
 }
 
