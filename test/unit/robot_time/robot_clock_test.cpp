@@ -178,6 +178,7 @@ TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestartedAtOnce) {
   RobotClock clock;
   clock.timeOf(1, 20, at(100));
   EXPECT_EQ(clock.timeOf(2, 2, at(100.500)), at(100.500));
+  EXPECT_EQ(clock.timeOf(3, 2 + 125, at(103)), at(103)) << "its frames have not gone on for all the time";
 }
 
 TEST(RobotClock, GoesOnAfterALongOutage) {
