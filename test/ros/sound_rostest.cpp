@@ -16,6 +16,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "protocol/sound_requests.h"
@@ -210,6 +211,10 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   EXPECT_TRUE(saysOfSound(diagnostics, "gap", "listening")) << "the gap was said";
   diagnostics.clear();
   EXPECT_TRUE(saysOfSound(diagnostics, "gap", "nothing is heard"));
+  send(1200);
+  const auto after_long_gap = audio.waitForCount(4);
+  ASSERT_EQ(after_long_gap.size(), 4U);
+  EXPECT_EQ(after_long_gap[3]->audio.data, samples) << "more than a second is not filled";
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {
@@ -291,9 +296,17 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   client.cancelGoal();  // at once: the driver need not have seen that this sound has ended
   EXPECT_TRUE(other.waitForResult(ros::Duration(30)));
   EXPECT_EQ(other.getState(), actionlib::SimpleClientGoalState::SUCCEEDED) << "only its own sound is cancelled";
-  client.sendGoalAndWait(PlaySoundGoal(), ros::Duration(30));
-  EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::REJECTED);
-  EXPECT_THAT(client.getResult()->message, HasSubstr("give a file or a text"));
+  PlaySoundGoal both;
+  both.file = user.path("short.wav");
+  both.text = "hello";
+  PlaySoundGoal speech;
+  speech.text = "hello";
+  for (const auto& [goal, complaint] :
+       {std::pair(PlaySoundGoal(), "give a file or a text"), {both, "give a file or a text"}, {speech, "espeak-ng"}}) {
+    client.sendGoalAndWait(goal, ros::Duration(30));
+    EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::REJECTED);
+    EXPECT_THAT(client.getResult()->message, HasSubstr(complaint));
+  }
 }
 
 }  // namespace
