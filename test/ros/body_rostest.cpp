@@ -139,6 +139,12 @@ class Footprints {
     }) != nullptr;
   }
 
+  bool waitFor(const ros::Time& stamp) {
+    return listener_.waitFor([&stamp](const tf2_msgs::TFMessage& message) {
+      return message.transforms.front().header.stamp == stamp;
+    }) != nullptr;
+  }
+
   std::size_t count() const { return listener_.count(); }
 
  private:
@@ -151,6 +157,9 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
   EXPECT_TRUE(footprints.waitFor(0.12, 0.15, -3, 3));
   EXPECT_TRUE(user.play("sit", 1).success);
   EXPECT_TRUE(footprints.waitFor(0.08, 0.13, -28, -22)) << "leaning back by 25 degrees";
+  JointListener joints("/footprint");
+  const auto measured = joints.messages().waitForNext();
+  EXPECT_TRUE(measured && footprints.waitFor(measured->header.stamp)) << "it has the time of the joints";
 }
 
 TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
@@ -168,7 +177,9 @@ TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
 TEST(TouchTopic, FollowsWhatIsPressed) {
   const BodyUser user("/touch");
   TopicListener<Touch> touch("/touch/touch");
-  ASSERT_TRUE(touch.waitForNext());
+  const auto first = touch.waitForNext();
+  ASSERT_TRUE(first);
+  EXPECT_EQ(first->header.frame_id, "base_link");
   ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
   EXPECT_TRUE(touch.waitFor([](const Touch& message) { return message.chin && !message.back_rear; }));
   ASSERT_THAT(user.robot.type("press back_rear"), HasSubstr("ok"));
@@ -183,6 +194,7 @@ TEST(BatteryTopic, SaysHowFullItIs) {
   TopicListener<BatteryState> battery("/battery/battery");
   const auto full = battery.waitForNext();
   ASSERT_TRUE(full);
+  EXPECT_EQ(full->header.frame_id, "base_link");
   EXPECT_GT(full->percentage, 0.9);
   EXPECT_TRUE(std::isnan(full->voltage));
   ASSERT_THAT(user.robot.type("battery 40"), HasSubstr("ok"));
