@@ -11,6 +11,7 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -226,6 +227,31 @@ TEST(MotionStateTopic, SaysEachEndOnceAndInOrder) {
     EXPECT_GE(numberIn(*state), before);
     before = numberIn(*state);
   }
+}
+
+TEST(MotionStateTopic, SaysAllEndsOfAStop) {
+  JointUser user("/many_ends", kQuick);
+  TopicListener<MotionState> states("/many_ends/motion_state");
+  ASSERT_TRUE(states.waitForNext());
+  std::set<std::string> moved{"head_pan"};
+  for (const std::string leg : {"left_front", "left_hind", "right_front", "right_hind"}) {
+    moved.insert({leg + "_rotator", leg + "_elevator"});
+  }
+  for (const std::string& joint : moved) {
+    user.publish("joint_command", commandAtSpeed(joint, 1.2, 0.05));
+  }
+  ASSERT_TRUE(states.waitFor([&](const MotionState& state) { return state.movements.size() == moved.size(); }));
+  EXPECT_TRUE(user.call<Trigger>("stop").success);
+  ASSERT_TRUE(states.waitFor([](const MotionState& state) {
+    return state.movements.empty() && lastEnd(state).how == EndedMovement::STOPPED;
+  }));
+  std::set<std::string> ended;
+  for (const auto& state : states.waitForCount(0)) {
+    for (const EndedMovement& end : state->ended) {
+      ended.insert(end.movement.joints.begin(), end.movement.joints.end());
+    }
+  }
+  EXPECT_EQ(ended, moved) << "a message has eight";
 }
 
 TEST(MotionStateTopic, SaysThatACommandEndedAMotion) {

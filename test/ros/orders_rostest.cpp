@@ -337,8 +337,10 @@ TEST(Orders, AMotionIsStoppedByZeroRepetitions) {
 
 TEST(Orders, WithoutMotorsAreRefusedAndSaidTo) {
   OrderUser user("/limp");
+  const ros::Time before = ros::Time::now();
   EXPECT_TRUE(user.setMotors(false).success);
-  EXPECT_TRUE(user.robot_states.waitFor([](const RobotState& state) { return state.motors == RobotState::OFF; }));
+  const auto off = user.robot_states.waitFor([](const RobotState& state) { return state.motors == RobotState::OFF; });
+  EXPECT_TRUE(off && off->header.stamp >= before);
   user.states.clear();
   user.publish("joint_command", command({{"head_pan", 0.5}}));
   const EndedMovement commanded = user.waitForEnd(Movement::COMMAND);
