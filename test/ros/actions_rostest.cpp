@@ -390,7 +390,7 @@ TEST(FollowGoal, WithoutMotorsFails) {
   EXPECT_THAT(goal.result()->error_string, HasSubstr("motors are off"));
 }
 
-TEST(FollowGoal, IsAbortedByStop) {
+TEST(FollowGoal, IsAbortedByStopAndTheNextOneWithTheConnection) {
   FollowUser user("/follow_stopped");
   FollowGoal goal(user.client, FollowUser::goal({{"head_pan", 1.0}}, 4.0));
   ASSERT_TRUE(goal.waitForFeedback());
@@ -398,6 +398,13 @@ TEST(FollowGoal, IsAbortedByStop) {
   ASSERT_EQ(goal.waitForEnd(), State::ABORTED);
   EXPECT_EQ(goal.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
   EXPECT_THAT(goal.result()->error_string, HasSubstr("called stop"));
+  EXPECT_TRUE(user.call<std_srvs::Trigger>("release").success);
+  FollowGoal next(user.client, FollowUser::goal({{"head_pan", 1.0}}, 14.0));
+  ASSERT_TRUE(next.waitForFeedback());
+  user.robot.kill();
+  ASSERT_EQ(next.waitForEnd(), State::ABORTED);
+  EXPECT_EQ(next.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
+  EXPECT_THAT(next.result()->error_string, HasSubstr("connection to the robot was lost"));
 }
 
 }  // namespace
