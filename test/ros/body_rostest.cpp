@@ -141,7 +141,8 @@ class Footprints {
 
   bool waitFor(const ros::Time& stamp) {
     return listener_.waitFor([&stamp](const tf2_msgs::TFMessage& message) {
-      return message.transforms.front().header.stamp == stamp;
+      const geometry_msgs::TransformStamped& each = message.transforms.front();
+      return each.child_frame_id == "base_link" && each.header.stamp == stamp;
     }) != nullptr;
   }
 
