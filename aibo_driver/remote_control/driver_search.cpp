@@ -15,6 +15,7 @@ using XmlRpc::XmlRpcValue;
 
 const std::string kConnection = "/connection";
 const std::string kSettings = "/parameter_updates";
+const std::string kOwnSetting = "/telemetry_rate";  // nothing else has a setting of this name
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -48,7 +49,8 @@ std::optional<MasterState> askMaster() {
   any_subgraph[1] = "";
   std::optional<XmlRpcValue> topics = call("getPublishedTopics", any_subgraph);
   std::optional<XmlRpcValue> system = topics ? call("getSystemState", XmlRpcValue()) : std::nullopt;
-  if (!system) {
+  std::optional<XmlRpcValue> parameters = system ? call("getParamNames", XmlRpcValue()) : std::nullopt;
+  if (!parameters) {
     return std::nullopt;
   }
   MasterState state;
@@ -62,6 +64,9 @@ std::optional<MasterState> askMaster() {
     for (int j = 0; j < nodes.size(); ++j) {
       state.publishers[published[i][0]].push_back(nodes[j]);
     }
+  }
+  for (int i = 0; i < parameters->size(); ++i) {
+    state.parameters.insert((*parameters)[i]);
   }
   return state;
 }
@@ -92,6 +97,9 @@ std::string settingsOf(const std::string& name_space, const MasterState& state) 
       continue;
     }
     const std::string owner = topic.substr(0, topic.size() - kSettings.size());
+    if (state.parameters.count(owner + kOwnSetting) == 0) {
+      continue;  // those of another nodelet, or of a plugin of image_transport
+    }
     const auto has_it = [&owner](const std::string& space) { return owner.rfind(space + "/", 0) == 0; };
     const auto is_nearer = [&](const std::string& space) { return space.size() > name_space.size() && has_it(space); };
     if (has_it(name_space) && std::none_of(drivers.begin(), drivers.end(), is_nearer)) {

@@ -4,15 +4,17 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace aibo_driver::remote_control {
 
-/// What the ROS master knows about topics.
+/// What the ROS master knows about topics and parameters.
 struct MasterState {
   std::map<std::string, std::string> types;                    ///< the types of topics; the key is the topic
   std::map<std::string, std::vector<std::string>> publishers;  ///< the nodes that publish a topic; the key is the topic
+  std::set<std::string> parameters;
 };
 
 /// Asks the ROS master. It waits for an answer, but not for a master that is not there.

@@ -853,6 +853,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   description.min = config(1);
   description.max = config(9);
   description.dflt = config(4);
+  ros::NodeHandle(kTold).setParam("driver/telemetry_rate", 31.25);  // only a driver has this setting
   tell("driver/parameter_descriptions", description);
   tell("driver/parameter_updates", config(5));
   EXPECT_TRUE(hears("describes gain"));

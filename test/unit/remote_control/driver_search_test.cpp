@@ -10,6 +10,13 @@ using ::testing::ElementsAre;
 constexpr const char* kConnection = "aibo_driver/Connection";
 constexpr const char* kSettings = "dynamic_reconfigure/Config";
 
+// A driver has this setting, and nothing else has it.
+void addSettings(const std::string& owner, const std::string& node, MasterState* state, bool of_driver = true) {
+  state->types[owner + "/parameter_updates"] = kSettings;
+  state->publishers[owner + "/parameter_updates"] = {node};
+  state->parameters.insert(owner + (of_driver ? "/telemetry_rate" : "/quality"));
+}
+
 TEST(DriverSearch, FindsDriversByTheirTopicAndItsType) {
   MasterState state;
   state.types = {{"/left/connection", kConnection},
@@ -21,14 +28,12 @@ TEST(DriverSearch, FindsDriversByTheirTopicAndItsType) {
 
 TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
   MasterState state;
-  state.types = {{"/aibo/connection", kConnection},
-                 {"/aibo_driver/parameter_updates", kSettings},
-                 {"/camera/parameter_updates", kSettings},
-                 {"/zoom/parameter_updates", "std_msgs/Bool"}};
-  state.publishers = {{"/aibo/connection", {"/aibo_driver"}},
-                      {"/aibo_driver/parameter_updates", {"/aibo_driver"}},
-                      {"/camera/parameter_updates", {"/camera"}},
-                      {"/zoom/parameter_updates", {"/aibo_driver"}}};
+  state.types["/aibo/connection"] = kConnection;
+  state.publishers["/aibo/connection"] = {"/aibo_driver"};
+  for (const std::string owner : {"/aibo_driver", "/camera", "/zoom"}) {
+    addSettings(owner, owner == "/camera" ? owner : "/aibo_driver", &state);
+  }
+  state.types["/zoom/parameter_updates"] = "std_msgs/Bool";
   EXPECT_EQ(settingsOf("/aibo", state), "/aibo_driver");
   EXPECT_EQ(settingsOf("/right", state), "");
 }
@@ -36,8 +41,7 @@ TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
 TEST(DriverSearch, InANodeletManagerTheSettingsAreThoseInTheSameNamespace) {
   MasterState state;
   for (const char* owner : {"/a/driver", "/left/driver", "/z/driver"}) {
-    state.types[std::string(owner) + "/parameter_updates"] = kSettings;
-    state.publishers[std::string(owner) + "/parameter_updates"] = {"/manager"};
+    addSettings(owner, "/manager", &state);
   }
   state.publishers["/left/connection"] = {"/manager"};
   EXPECT_EQ(settingsOf("/left", state), "/left/driver");
@@ -52,8 +56,7 @@ TEST(DriverSearch, SettingsInTheNamespaceOfAnotherDriverAreNotTakenForThoseElsew
       state.publishers[name_space + "/connection"] = {"/manager"};
     }
     for (const std::string& each : {owner, std::string("/aibo2/driver"), std::string("/right/driver")}) {
-      state.types[each + "/parameter_updates"] = kSettings;
-      state.publishers[each + "/parameter_updates"] = {"/manager"};
+      addSettings(each, "/manager", &state);
     }
     EXPECT_EQ(settingsOf("/aibo", state), owner);
     EXPECT_EQ(settingsOf("/right", state), "/right/driver");
@@ -65,11 +68,24 @@ TEST(DriverSearch, SettingsBelongToTheInnermostDriver) {
   for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
     state.types[name_space + "/connection"] = kConnection;
     state.publishers[name_space + "/connection"] = {"/manager"};
-    state.types[name_space + "/z_driver/parameter_updates"] = kSettings;
-    state.publishers[name_space + "/z_driver/parameter_updates"] = {"/manager"};
+    addSettings(name_space + "/z_driver", "/manager", &state);
   }
   for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
     EXPECT_EQ(settingsOf(name_space, state), name_space + "/z_driver");
+  }
+}
+
+TEST(DriverSearch, OtherSettingsOfTheSameProcessAreNotTheDrivers) {
+  for (const std::string owner : {"/aibo/driver", "/driver"}) {
+    MasterState state;
+    state.types["/aibo/connection"] = kConnection;
+    state.publishers["/aibo/connection"] = {"/manager"};
+    for (const char* other : {"/aibo/camera/image_raw/theora", "/aibo/z_debayer", "/a_debayer", "/z_debayer"}) {
+      addSettings(other, "/manager", &state, false);
+    }
+    EXPECT_EQ(settingsOf("/aibo", state), "") << "the driver does not have them yet";
+    addSettings(owner, "/manager", &state);
+    EXPECT_EQ(settingsOf("/aibo", state), owner);
   }
 }
 
