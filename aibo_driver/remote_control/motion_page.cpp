@@ -39,7 +39,8 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   connect(list_, &QListWidget::itemDoubleClicked, this, [this] { play(); });
   connect(name_, &QLineEdit::returnPressed, this, [this] { play(); });
   connect(&robot, &Robot::motionsListed, this, &MotionPage::showMotions);
-  connect(&robot, &Robot::movementChanged, this, [this](const QString& text) { movement_->setText("Now: " + text); });
+  connect(&robot, &Robot::movementChanged, this,
+          [this](const QString& text) { movement_->setText(text.isEmpty() ? QString() : "Now: " + text); });
 }
 
 void MotionPage::play() {

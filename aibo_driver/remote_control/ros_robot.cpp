@@ -153,6 +153,23 @@ void RosRobot::search() {
   }
 }
 
+// What the old driver has said is not true of the new one, which may never say anything about it.
+void RosRobot::forgetDriver(const std::string& next) {
+  RobotConnection waits;
+  waits.state = RobotConnection::State::kWaiting;
+  waits.name_space = fromRos(next);
+  waits.text = "waiting for the driver in " + waits.name_space;
+  report(waits);
+  post([](Robot& robot) {
+    Q_EMIT robot.conditionChanged({});
+    Q_EMIT robot.streamingChanged(false);
+    Q_EMIT robot.movementChanged("", false);
+    Q_EMIT robot.ledsChanged({});
+    Q_EMIT robot.settingsDescribed({});
+    Q_EMIT robot.settingsChanged({});
+  });
+}
+
 void RosRobot::useTopicsOf(const std::string& name_space) {
   std::shared_ptr<DriverTopics> old;
   {
@@ -160,7 +177,7 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     old = std::exchange(topics_, nullptr);
   }
   old.reset();  // this waits for its callbacks
-  post([](Robot& robot) { Q_EMIT robot.conditionChanged({}); });
+  forgetDriver(name_space);
   // Messages that are still on their way from the old driver must not be taken for the new driver's.
   const auto is_current = std::make_shared<std::atomic<bool>>(true);
   // Messages may come faster than the window can show them. They wait in roscpp, which keeps the newest, so that they
@@ -220,7 +237,10 @@ RobotConnection RosRobot::connectionNow() const {
 }
 
 void RosRobot::reportConnection() {
-  const RobotConnection now = connectionNow();
+  report(connectionNow());
+}
+
+void RosRobot::report(const RobotConnection& now) {
   const QString text = now.name_space + now.robot + now.text;
   if (text != std::exchange(reported_connection_, text)) {
     post([this, now](Robot& robot) {
@@ -235,6 +255,14 @@ void RosRobot::reportConnection() {
 void RosRobot::post(const std::function<void(Robot&)>& work) {
   QMetaObject::invokeMethod(
       this, [this, work] { work(*this); }, Qt::QueuedConnection);
+}
+
+void RosRobot::postFrom(const QString& driver, const std::function<void(Robot&)>& work) {
+  post([this, driver, work](Robot& robot) {
+    if (driver == connection_.name_space) {
+      work(robot);
+    }
+  });
 }
 
 void RosRobot::answer(bool success, const QString& text) {
@@ -350,13 +378,14 @@ void RosRobot::takePosture(const QString& posture) {
 }
 
 void RosRobot::listMotions() {
-  call<ListMotions>("list motions", "list_motions", {}, [this](const ListMotions::Response& response) {
-    QStringList names;
-    for (const std::string& name : response.names) {
-      names.append(fromRos(name));
-    }
-    post([names](Robot& robot) { Q_EMIT robot.motionsListed(names); });
-  });
+  call<ListMotions>("list motions", "list_motions", {},
+                    [this, driver = connection_.name_space](const ListMotions::Response& response) {
+                      QStringList names;
+                      for (const std::string& name : response.names) {
+                        names.append(fromRos(name));
+                      }
+                      postFrom(driver, [names](Robot& robot) { Q_EMIT robot.motionsListed(names); });
+                    });
 }
 
 void RosRobot::playMotion(const QString& name, int repetitions) {
@@ -380,10 +409,11 @@ void RosRobot::changeSetting(const QString& name, const QVariant& value) {
   }
   dynamic_reconfigure::Reconfigure::Request request;
   request.config = changeOf(name, value);
-  const auto done = [this, name](const dynamic_reconfigure::Reconfigure::Response& response) {
+  const auto done = [this, name,
+                     driver = connection_.name_space](const dynamic_reconfigure::Reconfigure::Response& response) {
     const SettingValues values = valuesIn(response.config);
+    postFrom(driver, [values](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
     answer(true, name + " is " + values.value(name).toString());
-    post([values](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
   };
   call<dynamic_reconfigure::Reconfigure>(name, owner + "/set_parameters", request, done);
 }

@@ -69,8 +69,10 @@ class RosRobot : public Robot {
   void manageTopics();
   void search();
   std::string findDriver() const;
+  void forgetDriver(const std::string& next);
   void useTopicsOf(const std::string& name_space);
   void reportConnection();
+  void report(const RobotConnection& now);
   bool isNew() const;
   RobotConnection connectionNow() const;
 
@@ -85,6 +87,10 @@ class RosRobot : public Robot {
             const std::function<void(const typename Service::Response&)>& also = {});
   void answer(bool success, const QString& text);
   void post(const std::function<void(Robot&)>& work);
+
+  /// Does the work unless another driver is used by then.
+  /// @param driver the namespace of the driver that the work is about
+  void postFrom(const QString& driver, const std::function<void(Robot&)>& work);
   void takeMeasurements();
 
   // The window's thread uses these members.

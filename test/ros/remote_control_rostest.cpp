@@ -42,6 +42,7 @@
 #include <QLayout>
 #include <QListWidget>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScreen>
 #include <QSlider>
 #include <QSpinBox>
@@ -570,6 +571,23 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
   state.stopped_by = "/anna";
   tell("robot_state", state);
   EXPECT_TRUE(hears("condition 0 0 /anna"));
+  std_msgs::Bool streams;
+  streams.data = 1;
+  tell("streaming", streams);
+  EXPECT_TRUE(hears("streams"));
+  aibo_driver::LedStates leds;
+  leds.names = {"back"};
+  leds.intensities = {0.5F};
+  tell("led_states", leds);
+  EXPECT_TRUE(hears("leds back=0.5"));
+  MotionState motion;
+  motion.text = "walks";
+  tell("motion_state", motion);
+  EXPECT_TRUE(hears("walks, plays not"));
+  const ros::Publisher other = ros::NodeHandle("/told_too").advertise<Connection>("connection", 1, true);
+  Connection paused;
+  paused.text = "a playback, paused";
+  other.publish(paused);
   notes_.clear();
   state.stopped_by = "/bert";
   tell("robot_state", state);
@@ -583,12 +601,10 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
   }
   EXPECT_EQ(publishers_["robot_state"].getNumSubscribers(), 0U);
   EXPECT_TRUE(hears("connection waiting for the driver in /told_too"));
-  EXPECT_EQ(notes_.filter("condition"), QStringList("condition 0 0 "));
-  const ros::Publisher other = ros::NodeHandle("/told_too").advertise<Connection>("connection", 1, true);
-  Connection paused;
-  paused.text = "a playback, paused";
-  other.publish(paused);
   EXPECT_TRUE(hears("connection a playback, paused")) << "it says nothing else";
+  notes_ = notes_.filter(QRegularExpression("^(?!link)"));
+  EXPECT_EQ(notes_, QStringList({"connection waiting for the driver in /told_too", "condition 0 0 ", "streams not",
+                                 ", plays not", "leds", "connection a playback, paused"}));
 }
 
 TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
@@ -832,8 +848,8 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   int descriptions = 0;
   QObject::connect(&robot_, &RosRobot::settingsDescribed, [&](const auto& settings) {
     ++descriptions;
-    EXPECT_EQ(settings.size(), 1);
-    note("describes " + settings.at(0).name);
+    EXPECT_LE(settings.size(), 1);
+    note("describes " + settings.value(0).name);
   });
   QObject::connect(&robot_, &RosRobot::settingsChanged, [this](const auto& values) {
     note("set " + QStringList(values.keys()).join(",") + " " + values.value("gain").toString());
@@ -862,6 +878,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   tell("touch", Touch());
   EXPECT_TRUE(hears("touched "));
   const boost::function<bool(Reconfigure::Request&, Reconfigure::Response&)> answer = [&](auto& asked, auto& response) {
+    const std::lock_guard<std::mutex> lock(mutex_);
     EXPECT_EQ(asked.config.ints.size(), 1U);
     response.config = config(asked.config.ints.at(0).value - 1);
     return true;
@@ -871,6 +888,16 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   EXPECT_TRUE(hears("set gain 8")) << "the driver's word counts";
   EXPECT_TRUE(hears("yes, gain is 8"));
   EXPECT_EQ(descriptions, 1) << "a form that is made again loses what the user writes";
+  {
+    const std::lock_guard<std::mutex> driver_is_busy(mutex_);
+    robot_.changeSetting("gain", 7);
+    robot_.useDriver("/told_too");
+    EXPECT_TRUE(hears("describes "));
+    EXPECT_TRUE(hears("set  "));
+    notes_.clear();
+  }
+  EXPECT_TRUE(hears("yes, gain is 6"));
+  EXPECT_EQ(notes_.filter("set "), QStringList()) << "these are not the settings of the driver in use";
 }
 
 TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {

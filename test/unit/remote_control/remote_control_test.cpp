@@ -658,6 +658,8 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   robot_.connectIt();
   EXPECT_FALSE(find<QLabel>("movement")->isHidden()) << "what came before the connection counts";
   EXPECT_EQ(robot_.take(), QStringList("list")) << "it may be another robot, or have another stick";
+  Q_EMIT robot_.movementChanged("", false);
+  EXPECT_EQ(textOf("movement"), "") << "another driver has not said it yet";
   robot_.connectIt(1);
   Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
   robot_.disconnectIt(State::kDisconnected, "gone");
