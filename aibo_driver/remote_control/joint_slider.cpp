@@ -27,7 +27,7 @@ int degrees(int steps) {
 
 }  // namespace
 
-void MarkedSlider::setMark(int value) {
+void MarkedSlider::setMark(std::optional<int> value) {
   if (mark_ != value) {
     mark_ = value;
     update();
@@ -107,6 +107,14 @@ void JointSlider::measure(double position) {
     slider_->setMark(measured);
     showText();
   }
+}
+
+void JointSlider::forget() {
+  measured_.reset();
+  commanded_.reset();
+  slider_->setEnabled(false);
+  slider_->setMark(std::nullopt);
+  showText();
 }
 
 // While the joint is moving to a target, the text shows the target. Otherwise it shows where the joint is.

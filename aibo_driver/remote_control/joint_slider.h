@@ -19,8 +19,8 @@ class MarkedSlider : public QSlider {
  public:
   explicit MarkedSlider(QWidget* parent = nullptr) : QSlider(Qt::Horizontal, parent) {}
 
-  /// @param value a value in the units of the slider
-  void setMark(int value);
+  /// @param value a value in the units of the slider; empty removes the mark
+  void setMark(std::optional<int> value);
 
  private:
   void paintEvent(QPaintEvent* event) override;
@@ -42,6 +42,9 @@ class JointSlider : public QWidget {
 
   /// @param position rad
   void measure(double position);
+
+  /// Returns to the state before the first measurement.
+  void forget();
 
   MarkedSlider* slider() { return slider_; }
 

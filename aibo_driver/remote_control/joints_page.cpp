@@ -38,6 +38,11 @@ void JointsPage::connectionChanged(const RobotConnection& connection) {
   if (connection.hasRobot() && !connection.robot.isEmpty() && connection.robot != design_) {
     makeSliders(connection.robot);
   }
+  if (!connection.hasRobot()) {
+    for (const auto& [name, slider] : sliders_) {
+      slider->forget();
+    }
+  }
 }
 
 void JointsPage::makeSliders(const QString& design) {
@@ -78,7 +83,7 @@ void JointsPage::makeSliders(const QString& design) {
 }
 
 void JointsPage::showPositions(const JointPositions& positions) {
-  if (!isVisible()) {
+  if (!isVisible() || !hasRobot()) {
     return;
   }
   for (auto joint = positions.begin(); joint != positions.end(); ++joint) {

@@ -38,7 +38,11 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   grid->addLayout(buttons, 3, 0, 1, 2);
   connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
   connect(head_pad_, &HeadPad::pointed, &robot, &Robot::moveJoints);
-  connect(&robot, &Robot::jointsMeasured, head_pad_, &HeadPad::showPositions);
+  connect(&robot, &Robot::jointsMeasured, this, [this](const JointPositions& positions) {
+    if (hasRobot()) {
+      head_pad_->showPositions(positions);
+    }
+  });
   connect(&robot, &Robot::movementChanged, this, [this](const QString& text) {
     movement_->setText(text.section(';', 0, 0));  // without what has ended
     movement_->setToolTip(text);

@@ -28,10 +28,14 @@ class Page : public QWidget {
     for (const Control& control : controls_) {
       allow(control.widget, whyNot(control.needs, connection, condition));
     }
+    has_robot_ = connection.hasRobot();
     connectionChanged(connection);
   }
 
  protected:
+  /// What was measured before the robot was lost may come later.
+  bool hasRobot() const { return has_robot_; }
+
   /// Adds a widget that can be used only while the robot meets this need.
   template <typename Widget>
   Widget* need(Needs needs, Widget* widget) {
@@ -84,6 +88,7 @@ class Page : public QWidget {
     Needs needs;
   };
   std::vector<Control> controls_;
+  bool has_robot_ = false;
 };
 
 }  // namespace aibo_driver::remote_control

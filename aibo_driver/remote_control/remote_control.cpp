@@ -177,7 +177,12 @@ void RemoteControl::connectSignals() {
   });
   connect(&robot_, &Robot::settingsDescribed, this, &RemoteControl::keepSpaceBar);
   connect(&robot_, &Robot::driversFound, connection_bar_, &ConnectionBar::showDrivers);
-  connect(&robot_, &Robot::batteryMeasured, connection_bar_, &ConnectionBar::showBattery);
+  // What was measured before the robot was lost may come later.
+  connect(&robot_, &Robot::batteryMeasured, connection_bar_, [this](double charge, double temperature) {
+    if (connection_.hasRobot()) {
+      connection_bar_->showBattery(charge, temperature);
+    }
+  });
   connect(&robot_, &Robot::linkMeasured, connection_bar_, [this](const LinkFigures& figures) {
     if (connection_.hasRobot()) {
       connection_bar_->showLink(figures);

@@ -70,7 +70,7 @@ void SensorsPage::connectionChanged(const RobotConnection& connection) {
 
 void SensorsPage::showTouched(const QStringList& places) {
   for (const auto& [name, label] : places_) {
-    const bool is_touched = places.contains(name);
+    const bool is_touched = hasRobot() && places.contains(name);
     if (label->property("touched").toBool() != is_touched) {
       label->setStyleSheet(is_touched ? kTouched : kUntouched);
       label->setProperty("touched", is_touched);
@@ -79,6 +79,9 @@ void SensorsPage::showTouched(const QStringList& places) {
 }
 
 void SensorsPage::showDistance(const Distance& distance) {
+  if (!hasRobot()) {
+    return;
+  }
   QProgressBar*& bar = bars_[distance.name];
   if (bar == nullptr) {
     bar = new QProgressBar(this);

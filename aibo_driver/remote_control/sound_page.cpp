@@ -81,7 +81,7 @@ void SoundPage::say() {
 }
 
 void SoundPage::showLevel(double level) {
-  if (!listens() || !has_robot_) {
+  if (!listens() || !hasRobot()) {
     return;  // it was on its way
   }
   silence_.start();
@@ -98,14 +98,14 @@ void SoundPage::showLevel(double level) {
 
 // No sound can come while the page is hidden or there is no robot.
 void SoundPage::waitForSound() {
-  const bool waits = listens() && has_robot_;
+  const bool waits = listens() && hasRobot();
   level_->setValue(kQuiet);
   level_->setFormat(waits ? "listening..." : "");
   waits ? silence_.start() : silence_.stop();
 }
 
 void SoundPage::connectionChanged(const RobotConnection& connection) {
-  if (std::exchange(has_robot_, connection.hasRobot()) != connection.hasRobot()) {
+  if (std::exchange(had_robot_, connection.hasRobot()) != connection.hasRobot()) {
     waitForSound();
   }
 }

@@ -38,7 +38,7 @@ class SoundPage : public Page {
   QCheckBox* listen_;
   QProgressBar* level_;
   QLineEdit* text_;
-  bool has_robot_ = false;
+  bool had_robot_ = false;
   QTimer silence_;  ///< runs out when nothing has come for a while
 };
 

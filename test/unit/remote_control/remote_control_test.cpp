@@ -518,6 +518,8 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
   EXPECT_TRUE(is_marked(1, pad->measured()->y())) << "at the edge";
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_FALSE(pad->measured());
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
+  EXPECT_FALSE(pad->measured()) << "it was on its way";
 }
 
 TEST_F(RemoteControlTest, AnotherKindOfRobotHasItsOwnLimits) {
@@ -715,6 +717,7 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 10 ms old, 0 % lost");
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
   Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
+  Q_EMIT robot_.batteryMeasured(0.9, 31.4);
   EXPECT_EQ(textOf("battery"), "");
   EXPECT_EQ(textOf("link"), "");
 }
@@ -867,7 +870,8 @@ TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
   EXPECT_FALSE(find<QLabel>("chin")->property("touched").toBool());
   EXPECT_TRUE(find<QLabel>("back_rear")->property("touched").toBool());
   robot_.disconnectIt(State::kDisconnected, "gone");
-  EXPECT_FALSE(find<QLabel>("back_rear")->property("touched").toBool());
+  Q_EMIT robot_.touched({"back_rear"});
+  EXPECT_FALSE(find<QLabel>("back_rear")->property("touched").toBool()) << "it was on its way";
 }
 
 TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
@@ -891,6 +895,12 @@ TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
     EXPECT_EQ(bar->value(), value) << words;
     EXPECT_EQ(bar->format(), words);
   }
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  deleteLeftovers();
+  Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
+  EXPECT_EQ(window_.findChild<QProgressBar*>("range_near"), nullptr) << "it was on its way";
+  robot_.connectIt();
+  Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
   robot_.disconnectIt(State::kDisconnected, "gone");
   robot_.connectIt();
   Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
@@ -1078,6 +1088,22 @@ TEST_F(RemoteControlTest, EachJointIsInTheGroupOfItsLeg) {
   robot_.connectIt();
   Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
   EXPECT_EQ(find<JointSlider>("mouth")->slider()->value(), -200);
+}
+
+TEST_F(RemoteControlTest, AJointCannotBeMovedBeforeItIsMeasuredOverThisConnection) {
+  robot_.connectIt();
+  open("Joints");
+  const JointPositions positions{{"head_pan", 0.8}};
+  Q_EMIT robot_.jointsMeasured(positions);
+  auto* slider = find<JointSlider>("head_pan");
+  EXPECT_TRUE(slider->slider()->isEnabled());
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  Q_EMIT robot_.jointsMeasured(positions);  // it was on its way
+  robot_.connectIt();
+  EXPECT_FALSE(slider->slider()->isEnabled()) << "it may be another robot";
+  EXPECT_EQ(slider->findChildren<QLabel*>().first()->text(), "?");
+  Q_EMIT robot_.jointsMeasured(positions);
+  EXPECT_TRUE(slider->slider()->isEnabled());
 }
 
 class JointSliderTest : public ::testing::Test {
