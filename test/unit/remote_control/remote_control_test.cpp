@@ -9,6 +9,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
+#include <QDir>
 #include <QElapsedTimer>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -18,6 +19,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QPaintEngine>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSlider>
@@ -29,6 +31,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
+#include <memory>
 #include <set>
 #include <tuple>
 
@@ -41,6 +44,43 @@ namespace aibo_driver::remote_control {
 namespace {
 
 using State = RobotConnection::State;
+
+/// Keeps the texts that are painted, and nothing else.
+class TextEngine : public QPaintEngine {
+ public:
+  TextEngine() : QPaintEngine(AllFeatures) {}
+  bool begin(QPaintDevice*) override { return true; }
+  bool end() override { return true; }
+  Type type() const override { return User; }
+  void updateState(const QPaintEngineState& now) override { transform_ = now.transform(); }
+  void drawTextItem(const QPointF& place, const QTextItem& item) override {
+    texts[item.text()] = transform_.map(place);
+  }
+  void drawPath(const QPainterPath&) override {}
+  void drawPolygon(const QPointF*, int, PolygonDrawMode) override {}
+  void drawPixmap(const QRectF&, const QPixmap&, const QRectF&) override {}
+  void drawImage(const QRectF&, const QImage&, const QRectF&, Qt::ImageConversionFlags) override {}
+
+  QMap<QString, QPointF> texts;
+
+ private:
+  QTransform transform_;
+};
+
+class TextImage : public QImage {
+ public:
+  explicit TextImage(QWidget* widget) : QImage(widget->size(), Format_RGB32) { widget->render(this); }
+  QPaintEngine* paintEngine() const override { return engine_.get(); }
+  const QMap<QString, QPointF>& texts() const { return engine_->texts; }
+
+ private:
+  const std::unique_ptr<TextEngine> engine_ = std::make_unique<TextEngine>();
+};
+
+// The texts that a widget paints itself, and where each of them begins.
+QMap<QString, QPointF> textsOn(QWidget* widget) {
+  return TextImage(widget).texts();
+}
 
 class RemoteControlTest : public ::testing::Test {
  protected:
@@ -287,6 +327,8 @@ TEST_F(RemoteControlTest, TheSpaceBarStopsWhereverTheFocusIs) {
     robot_.take();
     QTest::keyClick(widget, Qt::Key_Space);
     EXPECT_EQ(robot_.take(), QStringList("stop")) << focus;
+    QTest::simulateEvent(widget, true, Qt::Key_Space, Qt::NoModifier, " ", true);
+    EXPECT_EQ(robot_.take(), QStringList()) << "a key that is held stops once";
   }
   EXPECT_EQ(find<QLineEdit>("motion_name")->text(), "");
 }
@@ -351,8 +393,10 @@ TEST_F(RemoteControlTest, OfALongAnswerTheBeginningIsShown) {
 
 TEST_F(RemoteControlTest, ChoosingAFolderBlocksNoButton) {
   open("Camera");
+  window_.setFolder(QDir::tempPath());
   click("folder");
   ASSERT_EQ(window_.findChildren<QFileDialog*>().size(), 1);
+  EXPECT_EQ(window_.findChild<QFileDialog*>()->directory(), QDir(QDir::tempPath()));
   EXPECT_TRUE(window_.findChild<QFileDialog*>()->isVisible());
   EXPECT_EQ(window_.findChild<QFileDialog*>()->fileMode(), QFileDialog::Directory);
   EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
@@ -444,6 +488,11 @@ TEST_F(RemoteControlTest, EachSideOfThePadHasItsDirectionAndTheMiddleIsStill) {
   EXPECT_EQ(press(Qt::RightButton, -1, 0), QStringList("walk 0.00 0.06 0.00"));
   EXPECT_EQ(press(Qt::LeftButton, 0.05, -0.05), QStringList("walk 0.00 0.00 0.00"));
   EXPECT_EQ(press(Qt::RightButton, -0.2, 0.6), QStringList("walk 0.09 0.01 0.00")) << "both at once";
+  QMap<QString, QPointF> texts = textsOn(pad);
+  EXPECT_LT(texts.value("forward").y(), texts.value("left").y());
+  EXPECT_LT(texts.value("left").y(), texts.value("backward").y());
+  EXPECT_LT(texts.value("left").x(), texts.value("forward").x());
+  EXPECT_LT(texts.value("forward").x(), texts.value("right").x());
   const auto is_circled = [&] {
     const QColor color = pad->grab().toImage().pixelColor(placeOn(pad, 0.5, 0.5) + QPoint(10, 0));
     return color == pad->palette().color(QPalette::Highlight);
@@ -495,6 +544,9 @@ TEST_F(RemoteControlTest, TheHeadsPadPointsWithinTheLimitsAndLeftIsPositive) {
   EXPECT_EQ(robot_.take(), QStringList("head_pan 1.5, head_tilt 0.8"));
   QTest::mouseClick(pad, Qt::LeftButton, {}, placeOn(pad, 1, -1));
   EXPECT_EQ(robot_.take(), QStringList("head_pan -1.5, head_tilt -0.3"));
+  const QMap<QString, QPointF> texts = textsOn(pad);
+  EXPECT_LT(texts.value("up").y(), texts.value("down").y());
+  EXPECT_LT(texts.value("left").x(), texts.value("right").x());
 }
 
 TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConnection) {
@@ -516,6 +568,8 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
   EXPECT_EQ(*pad->measured(), before) << "half of the head's place is none";
   Q_EMIT robot_.jointsMeasured({{"head_pan", -9}, {"head_tilt", 0.3}});
   EXPECT_TRUE(is_marked(1, pad->measured()->y())) << "at the edge";
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", -9}});
+  EXPECT_TRUE(is_marked(pad->measured()->x(), -1));
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_FALSE(pad->measured());
   Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
@@ -679,6 +733,9 @@ TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
   Q_EMIT robot_.movementChanged("moved by /" + QString(300, 'a') + " (walk)", false);
   EXPECT_EQ(window_.minimumSizeHint().width(), width);
   EXPECT_TRUE(find<QLabel>("who_moves")->toolTip().endsWith("aaa (walk)")) << "all of it";
+  const QStringList shown = textsOn(find<QWidget>("who_moves")).keys();
+  EXPECT_TRUE(shown.join("").startsWith("moved by /aaa"));
+  EXPECT_TRUE(shown.join("").endsWith(QString::fromUtf8("\u2026"))) << shown.join("").toStdString();
   robot_.disconnectIt(State::kDisconnected, "gone");
   EXPECT_TRUE(find<QLabel>("who_moves")->isHidden());
 }
@@ -797,7 +854,8 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   const QColor usual = color();
   Q_EMIT robot_.heard(-5);
   EXPECT_NE(color(), usual) << "it is too loud";
-  Q_EMIT robot_.heard(-20);
+  Q_EMIT robot_.heard(-90);
+  EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum());
   EXPECT_EQ(color(), usual);
   find<QAbstractButton>("listen")->click();
   find<QAbstractButton>("listen")->click();
@@ -862,6 +920,18 @@ TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
   Q_EMIT robot_.touched({"chin", "back_rear"});
   EXPECT_TRUE(find<QLabel>("chin")->property("touched").toBool());
   EXPECT_FALSE(find<QLabel>("head")->property("touched").toBool());
+  const auto place = [this](const char* name) { return find<QLabel>(name)->pos(); };
+  for (const char* end : {"front", "hind"}) {
+    EXPECT_LT(place((std::string("paw_left_") + end).c_str()).x(), place("back_middle").x());
+    EXPECT_GT(place((std::string("paw_right_") + end).c_str()).x(), place("back_middle").x());
+  }
+  for (const auto& [front, behind] : {std::pair<const char*, const char*>("head", "back_front"),
+                                      {"back_front", "back_middle"},
+                                      {"back_middle", "back_rear"},
+                                      {"paw_left_front", "paw_left_hind"},
+                                      {"paw_right_front", "paw_right_hind"}}) {
+    EXPECT_LT(place(front).y(), place(behind).y()) << "it looks up";
+  }
   const QString lit = find<QLabel>("chin")->styleSheet();
   EXPECT_NE(lit, find<QLabel>("head")->styleSheet());
   EXPECT_EQ(lit, find<QLabel>("back_rear")->styleSheet());
@@ -1084,6 +1154,9 @@ TEST_F(RemoteControlTest, EachJointIsInTheGroupOfItsLeg) {
   EXPECT_EQ(robot_.take(), QStringList("mouth -0.3"));
   robot_.connectIt(2, "R2D2");
   EXPECT_EQ(window_.findChild<JointSlider*>("mouth"), nullptr);
+  const auto labels = find<QWidget>("Joints")->findChildren<QLabel*>();
+  ASSERT_EQ(labels.size(), 1);
+  EXPECT_EQ(labels.front()->text(), "There is no table of a robot named 'R2D2'.");
   Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
   robot_.connectIt();
   Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
