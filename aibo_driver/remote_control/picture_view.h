@@ -19,6 +19,8 @@ class PictureView : public QWidget {
   /// Shows a text instead of a picture, until the next picture comes.
   void showText(const QString& text);
 
+  bool showsText() const { return !text_.isEmpty(); }
+
   QSize sizeHint() const override { return {416, 240}; }
 
  Q_SIGNALS:

@@ -317,6 +317,8 @@ void RemoteControl::showWhyNoPicture() {
     picture_->showText(connection_.text);
   } else if (!streaming_) {
     picture_->showText("The stream is off.");
+  } else if (picture_->showsText()) {
+    picture_->showText("No picture has come yet.");
   }
 }
 

@@ -639,6 +639,26 @@ TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
   EXPECT_NE(shows(view->rect().center()), QColor(Qt::blue));
 }
 
+TEST_F(RemoteControlTest, WhereThereIsNoPictureIsTheReason) {
+  auto* view = window_.findChild<PictureView*>();
+  const auto text = [view] { return QStringList(textsOn(view).keys()).join(","); };
+  EXPECT_EQ(text(), "no driver has been found yet");
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_EQ(text(), "gone");
+  robot_.connectIt();
+  EXPECT_EQ(text(), "The stream is off.");
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(text(), "No picture has come yet.");
+  Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
+  EXPECT_EQ(text(), "");
+  Q_EMIT robot_.streamingChanged(true);
+  EXPECT_EQ(text(), "");
+  robot_.disconnectIt(State::kDisconnected, "gone");
+  EXPECT_EQ(text(), "gone");
+  robot_.connectIt();
+  EXPECT_EQ(text(), "No picture has come yet.") << "the old one says nothing of this connection";
+}
+
 TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
   robot_.connectIt();
   for (const char* name : {"near", "far", "chest"}) {
