@@ -49,6 +49,7 @@
 #include <QTabWidget>
 #include <QThread>
 #include <QTimer>
+#include <QUrl>
 #include <QtTest/QTest>
 #include <algorithm>
 #include <chrono>
@@ -69,6 +70,7 @@
 #include "remote_control/ros_robot.h"
 #include "remote_control/service_calls.h"
 #include "support/process.h"
+#include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
@@ -94,12 +96,15 @@ using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RobotConnection;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
+using test_support::FaultProxy;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using ::testing::ElementsAre;
+
+FaultProxy* master = nullptr;  ///< between the windows of this process and the ROS master
 
 constexpr int kTimeout = 30000;  // ms; only a failing test waits this long
 
@@ -179,12 +184,12 @@ TEST_F(RemoteControlRosTest, ShowsTheRobotsStateAndPictures) {
 
 TEST_F(RemoteControlRosTest, TakesAPictureAndSavesIt) {
   const TemporaryFolder folder;
-  user_.window.setFolder(QString::fromStdString(folder.path().string()));
+  user_.window.setFolder(QString::fromStdString(folder.path().string()) + "/new");
   EXPECT_TRUE(user_.click("take_picture", "take picture: "));
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QWidget>("thumbnail")->isEnabled(); }));
   const QImage saved(user_.textOf("path"));
   EXPECT_EQ(saved.size(), QSize(208, 160));
-  EXPECT_TRUE(user_.textOf("path").startsWith(QString::fromStdString(folder.path().string())));
+  EXPECT_TRUE(user_.textOf("path").startsWith(QString::fromStdString(folder.path().string()) + "/new/aibo_"));
 }
 
 TEST_F(RemoteControlRosTest, APictureThatCannotBeSavedSaysWhy) {
@@ -358,6 +363,19 @@ TEST(RemoteControlRos, FindsADriverByItself) {
   user.window.useDriver("/elsewhere");
   EXPECT_TRUE(user.waitFor([&] { return user.find<QComboBox>("driver")->currentText() == "/elsewhere"; }));
   EXPECT_GE(user.find<QComboBox>("driver")->findText("/somewhere"), 0) << "it can be chosen again";
+}
+
+TEST(RemoteControlRos, SaysThatTheMasterDoesNotAnswerAndGoesOnWhenItDoes) {
+  const ros::Publisher driver = ros::NodeHandle("/later").advertise<Connection>("connection", 1, true);
+  Connection heard;
+  heard.text = "the robot is off";
+  driver.publish(heard);
+  master->setWelcome(test_support::Welcome::kReset);
+  master->endConnections(test_support::Action::kReset);
+  User user("/later");
+  EXPECT_TRUE(user.waitForText("connection", "the ROS master does not answer: is roscore running?"));
+  master->heal();
+  EXPECT_TRUE(user.waitForText("connection", "the robot is off"));
 }
 
 // What passes between the window and a driver, which is a fake, and without a window.
@@ -1060,7 +1078,12 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
 
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
+  const QByteArray real_master = qgetenv("ROS_MASTER_URI");
+  FaultProxy proxy(QUrl(real_master).port());
+  master = &proxy;
+  qputenv("ROS_MASTER_URI", "http://127.0.0.1:" + QByteArray::number(proxy.port()));
   ros::init(argc, argv, "remote_control_rostest", ros::init_options::AnonymousName);
+  qputenv("ROS_MASTER_URI", real_master);
   ::testing::InitGoogleTest(&argc, argv);
   const ros::NodeHandle handle;
   ros::AsyncSpinner spinner(1);
