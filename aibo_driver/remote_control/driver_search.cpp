@@ -81,6 +81,14 @@ std::vector<std::string> driversIn(const MasterState& state) {
   return found;
 }
 
+std::string driverAfter(const std::string& name_space, const std::vector<std::string>& found) {
+  if (found.empty()) {
+    return name_space;
+  }
+  const auto next = std::upper_bound(found.begin(), found.end(), name_space);
+  return next == found.end() ? found.front() : *next;
+}
+
 // A nodelet manager may have several drivers, each with a name in its own namespace, and one of these may be within
 // another. The parameters and topics of a node that was started bare are in different namespaces.
 std::string settingsOf(const std::string& name_space, const MasterState& state) {

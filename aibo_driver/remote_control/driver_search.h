@@ -25,6 +25,10 @@ std::optional<MasterState> askMaster();
 /// our type.
 std::vector<std::string> driversIn(const MasterState& state);
 
+/// The next of these drivers, and the first one after the last one. If there is none, it is the given one.
+/// @param found as driversIn() gives them
+std::string driverAfter(const std::string& name_space, const std::vector<std::string>& found);
+
 /// Where the driver in a namespace has its settings (dynamic_reconfigure). This is the namespace of its parameters,
 /// such as "/aibo/aibo_driver". The node that publishes `connection` leads to it.
 /// @return empty if the master does not know the driver

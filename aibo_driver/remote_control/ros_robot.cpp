@@ -16,7 +16,6 @@
 #include <QSaveFile>
 #include <QSemaphore>
 #include <QThread>
-#include <algorithm>
 #include <atomic>
 #include <type_traits>
 #include <utility>
@@ -129,11 +128,10 @@ bool RosRobot::isNew() const {
 // The master may know drivers that do not run any more. So a driver that is not heard is given up, and the next is
 // tried.
 std::string RosRobot::findDriver() const {
-  if (found_drivers_.empty() || (topics_ && (isNew() || topics_->isHeard()))) {
+  if (topics_ && (isNew() || topics_->isHeard())) {
     return name_space_;
   }
-  const auto next = std::upper_bound(found_drivers_.begin(), found_drivers_.end(), name_space_);
-  return next == found_drivers_.end() ? found_drivers_.front() : *next;
+  return driverAfter(name_space_, found_drivers_);
 }
 
 void RosRobot::search() {

@@ -26,6 +26,15 @@ TEST(DriverSearch, FindsDriversByTheirTopicAndItsType) {
   EXPECT_THAT(driversIn(state), ElementsAre("/lab/right", "/left"));
 }
 
+TEST(DriverSearch, TriesOneDriverAfterTheOther) {
+  EXPECT_EQ(driverAfter("", {"/left", "/right"}), "/left");
+  EXPECT_EQ(driverAfter("/left", {"/left", "/right"}), "/right");
+  EXPECT_EQ(driverAfter("/right", {"/left", "/right"}), "/left") << "it may run by now";
+  EXPECT_EQ(driverAfter("/middle", {"/left", "/right"}), "/right") << "the master does not know it any more";
+  EXPECT_EQ(driverAfter("/left", {"/left"}), "/left");
+  EXPECT_EQ(driverAfter("/left", {}), "/left");
+}
+
 TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
   MasterState state;
   state.types["/aibo/connection"] = kConnection;
