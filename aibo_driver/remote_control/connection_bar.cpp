@@ -3,6 +3,7 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 #include <cmath>
+#include <utility>
 
 #include "remote_control/ignore_wheel.h"
 
@@ -92,8 +93,10 @@ void ConnectionBar::fillChooser() {
   if (!current_.isEmpty() && !entries.contains(current_)) {
     entries.prepend(current_);
   }
-  chooser_->clear();
-  chooser_->addItems(entries);
+  if (entries != std::exchange(entries_, entries)) {  // somebody may be choosing
+    chooser_->clear();
+    chooser_->addItems(entries);
+  }
   chooser_->setCurrentText(current_);
   chooser_->setEnabled(!entries.empty());
 }

@@ -35,6 +35,7 @@ class ConnectionBar : public QWidget {
   QLabel* battery_;
   QLabel* link_;
   QStringList found_;
+  QStringList entries_;
   QString current_;
 };
 

@@ -838,6 +838,12 @@ TEST_F(RemoteControlTest, TheChooserHasTheDriversThatRunAndTheOneInUse) {
   Q_EMIT robot_.driversFound({"/aardvark", "/aibo", "/right"});
   EXPECT_EQ(chooser->currentText(), "/aibo") << "not the first of them";
   EXPECT_EQ(chooser->count(), 3) << "none of those from before";
+  robot_.take();
+  chooser->showPopup();
+  QTest::keyClick(chooser->view(), Qt::Key_Down);
+  robot_.disconnectIt(State::kPlayback, "playback of walk.bag, 0:13 of 1:30");
+  QTest::keyClick(chooser->view(), Qt::Key_Return);
+  EXPECT_EQ(robot_.take(), QStringList("use /right")) << "its list is not disturbed while somebody chooses";
 }
 
 TEST_F(RemoteControlTest, NothingCoversAnythingElse) {
