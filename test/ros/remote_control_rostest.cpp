@@ -924,8 +924,11 @@ TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
     robot_.takePicture(QString::fromStdString(folder.path().string()));
     robot_.listMotions();
   };
-  QObject::connect(&robot_, &RosRobot::pictureTaken,
-                   [this](const QImage& image) { note(QString("taken %1").arg(image.width())); });
+  int taken = 0;
+  QObject::connect(&robot_, &RosRobot::pictureTaken, [&](const QImage& image) {
+    ++taken;
+    note(QString("taken %1").arg(image.width()));
+  });
   serve<TakePicture>("take_picture", [](const auto&) { return QString(); });
   serve<ListMotions>("list_motions", [](const auto&) { return QString(); });
   may_ = false;
@@ -939,9 +942,11 @@ TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         ask();  // again, because the first calls may not be quite over
-        return notes_.contains("taken 104") && notes_.contains("has NOD.MTN");
+        return taken >= 3 && notes_.contains("taken 104") && notes_.contains("has NOD.MTN");
       },
       kTimeout));
+  EXPECT_GE(QDir(QString::fromStdString(folder.path().string())).entryList(QDir::Files).size(), taken)
+      << "each has a file of its own";
   EXPECT_FALSE(notes_.contains("taken 0")) << "an empty file";
   EXPECT_FALSE(notes_.contains("has "));
 }
