@@ -177,10 +177,13 @@ TEST(JointControl, ACommandIsFoundAlsoWhenTheirNumberBeginsAgainAt0) {
 
 class StoppedJointsTest : public ::testing::Test {
  protected:
-  // Sends two joints far away, and waits until both are under way.
+  // Sends three joints far away, and waits until two are under way.
   void SetUp() override {
-    protocol::version2::JointTargets targets = {
-        0, 2, {{joints_.Identifier(pan_), 1500000}, {joints_.Identifier(tail_), 1000000}}};
+    protocol::version2::JointTargets targets = {0,
+                                                3,
+                                                {{joints_.Identifier(pan_), 1500000},
+                                                 {joints_.Identifier(tail_), 1000000},
+                                                 {joints_.Identifier(knee_), 1500000}}};
     joints_.SetTargets(&targets);
     while (joints_.Planner().Speed(pan_) < 500000 || joints_.Planner().Speed(tail_) < 500000) {
       joints_.NextFrame();
@@ -211,6 +214,7 @@ class StoppedJointsTest : public ::testing::Test {
   JointControl joints_{ers7()};
   const int pan_ = findJointByName(ers7(), "head_pan");
   const int tail_ = findJointByName(ers7(), "tail_tilt");
+  const int knee_ = findJointByName(ers7(), "left_front_knee");
 };
 
 TEST_F(StoppedJointsTest, AJointBrakesWithinItsLimitsAndTheOthersGoOn) {
@@ -230,6 +234,7 @@ TEST_F(StoppedJointsTest, AllJointsBrakeAtOnce) {
     joints_.NextFrame();
   }
   EXPECT_LT(joints_.Planner().Position(tail_), 1000000);
+  EXPECT_LT(joints_.Planner().Position(knee_), 1500000) << "a leg that does not walk";
 }
 
 TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
@@ -245,7 +250,7 @@ TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
   EXPECT_TRUE(wasCommandedSince(later, tail_));
   const unsigned last = joints_.NumberOfCommands();
   joints_.Take(protocol::version2::POSTURE_SIT);
-  EXPECT_TRUE(wasCommandedSince(last, findJointByName(ers7(), "left_front_knee"))) << "a posture takes the legs";
+  EXPECT_TRUE(wasCommandedSince(last, knee_)) << "a posture takes the legs";
   EXPECT_FALSE(wasCommandedSince(last, tail_));
 }
 

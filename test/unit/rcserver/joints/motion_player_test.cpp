@@ -164,6 +164,15 @@ TEST_F(MotionPlayerTest, beginsWhereTheJointsAreWithoutAJump) {
   EXPECT_NEAR(at("head_pan"), 50, 1e-4);
 }
 
+TEST_F(MotionPlayerTest, beginsWhereItShouldEvenIfASpeedLimitIsLoweredOnTheWay) {
+  planner_.SetPosition(joint("head_pan"), -1000000);
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50\nat 800 head_pan 40\n")), "");
+  passFrames(10);
+  planner_.SetSpeedLimit(joint("head_pan"), 349066);
+  const std::vector<double> path = pathOf("head_pan");
+  EXPECT_NEAR(*std::max_element(path.begin(), path.end()), 50, 1e-4);
+}
+
 TEST_F(MotionPlayerTest, stopsOnTheWayToItsBeginning) {
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 60\nat 80 head_pan 60\n")), "");
   passFrames(40);
