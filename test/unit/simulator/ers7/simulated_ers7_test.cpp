@@ -386,7 +386,17 @@ TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOtherThanSensorsAreRefused) 
   EXPECT_EQ(robot_.getSensorValue(chin, nullptr), oINVALID_ARG);
   ASSERT_EQ(robot_.closePrimitive(chin), oSUCCESS);
   EXPECT_EQ(robot_.getSensorValue(chin, &value), oINVALID_PRIMITIVE_ID);
-  EXPECT_THROW(robot_.press("range_near", true), std::invalid_argument);
+  const auto refusal = [&] {
+    try {
+      robot_.press("range_near", true);
+      return std::string("none");
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string first = refusal();
+  EXPECT_EQ(first.rfind("there is no \"range_near\" to press; there are ", 0), 0U) << first;
+  EXPECT_EQ(refusal(), first);
 }
 
 TEST_F(SimulatedErs7Test, TheSwitchOfALiftedPawIsOff) {

@@ -103,6 +103,9 @@ TEST(StubConfigurationTest, NamesFileAndLineOfAMalformedSetting) {
 
 TEST(StubConfigurationTest, RefusesANameTwice) {
   EXPECT_THAT(errorOf(replaced(kSample, "Func3", "Func2")), AllOf(StartsWith("stub.cfg:7: "), HasSubstr("Func2")));
+  EXPECT_THAT(errorOf(std::string(kSample) + "Service : \"SampleObject.Func2.int.O\", null, null\n"),
+              StartsWith("stub.cfg:10: a second service Func2"))
+      << "with another between them";
   EXPECT_THAT(errorOf(replaced(kSample, "SendCont", "UpdatePowerStatus")), StartsWith("stub.cfg:9: "));
   EXPECT_THAT(errorOf(std::string("ObjectName : A\n") + kSample), StartsWith("stub.cfg:2: a second ObjectName"));
   EXPECT_THAT(errorOf(std::string(kSample) + "NumOfOSubject : 1\n"), StartsWith("stub.cfg:10: a second NumOfOSubject"));
