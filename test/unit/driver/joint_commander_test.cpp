@@ -12,8 +12,10 @@
 namespace aibo_driver::node {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr int kPan = 2;
 
@@ -139,6 +141,15 @@ TEST_F(JointCommanderTest, APositionThatCameBeforeAMessageIsSentBeforeIt) {
   commander_.receivePosition("head_pan", 0.5, order());
   command({{"head_pan", 1.0}});
   EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "J 2:1.00 in 0"));
+}
+
+TEST_F(JointCommanderTest, APositionIsNotAsOldAsTheOneBefore) {
+  commander_.receivePosition("head_pan", 0.4, {"/user", std::chrono::steady_clock::now() - std::chrono::seconds(10)});
+  command({{"mouth", -0.5}});
+  commander_.receivePosition("head_pan", 0.5, order());
+  command({{"mouth", -0.4}});
+  EXPECT_THAT(client_.told, Contains("J 2:0.50 in 0"));
+  EXPECT_THAT(client_.told, Not(Contains("J 2:0.40 in 0"))) << "it has waited for too long";
 }
 
 TEST_F(JointCommanderTest, PositionsOfTwoNodesAreTwoMovements) {
