@@ -151,7 +151,7 @@ TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
 TEST(Monitor, RefusesTimesThatCannotBe) {
   for (const char* time : {"seconds", "first_picture_timeout"}) {
     Process monitor({AIBO_MONITOR, "__ns:=/nobody", std::string("_") + time + ":=-1"});
-    monitor.waitForOutput(std::string("aibo_monitor: Parameter .*/") + time + " is -1.*; it must be 0\\.\\.",
+    monitor.waitForOutput(std::string("aibo_monitor: Parameter .*/") + time + " is -1.*; it must be a number, 0\\.\\.",
                           kSafetyNet);
     EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
   }

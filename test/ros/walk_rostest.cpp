@@ -446,7 +446,8 @@ TEST(KeyboardTeleop, RefusesSpeedsThatCannotBe) {
     for (const char* value : {"-0.1", "61", "nan"}) {
       Process teleop({AIBO_TELEOP_KEYBOARD, "__ns:=/wrong_keys", std::string("_") + parameter + ":=" + value});
       teleop.waitForOutput(
-          std::string("/aibo_teleop_keyboard/") + parameter + " is " + value + ".*; it must be 0\\.\\.", kSafetyNet);
+          std::string("/aibo_teleop_keyboard/") + parameter + " is " + value + ".*; it must be a number, 0\\.\\.",
+          kSafetyNet);
       EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1);
       ros::param::del("/wrong_keys");
     }
