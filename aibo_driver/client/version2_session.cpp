@@ -295,7 +295,9 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
   datagrams_.expectFrom(now);
   const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
                                              static_cast<unsigned short>(format.every_nth_image)};
-  return request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
+  Bytes frame = request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
+  exchanges_[last_number_].is_for_double_resolution = format.resolution == Resolution::kDouble;
+  return frame;
 }
 
 Session::Bytes Version2Session::requestTransport(const Wish& wish, TimePoint now) {
@@ -507,7 +509,7 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
 Session::Bytes Version2Session::request(const version2::Request& request, int id, const Bytes& payload, TimePoint now,
                                         OnAnswer on_answer, const Order& order) {
   Bytes frame = makeFrame(request.letter, id, payload);
-  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, order};
+  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, order, false};
   return frame;
 }
 
@@ -884,12 +886,13 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   if (letter == version2::REQUEST_HELLO) {
     throw ProtocolException("it refused " + what + ": " + problem);
   }
-  if (letter == version2::REQUEST_STREAM) {
-    if (connection_.pictures.streamFormat().resolution == Resolution::kDouble && !lacks_double_resolution_) {
-      lacks_double_resolution_ = true;  // the stream is requested again, without it
-      return connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " +
-                                      problem);
+  if (exchange.is_for_double_resolution) {
+    if (!std::exchange(lacks_double_resolution_, true)) {  // a stream that is still wanted is requested without it
+      connection_.context.warn("refused to stream pictures of double resolution; they have 208x160 pixels: " + problem);
     }
+    return;
+  }
+  if (letter == version2::REQUEST_STREAM) {
     throw ProtocolException("it refused " + what + ": " + problem);
   }
   if (letter == version2::REQUEST_DATAGRAMS || letter == version2::REQUEST_REPEATED_DATAGRAMS) {

@@ -71,6 +71,7 @@ class Version2Session final : public Session {
     TimePoint deadline;
     OnAnswer on_answer;
     Order order;
+    bool is_for_double_resolution = false;  ///< of the stream
   };
 
   /// A report that the robot sent without a request.

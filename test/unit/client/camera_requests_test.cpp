@@ -93,6 +93,24 @@ TEST_F(CameraRequestsTest, RobotWithoutDoubleResolutionStreamsFullOneAndTheLogSa
   EXPECT_EQ("W 85 1 2 0 2", request());
 }
 
+TEST_F(CameraRequestsTest, ARefusalOfDoubleResolutionMayComeAfterTheNextRequests) {
+  begin("H F W");
+  wish_.streaming = true;
+  wish_.format = {Resolution::kDouble, 1};
+  EXPECT_EQ("W 85 1 3 0 1", request());
+  const int first = number_;
+  wish_.jpeg_quality = 50;
+  EXPECT_EQ("W 50 1 3 0 1", request());
+  const int second = number_;
+  wish_.format.resolution = Resolution::kLow;
+  EXPECT_EQ("W 50 1 2 0 1", request());
+  for (const int number : {first, second}) {
+    receive(makeFrame('e', number, version2_frames::makeError(2, "no")));
+  }
+  EXPECT_EQ("", request());
+  EXPECT_EQ(1, logged("double resolution; they have 208x160 pixels"));
+}
+
 TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   begin("H F W");
   wish_.streaming = true;
