@@ -392,7 +392,6 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
       return refuse(std::move(movement), reasonOf(error));
     }
     is_told_to_walk_ = walk != nullptr && walk->has_begun && is_told_to_walk_;
-    walk_stop_reason_.clear();
     if (walk != nullptr) {
       end(walk->id, EndedHow::kReplaced, cause);
     }
@@ -412,7 +411,7 @@ bool Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
       return false;
     }
     const SteadyTime before = std::exchange(*record->steered, clock_());
-    const bool is_being_stopped = halts_ > 0 || !walk_stop_reason_.empty();
+    const bool is_being_stopped = halts_ > 0 || !record->stop_reason.empty();
     if (*record->steered - before > OrderGate::kLongestWait) {
       letGo("");
       end(walk, EndedHow::kRefused, "the driver was held up");
@@ -450,14 +449,14 @@ void Mover::stopWalking(const std::string& reason) {
 }
 
 void Mover::letGo(const std::string& reason) {
-  const Record* const record = findWalk();
+  Record* const record = findWalk();
   if (record == nullptr || (!is_told_to_walk_ && !reason.empty())) {
     return;
   }
   try {
     client_.steer({}, {clock_() + OrderGate::kLongestWait, record->id});
     is_told_to_walk_ = false;
-    walk_stop_reason_ = reason;
+    record->stop_reason = reason;
   } catch (const Exception&) {
     return;  // without a connection the robot stops by itself
   }
@@ -610,7 +609,7 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order) {
     record->has_begun = record->has_begun || is_told_to_walk_ || !in_force.isZero();
     if (!record->has_begun && !is_told_to_walk_) {
       end(record->id, EndedHow::kStopped,
-          walk_stop_reason_.empty() ? "it was let go before the robot walked" : walk_stop_reason_);
+          record->stop_reason.empty() ? "it was let go before the robot walked" : record->stop_reason);
     }
   });
 }
@@ -629,9 +628,9 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
     }
     const Kind kind = found->movement.kind;
     if (kind == Kind::kWalk) {
-      if (how == EndedHow::kDone && !walk_stop_reason_.empty()) {
+      if (how == EndedHow::kDone && !found->stop_reason.empty()) {
         how = EndedHow::kStopped;
-        reason = walk_stop_reason_;
+        reason = found->stop_reason;
       } else if (how == EndedHow::kReplaced || how == EndedHow::kFell || how == EndedHow::kRefused) {
         streams_.overrule(reason);
       }

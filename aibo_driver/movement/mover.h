@@ -214,6 +214,7 @@ class Mover {
     std::shared_future<EndedMovement> end;
     bool has_begun = false;                       ///< for a walk: the robot has accepted one of its velocities
     std::optional<SteadyTime> steered;            ///< for a walk to a goal: when walkOn() was last called
+    std::string stop_reason;                      ///< for a walk: why it was stopped here without an order
     std::map<std::string, std::string> troubles;  ///< joints that did not follow the latest command, and in which way
   };
 
@@ -289,7 +290,6 @@ class Mover {
   int halts_ = 0;                         ///< calls that are telling the robot to halt now
   std::string halt_reason_;               ///< the reason for the latest halt
   bool is_told_to_walk_ = false;          ///< the last velocity that was sent is not 0
-  std::string walk_stop_reason_;          ///< why a walk was stopped here without an order
   std::uint64_t connection_ = 0;          ///< the connection over which all present movements were begun
   std::uint64_t motions_connection_ = 0;  ///< the connection over which a motion was played that may still be playing
 };
