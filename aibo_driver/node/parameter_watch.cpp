@@ -59,15 +59,17 @@ std::vector<std::string> ParameterWatch::check(const XmlRpcValue& present, const
   ParameterTexts expected = in_force;
   expected.insert(at_start_.begin(), at_start_.end());
   const ParameterTexts before = std::exchange(different_, {});
+  const ParameterTexts told = std::exchange(told_, {});
   for (const auto& parameter : textsOf(present)) {
     const auto& [name, value] = parameter;
     if (has(expected, parameter)) {
-      told_.erase(name);
       continue;
     }
     different_.insert(parameter);
-    if (has(before, parameter) && !has(told_, parameter)) {
-      told_[name] = value;
+    if (has(told, parameter)) {
+      told_.insert(parameter);
+    } else if (has(before, parameter)) {
+      told_.insert(parameter);
       news.push_back(describe(name, value, in_force));
     }
   }
