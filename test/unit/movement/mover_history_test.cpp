@@ -208,7 +208,12 @@ class Session {
         break;
     }
     release();
-    setMotors(true);
+    if (way > 2) {  // a new connection is enough
+      setMotors(true);
+    }
+    if (way > 1) {
+      robotChanged(MotorState::kOn, PostureNow::kStanding);  // a new connection says nothing of the robot yet
+    }
     rest();
     client_.speed_limits.clear();
     client_.terms = {};
@@ -249,7 +254,6 @@ class Session {
   void rest() {
     makeRobotGood();
     positions_.clear();
-    robotChanged(MotorState::kOn, PostureNow::kStanding);
     now_ += std::chrono::seconds(10);
     measure();
     measure();
