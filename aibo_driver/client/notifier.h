@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <exception>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,7 +22,10 @@ class Notifier {
   static constexpr int kLogBurst = 20;
   static constexpr std::chrono::seconds kLogPeriod{1};
 
-  explicit Notifier(Callbacks callbacks) : callbacks_(std::move(callbacks)) {}
+  using Clock = std::function<RateLimit::TimePoint()>;
+
+  explicit Notifier(Callbacks callbacks, Clock clock = RateLimit::TimePoint::clock::now)
+      : callbacks_(std::move(callbacks)), clock_(std::move(clock)) {}
 
   void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
   void status(const ConnectionStatus& status) const noexcept { call(callbacks_.on_status, "on_status", status); }
@@ -65,7 +69,7 @@ class Notifier {
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
-      const RateLimit::Admission admission = log_limit_.admit(RateLimit::TimePoint::clock::now(), kLogPeriod);
+      const RateLimit::Admission admission = log_limit_.admit(clock_(), kLogPeriod);
       const std::string left_out = std::to_string(admission.left_out);
       if (!callbacks_.log) {
         return;
@@ -93,6 +97,7 @@ class Notifier {
   }
 
   Callbacks callbacks_;
+  Clock clock_;
   mutable RateLimit log_limit_{kLogBurst};
 };
 

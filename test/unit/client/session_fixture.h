@@ -18,7 +18,8 @@
 class SessionFixture : public testing::Test {
  protected:
   /// @param is_told_of_refusals else they are logged
-  explicit SessionFixture(bool is_told_of_refusals = false) : notifier_(record(is_told_of_refusals)) {}
+  explicit SessionFixture(bool is_told_of_refusals = false)
+      : notifier_(record(is_told_of_refusals), [this] { return now_; }) {}
 
   using TimePoint = aibo_client::Session::TimePoint;
   using Bytes = test_pictures::Bytes;
@@ -141,6 +142,7 @@ class SessionFixture : public testing::Test {
   std::vector<std::vector<aibo_client::JointTarget>> accepted_;
   std::string leds_;  ///< as accepted: "7=255A "
   std::vector<aibo_client::WalkVelocity> steered_;
+  std::vector<std::uint64_t> steered_orders_;
   std::vector<aibo_client::MotionEnd> ended_;
   std::vector<aibo_client::LateAnswer> late_answers_;
   std::vector<aibo_client::Refusal> refusals_;
@@ -176,8 +178,9 @@ class SessionFixture : public testing::Test {
                  (led.mode == aibo_client::LedMode::kB ? "B " : "A ");
       }
     };
-    callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t) {
+    callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order) {
       steered_.push_back(in_force);
+      steered_orders_.push_back(order);
     };
     callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.push_back(colors); };
     callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { heard_.push_back(sound); };
