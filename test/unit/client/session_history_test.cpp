@@ -5,6 +5,7 @@
 #include <array>
 #include <functional>
 #include <random>
+#include <set>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -60,10 +61,8 @@ class WholeRobot final : public SessionFixture {
  public:
   enum class Will { kAnswer, kRefuse, kKeepSilent };
 
-  explicit WholeRobot(bool is_told_of_refusals) : SessionFixture(is_told_of_refusals) {
-    serve();
-    beIdle();
-  }
+  /// @param is_older true: it does not repeat lost datagrams, and the client's user is told of refusals
+  explicit WholeRobot(bool is_older) : SessionFixture(is_older), is_older_(is_older) { serve(); }
 
   void TestBody() override {}
 
@@ -119,7 +118,9 @@ class WholeRobot final : public SessionFixture {
   std::vector<Frame> unanswered_;
   ClientStatistics counters_before_;
   std::string state_;
+  std::set<std::uint64_t> dropped_orders_;
 
+  const bool is_older_;
   TimePoint base_ = now_;
   unsigned base_frame_ = 1000;
   TimePoint next_picture_ = now_;
@@ -186,6 +187,9 @@ void WholeRobot::call(Call call, milliseconds timeout) {
 }
 
 void WholeRobot::serve(Will will) {
+  if (is_older_ && !connection_.transport_problem.empty()) {
+    wish_.datagram_port = 0;  // as the client's loop does
+  }
   for (Bytes bytes = session_.nextRequest(wish_, now_); !bytes.empty(); bytes = session_.nextRequest(wish_, now_)) {
     const Frame request = version2_frames::split(bytes);
     const char kind = request.header.kind;
@@ -196,6 +200,9 @@ void WholeRobot::serve(Will will) {
     }
     tell();
     version2::DatagramOrder order = {};
+    if (kind == version2::REQUEST_DATAGRAMS) {
+      order.port = protocol::decodeBigEndian16(request.payload.data());
+    }
     if (kind == version2::REQUEST_REPEATED_DATAGRAMS) {
       decode(request.payload.data(), request.payload.size(), &order);
     }
@@ -204,7 +211,8 @@ void WholeRobot::serve(Will will) {
       encode(version2::TestDatagram{order.first_sequence, order.first_picture}, datagram.data());
       receiveDatagram(datagram);
     }
-    if (kind == version2::REQUEST_REPEATED_DATAGRAMS && !order.is_test) {
+    const bool is_about_udp = kind == version2::REQUEST_DATAGRAMS || kind == version2::REQUEST_REPEATED_DATAGRAMS;
+    if (is_about_udp && !order.is_test) {
       order_ = will == Will::kRefuse ? version2::DatagramOrder{} : order;
       sequence_ = order.first_sequence;
       first_picture_ = picture_;
@@ -234,7 +242,9 @@ Bytes WholeRobot::answerTo(const Frame& request) {
   switch (request.header.kind) {
     case version2::REQUEST_HELLO: {
       const std::string text = "robot=ERS-7\nserver=a test 1.0\nframe_number=" + std::to_string(frame()) +
-                               "\ncapabilities=F W J V T O I L K X U D P N M Y S E Q R G Z A\n"
+                               "\ncapabilities=F W J V T O I L K B U D P N M Y S E Q R G Z A" +
+                               (is_older_ ? "" : " X") +
+                               "\n"
                                "limits=1:-1300000:0:3000000 2:-1500000:1600000:10000000\n"
                                "walk_limits=150:100:60:1200\n";
       return bytesOf(text);
@@ -275,7 +285,9 @@ void WholeRobot::answerLate() {
   while (!unanswered_.empty()) {
     const Frame request = unanswered_.back();
     unanswered_.pop_back();
-    const bool is_obeyed = request.header.kind == version2::REQUEST_REPEATED_DATAGRAMS || unanswered_.size() % 2 == 0;
+    const char kind = request.header.kind;
+    const bool is_obeyed = kind == version2::REQUEST_DATAGRAMS || kind == version2::REQUEST_REPEATED_DATAGRAMS ||
+                           unanswered_.size() % 2 == 0;
     is_obeyed ? reply(request) : refuse(request, "too late");
   }
 }
@@ -393,6 +405,10 @@ void WholeRobot::beIdle() {
   lost_part_ = -1;
   wantUdp(PictureTransport::kTcp);
   live(milliseconds(1500));
+  wantUdp(PictureTransport::kUdp);
+  live(milliseconds(300));
+  wantUdp(PictureTransport::kTcp);
+  live(milliseconds(300));
   // Whatever was refused and is not logged again until it is accepted is accepted once.
   for (const MakeCall& make : allCalls()) {
     call(make(*this));
@@ -410,13 +426,18 @@ void WholeRobot::beIdle() {
   pushColors(3);
   pushSound(frame(), 1);
   push(version2::END_PUSH, version2_frames::makeEnd(version2::ENDED_JAM, 0, "head_tilt", ""));
-  push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{false, 0}));
+  EXPECT_EQ("", connection_.robot_message);
+  push(version2::ERROR_MESSAGE, version2_frames::makeError(version2::CODE_REFUSED, "it lies on its side"));
+  steer({});
+  live(milliseconds(10));
+  EXPECT_EQ("", connection_.robot_message);
+  push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{}));
+  connection_.motors_and_posture = {};
   wish_.streaming = false;
   wish_.telemetry_period = 0;
   wish_.colors = {};
   wish_.microphone = {};
   live(milliseconds(30000));
-  EXPECT_EQ("", connection_.robot_message);
   EXPECT_TRUE(calls_.empty());
 }
 
@@ -481,6 +502,17 @@ void WholeRobot::experience(unsigned seed) {
   }
 }
 
+/// The requests among these lines, without their times.
+std::string requestsIn(const std::string& text) {
+  std::istringstream lines(text);
+  std::string requests;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find(" > ");
+    requests += begin == std::string::npos ? "" : line.substr(begin) + "\n";
+  }
+  return requests;
+}
+
 std::string WholeRobot::doEverything() {
   for (said_hello_ = false; !said_hello_;) {
     live(milliseconds(1));
@@ -491,6 +523,7 @@ std::string WholeRobot::doEverything() {
   picture_ = 0;
   counters_before_ = counters_;
   last_order_ = 0;
+  dropped_orders_.clear();
   sounds_before_ = next_part_.sound;
   text_.str("");
 
@@ -508,7 +541,13 @@ std::string WholeRobot::doEverything() {
   live(milliseconds(150));
 
   title("pictures by UDP");
-  wantUdp(PictureTransport::kAuto);
+  wantUdp(is_older_ ? PictureTransport::kUdp : PictureTransport::kAuto);
+  serve();
+  const unsigned forged = order_.first_picture + 40;
+  unsigned sequence = sequence_ + 45;
+  for (const Bytes& datagram : test_support::makeDatagrams(jpegOf(2), forged, frame(), &sequence)) {
+    receiveDatagram(datagram);
+  }
   live(milliseconds(400));
   lost_part_ = 1;
   live(milliseconds(400));
@@ -563,7 +602,10 @@ std::string WholeRobot::doEverything() {
   next_part_.is_last = true;
 
   title("commands to the body");
-  for (const Will will : {Will::kRefuse, Will::kAnswer, Will::kRefuse, Will::kKeepSilent, Will::kAnswer}) {
+  std::vector<std::string> requests;
+  for (const Will will :
+       {Will::kRefuse, Will::kRefuse, Will::kAnswer, Will::kRefuse, Will::kKeepSilent, Will::kAnswer}) {
+    const std::size_t begin = text_.str().size();
     for (const double value : {2.0, 2.5}) {
       commandBody(value);
       live(milliseconds(60), will);
@@ -571,7 +613,10 @@ std::string WholeRobot::doEverything() {
     commandBody(1.5);
     live(milliseconds(600), will);
     answerLate();
+    requests.push_back(requestsIn(text_.str().substr(begin)));
   }
+  EXPECT_EQ(requests[0], requests[1]) << "after the robot has refused them";
+  EXPECT_EQ(requests[0], requests[2]) << "after the robot has refused them";
   for (const Will will : {Will::kRefuse, Will::kAnswer, Will::kKeepSilent}) {
     title(will == Will::kRefuse ? "refused calls" : will == Will::kAnswer ? "calls" : "late answers");
     for (const MakeCall& make : allCalls()) {
@@ -616,14 +661,19 @@ std::string WholeRobot::fallSilent(bool while_it_streams) {
   wantUdp(PictureTransport::kTcp);
   wish_.streaming = while_it_streams;
   live(milliseconds(2000));
+  call(callToStore("B.MTN", Bytes(100000, 3), 0));
+  serve(while_it_streams ? Will::kAnswer : Will::kRefuse);
   is_silent_ = true;
   text_.str("");
+  const TimePoint since = now_;
   commandBody(3);
   call(callForMotions(), milliseconds(300));
   try {
     live(milliseconds(10000));
   } catch (const Fault& fault) {
     write(fault.what());
+    EXPECT_LE(now_, since + (while_it_streams ? milliseconds(500) + connection_.pictures.extraInterval()
+                                              : milliseconds(1000)));
   }
   return text_.str();
 }
@@ -636,7 +686,9 @@ void WholeRobot::tell() {
     write("replies " + std::string(1, static_cast<char>(each[0])) + " of " + std::to_string(each.size()));
   }
   for (const std::string& line : std::exchange(log_, {})) {
-    write("logs " + line);
+    if (line.find("further ones are only counted") == std::string::npos) {
+      write("logs " + line);
+    }
   }
   std::string state = connection_.robot_message + "|" +
                       std::to_string(static_cast<int>(connection_.motors_and_posture.motors)) +
@@ -697,11 +749,13 @@ void WholeRobot::tellOrders() {
     write("LEDs " + std::exchange(leds_, ""));
   }
   for (std::size_t i = 0; i < steered_.size(); ++i) {
+    EXPECT_EQ(0U, dropped_orders_.count(steered_orders_[i])) << "it was told that the order is not sent";
     write("steered " + std::to_string(steered_[i].forward) + " by order " + std::to_string(steered_orders_[i]));
   }
   steered_.clear();
   steered_orders_.clear();
   for (const Refusal& each : std::exchange(refusals_, {})) {
+    dropped_orders_.insert(each.order);
     std::string line = "refusal " + std::to_string(static_cast<int>(each.request)) + " " +
                        std::to_string(static_cast<int>(each.cause)) + " " + each.reason + " order " +
                        std::to_string(each.order) + " of";
@@ -792,7 +846,6 @@ std::string difference(const std::string& expected, const std::string& actual) {
   return expected == actual ? "" : "there is more at the end";
 }
 
-/// True: the client's user is told of refusals.
 class SessionHistoryTest : public testing::TestWithParam<bool> {};
 
 TEST_P(SessionHistoryTest, ThePastDoesNotShow) {
