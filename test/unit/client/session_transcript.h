@@ -42,6 +42,8 @@ class SessionTranscript : public SessionFixture {
   /// @param sounds how many there have been
   void beginTranscript(std::uint64_t sounds = 0) {
     base_ = now_;
+    notifier_.log(LogLevel::kInfo, "");  // the next line does not say how many were left out before
+    log_.clear();
     counters_before_ = counters_;
     last_order_ = 0;
     dropped_orders_.clear();
