@@ -1,6 +1,8 @@
 // A client that has had other connections before does over the next one what a new client does.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <atomic>
 #include <functional>
 #include <future>
 #include <map>
@@ -25,6 +27,7 @@ namespace connection_history {
 
 constexpr milliseconds kTimeout{20000};
 constexpr char kEnded[] = "ended";
+constexpr char kWait[] = "WAIT";  // at this end, the client's thread waits for commands
 
 /// What the client tells, by the kind of news. It can be waited for.
 class Diary {
@@ -75,7 +78,7 @@ std::string textOf(const ConnectionStatus& status) {
 /// A client and the robots that it meets, one after the other.
 class Life {
  public:
-  Life() : client_(options(), callbacks()) { client_.start(); }
+  Life() : client_(options(), callbacks()), state_before_(state()) { client_.start(); }
 
   /// A connection with much under way, which ends.
   using End = std::function<void(Life&)>;
@@ -87,7 +90,7 @@ class Life {
   void wishFor(int value);
   void reset() { peer_->reset(); }
   void close() { peer_->close(); }
-  void breakProtocol() { peer_->send(Bytes(20, 0)); }
+  void breakProtocol();
 
  private:
   ClientOptions options() const {
@@ -100,6 +103,7 @@ class Life {
   }
   Callbacks callbacks();
 
+  std::string state() const;
   void accept();
   void serve(const Frame& request);
   Frame serveUntil(char kind);
@@ -116,8 +120,10 @@ class Life {
   Diary diary_;
   std::optional<ScriptedPeer> peer_;
   char refuses_ = 0;
+  std::future<void> commanded_;
   RcServerClient client_;
-  std::uint64_t sound_ = 0;
+  const std::string state_before_;
+  std::atomic<std::uint64_t> sound_{0};
 };
 
 Callbacks Life::callbacks() {
@@ -140,7 +146,12 @@ Callbacks Life::callbacks() {
   callbacks.on_steered = [this](const WalkVelocity& velocity, std::uint64_t order) {
     diary_.write("walk", std::to_string(velocity.left) + " " + std::to_string(order));
   };
-  callbacks.on_ended = [this](const MotionEnd& end) { diary_.write(kEnded, end.name + numberOf(end.how)); };
+  callbacks.on_ended = [this](const MotionEnd& end) {
+    diary_.write(kEnded, end.name + numberOf(end.how));
+    if (end.name == kWait) {
+      commanded_.wait();
+    }
+  };
   callbacks.on_refused = [this](const Refusal& refusal) {
     diary_.write("refused", numberOf(refusal.request) + refusal.reason + std::to_string(refusal.order));
   };
@@ -158,6 +169,26 @@ Callbacks Life::callbacks() {
   };
   callbacks.log = [this](LogLevel level, const std::string& line) { diary_.write("log", numberOf(level) + line); };
   return callbacks;
+}
+
+/// What is said of the robot.
+std::string Life::state() const {
+  const ConnectionStatus status = client_.status();
+  return status.robot.design + numberOf(status.robot.capabilities.size()) + numberOf(status.protocol_version) +
+         numberOf(status.transport) + numberOf(client_.streaming()) + numberOf(client_.motorsAndPosture().motors) +
+         numberOf(client_.motorsAndPosture().posture) + client_.robotDesign();
+}
+
+// Commands come when the client has read the nonsense, but not yet noticed it. They are not for the next robot.
+void Life::breakProtocol() {
+  std::promise<void> commanded;
+  commanded_ = commanded.get_future();
+  Bytes bytes = version2_frames::makeFrame(version2::END_PUSH, 0, version2_frames::makeEnd(1, 2, kWait, ""));
+  bytes.resize(bytes.size() + 20);
+  peer_->send(bytes);
+  EXPECT_TRUE(diary_.waitFor(kEnded, kWait));
+  command(8);
+  commanded.set_value();
 }
 
 void Life::accept() {
@@ -286,6 +317,8 @@ std::string Life::meetRobot() {
     client_.playMotion("A.MTN", 3, kTimeout, {std::chrono::steady_clock::time_point::max(), 3});
   });
   ask('I', "hold", [&] { client_.hold({1}, kTimeout); });
+  const std::uint64_t old_sound = std::max<std::uint64_t>(sound_, 1);
+  inBackground("an old sound", [&] { client_.playSamples(old_sound, {1}, false, kTimeout); }).get();
   std::uint64_t sound = 0;
   for (int part = 0; part < 2; ++part) {
     ask('A', "sound", [&] { sound = client_.playSamples(sound, {1, 2, 3}, false, kTimeout).sound; });
@@ -305,6 +338,7 @@ std::string Life::meetRobot() {
   serveUntil('A');
   reset();
   waitForEnd(&pending);
+  EXPECT_TRUE(diary_.waitFor("sound", "0 " + numberOf(EndedHow::kLost)));
   return diary_.take(server_.port());
 }
 
@@ -314,11 +348,9 @@ void Life::waitForEnd(std::vector<std::future<void>>* pending) {
   for (std::future<void>& each : *pending) {
     each.get();
   }
-  const ConnectionStatus status = client_.status();
-  diary_.write("lost", status.reason + status.advice + status.robot.design + numberOf(status.protocol_version) +
-                           numberOf(status.transport) + numberOf(client_.streaming()) +
-                           numberOf(client_.motorsAndPosture().motors) + client_.robotDesign());
-  for (const std::uint64_t sound : {sound_, std::uint64_t{0}}) {
+  EXPECT_EQ(state_before_, state()) << "of the robot nothing is left";
+  diary_.write("lost", client_.status().reason + client_.status().advice);
+  for (const std::uint64_t sound : {sound_.load(), std::uint64_t{0}}) {
     inBackground("lost", [&, sound] { client_.playSamples(sound, {1, 2}, true, kTimeout); }).get();
   }
 }

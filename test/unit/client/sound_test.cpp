@@ -243,41 +243,6 @@ TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
 
-TEST_F(SoundTest, NothingIsMissingAfterAPauseInWhichNobodyListened) {
-  listen();
-  push(700, kSixteenMilliseconds);
-  wish_.microphone.on = false;
-  EXPECT_EQ("A 1 0 2 62 128", request());
-  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 2, 16000})));
-  push(702, kSixteenMilliseconds);
-  EXPECT_THAT(heard_, SizeIs(1)) << "the microphones are off";
-  wish_.microphone.on = true;
-  EXPECT_EQ("A 1 1 2 62 128", request());
-  agree(2, 16000);
-  push(1000, kSixteenMilliseconds);
-  push(1002, kSixteenMilliseconds);
-  ASSERT_THAT(heard_, SizeIs(3));
-  EXPECT_EQ(0U, heard_[1].missing);
-  EXPECT_EQ(0U, heard_[2].missing);
-  EXPECT_EQ(0U, counters_.sound_gaps);
-}
-
-TEST_F(SoundTest, AfterAPauseNothingIsLeftOfAFrameThatWasNotWhole) {
-  listen(1);
-  push(700, std::vector<std::int16_t>(100), 1);
-  wish_.microphone.on = false;
-  request();
-  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 1, 16000})));
-  wish_.microphone.on = true;
-  request();
-  agree(1, 16000);
-  push(1000, std::vector<std::int16_t>(64), 1);
-  push(1000, std::vector<std::int16_t>(64), 1);
-  push(1001, std::vector<std::int16_t>(128), 1);
-  EXPECT_THAT(heard_, SizeIs(4));
-  EXPECT_EQ(0U, counters_.sound_gaps);
-}
-
 TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
   listen();
   for (unsigned i = 0; i < 400; ++i) {

@@ -273,16 +273,6 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   EXPECT_EQ("U", ways_);
 }
 
-TEST_F(TransportChoiceTest, AfterAChangeByTheUserAllTestsAreSentAgain) {
-  lets_through_ = false;
-  start();
-  watch(milliseconds(200));
-  EXPECT_EQ(3, tests_);
-  ++wish_.transport_changes;
-  watch(milliseconds(900));
-  EXPECT_EQ(3 + 4, tests_);
-}
-
 TEST_F(TransportChoiceTest, ATestThatHasComeBeforeAChangeByTheUserDoesNotCount) {
   wish_.streaming = true;
   wish_.datagram_port = kPort;
@@ -297,21 +287,6 @@ TEST_F(TransportChoiceTest, ATestThatHasComeBeforeAChangeByTheUserDoesNotCount) 
   answerAll();
   EXPECT_EQ("", ways_);
   EXPECT_EQ(1, tests_);
-}
-
-TEST_F(TransportChoiceTest, AfterAChangeByTheUserThePauseIsShortAgain) {
-  start();
-  watch(seconds(1));
-  for (int i = 0; i < 2; ++i) {
-    lets_through_ = false;
-    watch(milliseconds(1500));
-    lets_through_ = true;
-    const std::string before = ways_;
-    watch(milliseconds(11000));
-    EXPECT_EQ(before + "U", ways_) << "after a pause of 10 s";
-    ++wish_.transport_changes;
-    watch(milliseconds(64));
-  }
 }
 
 TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
