@@ -18,7 +18,6 @@
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
-using version2_frames::encoded;
 using version2_frames::Frame;
 
 namespace version2 = protocol::version2;
@@ -216,7 +215,7 @@ void Life::serve(const Frame& request) {
   } else if (kind == version2::REQUEST_LIST || kind == version2::REQUEST_PLAY) {
     payload = {'A', '.', 'M', 'T', 'N'};
   } else if (kind == version2::REQUEST_SOUND && request.header.id == version2::SOUND_SPEAKER) {
-    payload = encoded(version2::SpeakerRoom{77});
+    payload = version2_frames::encoded(version2::SpeakerRoom{77});
   } else if (kind == version2::REQUEST_MOTORS && payload.empty()) {
     payload = {0};
   } else if (kind == version2::REQUEST_HOLD || kind == version2::REQUEST_UPLOAD) {
@@ -246,15 +245,16 @@ void Life::pushEverything(int value) {
   push(version2::TELEMETRY_PUSH, version2_frames::makeTelemetry(7, {{version2::GROUP_JOINT, 1, -value}}));
   version2::ColorRegions colors = {400, 7, 104, 80, 1, false, {}, nullptr, 0};
   colors.regions[0] = {2, static_cast<unsigned>(value), 64 * 50, 64 * 40 + 32, 45, 36, 11, 10};
-  push(version2::COLORS_PUSH, encoded(colors));
+  push(version2::COLORS_PUSH, version2_frames::encoded(colors));
   for (const unsigned frame : {10U, 14U}) {
     Bytes samples(512, static_cast<std::uint8_t>(value));
-    push(version2::SOUND_PUSH, encoded(version2::HeardSound{frame, 128, 2, samples.data(), samples.size()}),
+    push(version2::SOUND_PUSH,
+         version2_frames::encoded(version2::HeardSound{frame, 128, 2, samples.data(), samples.size()}),
          version2::SOUND_MICROPHONE);
   }
   push(version2::ERROR_MESSAGE, version2_frames::makeError(version2::CODE_JOINT_FAULT, "head_tilt is stuck"));
   push(version2::MOTORS_AND_POSTURE_PUSH,
-       encoded(version2::MotorsAndPosture{true, static_cast<std::uint8_t>(value % 4)}));
+       version2_frames::encoded(version2::MotorsAndPosture{true, static_cast<std::uint8_t>(value % 4)}));
   push(version2::END_PUSH, version2_frames::makeEnd(version2::ENDED_MOTION, 2, "LAST" + std::to_string(value), ""));
   EXPECT_TRUE(diary_.waitFor(kEnded, "LAST" + std::to_string(value)));
 }

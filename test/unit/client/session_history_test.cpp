@@ -227,7 +227,8 @@ Bytes WholeRobot::answerTo(const Frame& request) {
              : request.header.id == version2::FETCH_PICTURE ? jpegOf(1)
                                                             : Bytes();
     case version2::REQUEST_SOUND:
-      return request.header.id == version2::SOUND_SPEAKER ? encoded(version2::SpeakerRoom{77}) : request.payload;
+      return request.header.id == version2::SOUND_SPEAKER ? version2_frames::encoded(version2::SpeakerRoom{77})
+                                                          : request.payload;
     case version2::REQUEST_HOLD:
     case version2::REQUEST_POSTURE:
     case version2::REQUEST_UPLOAD:
@@ -312,7 +313,7 @@ void WholeRobot::pushColors(unsigned pixels) {
   colors.regions[0] =
       pixels == 0 ? version2::ColorRegion{} : version2::ColorRegion{0, pixels, 64 * 50, 64 * 40 + 32, 45, 36, 11, 10};
   colors.regions[1] = {3, 0, 0, 0, 0, 0, 0, 0};
-  push(version2::COLORS_PUSH, encoded(colors));
+  push(version2::COLORS_PUSH, version2_frames::encoded(colors));
 }
 
 void WholeRobot::pushSound(unsigned frame_number, int sample) {
@@ -322,14 +323,15 @@ void WholeRobot::pushSound(unsigned frame_number, int sample) {
     bytes.push_back(static_cast<std::uint8_t>(sample));
     bytes.push_back(static_cast<std::uint8_t>(i));
   }
-  push(
-      version2::SOUND_PUSH,
-      encoded(version2::HeardSound{frame_number, 100, static_cast<std::uint8_t>(channels), bytes.data(), bytes.size()}),
-      version2::SOUND_MICROPHONE);
+  push(version2::SOUND_PUSH,
+       version2_frames::encoded(
+           version2::HeardSound{frame_number, 100, static_cast<std::uint8_t>(channels), bytes.data(), bytes.size()}),
+       version2::SOUND_MICROPHONE);
 }
 
 void WholeRobot::pushSoundEnd(int how, unsigned samples) {
-  push(version2::SOUND_PUSH, encoded(version2::SoundEnd{static_cast<std::uint8_t>(how), samples, 2, 1}),
+  push(version2::SOUND_PUSH,
+       version2_frames::encoded(version2::SoundEnd{static_cast<std::uint8_t>(how), samples, 2, 1}),
        version2::SOUND_SPEAKER);
 }
 
@@ -389,7 +391,7 @@ void WholeRobot::beIdle() {
   steer({});
   live(milliseconds(10));
   EXPECT_EQ("", connection_.robot_message);
-  push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{}));
+  push(version2::MOTORS_AND_POSTURE_PUSH, version2_frames::encoded(version2::MotorsAndPosture{}));
   connection_.motors_and_posture = {};
   wish_.streaming = false;
   wish_.telemetry_period = 0;
@@ -436,7 +438,7 @@ void WholeRobot::experience(unsigned seed) {
       [&] { pushSoundEnd(number(0, 4), static_cast<unsigned>(number(0, 2) * 50)); },
       [&] { push(version2::END_PUSH, version2_frames::makeEnd(number(1, 4), number(0, 6), "NOD.MTN", "so")); },
       [&] {
-        push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{true, 2}));
+        push(version2::MOTORS_AND_POSTURE_PUSH, version2_frames::encoded(version2::MotorsAndPosture{true, 2}));
       },
       [&] {
         push(version2::ERROR_MESSAGE, version2_frames::makeError(version2::CODE_JOINT_FAULT, "head_tilt is stuck"));
@@ -600,8 +602,8 @@ std::string WholeRobot::doEverything() {
     push(version2::ERROR_MESSAGE, version2_frames::makeError(version2::CODE_JOINT_FAULT, text));
   }
   push(version2::ERROR_MESSAGE, version2_frames::makeError(version2::CODE_REFUSED, "it lies on its side"));
-  push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{true, 1}));
-  push(version2::MOTORS_AND_POSTURE_PUSH, encoded(version2::MotorsAndPosture{false, 3}));
+  push(version2::MOTORS_AND_POSTURE_PUSH, version2_frames::encoded(version2::MotorsAndPosture{true, 1}));
+  push(version2::MOTORS_AND_POSTURE_PUSH, version2_frames::encoded(version2::MotorsAndPosture{false, 3}));
   steer({0.1, 0, 0});
   live(milliseconds(10));
   for (const char* const joint : {"head_pan", "head_tilt"}) {
