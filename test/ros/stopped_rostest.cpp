@@ -419,17 +419,27 @@ TEST_F(BallFollower, PausesAfterAStopForAsLongAsTheDriverIgnoresItsStream) {
   EXPECT_GE(std::chrono::steady_clock::now() - stopped, std::chrono::milliseconds(500));
 }
 
-TEST(BallFollowerAtItsStart, WaitsForAStoppedRobotAndForLeave) {
+// It sees nothing until it knows of the stop, so it has not moved before.
+template <typename Step>
+void expectToWaitFromItsStart(const std::string& program, const std::string& name, const std::string& topic) {
   FakeDriver driver("/begins");
+  driver.setAwake(false);
   driver.stop("/user");
-  TopicListener<Twist> steps("/begins/cmd_vel");
-  Process node({AIBO_FOLLOW_BALL, "__ns:=/begins"});
+  TopicListener<Step> steps("/begins/" + topic);
+  Process node({program, "__ns:=/begins"});
   node.waitForOutput("/user has stopped the robot", kSafetyNet);
-  driver.release();
-  EXPECT_TRUE(steps.waitForCount(1, std::chrono::milliseconds(1500)).empty());
   std::string message;
-  EXPECT_TRUE(callGoOn("/begins/aibo_follow_ball", &message));
-  EXPECT_FALSE(steps.waitForCount(1).empty());
+  EXPECT_FALSE(callGoOn("/begins/" + name, &message)) << name;
+  driver.setAwake(true);
+  driver.release();
+  EXPECT_TRUE(steps.waitForCount(1, std::chrono::milliseconds(1500)).empty()) << name;
+  EXPECT_TRUE(callGoOn("/begins/" + name, &message)) << message;
+  EXPECT_FALSE(steps.waitForCount(1).empty()) << name;
+}
+
+TEST(AtTheirStart, ProgramsThatMoveAStoppedRobotWaitForItsReleaseAndForLeave) {
+  expectToWaitFromItsStart<Twist>(AIBO_FOLLOW_BALL, "aibo_follow_ball", "cmd_vel");
+  expectToWaitFromItsStart<JointTrajectory>(AIBO_LOOK_AROUND, "aibo_look_around", "joint_trajectory");
 }
 
 TEST(BallFollowerAtItsStart, WaitsForTheMotorsButForNoLeave) {
