@@ -8,6 +8,7 @@
 #include "node/camera/link_quality.h"
 #include "node/node.h"
 #include "text/plain_text.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 
@@ -277,7 +278,7 @@ void AiboDriver::refused(const aibo_client::Refusal& refusal) {
   mover_.refused(refusal);
   if (refusal.request != aibo_client::RefusedRequest::kJoints &&
       refusal.request != aibo_client::RefusedRequest::kWalk) {
-    movement_warnings_.warn("The robot did not do what it was told: " + refusal.reason + ".");
+    movement_warnings_.warn("The robot did not do what it was told: " + text::sentence(refusal.reason));
   }
 }
 
@@ -303,11 +304,11 @@ void AiboDriver::logEnd(const movement::EndedMovement& ended) {
   const bool is_as_ever = ended.how == EndedHow::kUnknown && ended.movement.kind == Kind::kMotion;
   const std::string name = movement::describe(ended.movement);
   if (ended.how == EndedHow::kRefused) {
-    movement_warnings_.warn(name + " is refused: " + ended.reason + ".");
+    movement_warnings_.warn(name + " is refused: " + text::sentence(ended.reason));
   } else if (ended.how == EndedHow::kDone || is_as_ever || (is_command && is_meant)) {
     ROS_DEBUG_STREAM_NAMED("joints", name << " has ended. " << ended.reason);
   } else {
-    movement_warnings_.warn(name + " ends early: " + ended.reason + ".");
+    movement_warnings_.warn(name + " ends early: " + text::sentence(ended.reason));
   }
 }
 

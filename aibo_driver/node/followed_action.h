@@ -25,6 +25,7 @@
 #include "node/joints/motion_state_publisher.h"
 #include "node/orders.h"
 #include "text/plain_text.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 
@@ -216,7 +217,7 @@ GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& d
 inline void throwIfRefused(const movement::Mover::Begun& begun) {
   const movement::EndedMovement* const ended = begun.ended();
   if (ended != nullptr && ended->how == aibo_client::EndedHow::kRefused) {
-    throw aibo_client::CommandException(ended->reason + ".");
+    throw aibo_client::CommandException(text::sentence(ended->reason));
   }
 }
 

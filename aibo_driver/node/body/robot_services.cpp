@@ -14,6 +14,7 @@
 #include "files/files.h"
 #include "node/service.h"
 #include "node/services.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -56,7 +57,7 @@ std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
   const movement::Mover::Begun begun = mover->play(call->order, name, static_cast<int>(repetitions));
   const movement::EndedMovement* const end = begun.ended();
   if (end != nullptr && end->how != EndedHow::kDone && end->how != EndedHow::kUnknown) {
-    throw aibo_client::CommandException(end->reason + ".");
+    throw aibo_client::CommandException(text::sentence(end->reason));
   }
   if (begun.is_uncertain) {
     call->failure = name + " may or may not play";

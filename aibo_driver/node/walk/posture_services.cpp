@@ -7,6 +7,7 @@
 #include "aibo_client/exceptions.h"
 #include "node/service.h"
 #include "node/services.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 
@@ -26,7 +27,7 @@ std::string take(movement::Mover* mover, const movement::Order& order, Posture p
   }
   const movement::EndedMovement& end = begun.end.get();
   if (end.how != aibo_client::EndedHow::kDone) {
-    throw aibo_client::CommandException(end.reason + ".");
+    throw aibo_client::CommandException(text::sentence(end.reason));
   }
   return success;
 }

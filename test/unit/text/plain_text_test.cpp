@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "text/sentence.h"
+
 namespace aibo_driver::text {
 namespace {
 
@@ -31,6 +33,13 @@ TEST(PlainText, ALineIsShortAndOne) {
   EXPECT_EQ(plainLine("abcdef", 3), "abc...");
   EXPECT_EQ(plainLine("\xC3\xA4\xC3\xA4", 3), "\xC3\xA4?...") << "half a character is none";
   EXPECT_LT(plainLine(std::string(100'000'000, 'x')).size(), 100U);
+}
+
+TEST(PlainText, ASentenceHasOneEnd) {
+  EXPECT_EQ(sentence("it is limp"), "it is limp.");
+  EXPECT_EQ(sentence("it is limp."), "it is limp.");
+  EXPECT_EQ(sentence("Is it limp?"), "Is it limp?");
+  EXPECT_EQ(sentence(""), ".");
 }
 
 TEST(PlainText, ThreeOfAMillionAreShown) {
