@@ -3,6 +3,7 @@
 #include <OPENR/OSyslog.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <stdexcept>
 
@@ -212,6 +213,7 @@ void SimulatedErs7::switchOff() {
   setMotorPower(opowerOFF);
   for (Joint& joint : joints_.all()) {
     joint.disableGain();
+    joint.command(static_cast<int>(std::lround(joint.position())));
   }
   std::fill(leds_.begin(), leds_.end(), Led());
   for (Ear& ear : ears_) {

@@ -94,8 +94,8 @@ class SimulatedErs7 : public openr_host::VirtualRobot {
   OStatus getMemoryStickStatus(OMemoryStickStatus* status) override;
   OStatus setCdtVectorData(const OCdtVectorData& tables) override;
 
-  /// Joints keep their positions. LEDs go out, ears are released, and the camera's settings are reset. Buttons,
-  /// battery, memory stick, jammed joints and the robot's place do not change.
+  /// Joints keep their positions, but forget their commands. LEDs go out, ears are released, and the camera's settings
+  /// are reset. Buttons, battery, memory stick, jammed joints and the robot's place do not change.
   void switchOff() override;
 
   /// Joints accept odataJOINT_COMMAND2, even without gain (joint.h). LEDs accept odataLED_COMMAND2 or
