@@ -113,6 +113,8 @@ void JointSlider::forget() {
   measured_.reset();
   commanded_.reset();
   slider_->setEnabled(false);
+  const QSignalBlocker nobody_moved_it(slider_);
+  slider_->setValue(0);  // as before the first measurement
   slider_->setMark(std::nullopt);
   showText();
 }

@@ -5,7 +5,9 @@
 #include <sys/resource.h>
 
 #include <cstring>
+#include <functional>
 #include <optional>
+#include <sstream>
 
 #include "support/test_client.h"
 #include "test_system.h"
@@ -418,13 +420,153 @@ TEST_F(IpStackTest, EndpointsThatListenOnTheSamePortGetClientsInTheirOrder) {
   EXPECT_EQ(answers_.at(1).continuation, reinterpret_cast<void*>(2));
 }
 
-TEST_F(IpStackTest, ANewEndpointListensAgainAfterAClose) {
-  for (int round = 0; round < 3; ++round) {
-    const auto endpoint = connect();
-    close(endpoint);
-    client_->close();
-    ASSERT_TRUE(haveAnswers(1));
+/// Whatever has ended before, and however.
+TEST_F(IpStackTest, ANewEndpointIsAsTheFirstOne) {
+  std::ostringstream seen;
+  const auto tell = [&](std::size_t count) {
+    EXPECT_TRUE(haveAnswers(count));
+    for (const Answer& answer : answers_) {
+      seen << answer.operation << " " << answer.error << " " << answer.size << " " << answer.continuation << "\n";
+    }
     answers_.clear();
+  };
+  const auto use_new_endpoint = [&] {
+    constexpr int kMuch = 300000;
+    answers_.clear();
+    seen.str("");
+    const auto endpoint = createEndpoint();
+    listen(endpoint, 5);
+    test_.runPending();
+    tell(0);
+    TestClient client(host_port_, 4096);
+    tell(1);
+    seen << (addresses_->fPort == client.port()) << "\n";
+    for (const char* parts : {"cdefgh", "xyz"}) {
+      receive(endpoint, 3, 6);
+      client.send("ab");
+      test_.runPending();
+      tell(0);
+      client.send(parts);
+      tell(1);
+      seen << inBuffer(6) << "\n";
+    }
+    receive(endpoint, 1, 6);  // the rest of all
+    tell(1);
+    for (int i = 0; i < kMuch; ++i) {
+      buffer_[i] = static_cast<byte>(i / 100);
+    }
+    for (const int size : {kMuch, kMuch - 1}) {
+      receive(endpoint, 9, 9);
+      receive(endpoint, 9, 9);
+      send(endpoint, size);
+      send(endpoint, 1);
+      test_.runPending();
+      tell(2);
+      EXPECT_TRUE(test_.runUntil([&] { return client.received().size() == static_cast<std::size_t>(size); }));
+      seen << (client.take(static_cast<std::size_t>(size)).back() == buffer_[size - 1]) << "\n";
+      client.send("until nine");
+      tell(2);
+      receive(endpoint, 1, 1);
+      tell(1);
+    }
+    receive(endpoint, 1, 1);
+    close(endpoint);
+    EXPECT_TRUE(test_.runUntil([&] { return client.isAtEnd(); }));
+    tell(1);
+    client.close();
+    tell(1);
+    close(endpoint);
+    tell(1);
+    return seen.str();
+  };
+  const std::string first = use_new_endpoint();
+  const auto connect_and_work = [this] {
+    const auto endpoint = connect(4096);
+    client_->send("ab");
+    receive(endpoint, 3, 9);
+    send(endpoint, kBufferSize);
+    test_.runPending();
+    return endpoint;
+  };
+  const std::pair<const char*, std::function<void()>> histories[] = {
+      {"an abort", [&] { close(connect_and_work(), true); }},
+      {"a reset",
+       [&] {
+         const auto endpoint = connect_and_work();
+         client_->reset();
+         haveAnswers(2);
+         close(endpoint);
+       }},
+      {"a client that has gone",
+       [&] {
+         const auto endpoint = connect_and_work();
+         client_->finishSending();
+         haveAnswers(1);
+         close(endpoint, true);
+       }},
+      {"a close that was aborted",
+       [&] {
+         const auto endpoint = connect_and_work();
+         close(endpoint);
+         test_.runPending();
+         close(endpoint, true);
+       }},
+      {"a close that was reset",
+       [&] {
+         const auto endpoint = connect();
+         close(endpoint);
+         test_.runPending();
+         client_->reset();
+         haveAnswers(1);
+       }},
+      {"closed listeners",
+       [&] {
+         const auto endpoint = createEndpoint();
+         const auto other = createEndpoint();
+         listen(endpoint);
+         listen(other);
+         close(endpoint);
+         TCPEndpointCloseMsg message(other);
+         call(message);
+       }},
+      {"a listener that was closed with its client",
+       [&] {
+         const auto endpoint = createEndpoint();
+         listen(endpoint);
+         TestClient(host_port_).reset();
+         haveAnswers(1);
+         close(endpoint, true);
+       }},
+      {"connections to others",
+       [&] {
+         const auto under_way = createEndpoint();
+         const auto refused = createEndpoint();
+         const TcpListener server("127.0.0.1", 0);
+         post(TCPEndpointConnectMsg(under_way, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), server.port()));
+         post(TCPEndpointConnectMsg(refused, IP_ADDR_ANY, IP_PORT_ANY, IPAddress("127.0.0.1"), 1));
+         haveAnswers(2);
+         close(under_way, true);
+         close(refused);
+       }},
+      {"refused requests",
+       [&] {
+         const auto endpoint = connect();
+         post(TCPEndpointSendMsg(endpoint, buffer_ - 1, 5));
+         post(TCPEndpointReceiveMsg(endpoint, buffer_, 5, 4));
+         listen(endpoint);
+         haveAnswers(3);
+         client_->close();
+         close(endpoint);
+       }},
+      {"a client without an endpoint", [&] {
+         TestClient client(host_port_);
+         test_.runUntil([&] { return client.ended(); });
+       }}};
+  for (const auto& [name, history] : histories) {
+    answers_.clear();
+    history();
+    test_.runPending();
+    EXPECT_EQ(use_new_endpoint(), first) << "after " << name;
   }
 }
 

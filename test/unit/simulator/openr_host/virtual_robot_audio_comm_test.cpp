@@ -7,6 +7,9 @@
 #include <cstring>
 #include <functional>
 #include <numeric>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "test_system.h"
 
@@ -243,6 +246,87 @@ TEST_F(VirtualRobotAudioCommTest, FramesThatWereMissedAreHeardLater) {
     frames.push_back(heard.frame);
   }
   EXPECT_THAT(frames, ElementsAre(100, 102, 104, 106, 108, 110));
+}
+
+TEST_F(VirtualRobotAudioCommTest, AfterAnythingElseSoundsAreAsTheFirst) {
+  const auto listen = [this](bool on) {
+    test_.as(listener_, [&] { on ? listener_.observer().AssertReady() : listener_.observer().DeassertReady(); });
+    test_.run();
+  };
+  const auto use = [&] {
+    pass(frame_ % 2 == 0 ? 2 : 1);
+    const longword begin = frame_;
+    const int readies = readies_;
+    test_.robot.played.clear();
+    heard_.clear();
+    std::ostringstream seen;
+    send({makeVector(numbers(-9, 200)), makeVector(numbers(500, 56))});
+    listen(true);
+    pass(1);
+    send({makeVector(numbers(7, 300))});
+    for (longword i = 0; i < 8; ++i) {
+      pass(1);
+      seen << readies_ - readies << comm_.isActive() << " ";
+    }
+    listen(false);
+    pass(2);
+    for (const auto& [frame, samples] : test_.robot.played) {
+      seen << "\nplayed " << frame - begin << ": " << testing::PrintToString(samples);
+    }
+    for (const Heard& heard : heard_) {
+      seen << "\nheard " << heard.frame - begin << ": " << heard.samples.size() << " "
+           << static_cast<sword>(heard.samples.back().L - static_cast<sword>(128 * begin));
+    }
+    return seen.str() + (comm_.isActive() ? " active" : "");
+  };
+  const std::string first = use();
+  const auto spoiled = [this] {
+    RegionReference vector = makeVector(numbers(1, 128));
+    void* const base = vector->Base();
+    static_cast<OSoundVectorData*>(base)->info[0].channel = osoundchannelSTEREO;
+    return vector;
+  };
+  const std::pair<const char*, std::function<void()>> histories[] = {
+      {"a refused sound", [&] { send({spoiled()}); }},
+      {"a refused sound between others",
+       [&] {
+         send({makeVector(numbers(1, 10)), spoiled(), makeVector(numbers(1, 10))});
+       }},
+      {"the other kind of sound",
+       [&] {
+         test_.robot.sound_type = ospksndMONO8K8B;
+         const signed char samples[] = {1, -128, 3};
+         send({makeVector(samples, 3, 8000, 8)});
+         pass(1);
+         test_.robot.sound_type = ospksndMONO16K16B;
+       }},
+      {"half a sound that was heard",
+       [&] {
+         listen(true);
+         pass(3);
+         listen(false);
+       }},
+      {"a longer half",
+       [&] {
+         listen(true);
+         pass(4);
+         listen(false);
+       }},
+      {"frames that were missed",
+       [&] {
+         send({makeVector(numbers(1, 1000))});
+         listen(true);
+         jumpTo(frame_ + 1000);
+         listen(false);
+       }},
+      {"sounds of an ended program", [&] {
+         send({makeVector(numbers(1, 128)), makeVector(numbers(2, 128))});
+       }}};
+  for (const auto& [name, history] : histories) {
+    history();
+    pass(3);
+    EXPECT_EQ(use(), first) << "after " << name;
+  }
 }
 
 TEST_F(VirtualRobotAudioCommTest, SoundVectorsHaveRoomAndAreFreedOnce) {

@@ -6,6 +6,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <functional>
+#include <sstream>
+#include <string>
+#include <utility>
 
 #include "test_system.h"
 
@@ -445,6 +449,79 @@ TEST_F(VirtualRobotCommTest, StoppingDropsWaitingCommands) {
   send({vector});
   test_.as(comm_, [&] { comm_.DoStop(OSystemEvent()); });
   EXPECT_EQ(vector->NumberOfReference(), 1);
+}
+
+TEST_F(VirtualRobotCommTest, AfterAnythingElseMovementsAndReadingsAreAsTheFirst) {
+  const auto use = [this] {
+    pass(4 - frame_ % 4);
+    const longword begin = frame_;
+    const int readies = readies_;
+    robot_.commanded.clear();
+    std::ostringstream seen;
+    mover_.on_notify = [&](const ONotifyEvent& event) {
+      void* base = event.RCData(0)->Base();
+      auto& vector = *static_cast<OSensorFrameVectorData*>(base);
+      seen << "read " << vector.GetInfo(0)->frameNumber - begin << " "
+           << vector.GetData(0)->frame[3].value - static_cast<slongword>(begin) << "\n";
+      mover_.observer().AssertReady();
+    };
+    test_.as(mover_, [&] { mover_.observer().AssertReady(); });
+    test_.run();
+    RegionReference late = makeVector({{3, {-7}}});
+    vectorIn(late).vectorInfo.wait = 2;
+    send({makeVector({{1, {10, 20, 30}}, {2, {-1}}}), late});
+    test_.send(other_, {makeVector({{4, {5, 6}}})});
+    for (int i = 0; i < 10; ++i) {
+      pass(1);
+      seen << readies_ - readies << " " << comm_.nextEvent() - begin << "\n";
+    }
+    test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
+    test_.run();
+    pass(5);
+    mover_.on_notify = [](const ONotifyEvent&) {};
+    for (const auto& [frame, commands] : robot_.commanded) {
+      seen << frame - begin << ": " << testing::PrintToString(commands) << "\n";
+    }
+    return seen.str();
+  };
+  const std::string first = use();
+  const auto spoiled = [this] {
+    RegionReference vector = makeVector({{1, {1, 2, 3}}});
+    vectorIn(vector).vectorInfo.type = odataSOUND_VECTOR;
+    return vector;
+  };
+  const std::pair<const char*, std::function<void()>> histories[] = {
+      {"a refused vector", [&] { send({spoiled()}); }},
+      {"a refused vector between others",
+       [&] {
+         send({makeVector({{1, {1}}}), spoiled(), makeVector({{1, {2}}})});
+       }},
+      {"refused vectors of two objects",
+       [&] {
+         send({spoiled()});
+         test_.send(other_, {spoiled()});
+       }},
+      {"commands that are not taken",
+       [&] {
+         send({makeVector({{99, {1, 2}}, {1, {4}}})});
+       }},
+      {"frames that were missed",
+       [&] {
+         send({makeVector({{1, {1, 2, 3}}})});
+         jumpTo(frame_ + 1000);
+       }},
+      {"a reading that was not fetched", [&] {
+         test_.as(mover_, [&] { mover_.observer().AssertReady(); });
+         test_.run();
+         pass(9);
+         test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
+         test_.run();
+       }}};
+  for (const auto& [name, history] : histories) {
+    history();
+    pass(8);
+    EXPECT_EQ(use(), first) << "after " << name;
+  }
 }
 
 TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAUniqueId) {
