@@ -126,22 +126,6 @@ TEST(SceneView, OnlyTheSameSeedAndImageGiveTheSamePicture) {
   EXPECT_NE(other_seed.picture(1, 30, CameraSettings()).y, first.y);
 }
 
-TEST(SceneView, APartialRedrawForAMovingBallEqualsANewPicture) {
-  Scene scene;
-  SceneView view(scene, 7);
-  view.picture(2, 1, CameraSettings());  // the ball comes by here again
-  for (longword image = 2; image < 40; ++image) {
-    const YCrCbImage& continued = view.picture(0.1 * image, image, CameraSettings());
-    Scene fresh_scene;
-    SceneView fresh(fresh_scene, 7);
-    const YCrCbImage& whole = fresh.picture(0.1 * image, image, CameraSettings());
-    ASSERT_EQ(continued.y, whole.y) << "image " << image;
-    ASSERT_EQ(continued.cr, whole.cr) << "image " << image;
-    ASSERT_EQ(continued.y_lh, whole.y_lh) << "fine detail of image " << image;
-    ASSERT_EQ(continued.y_hl, whole.y_hl) << "fine detail of image " << image;
-  }
-}
-
 /// The end of the ray through the middle of a pixel, with nothing left out.
 SceneHit hitAt(const Scene& scene, const Eigen::Isometry3d& camera, double x, double y) {
   return scene.castRay({camera.translation(), camera.linear() * directionOf({x + 0.5, y + 0.5})});

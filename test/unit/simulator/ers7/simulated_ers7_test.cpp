@@ -516,38 +516,6 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   }
 }
 
-TEST_F(SimulatedErs7Test, SwitchingOffReleasesAndClosesEverything) {
-  const OPrimitiveID pan = driveJoint("head_pan");
-  const OPrimitiveID ear = openLocator("PRM:/r1/c1/c2/c3/e5-Joint4:15");
-  robot_.passFrame(frame_++, {earCommand(ear, ojoint4_STATE1)});
-  camera_ = openLocator(kCameraLocator);
-  for (const auto& [request, value] : {std::pair(oprmreqCAM_SET_WHITE_BALANCE, ocamparamWB_INDOOR_MODE),
-                                       {oprmreqCAM_SET_GAIN, ocamparamGAIN_HIGH},
-                                       {oprmreqCAM_SET_SHUTTER_SPEED, ocamparamSHUTTER_SLOW}}) {
-    ASSERT_EQ(control(request, value), oSUCCESS);
-  }
-  ASSERT_EQ(control(oprmreqCAM_AE_ON), oSUCCESS);
-  ASSERT_EQ(control(oprmreqCAM_AWB_ON), oSUCCESS);
-  robot_.switchOff();
-  const CameraSettings& settings = robot_.cameraSettings();
-  const CameraSettings first;
-  EXPECT_EQ(settings.white_balance, first.white_balance);
-  EXPECT_EQ(settings.gain, first.gain);
-  EXPECT_EQ(settings.shutter, first.shutter);
-  EXPECT_FALSE(settings.auto_exposure || settings.auto_white_balance);
-  passFrames(1);
-  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
-  OPowerStatus status;
-  EXPECT_EQ(robot_.getPowerStatus(&status), oSUCCESS);
-  EXPECT_EQ(status.robotStatus & orsbMOTOR_POWER, 0U);
-  EXPECT_FALSE(robot_.takesCommand(pan, odataJOINT_COMMAND2));
-  ASSERT_EQ(openJoint("head_pan"), pan);
-  EXPECT_EQ(robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
-  robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
-  passFrames(60);
-  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
-}
-
 TEST_F(SimulatedErs7Test, ASensorVectorInUseIsNotOverwritten) {
   passFrames(4);
   RCRegion* kept = robot_.captureSensors(3);

@@ -154,16 +154,6 @@ TEST_F(SimulatedSoundTest, AFileOfAnotherProgramIsHeardWithoutItsOtherChunks) {
   EXPECT_EQ(robot_.passSound(0, nullptr)[0].L, 1000);
 }
 
-TEST_F(SimulatedSoundTest, ARobotThatStartsAgainIsNotMute) {
-  EXPECT_EQ(control(oprmreqSPEAKER_SET_VOLUME, OPrimitiveControl_SpeakerVolume(ospkvol25dB)), oSUCCESS);
-  EXPECT_EQ(control(oprmreqSPEAKER_MUTE_ON), oSUCCESS);
-  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(ospksndMONO16K16B)), oSUCCESS);
-  robot_.switchOff();
-  EXPECT_EQ(heard(), 5000);
-  robot_.openPrimitive("PRM:/s1-Speaker:S1", &speaker_);
-  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO8K8B);
-}
-
 // So a program can play it on this computer.
 TEST_F(SimulatedSoundTest, APipeGetsTheSoundAtOnce) {
   const test_support::TemporaryFolder folder;
