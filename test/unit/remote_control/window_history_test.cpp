@@ -104,11 +104,6 @@ class UsedWindow {
     Q_EMIT robot.pictureTaken(picture, "/pictures/1.jpg");
     Q_EMIT robot.movementChanged("moved by /anna (walk); ended: NOD.MTN", true);
     Q_EMIT robot.motionsListed({"NOD.MTN", "SIT.MTN"});
-    Q_EMIT robot.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.5}, {"left_hind_knee", 0.7}, {"tail_pan", -0.4}});
-    Q_EMIT robot.touched({"head", "back_rear", "paw_left_hind"});
-    Q_EMIT robot.distanceMeasured({"near", 0.1, 0.5});
-    Q_EMIT robot.distanceMeasured({"chest", 0.15, 0.9});
-    Q_EMIT robot.heard(-3);
     LedIntensities leds;
     for (int led = 1; led <= 14; ++led) {
       leds["face_" + QString::number(led)] = led / 14.0;
@@ -117,7 +112,22 @@ class UsedWindow {
     Q_EMIT robot.answered(false, "walk: too far");
   }
 
-  /// What the next driver says; in part the same.
+  void measureMuch() {
+    Q_EMIT robot.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.5}, {"left_hind_knee", 0.7}, {"tail_pan", -0.4}});
+    Q_EMIT robot.touched({"head", "back_rear", "paw_left_hind"});
+    Q_EMIT robot.distanceMeasured({"near", 0.1, 0.5});
+    Q_EMIT robot.distanceMeasured({"chest", 0.15, 0.9});
+    Q_EMIT robot.heard(-3);
+  }
+
+  void measureLittle() {
+    Q_EMIT robot.jointsMeasured({{"head_pan", 0.802}, {"head_tilt", -0.1}, {"left_front_knee", 0.3}});
+    Q_EMIT robot.touched({"chin"});
+    Q_EMIT robot.distanceMeasured({"near", std::numeric_limits<double>::infinity(), 0.5});
+    Q_EMIT robot.heard(-30);
+  }
+
+  /// What the next driver says, and says only once; in part the same.
   void sayLittle() {
     Q_EMIT robot.settingsDescribed({{"jpeg_quality", "how good", Setting::Kind::kInteger, 1, 100, {}},
                                     {"gain", "the gain", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"high", 3}}}});
@@ -134,10 +144,6 @@ class UsedWindow {
     Q_EMIT robot.pictureTaken(picture, "/pictures/2.jpg");
     Q_EMIT robot.movementChanged("moved by /rex", false);
     Q_EMIT robot.motionsListed({"SIT.MTN"});
-    Q_EMIT robot.jointsMeasured({{"head_pan", 0.802}, {"head_tilt", -0.1}, {"left_front_knee", 0.3}});
-    Q_EMIT robot.touched({"chin"});
-    Q_EMIT robot.distanceMeasured({"near", std::numeric_limits<double>::infinity(), 0.5});
-    Q_EMIT robot.heard(-30);
     Q_EMIT robot.ledsChanged({{"face_2", 0.5}});
     Q_EMIT robot.answered(true, "sit: sits");
   }
@@ -178,15 +184,15 @@ class UsedWindow {
       seen.append(pad->objectName() + QString(" %1 %2").arg(place.x()).arg(place.y()));
     }
     open("Move");
-    robot.take();
-    return seen;
+    return seen + robot.take();
   }
 
-  /// Says the same with each page open, because measurements go only to what is visible.
-  void sayOnEachPage(const std::function<void()>& say) {
+  /// Says this, and then what is measured with each page open, because it goes only to what is visible.
+  void say(void (UsedWindow::*what)()) {
+    (this->*what)();
     for (const char* page : kPages) {
       open(page);
-      say();
+      (what == &UsedWindow::sayMuch) ? measureMuch() : measureLittle();
     }
   }
 
@@ -277,41 +283,41 @@ const std::vector<History> kHistories = {
     {"much that was said",
      [](UsedWindow& use) {
        use.connectTo("/anna");
-       use.sayOnEachPage([&use] { use.sayMuch(); });
+       use.say(&UsedWindow::sayMuch);
      }},
     {"an ERS-210",
      [](UsedWindow& use) {
        use.connectTo("/anna", 2, "ERS-210");
-       use.sayOnEachPage([&use] { use.sayMuch(); });
+       use.say(&UsedWindow::sayMuch);
      }},
     {"a robot of version 1",
      [](UsedWindow& use) {
        use.connectTo("/anna", 1);
-       use.sayOnEachPage([&use] { use.sayMuch(); });
+       use.say(&UsedWindow::sayMuch);
      }},
     {"a playback",
      [](UsedWindow& use) {
        use.connectTo("/anna", 2, "ERS-7", State::kPlayback);
-       use.sayOnEachPage([&use] { use.sayMuch(); });
+       use.say(&UsedWindow::sayMuch);
      }},
     {"a lost connection",
      [](UsedWindow& use) {
        use.connectTo("/anna");
-       use.sayOnEachPage([&use] { use.sayMuch(); });
+       use.say(&UsedWindow::sayMuch);
        use.connectTo("/anna", 2, "ERS-7", State::kDisconnected);
-       use.sayOnEachPage([&use] { use.sayMuch(); });  // it was on its way
+       use.say(&UsedWindow::sayMuch);  // it was on its way
      }},
     {"a driver that fell silent, and clicks",
      [](UsedWindow& use) {
        use.connectTo("/anna");
-       use.sayOnEachPage([&use] { use.sayLittle(); });
+       use.say(&UsedWindow::sayLittle);
        use.clickEverything();
        use.connectTo("/anna", 2, "ERS-7", State::kNoDriver);
      }},
     {"joints that have not arrived, and held pads",
      [](UsedWindow& use) {
        use.connectTo("/anna");
-       use.sayOnEachPage([&use] { use.sayLittle(); });
+       use.say(&UsedWindow::sayLittle);
        use.open("Joints");
        use.drag("head_pan", -600);
        use.drag("left_front_knee", 900);
@@ -325,6 +331,7 @@ const std::vector<History> kHistories = {
        use.open("Sound");
        use.find<QCheckBox>("listen")->setChecked(true);
        use.sayMuch();
+       use.measureMuch();
      }},
 };
 
@@ -337,7 +344,7 @@ QStringList seenAfter(const std::function<void(UsedWindow&)>& history) {
   use.connectTo("/rex");
   QStringList seen = use.look();
   use.find<QCheckBox>("listen")->setChecked(true);
-  use.sayOnEachPage([&use] { use.sayLittle(); });
+  use.say(&UsedWindow::sayLittle);
   seen += use.look();
   seen += use.clickEverything();
   use.connectTo("/rex", 2, "ERS-7", State::kDisconnected);
