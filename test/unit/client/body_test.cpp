@@ -147,6 +147,22 @@ TEST_F(BodyTest, ARefusalIsThrownWithTheRobotsReason) {
   EXPECT_THAT(complaint.get(), HasSubstr("refused to play the motion GONE.MTN: there is no GONE.MTN."));
 }
 
+TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWaitingCallersGetAnError) {
+  ScriptedPeer peer = connectVersion2();
+  auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", {1}, seconds(60)); });
+  EXPECT_EQ('U', peer.readRequest().header.kind);
+  for (int i = 1; i < 10; ++i) {
+    client().commandLeds({{i, 100}});  // one is sent, the others wait for its answer
+    client().commandEars(true, true);
+  }
+  peer.close();
+  EXPECT_THROW(upload.get(), NetworkException);
+  ScriptedPeer next = connectVersion2();
+  ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
+  client().commandLeds({{200, 1}});
+  EXPECT_THAT(next.readRequest().payload, ElementsAre(200, 1, 0, 0)) << "the first that is sent";
+}
+
 TEST_F(BodyTest, WithoutAConnectionNothingIsKept) {
   EXPECT_THROW(client().commandLeds({{1, 1}}), NetworkException);
   EXPECT_THROW(client().commandEars(true, true), NetworkException);
