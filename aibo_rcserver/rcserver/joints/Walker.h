@@ -141,7 +141,7 @@ class Walker {
   /// @name What telemetry says
   /// @{
   protocol::version2::WalkState State() const;
-  double Phase() const { return phase_; }
+  double Phase() const { return activity_ == WALKING ? phase_ : 0; }
 
   /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
