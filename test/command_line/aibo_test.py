@@ -1301,8 +1301,8 @@ class Documents(unittest.TestCase):
 
     def test_bash_completes_commands_options_and_joints(self):
         def complete(*words):
-            script = 'source <("$0" completion); COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _aibo 2> /dev/null; ' \
-                     'printf "%s\\n" "${COMPREPLY[@]}"'
+            script = 'source <("$0" completion); COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); command=walk; ' \
+                     '_aibo 2> /dev/null; printf "%s\\n" "${COMPREPLY[@]}"; [ "$command" = walk ]'
             return subprocess.run(["bash", "-c", script, AIBO, *words], capture_output=True, timeout=60, check=True,
                                   text=True).stdout.split()
         self.assertEqual(complete("aibo", "mo"), ["move", "motions", "motors"])

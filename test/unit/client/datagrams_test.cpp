@@ -724,6 +724,14 @@ TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
   EXPECT_TRUE(eventually([&] { return (reply = robot.next()).has_value(); }));
   EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 0}), reply) << "the first picture has come";
   EXPECT_FALSE(stranger.next());
+
+  peer.close();
+  ScriptedPeer next_peer = connectVersion2("F W B");
+  const int next_port = startStream(&next_peer);
+  test_support::UdpSocket rebooted;
+  picture_ = sequence_ = 0;
+  sendUntilDelivered(client(), [&] { sendPicture(&rebooted, next_port); });
+  EXPECT_TRUE(eventually([&] { return rebooted.next().has_value(); })) << "a robot that has rebooted has another port";
 }
 
 TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold) {

@@ -116,6 +116,7 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   draw(50, 21, 1, 1, 0, &robot_.color_plane);
   draw(7, 22, 2, 1, 0, &robot_.color_plane);
   draw(30, 30, 3, 3, 1, &robot_.color_plane);  // has no table
+  draw(12, 20, 4, 2, 6, &robot_.color_plane);  // partly the same pixels
   switchOn();
   const Colors colors = nextImage();
   EXPECT_EQ(colors.regions.image_count, robot_.lastImage());
@@ -135,8 +136,10 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(first.height, 3);
   const ColorRegion& second = colors.regions.regions[1];
   EXPECT_EQ(second.channel, 6);
-  EXPECT_EQ(second.pixels, 0U);
-  EXPECT_EQ(second.width, 0);
+  EXPECT_EQ(second.pixels, 8U);
+  EXPECT_EQ(second.x, 64 * (12 + 13 + 14 + 15) / 4);
+  EXPECT_EQ(second.left, 12);
+  EXPECT_EQ(second.width, 4);
 }
 
 TEST(ColorCounterTest, EachImageIsCountedAnew) {

@@ -403,6 +403,11 @@ TEST_F(TravelTest, ItLiesOnEachSideAndIsPutBackOnItsFeet) {
     EXPECT_GT(body.translation().z(), 0.05);
     EXPECT_GT((body * headInBody({}) * Vector3d(0.081, 0, -0.0146)).z(), 0.01) << "the camera";
     EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{}));
+    travel_.lift(true);
+    pass(kStanding, 1);
+    travel_.lift(false);
+    pass(kStanding, 1);
+    EXPECT_NEAR((travel_.stance().body.linear() * below).z(), -1, 1e-6) << "it is set down as it lay";
   }
   travel_.lie(Side::kFeet);
   pass(kStanding, 1);

@@ -287,6 +287,12 @@ TEST_F(VirtualRobotCommTest, AnEntryThatItsPrimitiveDoesNotTakeIsIgnoredAloneAnd
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2) << text;
   EXPECT_THAT(text, AllOf(HasSubstr("WARNING"), HasSubstr("primitive 77 is not open, or takes no commands of type 259"),
                           HasSubstr("primitive 2 is not open, or takes no commands of type 260")));
+  robot_.led = 2;
+  robot_.commanded.clear();
+  send({vector});
+  pass(1);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(104, ElementsAre(Pair(1, 10), Pair(2, ::testing::_)))))
+      << "now it takes it";
 }
 
 TEST_F(VirtualRobotCommTest, AVectorOfIgnoredEntriesIsFreeInTheNextFrame) {
