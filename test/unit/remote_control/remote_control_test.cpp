@@ -229,9 +229,12 @@ TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASeco
   EXPECT_EQ(click("stop"), QStringList("stop"));
   RobotCondition condition;
   condition.is_stopped = true;
-  condition.stopped_by = "/gamepad";
+  condition.stopped_by = "/gamepad_" + QString(100, '1');
+  const int width = window_.minimumSizeHint().width();
   Q_EMIT robot_.conditionChanged(condition);
   EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
+  window_.layout()->activate();
+  EXPECT_EQ(window_.minimumSizeHint().width(), width) << "a long name does not move the button";
   EXPECT_TRUE(looks("#1565c0", "Lets the robot move again"));
   EXPECT_EQ(click("stop"), QStringList("stop"));
   EXPECT_TRUE(QTest::qWaitFor([this, &condition] {
