@@ -34,7 +34,8 @@ namespace aibo_driver::node {
 /// Counts since the start, each with the name that the diagnostics give it.
 using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
 
-/// What the status of the connection, pictures, datagrams, joints or sound counts. They may be called by any thread.
+/// The counts in the status of the connection, the pictures, the datagrams, the joints or sound. Any thread may call
+/// these functions.
 Counts connectionCounts(const aibo_client::ClientStatistics& client);
 Counts pictureCounts(const aibo_client::ClientStatistics& client, const RawImagePublisher::Statistics& images);
 /// @return nothing if no datagram has come

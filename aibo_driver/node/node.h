@@ -21,8 +21,7 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 /// A parameter that is a number.
 /// @param number the value if the parameter is not set
 /// @param highest the largest value that is allowed; the smallest is 0
-/// @throw std::runtime_error the parameter is no number, or out of this range; the message names it and says what is
-///   allowed
+/// @throw std::runtime_error the parameter is not a number, or is out of this range; the message names it and the range
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest);
 
 /// Calls ros::init(). If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of

@@ -1,4 +1,5 @@
 /// @file parameter_value.h
+/// Reads values of parameters, and tells the user which are refused. Any thread may call the functions.
 #ifndef AIBO_DRIVER_NODE_PARAMETER_VALUE_H
 #define AIBO_DRIVER_NODE_PARAMETER_VALUE_H
 
@@ -8,7 +9,7 @@
 
 namespace aibo_driver::node {
 
-/// @return NaN if the parameter is not a number, but a text, for example
+/// @return the number, whole or not; NaN if the value is anything else, such as a text
 double numberIn(XmlRpc::XmlRpcValue value);
 
 /// A sentence for the user about a parameter that is refused.

@@ -25,8 +25,9 @@ std::optional<MasterState> askMaster();
 /// our type.
 std::vector<std::string> driversIn(const MasterState& state);
 
-/// The next of these drivers, and the first one after the last one. If there is none, it is the given one.
+/// The driver to try after the one in this namespace: the next of those found. The first one follows the last one.
 /// @param found as driversIn() gives them
+/// @return the same namespace if no driver was found
 std::string driverAfter(const std::string& name_space, const std::vector<std::string>& found);
 
 /// Where the driver in a namespace has its settings (dynamic_reconfigure). This is the namespace of its parameters,

@@ -54,7 +54,7 @@ class FollowBall {
     }
   }
 
-  // On a new connection nobody walks who has not let go since.
+  // After a new connection the driver ignores velocities until their sender has sent 0.
   void receiveConnection(const Connection::ConstPtr& connection) {
     const bool was_connected = std::exchange(is_connected_, connection->state == Connection::CONNECTED);
     if (is_connected_ && !was_connected) {

@@ -36,7 +36,7 @@ using rosbag::MessageInstance;
 const ros::WallDuration kReportPeriod(1.0);  // as often as a driver says something
 const ros::WallDuration kLook(0.1);          // how often it looks whether somebody watches
 const ros::WallDuration kOthers(1.0);        // after the first one who watches, for the others to connect
-const ros::WallDuration kBetweenLoops(0.1);  // what is recorded may be only a moment
+const ros::WallDuration kBetweenLoops(0.1);  // a recording of a single moment would repeat without a pause
 const ros::WallDuration kLastMoment(0.5);    // for the last messages to arrive
 
 constexpr std::uint32_t kQueueSize = 100;
