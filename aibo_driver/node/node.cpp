@@ -119,6 +119,16 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
   return number;
 }
 
+bool readFlag(const ros::NodeHandle& parameters, const std::string& name) {
+  bool flag = false;
+  XmlRpc::XmlRpcValue value;
+  if (parameters.getParam(name, value) && !parameters.getParam(name, flag)) {
+    throw std::runtime_error(describeRefusal(parameters.resolveName(name), value, "true or false") + " " +
+                             kHowToRemove);
+  }
+  return flag;
+}
+
 void init(int& argc, char** argv, const std::string& name, std::uint32_t options) {
   try {
     ros::init(argc, argv, name, options);

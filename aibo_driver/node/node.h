@@ -24,6 +24,10 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 /// @throw std::runtime_error the parameter is not a number, or is out of this range; the message names it and the range
 double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest);
 
+/// A parameter that is true or false, and false if it is not set.
+/// @throw std::runtime_error the parameter is something else, such as 1 or a text; the message names it
+bool readFlag(const ros::NodeHandle& parameters, const std::string& name);
+
 /// Calls ros::init(). If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of
 /// a parameter, this says so and ends the process with EXIT_FAILURE. roscpp itself would abort it.
 /// @param options ros::InitOption

@@ -61,7 +61,7 @@ class Playback {
       : handle_(handle),
         recording_(parameters.param<std::string>("bag", ""), parameters.param<std::string>("recorded_ns", "")),
         timeline_(rateFrom(parameters)),
-        loops_(parameters.param("loop", false)),
+        loops_(aibo_driver::node::readFlag(parameters, "loop")),
         start_(startFrom(parameters)),
         failed_(failed),
         only_driver_(handle),

@@ -198,6 +198,6 @@ int main(int argc, char** argv) {
   aibo_driver::node::init(argc, argv, "aibo_room");
   return aibo_driver::node::runNode("node aibo_room", [] {
     return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
-                                  ros::NodeHandle("~").param("on_table", false));
+                                  aibo_driver::node::readFlag(ros::NodeHandle("~"), "on_table"));
   });
 }

@@ -2,6 +2,7 @@
 
 #include <ros/console.h>
 
+#include "node/node.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::tools {
@@ -14,7 +15,7 @@ const ros::WallDuration kPause(0.7);
 
 LeaveToMove::LeaveToMove(ros::NodeHandle handle, ros::NodeHandle parameters,
                          const std::function<std::string(const RobotState&)>& obstacle)
-    : goes_on_(parameters.param("go_on_after_stop", false)), obstacle_(obstacle) {
+    : goes_on_(node::readFlag(parameters, "go_on_after_stop")), obstacle_(obstacle) {
   service_ = parameters.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
       "go_on", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) { return goOn(response); });
   states_ =

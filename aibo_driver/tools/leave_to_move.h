@@ -23,6 +23,7 @@ class LeaveToMove {
   /// @param handle a handle in the driver's namespace
   /// @param parameters the node's own namespace
   /// @param obstacle says why the node cannot go on in this state of the robot, apart from a stop; empty if it can
+  /// @throw std::runtime_error ~go_on_after_stop is neither true nor false
   LeaveToMove(ros::NodeHandle handle, ros::NodeHandle parameters,
               const std::function<std::string(const RobotState&)>& obstacle = {});
 

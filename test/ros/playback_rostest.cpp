@@ -351,6 +351,7 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=fast"}),
               HasSubstr("rate is the text 'fast'; it must be a number"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_wait:=-1"}), HasSubstr("wait is -1; it must be a number, 0.."));
+  EXPECT_THAT(complaintAbout(path("left.bag"), {"_loop:=1"}), HasSubstr("loop is 1; it must be true or false"));
   {
     rosbag::Bag bag(path("both.bag"), rosbag::bagmode::Write);
     bag.write("/left/joint_states", kBegin, sensor_msgs::JointState());
