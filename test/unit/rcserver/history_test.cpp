@@ -94,6 +94,7 @@ class LivedRobot : public FakeRobotFixture {
   /// A client does what follows from the seed, and goes in one of many ways.
   void liveThrough(unsigned seed, bool goes) {
     random_.seed(seed);
+    stick_.write("OPEN-R/MW/DATA/P/A.JPG", std::string(9000, 'j'));
     const int clients = goes ? 1 + any(2) : 1;
     for (int i = 0; i < clients; ++i) {
       const bool is_version2 = !goes || any(5) != 0;
@@ -125,25 +126,25 @@ class LivedRobot : public FakeRobotFixture {
     std::filesystem::copy(std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P", stick_.path("OPEN-R/MW/DATA/P"));
   }
 
-  /// Uses everything.
+  /// Asks for everything and uses it.
   /// @return all that the robot has sent, said and done
   std::string scenario(Begin first) {
     beginRecord();
-    if (first == Begin::kVersion1) {
-      version1();
-      end();
+    if (first == Begin::kSameConnection) {
+      endEverything();
+      place();
+      beginRecord();
+    } else {
+      browser();
+      if (first == Begin::kVersion1) {
+        version1();
+        end();
+      }
+      beginVersion2();
+      untouched();
+      comeBack();
+      place();
     }
-    if (first != Begin::kSameConnection) {
-      client_ = connect();
-      send(request('X', 2));
-      takeReplies();
-      is_recording_pushes_ = true;
-      listen(20);
-      note("version 2");
-      picturesBeforeAnySetting();
-    }
-    endEverything();
-    place();
     settings();
     pictures();
     datagrams();
@@ -152,7 +153,7 @@ class LivedRobot : public FakeRobotFixture {
     joints();
     motions();
     walks();
-    end();
+    breakTheProtocol();
     version1();
     end();
     return record_.str();
@@ -196,6 +197,7 @@ class LivedRobot : public FakeRobotFixture {
   // Someone puts it as it was.
   void place() {
     ask('O', 0, std::string(1, '\0'));
+    is_recording_pushes_ = false;
     listen(30);
     for (size_t i = 0; i < places_.size(); ++i) {
       robot_.joints[i].position = places_[i];
@@ -203,7 +205,10 @@ class LivedRobot : public FakeRobotFixture {
     listen(130);
     ask('O', 0, "\1");
     listen(30);
-    beginRecord();
+    for (FakeRobot::FakeJoint& joint : robot_.joints) {
+      joint.path.clear();
+    }
+    is_placed_ = true;
     is_recording_pushes_ = true;
   }
 
@@ -331,7 +336,7 @@ class LivedRobot : public FakeRobotFixture {
       case 27:
         return say('M', any(101));
       case 28:
-        return say('Y', any(2) != 0 ? 1 : 2, any(2) != 0 ? "A.JPG" : "");
+        return any(3) != 0 ? say('Y', 2, "A.JPG") : say('Y', 1);
       case 29:
       case 30:
         walk_ = steering(0.001 * (any(300) - 100), 0.001 * (any(100) - 50), 0.001 * (any(600) - 300));
@@ -413,8 +418,9 @@ class LivedRobot : public FakeRobotFixture {
     }
   }
 
-  // The client ends, mostly while much is under way.
+  // The client ends, mostly while much is under way. What the camera and the speaker refuse to set back stays set.
   void go() {
+    robot_.refuses_camera_settings = robot_.refuses_color_tables = robot_.refuses_speaker = false;
     const int how = any(9);
     did_ << " ends " << how;
     switch (how) {
@@ -465,7 +471,6 @@ class LivedRobot : public FakeRobotFixture {
 
   void beginRecord() {
     record_.str("");
-    is_recording_pushes_ = false;
     console_.str("");
     robot_.camera_requests.clear();
     robot_.played.clear();
@@ -544,12 +549,14 @@ class LivedRobot : public FakeRobotFixture {
     for (size_t i = 0; i < robot_.joints.size(); ++i) {
       FakeRobot::FakeJoint& joint = robot_.joints[i];
       std::string path;
-      for (const int position : joint.path) {
-        path += std::to_string(position) + ' ';
+      for (const int position : std::exchange(joint.path, {})) {
+        path += std::to_string(position - (is_placed_ ? 0 : joint.position)) + ' ';
       }
-      record_ << robot_.model.joints[i].name << ' ' << joint.position << (joint.gain ? " on " : " off ")
-              << joint.gains.proportional << ' ' << hash(path) << '\n';
-      joint.path.clear();
+      record_ << robot_.model.joints[i].name << ' ' << hash(path);
+      if (is_placed_) {
+        record_ << ' ' << joint.position << (joint.gain ? " on " : " off ") << joint.gains.proportional;
+      }
+      record_ << '\n';
     }
     for (size_t i = 0; i < robot_.leds.size(); ++i) {
       FakeRobot::FakeLed& led = robot_.leds[i];
@@ -573,7 +580,8 @@ class LivedRobot : public FakeRobotFixture {
     const std::vector<sword> played = std::exchange(robot_.played, {});
     record_ << "played " << played.size() << ' '
             << hash({reinterpret_cast<const char*>(played.data()), 2 * played.size()}) << '\n'
-            << "power " << robot_.powered << ", images read " << std::exchange(robot_.images_read, 0) << '\n'
+            << "power " << (!is_placed_ || robot_.powered) << ", images read " << std::exchange(robot_.images_read, 0)
+            << '\n'
             << std::regex_replace(console_.str(), std::regex("127.0.0.1:[0-9]+"), "CLIENT") << "--- " << what << '\n';
     console_.str("");
   }
@@ -586,6 +594,47 @@ class LivedRobot : public FakeRobotFixture {
   }
 
   // ---------------------------------------------------------------------------------------------- the scenario
+
+  // It is no client. How often the console says so depends on the history.
+  void browser() {
+    client_ = connect();
+    send("POST / HTTP/1.1\r\n");
+    passFrames(4);
+    record_ << "browser " << client_->wasReset() << client_->received() << '\n';
+    console_.str("");
+  }
+
+  void beginVersion2() {
+    client_ = connect();
+    send(request('X', 2));
+    passFrames(1);
+    record_ << shown({client_->received().data(), protocol::VALUE_REPLY_SIZE}) << '\n';
+    client_->take(protocol::VALUE_REPLY_SIZE);
+    listen(20);
+    note("version 2");
+  }
+
+  // Another client is turned away. After an outage, the client itself takes its place again.
+  void comeBack() {
+    const auto other = connect();
+    other->send(request('X', 2));
+    passFrames(4);
+    record_ << "another " << other->wasReset() << other->received() << '\n';
+    passFrames(80);
+    const auto gone = std::exchange(client_, nullptr);
+    beginVersion2();
+    record_ << "gone " << gone->wasReset() << '\n';
+  }
+
+  // The server ends the connection, but the client does not.
+  void breakTheProtocol() {
+    order('F', 50, kLayerHigh);
+    send(std::string("Z\0\0\1\0\1\0\1", 8));
+    passFrames(260);
+    collect();
+    record_ << "reset " << client_->wasReset() << '\n';
+    note("protocol broken");
+  }
 
   void version1() {
     client_ = connect();
@@ -606,12 +655,17 @@ class LivedRobot : public FakeRobotFixture {
     }
     say(request('L', 3, 1) + request('L', 9, 100) + request('Y', 2, 40) + request('L', 26, 0) + request('K', 1, 1));
     say(request('S', 66) + request('S', 5) + request('S', 53));
+    client_->send(request('S', 255) + kRefused);
+    passFrames(8);
+    record_ << "block of " << client_->received().size() << '\n';
+    client_->take(client_->received().size());
     client_->send(std::string("U\0MINE.MTN\0\0\0\0\0\0\3\0", 18) + "abcW");
     say("");
     say(fileRequest('D', "NONE.MTN", 0));
   }
 
-  void picturesBeforeAnySetting() {
+  // What a client finds.
+  void untouched() {
     order('F', 255, {LAYER_DOUBLE});
     listen(8);
     ask('W', 30, payloadOf(StreamSettings{true, LAYER_MIDDLE, 2}));
@@ -619,9 +673,17 @@ class LivedRobot : public FakeRobotFixture {
     ask('W', 30, kStreamOff);
     ask('Z', COLORS_ON, payloadOf(ColorSettings{2, true}));
     listen(20);
+    ask('Z', COLORS_OFF);
     ask('V', 0);
     ask('A', SOUND_VOLUME);
     ask('A', SOUND_SPEAKER, sound(500, 10, false));
+    for (int setting = 1; setting <= 5; ++setting) {
+      ask('G', setting);
+    }
+    order('F', 10, kLayerHigh);
+    ask('N', 0);
+    ask('Y', 1);
+    listen(20);
     note("untouched");
   }
 
@@ -811,7 +873,8 @@ class LivedRobot : public FakeRobotFixture {
   int guard_ = 0;
   int walk_left_ = 0;  ///< how often it is steered on
   std::ostringstream record_;
-  bool is_recording_pushes_ = false;
+  bool is_recording_pushes_ = true;
+  bool is_placed_ = false;  ///< the robot stands as any other in the scenario
   int number_ = 100;
   int answered_ = 0;
   int repeats_ = 0;  ///< how many pictures by UDP are said to be incomplete
