@@ -21,22 +21,7 @@ const size_t Connection::SEND_CAPACITY;
 const size_t Connection::RECEIVE_SIZE;
 
 Connection::Connection()
-    : object_(),
-      buffer_(),
-      endpoint_number_(0),
-      state_(CLOSED),
-      aborting_(false),
-      close_began_(0),
-      sending_(false),
-      unsent_(NULL),
-      unsent_size_(0),
-      receiving_(false),
-      received_begin_(0),
-      received_end_(0),
-      is_sending_picture_(false),
-      client_address_(0) {
-  client_name_[0] = '\0';
-}
+    : object_(), buffer_(), endpoint_number_(0), state_(CLOSED), aborting_(false), close_began_(0), client_() {}
 
 bool Connection::Create(OID object) {
   object_ = object;
@@ -60,7 +45,7 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
   endpoint_ = create.moduleRef;
   endpoint_number_ = endpoint_number;
   state_ = LISTENING;
-  client_name_[0] = '\0';
+  client_ = Client();
   TCPEndpointListenMsg listen(endpoint_, IP_ADDR_ANY, port);
   if (!Post(listen, Extra_Entry[entryListenCont], sizeof(listen))) {
     Close(true, 0);
@@ -71,14 +56,9 @@ bool Connection::Listen(Port port, size_t endpoint_number) {
 
 void Connection::Accepted(const TCPEndpointListenMsg& answer) {
   state_ = CONNECTED;
-  sending_ = false;
-  receiving_ = false;
-  received_begin_ = 0;
-  received_end_ = 0;
-  is_sending_picture_ = false;
-  client_address_ = answer.fAddress.Address();
-  sprintf(client_name_, "%u.%u.%u.%u:%u", client_address_ >> 24, (client_address_ >> 16) & 0xff,
-          (client_address_ >> 8) & 0xff, client_address_ & 0xff, static_cast<unsigned>(answer.fPort));
+  client_.address = answer.fAddress.Address();
+  sprintf(client_.name, "%u.%u.%u.%u:%u", client_.address >> 24, (client_.address >> 16) & 0xff,
+          (client_.address >> 8) & 0xff, client_.address & 0xff, static_cast<unsigned>(answer.fPort));
 }
 
 void Connection::Close(bool abort, longword now) {
@@ -106,50 +86,50 @@ void Connection::Closed() {
 }
 
 bool Connection::Send(size_t size, bool is_picture) {
-  is_sending_picture_ = is_picture;
-  unsent_ = SendBuffer();
-  unsent_size_ = size;
+  client_.is_sending_picture = is_picture;
+  client_.unsent = SendBuffer();
+  client_.unsent_size = size;
   return SendPart();
 }
 
 bool Connection::Sent() {
-  sending_ = false;
-  if (unsent_size_ > 0) {
+  client_.sending = false;
+  if (client_.unsent_size > 0) {
     return SendPart();
   }
-  is_sending_picture_ = false;
+  client_.is_sending_picture = false;
   return true;
 }
 
 bool Connection::Receive() {
-  if (receiving_) {
+  if (client_.receiving) {
     return true;
   }
   if (ReceivedSize() == 0) {
-    received_begin_ = 0;
-    received_end_ = 0;
+    client_.received_begin = 0;
+    client_.received_end = 0;
   }
-  if (received_end_ > RECEIVE_SIZE / 2) {
+  if (client_.received_end > RECEIVE_SIZE / 2) {
     return true;
   }
-  TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer() + received_end_, 1,
-                                static_cast<int>(RECEIVE_SIZE - received_end_));
-  receiving_ = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
-  return receiving_;
+  TCPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer() + client_.received_end, 1,
+                                static_cast<int>(RECEIVE_SIZE - client_.received_end));
+  client_.receiving = Post(receive, Extra_Entry[entryReceiveCont], sizeof(receive));
+  return client_.receiving;
 }
 
 void Connection::Received(size_t size) {
-  receiving_ = false;
-  received_end_ += size;
+  client_.receiving = false;
+  client_.received_end += size;
 }
 
 bool Connection::SendPart() {
-  const size_t size = unsent_size_ < MAX_PART_SIZE ? unsent_size_ : MAX_PART_SIZE;
-  TCPEndpointSendMsg send(endpoint_, unsent_, static_cast<int>(size));
-  unsent_ += size;
-  unsent_size_ -= size;
-  sending_ = Post(send, Extra_Entry[entrySendCont], sizeof(send));
-  return sending_;
+  const size_t size = client_.unsent_size < MAX_PART_SIZE ? client_.unsent_size : MAX_PART_SIZE;
+  TCPEndpointSendMsg send(endpoint_, client_.unsent, static_cast<int>(size));
+  client_.unsent += size;
+  client_.unsent_size -= size;
+  client_.sending = Post(send, Extra_Entry[entrySendCont], sizeof(send));
+  return client_.sending;
 }
 
 // Sends a message to the IPStack. Its answer comes with endpoint_number_ as the continuation.

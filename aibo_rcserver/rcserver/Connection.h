@@ -71,10 +71,10 @@ class Connection {
   void Closed();
 
   /// True while something is being sent.
-  bool IsSending() const { return sending_; }
+  bool IsSending() const { return client_.sending; }
 
   /// True while a picture is being sent.
-  bool IsSendingPicture() const { return is_sending_picture_; }
+  bool IsSendingPicture() const { return client_.is_sending_picture; }
 
   /// Buffer of SEND_CAPACITY bytes for the next message or picture. Do not use it while IsSending().
   byte* SendBuffer() const { return buffer_.Bytes(); }
@@ -97,23 +97,36 @@ class Connection {
   void Received(size_t size);
 
   /// The received bytes that have not been taken yet.
-  const byte* ReceivedBytes() const { return ReceiveBuffer() + received_begin_; }
-  size_t ReceivedSize() const { return received_end_ - received_begin_; }
+  const byte* ReceivedBytes() const { return ReceiveBuffer() + client_.received_begin; }
+  size_t ReceivedSize() const { return client_.received_end - client_.received_begin; }
 
   /// Marks all received bytes as taken.
-  void TakeReceived() { received_begin_ = received_end_; }
+  void TakeReceived() { client_.received_begin = client_.received_end; }
 
   /// True if a client has connected since Listen().
-  bool HadClient() const { return client_name_[0] != '\0'; }
+  bool HadClient() const { return client_.name[0] != '\0'; }
 
   /// The client's address as a number; 127.0.0.1 is 0x7f000001.
-  unsigned ClientAddress() const { return client_address_; }
+  unsigned ClientAddress() const { return client_.address; }
 
   /// The client's address, "192.168.1.2:40000".
-  const char* ClientName() const { return client_name_; }
+  const char* ClientName() const { return client_.name; }
 
  private:
   enum State { CLOSED, LISTENING, CONNECTED, CLOSING };
+
+  // What is known of the client. Everything is 0 until one has connected.
+  struct Client {
+    bool sending;
+    bool is_sending_picture;
+    byte* unsent;  ///< the rest of the message or picture that is being sent
+    size_t unsent_size;
+    bool receiving;
+    size_t received_begin;  ///< offset of the first byte that has not been taken
+    size_t received_end;    ///< offset for the next received bytes
+    unsigned address;
+    char name[sizeof("255.255.255.255:65535")];
+  };
 
   Connection(const Connection&);
   Connection& operator=(const Connection&);
@@ -132,15 +145,7 @@ class Connection {
   State state_;
   bool aborting_;         ///< in CLOSING
   longword close_began_;  ///< in CLOSING: frame in which the close began
-  bool sending_;
-  byte* unsent_;  ///< the rest of the message or picture that is being sent
-  size_t unsent_size_;
-  bool receiving_;
-  size_t received_begin_;  ///< offset of the first byte that has not been taken
-  size_t received_end_;    ///< offset for the next received bytes
-  bool is_sending_picture_;
-  unsigned client_address_;
-  char client_name_[sizeof("255.255.255.255:65535")];
+  Client client_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CONNECTION_H

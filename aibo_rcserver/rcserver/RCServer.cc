@@ -79,12 +79,7 @@ RCServer::RCServer()
       now_(0),
       last_picture_(0),
       lies_down_since_(0),
-      admitted_(0),
-      last_bytes_received_(0),
-      last_sign_of_life_(0),
-      is_announced_(false),
-      was_silent_(false),
-      last_not_over_(0),
+      signs_(0),
       last_attempt_(0),
       strangers_(0),
       last_stranger_(0 - FRAMES_PER_MINUTE) {}
@@ -271,7 +266,7 @@ void RCServer::SendCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), true);
     return;
   }
-  last_sign_of_life_ = now_;
+  signs_.last_sign_of_life = now_;
   if (!client_->Sent()) {
     DropClient("the IPStack does not send", true);
     return;
@@ -470,19 +465,19 @@ void RCServer::CheckClient() {
     return;
   }
   if (!session_->IsOver()) {
-    last_not_over_ = now_;
-  } else if (now_ - last_not_over_ >= FRAMES_PER_SECOND) {
+    signs_.last_not_over = now_;
+  } else if (now_ - signs_.last_not_over >= FRAMES_PER_SECOND) {
     DropClient(session_->EndReason(), true);
     return;
   }
-  if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= HEARTBEAT_FRAMES) {
+  if (session_->ExpectsHeartbeat() && now_ - signs_.last_bytes_received >= HEARTBEAT_FRAMES) {
     DropClient("it has been silent for 5 s", true);
     return;
   }
-  const bool was_silent = was_silent_;
-  was_silent_ = IsClientSilent();
+  const bool had_been_silent = signs_.was_silent;
+  signs_.was_silent = IsClientSilent();
   MotionPlayer& motions = body_->Joints().Motions();
-  if (was_silent_ && !was_silent && motions.IsPlaying()) {
+  if (signs_.was_silent && !had_been_silent && motions.IsPlaying()) {
     OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions are not repeated any more\n",
                client_->ClientName(), settings_.silent_client_seconds));
     motions.EndRepetitions();
@@ -491,10 +486,10 @@ void RCServer::CheckClient() {
 
 // A client that has not sent a whole request may be any program, so it gets less time, whatever bytes it sends.
 bool RCServer::IsClientSilent() const {
-  if (!session_->HasRequested() && now_ - admitted_ >= FIRST_REQUEST_FRAMES) {
+  if (!session_->HasRequested() && now_ - signs_.admitted >= FIRST_REQUEST_FRAMES) {
     return true;
   }
-  return now_ - last_sign_of_life_ >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
+  return now_ - signs_.last_sign_of_life >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
 }
 
 void RCServer::ListenWhereClosed() {
@@ -517,12 +512,7 @@ Connection* RCServer::FindConnection(const void* continuation) {
 
 void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
-  admitted_ = now_;
-  last_sign_of_life_ = now_;
-  last_bytes_received_ = now_;
-  is_announced_ = false;
-  was_silent_ = false;
-  last_not_over_ = now_;
+  signs_ = Signs(now_);
   session_->Begin();
   datagrams_.ClientConnected(client_->ClientAddress());
   ServeClient();
@@ -531,7 +521,7 @@ void RCServer::Admit(Connection* newcomer) {
 // After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
 bool RCServer::MayReplaceClient(const Connection& newcomer) const {
   return IsClientSilent() || (session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress() &&
-                              now_ - last_bytes_received_ >= OUTAGE_FRAMES);
+                              now_ - signs_.last_bytes_received >= OUTAGE_FRAMES);
 }
 
 // Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
@@ -585,11 +575,11 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 }
 
 void RCServer::NoteSignOfLife() {
-  if (session_->ExpectsHeartbeat() && now_ - last_bytes_received_ >= SILENCE_FRAMES) {
+  if (session_->ExpectsHeartbeat() && now_ - signs_.last_bytes_received >= SILENCE_FRAMES) {
     held_up_.CatchUp(SystemMilliseconds());
   }
-  last_sign_of_life_ = now_;
-  last_bytes_received_ = now_;
+  signs_.last_sign_of_life = now_;
+  signs_.last_bytes_received = now_;
 }
 
 void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
@@ -653,8 +643,8 @@ void RCServer::ServeClient() {
     ForgetClient();
     return;
   }
-  if (!is_announced_ && session_->HasRequested()) {
-    is_announced_ = true;
+  if (!signs_.is_announced && session_->HasRequested()) {
+    signs_.is_announced = true;
     if (reports_.Admits(now_)) {
       OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
     }

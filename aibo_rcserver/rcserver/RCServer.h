@@ -166,6 +166,24 @@ class RCServer : public OObject {
   void BeginPicture();
   void UsePicture(const EncodedPicture& picture);
 
+  // What has been noticed of the client.
+  struct Signs {
+    explicit Signs(longword now)
+        : admitted(now),
+          last_bytes_received(now),
+          last_sign_of_life(now),
+          last_not_over(now),
+          is_announced(false),
+          was_silent(false) {}
+
+    longword admitted;             ///< frame in which it was admitted
+    longword last_bytes_received;  ///< from it
+    longword last_sign_of_life;
+    longword last_not_over;  ///< last frame in which the session was not over
+    bool is_announced;       ///< the console has named it
+    bool was_silent;         ///< at the last check
+  };
+
   Connection connections_[NUMBER_OF_CONNECTIONS];
   size_t endpoints_;    ///< number of endpoints created so far
   Connection* client_;  ///< the client's connection; NULL if there is no client
@@ -188,15 +206,10 @@ class RCServer : public OObject {
   longword now_;
   longword last_picture_;  ///< when one was sent
   longword lies_down_since_;
-  longword admitted_;             ///< frame in which the client was admitted
-  longword last_bytes_received_;  ///< from the client
-  longword last_sign_of_life_;    ///< of the client
-  bool is_announced_;             ///< the console has named the client
-  bool was_silent_;               ///< the client was silent at the last check
-  longword last_not_over_;        ///< last frame in which the session was not over
-  longword last_attempt_;         ///< frame of the last attempt to listen
-  unsigned strangers_;            ///< aborted since the last report on the console
-  longword last_stranger_;        ///< frame of the last report
+  Signs signs_;
+  longword last_attempt_;   ///< frame of the last attempt to listen
+  unsigned strangers_;      ///< aborted since the last report on the console
+  longword last_stranger_;  ///< frame of the last report
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_RCSERVER_H

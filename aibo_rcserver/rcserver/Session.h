@@ -47,17 +47,17 @@ class Session {
   void End();
 
   /// True if bytes may be added: all requests have been handled.
-  bool WantsInput() const { return !IsEnding() && !has_input_; }
+  bool WantsInput() const { return !IsEnding() && !talk_.has_input; }
 
   /// Adds received bytes. Call it only if WantsInput().
   void AddInput(const unsigned char* bytes, size_t size);
 
   /// True if the first bytes are not a client's (Opening). No more requests are handled; the connection must be
   /// dropped.
-  bool IsWithStranger() const { return is_stranger_ || opening_.verdict() == protocol::Opening::STRANGER; }
+  bool IsWithStranger() const { return talk_.is_stranger || talk_.opening.verdict() == protocol::Opening::STRANGER; }
 
   /// True if the client has sent at least one whole request.
-  bool HasRequested() const { return has_requested_; }
+  bool HasRequested() const { return talk_.has_requested; }
 
   /// Handles requests while there is room for the answers. Call it after bytes were added or taken, and after a request
   /// has been answered.
@@ -92,7 +92,7 @@ class Session {
   /// True if the client wants the colours that were detected in this image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
   bool WantsColors(unsigned image_count) const {
-    return version_ == protocol::version2::VERSION && version2_.WantsColors(image_count);
+    return talk_.version == protocol::version2::VERSION && version2_.WantsColors(image_count);
   }
 
   /// Call when the camera has detected colours in an image, but only if WantsColors().
@@ -112,17 +112,17 @@ class Session {
   size_t TakeOutput(unsigned char* out) { return outbox_.Take(out); }
 
   /// True if no more requests are handled: the client broke the protocol, or the robot is going off.
-  bool IsEnding() const { return is_over_ || robot_.power_order != POWER_STAYS_ON; }
+  bool IsEnding() const { return talk_.is_over || robot_.power_order != POWER_STAYS_ON; }
 
   /// True if the connection must be closed after the output has been sent: the session IsEnding(), and no answer
   /// depends on the memory stick.
-  bool IsOver() const { return is_over_ || (IsEnding() && !files_.IsPending()); }
+  bool IsOver() const { return talk_.is_over || (IsEnding() && !files_.IsPending()); }
 
   /// Why the session is over.
-  const char* EndReason() const { return is_over_ ? "it broke the protocol" : power_reason_; }
+  const char* EndReason() const { return talk_.is_over ? "it broke the protocol" : talk_.power_reason; }
 
   /// True if a silent client has to be dropped (version 2).
-  bool ExpectsHeartbeat() const { return version_ == protocol::version2::VERSION; }
+  bool ExpectsHeartbeat() const { return talk_.version == protocol::version2::VERSION; }
 
   ImageObserver& Camera() { return camera_; }
 
@@ -146,26 +146,41 @@ class Session {
   void ChangeToVersion2();
   bool HandleFrame(unsigned now);
 
+  // What is begun anew with each client.
+  struct Talk {
+    Talk()
+        : version(1),
+          is_over(false),
+          power_reason("it switched the robot off"),
+          is_stranger(false),
+          has_requested(false),
+          request(),
+          has_request(false),
+          has_input(false) {}
+
+    int version;
+    bool is_over;
+    const char* power_reason;  ///< why the robot goes off
+    protocol::Opening opening;
+    bool is_stranger;
+    bool has_requested;
+    protocol::RequestReader input;  ///< of both versions
+    protocol::Request request;
+    bool has_request;  ///< request waits until it is clear that it is not HTTP
+    bool has_input;    ///< there are unhandled bytes, possibly complete requests
+  };
+
   const Robot robot_;
   const int newest_version_;
-  int version_;
-  bool is_over_;
-  const char* power_reason_;  ///< why the robot goes off
   ImageObserver camera_;
   Outbox outbox_;
   FileOrder files_;
   MotionCommands motions_;
   Version1 version1_;
   Version2 version2_;
-  protocol::Opening opening_;
-  bool is_stranger_;
-  bool has_requested_;
-  protocol::RequestReader input_;                                         ///< of both versions
+  Talk talk_;
   unsigned char payload_[protocol::version2::MAX_PAYLOAD_TOWARDS_ROBOT];  ///< in version 1: the content of an upload
   protocol::version2::FrameReader frame_reader_;
-  protocol::Request request_;
-  bool has_request_;  ///< request_ waits until it is clear that it is not HTTP
-  bool has_input_;    ///< there are unhandled bytes, possibly complete requests
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_SESSION_H

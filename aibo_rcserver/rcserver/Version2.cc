@@ -118,29 +118,13 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       payload_(NULL),
       now_(0),
       pending_(),
-      owes_file_(false),
-      told_(),
-      colors_(),
-      has_pushed_colors_(false),
-      last_colors_(0) {
+      client_() {
   char* end = capabilities_;
   for (const Row* row = ROWS; row->request != NULL; ++row) {
     if (Serves(*row) && (row->is_allowed == NULL || settings.*row->is_allowed)) {
       end += sprintf(end, "%s%c", row == ROWS ? "" : " ", row->request->letter);
     }
   }
-  Begin();
-}
-
-void Version2::Begin() {
-  owes_file_ = false;
-  tells_camera_settings_ = false;
-  tells_motors_ = false;
-  has_told_motors_ = false;
-  telemetry_period_ = 0;
-  content_ = TELEMETRY_PLAIN;
-  has_pushed_telemetry_ = false;
-  detects_colors_ = false;
 }
 
 void Version2::Handle(const FrameHeader& request, const unsigned char* payload, unsigned now) {
@@ -206,9 +190,10 @@ void Version2::PushReports() {
 void Version2::Measured(unsigned frame) {
   PushReports();
   PushMotorsAndPosture();
-  if (telemetry_period_ != 0 && (!has_pushed_telemetry_ || frame - last_telemetry_ >= telemetry_period_)) {
-    has_pushed_telemetry_ = true;
-    last_telemetry_ = frame;
+  if (client_.telemetry_period != 0 &&
+      (!client_.has_pushed_telemetry || frame - client_.last_telemetry >= client_.telemetry_period)) {
+    client_.has_pushed_telemetry = true;
+    client_.last_telemetry = frame;
     PushTelemetry(frame);
   }
 }
@@ -319,7 +304,7 @@ void Version2::CarryOut<REQUEST_CAMERA>() {
   if (!IsWellFormed(problemOfCameraValue(request_.id, 1)) || (!is_read && !Decode(&wanted))) {
     return;
   }
-  tells_camera_settings_ = true;
+  client_.tells_camera_settings = true;
   const CameraSetting setting = static_cast<CameraSetting>(request_.id);
   if (!is_read && !robot_.camera.Set(setting, wanted.value)) {
     Refuse(CODE_REFUSED, "the robot's camera does not take this setting; the robot's console says why");
@@ -446,7 +431,7 @@ void Version2::CarryOut<REQUEST_MOTORS>() {
       return;
     }
   }
-  tells_motors_ = true;
+  client_.tells_motors = true;
   const MotorState state = {motors.AreOn()};
   Reply(state);
   if (!motors.AreOn()) {
@@ -558,11 +543,12 @@ template <>
 void Version2::CarryOut<REQUEST_TELEMETRY>() {
   TelemetryPeriod period;
   if (Decode(&period)) {
-    telemetry_period_ = period.frames = WholeSensorPeriods(period.frames);
+    client_.telemetry_period = period.frames = WholeSensorPeriods(period.frames);
     const bool can_walk = robot_.joints.Walking().CanWalk();
-    content_ = static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
-    request_.id = content_;
-    has_pushed_telemetry_ = false;
+    client_.content =
+        static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
+    request_.id = client_.content;
+    client_.has_pushed_telemetry = false;
     outbox_.Telemetry().Drop();
     Reply(period);
   }
@@ -690,12 +676,13 @@ void Version2::PushEnds() {
 
 void Version2::PushMotorsAndPosture() {
   const MotorsAndPosture now = {robot_.motors.AreOn(), static_cast<unsigned char>(robot_.joints.Posture())};
-  const bool is_told = has_told_motors_ && now.motors_on == told_.motors_on && now.posture == told_.posture;
-  if (!tells_motors_ || is_told || !outbox_.HasRoom()) {
+  const bool is_told =
+      client_.has_told_motors && now.motors_on == client_.told.motors_on && now.posture == client_.told.posture;
+  if (!client_.tells_motors || is_told || !outbox_.HasRoom()) {
     return;
   }
-  has_told_motors_ = true;
-  told_ = now;
+  client_.has_told_motors = true;
+  client_.told = now;
   Send(MOTORS_AND_POSTURE_PUSH, 0, now);
 }
 
@@ -715,11 +702,11 @@ void Version2::PushTelemetry(unsigned frame) {
       Add(GROUP_SENSOR, sensor.identifier, protocol::version2SensorValue(sensor.kind, sensors.Value(i)), &telemetry);
     }
   }
-  const bool with_duty = (content_ & TELEMETRY_WITH_DUTY) != 0;
+  const bool with_duty = (client_.content & TELEMETRY_WITH_DUTY) != 0;
   for (int i = 0; with_duty && i < joints.NumberOfJoints(); ++i) {
     Add(GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i)), &telemetry);
   }
-  if ((content_ & TELEMETRY_WITH_WALK) != 0) {
+  if ((client_.content & TELEMETRY_WITH_WALK) != 0) {
     AddWalk(robot_.joints.Walking(), &telemetry);
   }
   outbox_.Telemetry().Set(message_, Frame(TELEMETRY_PUSH, 0, 0, encode(telemetry, Payload())));

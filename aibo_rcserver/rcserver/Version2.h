@@ -22,7 +22,7 @@ class Version2 {
            ImageObserver& camera, Outbox& outbox);
 
   /// A new client: no telemetry is pushed.
-  void Begin();
+  void Begin() { client_ = Client(); }
 
   /// Carries out a request and adds at most one reply to the outbox. FileDone() answers a request that needs the memory
   /// stick. A request for a picture is answered by the picture.
@@ -38,7 +38,7 @@ class Version2 {
   void PictureTaken(const unsigned char* jpeg, size_t size);
 
   /// True if the file of the last FileDone() must be sent, after EncodeFileHeader().
-  bool OwesFile() const { return owes_file_; }
+  bool OwesFile() const { return client_.owes_file; }
 
   /// Writes the header of the frame that carries the file. The file is then no longer owed.
   /// @param[out] out room for FRAME_HEADER_SIZE bytes
@@ -51,11 +51,12 @@ class Version2 {
   void PushPowerOff(const char* reason);
 
   /// True if picture headers may include the camera's settings: the client has sent `G`.
-  bool TellsCameraSettings() const { return tells_camera_settings_; }
+  bool TellsCameraSettings() const { return client_.tells_camera_settings; }
 
   /// True if the client has switched on colour detection and this image is due.
   bool WantsColors(unsigned image_count) const {
-    return detects_colors_ && (!has_pushed_colors_ || image_count - last_colors_ >= colors_.every_nth_image);
+    return client_.detects_colors &&
+           (!client_.has_pushed_colors || image_count - client_.last_colors >= client_.colors.every_nth_image);
   }
 
   /// Pushes the colours detected in an image. Call it only if WantsColors(). If the camera has no such plane, an error
@@ -155,6 +156,23 @@ class Version2 {
   static const protocol::MotionName ALL_MOTIONS;
   static const char TOO_MANY_OWED[];
 
+  // What the client has asked for and was told. Everything is 0 for a new one.
+  struct Client {
+    bool owes_file;  ///< pending_ must be answered with a file
+    bool tells_camera_settings;
+    bool tells_motors;     ///< the client has sent `O`
+    bool has_told_motors;  ///< told has been pushed
+    protocol::version2::MotorsAndPosture told;
+    unsigned short telemetry_period;  ///< in frames; 0: no telemetry
+    unsigned char content;            ///< bits of TelemetryContent that are pushed
+    bool has_pushed_telemetry;        ///< since the period was set
+    unsigned last_telemetry;          ///< frame in which telemetry was last pushed
+    bool detects_colors;
+    protocol::version2::ColorSettings colors;  ///< valid while detects_colors
+    bool has_pushed_colors;                    ///< since colors was set
+    unsigned last_colors;                      ///< image count of the last image whose colours were pushed
+  };
+
   const Robot& robot_;
   const Settings& settings_;
   FileOrder& files_;
@@ -166,20 +184,8 @@ class Version2 {
   const unsigned char* payload_;                    ///< of the request
   unsigned now_;                                    ///< OPEN-R frame in which the request came
   protocol::version2::FrameHeader pending_;         ///< the request that waits for the memory stick
-  bool owes_file_;                                  ///< pending_ must be answered with a file
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the message that is being written
-  bool tells_camera_settings_;
-  bool tells_motors_;     ///< the client has sent `O`
-  bool has_told_motors_;  ///< told_ has been pushed
-  protocol::version2::MotorsAndPosture told_;
-  unsigned short telemetry_period_;  ///< in frames; 0: no telemetry
-  unsigned char content_;            ///< bits of TelemetryContent that are pushed
-  bool has_pushed_telemetry_;        ///< since the period was set
-  unsigned last_telemetry_;          ///< frame in which telemetry was last pushed
-  bool detects_colors_;
-  protocol::version2::ColorSettings colors_;  ///< valid while detects_colors_
-  bool has_pushed_colors_;                    ///< since colors_ was set
-  unsigned last_colors_;                      ///< image count of the last image whose colours were pushed
+  Client client_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_VERSION2_H

@@ -31,9 +31,9 @@ void Version2::CarryOut<REQUEST_COLORS>() {
 
 // Drops detections that were made with the earlier settings.
 void Version2::SwitchColors(bool on, const ColorSettings& settings) {
-  detects_colors_ = on;
-  colors_ = settings;
-  has_pushed_colors_ = false;
+  client_.detects_colors = on;
+  client_.colors = settings;
+  client_.has_pushed_colors = false;
   outbox_.Colors().Drop();
 }
 
@@ -60,19 +60,19 @@ void Version2::LoadColorTable() {
 void Version2::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
   if (plane.pixels == NULL) {
     if (outbox_.HasRoom()) {
-      SwitchColors(false, colors_);
+      SwitchColors(false, client_.colors);
       SendError(0, CODE_NOT_SUPPORTED, "the images of this robot's camera have no plane with the colours detected");
     }
     return;
   }
-  has_pushed_colors_ = true;
-  last_colors_ = image_count;
+  client_.has_pushed_colors = true;
+  client_.last_colors = image_count;
   ColorRegions regions;
   regions.image_count = image_count;
   regions.frame_number = frame;
   regions.width = static_cast<unsigned short>(plane.width);
   regions.height = static_cast<unsigned short>(plane.height);
-  regions.has_plane = colors_.with_plane && canPackPlane(plane);
+  regions.has_plane = client_.colors.with_plane && canPackPlane(plane);
   countColors(plane, robot_.colors.Loaded(), &regions);
   regions.plane = NULL;
   regions.plane_size = 0;

@@ -11,7 +11,7 @@ const protocol::MotionName Version2::ALL_MOTIONS = "";
 
 // Only one request may wait for the memory stick. The others can then be handled at once, above all orders to stop.
 bool Version2::IsStickFree() {
-  const bool is_free = !files_.IsPending() && !owes_file_;
+  const bool is_free = !files_.IsPending() && !client_.owes_file;
   if (!is_free) {
     Refuse(CODE_REFUSED, "the memory stick is busy with an earlier request; try again after its answer");
   }

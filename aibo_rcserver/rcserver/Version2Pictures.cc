@@ -74,14 +74,14 @@ void Version2::PictureJobDone(const FileResult& result) {
   } else if (is_done && request_.id == FETCH_PICTURE && result.size == 0) {
     Refuse(CODE_FILE_MISSING, "the file is empty; delete it");
   } else if (is_done && request_.id == FETCH_PICTURE) {
-    owes_file_ = true;
+    client_.owes_file = true;
   } else {
     Answer(outcome);
   }
 }
 
 size_t Version2::EncodeFileHeader(size_t size, unsigned char* out) {
-  owes_file_ = false;
+  client_.owes_file = false;
   const FrameHeader header = {replyKind(pending_.kind), pending_.id, pending_.request_number,
                               static_cast<unsigned>(size)};
   return encode(header, out);
