@@ -415,7 +415,7 @@ TEST_F(BodyTest, RebootAnswersAndServesTheNextClient) {
 }
 
 TEST_F(BodyTest, PowerOrderThatTheRobotRefusesIsForgotten) {
-  startWith("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes");
+  startWith("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\nALLOW_DELETE=yes");
   for (const char letter : {'Q', 'R'}) {
     failing_shutdowns = 1;
     client_->send(request(letter, 0, 0));
@@ -429,6 +429,12 @@ TEST_F(BodyTest, PowerOrderThatTheRobotRefusesIsForgotten) {
     passFrames(400);
     expectError(kRefused);  // it is served, however long the memory stick might have been waited for
   }
+  file_keeper_.slowDown();
+  send(fileRequest('D', "NOD.MTN", 0));
+  disconnect();
+  robot_.power_status.robotStatus |= orsbPAUSE;
+  passFrames(100);
+  EXPECT_TRUE(machine_->isOn()) << "it waits for the memory stick anew";
 }
 
 TEST_F(BodyTest, ConsoleNamesNoReasonOfAnEarlierPowerOrder) {

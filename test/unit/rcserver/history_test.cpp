@@ -83,6 +83,7 @@ class LivedRobot : public FakeRobotFixture {
  public:
   /// @param datagrams where pictures by UDP come; the same of all robots that are compared
   explicit LivedRobot(UdpSocket& datagrams) : datagrams_(datagrams) {
+    host_.room = &room_;
     setUpWorld();
     for (const FakeRobot::FakeJoint& joint : robot_.joints) {
       places_.push_back(joint.position);
@@ -94,6 +95,7 @@ class LivedRobot : public FakeRobotFixture {
   /// A client does what follows from the seed, and goes in one of many ways.
   void liveThrough(unsigned seed, bool goes) {
     random_.seed(seed);
+    address_ = goes ? "127.0.0.2" : "127.0.0.1";
     stick_.write("OPEN-R/MW/DATA/P/A.JPG", std::string(9000, 'j'));
     const int clients = goes ? 1 + any(2) : 1;
     for (int i = 0; i < clients; ++i) {
@@ -140,6 +142,7 @@ class LivedRobot : public FakeRobotFixture {
         version1();
         end();
       }
+      client_ = connect();
       beginVersion2();
       untouched();
       comeBack();
@@ -171,6 +174,8 @@ class LivedRobot : public FakeRobotFixture {
     encoder_.speedUp();
     file_keeper_.speedUp();
     failing_entry_.reset();
+    room_ = 1 << 30;
+    robot_.stick_status = omemorystickWRITABLE;
     for (size_t i = 0; i < robot_.sensor_values.size(); ++i) {
       robot_.sensor_values[i] = static_cast<int>(1000 * i + 7);
     }
@@ -225,7 +230,7 @@ class LivedRobot : public FakeRobotFixture {
   }
 
   void begin(bool is_version2, int receive_buffer) {
-    client_ = connect(receive_buffer);
+    client_ = connect(receive_buffer, address_);
     if (is_version2) {
       send(request('X', 2));
       passFrames(1);
@@ -372,7 +377,7 @@ class LivedRobot : public FakeRobotFixture {
   }
 
   void changeTheWorld() {
-    const int what = any(14);
+    const int what = any(18);
     did_ << "world" << what;
     FakeRobot::FakeJoint& joint = robot_.joints[static_cast<size_t>(any(robot_.model.number_of_joints))];
     switch (what) {
@@ -412,6 +417,18 @@ class LivedRobot : public FakeRobotFixture {
       case 12:
         robot_.color_plane.clear();
         break;
+      case 13:
+        robot_.stick_status = omemorystickNOT_EXIST;
+        break;
+      case 14:
+        room_ = static_cast<size_t>(any(70000));
+        break;
+      case 15:
+        encoder_.speedUp();
+        break;
+      case 16:
+        file_keeper_.speedUp();
+        break;
       default:
         robot_.detail.reset();
         break;
@@ -446,7 +463,7 @@ class LivedRobot : public FakeRobotFixture {
         break;
       case 6: {
         passFrames(80);
-        auto guest = connect();
+        auto guest = connect(0, address_);
         guest->send(request('X', 2));
         passFrames(2);
         client_->close();
@@ -605,7 +622,6 @@ class LivedRobot : public FakeRobotFixture {
   }
 
   void beginVersion2() {
-    client_ = connect();
     send(request('X', 2));
     passFrames(1);
     record_ << shown({client_->received().data(), protocol::VALUE_REPLY_SIZE}) << '\n';
@@ -614,16 +630,17 @@ class LivedRobot : public FakeRobotFixture {
     note("version 2");
   }
 
-  // Another client is turned away. After an outage, the client itself takes its place again.
+  // Another client is turned away. After an outage, the client itself takes its place again, though not at once.
   void comeBack() {
     const auto other = connect();
     other->send(request('X', 2));
     passFrames(4);
-    record_ << "another " << other->wasReset() << other->received() << '\n';
+    EXPECT_TRUE(other->wasReset());
     passFrames(80);
-    const auto gone = std::exchange(client_, nullptr);
+    const auto gone = std::exchange(client_, connect());
+    passFrames(30);
     beginVersion2();
-    record_ << "gone " << gone->wasReset() << '\n';
+    EXPECT_TRUE(gone->wasReset());
   }
 
   // The server ends the connection, but the client does not.
@@ -864,6 +881,8 @@ class LivedRobot : public FakeRobotFixture {
   }
 
   UdpSocket& datagrams_;
+  const char* address_ = "127.0.0.1";  ///< of the clients before the scenario
+  size_t room_ = 0;                    ///< on the memory stick
   std::vector<int> places_;
   std::minstd_rand random_;
   std::ostringstream did_;

@@ -226,6 +226,13 @@ TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
     expectAnswer(request('J', 0, 0), 'j', 0, 0);
     passFrames(kLongestWay);
   }
+  for (const auto& [name, id, target] : first_and_last) {
+    robot_.joint(name).jammed = true;
+    answerTo(request('J', id, target));
+  }
+  passFrames(kLongestWay);
+  expectError(request('J', 0, 0));
+  expectAnswer(request('J', 0, 0), 'j', 0, 0);
 }
 
 // --------------------------------------------------------------------------------------------------- simulated robot

@@ -387,7 +387,7 @@ TEST_F(StickPicturesTest, AFileThatWaitsToBeSentIsTheAnswerToItsOwnRequest) {
   connectBehindAPicture();
   send(frame('Y', FETCH_PICTURE, 2, "MINE.JPG"));
   passFrames(8);
-  send(frame('H', 0, 3));
+  send(frame('N', 0, 3));
   std::optional<Frame> next = nextFrame();
   while (next && next->header.request_number != 2) {
     next = nextFrame();

@@ -691,7 +691,7 @@ TEST_F(HoldTest, EverythingStopsWithinAMomentAndNothingTurnsBack) {
 }
 
 TEST_F(HoldTest, TheJointsNamedStopAndTheOthersGoOn) {
-  EXPECT_EQ(answerTo('I', HOLD_JOINTS, {static_cast<char>(kPanId), 1}).header.kind, 'i');
+  EXPECT_EQ(answerTo('I', HOLD_JOINTS, {1, 21, static_cast<char>(kPanId)}).header.kind, 'i');
   EXPECT_FALSE(moves("head_pan"));
   EXPECT_TRUE(moves("tail_pan"));
   passFrames(kLongestCommand);
