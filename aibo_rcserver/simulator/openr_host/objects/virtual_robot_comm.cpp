@@ -71,7 +71,7 @@ void VirtualRobotComm::beginFrame(longword frame) {
 longword VirtualRobotComm::nextEvent() const {
   const longword next = last_frame_ ? *last_frame_ + 1 : 0;
   const bool has_commands = std::any_of(commanders_.begin(), commanders_.end(), [](const Commander& commander) {
-    return !commander.commands.isEmpty() || commander.was_refused;
+    return !commander.commands.isEmpty() || commander.refused > 0;
   });
   if (has_commands || !last_frame_) {
     return next;
@@ -84,10 +84,8 @@ void VirtualRobotComm::passFrame(longword frame) {
   EffectorCommands commands;
   std::vector<SubjectID> ready;
   for (auto& commander : commanders_) {
-    const bool has_completed_a_vector = commander.commands.next(&commands);
-    if (has_completed_a_vector || std::exchange(commander.was_refused, false)) {
-      ready.push_back(commander.subject);
-    }
+    const std::size_t completed = commander.commands.next(&commands) ? 1 : 0;
+    ready.insert(ready.end(), completed + std::exchange(commander.refused, 0), commander.subject);
   }
   robot_.passFrame(frame, commands);
   for (const auto& subject : ready) {
@@ -119,20 +117,20 @@ VirtualRobotComm::Commander& VirtualRobotComm::commander(const SubjectID& subjec
   if (found != commanders_.end()) {
     return *found;
   }
-  commanders_.push_back({subject, {}, false});
+  commanders_.push_back({subject, {}, 0});
   return commanders_.back();
 }
 
 void VirtualRobotComm::takeCommands(const ONotifyEvent& event) {
   Commander& sender = commander(event.SenderID());
-  try {
-    for (int i = 0; i < event.NumOfData(); ++i) {
+  for (int i = 0; i < event.NumOfData(); ++i) {
+    try {
       sender.commands.add(*event.RCData(i), robot_);
+    } catch (const std::invalid_argument& error) {
+      // READY follows in the next frame, so malformed vectors cannot make an endless loop.
+      ++sender.refused;
+      OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
     }
-  } catch (const std::invalid_argument& error) {
-    // READY follows in the next frame, so malformed vectors cannot make an endless loop.
-    sender.was_refused = true;
-    OSYSLOG1((osyslogERROR, "command vector refused: %s", error.what()));
   }
 }
 

@@ -48,7 +48,7 @@ class VirtualRobotComm : public OObject {
   struct Commander {
     SubjectID subject;
     CommandQueue commands;
-    bool was_refused = false;  ///< it gets READY in the next frame
+    std::size_t refused = 0;  ///< vectors for which it gets READY in the next frame
   };
 
   Commander& commander(const SubjectID& subject);

@@ -32,8 +32,10 @@ class VirtualRobotCommTest : public testing::Test {
     test_.system.initialize();
     test_.system.connect("Mover.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
     test_.system.connect("Other.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
+    test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Other.In.Data.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Mover.In.Data.O");
     test_.system.start();
+    test_.as(other_, [&] { other_.observer().DeassertReady(); });
     test_.run();
   }
 
@@ -194,10 +196,10 @@ TEST_F(VirtualRobotCommTest, AnEntryWithoutFramesIsIgnoredWhateverElseIsInIt) {
 TEST_F(VirtualRobotCommTest, AVectorIsDelayedByTheFramesInItsHeader) {
   const RegionReference vector = makeVector({{1, {10}}});
   vectorIn(vector).vectorInfo.wait = 2;
-  send({vector});
-  pass(3);
-  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(102, ElementsAre(Pair(1, 10)))));
-  EXPECT_EQ(readies_, 2);
+  send({vector, vector});
+  pass(6);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(102, ElementsAre(Pair(1, 10))), Pair(105, ElementsAre(Pair(1, 10)))));
+  EXPECT_EQ(readies_, 3);
 }
 
 // Page 50: the period of a value for an LED is in frames of 8 ms.
@@ -344,12 +346,18 @@ TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOn
   };
   send({vector});
   EXPECT_EQ(refusals(), 1);
-  pass(3);
-  EXPECT_EQ(refusals(), 4);
+  pass(4);
+  EXPECT_EQ(refusals(), 5);
   int ready = 0;
   mover_.on_ready = [&](const OReadyEvent&) { ++ready; };
+  EXPECT_EQ(comm_.nextEvent(), frame_ + 1);
   pass(3);
   EXPECT_EQ(ready, 1) << "once for each vector";
+  robot_.commanded.clear();
+  send({makeVector({{1, {10}}}), vector, makeVector({{1, {20}}})});
+  pass(3);
+  EXPECT_EQ(ready, 4);
+  EXPECT_EQ(robot_.commanded.size(), 2U) << "those beside it are played";
 }
 
 TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
@@ -554,6 +562,8 @@ TEST_F(VirtualRobotCommTest, ACommandVectorHasRoomForItsEntriesAndAUniqueId) {
 
     EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oSUCCESS);
     EXPECT_EQ(OPENR::DeleteCommandVectorData(id), oFAIL);
+    ASSERT_EQ(OPENR::NewCommandVectorData(2, &id, &vector), oSUCCESS);
+    EXPECT_NE(id, other_id);
     EXPECT_EQ(OPENR::NewCommandVectorData(0, &id, &vector), oNO_MEMORY);
     EXPECT_EQ(OPENR::NewCommandVectorData(static_cast<size_t>(-1), &id, &vector), oNO_MEMORY);
   });
