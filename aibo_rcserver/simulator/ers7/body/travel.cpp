@@ -202,7 +202,8 @@ void Travel::loseGround(const Scene& scene) {
 }
 
 void Travel::fallOff(const Scene& scene) {
-  if (is_beyond_edge_ && (floor_.slope.norm() > kSteepestAtEdge || isOverEdge({place_.x, place_.y}, scene))) {
+  if (isOnFeet() && is_beyond_edge_ &&
+      (floor_.slope.norm() > kSteepestAtEdge || isOverEdge({place_.x, place_.y}, scene))) {
     has_fallen_off_ = true;
     ground_ = 0;
     lie(Side::kLeft);

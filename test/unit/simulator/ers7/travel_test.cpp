@@ -149,6 +149,8 @@ TEST_F(TravelTest, ARobotThatHasLongStoodStillMovesLikeAnyOther) {
   pass(kStanding, 30);
   trot({0.1, 0, 0}, 2);
   EXPECT_GT(travel_.place().x, 0.15);
+  pass(kStanding, 30);
+  EXPECT_TRUE(travel_.acceleration().isZero(1e-9)) << "it does not stay what it was";
 }
 
 TEST_F(TravelTest, EachJointMovesARobotThatHasLongStoodStillOrLainStill) {
@@ -243,10 +245,12 @@ TEST_F(TravelTest, ASingleFootThatPullsSlipsWhileTheOthersHold) {
 }
 
 TEST_F(TravelTest, LegsInTheAirCarryItNowhere) {
+  trot({0.1, 0, 0}, 0.5);
+  const double before = travel_.place().x;
   travel_.lift(true);
   pass(kStanding, 1);
   trot({0.1, 0, 0}, 2);
-  EXPECT_EQ(travel_.place().x, 0);
+  EXPECT_EQ(travel_.place().x, before);
 }
 
 TEST_F(TravelTest, ALiftedPawDoesNotTipTheRobotOver) {
@@ -281,6 +285,7 @@ TEST_F(TravelTest, AWallStopsIt) {
   const double stopped = travel_.place().x;
   EXPECT_NEAR(stopped, kLowestCorner[0] + 0.15, 0.01) << "with its rump at the wall";
   trot({-0.1, 0, 0}, 4);
+  EXPECT_TRUE(travel_.isStopped());
   EXPECT_NEAR(travel_.place().x, stopped, 0.005);
   EXPECT_DOUBLE_EQ(travel_.stance().body.translation().x(), travel_.place().x);
 }
@@ -315,6 +320,7 @@ TEST_F(TravelTest, ABodyOfTheSceneStopsIt) {
   EXPECT_LT(travel_.place().x, kBallX - kBallRadius - 0.1);
   trot({-0.1, 0, 0}, 5);
   EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
+  EXPECT_FALSE(travel_.isStopped());
 }
 
 TEST_F(TravelTest, AFootComesBackFromBeyondTheEdgeOfATable) {
@@ -325,6 +331,14 @@ TEST_F(TravelTest, AFootComesBackFromBeyondTheEdgeOfATable) {
     travel.passFrame(trotting({0.1, 0, 0}, passed), {}, scene);
   }
   ASSERT_TRUE(travel.isOverEdge());
+  const Legs kneeling = reaching([](Leg leg) { return Vector3d(0, 0, robot_model::isFront(leg) ? 0.05 : 0); });
+  for (const bool is_lifted : {true, false}) {
+    travel.lift(is_lifted);
+    for (int frame = 0; frame < 250; ++frame) {
+      travel.passFrame(is_lifted && frame > 60 ? kneeling : kStanding, {}, scene);
+      ASSERT_FALSE(travel.hasFallenOff()) << "out of the hand";
+    }
+  }
   for (const double end = passed + 3; passed < end; passed += kFrameSeconds) {
     travel.passFrame(trotting({-0.1, 0, 0}, passed), {}, scene);
   }
@@ -358,6 +372,12 @@ TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
   }
   EXPECT_LT(travel.stance().body.translation().z(), 0.2) << "it lies on the floor";
   EXPECT_LT(travel.stance().body.linear()(2, 2), 0.1) << "on its side";
+  travel.lie(Side::kFeet);
+  for (double passed = 0; passed < 1; passed += kFrameSeconds) {
+    travel.passFrame(kStanding, {}, scene);
+  }
+  EXPECT_FALSE(travel.isOverEdge()) << "the floor has no edge";
+  EXPECT_EQ(travel.stance().paw_down, (std::array<bool, kLegs>{true, true, true, true}));
 }
 
 TEST_F(TravelTest, SpeedingUpIsFeltAsAnAccelerationAhead) {
