@@ -45,9 +45,9 @@ bool isJpegBehind(const Header& header, const unsigned char* bytes, std::size_t 
 bool SentPictures::add(const void* data, std::size_t size) {
   const auto* bytes = static_cast<const unsigned char*>(data);
   const bool follows = bytes == std::exchange(next_, bytes + size);
-  is_parity_ = false;
+  is_redundant_ = false;
   if (size > 0 && bytes[0] == protocol::version2::DATAGRAM_MARK && addDatagram(bytes, size)) {
-    return !is_parity_ && jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
+    return !is_redundant_ && jpeg_.size() == size - protocol::version2::DATAGRAM_HEADER_SIZE;
   }
   const bool goes_on = follows && jpeg_.size() < jpeg_size_;
   const bool begins = !goes_on && begin(bytes, size);
@@ -57,20 +57,24 @@ bool SentPictures::add(const void* data, std::size_t size) {
   return begins;
 }
 
-// False if this is not a picture. The robot sends a picture's parts in order.
+// False if this is not a picture. The robot sends a picture's parts in order, and repeats parts of the last pictures
+// between them. The sequence does not go on if another client has asked for datagrams.
 bool SentPictures::addDatagram(const unsigned char* bytes, std::size_t size) {
   using namespace protocol::version2;
   PictureDatagram datagram = {};
   if (decodePictureDatagram(bytes, size, &datagram) != nullptr) {
     return false;
   }
-  is_parity_ = datagram.is_parity;
-  if (is_parity_) {
+  const bool goes_on = std::exchange(next_sequence_, datagram.sequence + 1) == datagram.sequence;
+  const bool is_next = datagram.picture == picture_ && datagram.part * DATAGRAM_PART_SIZE == jpeg_.size();
+  is_redundant_ = datagram.is_parity || (goes_on && !is_next && picture_ - datagram.picture < KEPT_PICTURES);
+  if (is_redundant_) {
     return true;
   }
   if (datagram.part == 0) {
     jpeg_.clear();
   }
+  picture_ = datagram.picture;
   jpeg_size_ = datagram.jpeg_size;
   jpeg_.append(bytes + DATAGRAM_HEADER_SIZE, bytes + size);
   return true;

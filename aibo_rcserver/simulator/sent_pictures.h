@@ -3,6 +3,7 @@
 #define AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 /// Finds pictures in the data that RCServer gives to the IPStack. The parts of a large picture follow each other in
@@ -13,7 +14,7 @@ class SentPictures {
   /// @return true if they begin a picture, in either version, by TCP or UDP
   bool add(const void* data, std::size_t size);
 
-  bool isComplete() const { return !is_parity_ && jpeg_size_ > 0 && jpeg_.size() == jpeg_size_; }
+  bool isComplete() const { return !is_redundant_ && jpeg_size_ > 0 && jpeg_.size() == jpeg_size_; }
 
   /// Only if isComplete().
   const std::string& jpeg() const { return jpeg_; }
@@ -23,9 +24,11 @@ class SentPictures {
   bool addDatagram(const unsigned char* bytes, std::size_t size);
 
   std::string jpeg_;                     ///< the part received so far
-  bool is_parity_ = false;               ///< the last datagram was a parity, which is not in the JPEG
+  bool is_redundant_ = false;            ///< the last datagram was a parity, or has been sent before
   std::size_t jpeg_size_ = 0;            ///< the complete picture's size; 0 if none is being sent
   const unsigned char* next_ = nullptr;  ///< where the next part begins
+  unsigned picture_ = 0;                 ///< of the last part that came in a datagram
+  std::optional<unsigned> next_sequence_;
 };
 
 #endif  // AIBO_RCSERVER_SIMULATOR_SENT_PICTURES_H

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <vector>
 
+#include "protocol/picture_datagram.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "support/temporary_folder.h"
@@ -92,13 +93,52 @@ TEST_F(PictureLogTest, AssemblesAPictureFromItsPartsAndForgetsOneThatIsCutOff) {
   const auto between = system_clock::now();
   log_.aboutToSend(message.data(), half);
   log_.cameraImageTaken();
-  log_.aboutToSend(message.data() + half, 4);
+  log_.aboutToSend(message.data() + half, 2);
+  log_.aboutToSend(message.data() + half + 2, 2);
+  const Bytes reply{'e', 0, 0, 0};
+  log_.aboutToSend(reply.data(), reply.size());
   ASSERT_THAT(lines(), SizeIs(1));
   EXPECT_THAT(lines()[0].time, Le(between)) << "the picture began before the next image";
   log_.aboutToSend(message.data(), half);
-  const Bytes to_the_next_client{'e', 0, 0, 0};
-  log_.aboutToSend(to_the_next_client.data(), to_the_next_client.size());
+  log_.aboutToSend(reply.data(), reply.size());  // to the next client
   EXPECT_THAT(lines(), SizeIs(1));
+}
+
+TEST_F(PictureLogTest, FindsOnePictureAfterTheOtherInDatagramsAndThenByTcp) {
+  using namespace protocol::version2;
+  constexpr unsigned kSize = DATAGRAM_PART_SIZE + 5;
+  unsigned sequence = 0;
+  const auto send_part = [&](unsigned picture, bool is_parity, unsigned short part) {
+    Bytes datagram(DATAGRAM_HEADER_SIZE + sizeOfPart(kSize, part), static_cast<std::uint8_t>(picture));
+    encode(
+        PictureDatagram{is_parity, part, sequence++, picture, kSize, ImageHeader{1, 2, 208, 160, 85, LAYER_HIGH, {}}},
+        datagram.data());
+    log_.aboutToSend(datagram.data(), datagram.size());
+    log_.cameraImageTaken();
+  };
+  for (const unsigned picture : {1U, 2U, 1U}) {
+    const auto begin = system_clock::now();
+    log_.cameraImageTaken();
+    const auto between = system_clock::now();
+    const std::size_t before = lines().size();
+    sequence *= picture - 1;  // the last one is of another client
+    send_part(picture, false, 0);
+    if (picture == 2) {
+      send_part(1, false, 0);  // repeated
+      send_part(1, false, 1);
+      send_part(2, false, 0);
+    }
+    send_part(picture, false, 1);
+    send_part(picture, true, 0);
+    send_part(picture, false, 1);
+    ASSERT_THAT(lines(), SizeIs(before + 1));
+    EXPECT_EQ(lines().back().bytes, kSize);
+    EXPECT_EQ(lines().back().checksum, lines()[picture - 1].checksum);
+    EXPECT_THAT(lines().back().time, AllOf(Ge(begin), Le(between)));
+  }
+  EXPECT_NE(lines()[0].checksum, lines()[1].checksum);
+  send({0xFF, 0xD8, 0xFF, 1});
+  EXPECT_THAT(lines(), SizeIs(4));
 }
 
 TEST_F(PictureLogTest, SkipsWhatIsNotAPicture) {
