@@ -36,16 +36,11 @@ Joint::Joint(const robot_model::Joint& model, int position)
 }
 
 OStatus Joint::setGains(const robot_model::PidGains& gains) {
-  if (!gain_enabled_) {
+  if (!gains_) {
     return oGAIN_DISABLED;
   }
   gains_ = gains;
   return oSUCCESS;
-}
-
-void Joint::disableGain() {
-  gain_enabled_ = false;
-  gains_ = {};
 }
 
 void Joint::passFrame(int error_of_reading) {
@@ -56,9 +51,11 @@ void Joint::passFrame(int error_of_reading) {
 }
 
 void Joint::drive() {
-  const double stiffness = kStiffness * gains_.proportional / model_.gains.proportional;
-  const double duty = stiffness * (reference_ - position_) / highest_step_;
-  duty_ = isDriven() ? std::max(-1.0, std::min(duty, 1.0)) : 0;
+  duty_ = 0;
+  if (isDriven()) {
+    const double stiffness = kStiffness * gains_->proportional / model_.gains.proportional;
+    duty_ = std::clamp(stiffness * (reference_ - position_) / highest_step_, -1.0, 1.0);
+  }
 }
 
 void Joint::move() {

@@ -7,6 +7,7 @@
 #include <OPENR/OPENR.h>
 
 #include <array>
+#include <optional>
 
 #include "robot_model/robot_model.h"
 
@@ -49,9 +50,9 @@ class Joint {
   OStatus setGains(const robot_model::PidGains& gains);
 
   /// The gain is 0 until setGains().
-  void enableGain() { gain_enabled_ = true; }
+  void enableGain() { gains_ = gains_.value_or(robot_model::PidGains()); }
 
-  void disableGain();
+  void disableGain() { gains_.reset(); }
 
   /// Without power, the gain has no effect.
   void setPower(bool on) { powered_ = on; }
@@ -73,16 +74,15 @@ class Joint {
   const std::array<OJointValue, kReadings>& readings() const { return readings_; }
 
  private:
-  bool isDriven() const { return powered_ && gain_enabled_; }
+  bool isDriven() const { return powered_ && gains_; }
   void drive();
   void move();
   OJointValue read(int error_of_reading) const;
 
   const robot_model::Joint& model_;
-  const double highest_step_;  ///< microradians per frame
-  robot_model::PidGains gains_ = {};
+  const double highest_step_;                   ///< microradians per frame
+  std::optional<robot_model::PidGains> gains_;  ///< empty while the gain is disabled
   bool powered_ = false;
-  bool gain_enabled_ = false;
   bool jammed_ = false;
   int reference_;
   double position_;

@@ -28,14 +28,15 @@ OStatus SpeakerAndMicrophones::control(OPrimitiveRequest request, void* param, s
     std::memcpy(&value, param, sizeof(value));
   }
   if (request == oprmreqSPEAKER_MUTE_ON || request == oprmreqSPEAKER_MUTE_OFF) {
-    is_mute_ = request == oprmreqSPEAKER_MUTE_ON;
+    settings_.is_mute = request == oprmreqSPEAKER_MUTE_ON;
   } else if (request == oprmreqSPEAKER_SET_VOLUME && param_size == sizeof(value) && isVolume(value)) {
-    volume_ = value;
+    settings_.volume = value;
   } else if (request == oprmreqSPEAKER_SET_SOUND_TYPE && param_size == sizeof(value) &&
              (value == ospksndMONO8K8B || value == ospksndMONO16K16B)) {
-    type_ = value;
-  } else if (request == oprmreqSPEAKER_GET_SOUND_TYPE && param_size == sizeof(type_)) {
-    std::memcpy(param, &type_, sizeof(type_));  // the guide's example passes the place as param (page 68)
+    settings_.type = value;
+  } else if (request == oprmreqSPEAKER_GET_SOUND_TYPE && param_size == sizeof(settings_.type)) {
+    // The guide's example passes the place as param (page 68).
+    std::memcpy(param, &settings_.type, sizeof(settings_.type));
   } else {
     return oINVALID_ARG;
   }
@@ -44,10 +45,10 @@ OStatus SpeakerAndMicrophones::control(OPrimitiveRequest request, void* param, s
 
 /// The loudest volume has gain 1.
 double SpeakerAndMicrophones::gain() const {
-  if (is_mute_ || volume_ == ospkvolinfdB) {
+  if (settings_.is_mute || settings_.volume == ospkvolinfdB) {
     return 0;
   }
-  const double decibels = volume_ == ospkvol10dB ? 0 : volume_ == ospkvol18dB ? -8 : -15;
+  const double decibels = settings_.volume == ospkvol10dB ? 0 : settings_.volume == ospkvol18dB ? -8 : -15;
   return std::pow(10, decibels / 20);
 }
 
@@ -76,12 +77,6 @@ openr_host::MicrophoneFrame SpeakerAndMicrophones::passFrame(longword frame, con
 void SpeakerAndMicrophones::hear(std::vector<OSoundSampleStereo16> samples) {
   heard_ = std::move(samples);
   heard_since_.reset();
-}
-
-void SpeakerAndMicrophones::reset() {
-  type_ = ospksndMONO8K8B;
-  volume_ = ospkvol10dB;
-  is_mute_ = false;
 }
 
 }  // namespace simulated_ers7

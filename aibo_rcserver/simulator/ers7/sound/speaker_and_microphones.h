@@ -28,7 +28,7 @@ class SpeakerAndMicrophones {
   /// @throw SoundError the file cannot be written
   SpeakerAndMicrophones(const std::string& speaker_file, double hears_itself);
 
-  OSpeakerSoundType soundType() const { return type_; }
+  OSpeakerSoundType soundType() const { return settings_.type; }
 
   /// Requests of OPENR::ControlPrimitive() to the speaker.
   OStatus control(OPrimitiveRequest request, void* param, std::size_t param_size);
@@ -40,16 +40,20 @@ class SpeakerAndMicrophones {
   void hear(std::vector<OSoundSampleStereo16> samples);
 
   /// Restores the state after boot.
-  void reset();
+  void reset() { settings_ = Settings(); }
 
  private:
+  struct Settings {
+    OSpeakerSoundType type = ospksndMONO8K8B;
+    OSpeakerVolume volume = ospkvol10dB;
+    bool is_mute = false;
+  };
+
   double gain() const;
 
   std::unique_ptr<WavWriter> writer_;
   double hears_itself_;
-  OSpeakerSoundType type_ = ospksndMONO8K8B;
-  OSpeakerVolume volume_ = ospkvol10dB;
-  bool is_mute_ = false;
+  Settings settings_;
   std::vector<OSoundSampleStereo16> heard_;
   std::optional<longword> heard_since_;  ///< empty until an object listens
 };
