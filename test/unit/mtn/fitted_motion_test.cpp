@@ -192,7 +192,7 @@ TEST_F(FittedMotionTest, keepsNothingOfTheMotionBefore) {
     fit("at 0 tail_tilt 0 left_ear 0 right_ear 0 head_pan 0 PRM:/r9/c1-Joint2:91 0\n"
         "at 160 left_ear 1 right_ear 1 head_pan 90\n",
         leave_out);
-    ASSERT_TRUE(fit("at 0 head_pan 0\nat 1600 head_pan 30\nat 3200\n"));
+    ASSERT_TRUE(fit("at 0 head_pan 0\nat 1600 head_pan 30\nat 3600\n"));
     EXPECT_STREQ(fitted_.problem(), "");
     EXPECT_EQ(description(), "");
     EXPECT_EQ(fitted_.numberOfKeyFrames(), 3);

@@ -321,6 +321,7 @@ TEST_F(Version2MotionsTest, leavesOutJointsThatTheRobotDoesNotHaveIfItIsTold) {
   live();
   EXPECT_EQ(answerTo(play("NEW.MTN", 1, LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES)),
             "p1 joint that this robot does not have is left out");
+  EXPECT_THAT(answerTo(play("NEW.MTN", 1)), HasSubstr("which this robot does not have")) << "only if it is told";
 }
 
 TEST_F(Version2MotionsTest, reportsWhyAMotionCannotBePlayed) {

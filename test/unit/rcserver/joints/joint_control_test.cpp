@@ -67,7 +67,7 @@ TEST(JointControl, DoesTheSameWhateverItsMemoryHeld) {
 }
 
 TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
-  for (const char* const name : {"head_pan", "tail_tilt"}) {
+  for (const char* const name : {"head_pan", "tail_tilt", "left_front_knee"}) {
     SCOPED_TRACE(name);
     JointControl joints(ers7());
     const int moved = findJointByName(ers7(), name);

@@ -633,11 +633,13 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   const int elevator = joint("left_front_elevator");
   setTarget(planner, elevator, microradians(-10));
   runUntilAllHaveArrived(planner);
-  setTarget(planner, rotator, microradians(100));
-  run(planner, 5);
-  planner.Hold(elevator);
-  EXPECT_LE(runUntilAllHaveArrived(planner), 13);
-  EXPECT_LT(planner.Position(rotator), microradians(40));
+  for (const bool fails : {false, true}) {
+    setTarget(planner, rotator, microradians(100));
+    run(planner, 5);
+    fails ? planner.SetPosition(elevator, planner.Position(elevator)) : planner.Hold(elevator);
+    EXPECT_LE(runUntilAllHaveArrived(planner), 13);
+    EXPECT_LT(planner.Position(rotator), microradians(40));
+  }
 }
 
 TEST(MotionPlanner, StopsAMouthThatOpensTowardsAHeldHead) {

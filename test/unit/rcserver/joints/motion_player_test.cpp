@@ -115,7 +115,7 @@ int countPasses(const std::vector<double>& path) {
 }
 
 TEST_F(MotionPlayerTest, followsTheLineBetweenKeyFramesAndEndsAtTheLast) {
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\nat 1600 head_pan 10\n")), "");
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 tail_pan 0 head_pan 0\nat 800 head_pan 40\nat 1600 head_pan 10\n")), "");
   const std::vector<double> path = pathOf("head_pan");
   for (int time = kFrame; time <= 1600; time += kFrame) {
     const double line = time < 800 ? time * 40.0 / 800 : 40 - (time - 800) * 30.0 / 800;
@@ -156,7 +156,7 @@ TEST_F(MotionPlayerTest, playsAfterAStopLikeTheFirstTime) {
 
 TEST_F(MotionPlayerTest, beginsWhereTheJointsAreWithoutAJump) {
   planner_.SetPosition(joint("head_pan"), -1000000);
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50\nat 80 head_pan 50\n")), "");
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50 tail_pan 1\nat 80 head_pan 50\n")), "");
   const std::vector<double> path = pathOf("head_pan");
   EXPECT_NEAR(path.front(), degrees(-1000000), 0.5);
   // Somewhat faster than on average, as it speeds up and brakes.
@@ -174,11 +174,12 @@ TEST_F(MotionPlayerTest, beginsWhereItShouldEvenIfASpeedLimitIsLoweredOnTheWay) 
 }
 
 TEST_F(MotionPlayerTest, stopsOnTheWayToItsBeginning) {
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 60\nat 80 head_pan 60\n")), "");
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 60 tail_pan 40\nat 80 head_pan 60 tail_pan 40\n")), "");
   passFrames(40);
   stop("A.MTN");
   passFrames(500);
   EXPECT_LT(at("head_pan"), 50);
+  EXPECT_LT(at("tail_pan"), 30);
 }
 
 TEST_F(MotionPlayerTest, aStopAfterItsEndIsNoSecondEnd) {
@@ -208,7 +209,7 @@ TEST_F(MotionPlayerTest, aMotionThatEndsWhereItBeganRepeatsWithoutAStop) {
 }
 
 TEST_F(MotionPlayerTest, aMotionThatEndsElsewhereReturnsToItsBeginningSlowly) {
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan -40\nat 1600 head_pan 40\n"), 2), "");
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 tail_pan 5 head_pan -40\nat 1600 head_pan 40\n"), 2), "");
   const std::vector<double> path = pathOf("head_pan");
   EXPECT_EQ(countPasses(path), 2);
   EXPECT_LT(greatestStep(path), 1.1 * degrees(PlayedMotion::APPROACH_SPEED) * kFrame / 1000);
@@ -263,10 +264,10 @@ TEST_F(MotionPlayerTest, aLowerSpeedLimitMakesItLongerFromTheNextStepOn) {
 }
 
 TEST_F(MotionPlayerTest, tellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
-  const auto endOf = [this](unsigned held_up_ms) {
+  unsigned now = 0xffffff00;  // it overflows
+  const auto endOf = [&](unsigned held_up_ms) {
     planner_.SetPosition(joint("head_pan"), 0);
     EXPECT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 800 head_pan 40\n")), "");
-    unsigned now = 0xffffff00;  // it overflows
     for (int frame = 0; player_->IsPlaying() && frame < kPatience; ++frame) {
       player_->SetTime(now += kFrame + (frame == 50 ? held_up_ms : 0));
       passFrame();
@@ -347,7 +348,7 @@ TEST_F(MotionPlayerTest, playsUpToItsMaximumAtOnce) {
 
 TEST_F(MotionPlayerTest, refusesAFileThatIsNotAMotion) {
   EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is not a motion file: it ends before section 0"));
-  EXPECT_THAT(play("A.MTN", ""), HasSubstr("is not a motion file"));
+  EXPECT_THAT(play("B.MTN", ""), StrEq("B.MTN is not a motion file: it does not begin with OMTN"));
   EXPECT_FALSE(player_->IsPlaying());
 }
 
@@ -400,6 +401,9 @@ TEST_F(MotionOfEarsTest, severalMotionsMayHaveEars) {
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 left_ear 0\nat 400 left_ear 1\n")), "");
   ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0 left_ear 0\nat 800 left_ear 1\n")), "");
   EXPECT_THAT(flicksOf("left_ear"), SizeIs(2));
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 left_ear 0\nat 400 left_ear 1\n")), "");
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 head_tilt 0 left_ear 0\nat 400 left_ear 1\n")), "");
+  EXPECT_THAT(flicksOf("left_ear"), SizeIs(1)) << "both at the same time";
 }
 
 TEST_F(MotionOfEarsTest, earsOfAStoppedMotionDoNotFlick) {

@@ -25,6 +25,7 @@ using robot_model::LegAngles;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::UnorderedElementsAre;
 
 constexpr int kFramesASecond = 125;
 constexpr double kFrame = 0.008;
@@ -245,6 +246,7 @@ TEST_F(WalkerTest, WalksWithTheVelocityItIsSteeredWithAndStandsInTheEnd) {
 
 TEST_F(WalkerTest, SaysTheVelocityInForce) {
   const GaitParameters& gait = walker().Parameters();
+  walk();
   EXPECT_DOUBLE_EQ(joints_.Steer({9, 0, 0}).forward, gait.fastest);
   EXPECT_DOUBLE_EQ(joints_.Steer({9, 0, 0}, true).forward, gait.highest.forward) << "guarded";
   EXPECT_DOUBLE_EQ(joints_.Steer({-9, 0, 0}).forward, -gait.highest.back);
@@ -365,6 +367,13 @@ TEST_F(WalkerTest, ARobotThatIsNotSteeredWhileItRisesStandsAndDoesNotWalk) {
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
+  take(POSTURE_REST);
+  joints_.Steer({0.1, 0, 0});
+  pass(12);
+  joints_.Steer({0, 0, 0});
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("walk: "));
 }
 
 // ----------------------------------------------------------------------------------------------------- what ends them
@@ -433,10 +442,13 @@ TEST_F(WalkerTest, APostureMakesTheClientLetGoOfAWalkThatGetsReady) {
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowMakesTheClientLetGo) {
-  walk();
-  joints_.Planner().SetSpeedLimit(joint("right_hind_knee"), 3000000);
-  pass(1);
-  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("is too low for walking; let go first"));
+  for (const std::string name : {"left_front_rotator", "right_hind_knee"}) {
+    walk();
+    joints_.Planner().SetSpeedLimit(joint(name), 3000000);
+    pass(1);
+    EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr(name + " is too low for walking; let go first"));
+    joints_.Steer({0, 0, 0});
+  }
 }
 
 TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsItBack) {
@@ -449,6 +461,11 @@ TEST_F(WalkerTest, ASpeedLimitThatIsTooLowEndsAWalkInTheStandAndTheNextOneSetsIt
   EXPECT_EQ(walker().Problem(POSTURE_SIT), nullptr) << "postures are slow";
   walk();
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS);
+  joints_.Planner().SetSpeedLimit(joint("right_hind_knee"), 3000000);
+  pass(1);
+  joints_.Steer({0, 0, 0});
+  walk();
+  EXPECT_THAT(ends(), IsEmpty()) << "it was steered on before it stood";
 }
 
 // A client that steers on and on does not notice what has ended its walk.
@@ -486,6 +503,8 @@ TEST_F(WalkerTest, AClientWhoseWalkWasRefusedHasToLetGoToo) {
   }
   joints_.ClientGone();
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "that is another client";
+  walker().ProblemOfWalk(false);
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the motors were off; let go first"));
 }
 
 TEST_F(WalkerTest, AClientThatHasEndedItsWalkItselfMaySteerAtOnce) {
@@ -503,12 +522,19 @@ TEST_F(WalkerTest, AClientThatHasEndedItsWalkItselfMaySteerAtOnce) {
     walker().HaveLooked({0.9, 2, 2, {}, {true, true, true, true}});  // no floor before its chest
   }
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "what it sees while it slows down does not matter";
+  joints_.Planner().SetSpeedLimit(joint("left_hind_knee"), 3000000);
+  pass(1);
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "nor a limit";
+  joints_.Take(POSTURE_SIT);
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "nor a posture";
 }
 
 TEST_F(WalkerTest, AWalkThatEndsForAPostureIsNotSteeredOn) {
   walk();
   joints_.Take(POSTURE_SIT);
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("the robot was told to take a posture; let go first"));
+  joints_.Steer({0, 0, 0});
+  EXPECT_EQ(walker().ProblemOfWalk(true), nullptr);
 }
 
 // While it walks without the guard, nobody looks, and it may turn away from an edge.
@@ -538,6 +564,13 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
   joints_.Steer({0, 0, 0});
   passUntilIdle();
   EXPECT_EQ(walker().ProblemOfWalk(true, &ahead), nullptr);
+  joints_.Steer(turn, true);
+  walk(ahead);
+  for (int i = 0; i < 3; ++i) {
+    walker().HaveLooked({0.9, 2, 2, {}, {true, true, true, true}});
+  }
+  passUntilIdle();
+  EXPECT_THAT(ends(), ElementsAre("walk: ", "walk: it was not steered for 500 ms")) << "nobody looks any more";
 }
 
 TEST_F(WalkerTest, ARobotThatHasBeenSomewhereElseDoesNotKnowTheGroundAnyMore) {
@@ -653,9 +686,10 @@ TEST_F(WalkerTest, APostureEndsAMotionOfTheHeadOnlyIfTheHeadHasToBeLevel) {
     EXPECT_EQ(position("head_pan") == 0, is_level);
     EXPECT_EQ(position("head_tilt") == 0, is_level);
   };
-  const std::string way =
-      "at 0 neck_tilt -20 head_pan 20 head_tilt 10\nat 800 neck_tilt -30 head_pan 40 head_tilt 20\n";
+  const std::string way = "at 0 head_pan 20 head_tilt 10\nat 800 head_pan 40 head_tilt 20\n";
+  const std::string way_of_neck = "at 0 neck_tilt -20\nat 800 neck_tilt -30\n";
   play(way, 1000);
+  play(way_of_neck, 1000, "NECK.MTN");
   play("at 0 tail_pan 0\nat 800 tail_pan 30\n", 1000, "TAIL.MTN");
   for (const Posture posture : {POSTURE_SIT, POSTURE_STAND}) {
     joints_.Take(posture);
@@ -666,16 +700,18 @@ TEST_F(WalkerTest, APostureEndsAMotionOfTheHeadOnlyIfTheHeadHasToBeLevel) {
   joints_.Take(POSTURE_REST);
   passUntilIdle();
   expectLevelHead(true);
-  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture",
-                                  "TAIL.MTN: the motors were switched off", "rest: "));
+  const std::string replaced = ".MTN: the robot was told to walk or to take a posture";
+  EXPECT_THAT(ends(), UnorderedElementsAre("HEAD" + replaced, "NECK" + replaced,
+                                           "TAIL.MTN: the motors were switched off", "rest: "));
   reading_ = kOnItsSide;
   pass(100);
   play(way, 1000);
+  play(way_of_neck, 1000, "NECK.MTN");
   pass(100);
   joints_.Take(POSTURE_STAND);
   pass(3 * kFramesASecond);
   expectLevelHead(true);
-  EXPECT_THAT(ends(), ElementsAre("HEAD.MTN: the robot was told to walk or to take a posture")) << "it rolls over";
+  EXPECT_THAT(ends(), UnorderedElementsAre("HEAD" + replaced, "NECK" + replaced)) << "it rolls over";
 }
 
 TEST_F(WalkerTest, SaysHowTheRobotIs) {
@@ -706,15 +742,18 @@ TEST_F(WalkerTest, SaysHowTheRobotIs) {
 
 TEST_F(WalkerTest, AClientThatGoesLeavesARobotThatStands) {
   walk();
+  play("at 0 head_pan 0\nat 1600 head_pan 40\n");
   command("tail_tilt", 1000000);
   pass(5);
   joints_.ClientGone();
   EXPECT_TRUE(walker().IsActive());
+  EXPECT_FALSE(joints_.Motions().IsPlaying());
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_LT(position("tail_tilt"), 500000) << "it stops at once";
   EXPECT_THAT(ends(), IsEmpty()) << "the next client has nothing to do with it";
-  EXPECT_THAT(ends(EndLog::CONSOLE), ElementsAre("stand: ", "walk: the client is gone"));
+  EXPECT_THAT(ends(EndLog::CONSOLE),
+              ElementsAre("stand: ", "HEAD.MTN: the client stopped it", "walk: the client is gone"));
 }
 
 TEST_F(WalkerTest, TheNextClientHearsNothingOfTheOneBefore) {
@@ -938,18 +977,24 @@ TEST_F(WalkerTest, AFallStopsItAndTheLegsGoSoftAfterASecond) {
   EXPECT_TRUE(walker().WantsMotorsOff());
   joints_.MotorsGoOff();
   EXPECT_FALSE(walker().WantsMotorsOff());
+  joints_.MotorsGoOff();
   EXPECT_TRUE(walker().TakeSoftened());
   EXPECT_FALSE(walker().TakeSoftened());
 }
 
 TEST_F(WalkerTest, LegsThatSomebodyElseHasMovedDoNotGoSoft) {
-  walk();
-  command("left_front_knee", 500000);
-  reading_ = kOnItsSide;
-  pass(400);
-  EXPECT_FALSE(walker().WantsMotorsOff());
-  reading_ = kUpright;
-  pass(100);
+  for (const bool stands : {false, true}) {
+    for (const bool moves : {false, true}) {
+      walk();
+      passUntilIdle(stands ? 3000 : 0);
+      moves ? play("at 0 left_front_knee 60\nat 80 left_front_knee 80\n") : command("left_front_knee", 500000);
+      reading_ = kOnItsSide;
+      pass(400);
+      EXPECT_FALSE(walker().WantsMotorsOff()) << stands << moves;
+      reading_ = kUpright;
+      pass(100);
+    }
+  }
   walk();
   reading_ = kOnItsSide;
   pass(200);
@@ -1000,6 +1045,10 @@ TEST_F(WalkerTest, ARobotThatLiesRollsOntoItsBellyAndStandsUp) {
     ASSERT_TRUE(walker().IsActive());
   }
   EXPECT_THAT(ends(), IsEmpty());
+  EXPECT_TRUE(walker().TriesAnotherWay(joint("right_front_knee")));
+  report();
+  pass(1);
+  EXPECT_LT(joints_.Planner().Target(joint("right_front_elevator")), 100000) << "it reaches out again";
   reading_ = kUpright;
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
@@ -1109,6 +1158,17 @@ TEST_F(WalkerTest, AJointThatDoesNotFollowOnTheWayToAPostureGivesWayAFewTimes) {
   }
   pass(4);
   EXPECT_FALSE(walker().TriesAnotherWay(knee)) << "it lies already";
+  ends();
+  joints_.Take(POSTURE_STAND);  // before the motors go off
+  pass(80);
+  const JointReading stuck = {position("left_hind_knee") + 300000, position("left_hind_knee"), -FULL_DUTY};
+  for (const unsigned frame : {1000, 2000}) {
+    joints_.Measured(knee, stuck, frame, true);
+  }
+  EXPECT_EQ(position("left_hind_knee"), stuck.position) << "it gives way";
+  passUntilIdle();
+  EXPECT_TRUE(isIn(POSTURE_STAND));
+  EXPECT_THAT(ends(), ElementsAre("rest: the robot was told to take a posture", "stand: "));
 }
 
 TEST(WalkerOfAnotherRobotTest, CannotWalk) {

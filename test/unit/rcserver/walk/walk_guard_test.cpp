@@ -276,6 +276,16 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
     EXPECT_EQ(objection({0, 0, side * 0.2}), "");
     EXPECT_EQ(objection({0, 0, side * 0.6}), "the floor ends there") << "it turns a corner to the edge";
   }
+  guard_.Forget();
+  look(atEdge());
+  walk(kTurn, 3.14);
+  look(atEdge(), 100);
+  look(onFloor());
+  for (const double turn : {-0.5, 0.5}) {  // from the second edge to the first one
+    EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.007) << turn;
+    walk({-0.1, 0, 0}, 0.5);
+    walk({0, 0, turn}, 3.14);
+  }
 }
 
 // What holds for one side holds for the other.
@@ -388,6 +398,25 @@ TEST_F(WalkGuardTest, APawThatHasNotWorkedIsNotBelieved) {
   std::fill(std::begin(reading.paws), std::end(reading.paws), false);
   walk(kForward, 5, reading);
   EXPECT_EQ(objection(kForward), "");
+  const double two_steps = 2 * gait_.StepAt(kForward).period;
+  for (int i = 0; i < 8; ++i) {
+    walk(kForward, two_steps, onFloor());
+    walk(kForward, two_steps, reading);
+    EXPECT_EQ(objection(kForward), "") << "it works now and then";
+  }
+}
+
+TEST_F(WalkGuardTest, APawThatFeelsTheFloorLateInEachStepIsOnTheFloor) {
+  WalkGuard::Reading late = onFloor();
+  late.paws[robot_model::RIGHT_HIND_LEG] = false;
+  walk(kForward, 3);
+  for (int i = 0; i < 100; ++i) {
+    walk(kForward, 0.064, late);
+    walk(kForward, 0.032, onFloor());
+    EXPECT_EQ(objection(kForward), "");
+  }
+  walk(kForward, 1, late);
+  EXPECT_THAT(objection(kForward), HasSubstr("the right hind paw finds no floor")) << "it is believed";
 }
 
 }  // namespace
