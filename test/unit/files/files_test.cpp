@@ -138,6 +138,10 @@ TEST_F(SaveJpegTest, ReplacesAnExistingJpegAndLeavesNothingElse) {
 // A limit on the size of files acts like a full disk: writing fails halfway.
 TEST_F(SaveJpegTest, AFullDiskLeavesTheOldFileAndNothingElseAndTheNextPictureIsSaved) {
   save("picture.jpg", 'a');
+  const auto open_files = [] {
+    return std::distance(std::filesystem::directory_iterator("/proc/self/fd"), std::filesystem::directory_iterator());
+  };
+  const auto open_before = open_files();
   std::vector<std::uint8_t> large = jpegWith('b');
   large.insert(large.end() - 2, 60000, 'b');
   rlimit before{};
@@ -151,6 +155,7 @@ TEST_F(SaveJpegTest, AFullDiskLeavesTheOldFileAndNothingElseAndTheNextPictureIsS
   EXPECT_THAT(refusal, HasSubstr("cannot write"));
   expectSaved("picture.jpg", 'a');
   EXPECT_EQ(filesInFolder(), 1u);
+  EXPECT_EQ(open_files(), open_before);
   save("picture.jpg", 'c');
   expectSaved("picture.jpg", 'c');
 }

@@ -137,7 +137,8 @@ TEST_F(FrameReaderTest, ForgetsAHalfFrameWhenItIsReset) {
   receive(hex("57 55 01 02 00 00 00 04 01"));
   reader_.reset();
   EXPECT_TRUE(reader_.isBetweenFrames());
-  EXPECT_THAT(receive(hex("48 00 00 07 00 00 00 00")), ElementsAreArray({frameOf('H', 0, 7, {})}));
+  const Frame next = frameOf('W', 85, 7, hex("01 02 03"));
+  EXPECT_THAT(receive(encode(next)), ElementsAreArray({next}));
 }
 
 TEST_F(FrameReaderTest, AcceptsZeroBytes) {

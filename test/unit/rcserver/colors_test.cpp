@@ -249,12 +249,17 @@ TEST_F(ColorsTest, WhatAClientDidNotReadIsNotForTheNext) {
 
 TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
   load(tableOf(0));
+  ColorTable dark = tableOf(3);
+  std::swap(dark.segments[0], dark.segments[31]);
+  load(dark);
   ColorTable empty = tableOf(0);
   empty.segments[31] = EMPTY_COLOR_SEGMENT;
   load(empty);
   EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
   switchOn();
-  EXPECT_EQ(nextImage().regions.count, 0);
+  const Colors colors = nextImage();
+  ASSERT_EQ(colors.regions.count, 1);
+  EXPECT_EQ(colors.regions.regions[0].channel, 3);
 }
 
 TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
@@ -268,6 +273,14 @@ TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
   EXPECT_THAT(pushed(), IsEmpty());
   switchOn();
   EXPECT_EQ(nextImage().regions.count, 0);
+  load(tableOf(2));
+  robot_.refuses_color_tables = true;
+  for (const int loaded : {1, 0}) {
+    reconnect();
+    switchOn();
+    EXPECT_EQ(nextImage().regions.count, loaded) << "as the camera has them";
+    robot_.refuses_color_tables = false;
+  }
 }
 
 TEST_F(ColorsTest, ACameraThatNobodyGivesATableIsLeftAlone) {

@@ -240,6 +240,13 @@ TEST_F(DatagramsTest, DatagramsGoToTheClientAloneAndEndWithIt) {
   takeImage();
   EXPECT_THAT(partsAt(receiver), IsEmpty());
   EXPECT_EQ(picturesByTcp().size(), 1U);
+  disconnect();
+  client_ = connect(0, "127.0.0.2");
+  send(request('X', 2));
+  ASSERT_TRUE(await(*client_));
+  streamTo(elsewhere);
+  takeImage();
+  EXPECT_FALSE(partsAt(elsewhere).empty());
 }
 
 TEST_F(DatagramsTest, StreamThatIsSwitchedOffIsOffByUdpToo) {
@@ -350,8 +357,11 @@ TEST_F(DatagramsTest, WithoutAnotherLossTheParitiesEnd) {
   for (int i = 0; i < 100; ++i) {
     takeImage();
     with_parity += hasParity(partsAt(receiver)) ? 1 : 0;
+    if (i == 20) {
+      receiver.reply(lossReport(20));
+    }
   }
-  EXPECT_EQ(with_parity, 64U);
+  EXPECT_EQ(with_parity, 21U + 64U) << "they begin anew with the second loss";
   EXPECT_EQ(begun_pictures_, 100) << "the picture log takes no parity for a picture";
 }
 
@@ -450,6 +460,7 @@ TEST_F(DatagramsTest, MalformedRequestIsRefusedAndChangesNothing) {
 TEST_F(DatagramsTest, AnIPStackThatSendsNothingLosesPicturesAndNothingElse) {
   UdpSocket receiver;
   refused_entry_ = 5;  // DatagramCont in stub.cfg
+  robot_.showNoise();
   start();
   connectVersion2();
   streamTo(receiver);
@@ -457,6 +468,9 @@ TEST_F(DatagramsTest, AnIPStackThatSendsNothingLosesPicturesAndNothingElse) {
     takeImage();
     EXPECT_THAT(partsAt(receiver), IsEmpty());
   }
+  send(frame('F', 85, 7, kLayerHigh));
+  passFrames(100);  // as long as it waits for an acknowledgement
+  EXPECT_EQ(morePicturesByTcp().size(), 1U) << "one that is asked for";
   EXPECT_EQ(textOf(answerTo('B', 0, portPayload(0))), portPayload(0));
   takeImage();
   EXPECT_EQ(picturesByTcp().size(), 1U);
@@ -700,13 +714,20 @@ TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
 
 TEST_F(RepeatedDatagramsTest, OldPicturesAreNotSentByTcp) {
   UdpSocket receiver;
-  robot_.showNoise();
   orderTo(receiver);
   nextPicture(receiver);
   answerTo('W', 85, kStreamOff);
   passFrames(40);  // more than 200 ms
   send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
   EXPECT_THAT(picturesByTcp(), IsEmpty());
+  orderTo(receiver);
+  passFrames(100);  // more pictures than are kept, and not one acknowledged
+  answerTo('W', 85, kStreamOff);
+  passFrames(40);
+  answerTo('W', 85, kStreamOn);
+  takeImage();
+  send(frame('X', 0, 10, orderPayload(0, false, 0, 0)));
+  EXPECT_EQ(morePicturesByTcp().size(), 1U) << "the newest";
 }
 
 TEST_F(RepeatedDatagramsTest, TheNextClientGetsNothingOfTheLastOnes) {

@@ -140,6 +140,16 @@ TEST_F(ImageObserverTest, StoppingWithoutAStreamChangesNothing) {
   EXPECT_EQ(observer_.State(), IOS_PICTURE);
 }
 
+TEST_F(ImageObserverTest, NothingIsOwedToTheNextClient) {
+  bringTo(IOS_CONTINUOUS);
+  observer_.RequestPicture(ofQuality(20));
+  observer_.ClientGone();
+  EXPECT_EQ(imageArrives(), kNothing);
+  observer_.RequestPicture(ofQuality(21));
+  EXPECT_EQ(imageArrives(), picture(21));
+  EXPECT_EQ(imageArrives(), kNothing);
+}
+
 TEST_F(ImageObserverTest, PictureHasTheLayerAndTheNumberOfItsRequest) {
   observer_.RequestPicture({60, 2, 4711, false, false});
   PictureOrder order = {};

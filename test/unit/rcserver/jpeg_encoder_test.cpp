@@ -169,7 +169,10 @@ TEST_F(JpegEncoderTest, EveryQualityFrom0To100MakesAPicture) {
 TEST_F(JpegEncoderTest, PictureDoesNotDependOnTheOneBefore) {
   const CameraImageFixture scene = CameraImageFixture::scene();
   const std::vector<uint8_t> first = encode(scene.image(), 85);
-  encode(scene.image(), 10);
+  for (const int quality : {10, 100}) {
+    encode(scene.image(), quality);
+    EXPECT_EQ(encode(scene.image(), 85), first);
+  }
   for (const auto& [width, height] : {std::pair(104U, 80U), std::pair(104U, 160U), std::pair(208U, 80U)}) {
     const Decoded other = decode(encode(CameraImageFixture::scene(width, height, 2).image(), 85));
     EXPECT_EQ(other.width, width);

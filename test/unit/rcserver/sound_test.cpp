@@ -212,12 +212,16 @@ TEST_F(SoundTest, AtEightKilohertzHighTonesDoNotComeBackAsLowOnes) {
   for (const auto& [frequency, lowest, highest] :
        {std::tuple{1000, -0.1, 0.1}, {3000, -0.3, 0.1}, {5000, -99.0, -40.0}, {7000, -99.0, -60.0}}) {
     robot_.sound = [hertz = frequency](size_t i) { return OSoundSampleStereo16{tone(hertz, i), tone(hertz, i)}; };
-    heard_.clear();
-    listen(1, 8000);
-    pass(126);
-    EXPECT_THAT(levelOf(heard_[0]), AllOf(Ge(lowest), Le(highest))) << frequency;
-    EXPECT_NEAR(static_cast<double>(heard_[0].size()), 8000, 150);
-    EXPECT_THAT(heard_, SizeIs(1)) << "channels";
+    for (const unsigned char channels : {'\1', '\2'}) {
+      heard_.clear();
+      listen(channels, 8000);
+      pass(126);
+      EXPECT_THAT(heard_, SizeIs(channels));
+      for (const auto& [channel, heard] : heard_) {
+        EXPECT_THAT(levelOf(heard), AllOf(Ge(lowest), Le(highest))) << frequency << " in channel " << channel;
+        EXPECT_NEAR(static_cast<double>(heard.size()), 8000, 150);
+      }
+    }
   }
 }
 
@@ -444,6 +448,9 @@ TEST_F(SoundTest, ARefusedRequestChangesNothing) {
   play(0, samplesOf(mark, 0, 3000));
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, Samples(SPEAKER_CAPACITY + 1, 7))), CODE_REFUSED, "no room");
   play(3000, samplesOf(mark, 3000, 4000));
+  robot_.refuses_speaker = true;
+  expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, {1, 2})), CODE_REFUSED, "speaker cannot be used");
+  robot_.refuses_speaker = false;
   play(4000, {}, true);  // the last samples have come already
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "begins with the sample at position 0");
   pass(50);
@@ -605,8 +612,8 @@ TEST_F(SoundTest, TheVolumeIsTheRobotsUntilAClientSetsOne) {
   for (const auto& [step, volume] : volumes) {
     EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, payloadOf(Volume{static_cast<unsigned char>(step)}))).step, step);
     EXPECT_EQ(robot_.speaker_requests.at(oprmreqSPEAKER_SET_VOLUME), volume);
-    const bool is_mute = robot_.speaker_requests.count(oprmreqSPEAKER_MUTE_ON) > 0;
-    EXPECT_EQ(is_mute, step == 0);
+    EXPECT_EQ(robot_.speaker_requests.count(oprmreqSPEAKER_MUTE_ON), step == 0 ? 1 : 0);
+    EXPECT_EQ(robot_.speaker_requests.count(oprmreqSPEAKER_MUTE_OFF), step == 0 ? 0 : 1);
     robot_.speaker_requests.clear();
   }
   EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, payloadOf(Volume{VOLUME_OF_ROBOT}))).step, 2);

@@ -127,6 +127,7 @@ TEST_F(PlayerTest, TheNewestAnswerSaysHowMuchRoomThereIs) {
 
 TEST_F(PlayerTest, ASoundThatEndsBeforeItIsKnownHasEnded) {
   player_.ended({1, EndedHow::kDone, 3, 0, 0});
+  player_.ended({7, EndedHow::kDone, 3, 0, 0});
   EXPECT_TRUE(player_.play(std::make_unique<Ramp>(3))->end());
 }
 
