@@ -43,6 +43,7 @@ class BagTest(unittest.TestCase):
     def record(self, name='walk.bag', robots=('/aibo',), pictures=True):
         """Ten seconds, with ten measurements and pictures a second."""
         with rosbag.Bag(self.path(name), 'w') as bag:
+            bag.write('/diagnostics', RobotState(), genpy.Time(BEGIN + 5))  # of all robots
             for robot in robots:
                 self.latch(bag, robot + '/connection', Connection(text='connected'), 0)
                 self.latch(bag, robot + '/robot_state', RobotState(stopped_by='/anna'), 0)
@@ -107,6 +108,7 @@ class BagTest(unittest.TestCase):
             messages = list(bag.read_messages('/aibo/robot_state', return_connection_header=True))
             self.assertEqual([each.message.stopped_by for each in messages], ['/bert'])
             self.assertIn(messages[0].connection_header['latching'], ('1', b'1'))
+            self.assertEqual(bag.get_message_count('/aibo/connection'), 1, 'that of each topic')
             self.assertEqual(bag.get_message_count('/aibo/joint_states'), 11)
         self.assertIn('0:01', self.succeed('list', self.path('part.bag')), 'a part can be used again')
         self.succeed('joints', self.path('part.bag'), self.path('part.csv'), '--from', '0.5')
@@ -204,20 +206,23 @@ class BagTest(unittest.TestCase):
             self.fail_with('sudo apt install python3-matplotlib', 'plot', self.record(), self.path('walk.png'))
 
     def test_one_of_several_robots_is_chosen(self):
-        both = self.record(robots=('/left', '/team/right'))
-        self.fail_with('/left, /team/right. Choose one with --robot', 'joints', both, self.path('a.csv'))
-        self.assertIn('robot /left, /team/right,', self.succeed('list', both))
+        both = self.record(robots=('/left', '/lefty', '/team/right'))
+        self.fail_with('/left, /lefty, /team/right. Choose one with --robot', 'joints', both, self.path('a.csv'))
+        self.assertIn('robot /left, /lefty, /team/right,', self.succeed('list', both))
         self.fail_with('has these robots', 'joints', both, self.path('a.csv'), '--robot', 'middle')
         self.succeed('joints', both, self.path('a.csv'), '--robot', 'team/right')
         self.fail_with('has these robots', 'cut', both, self.path('a.bag'), '--robot', 'middle')
         self.succeed('cut', both, self.path('one.bag'), '--robot', 'left')
         self.succeed('cut', both, self.path('all.bag'))
-        for name, robots in (('one.bag', '/left,'), ('all.bag', '/left, /team/right,')):
-            self.assertIn('robot ' + robots, self.succeed('list', self.path(name)))
+        for name, robots in (('one.bag', '/left, 0.'), ('all.bag', '/left, /lefty, /team/right, 0.')):
+            listed = self.succeed('list', self.path(name))
+            self.assertIn('robot ' + robots, listed)
+            self.assertIn(' /diagnostics\n', listed)
 
     def test_nothing_is_overwritten(self):
         walk = self.record()
         self.fail_with('walk.bag exists already', 'cut', walk, walk, '--to', '5')
+        Path(self.path('walk.csv.part')).write_text('left by a program that was killed')
         self.succeed('joints', walk, self.path('walk.csv'))
         self.fail_with('walk.csv exists already', 'joints', walk, self.path('walk.csv'))
         self.succeed('jpegs', walk, self.path('pictures'))
@@ -229,6 +234,8 @@ class BagTest(unittest.TestCase):
         self.fail_with('text.bag is no bag', 'list', self.path('text.bag'))
         rosbag.Bag(self.path('empty.bag'), 'w').close()
         self.fail_with('empty.bag is empty', 'list', self.path('empty.bag'))
+        _, _, err = self.run_program('list', self.path('text.bag'), self.path('empty.bag'))
+        self.assertRegex(err, 'text.bag is no bag.*; .*empty.bag is empty')
         self.assertIn('/aibo/joint_states', self.run_program('list', self.path('empty.bag'), self.record())[1])
         blind = self.record(pictures=False)
         self.fail_with('has no /aibo/camera/image_raw/compressed', 'jpegs', blind, self.path('pictures'))

@@ -136,6 +136,7 @@ class CalibrateWalkTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             parameters = {'aibo_driver/guard': False, 'aibo_driver/walk_scale': 0.8}
             os.mkdir(folder + '/.ros')
+            Path(folder + '/.ros/walk_calibration.yaml').write_text('of: an earlier day\n', encoding='utf-8')
             with mock.patch.dict(os.environ, HOME=folder):
                 self.run_program(parameters)
             with open(folder + '/.ros/walk_calibration.yaml', encoding='utf-8') as file:
@@ -168,11 +169,16 @@ class CalibrateWalkTest(unittest.TestCase):
         self.assertEqual(steered, [(0.25, 0, 0)] * 4 + [(0.0, 0.0, 0.0)])
         self.assertAlmostEqual(way.x, 1.05)
         self.assertAlmostEqual(way.y, 0.0)
+        self.assertAlmostEqual(way.turn, 0.0, msg='what it has turned before does not count')
 
     def test_a_robot_that_does_not_walk_is_no_calibration(self):
         robot = program.Robot.__new__(program.Robot)
         robot.pose, robot.turned, robot.steer = (0.0, 0.0, 0.0), 0.0, mock.Mock()
         with mock.patch.object(program, 'PATIENCE', 0), self.assertRaisesRegex(program.Problem, 'does not walk on'):
+            robot.drive((0.1, 0, 0), lambda way: way.x)
+        robot.steer.assert_called_with()
+        with mock.patch.object(program.time, 'sleep', side_effect=KeyboardInterrupt), \
+                mock.patch.object(program.rospy, 'is_shutdown', lambda: False), self.assertRaises(KeyboardInterrupt):
             robot.drive((0.1, 0, 0), lambda way: way.x)
         robot.steer.assert_called_with()
 

@@ -44,8 +44,9 @@ def launch(text, with_rviz=False):
 class FleetFileTest(unittest.TestCase):
 
     def assert_refused(self, text, reason):
-        with self.assertRaisesRegex(fleet.Problem, reason):
-            robots_in(text)
+        for others in ('', 'ok: {host: ok}, '):
+            with self.assertRaisesRegex(fleet.Problem, reason):
+                robots_in(text.replace('robots: {', 'robots: {' + others, 1))
 
     def test_the_example_is_accepted(self):
         robots = robots_in((PROJECT / 'config/fleet.yaml').read_text(encoding='utf-8'))
@@ -83,7 +84,7 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: h, ? [b] : x}}', 'it is not YAML')
         self.assert_refused('robots: {a: {host: [h]}}', 'host should be a text')
         self.assert_refused('robots: {a: {host: h, port: 2001-02-30}}', 'it is not YAML')
-        self.assert_refused('robots: {a: {host: h, port: 2001-02-03}}', 'port should be a text')
+        self.assert_refused('robots: {a: {host: h, pose: [0, 0, 0], port: 2001-02-03}}', 'port should be a text')
         self.assert_refused('robots: {a: {host: h, pose: [1%s, 0, 0]}}' % ('0' * 400), 'pose should be')
         self.assert_refused('robots: ' + 5000 * '[', 'nested too deeply|not YAML')
 
@@ -107,6 +108,7 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: h}, b: {host: h, port: 54321}}', "have the same host: h, port 54321")
         self.assert_refused('robots: {a: {host: h}, b: {host: i, frame_prefix: a}}', 'have the same frame_prefix: a')
         self.assert_refused('robots: {a: {host: h}, b: {host: i, camera_name: a}}', 'have the same camera_name: a')
+        self.assert_refused('robots: {a: {host: h}, b: {host: i}, c: {host: h}}', "'a' and 'c' have the same host")
         self.assertEqual(len(robots_in('robots: {a: {host: h}, b: {host: h, port: 54322}}')), 2)
 
     def test_each_driver_gets_its_settings(self):
@@ -165,7 +167,7 @@ class ProgramsTest(unittest.TestCase):
     def test_a_fleet_is_printed_or_started(self):
         self.assertEqual(self.run_program(fleet, '--print', self.robots, '__name:=x'),
                          (fleet.launch_file(fleet.load(str(self.robots)), False), [], False))
-        self.assertIn('aibo_rviz', self.run_program(fleet, self.robots, '--print', '--rviz')[0])
+        self.assertIn('aibo_rviz', self.run_program(fleet, '--print', self.robots, '--rviz', '--print')[0])
         self.assertEqual(self.run_program(fleet, self.robots), ('', ['roslaunch', '-'], True))
         for words in ((), (self.robots, self.robots), (self.robots, '--fast')):
             self.assertEqual(self.run_program(fleet, *words), (fleet.__doc__, [], False))
@@ -176,6 +178,8 @@ class ProgramsTest(unittest.TestCase):
         with mock.patch.object(rviz.roslib.packages, 'find_node', return_value=['/rviz']):
             words = ('--fixed-frame', 'fleet', '/left:port', 'team/right', '__name:=rviz')
             path = str(self.folder / 'aibo_rviz/left-team_right.rviz')
+            os.mkdir(os.path.dirname(path))
+            Path(path).write_text('Old: of an earlier start\n', encoding='utf-8')
             self.assertEqual(self.run_program(rviz, *words, DISPLAY=':0'),
                              ('', ['/rviz', '-d', path, '__name:=rviz'], False))
             template = yaml.safe_load((PROJECT / 'rviz/aibo.rviz').read_text(encoding='utf-8'))

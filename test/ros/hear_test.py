@@ -43,7 +43,8 @@ class HearTest(unittest.TestCase):
         return {path.name: list(memoryview(path.read_bytes()).cast('h')) for path in self.folder.iterdir()}
 
     def test_plays_silence_for_what_is_missing(self):
-        self.assertEqual(self.heard(sound([1, -2]), sound([3], missing=2)), {'16000-1': [1, -2, 0, 0, 3]})
+        self.assertEqual(self.heard(sound([1, -2]), sound([3], missing=2), sound([4], missing=1)),
+                         {'16000-1': [1, -2, 0, 0, 3, 0, 4]})
         self.assertEqual(self.heard(sound([1, -2], channels=2, missing=1))['16000-2'], [0, 0, 1, -2])
 
     def test_bounds_the_silence(self):
