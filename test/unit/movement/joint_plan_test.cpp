@@ -300,6 +300,8 @@ TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
   const auto last = add({{"mouth", "head_pan"}, {{1, {-0.2, 0}, {}}}}, 7, 0);
   command({{kPan, {kPan, 0.1, 1.0}}}, 0.1);
   EXPECT_EQ(endOf(last), EndedHow::kReplaced) << "also as one of several";
+  command({{kPan, {kPan, 0.1, 1.0}}, {kMouth, {kMouth, -0.2, 1.0}}}, 0.1);
+  EXPECT_EQ(endOf(other), EndedHow::kReplaced) << "also by a command to several";
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
@@ -368,6 +370,8 @@ TEST_F(JointPlanTest, HoldsAJointWhoseCommandIsDoneButMayWaitForTheLink) {
   EXPECT_EQ(endOf(commanded), EndedHow::kDone);
   command({{kMouth, {kMouth, -0.4, 1.0}}}, 0.4);
   EXPECT_EQ(plan_.holdingTargets(at(0.5)).count(kPan), 1u);
+  plan_.endAll(EndedHow::kLost, "the connection was lost");
+  EXPECT_THAT(plan_.holdingTargets(at(0.5)), IsEmpty()) << "nothing is on its way any more";
 }
 
 TEST_F(JointPlanTest, AJointWhoseCommandWasStoppedIsNotOnItsWayAnyMore) {
@@ -468,6 +472,10 @@ TEST_F(JointPlanTest, ACommandGoesOnUntilItsSlowestJointShouldHaveArrived) {
   EXPECT_FALSE(endOf(both_joints)) << "the mouth needs 8 s";
   follow(8, 8.2);
   EXPECT_EQ(endOf(both_joints), EndedHow::kDone);
+  const auto slow_pan = command({{kPan, {kPan, 0.5, 0.05}}, {kMouth, {kMouth, -0.2, 1.0}}}, 8.2);
+  sent_ = {{kPan, 0.5}, {kMouth, -0.2}};
+  follow(8.2, 16.1);
+  EXPECT_FALSE(endOf(slow_pan)) << "now the head needs 8 s";
 }
 
 TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
@@ -514,9 +522,12 @@ TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
   const auto pan_only = command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
   EXPECT_FALSE(endOf(both_joints));
   EXPECT_THAT(plan_.jointsOf(both_joints), ElementsAre("mouth"));
-  command({{kMouth, {kMouth, -0.2, 1.0}}}, 0.2);
+  const auto mouth_only = command({{kMouth, {kMouth, -0.2, 1.0}}}, 0.2);
   EXPECT_EQ(endOf(both_joints), EndedHow::kReplaced);
   EXPECT_FALSE(endOf(pan_only));
+  add(both(0.5, -0.2, 1), 0.2, 0.2);
+  EXPECT_EQ(endOf(pan_only), EndedHow::kReplaced);
+  EXPECT_EQ(endOf(mouth_only), EndedHow::kReplaced) << "a trajectory replaces the commands to all its joints";
 }
 
 TEST_F(JointPlanTest, ResumesAfterAHoldUp) {

@@ -260,6 +260,10 @@ TEST_F(MoverTest, ARefusalIsAboutTheOrderThatItNames) {
   const auto last = command("head_pan", 0.4);
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "another client has stopped it", 0});
   EXPECT_EQ(reasonOf(last), "another client has stopped it") << "the driver is not stopping it";
+  const auto pan = command("head_pan", 0.4);
+  const auto tilt = command("neck_tilt", -0.4, "/other");
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {kHeadPan, 1}, "a motion plays", 0});
+  EXPECT_EQ(reasonOf(pan) + ", " + reasonOf(tilt), "a motion plays, a motion plays");
 }
 
 TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
@@ -271,8 +275,10 @@ TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
   EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
   const auto both = mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.5, 0.5}, {});
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
+  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kLeftFrontRotator}, "a leg is jammed", 0});
   pass(milliseconds(3200), 0.5);
-  EXPECT_EQ(reasonOf(both), "left_front_rotator is 0.50 rad from where it was sent") << "it became free";
+  EXPECT_EQ(reasonOf(both), "a leg is jammed (left_front_rotator is 0.50 rad from where it was sent)")
+      << "the head became free";
   const auto again = command("head_pan", 0.0);
   mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kHeadPan}, "head_pan is jammed", 0});
   command("head_pan", 0.1);
@@ -451,6 +457,10 @@ TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
   EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
   mover_.stop(order("/panel"));
   EXPECT_EQ(reasonOf(command("head_pan", 0.2)), "stopped by /panel; call release") << "a second time";
+  mover_.disconnected();
+  ++client_.connections;
+  mover_.connected();
+  EXPECT_EQ(mover_.state().stopped_by, "/panel") << "also over another connection";
 }
 
 TEST_F(MoverTest, WhatWaitedWhileStoppedDoesNotMoveTheRobotAfterTheRelease) {
@@ -556,6 +566,10 @@ TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
   EXPECT_EQ(reasonOf(commanded), "/panel called stop");
   EXPECT_EQ(endOf(done), EndedHow::kDone);
   EXPECT_EQ(reasonOf(done), "it took longer") << "the stop did not end it";
+  mover_.release(order("/panel"));
+  const auto later = play("NOD.MTN");
+  mover_.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "another client stopped it"});
+  EXPECT_EQ(reasonOf(later), "another client stopped it");
 }
 
 TEST_F(MoverTest, HoldsWithoutStopping) {
@@ -833,8 +847,10 @@ TEST_F(MoverTest, StopsAMotionAlone) {
   client_.problem.clear();
   EXPECT_EQ(other.ended(), nullptr);
   const auto commanded = command("head_pan", 0.5);
+  const auto again = play("NOD.MTN");
   mover_.stopMotion(order("/panel"), "");
   EXPECT_EQ(reasonOf(other), "/panel stopped it");
+  EXPECT_EQ(reasonOf(again), "/panel stopped it");
   EXPECT_EQ(commanded.ended(), nullptr);
 }
 
@@ -1138,11 +1154,13 @@ TEST_F(MoverTest, AWalkThatCannotBeSentIsRefusedOnceAndGoesOnAfterwards) {
   EXPECT_THAT(ends_, SizeIs(1));
   EXPECT_EQ(ends_.back().reason, "there is no robot");
   client_.problem.clear();
+  now_ += std::chrono::seconds(1);
   walk();
   client_.problem = "there is no robot";
   mover_.stopWalking("no cmd_vel came for 0.5 s");
   steer(0.1);
   EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the connection says how it ends";
+  EXPECT_THAT(ends_, SizeIs(1));
   client_.problem.clear();
   mover_.stopWalking("no cmd_vel came for 0.5 s");
   EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
@@ -1155,6 +1173,8 @@ TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
   EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
   mover_.steered({0.1, 0, 0}, client_.steering_order);
   steer(0);
+  mover_.steered({}, client_.steering_order);
+  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the robot brakes";
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_THAT(mover_.state().movements, IsEmpty());
   EXPECT_EQ(ends_.back().how, EndedHow::kDone);
@@ -1182,6 +1202,11 @@ TEST_F(MoverTest, AWalkThatIsLetGoBeforeItBeginsEndsToo) {
   mover_.steered({}, client_.steering_order);
   EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
   EXPECT_THAT(mover_.state().movements, IsEmpty());
+  steer(0.1);
+  steer(0);
+  mover_.steered({0.1, 0, 0}, client_.steering_order);
+  mover_.steered({}, client_.steering_order);
+  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "this one has begun, and the robot says when it ends";
 }
 
 TEST_F(MoverTest, AWalkThatWasStoppedHasThatReasonThoughItsNodeSteersOnBeforeTheRobotSaysSo) {
@@ -1191,6 +1216,12 @@ TEST_F(MoverTest, AWalkThatWasStoppedHasThatReasonThoughItsNodeSteersOnBeforeThe
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
   EXPECT_EQ(ends_.back().reason, "no cmd_vel came for 0.5 s");
+  walk();
+  mover_.stopWalking("no cmd_vel came for 0.5 s");
+  steer(0.1);
+  steer(0);
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(ends_.back().how, EndedHow::kDone) << "its node has let go since";
 }
 
 TEST_F(MoverTest, AWalkWhoseNodeHasLetGoIsDoneThoughNothingComesAfterwards) {
@@ -1426,6 +1457,13 @@ TEST_F(MoverGoalTest, ADriverThatWasHeldUpDoesNotWalkOn) {
   EXPECT_FALSE(mover_.walkOn(begun.id, {0.1, 0, 0}));
   EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
   EXPECT_THAT(begun.ended()->reason, HasSubstr("held up"));
+  const Mover::Begun next = walkToGoal();
+  for (int i = 0; i < 10; ++i) {
+    now_ += milliseconds(100);
+    EXPECT_TRUE(mover_.walkOn(next.id, {0.1, 0, 0})) << "the robot may need a second before it walks";
+  }
+  now_ += milliseconds(501);
+  EXPECT_FALSE(mover_.walkOn(next.id, {0.1, 0, 0})) << "the robot has not walked yet";
 }
 
 TEST_F(MoverGoalTest, WhoSteeredBeforeHasToLetGoFirstAndThenTakesTheWalkOver) {
