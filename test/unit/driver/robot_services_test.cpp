@@ -30,12 +30,17 @@ const std::string kMotion = std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/NOD.M
 
 class RobotServicesTest : public ::testing::Test {
  protected:
-  RobotServicesTest() { mover_.connected(); }
+  RobotServicesTest() {
+    mover_.connected();
+    for (const Services& each : {stopServices(mover_), motionServices(mover_), robotServices(client_)}) {
+      services_.insert(services_.end(), each.begin(), each.end());
+    }
+  }
 
   std_srvs::SetBool::Response setMotors(bool on) {
     std_srvs::SetBool::Request request;
     request.data = static_cast<std::uint8_t>(on);
-    return callService<std_srvs::SetBool>(stopServices(mover_), "motors", request);
+    return callService<std_srvs::SetBool>(services_, "motors", request);
   }
 
   PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 1, bool stop = false) {
@@ -43,7 +48,7 @@ class RobotServicesTest : public ::testing::Test {
     request.name = name;
     request.repetitions = repetitions;
     request.stop = static_cast<std::uint8_t>(stop);
-    return callService<PlayMotion>(motionServices(mover_), "play_motion", request);
+    return callService<PlayMotion>(services_, "play_motion", request);
   }
 
   UploadMotion::Response upload(const std::string& name, const std::string& file, std::vector<std::uint8_t> data) {
@@ -51,22 +56,17 @@ class RobotServicesTest : public ::testing::Test {
     request.name = name;
     request.file = file;
     request.data = std::move(data);
-    return callService<UploadMotion>(robotServices(client_), "upload_motion", request);
+    return callService<UploadMotion>(services_, "upload_motion", request);
   }
 
   DeleteMotion::Response remove(const std::string& name) {
     DeleteMotion::Request request;
     request.name = name;
-    return callService<DeleteMotion>(robotServices(client_), "delete_motion", request);
+    return callService<DeleteMotion>(services_, "delete_motion", request);
   }
 
   /// Calls stop, release, shut_down or reboot.
-  std_srvs::Trigger::Response call(const std::string& name) {
-    Services services = stopServices(mover_);
-    const Services others = robotServices(client_);
-    services.insert(services.end(), others.begin(), others.end());
-    return callService<std_srvs::Trigger>(services, name);
-  }
+  std_srvs::Trigger::Response call(const std::string& name) { return callService<std_srvs::Trigger>(services_, name); }
 
   const std::string& lastTold() const { return client_.told.back(); }
 
@@ -74,6 +74,7 @@ class RobotServicesTest : public ::testing::Test {
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
+  Services services_;
 };
 
 TEST_F(RobotServicesTest, StopUntilRelease) {
@@ -179,7 +180,7 @@ TEST_F(RobotServicesTest, DoNotPlayWithoutAName) {
 
 TEST_F(RobotServicesTest, ListTheMotions) {
   client_.motions = {"NOD.MTN", "SIT.MTN"};
-  const auto response = callService<ListMotions>(robotServices(client_), "list_motions");
+  const auto response = callService<ListMotions>(services_, "list_motions");
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "Motions on the robot: 2.");
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
@@ -233,6 +234,7 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
   EXPECT_EQ(response.message, "Nothing was deleted: there is no robot");
   EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.");
   EXPECT_EQ(play("nod", 0, true).message, "Nothing was stopped: there is no robot");
+  EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.") << "a call has no past";
   EXPECT_EQ(call("shut_down").message, "The robot does not shut down: there is no robot");
   EXPECT_EQ(call("reboot").message, "The robot does not reboot: there is no robot");
 }

@@ -386,6 +386,9 @@ TEST_F(JointPlanTest, ANewCommandBeginsWhereTheOldOneIs) {
   command({{kPan, {kPan, 1.0, 1.0}}}, 0);
   command({{kPan, {kPan, 0.0, 1.0}}}, 0.5);
   EXPECT_NEAR(plan_.holdingTargets(at(0.7)).at(kPan).position, 0.3, 1e-6);
+  const auto commanded = command({{kMouth, {kMouth, -0.9, 0.1}}}, 0);
+  plan_.command(commanded, {{kMouth, {kMouth, -0.5, 0.1}}}, at(3));
+  EXPECT_NEAR(plan_.holdingTargets(at(4)).at(kMouth).position, -0.7, 1e-6) << "also if the same movement goes on";
 }
 
 TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
@@ -499,10 +502,16 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
     advance(now);
   }
   EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
+  Arrival loose;
+  loose.tolerances["mouth"].position = 10;
+  measure(1.5, 0.5);
+  const auto pan_too = add(both(0.2, -0.2, 0.3), 1.5, 1.5, loose);
+  run(1.5, 4);
+  EXPECT_EQ(reasonOf(pan_too), "head_pan is 0.20 rad from where it was sent") << "the other joint has its own";
   strict.tolerances["head_pan"] = {0.1, 0.2};
-  measure(2, 0.17);
-  const auto fast = add(pan({{1, {0.2}, {}}}), 2, 2, strict);
-  for (double now = 2; now < 3.5; now += 0.032) {
+  measure(5, 0.17);
+  const auto fast = add(pan({{1, {0.2}, {}}}), 5, 5, strict);
+  for (double now = 5; now < 6.5; now += 0.032) {
     measure(now, 0.15 + now / 100);
     advance(now);
   }

@@ -457,10 +457,11 @@ TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
   EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
   mover_.stop(order("/panel"));
   EXPECT_EQ(reasonOf(command("head_pan", 0.2)), "stopped by /panel; call release") << "a second time";
+  mover_.stop(order("/gamepad"));
   mover_.disconnected();
   ++client_.connections;
   mover_.connected();
-  EXPECT_EQ(mover_.state().stopped_by, "/panel") << "also over another connection";
+  EXPECT_EQ(mover_.state().stopped_by, "/gamepad") << "also over another connection";
 }
 
 TEST_F(MoverTest, WhatWaitedWhileStoppedDoesNotMoveTheRobotAfterTheRelease) {
@@ -1102,6 +1103,9 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
       [this] { mover_.takePosture(order(), Posture::kSit); },
       [this] { mover_.setMotors(order(), false); },
       [this] { command("left_front_rotator", 0.1); },
+      [this] {
+        mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.1, 0.1}, {});
+      },
       [this] { follow("left_front_rotator", 0.1, 1.0); },
       [this] {
         mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
