@@ -226,6 +226,10 @@ class UsedRobot {
         const slongword value = vector->GetData(static_cast<int>(i))->frame[reading].value;
         if (i < rest_.size()) {
           record->add("joint", value);
+        } else if (info.type == odataSWITCH || info.type == odataFORCE) {
+          record->add("pressed", value);
+        } else if (info.type == odataNO_DIMENSION) {
+          record->add("touched", value > 10);
         } else {
           record->measurements.push_back(value);
         }
@@ -486,7 +490,7 @@ struct Scenery {
     }
     camera.control(step % 11 == 4 ? oprmreqCAM_AE_ON : oprmreqCAM_AE_OFF, nullptr, 0);
     camera.control(step % 5 == 3 ? oprmreqCAM_AWB_ON : oprmreqCAM_AWB_OFF, nullptr, 0);
-    if (step % 4 == 2) {
+    if (step % 4 == 2 || step % 8 == 3) {
       camera.colors().load(everyColor(42, OCdtChannel{1} << step % 7));
     }
     // In some frames the ball is where it was, or near it.

@@ -139,7 +139,11 @@ TEST(Joint, DoesNotMoveWithoutPower) {
   EXPECT_EQ(joint.position(), where);
   EXPECT_EQ(reading(joint).pwmDuty, 0);
 
+  joint.command(static_cast<int>(where));
   joint.setPower(true);
+  joint.passFrame(0);
+  EXPECT_NEAR(joint.position(), where, 1) << "it begins at rest";
+  joint.command(100000);
   pass(joint, 50);
   EXPECT_EQ(joint.position(), 100000) << "the gain has an effect again";
 }

@@ -25,20 +25,20 @@ namespace {
 
 constexpr char kCameraLocator[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 
-OFbkImage redIn(RCRegion* region) {
+OFbkImage bandIn(RCRegion* region, OFbkImageBand band = ofbkimageBAND_Cr) {
   void* base = region->Base();
   auto* vector = static_cast<OFbkImageVectorData*>(base);
-  return OFbkImage(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), ofbkimageBAND_Cr);
+  return OFbkImage(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), band);
 }
 
 /// The camera draws what is read.
 void draw(RCRegion* region) {
-  redIn(region).Pointer();
+  bandIn(region).Pointer();
 }
 
 /// Centre of all pink pixels in the part of the picture around a point.
 Eigen::Vector2d middleOfPink(RCRegion* region, const Eigen::Vector2d& around) {
-  const OFbkImage cr = redIn(region);
+  const OFbkImage cr = bandIn(region);
   Eigen::Vector2d sum = Eigen::Vector2d::Zero();
   int count = 0;
   for (int y = 0; y < kPictureHeight; ++y) {
@@ -197,8 +197,13 @@ TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
   EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_ARG);
   tables.SetNumData(2);
   tables.GetInfo(0)->Init(camera_, ocdtCHANNEL0);
+  for (int segment = 0; segment < ocdtMAX_Y_SEGMENT; ++segment) {
+    tables.GetInfo(0)->Set(segment, 255, 0, 255, 0);
+  }
   tables.GetInfo(1)->Init(camera_ + 1, ocdtCHANNEL1);
   EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_PRIMITIVE_ID);
+  EXPECT_EQ(bandIn(robot_.captureImage(0), ofbkimageBAND_Y).ColorFrequency(ocdtCHANNEL0), 0)
+      << "nothing of it is loaded";
   tables.GetInfo(1)->Init(camera_, ocdtCHANNEL7);
   EXPECT_EQ(robot_.setCdtVectorData(tables), oINVALID_ARG);
 }
@@ -255,10 +260,20 @@ TEST_F(SimulatedErs7Test, TheUndefinedPrimitiveMeansAllOpenJoints) {
   const OPrimitiveID pan = openJoint("head_pan");
   const OPrimitiveID tail = openJoint("tail_pan");
   ASSERT_EQ(robot_.setMotorPower(opowerON), oSUCCESS);
+  ASSERT_EQ(robot_.enableJointGain(tail), oSUCCESS);
   EXPECT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oGAIN_DISABLED);
+  robot_.passFrame(0, {jointCommand(tail, 200000)});
+  passFrames(60);
+  EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000) << "one joint's error is not the others'";
   ASSERT_EQ(robot_.enableJointGain(oprimitiveID_UNDEF), oSUCCESS);
   ASSERT_EQ(robot_.setJointGain(oprimitiveID_UNDEF, 8, 2, 4, 0x0E, 0x02, 0x0F), oSUCCESS);
-  robot_.passFrame(0, {jointCommand(pan, 100000), jointCommand(tail, 200000)});
+  robot_.setMotorPower(opowerOFF);
+  robot_.passFrame(0, {jointCommand(pan, 100000), jointCommand(tail, 0)});
+  passFrames(9);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
+  EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000);
+  robot_.setMotorPower(opowerON);
+  robot_.passFrame(0, {jointCommand(tail, 200000)});
   passFrames(60);
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
   EXPECT_EQ(robot_.joints().named("tail_pan").position(), 200000);
@@ -430,6 +445,28 @@ TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommandUntilTheRobotIsSwitchedOff) {
   EXPECT_THROW(robot_.led("nose"), std::invalid_argument);
 }
 
+TEST_F(SimulatedErs7Test, WhatPeopleHaveDoneWithItOutlastsAReboot) {
+  robot_.press("chin", true);
+  robot_.press(kPauseButton, true);
+  robot_.setCharge(0.3);
+  robot_.stick().set(StickState::kLocked);
+  robot_.lift(true);
+  robot_.jam("head_pan", true);
+  passFrames(125);
+  robot_.switchOff();
+  const OPrimitiveID pan = driveJoint("head_pan");
+  robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
+  passFrames(125);
+  EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
+  EXPECT_EQ(sensorValue("chin"), 1);
+  EXPECT_EQ(sensorValue("paw_left_front"), 0);
+  OPowerStatus power;
+  robot_.getPowerStatus(&power);
+  EXPECT_EQ(power.remainingCapacity, 30);
+  EXPECT_NE(power.robotStatus & orsbPAUSE, 0U);
+  EXPECT_EQ(robot_.stick().status(), omemorystickWRITE_PROTECTED);
+}
+
 TEST_F(SimulatedErs7Test, AnLedIsNeverDarkerThanOffOrBrighterThanFull) {
   const OPrimitiveID face = openLocator("PRM:/r1/c1/c2/c3/la-LED3:la");
   robot_.passFrame(frame_++, {effectorCommand(face, odataLED_COMMAND3, OLEDCommandValue3{-1, oled3_MODE_A, 1, 0})});
@@ -454,9 +491,12 @@ TEST_F(SimulatedErs7Test, APulseDrawsAnEarAndASecondMakesItTooHot) {
   EXPECT_NE(testing::internal::GetCapturedStdout().find("left_ear was energised for 1000 ms"), std::string::npos);
   EXPECT_TRUE(robot_.ear("left_ear").isHot());
   EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
-  robot_.passFrame(frame_++, {earCommand(left, ojoint4_STATE0)});
   passFrames(625);
   EXPECT_FALSE(robot_.ear("left_ear").isHot());
+  passFrames(125);
+  EXPECT_TRUE(robot_.ear("left_ear").isDrawn()) << "it was never told to let go";
+  passFrames(1);
+  EXPECT_TRUE(robot_.ear("left_ear").isHot());
 }
 
 TEST_F(SimulatedErs7Test, BothEarsBecomeTooHotInTheSameFrame) {

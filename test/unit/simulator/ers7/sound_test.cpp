@@ -81,6 +81,7 @@ TEST_F(SimulatedSoundTest, TheSpeakerTakesTwoKindsOfSound) {
   EXPECT_EQ(type.type, ospksndMONO16K16B);
   EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, 1, nullptr, 0), oINVALID_ARG);
   EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(4)), oINVALID_ARG) << "stereo";
+  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO16K16B);
   robot_.closePrimitive(speaker_);
   EXPECT_EQ(robot_.soundTypeOf(speaker_), std::nullopt);
 }
@@ -119,7 +120,9 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   EXPECT_EQ(obeyConsole(robot_, "hear silence"), "ok: hear silence\n");
   EXPECT_EQ(robot_.passSound(103, nullptr)[0].L, 0);
   obeyConsole(robot_, "hear " + path);
-  EXPECT_EQ(robot_.passSound(200, nullptr)[127].L, -30000) << "from its beginning";
+  EXPECT_THAT(obeyConsole(robot_, "hear nothing.wav").value(), HasSubstr("cannot be read"));
+  robot_.switchOff();
+  EXPECT_EQ(robot_.passSound(200, nullptr)[127].L, -30000) << "from its beginning, in spite of the error and a reboot";
 }
 
 TEST_F(SimulatedSoundTest, AFileWithTwoChannelsHasOneForEachMicrophone) {
@@ -167,6 +170,8 @@ TEST_F(SimulatedSoundTest, APipeGetsTheSoundAtOnce) {
   robot.passSound(0, &frame);
   std::array<char, 1000> bytes{};
   ASSERT_EQ(::read(reader, bytes.data(), bytes.size()), 44 + 256);
+  robot.passSound(1, &frame);
+  EXPECT_EQ(::read(reader, &bytes[300], 300), 256);
   ::close(reader);
   std::uint32_t size = 0;
   std::memcpy(&size, &bytes[40], sizeof(size));
