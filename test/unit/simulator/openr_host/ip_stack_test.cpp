@@ -43,6 +43,7 @@ class IpStackTest : public testing::Test {
   IpStackTest() {
     object_.on_answer = [this](ANTENVMSG message) { record(*antEnvMsg::Receive(message)); };
     test_.boot();
+    test_.system.ipStack().takePort(kRobotPort - 1, 0);  // of another object
     host_port_ = test_.system.ipStack().takePort(kRobotPort, 0);
     antEnvCreateSharedBufferMsg message(kBufferSize);
     EXPECT_EQ(call(message), ANT_SUCCESS);
@@ -320,11 +321,15 @@ TEST_F(IpStackTest, AnAbortEndsACloseThatWaits) {
 }
 
 TEST_F(IpStackTest, AResetByTheClientEndsACloseThatWaits) {
-  const auto endpoint = connect();
+  const auto endpoint = connect(4096);
+  send(endpoint, kBufferSize);
   close(endpoint);
   test_.runPending();
   client_->reset();
-  expectAnswers({is(antOperation_TCPClose, TCP_CONNECTION_RESET)});
+  ASSERT_TRUE(haveAnswers(2));
+  close(endpoint);
+  expectAnswers({is(antOperation_TCPSend, TCP_CONNECTION_RESET), is(antOperation_TCPClose, TCP_CONNECTION_RESET),
+                 is(antOperation_TCPClose, TCP_OPERATION_INVALID)});
 }
 
 TEST_F(IpStackTest, AnAbortFirstEndsTheRequestsUnderWay) {
@@ -386,7 +391,12 @@ TEST_F(IpStackTest, AListeningEndpointThatWasClosedByACallGetsNoClient) {
 }
 
 TEST_F(IpStackTest, AClientIsTurnedAwayAtOnceWhileNoEndpointListens) {
+  const auto closed = createEndpoint();
   const auto endpoint = connect();
+  TCPEndpointCloseMsg message(closed);
+  call(message);
+  test_.runPending();
+  createEndpoint();  // not in place of another one
   TestClient newcomer(host_port_);
   ASSERT_TRUE(test_.runUntil([&] { return newcomer.isAtEnd() || newcomer.wasReset(); }));
   send(endpoint, "still here");
@@ -701,9 +711,14 @@ TEST_F(IpStackTest, RequestsThatDoNotFitTheEndpointsStateAreInvalid) {
 
 TEST_F(IpStackTest, APortOfAnotherProgramIsInUse) {
   TcpListener other_program("127.0.0.1", 0);
-  post(TCPEndpointListenMsg(createEndpoint(), IP_ADDR_ANY, other_program.port()));
+  const auto endpoint = createEndpoint();
+  post(TCPEndpointListenMsg(endpoint, IP_ADDR_ANY, other_program.port()));
   ASSERT_TRUE(haveAnswers(1));
   EXPECT_EQ(answers_.at(0).error, TCP_ADDRESSINUSE);
+  listen(endpoint);  // on another one
+  const TestClient client(host_port_);
+  ASSERT_TRUE(haveAnswers(2));
+  EXPECT_EQ(answers_.at(1).error, TCP_SUCCESS);
 }
 
 TEST_F(IpStackTest, RequestsThatNeedAClientCanBeSentButNotCalled) {
@@ -735,6 +750,10 @@ TEST_F(IpStackTest, ASharedBufferHasWholePagesAndCanBeFreedWhenUnused) {
   antEnvDestroySharedBufferMsg destroy(create.buffer);
   call(destroy);
   EXPECT_EQ(destroy.error, ANT_FAIL) << "a receive is writing to it";
+  send(endpoint, kBufferSize);
+  antEnvDestroySharedBufferMsg destroy_sent(shared_buffer_);
+  call(destroy_sent);
+  EXPECT_EQ(destroy_sent.error, ANT_FAIL) << "a send is reading from it";
   close(endpoint);
   call(destroy);
   EXPECT_EQ(destroy.error, ANT_SUCCESS);

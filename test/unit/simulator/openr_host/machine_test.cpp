@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 #include <thread>
 
@@ -205,6 +206,23 @@ TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
             (std::vector<longword>{0, 6, 11}));
 }
 
+TEST_F(MachineTest, NoFrameIsSleptThroughWhileAnObjectListens) {
+  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/LISTENER.BIN\n");
+  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG",
+               "OVirtualRobotAudioComm.Mic.OSoundVectorData.S Listener.In.OSoundVectorData.O\n");
+  ObjectDescription& listener = options_.catalog["LISTENER.BIN"] = TestObject::describe("Listener");
+  listener.observers[0].service = "Listener.In.OSoundVectorData.O";
+  listener.observers[0].connect = [](OObject& object, const OConnectEvent& /*event*/) {
+    static_cast<TestObject&>(object).observer().AssertReady();
+  };
+  HastyClock clock;
+  Machine machine(options_, clock, robot_);
+  machine.boot();
+  machine.runUntil([&] { return clock.waited_for.size() > 3; });
+  EXPECT_EQ(std::vector<longword>(clock.waited_for.begin(), clock.waited_for.begin() + 3),
+            (std::vector<longword>{0, 6, 11}));
+}
+
 TEST_F(MachineTest, WhatIsTypedActsOnTheRobotAfterTheFramesThatHavePassed) {
   HastyClock clock;
   std::optional<Machine> machine;
@@ -382,6 +400,33 @@ TEST_F(MachineTest, ARebootedMachineServesOnTheSamePortsWithNewObjects) {
   const std::string reboot = "The robot boots again\nEchoServer has gone\nEchoServer on ERS-7\n";
   EXPECT_EQ(console_.str(), "EchoServer on ERS-7\n" + reboot + reboot);
   EXPECT_EQ(std::count(robot_.calls.begin(), robot_.calls.end(), "switchOff"), 2);
+}
+
+TEST_F(MachineTest, ARebootedMachineCallsTheSameFunctions) {
+  std::set<std::string> called;
+  options_.on_console_line = [&](const std::string& line) {
+    called.insert(line);
+    return "";
+  };
+  options_.handler_time = [&](const std::string& object, Entry, std::chrono::nanoseconds) {
+    if (object == "EchoServer") {
+      called.insert("time");
+    }
+    return std::chrono::nanoseconds(0);
+  };
+  options_.on_camera_image = [&] { called.insert("image"); };
+  options_.on_send = [&](const void*, std::size_t) { called.insert("send"); };
+  Machine& machine = bootAndShutDown({OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE)});
+  machine.runPending();
+  called.clear();
+  TestClient client(machine.hostPort(kEchoPort));
+  client.send("again");
+  TestClient telnet(machine.hostPort(kConsolePort));
+  telnet.send("press\n");
+  robot_.frames_with_image = {1};
+  stepTo(1);
+  EXPECT_TRUE(machine.runUntil([&] { return called.size() == 4; }));
+  EXPECT_THAT(called, ElementsAre("image", "press", "send", "time"));
 }
 
 TEST_F(MachineTest, AMachineThatCannotBootAgainIsOffAndSaysWhy) {

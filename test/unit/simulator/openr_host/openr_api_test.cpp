@@ -74,6 +74,8 @@ TEST_F(OpenrApiTest, DesignDataStaysInMemoryUntilItIsDeleted) {
     EXPECT_EQ(std::string(data, data + 5), "first");
     EXPECT_EQ(OPENR::DeleteDesignData(id), oSUCCESS);
     EXPECT_EQ(OPENR::DeleteDesignData(id), oINVALID_ARG);
+    ASSERT_EQ(OPENR::FindDesignData("TEXT", &id, &data, &size), oSUCCESS);
+    EXPECT_NE(id, other_id);
     EXPECT_EQ(OPENR::FindDesignData("EMPTY", &id, &data, &size), oDESIGNDATA_SIZE_ZERO);
     EXPECT_EQ(OPENR::FindDesignData("GONE", &id, &data, &size), oNOT_FOUND);
     EXPECT_EQ(OPENR::FindDesignData("text", &id, &data, &size), oNOT_FOUND);
@@ -95,6 +97,9 @@ TEST_F(OpenrApiTest, TheClockCanBeSet) {
     sbyte difference = 0;
     ASSERT_EQ(OPENR::GetTimeDifference(&difference), oSUCCESS);
     EXPECT_EQ(difference, -5);
+    ASSERT_EQ(OPENR::SetTimeDifference(0), oSUCCESS);
+    ASSERT_EQ(OPENR::GetTimeDifference(&difference), oSUCCESS);
+    EXPECT_EQ(difference, 0);
   });
 }
 

@@ -157,6 +157,9 @@ TEST_F(UdpEndpointTest, ASecondReceiveIsBusyAndClosingEndsTheFirst) {
   bind(endpoint);
   receive(endpoint, 1);
   receive(endpoint, 1);
+  antEnvDestroySharedBufferMsg destroy(antSharedBuffer(buffer_, kSharedSize));
+  call(destroy);
+  EXPECT_EQ(destroy.error, ANT_FAIL) << "the first is writing to it";
   post(UDPEndpointCloseMsg(endpoint));
   receive(endpoint, 1);
   ASSERT_TRUE(haveAnswers(4));
@@ -183,12 +186,13 @@ TEST_F(UdpEndpointTest, AnEndpointMustBeBoundFirstAndOnlyOnce) {
 TEST_F(UdpEndpointTest, APortCanBeTakenOnlyOnce) {
   const auto first = create();
   const Port port = bind(first);
-  UDPEndpointBindMsg second(create(), IP_ADDR_ANY, port);
+  const auto other = create();
+  UDPEndpointBindMsg second(other, IP_ADDR_ANY, port);
   call(second);
   EXPECT_EQ(second.error, UDP_ADDRESSINUSE);
   UDPEndpointCloseMsg close(first);
   call(close);
-  EXPECT_EQ(bind(create(), port), port);
+  EXPECT_EQ(bind(other, port), port) << "the same endpoint tries again";
 }
 
 TEST_F(UdpEndpointTest, AClosedEndpointCannotBeBoundAgain) {
@@ -210,11 +214,13 @@ TEST_F(UdpEndpointTest, DataOutsideASharedBufferOrTooLargeForAPacketIsRefused) {
   post(UDPEndpointReceiveMsg(endpoint, own, sizeof(own)));
   post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, 0));
   post(UDPEndpointSendMsg(endpoint, kThisComputer, port, buffer_, kSharedSize));
-  ASSERT_TRUE(haveAnswers(4));
-  EXPECT_THAT(answers_, ElementsAre(Answer{antOperation_UDPSend, UDP_BUFFER_INVALID},
-                                    Answer{antOperation_UDPReceive, UDP_BUFFER_INVALID},
-                                    Answer{antOperation_UDPSend, UDP_BUFFER_INVALID},
-                                    Answer{antOperation_UDPSend, UDP_MESSAGE_TOO_LONG}));
+  sendTo(endpoint, port, "small");
+  ASSERT_TRUE(haveAnswers(5));
+  EXPECT_THAT(
+      answers_,
+      ElementsAre(Answer{antOperation_UDPSend, UDP_BUFFER_INVALID}, Answer{antOperation_UDPReceive, UDP_BUFFER_INVALID},
+                  Answer{antOperation_UDPSend, UDP_BUFFER_INVALID}, Answer{antOperation_UDPSend, UDP_MESSAGE_TOO_LONG},
+                  Answer{antOperation_UDPSend, UDP_SUCCESS}));
 }
 
 TEST_F(UdpEndpointTest, OperationsNeedAnEndpoint) {

@@ -208,12 +208,12 @@ TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonA
     void* const base = vector->Base();
     spoil(*static_cast<OSoundVectorData*>(base));
     const int readies = readies_;
-    send({vector});
+    send({vector, vector});
     EXPECT_THAT(test_.output.str(), AllOf(HasSubstr("ERROR"), HasSubstr("OVirtualRobotAudioComm"),
                                           HasSubstr("sound vector refused: " + message)));
     EXPECT_EQ(readies_, readies) << message;
     pass(2);
-    EXPECT_EQ(readies_, readies + 1) << message;
+    EXPECT_EQ(readies_, readies + 2) << message;
     EXPECT_FALSE(comm_.isActive());
     test_.output.str("");
   }
