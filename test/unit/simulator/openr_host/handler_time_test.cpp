@@ -1,4 +1,5 @@
 // Handlers that take time: a busy object gets no other message (Level2 Reference Guide, chapter 1).
+#include <ant.h>
 #include <gmock/gmock.h>
 
 #include <thread>
@@ -69,6 +70,23 @@ TEST_F(HandlerTimeTest, MessagesOfAHandlerLeaveWhenItHasFinished) {
   EXPECT_EQ(test_.system.nextFinish(), milliseconds(28));
   passTo(milliseconds(28));
   EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
+}
+
+TEST_F(HandlerTimeTest, ABusyObjectHoldsUpNoMessageOfOthers) {
+  int answers = 0;
+  camera_.on_answer = [&](ANTENVMSG) { ++answers; };
+  camera_.on_ready = [this](const OReadyEvent&) {
+    antEnvCreateSharedBufferMsg message(1);
+    message.Send(antStackRef("IPStack"), camera_.id(), 0, sizeof(message));
+  };
+  test_.as(encoder_, [&] { encoder_.observer().AssertReady(camera_.subjectId()); });
+  test_.as(camera_, [&] {
+    camera_.subject().SetData("image", 5);
+    camera_.subject().NotifyObservers();
+  });
+  test_.run();
+  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0)));
+  EXPECT_EQ(answers, 1) << "posted before the encoder's work";
 }
 
 // What the camera's pixels take, and what the object only waits for, is no work of the object.
