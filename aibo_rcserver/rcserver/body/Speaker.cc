@@ -45,20 +45,7 @@ const int Speaker::VECTOR_SAMPLES;
 const int Speaker::NUMBER_OF_VECTORS;
 const int Speaker::MOST_ENDS;
 
-Speaker::Speaker()
-    : gate_(NULL),
-      vectors_on_their_way_(0),
-      volume_(VOLUME_OF_ROBOT),
-      is_playing_(false),
-      has_last_(false),
-      vectors_until_end_(0),
-      begin_(0),
-      end_(0),
-      is_in_gap_(false),
-      starved_(0),
-      gaps_(0),
-      missing_(0),
-      number_of_ends_(0) {
+Speaker::Speaker() : gate_(NULL), vectors_on_their_way_(0), volume_(VOLUME_OF_ROBOT), sound_(), number_of_ends_(0) {
   for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
     memories_[i] = MemoryRegionID();
     regions_[i] = NULL;
@@ -88,7 +75,7 @@ const char* Speaker::Play(const PlayedSound& part) {
 }
 
 unsigned Speaker::Room() const {
-  return SPEAKER_CAPACITY - (is_playing_ ? Waiting() : 0);
+  return SPEAKER_CAPACITY - (sound_.is_playing ? Waiting() : 0);
 }
 
 const char* Speaker::Begin() {
@@ -99,56 +86,51 @@ const char* Speaker::Begin() {
     return "the robot's speaker takes no sound: CONNECT.CFG on the memory stick does not connect it";
   }
   End(protocol::version2::END_REPLACED);
-  is_playing_ = true;
-  has_last_ = false;
-  vectors_until_end_ = 0;
-  begin_ = 0;
-  end_ = 0;
-  gaps_ = 0;
-  missing_ = 0;
+  sound_ = Sound();
+  sound_.is_playing = true;
   return NULL;
 }
 
 const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   const unsigned after = part.position + size;
-  if (!is_playing_ || has_last_) {
+  if (!sound_.is_playing || sound_.has_last) {
     return "no sound is being played; one begins with the sample at position 0";
   }
-  const unsigned most = begin_ + SPEAKER_CAPACITY;
+  const unsigned most = sound_.begin + SPEAKER_CAPACITY;
   if (size > SPEAKER_CAPACITY || IsAfter(part.position, most) || IsAfter(after, most)) {
     return "the robot has no room for so many samples yet; the answers tell how many may follow";
   }
-  while (IsAfter(part.position, end_)) {
+  while (IsAfter(part.position, sound_.end)) {
     AddSilence();
   }
-  while (IsAfter(after, end_)) {
-    const size_t offset = (end_ - part.position) * BYTES_PER_SAMPLE;
-    samples_[end_ % SPEAKER_CAPACITY] = decodeBigEndianSigned16(part.samples + offset);
-    ++end_;
-    is_in_gap_ = false;
-    starved_ = 0;
+  while (IsAfter(after, sound_.end)) {
+    const size_t offset = (sound_.end - part.position) * BYTES_PER_SAMPLE;
+    samples_[sound_.end % SPEAKER_CAPACITY] = decodeBigEndianSigned16(part.samples + offset);
+    ++sound_.end;
+    sound_.is_in_gap = false;
+    sound_.starved = 0;
   }
-  has_last_ = part.last;
+  sound_.has_last = part.last;
   Send();
   return NULL;
 }
 
 // Replaces a sample that has not come.
 void Speaker::AddSilence() {
-  samples_[end_ % SPEAKER_CAPACITY] = 0;
-  ++end_;
-  gaps_ += is_in_gap_ ? 0 : 1;
-  is_in_gap_ = true;
-  ++missing_;
+  samples_[sound_.end % SPEAKER_CAPACITY] = 0;
+  ++sound_.end;
+  sound_.gaps += sound_.is_in_gap ? 0 : 1;
+  sound_.is_in_gap = true;
+  ++sound_.missing;
 }
 
 void Speaker::End(unsigned char how) {
-  if (!is_playing_) {
+  if (!sound_.is_playing) {
     return;
   }
-  is_playing_ = false;
+  sound_.is_playing = false;
   if (number_of_ends_ < MOST_ENDS) {
-    const SoundEnd end = {how, begin_, gaps_, missing_};
+    const SoundEnd end = {how, sound_.begin, sound_.gaps, sound_.missing};
     ends_[number_of_ends_] = end;
     ++number_of_ends_;
   }
@@ -157,11 +139,11 @@ void Speaker::End(unsigned char how) {
 void Speaker::IsReady() {
   if (vectors_on_their_way_ > 0) {  // the first READY follows no vector
     --vectors_on_their_way_;
-    if (vectors_until_end_ > 0 && --vectors_until_end_ == 0) {
+    if (sound_.vectors_until_end > 0 && --sound_.vectors_until_end == 0) {
       End(protocol::version2::END_DONE);
     }
   }
-  if (is_playing_ && starved_ >= MOST_STARVED) {
+  if (sound_.is_playing && sound_.starved >= MOST_STARVED) {
     End(protocol::version2::END_REFUSED);
   }
   Send();
@@ -194,10 +176,11 @@ unsigned char Speaker::Volume() const {
 }
 
 void Speaker::ClientGone() {
-  is_playing_ = false;
+  sound_ = Sound();
   number_of_ends_ = 0;
   if (volume_ != VOLUME_OF_ROBOT) {
-    SetVolume(VOLUME_OF_ROBOT);
+    volume_ = VOLUME_OF_ROBOT;
+    Open();  // if it refuses now, the next sound sets the volume
   }
 }
 
@@ -252,7 +235,7 @@ void Speaker::Send() {
     return;
   }
   int added = 0;
-  while (is_playing_ && vectors_until_end_ == 0 && vectors_on_their_way_ < NUMBER_OF_VECTORS) {
+  while (sound_.is_playing && sound_.vectors_until_end == 0 && vectors_on_their_way_ < NUMBER_OF_VECTORS) {
     RCRegion* const vector = FindFree();
     if (vector == NULL) {
       break;
@@ -261,7 +244,7 @@ void Speaker::Send() {
     gate_->SetData(vector);
     ++vectors_on_their_way_;
     ++added;
-    vectors_until_end_ = has_last_ && Waiting() == 0 ? vectors_on_their_way_ : 0;
+    sound_.vectors_until_end = sound_.has_last && Waiting() == 0 ? vectors_on_their_way_ : 0;
   }
   if (added > 0) {
     gate_->NotifyObservers();
@@ -289,15 +272,15 @@ void Speaker::Fill(RCRegion* vector) {
   info->bitsPerSample = 16;
   short samples[VECTOR_SAMPLES] = {0};
   for (int i = 0; i < VECTOR_SAMPLES; ++i) {
-    if (Waiting() == 0 && has_last_) {
+    if (Waiting() == 0 && sound_.has_last) {
       break;
     }
     if (Waiting() == 0) {
       AddSilence();
-      ++starved_;
+      ++sound_.starved;
     }
-    samples[i] = samples_[begin_ % SPEAKER_CAPACITY];
-    ++begin_;
+    samples[i] = samples_[sound_.begin % SPEAKER_CAPACITY];
+    ++sound_.begin;
   }
   memcpy(data->GetData(0), samples, sizeof(samples));
 }

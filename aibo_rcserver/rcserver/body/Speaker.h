@@ -33,7 +33,9 @@ class Speaker {
   unsigned Room() const;
 
   /// True if little of the present sound waits, and more is to come.
-  bool IsShort() const { return is_playing_ && !has_last_ && Room() > protocol::version2::SPEAKER_CAPACITY / 2; }
+  bool IsShort() const {
+    return sound_.is_playing && !sound_.has_last && Room() > protocol::version2::SPEAKER_CAPACITY / 2;
+  }
 
   /// Call on READY.
   void IsReady();
@@ -58,6 +60,18 @@ class Speaker {
   // Two sounds can end before the reports are taken: one that a new sound replaces, and the new one.
   static const int MOST_ENDS = 2;
 
+  struct Sound {
+    bool is_playing;
+    bool has_last;          ///< the sound ends at end
+    int vectors_until_end;  ///< vectors to be output until the sound has ended, or 0
+    unsigned begin;         ///< position of the next sample for a vector
+    unsigned end;           ///< position after the last sample that waits
+    bool is_in_gap;
+    unsigned starved;  ///< samples of silence since the last sample came
+    unsigned gaps;
+    unsigned missing;
+  };
+
   Speaker(const Speaker&);
   Speaker& operator=(const Speaker&);
 
@@ -71,24 +85,15 @@ class Speaker {
   void Send();
   RCRegion* FindFree();
   void Fill(RCRegion* vector);
-  unsigned Waiting() const { return end_ - begin_; }
+  unsigned Waiting() const { return sound_.end - sound_.begin; }
 
   OSubject* gate_;
   Primitives primitives_;
   MemoryRegionID memories_[NUMBER_OF_VECTORS];
   RCRegion* regions_[NUMBER_OF_VECTORS];
-  int vectors_on_their_way_;  ///< sent, and their output is not complete
-  unsigned char volume_;      ///< set by a client, or VOLUME_OF_ROBOT
-
-  bool is_playing_;
-  bool has_last_;          ///< the sound ends at end_
-  int vectors_until_end_;  ///< vectors to be output until the sound has ended, or 0
-  unsigned begin_;         ///< position of the next sample for a vector
-  unsigned end_;           ///< position after the last sample that waits
-  bool is_in_gap_;
-  unsigned starved_;  ///< samples of silence since the last sample came
-  unsigned gaps_;
-  unsigned missing_;
+  int vectors_on_their_way_;                             ///< sent, and their output is not complete
+  unsigned char volume_;                                 ///< set by a client, or VOLUME_OF_ROBOT
+  Sound sound_;                                          ///< the present one, or the last
   short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< each at its position, as a ring
   protocol::version2::SoundEnd ends_[MOST_ENDS];
   int number_of_ends_;

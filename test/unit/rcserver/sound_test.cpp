@@ -263,11 +263,15 @@ TEST_F(SoundTest, NothingIsHeardBeforeAndAfter) {
 
 // The filter for 8 kHz looks at the last samples, and there are none.
 TEST_F(SoundTest, WhatWasHeardBeforeAPauseIsNotHeardAfterIt) {
-  for (const unsigned char channels : {'\2', '\1'}) {
+  for (const unsigned char channels : {'\2', '\1', '\2'}) {
+    const bool is_off = channels == 2 && heard_.empty();  // otherwise at the full rate, which needs no filter
     robot_.sound = [](size_t) { return OSoundSampleStereo16{20000, 20000}; };
+    heard_.clear();
     listen(channels, 8000);
     pass(10);
-    ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{false, channels, 8000}));
+    heard_.clear();
+    heard_rate_ = kRate;
+    ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{!is_off, channels, kRate}));
     robot_.sound = [](size_t) { return OSoundSampleStereo16{0, 0}; };
     pass(10);
     heard_.clear();
@@ -634,6 +638,11 @@ TEST_F(SoundTest, ASpeakerThatCannotBeUsedIsTold) {
   EXPECT_EQ(robot_.played, samplesOf(mark, 0, 1000));
   ASSERT_THAT(ends_, SizeIs(1));
   EXPECT_EQ(ends_[0].how, END_DONE);
+  ask(SOUND_VOLUME, payloadOf(Volume{1}));
+  robot_.refuses_speaker = true;
+  reconnect();
+  robot_.refuses_speaker = false;
+  EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, "")).step, 2) << "not the last client's";
 }
 
 TEST_F(SoundTest, NonsenseIsRefused) {
@@ -688,6 +697,10 @@ TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   play(0, samplesOf(mark, 0, 4000));
   EXPECT_LE(pictures(100), 4) << "by UDP";
   EXPECT_TRUE(heard_.empty()) << "the microphones are closed";
+  reconnect();
+  answerTo('W', 85, kStreamOn);
+  play(0, samplesOf(mark, 0, 4000));
+  EXPECT_GT(pictures(), 4) << "the next client does not want that";
 }
 
 /// With the time that the robot's processor takes. Parameter: milliseconds that PictureEncoder needs for a picture.
