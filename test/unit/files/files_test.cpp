@@ -376,12 +376,12 @@ TEST(PictureFolder, IsTheChosenOneOrPicturesOrThatOfRos) {
 
 using Bytes = std::vector<std::uint8_t>;
 
-Bytes withSegment(const Bytes& jpeg, std::uint8_t marker, const std::string& content) {
+Bytes withSegment(const Bytes& jpeg, std::uint8_t marker, const std::string& content, std::size_t at = 2) {
   const std::size_t size = content.size() + 2;
   Bytes segment = {0xFF, marker, static_cast<std::uint8_t>(size >> 8), static_cast<std::uint8_t>(size)};
   segment.insert(segment.end(), content.begin(), content.end());
   Bytes result = jpeg;
-  result.insert(result.begin() + 2, segment.begin(), segment.end());
+  result.insert(result.begin() + static_cast<std::ptrdiff_t>(at), segment.begin(), segment.end());
   return result;
 }
 
@@ -398,6 +398,7 @@ TEST(WithoutComments, CommentsAndApplicationDataAreLeftOut) {
   const std::string key = "\nssh-rsa key of a stranger\n";
   EXPECT_EQ(withoutComments(withSegment(picture, 0xFE, key)), picture);
   EXPECT_EQ(withoutComments(withSegment(withSegment(picture, 0xFE, ""), 0xFE, std::string(65533, 'x'))), picture);
+  EXPECT_EQ(withoutComments(withSegment(picture, 0xFE, key, test_pictures::findMarker(picture, 0xDA))), picture);
   for (int application = 0; application < 16; ++application) {
     const auto marker = static_cast<std::uint8_t>(0xE0 + application);
     EXPECT_EQ(withoutComments(withSegment(picture, marker, key)), picture) << application;

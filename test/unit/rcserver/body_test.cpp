@@ -267,6 +267,7 @@ TEST_F(BodyTest, LedThatDoesNotOpenIsNamedAndTheOthersShine) {
   passFrames(kUntilMeasured);
   EXPECT_EQ(robot_.led("head_white").intensity, 0);
   EXPECT_EQ(robot_.led("head_color").intensity, 1);
+  EXPECT_GT(robot_.leds.back().intensity, 0);
 }
 
 TEST_F(BodyTest, LedsShineWhileTheMotorsAreOffAndTheMotorsStayOff) {
@@ -313,6 +314,16 @@ TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   EXPECT_EQ(std::count(drawn, drawn + LightDriver::EAR_FRAMES, true), LightDriver::EAR_FRAMES) << "without a gap";
   EXPECT_FALSE(robot_.ears[1].drawn);
   EXPECT_EQ(robot_.ears[1].period, 1);
+}
+
+TEST_F(BodyTest, EarThatDoesNotOpenIsNamedAndTheOtherIsDrawn) {
+  robot_.missing_locator = robot_.model.ears[0].locator;
+  start();
+  EXPECT_THAT(console_.str(), HasSubstr(std::string(robot_.model.ears[0].name) + " (" + robot_.missing_locator));
+  send(request('K', kLeftEar, 1) + request('K', kRightEar, 1));
+  passFrames(100);
+  EXPECT_EQ(framesDrawn(kLeftEar), 0);
+  EXPECT_EQ(framesDrawn(kRightEar), LightDriver::EAR_FRAMES);
 }
 
 TEST_F(BodyTest, EarDrawnAgainAndAgainRestsAsLongAsItIsDrawn) {
@@ -579,6 +590,11 @@ TEST_F(BodyVersion2Test, MotorsSwitchedOffAndOnWhileGoingOnHoldThePresentPositio
   passFrames(kUntilMeasured);
   EXPECT_TRUE(tail.gain);
   EXPECT_EQ(tail.error_when_gain_went_on, 0);
+  answerTo('O', 0, off_);
+  answerTo('O', 0, on_);
+  answerTo('O', 0, off_);
+  passFrames(kUntilMeasured);
+  EXPECT_FALSE(tail.gain);
 }
 
 TEST_F(BodyVersion2Test, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {

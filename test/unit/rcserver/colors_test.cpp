@@ -265,6 +265,7 @@ TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
 TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
   load(tableOf(0));
   load(tableOf(6));
+  EXPECT_THAT(robot_.color_tables, SizeIs(2));
   switchOn();
   reconnect();
   EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));

@@ -25,9 +25,13 @@ TEST_F(ThrottledWarningsTest, LogsTheSameOnceInAWhileWhateverNumbersAreInIt) {
   }
   EXPECT_THAT(logged_, ElementsAre("LED face_1 cannot shine with intensity 0.000000, which is not 0..1.",
                                    "LED face_2 cannot shine with intensity -0, which is not 0..1."));
-  now_ += ThrottledWarnings::kRepetitionPeriod;
+  warnings_.warn("No joint is named 'knee'.");
+  now_ += ThrottledWarnings::kRepetitionPeriod - std::chrono::seconds(1);
+  warnings_.warn("A newer one.");
+  now_ += std::chrono::seconds(1);
   warnings_.warn("LED face_1 cannot shine with intensity 2, which is not 0..1.");
-  EXPECT_THAT(logged_, SizeIs(3));
+  warnings_.warn("No joint is named 'knee'.");
+  EXPECT_THAT(logged_, SizeIs(6));
 }
 
 TEST_F(ThrottledWarningsTest, WhatIsRepeatedAllTheTimeIsLoggedOnceInEachPeriod) {
