@@ -102,10 +102,11 @@ class ScriptedServer:
         self.socket.close()
 
 
-def says_hello(server, names=b"", flood=None, answers=None):
+def says_hello(server, names=b"", flood=None, answers=None, until=None):
     """A server of version 2 with a name, which lists motions of these names and refuses everything else. What `flood`
     makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
-    pushed then; the last one comes again and again. None is the usual reply, b"-" is none."""
+    pushed then; the last one comes again and again. None is the usual reply, b"-" is none. The connection ends after
+    requests of the kinds `until`."""
     hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
         server, b" ".join(answers or ()))
 
@@ -114,6 +115,7 @@ def says_hello(server, names=b"", flood=None, answers=None):
         client.sendall(b"x\x02\x00\x00")
         numbers = itertools.count()
         is_greeted = False
+        kinds = b""
         while True:
             if flood and is_greeted and not select.select([client], [], [], 0)[0]:
                 client.sendall(b"".join(flood(next(numbers)) for _ in range(100)))
@@ -123,6 +125,9 @@ def says_hello(server, names=b"", flood=None, answers=None):
             is_greeted = True
             kind, identifier, number, size = struct.unpack(">cBHI", header)
             client.recv(size, socket.MSG_WAITALL)
+            kinds += kind
+            if until and kinds.endswith(until):
+                return
             left = (answers or {}).get(kind, [[None]])
             payload, *pushed = left.pop(0) if len(left) > 1 else left[0]
             payload = {b"H": hello, b"N": names}.get(kind) if payload is None else payload
@@ -907,6 +912,28 @@ class Lost(TestCase):
             finally:
                 watch.kill()
                 robot.end()
+
+    def test_whatever_waits_for_a_robot_that_is_lost_ends_and_says_so(self):
+        heard = b"a", struct.pack(">IHBx", 10, 512, 2) + bytes(2048), 0, 1
+        answers = {b"T": [[b"\0\4", measured(J=dict.fromkeys(Answered.JOINTS, 0), S={66: 870000})]], b"V": [[b""]],
+                   b"A": [[struct.pack(">BBH", 1, 2, 16000), heard]], **dict.fromkeys((b"E", b"O", b"S"), [[None]])}
+
+        def robot(until):
+            return self.server(says_hello(b"", answers=answers, until=until))
+        lost = [((until, *words), start(*words, port=robot(until), cwd=self.folder)) for until, *words in (
+            (b"T", "doctor"), (b"W", "doctor"), (b"T", "sensors"), (b"T", "battery"), (b"T", "joints"),
+            (b"T", "move", "mouth=0deg"), (b"J", "move", "mouth=0deg"), (b"E", "stand"), (b"P", "play", "nod"),
+            (b"S", "walk", "forward=1cm/s"), (b"O", "motors", "on"), (b"I", "stop"), (b"A", "listen"),
+            (b"AH", "listen", "a.wav"), (b"F", "picture", "-o", "b.jpg"))]
+        for words, command in lost:
+            with self.subTest(words), command:
+                said = b"".join(command.communicate())
+                self.assertEqual(command.returncode, UNREACHABLE, said)
+                self.assertIn(b"closed the connection", said)
+                self.assertEqual(b"battery" in said, words == (b"W", "doctor"))
+        self.assertEqual(os.listdir(self.folder), ["a.wav"])
+        with wave.open(str(self.folder / "a.wav")) as file:
+            self.assertEqual(file.getnframes(), 512)
 
     def test_a_slow_movement_goes_on_while_the_robot_is_there(self):
         self.robot = SimulatedRobot()
