@@ -142,6 +142,7 @@ void ConnectionLoop::connectAndServe() {
 void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
+  connection_->transport_changes = transport_changes_;
   connection_->transport_problem = datagrams_blocked_;
   connection_->lets_no_datagram_through = !datagrams_blocked_.empty();
   if (options_.protocol_version == 1) {
@@ -223,7 +224,7 @@ int ConnectionLoop::datagramPort(const Wish& wish) {
     connection.lets_no_datagram_through = false;
   }
   // A robot that repeats datagrams is asked for a test before UDP is tried again.
-  const bool may_try = connection.transport_problem.empty() || wish.transport == PictureTransport::kAuto ||
+  const bool may_try = connection.transport_problem.empty() ||
                        connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_REPEATED_DATAGRAMS));
   if (wish.transport == PictureTransport::kTcp || !may_try) {
     transport_->datagrams().close();

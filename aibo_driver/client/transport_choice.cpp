@@ -9,13 +9,10 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
   next_look_ = TimePoint::max();
   wanted_ = situation.wanted;
   if (situation.changes != std::exchange(changes_, situation.changes)) {
-    given_up_ = has_passed_ = false;
-    tests_ = 0;
-    next_test_ = now;
-    pause_ = kPause;
+    trials_ = Trials();
   }
   const bool is_possible = wanted_ != PictureTransport::kTcp && situation.port != 0;
-  if (port_ != 0 && (!is_possible || (given_up_ && situation.can_repeat))) {
+  if (port_ != 0 && (!is_possible || (trials_.given_up && situation.can_repeat))) {
     port_ = 0;
     return Step::kEnd;
   }
@@ -25,7 +22,7 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
   }
   if (insists() && !situation.can_send) {
     problem_ = "its server has no request for it";
-  } else if (port_ != 0 || has_passed_ || (insists() && !given_up_)) {
+  } else if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
     return begin(situation.port, now);
   } else if (!situation.can_repeat) {
     problem_ = insists() ? "" : "its server does not repeat lost datagrams";
@@ -38,35 +35,35 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
 TransportChoice::Step TransportChoice::begin(int port, TimePoint now) {
   port_ = port;
   began_ = now;
-  given_up_ = has_passed_ = false;
-  tests_ = 0;
+  trials_.given_up = trials_.has_passed = false;
+  trials_.tests = 0;
   return Step::kBegin;
 }
 
 TransportChoice::Step TransportChoice::test(TimePoint now) {
-  if (now < next_test_) {
-    next_look_ = next_test_;
+  if (now < trials_.next_test) {
+    next_look_ = trials_.next_test;
     return Step::kNone;
   }
-  if (tests_ == kTests) {
-    tests_ = 0;
+  if (trials_.tests == kTests) {
+    trials_.tests = 0;
     problem_ =
         "no test datagram has come; a firewall, a NAT or a tunnel between robot and computer does not let UDP "
         "through";
-    next_look_ = next_test_ = now + kPause;
+    next_look_ = trials_.next_test = now + kPause;
     return Step::kNone;
   }
-  next_look_ = next_test_ = now + kFirstWait * (1 << tests_);
-  ++tests_;
+  next_look_ = trials_.next_test = now + kFirstWait * (1 << trials_.tests);
+  ++trials_.tests;
   return Step::kTest;
 }
 
 void TransportChoice::giveUp(TimePoint now) {
-  pause_ = now >= began_ + kProven ? kPause : pause_;
-  given_up_ = true;
-  has_passed_ = false;
-  next_test_ = now + pause_;
-  pause_ = std::min(2 * pause_, kLongestPause);
+  trials_.pause = now >= began_ + kProven ? kPause : trials_.pause;
+  trials_.given_up = true;
+  trials_.has_passed = false;
+  trials_.next_test = now + trials_.pause;
+  trials_.pause = std::min(2 * trials_.pause, kLongestPause);
 }
 
 }  // namespace aibo_client

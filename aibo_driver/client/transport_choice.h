@@ -39,19 +39,22 @@ class TransportChoice {
   enum class Step { kNone, kTest, kBegin, kEnd };
 
   /// @param given_up no datagram came over the earlier connections
-  explicit TransportChoice(bool given_up) : given_up_(given_up) {}
+  /// @param changes how often the user had changed the transport by then
+  TransportChoice(bool given_up, unsigned changes) : changes_(changes), trials_{given_up} {}
 
   /// The next step. It counts as done.
   Step next(const Situation& situation, TimePoint now);
 
   /// Call this when the test datagram has come.
-  void testArrived() { has_passed_ = true; }
+  void testArrived() { trials_.has_passed = true; }
 
   /// Call this when the pictures have to come by TCP again, because UDP does not work.
   void giveUp(TimePoint now);
 
   /// The port to which the robot sends pictures. It is 0 if they come by TCP.
   int port() const { return port_; }
+
+  bool isUdpWanted() const { return wanted_ != PictureTransport::kTcp; }
 
   /// True if the user wants UDP and nothing else.
   bool insists() const { return wanted_ == PictureTransport::kUdp; }
@@ -63,19 +66,24 @@ class TransportChoice {
   TimePoint nextLook() const { return next_look_; }
 
  private:
+  /// What is forgotten when the user changes the transport.
+  struct Trials {
+    bool given_up = false;
+    bool has_passed = false;
+    int tests = 0;  ///< that were sent since the last pause
+    TimePoint next_test{};
+    std::chrono::seconds pause = kPause;
+  };
+
   Step begin(int port, TimePoint now);
   Step test(TimePoint now);
 
   PictureTransport wanted_ = PictureTransport::kTcp;
-  unsigned changes_ = 0;
-  bool given_up_;
-  bool has_passed_ = false;
+  unsigned changes_;
+  Trials trials_;
   int port_ = 0;
-  int tests_ = 0;  // that were sent since the last pause
-  TimePoint next_test_;
   TimePoint next_look_ = TimePoint::max();
   TimePoint began_;
-  std::chrono::seconds pause_ = kPause;
   std::string problem_;
 };
 

@@ -192,7 +192,7 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       last_hello_(connected),
       next_hello_(connected),
       datagrams_(connection.context),
-      transport_(!connection.transport_problem.empty()),
+      transport_(!connection.transport_problem.empty(), connection.transport_changes),
       test_start_(randomStart()) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
@@ -897,7 +897,10 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   }
   if (letter == version2::REQUEST_DATAGRAMS || letter == version2::REQUEST_REPEATED_DATAGRAMS) {
     ++connection_.context.counters.refusals;
-    return giveUpDatagrams("it refused to: " + problem, now_);
+    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier wish
+      giveUpDatagrams("it refused to: " + problem, now_);
+    }
+    return;
   }
   const Order& order = exchange.order;
   if (order.kind == RefusedRequest::kSpeedLimits) {

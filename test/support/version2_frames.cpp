@@ -30,9 +30,10 @@ Bytes makeFrame(char kind, int number, const Bytes& payload) {
   return frame;
 }
 
-Bytes makeHello(const std::string& capabilities) {
+Bytes makeHello(const std::string& capabilities, unsigned frame_number) {
   const bool walks = capabilities.find('S') != std::string::npos;
-  const std::string text = "robot=ERS-7\nserver=a test 1.0\nframe_number=1000\ncapabilities=" + capabilities +
+  const std::string text = "robot=ERS-7\nserver=a test 1.0\nframe_number=" + std::to_string(frame_number) +
+                           "\ncapabilities=" + capabilities +
                            "\nlimits=1:-1300000:0:3000000 2:-1500000:1600000:10000000\n" +
                            (walks ? "walk_limits=150:100:60:1200\n" : "");
   return Bytes(text.begin(), text.end());

@@ -40,7 +40,7 @@ Bytes encoded(const Payload& payload) {
 /// An ERS-7 with two joints, 1 and 2, served by "a test 1.0".
 /// @param capabilities separated by blanks; with `S`, the robot walks 0.15 m/s forward, 0.1 m/s back, 0.06 m/s sideways
 ///   and turns 1.2 rad/s
-Bytes makeHello(const std::string& capabilities = "F W J V T");
+Bytes makeHello(const std::string& capabilities = "F W J V T", unsigned frame_number = 1000);
 
 constexpr unsigned kImageCount = 12345;
 Bytes makePicture(const Bytes& jpeg, unsigned frame_number);

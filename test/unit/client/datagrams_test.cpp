@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <future>
 #include <optional>
+#include <set>
 #include <string>
 #include <thread>
 #include <utility>
@@ -264,6 +265,12 @@ TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
   nextPicture();  // its number is the forged one's
   arrive(nextPicture());
   EXPECT_THAT(delivered(), ElementsAre(1, 3));
+  pass(milliseconds(250));
+  EXPECT_EQ('H', request());
+  const unsigned later = 1000 + 250 / 8 + 20;  // its clock is faster than this computer's
+  receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities_, later)));
+  arrive(test_support::makeDatagrams(makeJpeg(3), picture_, later, &sequence_, false));
+  EXPECT_THAT(delivered(), ElementsAre(1, 3, 3));
 }
 
 TEST_F(DatagramsTest, LostDatagramsAreCounted) {
@@ -308,7 +315,7 @@ TEST_F(DatagramsTest, AFlowOfOtherMessagesByTcpDoesNotHideThat) {
 TEST_F(DatagramsTest, DatagramsThatStopComingAreNoticedToo) {
   startStream();
   live(std::chrono::seconds(3), [this] { arrive(nextPicture()); });
-  live(milliseconds(1300), [this] { wish_.datagram_port = connection_.transport_problem.empty() ? kPort : 0; });
+  live(milliseconds(1300), [this] { wish_.datagram_port = connection_.transport_problem.empty() ? kPort + 1 : 0; });
   EXPECT_NE("", connection_.transport_problem);
   EXPECT_FALSE(connection_.lets_no_datagram_through);
 }
@@ -401,6 +408,20 @@ TEST_F(DatagramsTest, ARefusalMeansTcp) {
   answer();
   receive(byTcp(1, 4));
   EXPECT_EQ(1u, pictures_.size());
+}
+
+TEST_F(DatagramsTest, ARefusalThatComesWhenTcpIsWantedAgainIsNoProblem) {
+  wish_.streaming = true;
+  wish_.datagram_port = kPort;
+  EXPECT_EQ('B', request());
+  const int refused = number_;
+  wish_.transport = PictureTransport::kTcp;
+  ++wish_.transport_changes;
+  wish_.datagram_port = 0;
+  answer();
+  receive(makeFrame('e', refused, version2_frames::makeError(7, "no endpoint")));
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_EQ(0, logged("by TCP, not by UDP"));
 }
 
 TEST_F(DatagramsTest, PicturesByTcpThatWereOvertakenAreNotDelivered) {
@@ -725,6 +746,14 @@ TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
   EXPECT_EQ(Bytes({'a', 0, 0, 0, 0, 0, 0, 0}), reply) << "the first picture has come";
   EXPECT_FALSE(stranger.next());
 
+  robot.send(port, test_support::makeDatagrams(makeJpeg(picture_), picture_, 100 + picture_, &sequence_).back());
+  const auto number = static_cast<std::uint8_t>(picture_++);
+  std::set<Bytes> replies;
+  EXPECT_TRUE(eventually([&] {
+    replies.insert((reply = robot.next()).value_or(Bytes()));
+    return replies.count({'a', 0, 0, 0, 0, 0, 0, number}) + replies.count({'l', 0, 0, 0, 0, 0, 0, number}) == 2;
+  })) << "it is told that the last part has come, and that others are lost";
+
   peer.close();
   ScriptedPeer next_peer = connectVersion2("F W B");
   const int next_port = startStream(&next_peer);
@@ -823,9 +852,11 @@ TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
   client().setPictureTransport(PictureTransport::kUdp);
   const version2_frames::Frame on = peer.readRequest();
   EXPECT_GT(portIn(on), 0);
+  EXPECT_TRUE(recorder_.waitForStatus(
+      [](const ConnectionStatus& status) { return status.wanted_transport == PictureTransport::kUdp; }));
   confirm(&peer, on);
-  EXPECT_TRUE(eventually([&] { return client().status().transport == PictureTransport::kUdp; }));
-  EXPECT_EQ(PictureTransport::kUdp, client().status().wanted_transport);
+  EXPECT_TRUE(recorder_.waitForStatus(
+      [](const ConnectionStatus& status) { return status.transport == PictureTransport::kUdp; }));
   client().setPictureTransport(PictureTransport::kTcp);
   const version2_frames::Frame off = peer.readRequest();
   EXPECT_EQ('B', off.header.kind);
@@ -850,8 +881,10 @@ TEST_F(DatagramClientTest, AServerWithoutTheRequestSendsByTcpAndTheReasonIsTold)
   client().setStreaming(true);
   ScriptedPeer peer = connectVersion2("F W");
   EXPECT_EQ('W', peer.readRequest().header.kind);
-  EXPECT_TRUE(eventually([&] { return !client().status().transport_problem.empty(); }));
-  EXPECT_THAT(client().status().transport_problem, HasSubstr("no request for it"));
+  EXPECT_TRUE(recorder_.waitForStatus([](const ConnectionStatus& status) {
+    return status.state == ConnectionState::kConnected &&
+           status.transport_problem.find("no request for it") != std::string::npos;
+  }));
   EXPECT_EQ(1, recorder_.logged("by TCP, not by UDP"));
 }
 
@@ -867,10 +900,16 @@ TEST_F(DatagramClientTest, WhereNoDatagramEverCameUdpIsTriedAgainOnlyIfAskedFor)
   first.close();
   ScriptedPeer second = server_.accept();
   for (int connection = 2; connection <= 3; ++connection) {
-    second.agreeToVersion2("F W B");
+    if (connection == 2) {
+      second.agreeToVersion2("F W B X");
+      EXPECT_EQ(1, second.readRequest().payload.at(2)) << "first it is to send a test";
+    } else {
+      second.agreeToVersion2("F W B");
+    }
     EXPECT_EQ('W', second.readRequest().header.kind) << connection;
     EXPECT_THAT(client().status().transport_problem, HasSubstr("no datagram"));
     if (connection == 2) {
+      client().setPictureTransport(PictureTransport::kUdp);  // this changes nothing
       second.close();
       second = server_.accept();
     }

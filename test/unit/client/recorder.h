@@ -37,7 +37,13 @@ class Recorder {
 
   /// Waits until the last status is this one.
   bool waitForState(aibo_client::ConnectionState state) {
-    return waitFor([this, state] { return !statuses_.empty() && statuses_.back().state == state; });
+    return waitForStatus([state](const aibo_client::ConnectionStatus& status) { return status.state == state; });
+  }
+
+  /// Waits until the last status is such a one.
+  template <typename Condition>
+  bool waitForStatus(const Condition& condition) {
+    return waitFor([&] { return !statuses_.empty() && condition(statuses_.back()); });
   }
 
   /// Waits until some status had a reason that contains this text.
