@@ -10,22 +10,17 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 void DatagramIntake::begin(const Start& start, bool with_repetition, TimePoint now) {
-  on_ = true;
-  used_ = true;
-  repeats_ = with_repetition;
-  waits_until_ = with_repetition ? now + kConfirmation : now;
-  start_ = start;
-  window_ = {};
-  assembly_ = PictureAssembly(with_repetition ? version2::KEPT_PICTURES : PictureAssembly::kMostReordered);
-  pace_ = {};
-  requests_ = {};
-  newest_ = acknowledged_ = -1;
-  is_protected_ = false;
-  to_acknowledge_.reset();
-  loss_to_report_.reset();
-  settled_ = now;
-  jumped_.reset();
-  expectFrom(now);
+  DatagramIntake next(*context_);  // it knows nothing of the request before
+  next.something_came_ = something_came_;
+  next.warned_ = warned_;
+  next.on_ = next.used_ = true;
+  next.repeats_ = with_repetition;
+  next.waits_until_ = with_repetition ? now + kConfirmation : now;
+  next.start_ = start;
+  next.assembly_ = PictureAssembly(with_repetition ? version2::KEPT_PICTURES : PictureAssembly::kMostReordered);
+  next.settled_ = now;
+  next.expectFrom(now);
+  *this = std::move(next);
 }
 
 void DatagramIntake::confirmed(TimePoint now) {
@@ -68,7 +63,7 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
     refuse("its number is impossible");
     return false;
   }
-  context_.counters.lost_datagrams += window_.lost() - lost;
+  context_->counters.lost_datagrams += window_.lost() - lost;
   count(verdict);
   const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
   if (is_believed) {
@@ -145,7 +140,7 @@ void DatagramIntake::settle(std::int64_t number, TimePoint now) {
   settled_ = now;
   const std::uint64_t lost = assembly_.lost();
   assembly_.settle(number);
-  context_.counters.lost_pictures += assembly_.lost() - lost;
+  context_->counters.lost_pictures += assembly_.lost() - lost;
 }
 
 std::vector<DatagramIntake::Bytes> DatagramIntake::takeReplies(TimePoint now) {
@@ -181,7 +176,7 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
   if (assembly_.add(datagram, data + version2::DATAGRAM_HEADER_SIZE, now) == PictureAssembly::Result::kContradiction) {
     refuse("other parts of its picture describe the picture differently");
   }
-  context_.counters.repaired_datagrams += assembly_.repaired() - repaired;
+  context_->counters.repaired_datagrams += assembly_.repaired() - repaired;
 }
 
 // A picture is acknowledged when its last part has come. If that part is lost, its parity or a part of the next picture
@@ -204,17 +199,17 @@ void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
 }
 
 void DatagramIntake::count(SequenceWindow::Verdict verdict) {
-  ClientStatistics& counters = context_.counters;
+  ClientStatistics& counters = context_->counters;
   ++counters.datagrams;
   counters.reordered_datagrams += verdict == SequenceWindow::Verdict::kReordered ? 1 : 0;
   counters.duplicate_datagrams += verdict == SequenceWindow::Verdict::kDuplicate ? 1 : 0;
 }
 
 void DatagramIntake::refuse(const std::string& problem) {
-  ++context_.counters.bad_datagrams;
+  ++context_->counters.bad_datagrams;
   if (!warned_) {
     warned_ = true;
-    context_.warn("sent a datagram that is dropped (" + problem + "); further ones are only counted");
+    context_->warn("sent a datagram that is dropped (" + problem + "); further ones are only counted");
   }
 }
 

@@ -57,7 +57,7 @@ class DatagramIntake {
   static constexpr std::chrono::milliseconds kPicturePeriod{32};
   static constexpr std::chrono::milliseconds kJump{200};
 
-  explicit DatagramIntake(const ConnectionContext& context) : context_(context) {}
+  explicit DatagramIntake(const ConnectionContext& context) : context_(&context) {}
 
   /// Call this when a robot is asked to send the stream's pictures as datagrams that count from 0.
   void begin(TimePoint now) { begin({}, false, now); }
@@ -129,7 +129,7 @@ class DatagramIntake {
   void acknowledge(const protocol::version2::PictureDatagram& datagram);
   void refuse(const std::string& problem);
 
-  const ConnectionContext& context_;
+  const ConnectionContext* context_;
   bool on_ = false;
   bool repeats_ = false;
   TimePoint waits_until_;  // for the robot's answer

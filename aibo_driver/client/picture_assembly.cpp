@@ -96,7 +96,6 @@ void PictureAssembly::settle(std::int64_t number) {
   }
   lost_ += static_cast<std::uint64_t>(number - last_settled_ - 1);
   last_settled_ = number;
-  newest_ = std::max(newest_, number);
   incomplete_.erase(incomplete_.begin(), incomplete_.upper_bound(number));
   far_ahead_.clear();
   given_up_in_a_row_ = 0;

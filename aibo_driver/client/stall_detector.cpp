@@ -2,21 +2,13 @@
 
 namespace aibo_client {
 
-void StallDetector::restart(TimePoint now) {
-  catching_up_ = false;
-  fresh_since_ = now;
-  last_empty_ = now;
-}
-
 void StallDetector::bytesArrived(TimePoint now) {
   last_bytes_ = now;
   if (!catching_up_ && now - last_empty_ > kStallLimit) {
     catching_up_ = true;
     catching_up_since_ = now;
   } else if (catching_up_ && now - catching_up_since_ > kCatchUpLimit) {
-    catching_up_ = false;
-    fresh_since_ = now;
-    last_empty_ = now;
+    restart(now);
   }
 }
 

@@ -22,10 +22,10 @@ class StallDetector {
   /// After this time everything that had piled up has been read, even if the socket was never empty.
   static constexpr std::chrono::milliseconds kCatchUpLimit{500};
 
-  explicit StallDetector(TimePoint now) { restart(now); }
+  explicit StallDetector(TimePoint now) : fresh_since_(now), last_empty_(now) {}
 
   /// The stream begins, and the socket is empty.
-  void restart(TimePoint now);
+  void restart(TimePoint now) { *this = StallDetector(now); }
 
   /// Call this when bytes were read.
   void bytesArrived(TimePoint now);
