@@ -891,7 +891,8 @@ class Lost(TestCase):
                 robot.end()
                 self.assertRegex(self.second(watch, False)["problem"], "(refused|closed) the connection")
                 robot = SimulatedRobot(port=robot.port)
-                self.second(watch, True)
+                streams = [self.second(watch, True)["stream"] for _ in range(3)]
+                self.assertLess(min(stream["age"] or 9 for stream in streams), 0.9, "its clock has begun again")
             finally:
                 watch.kill()
                 robot.end()
@@ -938,7 +939,8 @@ class Lost(TestCase):
     def test_a_slow_movement_goes_on_while_the_robot_is_there(self):
         self.robot = SimulatedRobot()
         self.addCleanup(self.robot.end)
-        self.assertRegex(self.text("move", "head_pan=40deg", "--speed", "6deg/s"), "^head_pan is at (39|40)")
+        self.assertRegex(self.text("move", "head_pan=40deg", "tail_pan=1deg", "--speed", "6deg/s"),
+                         "^head_pan is at (39|40)")
 
     def test_a_movement_fails(self):
         robot = SimulatedRobot()
@@ -1072,6 +1074,7 @@ class Unreachable(TestCase):
         errors = self.aibo("joints", port=port, status=UNREACHABLE).errors
         self.assertIn("does not speak the RCServer's protocol", errors)
         self.assertNotIn("AIBO_HOST", errors)
+        self.assertEqual(errors.count("\n"), 1, "it is said once")
 
     def test_control_characters_of_a_robot_never_reach_the_terminal(self):
         for name in (b"RCServer \x1b[2J", b"RCServer \xc2\x9b2J", b"RCServer \xe2\x80\xae"):
@@ -1117,11 +1120,14 @@ class Answered(TestCase):
     def test_an_older_refusal_is_not_that_of_a_movement(self):
         answers = {b"T": [[None, measured(J={joint: 100000 for joint in self.JOINTS})]],
                    b"V": [[struct.pack(">Bxxxi", 2, 500000)]],
-                   b"J": [[struct.pack(">HBxBxxxi", 0, 1, 2, 103000)]]}
-        moved = self.aibo("--json", "move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)))
+                   b"J": [[struct.pack(">HBxBxxxiBxxxi", 0, 2, 2, 103000, 51, 160000)]]}
+        moved = self.aibo("--json", "move", "head_pan=0.2rad", "tail_pan=0.3rad",
+                          port=self.server(says_hello(b"", answers=answers)))
         self.assertEqual(json.loads(moved.stdout)["joints"], [
-            {"name": "head_pan", "commanded": 0.2, "target": 0.103, "position": 0.1, "clamped": True}])
-        self.assertRegex(moved.errors, "refused to send telemetry: no")
+            {"name": "head_pan", "commanded": 0.2, "target": 0.103, "position": 0.1, "clamped": True},
+            {"name": "tail_pan", "commanded": 0.3, "target": 0.16, "position": 0.1, "clamped": True}])
+        for note in ("refused to send telemetry: no", "head_pan cannot go to 11.5 degrees", "tail_pan cannot go to 17.2"):
+            self.assertIn(note, moved.errors)
         answers[b"J"] = [[None]]
         refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)),
                             status=FAILED)

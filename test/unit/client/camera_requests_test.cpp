@@ -89,6 +89,8 @@ TEST_F(CameraRequestsTest, RobotWithoutDoubleResolutionStreamsFullOneAndTheLogSa
   EXPECT_EQ("W 85 1 0 0 2", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(1, logged("double resolution; they have 208x160 pixels"));
+  takePictureOf(std::nullopt);
+  EXPECT_EQ("F 70 0", request()) << "like the stream's";
   wish_.format.resolution = Resolution::kLow;
   EXPECT_EQ("W 85 1 2 0 2", request());
 }

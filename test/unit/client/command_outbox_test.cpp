@@ -118,8 +118,12 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
   outbox.dropTooOld(at(1000), "robot");
   EXPECT_EQ("too old: it could not be sent to robot in time", outbox.dropped.at(0).reason);
   EXPECT_EQ("J" + std::to_string(kTooOld) + "#1 1;", takeDropped(&outbox));
+  EXPECT_EQ(at(1500), outbox.nextTooOld());
   outbox.dropTooOld(at(1999), "robot");
   EXPECT_EQ("S" + std::to_string(kTooOld) + "#3;", takeDropped(&outbox));
+  outbox.steer({{}, {at(1500), 4}});
+  outbox.dropTooOld(at(1999), "robot");
+  EXPECT_EQ("", takeDropped(&outbox)) << "a velocity of 0 does no harm by its loss";
   EXPECT_EQ(at(2000), outbox.nextTooOld());
 }
 

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <memory>
 #include <thread>
 
@@ -244,6 +245,12 @@ TEST_F(ConnectionFaultsTest, OnlyASilentRobotCountsAsAStall) {
   ASSERT_TRUE(recorder_.waitForReason("sent nothing for 300 ms"));
   EXPECT_EQ(FaultKind::kSilent, client.status().fault);
   EXPECT_GE(client.statistics().stalls, 1u);
+  client.setStreaming(false);
+  ScriptedPeer asked = accept();
+  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+  auto call = std::async(std::launch::async, [&] { client.takePicture(30, milliseconds(20000)); });
+  expectCommand(&asked, 'F', 30);
+  EXPECT_THROW(call.get(), TimeoutException);
   EXPECT_EQ(0u, client.statistics().protocol_errors);
 }
 

@@ -69,19 +69,27 @@ TEST_F(RateLimitTest, WithoutAPeriodOnlyTheBurstIsAdmitted) {
   EXPECT_EQ(admitted(10), 1);
 }
 
-// 1000 messages take far less than a second.
-TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
+TEST(NotifierLogTest, AFloodIsLimitedAndSaysSoEachTime) {
+  RateLimit::TimePoint now{std::chrono::hours(1)};
   std::vector<std::string> lines;
   Callbacks callbacks;
   callbacks.log = [&](LogLevel, const std::string& line) { lines.push_back(line); };
-  const Notifier notifier(std::move(callbacks));
+  const Notifier notifier(std::move(callbacks), [&now] { return now; });
   for (int i = 0; i < 1000; ++i) {
     notifier.log(LogLevel::kWarn, "a message");
   }
-  ASSERT_GE(lines.size(), static_cast<std::size_t>(Notifier::kLogBurst) + 1);
-  EXPECT_LT(lines.size(), 2U * Notifier::kLogBurst);
+  ASSERT_EQ(lines.size(), std::size_t{Notifier::kLogBurst} + 1);
   EXPECT_EQ(lines[Notifier::kLogBurst - 1], "a message");
   EXPECT_THAT(lines[Notifier::kLogBurst], HasSubstr("are left out"));
+  for (const char* const left_out : {"980", "1"}) {
+    lines.clear();
+    now += Notifier::kLogPeriod;
+    notifier.log(LogLevel::kWarn, "a later one");
+    notifier.log(LogLevel::kWarn, "one too many");
+    ASSERT_EQ(2u, lines.size());
+    EXPECT_EQ(std::string("a later one (earlier messages left out: ") + left_out + ")", lines[0]);
+    EXPECT_THAT(lines[1], HasSubstr("are left out"));
+  }
 }
 
 }  // namespace

@@ -100,6 +100,7 @@ class WholeRobot final : public SessionTranscript {
   bool lets_datagrams_through_ = true;
   Damage damage_ = Damage::kNone;  // of the next picture that is asked for
   bool said_hello_ = false;
+  TimePoint last_hello_ = now_;
   bool is_silent_ = false;
   SoundPart next_part_;
 };
@@ -152,6 +153,8 @@ void WholeRobot::serve(Will will) {
     const Frame request = version2_frames::split(bytes);
     const char kind = request.header.kind;
     if (kind == version2::REQUEST_HELLO) {
+      EXPECT_LE(now_, last_hello_ + Version2Session::kHelloPeriod);
+      last_hello_ = now_;
       said_hello_ = true;
     } else {
       write("> " + version2_frames::textOf(request, kind == version2::REQUEST_REPEATED_DATAGRAMS ? 4 : 64));

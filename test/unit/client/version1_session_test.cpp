@@ -299,6 +299,7 @@ TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
   pass(milliseconds(199));
   EXPECT_EQ("", command());
   EXPECT_FALSE(done(answer)) << "a late picture of the stream is not fresh";
+  EXPECT_EQ(now_ + milliseconds(1), session_.nextDeadline());
   pass(milliseconds(1));
   EXPECT_EQ("F30", command());
   receivePicture(3);
@@ -426,6 +427,7 @@ TEST_F(Version1SessionTest, JointCommandsThatHadToWaitForLongAreDroppedAndFreshO
   auto upload = ask('U', "NOD.MTN", 0, Bytes(10), milliseconds(20000));
   bytes();
   commandJoints({{1, 0.1}, {2, 0.1}});
+  EXPECT_EQ(now_ + kLongestOrderWait, session_.nextDeadline());
   pass(milliseconds(600));
   commandJoints({{2, 0.2}});
   receive({'u', 0, 0, 0});
