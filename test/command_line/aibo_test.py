@@ -1045,10 +1045,14 @@ class Unreachable(TestCase):
         self.assertNotEqual(run("joints", port=port).returncode, DONE)
 
     def test_a_robot_that_somebody_else_has(self):
+        turned_away = []
+
         def turn_away(client):
             client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            turned_away.append(client)
         port = self.server(turn_away)
         self.assertIn("Is another client connected?", self.aibo("joints", port=port, status=UNREACHABLE).errors)
+        self.assertLess(len(turned_away), 6, "it does not try for long")
         report = self.json("doctor", port=port, status=UNREACHABLE)
         self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]],
                          [("name", True), ("port", True), ("server", False)])
