@@ -241,6 +241,7 @@ TEST_F(ConnectionFaultsTest, OnlyASilentRobotCountsAsAStall) {
   acceptStream().close();
   ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
   EXPECT_EQ(0u, client.statistics().stalls);
+  EXPECT_EQ(0u, client.statistics().failed_attempts) << "it was made";
   const ScriptedPeer silent = acceptStream();
   ASSERT_TRUE(recorder_.waitForReason("sent nothing for 300 ms"));
   EXPECT_EQ(FaultKind::kSilent, client.status().fault);

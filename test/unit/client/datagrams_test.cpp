@@ -410,17 +410,24 @@ TEST_F(DatagramsTest, ARefusalMeansTcp) {
   EXPECT_EQ(1u, pictures_.size());
 }
 
-TEST_F(DatagramsTest, ARefusalThatComesWhenTcpIsWantedAgainIsNoProblem) {
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  EXPECT_EQ('B', request());
-  const int refused = number_;
-  wish_.transport = PictureTransport::kTcp;
-  ++wish_.transport_changes;
-  wish_.datagram_port = 0;
-  answer();
-  receive(makeFrame('e', refused, version2_frames::makeError(7, "no endpoint")));
-  EXPECT_EQ("", connection_.transport_problem);
+TEST_F(DatagramsTest, ARefusalThatComesAfterTheNextWishIsNoProblem) {
+  const auto want = [this](PictureTransport transport) {
+    wish_.transport = transport;
+    ++wish_.transport_changes;
+    wish_.datagram_port = transport == PictureTransport::kTcp ? 0 : kPort;
+    EXPECT_EQ('B', request());
+    return number_;
+  };
+  for (const bool is_wanted_again : {false, true}) {
+    const int refused = want(PictureTransport::kUdp);
+    want(PictureTransport::kTcp);
+    receive(makeFrame('b', number_, payload_));
+    if (is_wanted_again) {
+      want(PictureTransport::kUdp);
+    }
+    receive(makeFrame('e', refused, version2_frames::makeError(7, "no endpoint")));
+    EXPECT_EQ("", connection_.transport_problem);
+  }
   EXPECT_EQ(0, logged("by TCP, not by UDP"));
 }
 

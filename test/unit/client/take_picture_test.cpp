@@ -62,8 +62,8 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
   peer.send({reply.begin(), reply.begin() + 100});
   ASSERT_TRUE(eventually([&] { return client_.statistics().bytes_received >= begun; }));
   int quality = 0;
-  auto taken =
-      std::async(std::launch::async, [this, &quality] { return client_.takePicture(40, seconds(20), &quality); });
+  const auto take = [&] { return client_.takePicture(40, seconds(20), &quality); };
+  auto taken = std::async(std::launch::async, take);
   EXPECT_FALSE(peer.readCommandWithin(milliseconds(50))) << "the stream will answer";
   peer.send({reply.begin() + 100, reply.end()});
   EXPECT_TRUE(eventually([&] {
@@ -72,6 +72,13 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
   }));
   EXPECT_EQ(test_pictures::makeNumbered(2), taken.get()->jpeg);
   EXPECT_EQ(85, quality) << "the stream's";
+  client_.setStreaming(false);
+  expectCommand(&peer, 'W', 85);
+  taken = std::async(std::launch::async, take);
+  expectCommand(&peer, 'F', 40);
+  peer.sendPicture(test_pictures::makeNumbered(3));
+  EXPECT_EQ(test_pictures::makeNumbered(3), taken.get()->jpeg);
+  EXPECT_EQ(0, quality) << "there is no stream any more";
 }
 
 TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {

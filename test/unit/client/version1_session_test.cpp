@@ -731,6 +731,19 @@ TEST_F(Version1SessionTest, OnlyRequestsThatStayUnansweredInARowCountAndARefusal
   EXPECT_EQ(0, logged("does not answer when it is asked for its sensors"));
 }
 
+TEST_F(Version1SessionTest, AnUnansweredCommandIsNoUnansweredQuestion) {
+  for (int i = 0; i < ServerHabits::kUnansweredPollsLimit; ++i) {
+    Connection connection(context(), now_);
+    Version1Session session(connection, habits_, Version1Session::VersionAnswer::kRefused, now_);
+    connection.commands.command({milliseconds(0), {{1, 0.1}}, terms()});
+    EXPECT_EQ('J', session.nextRequest(wish_, now_).at(0));
+    EXPECT_THROW(session.checkDeadlines(now_ + milliseconds(1000)), Fault);
+  }
+  wish_.telemetry_period = 4;
+  Version1Session session(connection_, habits_, Version1Session::VersionAnswer::kRefused, now_);
+  EXPECT_EQ('J', session.nextRequest(wish_, now_).at(0));
+}
+
 TEST_F(Version1SessionTest, AServerThatSaysNothingAtAllIsAskedAgainAndAgain) {
   wish_.telemetry_period = 4;
   for (int i = 0; i < 10; ++i) {
