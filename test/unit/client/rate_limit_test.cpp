@@ -69,7 +69,7 @@ TEST_F(RateLimitTest, WithoutAPeriodOnlyTheBurstIsAdmitted) {
   EXPECT_EQ(admitted(10), 1);
 }
 
-TEST(NotifierLogTest, AFloodIsLimitedAndSaysSoEachTime) {
+TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   RateLimit::TimePoint now{std::chrono::hours(1)};
   std::vector<std::string> lines;
   Callbacks callbacks;
