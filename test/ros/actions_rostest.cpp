@@ -2,6 +2,7 @@
 
 #include <aibo_driver/EndedMovement.h>
 #include <aibo_driver/PlayMotionAction.h>
+#include <aibo_driver/RobotState.h>
 #include <control_msgs/FollowJointTrajectoryAction.h>
 #include <gmock/gmock.h>
 #include <ros/callback_queue.h>
@@ -20,11 +21,13 @@
 #include "support/ros/goal_watch.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
+#include "support/ros/topic_listener.h"
 
 namespace {
 
 using aibo_driver::EndedMovement;
 using aibo_driver::PlayMotionAction;
+using aibo_driver::RobotState;
 using control_msgs::FollowJointTrajectoryAction;
 using control_msgs::FollowJointTrajectoryGoal;
 using control_msgs::FollowJointTrajectoryResult;
@@ -35,6 +38,7 @@ using test_support::JointUser;
 using test_support::kQuick;
 using test_support::kSafetyNet;
 using test_support::Posture;
+using test_support::TopicListener;
 using test_support::trajectory;
 using ::testing::HasSubstr;
 using State = actionlib::TerminalState;
@@ -93,6 +97,11 @@ TEST(PlayMotionGoal, EndsWithTheMotion) {
   EXPECT_TRUE(goal.result()->success);
   EXPECT_EQ(goal.result()->end, EndedMovement::DONE);
   EXPECT_EQ(goal.result()->message, "It was played to its end.");
+  const ros::SteadyTime begin = ros::SteadyTime::now();
+  PlayGoal next(user.client, PlayUser::nod(0));
+  const auto feedback_of_next = next.waitForFeedback();
+  ASSERT_TRUE(feedback_of_next);
+  EXPECT_LE(feedback_of_next->time.toSec(), (ros::SteadyTime::now() - begin).toSec()) << "its time begins anew";
 }
 
 // Each repetition wakes several of the driver's threads.
@@ -115,7 +124,7 @@ TEST(Actions, RepeatTheirStateOnceASecondOrAsOftenAsTheUserLikes) {
 }
 
 // The robot may have done it before it hears of the end, and what is cancelled may be impossible to stop.
-TEST(Actions, AGoalThatWasCancelledSucceedsIfItIsDoneAllTheSame) {
+TEST(Actions, FollowEachGoalToItsEndAndAGoalThatWasCancelledSucceedsIfItIsDoneAllTheSame) {
   using aibo_driver::node::ActionWay;
   using aibo_driver::node::Followed;
   using End = aibo_driver::node::GoalEnd<PlayMotionAction>;
@@ -124,19 +133,19 @@ TEST(Actions, AGoalThatWasCancelledSucceedsIfItIsDoneAllTheSame) {
   handle.setCallbackQueue(&queue);
   ros::AsyncSpinner thread(1, &queue);
   std::atomic<End::State> state{};
-  std::atomic<bool> is_over{false};
+  std::atomic<int> over{0};  // goals with so many repetitions or fewer
   std::atomic<bool> can_stop{true};
   ActionWay<PlayMotionAction> way;
   way.name = "do";
-  way.begin = [&](const auto&, const auto&) {
+  way.begin = [&](const auto& goal, const auto&) {
     const auto stop = [&](const auto&) {
-      is_over = true;
+      over = 1;
       if (!can_stop) {
         throw std::runtime_error("it goes on");
       }
     };
-    const auto look = [&](const Followed<PlayMotionAction>::Publish& publish) -> std::optional<End> {
-      if (is_over) {
+    const auto look = [&, number = goal.repetitions](const auto& publish) -> std::optional<End> {
+      if (number <= over) {
         return End{state, {}, ""};
       }
       publish({});
@@ -152,17 +161,25 @@ TEST(Actions, AGoalThatWasCancelledSucceedsIfItIsDoneAllTheSame) {
                                               std::tuple(End::State::kCanceled, State::PREEMPTED, State::PREEMPTED),
                                               std::tuple(End::State::kAborted, State::ABORTED, State::PREEMPTED)}) {
     state = end;
-    is_over = true;
+    over = 1;
     EXPECT_EQ(PlayGoal(client, PlayUser::nod(1)).waitForEnd(), alone);
     for (const bool stops : {true, false}) {
       can_stop = stops;
-      is_over = false;
+      over = 0;
       PlayGoal goal(client, PlayUser::nod(1));
       ASSERT_TRUE(goal.waitForFeedback());
       goal.cancel();
       EXPECT_EQ(goal.waitForEnd(), cancelled) << stops;
     }
   }
+  over = 0;
+  PlayGoal first(client, PlayUser::nod(1));
+  PlayGoal second(client, PlayUser::nod(2));
+  EXPECT_TRUE(first.waitForFeedback() && second.waitForFeedback());
+  over = 1;
+  EXPECT_EQ(first.waitForEnd(), State::ABORTED);
+  over = 2;
+  EXPECT_EQ(second.waitForEnd(), State::ABORTED);
   thread.stop();
 }
 
@@ -405,6 +422,8 @@ TEST(FollowGoal, IsAbortedByStopAndTheNextOneWithTheConnection) {
   ASSERT_EQ(next.waitForEnd(), State::ABORTED);
   EXPECT_EQ(next.result()->error_code, FollowJointTrajectoryResult::INVALID_GOAL);
   EXPECT_THAT(next.result()->error_string, HasSubstr("connection to the robot was lost"));
+  const auto is_unknown = [](const RobotState& each) { return each.motors == RobotState::UNKNOWN; };
+  EXPECT_TRUE(TopicListener<RobotState>("/follow_stopped/robot_state").waitFor(is_unknown)) << "it is latched";
 }
 
 }  // namespace

@@ -310,6 +310,9 @@ TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
   EXPECT_DOUBLE_EQ(scaled.K[0], 2 * info.K[0]);
   EXPECT_TRUE(user.set(goodCalibration()).success);
   EXPECT_EQ(user.next().K, goodCalibration().K) << "it replaces the other one";
+  info.width = 200;
+  EXPECT_FALSE(user.set(info).success);
+  EXPECT_EQ(user.next().K, goodCalibration().K) << "it stays";
 }
 
 TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {

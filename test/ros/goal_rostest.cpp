@@ -137,9 +137,13 @@ TEST(Goal, ANewGoalOnTheTopicReplacesTheOneOfTheAction) {
   GoalUser user("/replaces");
   Going there(user.go_to, goalAt(2));
   ASSERT_TRUE(user.walksTowards(0.1));
-  user.publish("goal", poseAt(0.6));
+  user.publish("goal", poseAt(2));
   EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(there.result()->end, EndedMovement::REPLACED);
+  user.publish("goal", poseAt(0.6));  // replaces the one before it, too
+  EXPECT_TRUE(user.state.waitFor([](const MotionState& each) {
+    return !each.movements.empty() && each.movements[0].name.find("x 0.60") != std::string::npos;
+  }));
   user.publish("goal", poseAt(5, 0, 0, "map"));  // is refused, and does not end the walk
   EXPECT_TRUE(user.isAt(0.6, 0, 0));
   EXPECT_TRUE(user.state.waitFor([](const MotionState& each) { return lastEnd(each).how == EndedMovement::DONE; }));

@@ -303,6 +303,13 @@ TEST(Diagnostics, SayHowOftenTheJointsAreMeasured) {
   });
   EXPECT_THAT(status.message, HasSubstr("measurements/s"));
   EXPECT_EQ(DiagnosticsListener::value(status, "robot"), "ERS-7");
+  for (int seconds = 0; seconds < 4; ++seconds) {
+    diagnostics.waitForNext(status.name);
+  }
+  const auto later = diagnostics.waitFor(status.name, [](const auto& s) {
+    return std::stod(DiagnosticsListener::value(s, "measurements per second")) > 20;
+  });
+  EXPECT_FALSE(later.name.empty()) << "how many came in the last second, not since the start";
 }
 
 TEST(OldServer, MovesJointsDuringTheStream) {

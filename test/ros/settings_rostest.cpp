@@ -210,6 +210,11 @@ TEST(Settings, SpeedScaleSlowsTheJointsDown) {
   topics.publish("joint_command", command);
   EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
   EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
+  user.set(number("speed_scale", 1));
+  command.position = {-0.5};
+  topics.publish("joint_command", command);
+  EXPECT_TRUE(joints.waitForPosition("head_pan", -0.5));
+  EXPECT_GT(joints.highestSpeed("head_pan"), 1);
 }
 
 TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
@@ -353,6 +358,9 @@ TEST(Settings, OfTheCameraAreSeenInThePictures) {
   automatic.bools.resize(1);
   automatic.bools[0].name = "auto_exposure";
   automatic.bools[0].value = 1;
+  automatic.strs.resize(1);  // refused, and the rest is carried out all the same
+  automatic.strs[0].name = "resolution";
+  automatic.strs[0].value = "1x1";
   user.set(automatic);
   EXPECT_TRUE(states.waitFor([](const auto& state) {
     return state.white_balance == CameraState::WB_OUTDOOR_MODE && state.auto_exposure && !state.auto_white_balance;

@@ -65,6 +65,12 @@ TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
   EXPECT_THAT(listener.texts,
               Contains(HasSubstr("is 200 ms old, and at most 150 ms are allowed: the stream is lowered")));
+  client_.told.clear();
+  for (int i = 0; i < 300; ++i) {
+    publish(10ms);
+  }
+  EXPECT_EQ(adapter_.describe(), "not lowered");
+  EXPECT_THAT(client_.told, Contains("quality 80")) << "and the robot knows";
 }
 
 TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
