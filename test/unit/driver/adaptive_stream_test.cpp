@@ -56,6 +56,14 @@ class AdaptiveStreamTest : public testing::Test {
   AdaptiveStream::Duration longest_too_old_{0};
 };
 
+TEST_F(AdaptiveStreamTest, PicturesThatAreStillOnTheirWayCountAtNoStep) {
+  pass(250ms, 5s);
+  ASSERT_GT(changes_.size(), 3U);
+  for (std::size_t i = 1; i < changes_.size(); ++i) {
+    EXPECT_GE(changes_[i] - changes_[i - 1], AdaptiveStream::kSettling + AdaptiveStream::kPatience) << i;
+  }
+}
+
 TEST_F(AdaptiveStreamTest, ChangesNothingWhilePicturesAreInTime) {
   pass(kInTime, 60s);
   EXPECT_TRUE(changes_.empty());
