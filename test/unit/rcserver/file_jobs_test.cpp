@@ -145,6 +145,18 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
   }
 }
 
+TEST_F(FileJobsTest, AMotionIsStoppedWhileTheFileOfAnotherIsRead) {
+  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
+  finishJobs();
+  file_keeper_.slowDown();
+  live();
+  send(frame('P', 0, 2, playPayload("NOD.MTN", 1)) + frame('P', 0, 3, playPayload("WAG.MTN", 0)));
+  passFrames(40);
+  EXPECT_FALSE(moves("tail_pan"));
+  finishJobs();
+  EXPECT_THAT(answers(), Contains("p2")) << "the other one begins";
+}
+
 TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
   answerTo('E', protocol::version2::POSTURE_REST);
   send(frame('P', 0, 2, playPayload("WAG.MTN", 1)));

@@ -105,9 +105,10 @@ TEST_P(BrokenLines, AreReportedAndNothingIsAllowed) {
   const Read result = read(
       "ALLOW_REBOOT=yes\nALLOWED_ADDRESSES=192.168.1.20\nMOTORS_AT_BOOT=yes\nPOWER_MONITOR=no\n"
       "SILENT_CLIENT_SECONDS=20\n" +
-      GetParam().line + "\nnonsense");
+      GetParam().line + "\nnonsense\nALLOW_DELETE=yes");
   EXPECT_THAT(result.problems, ElementsAre(Pair(6, HasSubstr(GetParam().problem)), Pair(7, HasSubstr("NAME=VALUE"))));
   EXPECT_FALSE(result.settings.allow_upload || result.settings.allow_reboot || result.settings.motors_at_boot);
+  EXPECT_FALSE(result.settings.allow_delete) << "what follows changes nothing";
   EXPECT_FALSE(result.settings.allow_sound);
   EXPECT_TRUE(result.settings.power_monitor);
   EXPECT_EQ(result.settings.silent_client_seconds, 10U);

@@ -784,6 +784,31 @@ TEST_F(JamTest, IsNotOverBecauseTheMotorsAreSwitchedOffTheJointIsMovedByHandAndT
   EXPECT_THAT(pushed(), ElementsAre());
 }
 
+TEST_F(JamTest, AndItsEndAreToldLaterIfThereIsNoRoom) {
+  disconnect();
+  robot_.showNoise();
+  connectVersion2(4096);
+  for (const bool jammed : {true, false}) {
+    robot_.joint("tail_tilt").jammed = jammed;
+    live();
+    std::string requests = frame('J', 0, 1, targets({{kTailTiltId, jammed ? 500000 : 200000}}));
+    for (int i = 0; i < 300; ++i) {
+      requests += frame('V', 0, 2);
+    }
+    send(frame('F', 100, 3, kLayerHigh));  // everything waits behind this picture
+    takeImage();
+    sendAll(requests + frame('H', 0, 4));
+    passFrames(4 * JointWatch::PATIENCE);
+    std::vector<std::string> told;
+    for (std::optional<Frame> next = nextFrame(); next && next->header.request_number != 4; next = nextFrame()) {
+      if (next->header.request_number == 0) {
+        told.push_back(textOf(*next));
+      }
+    }
+    EXPECT_THAT(told, ElementsAre(HasSubstr(jammed ? "tail_tilt is jammed" : "tail_tilt\nit follows")));
+  }
+}
+
 TEST_F(JamTest, IsNotTheNextClients) {
   robot_.joint("tail_tilt").jammed = false;
   reconnect();
