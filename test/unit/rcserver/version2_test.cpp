@@ -842,11 +842,19 @@ TEST_F(Version2Test, MalformedRequestsAreRefusedAndTheConnectionGoesOn) {
   const std::vector<std::pair<char, std::string>> malformed = {{'F', ""},    {'F', "\4"},  {'W', "abc"},  {'J', "abc"},
                                                                {'V', "abc"}, {'T', "abc"}, {'O', "\2"},   {'O', "ab"},
                                                                {'L', "abc"}, {'K', "\1"},  {'K', "\1\2"}, {'N', "a"}};
+  answerTo('W', 85, kStreamOn);
+  answerTo('T', 0, std::string("\0\4", 2));
   for (const auto& [kind, payload] : malformed) {
     expectRefusal(answerTo(kind, 0, payload), CODE_REFUSED, "bad request");
   }
   expectRefusal(answerTo('J', 0, targets({{kPanId, 1}, {kPanId, 2}})), CODE_REFUSED, "twice");
   EXPECT_STREQ(hello().robot, "ERS-7");
+  passFrames(8);
+  std::string pushed;
+  while (const std::optional<Frame> next = client_->nextFrame()) {
+    pushed += next->header.kind;
+  }
+  EXPECT_THAT(pushed, AllOf(HasSubstr("f"), HasSubstr("t"))) << "nothing of it has ended the stream or telemetry";
 }
 
 TEST_F(Version2Test, RequestWithoutANumberIsRefused) {

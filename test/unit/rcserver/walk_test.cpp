@@ -308,7 +308,7 @@ TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
 }
 
 TEST_F(WalkTest, WhatComesAfterALongSilenceDoesNotMoveTheRobot) {
-  answerTo('H', 0);
+  answerTo('W', 85, kStreamOn);  // what it reads meanwhile does not count
   passFrames(180);
   JointTargets head = {0, 1, {{2, 300000}}};
   const std::string pan = payloadOf(head);
