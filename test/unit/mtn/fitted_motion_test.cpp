@@ -107,7 +107,7 @@ TEST_F(FittedMotionTest, jointsThatAreNotInTheMotionAreOutOfTheWay) {
 
 TEST_F(FittedMotionTest, positionsFurtherOffAreRefusedWithTheWorst) {
   EXPECT_TRUE(fit("at 0 head_pan 93\n"));
-  EXPECT_FALSE(fit("at 0 head_pan 0\nat 1600 head_pan 93.1\nat 3200 head_pan -110\nat 4800 head_pan 0\n"));
+  EXPECT_FALSE(fit("at 0 tail_pan 52 head_pan 0\nat 1600 head_pan 93.1\nat 3200 head_pan -110\nat 4800\n"));
   EXPECT_THAT(fitted_.problem(), StrEq("moves head_pan to -110.0 degrees at 3200 ms, 22.0 beyond what it can do there; "
                                        "up to 5.0 are clipped"));
   EXPECT_EQ(fitted_.numberOfJoints(), 0);

@@ -38,8 +38,9 @@ TEST(MotionCheckTest, findsNothingInAMotionWithinAllLimits) {
 }
 
 TEST(MotionCheckTest, findsAJointBeyondItsLimits) {
-  EXPECT_THAT(obstaclesOf("at 0 head_pan 0\nat 1600 head_pan 88.5\n"),
-              ElementsAre(HasSubstr("at 1600 ms, head_pan is at 88.5 degrees, outside -88.0 to 88.0")));
+  EXPECT_THAT(obstaclesOf("at 0 tail_pan 0 head_pan 0\nat 1600 head_pan 88.5\nat 3200 head_pan -88.5\n"),
+              ElementsAre(HasSubstr("at 1600 ms, head_pan is at 88.5 degrees, outside -88.0 to 88.0"),
+                          HasSubstr("at 3200 ms, head_pan is at -88.5 degrees")));
 }
 
 TEST(MotionCheckTest, findsJointsInEachOthersWay) {
@@ -55,7 +56,7 @@ TEST(MotionCheckTest, jointsThatAreNotInTheMotionAreOutOfTheWay) {
 }
 
 TEST(MotionCheckTest, findsAJointThatWouldBeTooFast) {
-  EXPECT_THAT(obstaclesOf("at 0 neck_tilt 0\nat 160 neck_tilt -40\n"),
+  EXPECT_THAT(obstaclesOf("at 0 tail_pan 0 neck_tilt 0\nat 160 neck_tilt -40\n"),
               ElementsAre(HasSubstr("at 160 ms, neck_tilt would have moved at 250.0 degrees a second")));
 }
 

@@ -116,6 +116,7 @@ TEST(TextFormTest, namesTheLineOfAMistake) {
   EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame must be at 0 ms"));
   EXPECT_THAT(problemOf(begin + "at soon\n"), HasSubstr("line 3: \"soon\" is not a number of milliseconds"));
   EXPECT_THAT(problemOf(begin + "at 0\n"), HasSubstr("line 3: the key frames are not in the order"));
+  EXPECT_THAT(problemOf(begin + "at 32\nat 16\n"), HasSubstr("line 4: the key frames are not in the order"));
   EXPECT_THAT(problemOf(begin + "at 20\n"),
               HasSubstr("line 3: 20 ms is not a multiple of a frame, which has 16 ms; 16 and 32 are"));
   EXPECT_THAT(problemOf(begin + "at 16 head_pan\n"), HasSubstr("line 3: head_pan has no angle"));

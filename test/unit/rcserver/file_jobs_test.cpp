@@ -169,9 +169,10 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
 
 TEST_F(FileJobsTest, AMotionDoesNotMoveAJointThatWasHeldWhileItsFileWasRead) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('I', 1, 2, "\2"));
-  EXPECT_THAT(answers(), ElementsAre("i2"));
+  send(frame('P', 0, 6, playPayload("NOD.MTN", 0)));
+  EXPECT_THAT(answers(), ElementsAre("i2", "p6"));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p1")) << "it does not move the head";
+  EXPECT_THAT(answers(), ElementsAre("p1")) << "it does not move the head, and is not the one that was stopped";
   send(frame('P', 0, 3, playPayload("WAG.MTN", 0)));
   answers();
   file_keeper_.slowDown();

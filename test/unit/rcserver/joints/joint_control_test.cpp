@@ -159,9 +159,11 @@ TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
   const int pan = findJointByName(ers7(), "head_pan");
   unsigned frame = 4;
   for (; frame <= 10 * JointWatch::PATIENCE; frame += 4) {
-    joints.Measured(pan, {0, 400000, 0}, frame, false);
+    joints.Measured(pan, {-30000, 400000, -7}, frame, false);
   }
-  EXPECT_EQ(joints.Measured(pan, {0, 400000, 0}, frame, true), JointWatch::FOLLOWS);
+  EXPECT_EQ(joints.Position(pan), -30000) << "whoever moves it by hand can read that";
+  EXPECT_EQ(joints.Duty(pan), -7);
+  EXPECT_EQ(joints.Measured(pan, {-30000, 400000, 0}, frame, true), JointWatch::FOLLOWS);
 }
 
 TEST(JointControl, ACommandIsFoundAlsoWhenTheirNumberBeginsAgainAt0) {

@@ -573,6 +573,22 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
   EXPECT_THAT(ends(), ElementsAre("walk: ", "walk: it was not steered for 500 ms")) << "nobody looks any more";
 }
 
+TEST_F(WalkerTest, ARobotWhosePawHasFoundNoFloorMayGoBackWhenItStands) {
+  const Velocity back = {-0.05, 0, 0};
+  WalkGuard::Reading reading = {0.223, 2, 2, {}, {true, true, true, true}};
+  for (int i = 0; i < 200 && walker().ProblemOfWalk(true) == nullptr; ++i) {
+    reading.paws[robot_model::LEFT_FRONT_LEG] = i < 150;
+    joints_.Steer({0.1, 0, 0}, true);
+    pass(4);
+    walker().HaveLooked(reading);
+  }
+  EXPECT_THAT(walker().ProblemOfWalk(true, &back), HasSubstr("the left front paw finds no floor"));
+  passUntilIdle();
+  walker().HaveLooked(reading);
+  joints_.Steer({0, 0, 0});
+  EXPECT_EQ(walker().ProblemOfWalk(true, &back), nullptr);
+}
+
 TEST_F(WalkerTest, ARobotThatHasBeenSomewhereElseDoesNotKnowTheGroundAnyMore) {
   const WalkGuard::Reading no_floor = {0.9, 2, 2, {}, {true, true, true, true}};
   const Velocity ahead = {0.2, 0, 0};
