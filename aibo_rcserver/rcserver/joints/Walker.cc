@@ -65,7 +65,6 @@ const double STEEP = 0.0125;
 const double GRAVITY = 9.81;  // m/s^2
 
 const Velocity NO_VELOCITY = {0, 0, 0};
-const robot_model::Point NO_SHIFT = {0, 0, 0};
 
 const EndReason DONE = {END_DONE, "", ""};
 const EndReason POSTURE_BEGAN = {END_REPLACED, "the robot was told to take a posture", ""};
@@ -154,12 +153,7 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       has_next_(false),
       next_(POSTURE_STAND),
       wanted_(NO_VELOCITY),
-      velocity_(NO_VELOCITY),
-      expected_(NO_VELOCITY),
-      missing_(NO_VELOCITY),
-      correction_(NO_VELOCITY),
-      effort_(0),
-      phase_(0),
+      pace_(),
       frames_since_steered_(0) {
   problem_[0] = '\0';
   why_[0] = '\0';
@@ -387,11 +381,11 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
   }
   if (activity_ == WALKING) {
-    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(velocity_));
+    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(pace_.velocity));
     CompareVelocity(frames);
     FeelLean(reading, frames);
     if (is_guarded_) {
-      guard_.HaveWalked(walked_.Now(), velocity_, frames);
+      guard_.HaveWalked(walked_.Now(), pace_.velocity, frames);
     }
   }
   goes_soft_ = has_legs_ && !gets_up_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
@@ -410,12 +404,12 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
     guard_.Forget();
     return;
   }
-  const StepParameters step = gait_.StepAt(velocity_);
-  guard_.Look(reading, legs, phase_, activity_ == WALKING ? &step : NULL);
+  const StepParameters step = gait_.StepAt(pace_.velocity);
+  guard_.Look(reading, legs, pace_.phase, activity_ == WALKING ? &step : NULL);
   if (activity_ != WALKING || ends_) {
     return;
   }
-  const char* objection = guard_.Objection(velocity_);
+  const char* objection = guard_.Objection(pace_.velocity);
   objection = objection == NULL ? guard_.Objection(wanted_) : objection;
   if (objection != NULL) {
     const EndReason reason = {END_REFUSED, objection, ""};
@@ -514,14 +508,7 @@ void Walker::Begin(bool is_walk, Posture posture) {
   posture_ = posture;
   gets_up_ = HasFallen();
   attempts_ = 0;
-  velocity_ = NO_VELOCITY;
-  expected_ = NO_VELOCITY;
-  missing_ = NO_VELOCITY;
-  correction_ = NO_VELOCITY;
-  lean_ = NO_SHIFT;
-  shift_ = NO_SHIFT;
-  effort_ = 0;
-  phase_ = 0;
+  pace_ = Pace();
   PlanWay(false);
   BeginNextStage();
 }
@@ -625,20 +612,20 @@ void Walker::MustLetGo(const EndReason& reason) {
 
 void Walker::Walk() {
   ChangeVelocity();
-  const bool stops = ends_ && velocity_.isZero() && correction_.isZero();
-  if (stops && effort_ == 0) {
+  const bool stops = ends_ && pace_.velocity.isZero() && pace_.correction.isZero();
+  if (stops && pace_.effort == 0) {
     StandsAfterWalk();
     return;
   }
-  const Velocity sum = {velocity_.forward + correction_.forward, velocity_.left + correction_.left,
-                        velocity_.turn + correction_.turn};
-  const Velocity velocity = gait_.LimitedForLegs(sum, velocity_.forward);
+  const Velocity sum = {pace_.velocity.forward + pace_.correction.forward, pace_.velocity.left + pace_.correction.left,
+                        pace_.velocity.turn + pace_.correction.turn};
+  const Velocity velocity = gait_.LimitedForLegs(sum, pace_.velocity.forward);
   const double period = gait_.StepAt(velocity).period;
-  effort_ = Towards(effort_, stops ? 0 : 1, FRAME / (period / 2));
-  phase_ += FRAME / period;
-  phase_ -= floor(phase_);
-  shift_.x = Balanced(shift_.x, lean_.x);
-  shift_.y = Balanced(shift_.y, lean_.y);
+  pace_.effort = Towards(pace_.effort, stops ? 0 : 1, FRAME / (period / 2));
+  pace_.phase += FRAME / period;
+  pace_.phase -= floor(pace_.phase);
+  pace_.shift.x = Balanced(pace_.shift.x, pace_.lean.x);
+  pace_.shift.y = Balanced(pace_.shift.y, pace_.lean.y);
   SetFeet(velocity);
 }
 
@@ -648,15 +635,15 @@ void Walker::ChangeVelocity() {
   if (is_guarded_) {
     target.forward = std::min(target.forward, guard_.HighestForward());
   }
-  if (std::max(fabs(shift_.x), fabs(shift_.y)) > STEEP) {
+  if (std::max(fabs(pace_.shift.x), fabs(pace_.shift.y)) > STEEP) {
     target.forward = std::min(target.forward, limits.forward);
   }
-  const bool is_back = velocity_.forward < 0 || (velocity_.forward == 0 && target.forward < 0);
+  const bool is_back = pace_.velocity.forward < 0 || (pace_.velocity.forward == 0 && target.forward < 0);
   const double step = SPEED_CHANGE * FRAME;
   const Velocity most = {step * (is_back ? limits.back : limits.forward), step * limits.left, step * limits.turn};
-  velocity_ = gait_.LimitedInWalk(Towards(velocity_, target, most));
+  pace_.velocity = gait_.LimitedInWalk(Towards(pace_.velocity, target, most));
   if (ends_) {
-    correction_ = Towards(correction_, NO_VELOCITY, most);
+    pace_.correction = Towards(pace_.correction, NO_VELOCITY, most);
   } else {
     CorrectVelocity();
   }
@@ -665,32 +652,33 @@ void Walker::ChangeVelocity() {
 // A little in each frame: a foot must not jump.
 void Walker::CorrectVelocity() {
   const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
-  correction_.forward = Corrected(correction_.forward, missing_.forward, limits.forward);
-  correction_.left = Corrected(correction_.left, missing_.left, limits.left);
-  correction_.turn = Corrected(correction_.turn, missing_.turn, limits.turn);
+  pace_.correction.forward = Corrected(pace_.correction.forward, pace_.missing.forward, limits.forward);
+  pace_.correction.left = Corrected(pace_.correction.left, pace_.missing.left, limits.left);
+  pace_.correction.turn = Corrected(pace_.correction.turn, pace_.missing.turn, limits.turn);
 }
 
 // Compares the measured velocity with the commanded one, which the legs follow with a delay.
 void Walker::CompareVelocity(unsigned frames) {
   const double seconds = frames * FRAME;
   const Velocity& now = walked_.Now();
-  expected_ = Following(expected_, velocity_, DELAY, seconds);
-  const Velocity missing = {expected_.forward - now.forward, expected_.left - now.left, expected_.turn - now.turn};
-  missing_ = Following(missing_, missing, SMOOTHING, seconds);
+  pace_.expected = Following(pace_.expected, pace_.velocity, DELAY, seconds);
+  const Velocity missing = {pace_.expected.forward - now.forward, pace_.expected.left - now.left,
+                            pace_.expected.turn - now.turn};
+  pace_.missing = Following(pace_.missing, missing, SMOOTHING, seconds);
 }
 
 // The accelerometer measures gravity only on average, because each foot that touches down shakes the body.
 void Walker::FeelLean(const FallWatch::Reading& reading, unsigned frames) {
   if (reading.up > 0) {  // it is 0 without an accelerometer
-    const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(velocity_);
-    lean_.x = Following(lean_.x, ahead, SMOOTHING, frames * FRAME);
-    lean_.y = Following(lean_.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);
+    const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(pace_.velocity);
+    pace_.lean.x = Following(pace_.lean.x, ahead, SMOOTHING, frames * FRAME);
+    pace_.lean.y = Following(pace_.lean.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);
   }
 }
 
 void Walker::SetFeet(const Velocity& velocity) {
   LegAngles legs[NUMBER_OF_LEGS];
-  gait_.FindPosture(phase_, velocity, effort_, legs, shift_);
+  gait_.FindPosture(pace_.phase, velocity, pace_.effort, legs, pace_.shift);
   for (int i = 0; i < LEG_JOINTS; ++i) {
     planner_.Aim(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG],
                  Microradians(AngleOf(legs[i / JOINTS_OF_A_LEG], i % JOINTS_OF_A_LEG)));

@@ -141,7 +141,7 @@ class Walker {
   /// @name What telemetry says
   /// @{
   protocol::version2::WalkState State() const;
-  double Phase() const { return activity_ == WALKING ? phase_ : 0; }
+  double Phase() const { return activity_ == WALKING ? pace_.phase : 0; }
 
   /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
@@ -149,6 +149,18 @@ class Walker {
 
  private:
   enum Activity { IDLE, TAKING_POSTURE, WALKING };
+
+  /// How the robot walks now. A walk begins with Pace(), which is all 0.
+  struct Pace {
+    protocol::version2::Velocity velocity;
+    protocol::version2::Velocity expected;    ///< what should be measured now
+    protocol::version2::Velocity missing;     ///< what is not measured of it, smoothed
+    protocol::version2::Velocity correction;  ///< of velocity, so that it is measured
+    robot_model::Point lean;                  ///< radian; more than it should, to the front and to the left, smoothed
+    robot_model::Point shift;                 ///< of the feet, to where the robot leans
+    double effort;
+    double phase;
+  };
 
   Walker(const Walker&);
   Walker& operator=(const Walker&);
@@ -229,14 +241,7 @@ class Walker {
   bool has_next_;  ///< the posture next_ follows the walk
   protocol::version2::Posture next_;
   protocol::version2::Velocity wanted_;
-  protocol::version2::Velocity velocity_;
-  protocol::version2::Velocity expected_;    ///< what should be measured now
-  protocol::version2::Velocity missing_;     ///< what is not measured of it, smoothed
-  protocol::version2::Velocity correction_;  ///< of velocity_, so that it is measured
-  robot_model::Point lean_;                  ///< radian; more than it should, to the front and to the left, smoothed
-  robot_model::Point shift_;                 ///< of the feet, to where the robot leans
-  double effort_;
-  double phase_;
+  Pace pace_;
   int frames_since_steered_;
   /// @}
 };
