@@ -68,6 +68,8 @@ TEST(LightMarkers, AreBrighterWithMoreIntensityAndDifferentInModeB) {
   EXPECT_EQ(shining(lights).at(0).color.a, 1) << "rviz takes no more";
   EXPECT_TRUE(lights.setLeds(states("face_1", 1.0F, LedStates::MODE_B)));
   EXPECT_NE(shining(lights).at(0).color.g, bright.color.g);
+  EXPECT_TRUE(lights.setLeds(states("face_1", 1.0F)));
+  EXPECT_EQ(shining(lights).at(0).color.g, bright.color.g) << "it is in mode A again";
 }
 
 TEST(LightMarkers, HaveTheirColors) {

@@ -22,6 +22,7 @@
 #include <QPaintEngine>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSlider>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -339,12 +340,14 @@ TEST_F(RemoteControlTest, TheSpaceBarStopsWhereverTheFocusIs) {
 TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoWhereASettingIsTyped) {
   robot_.connectIt();
   open("Camera");
-  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}}});
-  auto* quality = find<QSpinBox>("jpeg_quality");
-  quality->setFocus();
-  robot_.take();
-  QTest::keyClick(quality, Qt::Key_Space);
-  EXPECT_EQ(robot_.take(), QStringList("stop"));
+  for (const char* driver : {"one driver", "the next one"}) {
+    Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}}});
+    auto* quality = find<QSpinBox>("jpeg_quality");
+    quality->setFocus();
+    robot_.take();
+    QTest::keyClick(quality, Qt::Key_Space);
+    EXPECT_EQ(robot_.take(), QStringList("stop")) << driver;
+  }
 }
 
 TEST_F(RemoteControlTest, TheSpaceBarStopsAlsoInTheListOfAChoice) {
@@ -525,6 +528,7 @@ TEST_F(RemoteControlTest, ThePadStopsWhenItsPageIsLeftOrDisabledOrTheWindowLoses
     QTest::mouseRelease(pad, Qt::LeftButton);
     QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0, 1));
     robot_.take();
+    EXPECT_TRUE(QTest::qWaitFor([this] { return !robot_.take().empty(); })) << "each hold is repeated";
     return pad;
   };
   hold();
@@ -638,8 +642,25 @@ TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
     EXPECT_EQ(shows(view->rect().center()), color);
     EXPECT_LT(shows(corner).value(), 50) << "beside it is nothing";
   }
+  // Only what has changed is painted again.
+  const auto is_on_screen = [&](const QPoint& place, const QColor& color) {
+    return QTest::qWaitFor([&] {
+      const QImage screen = window_.screen()->grabWindow(window_.winId()).toImage();
+      return screen.pixelColor(view->mapTo(&window_, place)) == color;
+    });
+  };
+  const QPoint center = view->rect().center();
+  EXPECT_TRUE(is_on_screen(center - QPoint(0, 60), Qt::blue));
+  const QColor background = shows(corner);
+  for (const QSize& size : {QSize(208, 40), QSize(20, 160), QSize(208, 160)}) {
+    QImage other(size, QImage::Format_RGB32);
+    other.fill(Qt::green);
+    Q_EMIT robot_.pictureArrived(other);
+    EXPECT_TRUE(is_on_screen(center - QPoint(0, 60), size.height() == 40 ? background : Qt::green));
+    EXPECT_TRUE(is_on_screen(center - QPoint(60, 0), size.width() == 20 ? background : Qt::green));
+  }
   robot_.disconnectIt(State::kDisconnected, "gone");
-  EXPECT_NE(shows(view->rect().center()), QColor(Qt::blue));
+  EXPECT_NE(shows(center), QColor(Qt::green));
 }
 
 TEST_F(RemoteControlTest, WhereThereIsNoPictureIsTheReason) {
@@ -704,8 +725,12 @@ TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
   EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kSensors}));
   open("Joints");
   EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kJoints}));
-  window_.hide();
-  EXPECT_EQ(robot_.visible, std::set<Part>());
+  for (int round = 0; round < 2; ++round) {
+    window_.hide();
+    EXPECT_EQ(robot_.visible, std::set<Part>());
+    window_.show();
+    EXPECT_EQ(robot_.visible, (std::set<Part>{Part::kPictures, Part::kJoints}));
+  }
 }
 
 TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleClickOrButton) {
@@ -770,6 +795,7 @@ TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   EXPECT_TRUE(find<QLabel>("status")->styleSheet().contains("color"));
   Q_EMIT robot_.answered(true, "stand: the robot stands");
   EXPECT_EQ(find<QLabel>("status")->styleSheet(), "") << "it has succeeded";
+  EXPECT_EQ(find<QLabel>("status")->toolTip(), "stand: the robot stands");
 }
 
 TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
@@ -896,9 +922,13 @@ TEST_F(RemoteControlTest, TheMicrophonesAreOpenOnlyWhileTheUserListens) {
   EXPECT_GE(patience.elapsed(), 2500) << "sound may take its time";
   Q_EMIT robot_.heard(-20);
   EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
+  QTest::qWait(600);
+  patience.start();
+  Q_EMIT robot_.heard(-21);
   EXPECT_TRUE(
       QTest::qWaitFor([this] { return find<QProgressBar>("level")->format().contains("ALLOW_MICROPHONE=yes"); }, 10000))
       << "the sound has ended";
+  EXPECT_GE(patience.elapsed(), 2600) << "silence begins when the sound has ended";
   EXPECT_EQ(find<QProgressBar>("level")->value(), find<QProgressBar>("level")->minimum());
   open("Move");
   EXPECT_EQ(robot_.visible.count(Part::kMicrophones), 0u);
@@ -1017,6 +1047,8 @@ TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
   EXPECT_TRUE(find<QWidget>("face_3")->styleSheet().contains("76%")) << "it looks bright";
   EXPECT_EQ(find<QWidget>("face_4")->styleSheet(), "");
+  Q_EMIT robot_.ledsChanged({{"face_3", 0.8}});
+  EXPECT_TRUE(find<QWidget>("face_3")->styleSheet().contains("62%")) << "and brighter";
   EXPECT_EQ(click("face_3"), QStringList("face_3 0"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0}});
   EXPECT_EQ(find<QWidget>("face_3")->styleSheet(), "");
@@ -1176,8 +1208,10 @@ TEST_F(RemoteControlTest, EachJointIsInTheGroupOfItsLeg) {
     EXPECT_EQ(slider->findChildren<QLabel*>().last()->text(), label);
   }
   open("Joints");
-  Q_EMIT robot_.jointsMeasured({{"mouth", -0.2}});
+  Q_EMIT robot_.jointsMeasured({{"left_front_knee", 0.4}, {"mouth", -0.2}, {"tail_pan", 0.1}});
+  EXPECT_EQ(find<JointSlider>("left_front_knee")->slider()->value(), 400);
   EXPECT_EQ(find<JointSlider>("mouth")->slider()->value(), -200);
+  EXPECT_EQ(find<JointSlider>("tail_pan")->slider()->value(), 100);
   robot_.take();
   find<JointSlider>("mouth")->slider()->setValue(-300);
   EXPECT_EQ(robot_.take(), QStringList("mouth -0.3"));

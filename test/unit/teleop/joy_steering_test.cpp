@@ -140,7 +140,9 @@ TEST_F(JoySteeringTest, GivesEachOrderOnceAndThoseThatMoveOnlyWithTheDeadManButt
   press({4});
   EXPECT_EQ(press({4, 3}).motion, "WAG");
   EXPECT_EQ(press({4, 3}).motion, "");
+  EXPECT_EQ(press({4, 2}).motion, "NOD");
   EXPECT_EQ(press({4, 7}).posture, "stand");
+  EXPECT_EQ(press({4, 6}).posture, "rest");
 }
 
 TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
@@ -149,6 +151,7 @@ TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
   EXPECT_THAT(joy_.problem(7, 7), HasSubstr("7 buttons"));
   EXPECT_FALSE(joy_.read({1, 1}, {0, 0, 1, 1, 1}).walk);
   EXPECT_TRUE(joy_.read({1, 1}, {0, 1, 1, 1, 1}).stop);
+  EXPECT_FALSE(joy_.read({1, 1}, {0, 1, 1, 1, 1}).stop) << "once";
   steer(true, 1);
   const JoyOrders orders = joy_.read({1, 1}, {1, 1, 1, 1, 1});
   ASSERT_TRUE(orders.walk);
