@@ -415,6 +415,7 @@ class ToldTest : public ::testing::Test {
     QObject::connect(&robot_, &RosRobot::motionsListed, [this](const auto& names) { note("has " + names.join(",")); });
     QObject::connect(&robot_, &RosRobot::answered,
                      [this](bool success, const QString& text) { note((success ? "yes, " : "no, ") + text); });
+    QObject::connect(&robot_, &RosRobot::driversFound, [this](const auto& drivers) { found_ = drivers; });
     connect("connected");
     QObject::connect(&heartbeat_, &QTimer::timeout,
                      [this] { publisherOf<LinkQuality>("link_quality").publish(link_); });
@@ -431,7 +432,7 @@ class ToldTest : public ::testing::Test {
   }
 
   // One half is red, the other half is blue.
-  static sensor_msgs::CompressedImage picture() {
+  static sensor_msgs::CompressedImage picture(std::uint32_t seconds = 5) {
     QImage image(104, 80, QImage::Format_RGB32);
     image.fill(Qt::red);
     QPainter(&image).fillRect(52, 0, 52, 80, Qt::blue);
@@ -439,7 +440,7 @@ class ToldTest : public ::testing::Test {
     QBuffer buffer(&bytes);
     EXPECT_TRUE(image.save(&buffer, "JPG", 95));
     sensor_msgs::CompressedImage message;
-    message.header.stamp = ros::Time(5);
+    message.header.stamp = ros::Time(seconds, 0);
     message.data.assign(bytes.begin(), bytes.end());
     return message;
   }
@@ -523,7 +524,8 @@ class ToldTest : public ::testing::Test {
 
   LinkQuality link_;
   QStringList notes_;
-  std::mutex mutex_;  ///< of what services use, which have a thread of their own
+  QStringList found_;  ///< drivers
+  std::mutex mutex_;   ///< of what services use, which have a thread of their own
   QStringList asked_;
   bool may_ = true;
   std::map<std::string, ros::Publisher> publishers_;
@@ -606,6 +608,7 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
   Connection paused;
   paused.text = "a playback, paused";
   other.publish(paused);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return found_.contains("/told_too"); }, kTimeout)) << "also if it starts later";
   notes_.clear();
   state.stopped_by = "/bert";
   tell("robot_state", state);
@@ -906,8 +909,10 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   EXPECT_TRUE(hears("set gain 8")) << "the driver's word counts";
   EXPECT_TRUE(hears("yes, gain is 8"));
   EXPECT_EQ(descriptions, 1) << "a form that is made again loses what the user writes";
+  serve<ListMotions>("list_motions", [](const auto&) { return QString(); });
   {
     const std::lock_guard<std::mutex> driver_is_busy(mutex_);
+    robot_.listMotions();
     robot_.changeSetting("gain", 7);
     robot_.useDriver("/told_too");
     EXPECT_TRUE(hears("describes "));
@@ -916,6 +921,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   }
   EXPECT_TRUE(hears("yes, gain is 6"));
   EXPECT_EQ(notes_.filter("set "), QStringList()) << "these are not the settings of the driver in use";
+  EXPECT_EQ(notes_.filter("has "), QStringList()) << "nor its motions";
 }
 
 TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
@@ -994,8 +1000,17 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   answer(point->header, "the head turns");
   EXPECT_TRUE(hears("yes, look there: the head turns"));
   EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
-  answer(point->header, "out of reach", false);
+  notes_.clear();
+  tell("camera/image_raw/compressed", picture(6));
+  EXPECT_TRUE(hears("picture 104x80 red blue"));
+  const auto next = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.25, 0.75}); });
+  EXPECT_DOUBLE_EQ(next->point.x, -0.26);
+  EXPECT_DOUBLE_EQ(next->point.y, 0.4);
+  EXPECT_EQ(next->header.stamp, ros::Time(6)) << "where the camera was when it took the next picture";
+  answer(point->header, "an answer to the first click");
+  answer(next->header, "out of reach", false);
   EXPECT_TRUE(hears("no, look there: out of reach"));
+  EXPECT_EQ(notes_.filter("yes, "), QStringList());
 }
 
 TEST(RemoteControlCalls, EndWithTheWindowEvenIfNobodyAnswers) {
