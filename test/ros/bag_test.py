@@ -161,6 +161,17 @@ class BagTest(unittest.TestCase):
         self.fail_with('ffmpeg failed', 'mp4', self.record(), self.path('walk.mp4'),
                        PATH='%s:%s' % (self.folder, os.environ['PATH']))
 
+    def test_a_film_that_cannot_be_made_leaves_no_ffmpeg_behind(self):
+        encoder = self.folder / 'ffmpeg'
+        encoder.write_text('#!/bin/sh\ncat > /dev/null\ntouch "$0.has_ended"\n')
+        encoder.chmod(0o755)
+        with rosbag.Bag(self.path('pause.bag'), 'w') as bag:
+            for seconds in (0, 1, 4000):
+                bag.write('/aibo/camera/image_raw/compressed', CompressedImage(data=JPEG), genpy.Time(BEGIN + seconds))
+        self.fail_with('no picture comes for', 'mp4', self.path('pause.bag'), self.path('pause.mp4'),
+                       PATH='%s:%s' % (self.folder, os.environ['PATH']))
+        self.assertTrue(os.path.exists(str(encoder) + '.has_ended'))
+
     def test_joints_are_a_table(self):
         self.succeed('joints', self.record(), self.path('walk.csv'))
         with open(self.path('walk.csv'), encoding='utf-8', newline='') as file:
