@@ -151,8 +151,10 @@ class Playback {
     rewind();
   }
 
-  // What was latched before the start is true at the start.
+  // What was latched before the start is true at the start; what comes later is not known yet, as in the first round.
   void rewind() {
+    connected_ = Connection();
+    frames_ = BodyFrames(recording_.framePrefix());
     timeline_.anchor(start_, ros::Time::now());
     std::map<std::string, MessageInstance> latched;
     next_ = recording_.messages().begin();

@@ -37,7 +37,7 @@ class BodyFrames {
  private:
   geometry_msgs::TransformStamped frame(const char* parent, const char* child, const ros::Time& stamp) const;
 
-  const std::string frame_prefix_;
+  std::string frame_prefix_;
   geometry_msgs::Pose odometry_;
   node::BodyPose pose_;
   std::map<std::string, double> joints_;
