@@ -12,6 +12,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <map>
 #include <memory>
@@ -98,12 +99,16 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
 // Our choice: some seconds of messages.
 constexpr int kJoyQueueSize = 100;
 
+// The driver would replace a picture of the same name.
 std::string pictureName() {
-  const std::time_t now = std::time(nullptr);
+  const ros::WallTime now = ros::WallTime::now();
+  const std::time_t seconds = now.sec;
   std::tm local{};
-  localtime_r(&now, &local);
-  char name[40];
-  std::strftime(name, sizeof(name), "aibo_%Y%m%d_%H%M%S.jpg", &local);
+  localtime_r(&seconds, &local);
+  char date[40];
+  std::strftime(date, sizeof(date), "aibo_%Y%m%d_%H%M%S", &local);
+  char name[64];
+  std::snprintf(name, sizeof(name), "%s_%03u.jpg", date, now.nsec / 1'000'000);
   return name;
 }
 

@@ -22,6 +22,8 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <regex>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -555,14 +557,21 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
   joy.axes[3] = 1;
   std::atomic<bool> holds{true};
   std::thread hand([&] {
-    while (holds) {
-      press({4});
+    for (int i = 0; holds; ++i) {
+      press(i % 2 == 0 ? std::vector<std::size_t>{4, 0} : std::vector<std::size_t>{4});
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
     }
   });
   EXPECT_TRUE(walker.waitForPanBeyond(1.0));
   holds = false;
   hand.join();
+  const std::string said = teleop.output();
+  const std::regex saved("Saved to .*");
+  std::multiset<std::string> pictures;
+  for (std::sregex_iterator each(said.begin(), said.end(), saved), end; each != end; ++each) {
+    pictures.insert(each->str());
+  }
+  EXPECT_EQ(std::set<std::string>(pictures.begin(), pictures.end()).size(), pictures.size()) << "each has its name";
   joy.axes[3] = 0;
   press({4, 5});
   EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::POSTURE); }));
