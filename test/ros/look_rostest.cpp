@@ -404,6 +404,9 @@ TEST(Room, IsShownWithTheBallWhereItIsNow) {
   balls.clear();
   EXPECT_TRUE(balls.waitForCount(1, std::chrono::milliseconds(300)).empty()) << "nobody knows where it is";
   EXPECT_TRUE(swing(ros::Duration(4.5))) << "the robot has started again";
+  balls.clear();
+  robot.publish("connection", connection);
+  EXPECT_TRUE(balls.waitFor(is_gone)) << "and is lost again";
 }
 
 }  // namespace

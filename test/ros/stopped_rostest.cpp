@@ -347,12 +347,16 @@ TEST_F(BallFollower, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
   driver_.showBall(0, 6);
   EXPECT_TRUE(steers(0.12, 0, 0.6)) << "it turns no faster";
   test_support::TopicPublishers driver("/follows");
-  aibo_driver::Connection connection;
-  driver.publish("connection", connection);
-  connection.state = aibo_driver::Connection::CONNECTED;
-  driver.publish("connection", connection);
-  EXPECT_TRUE(steers(0, 0, 0)) << "it lets go once";
-  EXPECT_TRUE(steers(0.12, 0, 0.6)) << "and goes on";
+  for (int round = 0; round < 2; ++round) {
+    steps_.clear();
+    aibo_driver::Connection connection;
+    driver.publish("connection", connection);
+    connection.state = aibo_driver::Connection::CONNECTED;
+    driver.publish("connection", connection);
+    EXPECT_TRUE(steers(0, 0, 0)) << "it lets go once";
+    steps_.clear();
+    EXPECT_TRUE(steers(0.12, 0, 0.6)) << "and goes on";
+  }
 }
 
 TEST_F(BallFollower, NeedsLeaveToGoOnAfterAStop) {
@@ -405,18 +409,20 @@ TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
 
 TEST_F(BallFollower, PausesAfterAStopForAsLongAsTheDriverIgnoresItsStream) {
   start({"_go_on_after_stop:=true"});
-  driver_.setAwake(false);
-  EXPECT_TRUE(becomesSilent());
-  const auto stopped = std::chrono::steady_clock::now();
-  driver_.stop("/user");
-  std::string message;
-  while (callGoOn("/follows/aibo_follow_ball", &message) &&
-         std::chrono::steady_clock::now() < stopped + kSafetyNet) {  // until it knows of the stop
+  for (int round = 0; round < 2; ++round) {
+    driver_.setAwake(false);
+    EXPECT_TRUE(becomesSilent());
+    const auto stopped = std::chrono::steady_clock::now();
+    driver_.stop("/user");
+    std::string message;
+    while (callGoOn("/follows/aibo_follow_ball", &message) &&
+           std::chrono::steady_clock::now() < stopped + kSafetyNet) {  // until it knows of the stop
+    }
+    driver_.release();
+    driver_.setAwake(true);
+    EXPECT_TRUE(walks());
+    EXPECT_GE(std::chrono::steady_clock::now() - stopped, std::chrono::milliseconds(500));
   }
-  driver_.release();
-  driver_.setAwake(true);
-  EXPECT_TRUE(walks());
-  EXPECT_GE(std::chrono::steady_clock::now() - stopped, std::chrono::milliseconds(500));
 }
 
 // It sees nothing until it knows of the stop, so it has not moved before.
