@@ -29,7 +29,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kHeardFor{3};  // the driver sends something once a second
+// The driver sends something once a second.
+constexpr std::chrono::seconds kTimeToSpeak{5};
+constexpr std::chrono::seconds kHeardFor{3};
 
 // The joints of a robot of version 1 come one by one, and a short touch must not be missed.
 constexpr std::uint32_t kAllOfThem = 64;
@@ -367,6 +369,10 @@ void DriverTopics::followSettings(const std::string& owner) {
 aibo_driver::Connection::ConstPtr DriverTopics::connection() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return connection_;
+}
+
+bool DriverTopics::areNew() const {
+  return steady_clock::now() - made_ < kTimeToSpeak;
 }
 
 bool DriverTopics::isHeard() const {

@@ -54,6 +54,9 @@ class DriverTopics {
   /// The newest message about the connection. It is null if there was none.
   aibo_driver::Connection::ConstPtr connection() const;
 
+  /// Whether they were made in the last seconds, so that the driver need not have been heard yet.
+  bool areNew() const;
+
   /// Whether the driver was heard in the last seconds. The driver sends something once a second.
   bool isHeard() const;
 
@@ -87,6 +90,7 @@ class DriverTopics {
   void receivePicture(const sensor_msgs::CompressedImage& message);
   void receiveJoints(const sensor_msgs::JointState& message);
 
+  const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
   ros::CallbackQueue measurements_;  ///< they wait until takeMeasurements()
   ros::NodeHandle handle_;
   ros::NodeHandle measurements_handle_;

@@ -29,7 +29,6 @@ namespace {
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
 constexpr std::chrono::milliseconds kJointsPeriod{100};
 constexpr std::chrono::milliseconds kSensorsPeriod{250};  // nobody can read figures that change more often
-constexpr std::chrono::seconds kTimeToSpeak{5};           // a driver sends something once a second
 
 /// Saves a JPEG. The time is part of the file's name.
 /// @return the path of the file
@@ -120,15 +119,10 @@ void RosRobot::manageTopics() {
   }
 }
 
-// A driver that has just been chosen need not have spoken yet.
-bool RosRobot::isNew() const {
-  return std::chrono::steady_clock::now() - used_since_ < kTimeToSpeak;
-}
-
 // The master may know drivers that do not run any more. So a driver that is not heard is given up, and the next is
 // tried.
 std::string RosRobot::findDriver() const {
-  if (topics_ && (isNew() || topics_->isHeard())) {
+  if (topics_ && (topics_->areNew() || topics_->isHeard())) {
     return name_space_;
   }
   return driverAfter(name_space_, found_drivers_);
@@ -141,14 +135,15 @@ void RosRobot::search() {
     return;
   }
   master_ = *answer;
-  found_drivers_ = driversIn(master_);
+  std::vector<std::string> found = driversIn(master_);
+  if (found == std::exchange(found_drivers_, found)) {
+    return;
+  }
   QStringList drivers;
-  for (const std::string& driver : found_drivers_) {
+  for (const std::string& driver : found) {
     drivers.append(fromRos(driver));
   }
-  if (drivers != std::exchange(reported_drivers_, drivers)) {
-    post([drivers](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
-  }
+  post([drivers](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
 }
 
 // What the old driver has said is not true of the new one, which may never say anything about it.
@@ -207,7 +202,6 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
                                             });
   const std::lock_guard<std::mutex> lock(mutex_);
   topics_ = made;
-  used_since_ = std::chrono::steady_clock::now();
   name_space_ = name_space;
 }
 
@@ -217,7 +211,7 @@ RobotConnection RosRobot::connectionNow() const {
   const aibo_driver::Connection::ConstPtr message = topics_ ? topics_->connection() : nullptr;
   if (master_answers_ && topics_ && !message) {
     now.state = RobotConnection::State::kWaiting;
-    now.text = "waiting for the driver in " + now.name_space + (isNew() ? "" : ": is it running?");
+    now.text = "waiting for the driver in " + now.name_space + (topics_->areNew() ? "" : ": is it running?");
     return now;
   }
   if (!topics_ || !topics_->isHeard() || !message) {

@@ -3,7 +3,6 @@
 #define AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 
 #include <QTimer>
-#include <chrono>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
@@ -73,7 +72,6 @@ class RosRobot : public Robot {
   void useTopicsOf(const std::string& name_space);
   void reportConnection();
   void report(const RobotConnection& now);
-  bool isNew() const;
   RobotConnection connectionNow() const;
 
   std::shared_ptr<DriverTopics> topicsForCommand(const QString& request);
@@ -108,8 +106,6 @@ class RosRobot : public Robot {
 
   // The thread that asks the master uses these members.
   bool master_answers_ = true;
-  std::chrono::steady_clock::time_point used_since_;  ///< since when the driver has been used
-  QStringList reported_drivers_;
   QString reported_connection_;
   std::vector<std::string> found_drivers_;
   MasterState master_;

@@ -20,14 +20,12 @@ void ServiceCalls::cancel() {
 
 bool ServiceCalls::run(const std::string& name, const std::function<void(Call&)>& work) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (auto call = calls_.begin(); call != calls_.end();) {
-    if (call->is_over) {
-      call->thread.join();
-      call = calls_.erase(call);
-    } else {
-      ++call;
+  calls_.remove_if([](Call& call) {
+    if (call.is_over) {
+      call.thread.join();
     }
-  }
+    return call.is_over;
+  });
   const auto has_name = [&name](const Call& call) { return call.name == name; };
   if (is_ending_ || std::any_of(calls_.begin(), calls_.end(), has_name)) {
     return false;
