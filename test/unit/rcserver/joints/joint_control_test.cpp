@@ -136,7 +136,7 @@ TEST(JointControl, AJointThatFailsTwiceIsReportedTwiceAndRecoversTwice) {
     EXPECT_EQ(joints.TakeFault(pan), JointWatch::FOLLOWS) << "once";
     EXPECT_EQ(measure(4 * JointWatch::PATIENCE, {-50000, -50000, 0}), JointWatch::FOLLOWS);
     EXPECT_FALSE(joints.TakeRecovery(pan)) << "it was only held";
-    EXPECT_EQ(measure(2 * JointWatch::PATIENCE, {100000, 100000, 0}), JointWatch::FOLLOWS);
+    EXPECT_EQ(measure(2 * JointWatch::PATIENCE, {100000, 100000, -9}), JointWatch::FOLLOWS);
     EXPECT_TRUE(joints.TakeRecovery(pan));
     EXPECT_FALSE(joints.TakeRecovery(pan)) << "once";
   }
@@ -243,6 +243,7 @@ TEST_F(StoppedJointsTest, CommandsAndStopsAreFoundByWhenTheyCame) {
   const unsigned before = joints_.NumberOfCommands();
   EXPECT_FALSE(wasCommandedSince(before, pan_));
   EXPECT_TRUE(wasCommandedSince(before - 1, pan_));
+  EXPECT_TRUE(wasCommandedSince(before - 1, knee_)) << "the last of three";
   joints_.Stop(pan_);
   EXPECT_TRUE(wasCommandedSince(before, pan_));
   EXPECT_FALSE(wasCommandedSince(before, tail_));

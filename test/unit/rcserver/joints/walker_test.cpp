@@ -345,6 +345,13 @@ TEST_F(WalkerTest, AVelocityOfZeroDoesNotMakeARobotMoveThatDoesNotWalk) {
   play("at 0 left_front_knee 60\nat 800 left_front_knee 80\n");
   joints_.Steer({0, 0, 0});
   EXPECT_TRUE(joints_.Motions().IsPlaying()) << "and takes its legs from nobody";
+  for (const std::string name : {"left_front_knee", "right_hind_knee"}) {
+    joints_.Motions().StopAll();
+    play("at 0 " + name + " 60\nat 800 " + name + " 80\n");
+    joints_.Steer({0.1, 0, 0});
+    EXPECT_FALSE(joints_.Motions().IsPlaying()) << name;
+    joints_.StopAll();
+  }
 }
 
 TEST_F(WalkerTest, RisesSlowlyBeforeItWalks) {
@@ -374,6 +381,11 @@ TEST_F(WalkerTest, ARobotThatIsNotSteeredWhileItRisesStandsAndDoesNotWalk) {
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: "));
+  walk();
+  passUntilIdle();  // it is not steered
+  take(POSTURE_REST);
+  steer({0.1, 0, 0}, 600);
+  EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_WALKS) << "the time counts from when it is steered";
 }
 
 // ----------------------------------------------------------------------------------------------------- what ends them
@@ -486,6 +498,10 @@ TEST_F(WalkerTest, AClientWhoseWalkWasEndedHasToLetGo) {
   EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("everything was told to hold; let go first"));
   joints_.Steer({0, 0, 0});
   EXPECT_EQ(walker().ProblemOfWalk(true), nullptr) << "it has steered with zeros";
+  walk();
+  joints_.Steer({0, 0, 0});
+  joints_.StopAll();
+  EXPECT_THAT(walker().ProblemOfWalk(true), HasSubstr("everything was told to hold; let go first")) << "zeros before";
 }
 
 TEST_F(WalkerTest, AClientWhoseWalkWasRefusedHasToLetGoToo) {
