@@ -550,6 +550,7 @@ class Asked(TestCase):
             self.assertIn("0.6deg/s to 171deg/s", self.aibo("move", "mouth=0deg", "--speed", speed,
                                                             status=WRONG_USAGE).errors)
         self.robot.ask("jam head_pan")
+        self.assertRegex(self.text("move", "head_pan=4deg"), r"^head_pan is at -?0\.\d degrees$", "near, and measured")
         late = self.aibo("move", "head_pan=40deg", "tail_pan=5deg", "--speed", "170deg/s", status=FAILED).errors
         self.robot.ask("free head_pan")
         self.assertRegex(late, "not all joints have arrived: head_pan is at -?0.[0-9] degrees instead of 40.0 degrees. "

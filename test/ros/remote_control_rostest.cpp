@@ -370,10 +370,13 @@ TEST(RemoteControlRos, SaysThatTheMasterDoesNotAnswerAndGoesOnWhenItDoes) {
   Connection heard;
   heard.text = "the robot is off";
   driver.publish(heard);
+  User of_silent_driver("/silent");
+  EXPECT_TRUE(of_silent_driver.waitForText("connection", "waiting for the driver in /silent"));
   master->setWelcome(test_support::Welcome::kReset);
   master->endConnections(test_support::Action::kReset);
   User user("/later");
   EXPECT_TRUE(user.waitForText("connection", "the ROS master does not answer: is roscore running?"));
+  EXPECT_TRUE(of_silent_driver.waitForText("connection", "the ROS master does not answer: is roscore running?"));
   master->heal();
   EXPECT_TRUE(user.waitForText("connection", "the robot is off"));
 }
@@ -1003,10 +1006,15 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   notes_.clear();
   tell("camera/image_raw/compressed", picture(6));
   EXPECT_TRUE(hears("picture 104x80 red blue"));
+  sensor_msgs::CompressedImage damaged = picture(7);
+  damaged.data.resize(100);
+  tell("camera/image_raw/compressed", damaged);
+  tell("streaming", std_msgs::Bool());
+  EXPECT_TRUE(hears("streams not")) << "the damaged picture has come, too";
   const auto next = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.25, 0.75}); });
   EXPECT_DOUBLE_EQ(next->point.x, -0.26);
   EXPECT_DOUBLE_EQ(next->point.y, 0.4);
-  EXPECT_EQ(next->header.stamp, ros::Time(6)) << "where the camera was when it took the next picture";
+  EXPECT_EQ(next->header.stamp, ros::Time(6)) << "where the camera was when it took the picture that is shown";
   answer(point->header, "an answer to the first click");
   answer(next->header, "out of reach", false);
   EXPECT_TRUE(hears("no, look there: out of reach"));

@@ -299,6 +299,11 @@ TEST(Settings, TransportChangesTheRunningStream) {
   user.waitForLog("The transport 'pigeon' is not one of auto, tcp or udp: it stays at tcp");
   EXPECT_TRUE(std::any_of(answer.strs.begin(), answer.strs.end(),
                           [](const auto& each) { return each.name == "transport" && each.value == "tcp"; }));
+  for (int report = 0; report < 3; ++report) {
+    EXPECT_EQ(
+        DiagnosticsListener::value(diagnostics.waitForNext("settings_transport/aibo_driver: stream"), "transport"),
+        "tcp");
+  }
 }
 
 TEST(Settings, ByDefaultPicturesComeByUdpAndTheConnectionSaysSo) {

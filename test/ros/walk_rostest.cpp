@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <csignal>
+#include <ctime>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -549,8 +550,16 @@ TEST(JoystickTeleop, TurnsTheHeadTakesPicturesPlaysMotionsAndStops) {
     }
     joystick.publish("joy", joy);
   };
+  const auto minute = [] {
+    const std::time_t now = std::time(nullptr);
+    std::array<char, 20> text{};
+    std::strftime(text.data(), text.size(), "%Y%m%d_%H%M", std::localtime(&now));
+    return std::string(text.data());
+  };
+  const std::string before = minute();
   press({0});
   teleop.waitForOutput("/gamepad/take_picture: .*Saved to .*aibo_.*jpg", kSafetyNet);
+  EXPECT_THAT(teleop.output(), AnyOf(HasSubstr("aibo_" + before), HasSubstr("aibo_" + minute())));
   press({4});
   press({4, 2});
   teleop.waitForOutput("/gamepad/play_motion: WAG.MTN has begun", kSafetyNet);

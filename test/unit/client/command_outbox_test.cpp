@@ -111,6 +111,7 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
   CommandOutbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
   outbox.command({milliseconds(100), {{2, 0.3}}, {at(2000), 2}});
+  outbox.command({milliseconds(100), {{3, 0.1}}, {at(2000), 5}});
   outbox.steer({kForward, {at(1500), 3}});
   EXPECT_EQ(at(1000), outbox.nextTooOld());
   outbox.dropTooOld(at(999), "robot");

@@ -69,6 +69,16 @@ TEST_F(RateLimitTest, WithoutAPeriodOnlyTheBurstIsAdmitted) {
   EXPECT_EQ(admitted(10), 1);
 }
 
+TEST_F(RateLimitTest, AnotherPeriodIsInForceAtOnce) {
+  EXPECT_EQ(admitted(1000), kBurst);
+  now_ += kPeriod;
+  int count = 0;
+  for (int i = 0; i < 10; ++i) {
+    count += limit_.admit(now_, std::chrono::milliseconds(250)).is_admitted ? 1 : 0;
+  }
+  EXPECT_EQ(count, 4);
+}
+
 TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   RateLimit::TimePoint now{std::chrono::hours(1)};
   std::vector<std::string> lines;

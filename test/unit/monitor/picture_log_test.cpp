@@ -137,8 +137,12 @@ TEST_F(PictureLogTest, FindsOnePictureAfterTheOtherInDatagramsAndThenByTcp) {
     EXPECT_THAT(lines().back().time, AllOf(Ge(begin), Le(between)));
   }
   EXPECT_NE(lines()[0].checksum, lines()[1].checksum);
+  send_part(3, false, 0);  // it is cut off
+  send_part(4, false, 0);
+  send_part(4, false, 1);
+  EXPECT_EQ(lines().back().bytes, kSize);
   send({0xFF, 0xD8, 0xFF, 1});
-  EXPECT_THAT(lines(), SizeIs(4));
+  EXPECT_THAT(lines(), SizeIs(5));
 }
 
 TEST_F(PictureLogTest, SkipsWhatIsNotAPicture) {

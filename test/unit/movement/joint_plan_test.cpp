@@ -28,6 +28,7 @@ using ::testing::SizeIs;
 
 constexpr int kPan = 2;
 constexpr int kMouth = 4;
+constexpr int kTailPan = 51;
 constexpr double kLookahead = 0.096;
 
 // Time is counted from 100 s on, because a measurement that was never made is from 0.
@@ -42,7 +43,7 @@ class JointPlanTest : public ::testing::Test {
   void measure(double time, double pan = 0, double mouth = -0.5) {
     aibo_client::Telemetry telemetry;
     telemetry.arrival = at(time);
-    telemetry.joints = {{kPan, pan}, {kMouth, mouth}};
+    telemetry.joints = {{kPan, pan}, {kMouth, mouth}, {kTailPan, 0}};
     measured_.update(telemetry);
   }
 
@@ -250,6 +251,12 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   follow(0.032, 1.2);
   EXPECT_EQ(endOf(at_once), EndedHow::kDone);
   EXPECT_TRUE(plan_.empty());
+}
+
+TEST_F(JointPlanTest, AnEarlierStartTakesNeighbouringJoints) {
+  const auto three = add({{"mouth", "head_pan", "tail_pan"}, {{1, {-0.2, 0.5, 0.1}, {}}}}, 20, 0);
+  add(both(0.5, -0.2, 1), 19, 0);
+  EXPECT_THAT(plan_.jointsOf(three), ElementsAre("tail_pan"));
 }
 
 TEST_F(JointPlanTest, WhatWaitsKeepsTheOtherJointsWithTheirVelocities) {

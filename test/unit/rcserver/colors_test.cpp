@@ -143,11 +143,14 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
 }
 
 TEST(ColorCounterTest, EachImageIsCountedAnew) {
-  const std::vector<byte> pixels = emptyPlane();
   ColorRegions regions{};
-  for (int image = 0; image < 2; ++image) {
+  for (const unsigned size : {4U, 2U}) {
+    std::vector<byte> pixels = emptyPlane();
+    draw(10, 20, size, size, 0, &pixels);
     countColors({pixels.data(), kWidth, kHeight, kWidth}, 1, &regions);
-    EXPECT_EQ(regions.count, 1);
+    ASSERT_EQ(regions.count, 1);
+    EXPECT_EQ(regions.regions[0].width, size);
+    EXPECT_EQ(regions.regions[0].height, size);
   }
 }
 

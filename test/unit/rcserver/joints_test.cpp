@@ -167,6 +167,7 @@ TEST_F(JointsTest, JointMovesFromTheNextFrameOnWithinItsLimits) {
 
 TEST_F(JointsTest, SpeedLimitIsReadSetAndKept) {
   expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
+  expectAnswer(request('V', kNeckTilt, 18251), 'v', kNeckTilt, 18250);  // the robot's own limit
   expectAnswer(request('V', kNeckTilt, 3000), 'v', kNeckTilt, 3000);
   expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 3000);
   std::vector<int>& path = robot_.joint("neck_tilt").path;

@@ -209,6 +209,17 @@ TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheRobotLiesDownBeforeItsMotorsGo
   EXPECT_EQ(degreesOf("right_front_knee"), 30);
 }
 
+TEST_F(PowerTest, ARobotWhoseClientDoesNotReadLiesDownAfterASecondAtMost) {
+  connectAndDoNotRead();
+  raise(orsbBATTERY_CAPACITY_LOW);
+  passUntilOff(kFramesASecond + 4);
+  ASSERT_TRUE(machine_->isOn());
+  EXPECT_FALSE(isLimp());
+  EXPECT_LT(passUntilOff(10 * kFramesASecond), 5 * kFramesASecond);
+  EXPECT_FALSE(machine_->isOn());
+  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
+}
+
 TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
   raise(orsbBATTERY_CAPACITY_LOW);
   passFrames(10);

@@ -545,6 +545,9 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   robot.setCharge(0.87);
   ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
   EXPECT_EQ(half.remainingCapacity, 87);
+  passSeconds(3);
+  ASSERT_EQ(robot.getPowerStatus(&half), oSUCCESS);
+  EXPECT_EQ(half.remainingCapacity, 82) << "it runs down from there";
   const std::tuple<double, bool, bool> low_and_empty[] = {{0.101, false, false}, {0.1, true, false}, {0, true, true}};
   for (const auto& [charge, is_low, is_empty] : low_and_empty) {
     robot.setCharge(charge);
