@@ -305,7 +305,7 @@ void WholeRobot::pushTelemetry(int value) {
   push(version2::TELEMETRY_PUSH,
        version2_frames::makeTelemetry(frame(), {{version2::GROUP_JOINT, 1, -value},
                                                 {version2::GROUP_JOINT, 2, 2 * value},
-                                                {version2::GROUP_DUTY, 2, -3 * value},
+                                                {version2::GROUP_DUTY, 2, -value / 3},
                                                 {version2::GROUP_SENSOR, 1, value},
                                                 {version2::GROUP_WALK, version2::WALK_LEFT, -value},
                                                 {version2::GROUP_WALK, version2::WALK_STATE, 2}}));

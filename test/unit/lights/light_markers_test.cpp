@@ -86,7 +86,7 @@ TEST(LightMarkers, HaveTheirColors) {
   for (const auto& [name, mode, color] : colors) {
     LightMarkers lights("");
     lights.setLeds(states(name, 0.5F, mode));
-    const auto& shown = shining(lights).at(0).color;
+    const auto shown = shining(lights).at(0).color;
     EXPECT_EQ((std::array<float, 3>{shown.r, shown.g, shown.b}), color) << name << ", mode " << mode;
   }
 }
