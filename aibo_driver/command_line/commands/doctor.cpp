@@ -1,6 +1,7 @@
 #include <netdb.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -66,6 +67,14 @@ std::string numericAddress(const aibo_client::SocketAddress& address) {
   return host;
 }
 
+/// The address at which the robot answers, or empty. OPEN-R's IPStack knows only IPv4, but a name may have another
+/// address as well: by Debian's /etc/hosts, localhost is ::1, too.
+std::string robotsAddress(const std::vector<aibo_client::SocketAddress>& addresses) {
+  const auto found = std::find_if(addresses.begin(), addresses.end(),
+                                  [](const auto& each) { return each.storage.ss_family == AF_INET; });
+  return addresses.empty() ? "" : numericAddress(found == addresses.end() ? addresses.front() : *found);
+}
+
 /// Checks one thing after the other, until a problem makes the next check impossible.
 class Doctor {
  public:
@@ -97,7 +106,7 @@ class Doctor {
       const steady_clock::time_point begin = steady_clock::now();
       aibo_client::NameLookupResult result = aibo_client::resolveWithSystem(host, port);
       lookup->seconds = secondsSince(begin);
-      lookup->address = result.addresses.empty() ? "" : numericAddress(result.addresses.front());
+      lookup->address = robotsAddress(result.addresses);
       return result;
     });
     const steady_clock::time_point begin = steady_clock::now();
