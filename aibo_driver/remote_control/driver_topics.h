@@ -54,7 +54,7 @@ class DriverTopics {
   /// The newest message about the connection. It is null if there was none.
   aibo_driver::Connection::ConstPtr connection() const;
 
-  /// Whether they were made in the last seconds, so that the driver need not have been heard yet.
+  /// Whether this object was made in the last seconds, so that the driver need not have been heard yet.
   bool areNew() const;
 
   /// Whether the driver was heard in the last seconds. The driver sends something once a second.

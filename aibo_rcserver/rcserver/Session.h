@@ -146,7 +146,7 @@ class Session {
   void ChangeToVersion2();
   bool HandleFrame(unsigned now);
 
-  // What is begun anew with each client.
+  // What belongs to one client.
   struct Talk {
     Talk()
         : version(1),

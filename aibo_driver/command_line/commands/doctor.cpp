@@ -67,8 +67,8 @@ std::string numericAddress(const aibo_client::SocketAddress& address) {
   return host;
 }
 
-/// The address at which the robot answers, or empty. OPEN-R's IPStack knows only IPv4, but a name may have another
-/// address as well: by Debian's /etc/hosts, localhost is ::1, too.
+/// The robot's own among the addresses of its name, or empty. OPEN-R's IPStack knows only IPv4, but a name may have
+/// another address as well: by Debian's /etc/hosts, localhost is ::1, too.
 std::string robotsAddress(const std::vector<aibo_client::SocketAddress>& addresses) {
   const auto found = std::find_if(addresses.begin(), addresses.end(),
                                   [](const auto& each) { return each.storage.ss_family == AF_INET; });

@@ -40,7 +40,7 @@ class Recorder {
     return waitForStatus([state](const aibo_client::ConnectionStatus& status) { return status.state == state; });
   }
 
-  /// Waits until the last status is such a one.
+  /// Waits until the newest status fulfils the condition.
   template <typename Condition>
   bool waitForStatus(const Condition& condition) {
     return waitFor([&] { return !statuses_.empty() && condition(statuses_.back()); });
