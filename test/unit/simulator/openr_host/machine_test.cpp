@@ -136,6 +136,15 @@ class MachineTest : public testing::Test {
     return *machine_;
   }
 
+  /// Boots a robot whose time hurries, and says for which three frames it waited first.
+  std::vector<longword> firstFramesWaitedFor() {
+    HastyClock clock;
+    Machine machine(options_, clock, robot_);
+    machine.boot();
+    machine.runUntil([&] { return clock.waited_for.size() > 3; });
+    return {clock.waited_for.begin(), clock.waited_for.begin() + 3};
+  }
+
   std::string bootError() {
     try {
       boot();
@@ -198,12 +207,7 @@ TEST_F(MachineTest, TheConsoleCanBeListenedTo) {
 
 TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
   robot_.frames_with_image = {6};
-  HastyClock clock;
-  Machine machine(options_, clock, robot_);
-  machine.boot();
-  machine.runUntil([&] { return clock.waited_for.size() > 3; });
-  EXPECT_EQ(std::vector<longword>(clock.waited_for.begin(), clock.waited_for.begin() + 3),
-            (std::vector<longword>{0, 6, 11}));
+  EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));
 }
 
 TEST_F(MachineTest, NoFrameIsSleptThroughWhileAnObjectListens) {
@@ -215,12 +219,7 @@ TEST_F(MachineTest, NoFrameIsSleptThroughWhileAnObjectListens) {
   listener.observers[0].connect = [](OObject& object, const OConnectEvent& /*event*/) {
     static_cast<TestObject&>(object).observer().AssertReady();
   };
-  HastyClock clock;
-  Machine machine(options_, clock, robot_);
-  machine.boot();
-  machine.runUntil([&] { return clock.waited_for.size() > 3; });
-  EXPECT_EQ(std::vector<longword>(clock.waited_for.begin(), clock.waited_for.begin() + 3),
-            (std::vector<longword>{0, 6, 11}));
+  EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));
 }
 
 TEST_F(MachineTest, WhatIsTypedActsOnTheRobotAfterTheFramesThatHavePassed) {
