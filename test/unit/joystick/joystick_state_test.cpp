@@ -11,6 +11,12 @@ using ::testing::FloatEq;
 
 class ReporterTest : public ::testing::Test {
  protected:
+  // There was a joystick before, which was pulled out while it was held.
+  ReporterTest() {
+    after(milliseconds(0), State{{0.7F, -1}, {0, 1, 1}});
+    after(milliseconds(7), std::nullopt);
+  }
+
   std::optional<State> after(milliseconds time, const std::optional<State>& state) {
     now_ += time;
     return reporter_.report(state, now_);
@@ -22,12 +28,17 @@ class ReporterTest : public ::testing::Test {
 
 TEST_F(ReporterTest, ReportsEachChangeAtOnceAndTheSameAgainAfterAWhile) {
   EXPECT_FALSE(after(milliseconds(10), std::nullopt)) << "there is no joystick";
-  EXPECT_TRUE(after(milliseconds(10), State{{0}, {0}}));
-  EXPECT_FALSE(after(milliseconds(10), State{{0}, {0}}));
-  EXPECT_TRUE(after(milliseconds(10), State{{0}, {1}}));
-  EXPECT_FALSE(after(milliseconds(40), State{{0}, {1}}));
-  EXPECT_TRUE(after(milliseconds(10), State{{0}, {1}}));
-  EXPECT_TRUE(after(milliseconds(10), State{{1}, {1}})) << "a stick has moved";
+  State state{{0, 0.5F}, {0, 1, 0}};
+  EXPECT_TRUE(after(milliseconds(10), state));
+  EXPECT_FALSE(after(milliseconds(10), state));
+  state.buttons[2] = 1;
+  EXPECT_TRUE(after(milliseconds(10), state));
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(after(milliseconds(40), state)) << i;
+    EXPECT_TRUE(after(milliseconds(10), state)) << i;
+  }
+  state.axes[1] = 0.6F;
+  EXPECT_TRUE(after(milliseconds(10), state)) << "a stick has moved";
 }
 
 TEST_F(ReporterTest, TakesASmallDeflectionForNone) {

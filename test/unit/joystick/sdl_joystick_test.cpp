@@ -14,10 +14,31 @@ using ::testing::HasSubstr;
 // Ubuntu 20.04 has SDL 2.0.10, which has no virtual joysticks; Debian 11's 2.0.14 loses some of their values.
 #if SDL_VERSION_ATLEAST(2, 0, 16)
 
-// A joystick without hardware, with 3 axes, 2 buttons and a hat.
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+
+int attach(const char* name) {
+  SDL_VirtualJoystickDesc description{};
+  description.version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION;
+  description.type = SDL_JOYSTICK_TYPE_GAMECONTROLLER;
+  description.naxes = 3;
+  description.nbuttons = 2;
+  description.nhats = 2;
+  description.name = name;
+  return SDL_JoystickAttachVirtualEx(&description);
+}
+
+#else
+
+int attach(const char* /*name*/) {
+  return SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, 3, 2, 2);
+}
+
+#endif
+
+// A joystick without hardware, with 3 axes, 2 buttons and 2 hats. With an old SDL, all have the same name.
 class VirtualJoystick {
  public:
-  VirtualJoystick() : index_(SDL_JoystickAttachVirtual(SDL_JOYSTICK_TYPE_GAMECONTROLLER, 3, 2, 1)) {
+  explicit VirtualJoystick(const char* name = "Pedals") : index_(attach(name)) {
     EXPECT_GE(index_, 0) << SDL_GetError();
     joystick_ = SDL_JoystickOpen(index_);
   }
@@ -31,7 +52,7 @@ class VirtualJoystick {
 
   void setAxis(int axis, int value) { SDL_JoystickSetVirtualAxis(joystick_, axis, static_cast<Sint16>(value)); }
   void setButton(int button, bool on) { SDL_JoystickSetVirtualButton(joystick_, button, on ? 1 : 0); }
-  void setHat(int value) { SDL_JoystickSetVirtualHat(joystick_, 0, static_cast<Uint8>(value)); }
+  void setHat(int hat, int value) { SDL_JoystickSetVirtualHat(joystick_, hat, static_cast<Uint8>(value)); }
 
  private:
   const int index_;
@@ -45,17 +66,18 @@ TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
   hardware.setAxis(1, 32767);   // down
   hardware.setAxis(2, 16384);
   hardware.setButton(1, true);
-  hardware.setHat(SDL_HAT_LEFTUP);
+  hardware.setHat(0, SDL_HAT_LEFTUP);
+  hardware.setHat(1, SDL_HAT_DOWN);
   joystick.read();  // SDL passes on what was set
   const auto state = joystick.read();
   ASSERT_TRUE(state);
-  EXPECT_THAT(state->axes, ElementsAre(1, -1, FloatNear(-0.5F, 1e-3F), 1, 1));
+  EXPECT_THAT(state->axes, ElementsAre(1, -1, FloatNear(-0.5F, 1e-3F), 1, 1, 0, -1));
   EXPECT_THAT(state->buttons, ElementsAre(0, 1));
-  EXPECT_THAT(joystick.describe(), HasSubstr("with 5 axes and 2 buttons"));
+  EXPECT_THAT(joystick.describe(), HasSubstr("with 7 axes and 2 buttons"));
   for (const auto& [hat, right_and_up] : {std::pair(SDL_HAT_RIGHTDOWN, -1), std::pair(SDL_HAT_CENTERED, 0)}) {
-    hardware.setHat(hat);
+    hardware.setHat(0, hat);
     joystick.read();
-    EXPECT_THAT(joystick.read()->axes, ElementsAre(_, _, _, right_and_up, right_and_up));
+    EXPECT_THAT(joystick.read()->axes, ElementsAre(_, _, _, right_and_up, right_and_up, 0, -1));
   }
 }
 
@@ -77,14 +99,18 @@ TEST(SdlJoystick, IsTheOneThatIsWanted) {
     SdlJoystick second(1, "");
     const VirtualJoystick one;
     EXPECT_FALSE(second.read());
-    const VirtualJoystick other;
+    const VirtualJoystick other("Wheel");
     EXPECT_TRUE(second.read());
   }
   {
-    SdlJoystick named(5, "Virtual");
+    SdlJoystick named(0, "of anna");
+    const VirtualJoystick pedals;
     EXPECT_FALSE(named.read());
-    const VirtualJoystick hardware;
+#if SDL_VERSION_ATLEAST(2, 24, 0)
+    const VirtualJoystick gamepad("Gamepad of anna");
     EXPECT_TRUE(named.read());
+    EXPECT_THAT(named.describe(), HasSubstr("Gamepad of anna, with"));
+#endif
   }
   SdlJoystick another(0, "no joystick has this name");
   const VirtualJoystick hardware;

@@ -2,161 +2,172 @@
 
 #include <gmock/gmock.h>
 
+#include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace teleop {
 namespace {
 
 using ::testing::HasSubstr;
 
+// The places of axes and buttons.
+constexpr int kLeft = 0;
+constexpr int kTurn = 2;
+constexpr int kTilt = 3;
+constexpr int kForward = 5;
+constexpr int kPan = 6;
+constexpr int kWag = 0;
+constexpr int kDeadMan = 1;
+constexpr int kPicture = 2;
+constexpr int kRelease = 3;
+constexpr int kNod = 4;
+constexpr int kStop = 5;
+constexpr int kStand = 6;
+constexpr int kRest = 7;
+
 JoyMapping mapping() {
   JoyMapping mapping;
-  mapping.motions = {{"NOD", 2}, {"WAG", 3}};
-  mapping.postures = {{"rest", 6}, {"stand", 7}};
+  mapping.forward_axis = kForward;
+  mapping.turn_axis = kTurn;
+  mapping.left_axis = kLeft;
+  mapping.pan_axis = kPan;
+  mapping.tilt_axis = kTilt;
+  mapping.dead_man_button = kDeadMan;
+  mapping.stop_button = kStop;
+  mapping.release_button = kRelease;
+  mapping.picture_button = kPicture;
+  mapping.motions = {{"NOD", kNod}, {"WAG", kWag}};
+  mapping.postures = {{"rest", kRest}, {"stand", kStand}};
+  mapping.speeds = {0.2, 0.07, 1.5};
+  mapping.head_speed = 0.6;
+  mapping.dead_zone = 0.2;
   return mapping;
+}
+
+std::string describe(const JoyOrders& orders) {
+  std::ostringstream text;
+  if (orders.walk) {
+    text << "walk " << orders.walk->forward << " " << orders.walk->left << " " << orders.walk->turn << ",";
+  }
+  if (orders.head) {
+    text << "head " << orders.head->pan << " " << orders.head->tilt << ",";
+  }
+  text << (orders.stop ? "stop," : "") << (orders.release ? "release," : "") << (orders.take_picture ? "picture," : "")
+       << orders.motion << orders.posture;
+  return text.str();
 }
 
 class JoySteeringTest : public ::testing::Test {
  protected:
-  // Axes: turn, forward, -, pan, tilt, -, left.
-  JoyOrders steer(bool pressed, float forward, float left = 0, float turn = 0) {
-    axes_ = {turn, forward, 0, 0, 0, 0, left};
-    return press({pressed ? 4 : 5});
+  // It has been used before, with a joystick that was then replaced by one with other parts.
+  JoySteeringTest() {
+    axes_.assign(7, 1.0F);
+    press({kDeadMan});
+    press({kWag, kDeadMan, kPicture, kRelease, kNod, kStop, kStand, kRest});
+    joy_.read({1, 1}, {1, 1});
+    axes_.assign(7, 0.0F);
+    press({});
   }
 
-  JoyOrders press(const std::vector<int>& pressed) {
+  std::string steer(bool pressed, float forward, float left = 0, float turn = 0) {
+    axes_[kForward] = forward;
+    axes_[kLeft] = left;
+    axes_[kTurn] = turn;
+    return press({pressed ? kDeadMan : kRelease});
+  }
+
+  std::string press(const std::vector<int>& pressed) {
     std::vector<int> buttons(8, 0);
     for (const int button : pressed) {
       buttons.at(static_cast<std::size_t>(button)) = 1;
     }
-    return joy_.read(axes_, buttons);
+    return describe(joy_.read(axes_, buttons));
   }
 
-  std::vector<float> axes_ = std::vector<float>(7, 0.0F);
+  std::vector<float> axes_;
   JoySteering joy_{mapping()};
 };
 
-TEST_F(JoySteeringTest, SteersWhileTheDeadManButtonIsPressed) {
-  EXPECT_FALSE(steer(false, 1).walk);
-  const auto velocity = steer(true, 1, -1, 1).walk;
-  ASSERT_TRUE(velocity);
-  EXPECT_DOUBLE_EQ(velocity->forward, 0.15);
-  EXPECT_DOUBLE_EQ(velocity->left, -0.06);
-  EXPECT_DOUBLE_EQ(velocity->turn, 1.0);
+TEST_F(JoySteeringTest, SteersWhileTheDeadManButtonIsPressedAndThenStopsOnce) {
+  EXPECT_EQ(steer(false, 1), "");
+  EXPECT_EQ(steer(true, 1, -1, 0.6F), "walk 0.2 -0.07 0.75,");
+  EXPECT_EQ(steer(false, 1), "walk 0 0 0,");
+  EXPECT_EQ(steer(false, 1), "") << "others may steer";
 }
 
-TEST_F(JoySteeringTest, StopsOnceWhenTheButtonIsLetGo) {
-  steer(true, 1);
-  const auto velocity = steer(false, 1).walk;
-  ASSERT_TRUE(velocity);
-  EXPECT_TRUE(velocity->isZero());
-  EXPECT_FALSE(steer(false, 1).walk) << "others may steer";
-}
-
-TEST_F(JoySteeringTest, TakesASmallDeflectionForNone) {
-  EXPECT_TRUE(steer(true, 0.09F).walk->isZero());
-  EXPECT_NEAR(steer(true, 0.55F).walk->forward, 0.075, 1e-6);
-  EXPECT_NEAR(steer(true, -0.55F).walk->forward, -0.075, 1e-6);
-  EXPECT_NEAR(steer(true, 7.0F).walk->forward, 0.15, 1e-6) << "not more than all of it";
-}
-
-TEST_F(JoySteeringTest, TakesWhatIsNotANumberForNone) {
-  EXPECT_TRUE(steer(true, std::nanf("")).walk->isZero());
+TEST_F(JoySteeringTest, TakesASmallDeflectionAndWhatIsNotANumberForNone) {
+  EXPECT_EQ(steer(true, 0.19F), "walk 0 0 0,");
+  EXPECT_EQ(steer(true, 0.6F), "walk 0.1 0 0,");
+  EXPECT_EQ(steer(true, -0.6F), "walk -0.1 0 0,");
+  EXPECT_EQ(steer(true, 7.0F), "walk 0.2 0 0,") << "not more than all of it";
+  EXPECT_EQ(steer(true, std::nanf("")), "walk 0 0 0,");
 }
 
 TEST_F(JoySteeringTest, TurnsTheHeadByTheOtherStick) {
-  axes_ = {0, 0, 0, 1, -0.55F, 0, 0};
-  EXPECT_FALSE(press({}).head) << "only with the dead-man button";
-  const auto head = press({4}).head;
-  ASSERT_TRUE(head);
-  EXPECT_DOUBLE_EQ(head->pan, 1.0);
-  EXPECT_NEAR(head->tilt, -0.5, 1e-6);
-  axes_[3] = 0;
-  EXPECT_TRUE(press({4}).head) << "up and down only";
-  std::swap(axes_[3], axes_[4]);
-  EXPECT_TRUE(press({4}).head) << "to the sides only";
-  axes_ = std::vector<float>(7, 0.0F);
-  EXPECT_FALSE(press({4}).head) << "others may move it";
+  axes_[kPan] = 1;
+  axes_[kTilt] = -0.6F;
+  EXPECT_EQ(press({}), "") << "only with the dead-man button";
+  EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,head 0.6 -0.3,");
+  axes_[kPan] = 0;
+  EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,head 0 -0.3,");
+  std::swap(axes_[kPan], axes_[kTilt]);
+  EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,head -0.3 0,");
+  axes_[kPan] = 0;
+  EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,") << "others may move it";
 }
 
 TEST_F(JoySteeringTest, StopsAtOnceAndDoesNotGoOnBeforeTheDeadManButtonWasLetGo) {
-  EXPECT_TRUE(press({1}).stop) << "without the dead-man button";
-  EXPECT_FALSE(press({1}).stop) << "once";
+  EXPECT_EQ(press({kStop}), "stop,") << "without the dead-man button";
+  EXPECT_EQ(press({kStop}), "") << "once";
   press({});
-  axes_[1] = 1;
-  EXPECT_FALSE(press({4}).walk->isZero());
-  const JoyOrders stopped = press({4, 1});
-  EXPECT_TRUE(stopped.stop);
-  EXPECT_TRUE(stopped.walk->isZero());
-  EXPECT_FALSE(press({4}).walk) << "the stick is still deflected";
+  axes_[kForward] = 1;
+  EXPECT_EQ(press({kDeadMan}), "walk 0.2 0 0,");
+  EXPECT_EQ(press({kDeadMan, kStop}), "walk 0 0 0,stop,");
+  EXPECT_EQ(press({kDeadMan}), "") << "the stick is still deflected";
   press({});
-  EXPECT_FALSE(press({4}).walk->isZero());
+  EXPECT_EQ(press({kDeadMan}), "walk 0.2 0 0,");
 }
 
-TEST(JoySteeringOfRelease, NeedsTheDeadManButtonAndThenThatItIsLetGo) {
-  JoyMapping with_release = mapping();
-  with_release.release_button = 5;
-  JoySteering joy(with_release);
-  const auto press = [&joy](int dead_man, int release) {
-    return joy.read({0, 1, 0, 0, 0, 0, 0}, {0, 0, 0, 0, dead_man, release, 0, 0});
-  };
-  EXPECT_FALSE(press(0, 1).release);
-  EXPECT_FALSE(press(1, 1).release) << "it was pressed before";
-  press(1, 0);
-  const JoyOrders released = press(1, 1);
-  EXPECT_TRUE(released.release);
-  EXPECT_TRUE(released.walk->isZero()) << "the stick is deflected";
-  EXPECT_FALSE(press(1, 1).release) << "once";
-  EXPECT_FALSE(press(1, 0).walk);
-  press(0, 0);
-  EXPECT_FALSE(press(1, 0).walk->isZero());
-}
-
-TEST(JoySteeringOfRelease, IsNoneWithAJoystickThatHasOtherParts) {
-  JoyMapping with_release = mapping();
-  with_release.release_button = 5;
-  JoySteering joy(with_release);
-  joy.read({0, 1}, {0, 0, 0, 0, 1, 0, 0, 0});
-  EXPECT_FALSE(joy.read({0, 1}, {0, 0, 0, 0, 1, 1, 0, 0}).release);
-}
-
-TEST(JoySteeringOfRelease, IsNoneTogetherWithAStop) {
-  JoyMapping with_release = mapping();
-  with_release.release_button = 5;
-  JoySteering joy(with_release);
-  joy.read({0, 0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 1, 0, 0, 0});
-  const JoyOrders both = joy.read({0, 0, 0, 0, 0, 0, 0}, {0, 1, 0, 0, 1, 1, 0, 0});
-  EXPECT_TRUE(both.stop);
-  EXPECT_FALSE(both.release);
+TEST_F(JoySteeringTest, ReleasesWithTheDeadManButtonWhichThenHasToBeLetGo) {
+  axes_[kForward] = 1;
+  EXPECT_EQ(press({kRelease}), "");
+  EXPECT_EQ(press({kDeadMan, kRelease}), "walk 0.2 0 0,") << "it was pressed before";
+  press({kDeadMan});
+  EXPECT_EQ(press({kDeadMan, kRelease}), "walk 0 0 0,release,") << "the stick is deflected";
+  EXPECT_EQ(press({kDeadMan, kRelease}), "") << "once";
+  EXPECT_EQ(press({kDeadMan}), "");
+  press({});
+  EXPECT_EQ(press({kDeadMan}), "walk 0.2 0 0,");
+  EXPECT_EQ(press({kDeadMan, kStop, kRelease}), "walk 0 0 0,stop,") << "no release together with a stop";
 }
 
 TEST_F(JoySteeringTest, GivesEachOrderOnceAndThoseThatMoveOnlyWithTheDeadManButton) {
-  EXPECT_TRUE(press({0, 2}).take_picture);
-  EXPECT_FALSE(press({0, 2}).take_picture);
-  press({});
-  EXPECT_EQ(press({2, 6}).motion, "");
-  press({});
-  EXPECT_EQ(press({2, 6}).posture, "");
-  press({4});
-  EXPECT_EQ(press({4, 3}).motion, "WAG");
-  EXPECT_EQ(press({4, 3}).motion, "");
-  EXPECT_EQ(press({4, 2}).motion, "NOD");
-  EXPECT_EQ(press({4, 7}).posture, "stand");
-  EXPECT_EQ(press({4, 6}).posture, "rest");
+  EXPECT_EQ(press({kPicture, kNod, kRest}), "picture,");
+  EXPECT_EQ(press({kPicture, kNod, kRest}), "");
+  press({kDeadMan});
+  EXPECT_EQ(press({kDeadMan, kWag}), "walk 0 0 0,WAG");
+  EXPECT_EQ(press({kDeadMan, kWag}), "walk 0 0 0,");
+  EXPECT_EQ(press({kDeadMan, kNod}), "walk 0 0 0,NOD");
+  EXPECT_EQ(press({kDeadMan, kStand}), "walk 0 0 0,stand");
+  EXPECT_EQ(press({kDeadMan, kStand}), "walk 0 0 0,");
+  EXPECT_EQ(press({kDeadMan, kRest}), "walk 0 0 0,rest");
 }
 
 TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
   EXPECT_EQ(joy_.problem(7, 8), "");
   EXPECT_THAT(joy_.problem(6, 8), HasSubstr("6 axes and 8 buttons, but its mapping names axis 6 and button 7"));
   EXPECT_THAT(joy_.problem(7, 7), HasSubstr("7 buttons"));
-  EXPECT_FALSE(joy_.read({1, 1}, {0, 0, 1, 1, 1}).walk);
-  EXPECT_TRUE(joy_.read({1, 1}, {0, 1, 1, 1, 1}).stop);
-  EXPECT_FALSE(joy_.read({1, 1}, {0, 1, 1, 1, 1}).stop) << "once";
+  const auto read = [this](const std::vector<int>& buttons) { return describe(joy_.read({1, 1}, buttons)); };
+  EXPECT_EQ(read({1, 1, 1, 0, 1, 0}), "");
+  EXPECT_EQ(read({1, 1, 1, 1, 1, 1}), "stop,");
+  EXPECT_EQ(read({1, 1, 1, 1, 1, 1}), "") << "once";
+  EXPECT_EQ(read({1, 1, 1, 0, 1, 0}), "");
+  EXPECT_EQ(read({1, 1, 1, 1, 1, 0}), "") << "it does not release";
+  press({});
   steer(true, 1);
-  const JoyOrders orders = joy_.read({1, 1}, {1, 1, 1, 1, 1});
-  ASSERT_TRUE(orders.walk);
-  EXPECT_TRUE(orders.walk->isZero());
-  EXPECT_FALSE(orders.take_picture);
+  EXPECT_EQ(read({1, 1, 1, 1, 1, 0}), "walk 0 0 0,");
 }
 
 TEST(JoyMappingTest, NamesNoPartThatTheJoystickDoesNotHave) {

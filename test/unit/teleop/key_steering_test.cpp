@@ -17,37 +17,44 @@ class KeySteeringTest : public ::testing::Test {
     EXPECT_DOUBLE_EQ(velocity.turn, turn) << key;
   }
 
+  void expectSpeeds(char key, double forward, double left, double turn) {
+    EXPECT_TRUE(keys_.press(key, now_));
+    EXPECT_NEAR(keys_.speeds().forward, forward, 1e-12) << key;
+    EXPECT_NEAR(keys_.speeds().left, left, 1e-12) << key;
+    EXPECT_NEAR(keys_.speeds().turn, turn, 1e-12) << key;
+  }
+
   KeySteering::TimePoint now_{milliseconds(1000)};
-  KeySteering keys_{{0.1, 0.05, 0.5}, milliseconds(800)};
+  KeySteering keys_{{0.2, 0.05, 0.7}, milliseconds(600)};
 };
 
 TEST_F(KeySteeringTest, GoesWhereTheKeyIsSeenFromK) {
-  expect('i', 0.1, 0, 0);
-  expect('u', 0.1, 0, 0.5);
-  expect('o', 0.1, 0, -0.5);
-  expect('j', 0, 0, 0.5);
-  expect('l', 0, 0, -0.5);
-  expect('m', -0.1, 0, -0.5);
-  expect(',', -0.1, 0, 0);
-  expect('.', -0.1, 0, 0.5);
+  expect('i', 0.2, 0, 0);
+  expect('u', 0.2, 0, 0.7);
+  expect('o', 0.2, 0, -0.7);
+  expect('j', 0, 0, 0.7);
+  expect('l', 0, 0, -0.7);
+  expect('m', -0.2, 0, -0.7);
+  expect(',', -0.2, 0, 0);
+  expect('.', -0.2, 0, 0.7);
 }
 
 TEST_F(KeySteeringTest, GoesAlsoByTheArrowKeys) {
-  expect(kArrowUp, 0.1, 0, 0);
-  expect(kArrowDown, -0.1, 0, 0);
-  expect(kArrowLeft, 0, 0, 0.5);
-  expect(kArrowRight, 0, 0, -0.5);
+  expect(kArrowUp, 0.2, 0, 0);
+  expect(kArrowDown, -0.2, 0, 0);
+  expect(kArrowLeft, 0, 0, 0.7);
+  expect(kArrowRight, 0, 0, -0.7);
 }
 
 TEST_F(KeySteeringTest, GoesSidewaysWithCapitals) {
   expect('J', 0, 0.05, 0);
   expect('L', 0, -0.05, 0);
-  expect('I', 0.1, 0, 0);
-  expect('U', 0.1, 0.05, 0);
-  expect('O', 0.1, -0.05, 0);
-  expect('M', -0.1, 0.05, 0);
-  expect('<', -0.1, 0, 0);
-  expect('>', -0.1, -0.05, 0);
+  expect('I', 0.2, 0, 0);
+  expect('U', 0.2, 0.05, 0);
+  expect('O', 0.2, -0.05, 0);
+  expect('M', -0.2, 0.05, 0);
+  expect('<', -0.2, 0, 0);
+  expect('>', -0.2, -0.05, 0);
 }
 
 TEST_F(KeySteeringTest, StopsByEveryOtherKey) {
@@ -60,10 +67,10 @@ TEST_F(KeySteeringTest, StopsByEveryOtherKey) {
 TEST_F(KeySteeringTest, GoesOnlyAsLongAsAKeyIsHeldDown) {
   EXPECT_TRUE(keys_.velocity(now_).isZero()) << "no key was pressed yet";
   keys_.press('i', now_);
-  EXPECT_FALSE(keys_.velocity(now_ + milliseconds(799)).isZero());
-  EXPECT_TRUE(keys_.velocity(now_ + milliseconds(800)).isZero());
-  keys_.press('i', now_ + milliseconds(700));
-  EXPECT_FALSE(keys_.velocity(now_ + milliseconds(1400)).isZero());
+  EXPECT_FALSE(keys_.velocity(now_ + milliseconds(599)).isZero());
+  EXPECT_TRUE(keys_.velocity(now_ + milliseconds(600)).isZero());
+  keys_.press('i', now_ + milliseconds(500));
+  EXPECT_FALSE(keys_.velocity(now_ + milliseconds(1000)).isZero());
   KeySteering latching({}, milliseconds(0));
   latching.press('i', now_);
   EXPECT_FALSE(latching.velocity(now_ + milliseconds(100000)).isZero());
@@ -71,29 +78,20 @@ TEST_F(KeySteeringTest, GoesOnlyAsLongAsAKeyIsHeldDown) {
 
 TEST_F(KeySteeringTest, ChangesItsSpeedsAndGoesOn) {
   keys_.press('i', now_);
-  EXPECT_TRUE(keys_.press('w', now_));
-  EXPECT_NEAR(keys_.velocity(now_).forward, 0.11, 1e-12);
-  EXPECT_NEAR(keys_.speeds().left, 0.055, 1e-12);
-  EXPECT_NEAR(keys_.speeds().turn, 0.5, 1e-12);
-  EXPECT_TRUE(keys_.press('c', now_));
-  EXPECT_NEAR(keys_.speeds().turn, 0.45, 1e-12);
-  EXPECT_TRUE(keys_.press('x', now_));
-  EXPECT_TRUE(keys_.press('e', now_));
-  EXPECT_NEAR(keys_.speeds().forward, 0.099, 1e-12);
-  EXPECT_NEAR(keys_.speeds().turn, 0.495, 1e-12);
-  EXPECT_TRUE(keys_.press('q', now_));
-  EXPECT_NEAR(keys_.speeds().forward, 0.1089, 1e-12);
-  EXPECT_NEAR(keys_.speeds().turn, 0.5445, 1e-12);
-  EXPECT_TRUE(keys_.press('z', now_));
-  EXPECT_NEAR(keys_.speeds().forward, 0.09801, 1e-12);
-  EXPECT_NEAR(keys_.speeds().turn, 0.49005, 1e-12);
+  expectSpeeds('w', 0.22, 0.055, 0.7);
+  EXPECT_NEAR(keys_.velocity(now_).forward, 0.22, 1e-12);
+  expectSpeeds('c', 0.22, 0.055, 0.63);
+  expectSpeeds('x', 0.198, 0.0495, 0.63);
+  expectSpeeds('e', 0.198, 0.0495, 0.693);
+  expectSpeeds('q', 0.2178, 0.05445, 0.7623);
+  expectSpeeds('z', 0.19602, 0.049005, 0.68607);
   EXPECT_FALSE(keys_.press('i', now_));
 }
 
 TEST_F(KeySteeringTest, DoesNotGoOnWhenTheSpeedsAreChangedAfterAKeyWasLetGo) {
   keys_.press('i', now_);
-  keys_.press('q', now_ + milliseconds(900));
-  EXPECT_TRUE(keys_.velocity(now_ + milliseconds(900)).isZero());
+  keys_.press('q', now_ + milliseconds(700));
+  EXPECT_TRUE(keys_.velocity(now_ + milliseconds(700)).isZero());
 }
 
 }  // namespace

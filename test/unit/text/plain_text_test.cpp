@@ -50,6 +50,9 @@ TEST(PlainText, ThreeOfAMillionAreShown) {
   EXPECT_EQ(names.text(), "tail?");
   for (int i = 1; i < 1'000'000; ++i) {
     names.add("joint" + std::to_string(i));
+    if (i == 3) {
+      EXPECT_EQ(names.text("; "), "tail?; joint1; joint2 and 1 more");
+    }
   }
   EXPECT_EQ(names.text(), "tail?, joint1, joint2 and 999997 more");
   EXPECT_EQ(names.count(), 1'000'000U);
