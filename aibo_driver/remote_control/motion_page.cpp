@@ -36,7 +36,10 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   grid->setColumnStretch(0, 1);
   grid->setRowStretch(4, 1);
   connect(list_, &QListWidget::currentTextChanged, name_, &QLineEdit::setText);
-  connect(list_, &QListWidget::itemDoubleClicked, this, [this] { play(); });
+  connect(list_, &QListWidget::itemDoubleClicked, this, [this](const QListWidgetItem* item) {
+    name_->setText(item->text());  // another name may have been written since the item was chosen
+    play();
+  });
   connect(name_, &QLineEdit::returnPressed, this, [this] { play(); });
   connect(&robot, &Robot::motionsListed, this, &MotionPage::showMotions);
   connect(&robot, &Robot::movementChanged, this,

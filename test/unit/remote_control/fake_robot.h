@@ -39,6 +39,10 @@ class FakeRobot : public Robot {
     RobotConnection connection;
     connection.state = state;
     connection.name_space = "/aibo";
+    if (connection.hasDriver()) {
+      connection.robot = "ERS-7";
+      connection.address = "robot:54321";
+    }
     connection.text = text;
     Q_EMIT connectionChanged(connection);
   }

@@ -116,6 +116,13 @@ class RemoteControlTest : public ::testing::Test {
   // Qt deletes some widgets only in its event loop.
   static void deleteLeftovers() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
 
+  // Until everything is laid out and painted.
+  static void settle() {
+    for (int round = 0; round < 4; ++round) {
+      QCoreApplication::processEvents();
+    }
+  }
+
   QPoint placeOn(const QWidget* pad, double x, double y) {
     const double half = std::min(pad->width(), pad->height()) / 2.0 - 1;
     return QPoint(qRound(pad->width() / 2.0 + x * half), qRound(pad->height() / 2.0 - y * half));
@@ -142,8 +149,10 @@ TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   EXPECT_EQ(click("Stop motions"), QStringList("stop motions"));
   EXPECT_EQ(click("List again"), QStringList("list"));
   open("Lights");
-  EXPECT_EQ(click("back on"), QStringList("back 1"));
-  EXPECT_EQ(click("all off"), QStringList("all 0"));
+  for (const QString group : {"face", "back", "head", "all"}) {
+    EXPECT_EQ(click(group + " on"), QStringList(group + " 1"));
+    EXPECT_EQ(click(group + " off"), QStringList(group + " 0"));
+  }
   EXPECT_EQ(click("Left ear"), QStringList("ears 1 0"));
   EXPECT_EQ(click("Right ear"), QStringList("ears 0 1"));
   EXPECT_EQ(click("Both ears"), QStringList("ears 1 1"));
@@ -569,6 +578,10 @@ TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConne
   EXPECT_TRUE(is_marked(pad->measured()->x(), pad->measured()->y()));
   EXPECT_FALSE(is_marked(-pad->measured()->x(), pad->measured()->y()));
   EXPECT_FALSE(is_marked(pad->measured()->x(), -pad->measured()->y()));
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.1}});
+  EXPECT_LT(pad->measured()->y(), 0) << "it nods";
+  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.4}, {"head_tilt", 0.1}});
+  EXPECT_NEAR(pad->measured()->x(), -0.25, 0.03);
   const QPointF before = *pad->measured();
   Q_EMIT robot_.jointsMeasured({{"head_pan", -0.8}});
   Q_EMIT robot_.jointsMeasured({{"head_tilt", -0.2}});
@@ -610,8 +623,8 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
   const double scale = std::min(view->width() / 208.0, view->height() / 160.0);
   const QPoint half(qRound(208 * scale / 2), qRound(160 * scale / 2));
-  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half * 0.6);
-  EXPECT_EQ(robot_.take(), QStringList("look 0.2 0.2"));
+  QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - QPoint(half.x() * 6 / 10, half.y() * 2 / 10));
+  EXPECT_EQ(robot_.take(), QStringList("look 0.2 0.4"));
   QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() - half - QPoint(3, 0));
   EXPECT_EQ(robot_.take(), QStringList()) << "beside the picture";
   Q_EMIT robot_.streamingChanged(false);
@@ -630,8 +643,8 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
 TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
   robot_.connectIt();
   Q_EMIT robot_.streamingChanged(true);
+  settle();  // a view that gets another size is painted as a whole
   QImage picture(208, 160, QImage::Format_RGB32);
-  picture.fill(Qt::red);
   auto* view = window_.findChild<PictureView*>();
   const auto shows = [view](const QPoint& place) { return view->grab().toImage().pixelColor(place); };
   const QPoint corner =
@@ -652,7 +665,7 @@ TEST_F(RemoteControlTest, ThePictureFillsTheMiddleOfItsRoom) {
   const QPoint center = view->rect().center();
   EXPECT_TRUE(is_on_screen(center - QPoint(0, 60), Qt::blue));
   const QColor background = shows(corner);
-  for (const QSize& size : {QSize(208, 40), QSize(20, 160), QSize(208, 160)}) {
+  for (const QSize& size : {QSize(20, 160), QSize(208, 160), QSize(208, 40)}) {
     QImage other(size, QImage::Format_RGB32);
     other.fill(Qt::green);
     Q_EMIT robot_.pictureArrived(other);
@@ -745,11 +758,11 @@ TEST_F(RemoteControlTest, MotionsAreListedOnceForAConnectionAndPlayedByDoubleCli
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 1"));
   find<QWidget>("Motions")->findChild<QSpinBox*>()->setValue(3);
   EXPECT_EQ(click("Play"), QStringList("play WAG.MTN 3"));
-  Q_EMIT find<QListWidget>("motions")->itemDoubleClicked(find<QListWidget>("motions")->item(1));
-  EXPECT_EQ(robot_.take(), QStringList("play WAG.MTN 3"));
   find<QLineEdit>("motion_name")->setText(" SIT.MTN ");
   QTest::keyClick(find<QLineEdit>("motion_name"), Qt::Key_Return);
   EXPECT_EQ(robot_.take(), QStringList("play SIT.MTN 3"));
+  Q_EMIT find<QListWidget>("motions")->itemDoubleClicked(find<QListWidget>("motions")->item(1));
+  EXPECT_EQ(robot_.take(), QStringList("play WAG.MTN 3")) << "what was written before does not count";
   find<QLineEdit>("motion_name")->setText(" ");
   EXPECT_EQ(click("Play"), QStringList()) << "no name";
   Q_EMIT robot_.movementChanged("motion WAG.MTN", true);
@@ -1006,7 +1019,10 @@ TEST_F(RemoteControlTest, TouchedPlacesLightUp) {
 TEST_F(RemoteControlTest, DistancesAreShownAlsoAtTheirLimits) {
   robot_.connectIt();
   open("Sensors");
+  Q_EMIT robot_.distanceMeasured({"far", 0.3, 1.5});
   Q_EMIT robot_.distanceMeasured({"near", 0.25, 0.5});
+  EXPECT_EQ(find<QProgressBar>("range_far")->format(), "far: 0.30 m");
+  EXPECT_EQ(find<QProgressBar>("range_far")->value(), 20);
   auto* bar = find<QProgressBar>("range_near");
   EXPECT_EQ(bar->format(), "near: 0.25 m");
   EXPECT_EQ(bar->value(), 50);
@@ -1105,7 +1121,7 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   open("Camera");
   Q_EMIT robot_.settingsChanged(
       {{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", false}, {"speed_scale", 1.0}, {"telemetry_rate", 20.0}});
-  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 1, 100, {}},
+  Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", Setting::Kind::kInteger, 5, 95, {}},
                                    {"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}},
                                    {"auto_exposure", "", Setting::Kind::kSwitch, 0, 0, {}},
                                    {"speed_scale", "", Setting::Kind::kNumber, 0.1, 1, {}},
@@ -1124,7 +1140,9 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   find<QDoubleSpinBox>("speed_scale")->setValue(-3);
   EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.1"));
   find<QSpinBox>("jpeg_quality")->setValue(999);
-  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 100"));
+  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 95"));
+  find<QSpinBox>("jpeg_quality")->setValue(-3);
+  EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 5"));
   find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 60"));
   find<QSpinBox>("jpeg_quality")->selectAll();
@@ -1132,11 +1150,11 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   EXPECT_EQ(robot_.take(), QStringList()) << "no wish for 4";
   QTest::keyClick(find<QSpinBox>("jpeg_quality"), Qt::Key_Return);
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 42"));
-  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}, {"gain", 2}, {"auto_exposure", true}, {"speed_scale", 0.5}});
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 70}, {"gain", 2}, {"auto_exposure", true}, {"speed_scale", 0.35}});
   EXPECT_EQ(find<QSpinBox>("jpeg_quality")->value(), 70);
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
   EXPECT_TRUE(find<QCheckBox>("auto_exposure")->isChecked());
-  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.5);
+  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.35);
   Q_EMIT robot_.settingsChanged({{"auto_exposure", false}});
   EXPECT_FALSE(find<QCheckBox>("auto_exposure")->isChecked());
   EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";

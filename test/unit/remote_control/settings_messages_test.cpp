@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <tuple>
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -32,14 +33,21 @@ TEST(SettingsMessages, EachOfTheDriversSettingsIsThere) {
 }
 
 TEST(SettingsMessages, NumbersHaveTheirRange) {
-  EXPECT_EQ(settingOf("jpeg_quality").kind, Setting::Kind::kInteger);
-  EXPECT_EQ(settingOf("jpeg_quality").lowest, 1);
-  EXPECT_EQ(settingOf("jpeg_quality").highest, 100);
-  EXPECT_EQ(settingOf("telemetry_rate").kind, Setting::Kind::kNumber);
-  EXPECT_EQ(settingOf("telemetry_rate").lowest, 0.25);
-  EXPECT_EQ(settingOf("telemetry_rate").highest, 31.25);
-  EXPECT_EQ(settingOf("auto_exposure").kind, Setting::Kind::kSwitch);
-  EXPECT_FALSE(settingOf("auto_exposure").description.isEmpty());
+  const auto parameters = AiboDriverConfig::__getDescriptionMessage__().groups.at(0).parameters;
+  const std::tuple<QString, Setting::Kind, double, double> numbers[] = {
+      {"jpeg_quality", Setting::Kind::kInteger, 1, 100},
+      {"telemetry_rate", Setting::Kind::kNumber, 0.25, 31.25},
+      {"auto_exposure", Setting::Kind::kSwitch, 0, 0}};
+  for (const auto& [name, kind, lowest, highest] : numbers) {
+    const Setting setting = settingOf(name);
+    EXPECT_EQ(setting.kind, kind) << name.toStdString();
+    EXPECT_EQ(setting.lowest, lowest) << name.toStdString();
+    EXPECT_EQ(setting.highest, highest) << name.toStdString();
+    const auto parameter = std::find_if(parameters.begin(), parameters.end(), [&setting](const auto& each) {
+      return each.name == setting.name.toStdString();
+    });
+    EXPECT_EQ(setting.description.toStdString(), parameter->description);
+  }
 }
 
 TEST(SettingsMessages, ChoicesHaveAllTheirValues) {
@@ -80,9 +88,18 @@ TEST(SettingsMessages, ATextThatIsNoChoiceIsLeftOut) {
 }
 
 TEST(SettingsMessages, AChangeComesBackAsItsValue) {
-  for (const QVariant& value : {QVariant(7), QVariant(0.5), QVariant(true), QVariant("208x160")}) {
-    EXPECT_EQ(valuesIn(changeOf("name", value)), (SettingValues{{"name", value}}));
+  dynamic_reconfigure::Config all;
+  const SettingValues values{{"a", 7},     {"b", -3},   {"c", 0.5},       {"d", 0.25},
+                             {"e", false}, {"f", true}, {"g", "208x160"}, {"h", ""}};
+  for (auto value = values.begin(); value != values.end(); ++value) {
+    const auto change = changeOf(value.key(), value.value());
+    EXPECT_EQ(valuesIn(change), (SettingValues{{value.key(), value.value()}}));
+    all.ints.insert(all.ints.end(), change.ints.begin(), change.ints.end());
+    all.doubles.insert(all.doubles.end(), change.doubles.begin(), change.doubles.end());
+    all.bools.insert(all.bools.end(), change.bools.begin(), change.bools.end());
+    all.strs.insert(all.strs.end(), change.strs.begin(), change.strs.end());
   }
+  EXPECT_EQ(valuesIn(all), values);
 }
 
 }  // namespace
