@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "aibo_client/options.h"
 #include "remote_control/from_ros.h"
 #include "remote_control/settings_messages.h"
 
@@ -222,7 +223,7 @@ RobotConnection RosRobot::connectionNow() const {
   }
   now.state = toState(message->state);
   now.robot = fromRos(message->robot);
-  now.address = fromRos(message->host) + ":" + QString::number(message->port);
+  now.address = fromRos(aibo_client::addressText(message->host, message->port));
   now.protocol_version = message->protocol_version;
   now.text = fromRos(message->text);
   return now;

@@ -37,6 +37,7 @@
 #include <QApplication>
 #include <QBuffer>
 #include <QComboBox>
+#include <QDateTime>
 #include <QDir>
 #include <QLabel>
 #include <QLayout>
@@ -392,7 +393,8 @@ class ToldTest : public ::testing::Test {
     QObject::connect(&robot_, &RosRobot::connectionChanged,
                      [this](const auto& now) { note("connection " + now.text); });
     QObject::connect(&robot_, &RosRobot::conditionChanged, [this](const auto& now) {
-      note(QString("condition %1 %2 %3").arg(int(now.motors)).arg(int(now.posture)).arg(now.stopped_by));
+      note(QString("condition %1 %2 ").arg(int(now.motors)).arg(int(now.posture)) +
+           (now.is_stopped ? "stopped by " : "") + now.stopped_by);
     });
     QObject::connect(&robot_, &RosRobot::linkMeasured, [this](const auto& link) {
       note(QString("link %1 %2 %3").arg(link.pictures_per_second).arg(link.age).arg(link.lost));
@@ -431,6 +433,10 @@ class ToldTest : public ::testing::Test {
   void connect(const QString& text, std::uint8_t state = Connection::CONNECTED) {
     Connection connection;
     connection.state = state;
+    connection.robot = "ERS-210";
+    connection.host = "fe80::7";
+    connection.port = 54399;
+    connection.protocol_version = 1;
     connection.text = text.toStdString();
     tell("connection", connection);
   }
@@ -444,7 +450,7 @@ class ToldTest : public ::testing::Test {
     QBuffer buffer(&bytes);
     EXPECT_TRUE(image.save(&buffer, "JPG", 95));
     sensor_msgs::CompressedImage message;
-    message.header.stamp = ros::Time(seconds, 0);
+    message.header.stamp = ros::Time(seconds, 250'000'000);
     message.data.assign(bytes.begin(), bytes.end());
     return message;
   }
@@ -476,7 +482,8 @@ class ToldTest : public ::testing::Test {
       if constexpr (std::is_same_v<Service, TakePicture>) {
         response.image = may_ ? picture() : response.image;
       } else if constexpr (std::is_same_v<Service, ListMotions>) {
-        response.names.assign(may_ ? 1 : 0, "NOD.MTN");
+        response.names = {"NOD.MTN", "WAG.MTN"};
+        response.names.resize(may_ ? 2 : 0);
       }
       return true;
     };
@@ -543,19 +550,21 @@ TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
     RobotState state;
     state.motors = static_cast<std::uint8_t>(posture % 3);
     state.posture = static_cast<std::uint8_t>(posture);
-    state.stopped_by = "/anna";
+    state.stopped = static_cast<std::uint8_t>(posture % 2);
+    state.stopped_by = "/anna_" + std::to_string(posture);
     tell("robot_state", state);
-    EXPECT_TRUE(hears(QString("condition %1 %2 /anna").arg(posture % 3).arg(posture)));
+    EXPECT_TRUE(hears(QString("condition %1 %2 ").arg(posture % 3).arg(posture) +
+                      (posture % 2 == 1 ? "stopped by " : "") + QString("/anna_%1").arg(posture)));
   }
   link_.pictures_per_second = 12.5F;
   link_.age = 0.25F;
   link_.lost = 0.125F;
   EXPECT_TRUE(hears("link 12.5 0.25 0.125"));
   sensor_msgs::BatteryState battery;
-  battery.percentage = 0.5F;
-  battery.temperature = 31;
+  battery.percentage = 0.75F;
+  battery.temperature = 38.5F;
   tell("battery", battery);
-  EXPECT_TRUE(hears("battery 0.5 31"));
+  EXPECT_TRUE(hears("battery 0.75 38.5"));
   std_msgs::Bool streams;
   streams.data = 1;
   tell("streaming", streams);
@@ -566,14 +575,17 @@ TEST_F(ToldTest, TheWindowHearsWhatTheDriverSays) {
   tell("led_states", leds);
   EXPECT_TRUE(hears("leds back=0.75 face_1=0.25"));
   using State = RobotConnection::State;
-  State seen = State::kConnected;
-  QObject::connect(&robot_, &RosRobot::connectionChanged, [&seen](const RobotConnection& now) { seen = now.state; });
+  RobotConnection seen;
+  QObject::connect(&robot_, &RosRobot::connectionChanged, [&seen](const RobotConnection& now) { seen = now; });
   for (const auto& [told, state] : {std::pair<int, State>(Connection::CONNECTING, State::kConnecting),
                                     {Connection::PLAYBACK, State::kPlayback},
                                     {Connection::DISCONNECTED, State::kDisconnected}}) {
     connect(QString("state %1").arg(told), static_cast<std::uint8_t>(told));
     EXPECT_TRUE(hears(QString("connection state %1").arg(told)));
-    EXPECT_EQ(seen, state) << told;
+    EXPECT_EQ(seen.state, state) << told;
+    EXPECT_EQ(seen.protocol_version, 1);
+    EXPECT_EQ(QStringList({seen.name_space, seen.robot, seen.address}),
+              QStringList({kTold, "ERS-210", "[fe80::7]:54399"}));
   }
 }
 
@@ -725,12 +737,12 @@ TEST_F(ToldTest, TheWindowHearsOfSensorsAndPicturesWhileSomebodyLooks) {
   tell("touch", Touch());
   EXPECT_TRUE(hears("touched chin,head")) << "however short it is";
   EXPECT_TRUE(hears("touched "));
+  sensor_msgs::Range range;
   for (const char* name : {"near", "far", "chest", "head"}) {
-    sensor_msgs::Range range;
-    range.range = 0.25F;
-    range.max_range = 1.5F;
+    range.range += 0.25F;
+    range.max_range += 1.5F;
     tell(std::string("range/") + name, range);
-    EXPECT_TRUE(hears(name + QString(" 0.25 1.5")));
+    EXPECT_TRUE(hears(QString("%1 %2 %3").arg(name).arg(range.range).arg(range.max_range)));
   }
   sensor_msgs::JointState joints;
   joints.name = {"mouth", "torn"};
@@ -794,10 +806,10 @@ TEST_F(ToldTest, TheDriverHearsWhatTheWindowWants) {
   EXPECT_EQ(twist->linear.y, 0.2);
   EXPECT_EQ(twist->angular.z, -0.3);
   const auto joints = commands<sensor_msgs::JointState>("joint_command", [this] {
-    robot_.moveJoints({{"head_pan", 0.5}, {"mouth", -0.25}});
+    robot_.moveJoints({{"head_pan", 0.5}, {"mouth", -0.25}, {"tail_pan", 0.75}});
   });
-  EXPECT_THAT(joints->name, ElementsAre("head_pan", "mouth"));
-  EXPECT_THAT(joints->position, ElementsAre(0.5, -0.25));
+  EXPECT_THAT(joints->name, ElementsAre("head_pan", "mouth", "tail_pan"));
+  EXPECT_THAT(joints->position, ElementsAre(0.5, -0.25, 0.75));
   EXPECT_THAT(joints->velocity, ::testing::IsEmpty()) << "as fast as the driver allows";
   EXPECT_FALSE(joints->header.stamp.isZero());
   EXPECT_EQ(notes_.filter("no, ").size(), 0) << notes_.join("; ").toStdString();
@@ -881,9 +893,10 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   });
   const auto config = [](int gain) {
     Config values;
-    values.ints.resize(1);
-    values.ints[0].name = "gain";
-    values.ints[0].value = gain;
+    values.ints.resize(2);
+    values.ints[0].name = "balance";
+    values.ints[1].name = "gain";
+    values.ints[1].value = gain;
     return values;
   };
   dynamic_reconfigure::ConfigDescription description;
@@ -898,7 +911,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   tell("driver/parameter_descriptions", description);
   tell("driver/parameter_updates", config(5));
   EXPECT_TRUE(hears("describes gain"));
-  EXPECT_TRUE(hears("set gain 5"));
+  EXPECT_TRUE(hears("set balance,gain 5"));
   robot_.show(Part::kSensors, true);
   tell("touch", Touch());
   EXPECT_TRUE(hears("touched "));
@@ -910,7 +923,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   };
   services_.push_back(ros::NodeHandle(kTold).advertiseService("driver/set_parameters", answer));
   robot_.changeSetting("gain", 9);
-  EXPECT_TRUE(hears("set gain 8")) << "the driver's word counts";
+  EXPECT_TRUE(hears("set balance,gain 8")) << "the driver's word counts";
   EXPECT_TRUE(hears("yes, gain is 8"));
   EXPECT_EQ(descriptions, 1) << "a form that is made again loses what the user writes";
   serve<ListMotions>("list_motions", [](const auto&) { return QString(); });
@@ -930,6 +943,7 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
 
 TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
   const TemporaryFolder folder;
+  const QDateTime begin = QDateTime::currentDateTime();
   const auto ask = [&] {
     robot_.takePicture(QString::fromStdString(folder.path().string()));
     robot_.listMotions();
@@ -952,11 +966,15 @@ TEST_F(ToldTest, AFailureBringsNoPictureAndLeavesTheListOfMotions) {
   EXPECT_TRUE(QTest::qWaitFor(
       [&] {
         ask();  // again, because the first calls may not be quite over
-        return taken >= 3 && notes_.contains("taken 104") && notes_.contains("has NOD.MTN");
+        return taken >= 3 && notes_.contains("taken 104") && notes_.contains("has NOD.MTN,WAG.MTN");
       },
       kTimeout));
-  EXPECT_GE(QDir(QString::fromStdString(folder.path().string())).entryList(QDir::Files).size(), taken)
-      << "each has a file of its own";
+  const QStringList files = QDir(QString::fromStdString(folder.path().string())).entryList(QDir::Files);
+  EXPECT_GE(files.size(), taken) << "each has a file of its own";
+  for (const QString& file : files) {
+    const QDateTime time = QDateTime::fromString(file, "'aibo_'yyyy-MM-dd_HH-mm-ss.zzz'.jpg'");
+    EXPECT_TRUE(begin <= time && time <= QDateTime::currentDateTime()) << file.toStdString();
+  }
   EXPECT_FALSE(notes_.contains("taken 0")) << "an empty file";
   EXPECT_FALSE(notes_.contains("has "));
 }
@@ -976,18 +994,18 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   camera.header.frame_id = "eye";
   camera.width = 208;
   camera.height = 160;
-  camera.K = {200, 0, 104, 0, 100, 80, 0, 0, 1};
+  camera.K = {200, 0, 98, 0, 100, 85, 0, 0, 1};  // the lens is not quite in the middle
   tell("camera/camera_info", camera);
   tell("camera/image_raw/compressed", picture());
   EXPECT_TRUE(hears("picture 104x80 red blue"));
   const auto point = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.75, 0.25}); });
   EXPECT_EQ(point->header.frame_id, "eye");
-  EXPECT_DOUBLE_EQ(point->point.x, 0.26);
-  EXPECT_DOUBLE_EQ(point->point.y, -0.4);
+  EXPECT_DOUBLE_EQ(point->point.x, 0.29);
+  EXPECT_DOUBLE_EQ(point->point.y, -0.45);
   EXPECT_DOUBLE_EQ(point->point.z, 1);
   EXPECT_TRUE(QTest::qWaitFor([&] { return publishers_["camera/camera_info"].getNumSubscribers() == 0; }, kTimeout))
       << "it is needed only once";
-  EXPECT_EQ(point->header.stamp, ros::Time(5)) << "where the camera was then";
+  EXPECT_EQ(point->header.stamp, picture().header.stamp) << "where the camera was then";
   LookAtResult result;
   const auto answer = [&](const std_msgs::Header& header, const std::string& message, bool success = true) {
     result.header = header;
@@ -999,7 +1017,7 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   stranger.frame_id = "base_link";
   answer(stranger, "no point of this window");
   stranger = point->header;
-  stranger.stamp = ros::Time(1234);
+  stranger.stamp = ros::Time(5);
   answer(stranger, "nor this one");
   answer(point->header, "the head turns");
   EXPECT_TRUE(hears("yes, look there: the head turns"));
@@ -1013,9 +1031,10 @@ TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
   tell("streaming", std_msgs::Bool());
   EXPECT_TRUE(hears("streams not")) << "the damaged picture has come, too";
   const auto next = commands<geometry_msgs::PointStamped>("look_at", [this] { robot_.lookAt({0.25, 0.75}); });
-  EXPECT_DOUBLE_EQ(next->point.x, -0.26);
-  EXPECT_DOUBLE_EQ(next->point.y, 0.4);
-  EXPECT_EQ(next->header.stamp, ros::Time(6)) << "where the camera was when it took the picture that is shown";
+  EXPECT_DOUBLE_EQ(next->point.x, -0.23);
+  EXPECT_DOUBLE_EQ(next->point.y, 0.35);
+  EXPECT_EQ(next->header.stamp, picture(6).header.stamp)
+      << "where the camera was when it took the picture that is shown";
   answer(point->header, "an answer to the first click");
   answer(next->header, "out of reach", false);
   EXPECT_TRUE(hears("no, look there: out of reach"));
