@@ -54,8 +54,8 @@ class HearTest(unittest.TestCase):
 
     def test_starts_another_player_for_another_format(self):
         self.assertEqual(self.heard(sound([1]), sound([2, 3], channels=2), sound([5, 6], channels=2),
-                                    sound([4], rate=8000)),
-                         {'16000-1': [1], '16000-2': [2, 3, 5, 6], '8000-1': [4]})
+                                    sound([4, 7], rate=8000, channels=2)),
+                         {'16000-1': [1], '16000-2': [2, 3, 5, 6], '8000-2': [4, 7]})
 
     def test_leaves_out_what_no_robot_hears(self):
         self.assertEqual(self.heard(sound([1], rate=4000000000, missing=4000000000), sound([], channels=0), sound([5])),
