@@ -13,7 +13,6 @@ class HeadSteeringTest : public ::testing::Test {
   HeadSteeringTest() {
     head_.measured({1.2, 0.6});
     steer(1, -1);
-    steer(1, -1);
     head_.steer(std::nullopt, now_);
   }
 

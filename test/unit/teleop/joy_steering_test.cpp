@@ -12,38 +12,25 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// The places of axes and buttons.
-constexpr int kLeft = 0;
-constexpr int kTurn = 2;
-constexpr int kTilt = 3;
-constexpr int kForward = 5;
-constexpr int kPan = 6;
-constexpr int kWag = 0;
-constexpr int kDeadMan = 1;
-constexpr int kPicture = 2;
-constexpr int kRelease = 3;
-constexpr int kNod = 4;
-constexpr int kStop = 5;
-constexpr int kStand = 6;
-constexpr int kRest = 7;
+enum Axis { kLeft, kNothing, kTurn, kTilt, kNothingElse, kForward, kPan };
+enum Button { kWag, kDeadMan, kPicture, kRelease, kNod, kStop, kStand, kRest };
 
+// Nothing is where it usually is, and no two values are the same.
 JoyMapping mapping() {
-  JoyMapping mapping;
-  mapping.forward_axis = kForward;
-  mapping.turn_axis = kTurn;
-  mapping.left_axis = kLeft;
-  mapping.pan_axis = kPan;
-  mapping.tilt_axis = kTilt;
-  mapping.dead_man_button = kDeadMan;
-  mapping.stop_button = kStop;
-  mapping.release_button = kRelease;
-  mapping.picture_button = kPicture;
-  mapping.motions = {{"NOD", kNod}, {"WAG", kWag}};
-  mapping.postures = {{"rest", kRest}, {"stand", kStand}};
-  mapping.speeds = {0.2, 0.07, 1.5};
-  mapping.head_speed = 0.6;
-  mapping.dead_zone = 0.2;
-  return mapping;
+  return {kDeadMan,
+          kForward,
+          kTurn,
+          kLeft,
+          kPan,
+          kTilt,
+          kStop,
+          kRelease,
+          kPicture,
+          {{"NOD", kNod}, {"WAG", kWag}},
+          {{"rest", kRest}, {"stand", kStand}},
+          {0.2, 0.07, 1.5},
+          0.6,
+          0.2};
 }
 
 std::string describe(const JoyOrders& orders) {

@@ -23,10 +23,6 @@ class TerminalTest : public ::testing::Test {
     if (::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr) != 0) {
       GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
     }
-    termios settings{};  // the user's own, which no program should change
-    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
-    settings.c_lflag ^= ECHOE | ECHOK | IEXTEN;
-    EXPECT_EQ(::tcsetattr(terminal_, TCSANOW, &settings), 0);
   }
 
   ~TerminalTest() override {
