@@ -42,7 +42,7 @@ using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
 
-const ros::Time kBegin(1'000'000'000);
+const ros::Time kBegin(1'032'146'825, 900'000'000);
 constexpr double kSpeed = 0.1;   // m/s
 constexpr double kPeriod = 0.1;  // s, between two measurements
 
@@ -258,6 +258,9 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   TopicListener<Connection> connection("/other/connection");
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
   EXPECT_NEAR(odom.waitForCount(10).front()->pose.pose.position.x, 2 * kSpeed, 1e-6);
+  EXPECT_TRUE(connection.waitFor([](const Connection& message) {
+    return message.text == "playback of left.bag, 0:02 of 0:02";
+  })) << "counted from where the recording begins";
   ASSERT_EQ(state.waitForCount(1).size(), 1u);
   EXPECT_EQ(state.waitForCount(1).front()->stopped_by, "/bert");
   EXPECT_TRUE(tf.waitFor([](const tf2_msgs::TFMessage& message) {
