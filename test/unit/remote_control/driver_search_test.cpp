@@ -10,10 +10,16 @@ using ::testing::ElementsAre;
 constexpr const char* kConnection = "aibo_driver/Connection";
 constexpr const char* kSettings = "dynamic_reconfigure/Config";
 
+// The master may still know a driver that was killed.
+void addDriver(const std::string& name_space, const std::string& node, MasterState* state) {
+  state->types[name_space + "/connection"] = kConnection;
+  state->publishers[name_space + "/connection"] = {"/killed", node};
+}
+
 // A driver has this setting, and nothing else has it.
 void addSettings(const std::string& owner, const std::string& node, MasterState* state, bool of_driver = true) {
   state->types[owner + "/parameter_updates"] = kSettings;
-  state->publishers[owner + "/parameter_updates"] = {node};
+  state->publishers[owner + "/parameter_updates"] = {"/another", node};
   state->parameters.insert(owner + (of_driver ? "/telemetry_rate" : "/quality"));
 }
 
@@ -37,8 +43,7 @@ TEST(DriverSearch, TriesOneDriverAfterTheOther) {
 
 TEST(DriverSearch, FindsTheSettingsOfTheNodeThatPublishes) {
   MasterState state;
-  state.types["/aibo/connection"] = kConnection;
-  state.publishers["/aibo/connection"] = {"/aibo_driver"};
+  addDriver("/aibo", "/aibo_driver", &state);
   for (const std::string owner : {"/aibo_driver", "/camera", "/zoom"}) {
     addSettings(owner, owner == "/camera" ? owner : "/aibo_driver", &state);
   }
@@ -52,7 +57,7 @@ TEST(DriverSearch, InANodeletManagerTheSettingsAreThoseInTheSameNamespace) {
   for (const char* owner : {"/a/driver", "/left/driver", "/z/driver"}) {
     addSettings(owner, "/manager", &state);
   }
-  state.publishers["/left/connection"] = {"/manager"};
+  addDriver("/left", "/manager", &state);
   EXPECT_EQ(settingsOf("/left", state), "/left/driver");
 }
 
@@ -61,8 +66,7 @@ TEST(DriverSearch, SettingsInTheNamespaceOfAnotherDriverAreNotTakenForThoseElsew
   for (const std::string owner : {"/a_driver", "/driver", "/z_driver"}) {
     MasterState state;
     for (const std::string name_space : {"/aibo", "/aibo2", "/right"}) {
-      state.types[name_space + "/connection"] = kConnection;
-      state.publishers[name_space + "/connection"] = {"/manager"};
+      addDriver(name_space, "/manager", &state);
     }
     for (const std::string& each : {owner, std::string("/aibo2/driver"), std::string("/right/driver")}) {
       addSettings(each, "/manager", &state);
@@ -75,8 +79,7 @@ TEST(DriverSearch, SettingsInTheNamespaceOfAnotherDriverAreNotTakenForThoseElsew
 TEST(DriverSearch, SettingsBelongToTheInnermostDriver) {
   MasterState state;
   for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
-    state.types[name_space + "/connection"] = kConnection;
-    state.publishers[name_space + "/connection"] = {"/manager"};
+    addDriver(name_space, "/manager", &state);
     addSettings(name_space + "/z_driver", "/manager", &state);
   }
   for (const std::string name_space : {"/lab", "/lab/right", "/lab/right/arm", "/lab2"}) {
@@ -87,8 +90,7 @@ TEST(DriverSearch, SettingsBelongToTheInnermostDriver) {
 TEST(DriverSearch, OtherSettingsOfTheSameProcessAreNotTheDrivers) {
   for (const std::string owner : {"/aibo/driver", "/driver"}) {
     MasterState state;
-    state.types["/aibo/connection"] = kConnection;
-    state.publishers["/aibo/connection"] = {"/manager"};
+    addDriver("/aibo", "/manager", &state);
     for (const char* other : {"/aibo/camera/image_raw/theora", "/aibo/z_debayer", "/a_debayer", "/z_debayer"}) {
       addSettings(other, "/manager", &state, false);
     }
