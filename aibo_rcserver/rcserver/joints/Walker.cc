@@ -210,7 +210,7 @@ const char* Walker::ProblemOfWalk(bool motors_are_on, const Velocity* guarded) {
   if (!must_let_go_) {
     return NULL;
   }
-  sprintf(problem_, "%.80s; let go first: send zero velocities, or nothing for %u ms", why_,
+  sprintf(problem_, "%.100s; let go first: send zero velocities, or nothing for %u ms", why_,
           protocol::version2::STEERING_TIMEOUT_MS);
   return problem_;
 }

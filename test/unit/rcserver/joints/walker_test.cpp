@@ -578,6 +578,11 @@ TEST_F(WalkerTest, AfterAWalkWithoutTheGuardTheGuardKnowsNothing) {
                "something is in the way ahead: turn, or walk back; let go first: send zero velocities, or nothing for "
                "500 ms");
   joints_.Steer({0, 0, 0});
+  const Velocity right = {0, -0.1, 0};
+  const std::string longest = walker().ProblemOfWalk(true, &right);
+  EXPECT_EQ(walker().ProblemOfWalk(true, &right),
+            longest + "; let go first: send zero velocities, or nothing for 500 ms");
+  joints_.Steer({0, 0, 0});
   walk(turn);
   joints_.Steer({0, 0, 0});
   passUntilIdle();
