@@ -47,7 +47,7 @@ void Output::bytes(const std::vector<std::uint8_t>& bytes) {
 
 std::string Output::picture(const std::string& file, const std::vector<std::uint8_t>& jpeg) {
   if (file != "-") {
-    return files::saveJpeg("/", std::filesystem::absolute(file).string(), jpeg);
+    return files::saveJpeg("/", file.empty() ? file : std::filesystem::absolute(file).string(), jpeg);
   }
   leaveStandardOutputToBytes();
   bytes(jpeg);

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "aibo_client/options.h"
 #include "command_line/help.h"
 #include "command_line/quantities.h"
 
@@ -71,7 +70,6 @@ RobotAddress addressIn(const Arguments& arguments) {
     address.host = environment;
     address.host_is_given = true;
   }
-  aibo_client::checkHost(address.host);
   address.port = arguments.wholeNumber("port", 1, 65535);
   const double timeout = arguments.number("timeout", 0.1, kLongestTimeout);
   address.timeout = std::chrono::duration_cast<std::chrono::milliseconds>(nanosecondsOf(timeout));

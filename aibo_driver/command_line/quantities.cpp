@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 
 #include "aibo_client/exceptions.h"
 
@@ -58,6 +59,12 @@ std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, 
   std::vector<Assignment> assignments(words.size());
   std::transform(words.begin(), words.end(), assignments.begin(),
                  [&](const std::string& word) { return parseAssignment(word, example); });
+  std::set<std::string> names;
+  for (const Assignment& each : assignments) {
+    if (!names.insert(each.name).second) {
+      throw aibo_client::InvalidArgumentException(each.name + " is given twice");
+    }
+  }
   return assignments;
 }
 
@@ -98,6 +105,10 @@ int parseWholeNumber(const std::string& what, const std::string& text, int lowes
 
 double degrees(double radian) {
   return radian * 180 / M_PI;
+}
+
+std::string counted(std::uint64_t number, const std::string& thing) {
+  return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
 std::chrono::nanoseconds nanosecondsOf(double seconds) {

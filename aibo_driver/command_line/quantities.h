@@ -5,6 +5,7 @@
 #define AIBO_DRIVER_COMMAND_LINE_QUANTITIES_H
 
 #include <chrono>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct Assignment {
 };
 
 /// @param example an example for the message, such as "head_pan=30deg"
-/// @throw InvalidArgumentException a word has no '=', or nothing on one side of it
+/// @throw InvalidArgumentException a word has no '=', or nothing on one side of it, or a name
+///   appears twice
 std::vector<Assignment> parseAssignments(const std::vector<std::string>& words, const std::string& example);
 
 // Each of these functions throws InvalidArgumentException if the text is not such a quantity, or is not finite. `what`
@@ -41,6 +43,10 @@ double parseNumber(const std::string& what, const std::string& text, double lowe
 int parseWholeNumber(const std::string& what, const std::string& text, int lowest, int highest);
 
 double degrees(double radian);
+
+/// @param thing in the singular
+/// @return such as "1 picture" or "2 pictures"
+std::string counted(std::uint64_t number, const std::string& thing);
 
 /// @param seconds below 9e9
 std::chrono::nanoseconds nanosecondsOf(double seconds);

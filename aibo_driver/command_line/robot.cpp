@@ -157,6 +157,9 @@ aibo_client::Callbacks Robot::callbacks() {
       }
     });
   };
+  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t) {
+    change([&] { received_.velocity = in_force.isZero() ? received_.velocity : in_force; });
+  };
   callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { noteRefusal(refusal); };
   callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
     change([&] { keep(end, kMostEnds, &received_.ends); });

@@ -39,15 +39,16 @@ struct ArrivedPicture {
 /// The data that a robot has sent so far.
 struct Received {
   aibo_client::ConnectionStatus status;
-  int failures = 0;                                 ///< attempts and connections that have ended, since the beginning
-  std::map<int, aibo_client::JointReading> joints;  ///< the latest readings, by identifier
-  std::map<int, double> sensors;                    ///< the latest values, by identifier
-  std::map<int, double> accepted_joints;            ///< rad, by identifier
-  std::optional<std::string> refusal;               ///< why an order was refused or dropped; the first one
-  std::deque<aibo_client::MotionEnd> ends;          ///< the newest kMostEnds
-  std::deque<ArrivedPicture> pictures;              ///< the newest kMostPictures that nobody has taken yet
-  std::deque<aibo_client::HeardSound> sounds;       ///< the newest kMostSounds that nobody has taken yet
-  std::uint64_t lost_pictures = 0;                  ///< pictures that nobody took in time
+  int failures = 0;                                   ///< attempts and connections that have ended, since the beginning
+  std::map<int, aibo_client::JointReading> joints;    ///< the latest readings, by identifier
+  std::map<int, double> sensors;                      ///< the latest values, by identifier
+  std::map<int, double> accepted_joints;              ///< rad, by identifier
+  std::optional<aibo_client::WalkVelocity> velocity;  ///< that of the walk, within the robot's limits; the latest but 0
+  std::optional<std::string> refusal;                 ///< why an order was refused or dropped; the first one
+  std::deque<aibo_client::MotionEnd> ends;            ///< the newest kMostEnds
+  std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
+  std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet
+  std::uint64_t lost_pictures = 0;                    ///< pictures that nobody took in time
 };
 
 /// The robot that a command is for. It lets a command wait for the client's callbacks and for Ctrl-C.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <ctime>
@@ -218,8 +219,9 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
   LinkMeter meter(steady_clock::now());
   try {
     const steady_clock::time_point begin = steady_clock::now();
-    for (int second = 1; seconds == 0 || second <= seconds + 0.5; ++second) {
-      takeUntil(robot, meter, every, album, begin + std::chrono::seconds(second));
+    for (double second = 0; seconds == 0 || second < seconds;) {
+      second = seconds == 0 ? second + 1 : std::min(second + 1, seconds);
+      takeUntil(robot, meter, every, album, begin + nanosecondsOf(second));
       robot.showWarnings();
       reportSecond(robot, meter, output);
     }
@@ -228,10 +230,10 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
   }
   const std::uint64_t lost = robot.received().lost_pictures;
   if (lost > 0) {
-    output.note("This computer was too slow for " + std::to_string(lost) + " pictures.");
+    output.note("This computer was too slow for " + counted(lost, "picture") + ".");
   }
   if (album.saved() > 0) {
-    output.note("Saved " + std::to_string(album.saved()) + " pictures.");
+    output.note("Saved " + counted(album.saved(), "picture") + ".");
   }
   return kDone;
 }

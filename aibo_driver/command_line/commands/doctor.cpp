@@ -241,7 +241,7 @@ class Doctor {
     judgeStream();
     const std::uint64_t damaged = robot.client().statistics().corrupt_pictures;
     if (damaged > 0) {
-      find({"pictures", false, std::to_string(damaged) + " pictures were damaged",
+      find({"pictures", false, counted(damaged, "picture") + (damaged == 1 ? " was damaged" : " were damaged"),
             "Is it an RCServer for an ERS-7 or an ERS-210? Look at the robot's console."});
     }
   }
@@ -282,8 +282,8 @@ ExitStatus diagnose(const Arguments& arguments, Output& output) {
   if (!arguments.words.empty()) {
     address.host = arguments.words.front();
     address.host_is_given = true;
-    aibo_client::checkHost(address.host);
   }
+  aibo_client::checkHost(address.host);
   const double seconds = arguments.number("seconds", 1, kLongestTest);
   return Doctor(address, seconds, output).run();
 }

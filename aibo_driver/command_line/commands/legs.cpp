@@ -1,5 +1,6 @@
 #include <chrono>
-#include <cstdio>
+#include <cmath>
+#include <optional>
 #include <string>
 
 #include "aibo_client/exceptions.h"
@@ -7,6 +8,7 @@
 #include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
+#include "text/number.h"
 
 namespace aibo_driver::command_line {
 
@@ -18,6 +20,7 @@ namespace {
 constexpr std::chrono::milliseconds kSteeringPeriod{100};  // the robot stops 500 ms after the last command
 constexpr double kLongestWalk = 60;                        // s
 constexpr double kLongestPosture = 30;                     // s; lying down from standing takes about 5
+constexpr double kStep = 0.001;                            // m/s and rad/s; velocities are sent in such steps
 
 WalkVelocity velocityOf(const Arguments& arguments) {
   WalkVelocity velocity;
@@ -35,6 +38,21 @@ WalkVelocity velocityOf(const Arguments& arguments) {
   return velocity;
 }
 
+/// False if it is sent as 0.
+bool moves(const WalkVelocity& velocity) {
+  return std::max({std::abs(velocity.forward), std::abs(velocity.left), std::abs(velocity.turn)}) >= kStep / 2;
+}
+
+bool isLess(const WalkVelocity& in_force, const WalkVelocity& wanted) {
+  return std::abs(in_force.forward - wanted.forward) > kStep || std::abs(in_force.left - wanted.left) > kStep ||
+         std::abs(in_force.turn - wanted.turn) > kStep;
+}
+
+std::string wordsOf(const WalkVelocity& velocity) {
+  return "forward=" + text::decimal(velocity.forward, 3) + "m/s left=" + text::decimal(velocity.left, 3) +
+         "m/s turn=" + text::decimal(velocity.turn, 3) + "rad/s";
+}
+
 /// Steers until the time is over or somebody presses Ctrl-C. Then the robot stops in an orderly way.
 void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   using std::chrono::steady_clock;
@@ -49,6 +67,12 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
              steady_clock::now() < end);
   } catch (const Interrupted&) {
     interrupted = true;
+  } catch (const aibo_client::CommandException&) {
+    if (!robot.received().velocity) {
+      throw;
+    }
+    // The robot ends the walk by itself. While it brakes, it refuses to be steered; then it says how the walk has
+    // ended.
   }
   robot.client().steer({});
   if (interrupted) {
@@ -60,18 +84,26 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
 ExitStatus walk(const Arguments& arguments, Output& output) {
   const WalkVelocity velocity = velocityOf(arguments);
   const double seconds = arguments.number("seconds", 0.1, kLongestWalk);
-  if (velocity.isZero()) {
-    throw aibo_client::InvalidArgumentException("a walk needs a velocity other than 0: see `aibo help walk`");
+  if (!moves(velocity)) {
+    throw aibo_client::InvalidArgumentException(
+        "a walk needs a velocity of at least 1mm/s or 0.001rad/s: see `aibo help walk`");
   }
   aibo_client::ClientOptions options;
   options.guard_walks = !arguments.has("unguarded");
   Robot robot(arguments.robot, output, options);
   robot.connect();
   steer(robot, velocity, seconds);
+  const WalkVelocity in_force = robot.received().velocity.value_or(WalkVelocity());
+  if (isLess(in_force, velocity)) {
+    output.note("The robot cannot walk with " + wordsOf(velocity) + ": it walks with " + wordsOf(in_force) + ".");
+  }
   if (!waitForEnd(robot, aibo_client::EndedKind::kWalk, "", kLongestPosture)) {
     throw FailedException("the robot does not say that it stands");
   }
-  output.result("The robot has walked and stands.", Json::object({{"walked", true}}));
+  output.result(
+      "The robot has walked and stands.",
+      Json::object(
+          {{"walked", true}, {"forward", in_force.forward}, {"left", in_force.left}, {"turn", in_force.turn}}));
   return kDone;
 }
 
@@ -119,7 +151,8 @@ std::vector<Command> legCommands() {
        "[forward=SPEED] [left=SPEED] [turn=SPEED]",
        "walks for a short time",
        "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
-       "clockwise. The robot keeps to its limits. It stands up first if it has to, and stands at the end. Ctrl-C stops "
+       "clockwise. The robot keeps to its limits, and the command says with which velocity it walks then. It stands up "
+       "first if it has to, and stands at the end. Ctrl-C stops "
        "it, and so does a lost connection, within half a second. The robot ends the walk before edges and walls that "
        "its "
        "sensors see; backward and sideways, it walks only where it has just walked. The motors have to be on. A server "

@@ -14,6 +14,7 @@
 #include "sound/recording.h"
 #include "sound/sound_file.h"
 #include "sound/speech.h"
+#include "text/number.h"
 
 namespace aibo_driver::command_line {
 namespace {
@@ -71,8 +72,8 @@ ExitStatus listen(const Arguments& arguments, Output& output) {
   } catch (const Interrupted&) {
     // This is the normal end.
   }
-  output.result((recording ? arguments.words.front() + " has " : "Heard ") + std::to_string(std::lround(heard)) +
-                    " s of sound" + (gaps > 0 ? ", with " + std::to_string(gaps) + " gaps." : "."),
+  output.result((recording ? arguments.words.front() + " has " : "Heard ") + text::decimal(heard, 1) + " s of sound" +
+                    (gaps > 0 ? ", with " + counted(gaps, "gap") + "." : "."),
                 Json::object({{"seconds", heard}, {"gaps", gaps}}));
   return kDone;
 }
