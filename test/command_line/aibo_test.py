@@ -57,6 +57,9 @@ class SimulatedRobot:
                 break
         self.reader = threading.Thread(target=self.process.stdout.read, daemon=True)
         self.reader.start()
+        with socket.create_connection(("127.0.0.1", self.port)) as client:  # goes in the middle of a request
+            client.sendall(b"x\2\0\0" + version2_frame(b"W", b"\1\0\0\1", identifier=60) + b"J\0\0")
+            client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
 
     def ask(self, command):
         """The robot's answer at its console."""
@@ -103,11 +106,11 @@ class ScriptedServer:
 
 
 def says_hello(server, names=b"", flood=None, answers=None, until=None):
-    """A server of version 2 with a name, which lists motions of these names and refuses everything else. What `flood`
-    makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
+    """A server of version 2 with a name, which lists motions of these names, tells its motors and its camera, and
+    refuses everything else. What `flood` makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
     pushed then; the last one comes again and again. None is the usual reply, b"-" is none. The connection ends after
     requests of the kinds `until`."""
-    hello = b"robot=ERS-7\nserver=%s\nframe_number=1\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
+    hello = b"robot=ERS-7\nserver=%s\nframe_number=4294967000\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
         server, b" ".join(answers or ()))
 
     def serve(client):
@@ -124,21 +127,21 @@ def says_hello(server, names=b"", flood=None, answers=None, until=None):
                 return
             is_greeted = True
             kind, identifier, number, size = struct.unpack(">cBHI", header)
-            client.recv(size, socket.MSG_WAITALL)
+            asked = client.recv(size, socket.MSG_WAITALL)
             kinds += kind
             if until and kinds.endswith(until):
                 return
             left = (answers or {}).get(kind, [[None]])
             payload, *pushed = left.pop(0) if len(left) > 1 else left[0]
-            payload = {b"H": hello, b"N": names}.get(kind) if payload is None else payload
+            payload = {b"H": hello, b"N": names, b"O": b"\1", b"G": asked or b"\1"}.get(kind) if payload is None else payload
             if payload != b"-":
-                client.sendall(version2_frame(b"e", b"\x00\x00no", number) if payload is None else
+                client.sendall(version2_frame(b"e", b"\0\0no " + kind, number) if payload is None else
                                version2_frame(kind.lower(), payload, number, identifier))
             client.sendall(b"".join(version2_frame(*frame) for frame in pushed))
     return serve
 
 
-def measured(frame=1, **groups):
+def measured(frame=4294967295, **groups):
     """Pushed telemetry: the values of some joints (J) and sensors (S) by their identifiers."""
     values = [struct.pack(">cBxxi", group.encode(), *item) for group in groups for item in groups[group].items()]
     return b"t", struct.pack(">IHxx", frame, len(values)) + b"".join(values)
@@ -184,7 +187,7 @@ class TestCase(unittest.TestCase):
             cls.robot.end()
 
     def setUp(self):
-        self.folder = Path(tempfile.mkdtemp(prefix="aibo_test."))
+        self.folder = Path(tempfile.mkdtemp(prefix="aibo tést."))
         self.addCleanup(shutil.rmtree, self.folder)
 
     def server(self, serve):
@@ -193,15 +196,22 @@ class TestCase(unittest.TestCase):
         return server.port
 
     def aibo(self, *words, status=DONE, port=None):
-        """Runs a command. Whatever happens, nothing that a terminal obeys comes out."""
+        """Runs a command. Whatever happens, nothing that a terminal obeys comes out, and a failure is said once."""
         result = run(*words, port=port or self.robot.port, folder=self.folder)
         self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
         self.assertNotRegex(result.stderr, CONTROL)
         result.errors = result.stderr.decode()
+        if status != DONE and "doctor" not in words:
+            problem = result.errors.splitlines()[-1].split("aibo: ", 1)[1]
+            said = json.loads(result.stdout or "{}")
+            self.assertEqual(said, {"error": problem, "status": status} if "--json" in words else {})
         return result
 
-    def text(self, *words, **options):
-        return self.aibo(*words, **options).stdout.decode()
+    def text(self, *words, status=DONE, **options):
+        """What a command says on the standard output; if it is done, it says nothing else."""
+        result = self.aibo(*words, status=status, **options)
+        self.assertEqual(result.errors if status == DONE else "", "")
+        return result.stdout.decode()
 
     def json(self, *words, **options):
         return json.loads(self.text("--json", *words, **options))
@@ -214,8 +224,9 @@ class TestCase(unittest.TestCase):
 
     def examined(self):
         """The report of a short examination. On a busy computer, the stream is slow, and doctor says so."""
-        result = run("--json", "doctor", "--seconds", "1", port=self.robot.port)
+        result = run("--json", "doctor", "--seconds", "1.2", port=self.robot.port)
         report = json.loads(result.stdout)
+        self.assertGreaterEqual(report["stream"]["seconds"], 1.2)
         self.assertEqual(result.returncode, DONE if report["good"] else FAILED, result)
         return report
 
@@ -226,8 +237,7 @@ class OnBothVersions:
     def test_takes_a_picture(self):
         picture = self.json("picture", "-o", "a.jpg")
         content = (self.folder / "a.jpg").read_bytes()
-        self.assertEqual((picture["width"], picture["height"], picture["file"]),
-                         (208, 160, str(self.folder / "a.jpg")))
+        self.assertEqual(picture, {"file": f"{self.folder}/a.jpg", "width": 208, "height": 160, "bytes": len(content)})
         self.assertEqual(content[:3], b"\xff\xd8\xff")
         said, size = self.text("picture", "-o", "a.jpg"), (self.folder / "a.jpg").stat().st_size
         self.assertEqual(said, f"208x160 pixels, {size} bytes: {self.folder}/a.jpg\n")
@@ -321,17 +331,18 @@ class OnBothVersions:
         lines = list(map(json.loads, watched.stdout.splitlines()))
         for line in lines:
             self.assertEqual((line["connected"], line["problem"]), (True, ""))
-            self.assertGreater(line["stream"]["pictures"], 0)
+            self.assertGreater(line["stream"]["bytes"], 1000 * line["stream"]["pictures"])
         first, rest = (line["stream"]["seconds"] for line in lines)
         self.assertTrue(first >= 1 and 1.4 <= first + rest < 1.9, lines)
 
     def test_saves_the_stream_under_names_of_its_own(self):
-        self.aibo("watch", "--seconds", "1", "--save", ".")
-        names = sorted(os.listdir(self.folder))
+        (self.folder / "new").mkdir()
+        self.aibo("watch", "--seconds", "1", "--save", "new")
+        names = sorted(os.listdir(self.folder / "new"))
         self.assertGreater(len(names), 3)
         for number, name in enumerate(names, 1):
             self.assertRegex(name, rf"^aibo-\d{{8}}-\d{{6}}-{number:06}\.jpg$")
-            self.assertEqual((self.folder / name).read_bytes()[:3], b"\xff\xd8\xff")
+            self.assertEqual((self.folder / "new" / name).read_bytes()[:3], b"\xff\xd8\xff")
         self.assertIn("no such folder", self.aibo("watch", "--save", "missing", status=FAILED).errors)
 
     def test_pipes_the_stream_to_a_player(self):
@@ -346,11 +357,19 @@ class OnBothVersions:
         self.assertEqual((report["host"], report["port"]), ("127.0.0.1", self.robot.port))
         texts = {finding["topic"]: finding["text"] for finding in report["findings"]}
         self.assertEqual(texts["name"], "127.0.0.1 is an address")
+        self.assertRegex(texts["port"], rf"^port {self.robot.port} answers in \d+\.\d ms$")
+        self.assertEqual(texts["stream"], self.words_of(report["stream"]))
         self.assertRegex(texts["server"], self.SERVER)
         gap = report["stream"]["longest_gap"]
         self.assertEqual(texts["gaps"], f"the longest time without a picture was {1000 * gap:.0f} ms")
         self.assertEqual([finding["good"] for finding in report["findings"] if finding["topic"] == "gaps"], [gap < 0.5])
-        self.assertGreater(report["stream"]["pictures"], 0)
+
+    @staticmethod
+    def words_of(stream):
+        words = f"{stream['pictures_per_second']:5.1f} pictures/s {stream['bytes'] / stream['seconds'] / 1000:6.1f} KB/s"
+        if stream["age"] is not None:
+            words += f"   age {1000 * stream['age']:3.0f} ms (worst {1000 * stream['worst_age']:3.0f})"
+        return words + ("" if stream["loss"] is None else f"   loss {100 * stream['loss']:.1f} %")
 
     def test_a_busy_robot_is_called_busy(self):
         with start("watch", port=self.robot.port) as other:
@@ -360,7 +379,8 @@ class OnBothVersions:
                 for host in "127.0.0.1", "localhost":
                     report = self.json("doctor", host, status=UNREACHABLE)
                     self.assertFalse(report["good"])
-                    self.assertIn(f"aibo (process {other.pid}) is connected", report["findings"][-1]["advice"])
+                    self.assertEqual(report["findings"][-1]["advice"], f"On this computer, aibo (process {other.pid}) is "
+                                                                       "connected to the robot: end it.")
             finally:
                 other.kill()
 
@@ -374,10 +394,10 @@ class OnBothVersions:
         self.assertTrue(all(name.endswith(".jpg") and name[0] != "." for name in os.listdir(self.folder)))
 
     def test_ctrl_c_stops_a_joint(self):
-        self.aibo("move", "head_pan=0deg", "--speed", "170deg/s")
+        self.aibo("move", "head_pan=0deg", "tail_pan=-9deg", "--speed", "170deg/s")
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
-        with start("move", "head_pan=80deg", "--speed", "5deg/s", port=witness.port) as move:
+        with start("move", "tail_pan=40deg", "head_pan=80deg", "--speed", "5deg/s", port=witness.port) as move:
             with self.assertRaises(subprocess.TimeoutExpired):  # 16 s of movement
                 move.wait(4)
             move.send_signal(signal.SIGINT)
@@ -494,7 +514,7 @@ class Version2(OnBothVersions, TestCase):
         self.assertEqual(self.json("picture", "-o", "b.jpg", "--resolution", "104x80")["width"], 104)
 
     def check_hold(self, witness):
-        self.assertEqual(witness.take("I"), [("I", 1, b"\2")])
+        self.assertEqual(witness.take("I"), [("I", 1, b"\2\x33")])
 
     def test_measures_age_and_loss(self):
         stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
@@ -513,6 +533,8 @@ class Asked(TestCase):
     def test_for_pictures(self):
         self.assertEqual(self.asked("F", "picture", "-o", "a.jpg", "-q", 40, "--resolution", "104x80"),
                          [("F", 40, b"\1")])
+        size = (self.folder / "a.jpg").stat().st_size
+        self.assertEqual(self.said, f"104x80 pixels, {size} bytes: {self.folder}/a.jpg\n")
         for words, settings in ((["--white-balance", "outdoor", "--gain", "high", "--shutter", "slow"],
                                  {1: 2, 2: 3, 3: 1, 4: 0, 5: 0}),
                                 (["--white-balance", "fluorescent", "--gain", "mid", "--shutter", "mid"],
@@ -538,7 +560,7 @@ class Asked(TestCase):
                 self.assertIsNone(watch.poll())
                 time.sleep(0.01)
             watch.send_signal(signal.SIGINT)
-            self.assertRegex(watch.communicate()[1], rb"This computer was too slow for [1-9]\d* pictures\.\n$")
+            self.assertRegex(watch.communicate()[1], rb"This computer was too slow for [1-9]\d+ pictures\.\n$")
             self.assertEqual(watch.returncode, DONE)
 
     def test_for_joints(self):
@@ -551,7 +573,7 @@ class Asked(TestCase):
         self.assertIn(struct.pack(">Bxxxi", 2, 1047198),
                       self.asked("V", "move", "head_pan=0deg", "--speed", "60deg/s")[-1][2])
         self.assertIn(struct.pack(">Bxxxi", 51, 500000), self.asked("V", "move", "tail_pan=0deg")[-1][2])
-        self.assertRegex(self.text("joints"), r"(?ms)\A {23}degrees   limits$.*^head_pan +-?0\.0   -88 to 88$")
+        self.assertRegex(self.text("joints"), r"(?ms)\A {23}degrees   limits\nneck_tilt +-\d+\.\d   -75 to 0$.*^tail_tilt +\d+\.\d   5 to 60$")
         for speed in ("0.5deg/s", "172deg/s"):
             self.assertIn("0.6deg/s to 171deg/s", self.aibo("move", "mouth=0deg", "--speed", speed,
                                                             status=WRONG_USAGE).errors)
@@ -596,9 +618,11 @@ class Asked(TestCase):
 
     def test_a_walk_that_the_robot_ends_is_told_with_its_reason(self):
         port = self.server(says_hello(b"", answers={b"S": [
-            [struct.pack(">hhhxx", 50, 0, 0)], [None],
+            [struct.pack(">hhhxx", 0, -100, 0)], [None],
             [bytes(8), (b"i", b"\2\3\0\0walk\nthe floor ends ahead")]]}))
-        self.assertEqual(self.aibo("walk", "forward=5cm/s", "--seconds", 9, port=port, status=FAILED).errors,
+        self.assertEqual(self.aibo("walk", "left=-50cm/s", "--seconds", 9, port=port, status=FAILED).errors,
+                         "The robot cannot walk with forward=0.000m/s left=-0.500m/s turn=0.000rad/s: "
+                         "it walks with forward=0.000m/s left=-0.100m/s turn=0.000rad/s.\n"
                          "aibo: the movement could not go on: the floor ends ahead\n")
 
     def test_for_motions(self):
@@ -613,14 +637,14 @@ class Asked(TestCase):
         begin = self.robot.ask("joint tail_pan")
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
-        with start("play", "wag", "--times", "50", port=witness.port) as play:
+        with start("play", "wag", "--times", "300", port=witness.port) as play:
             while self.robot.ask("joint tail_pan") == begin:
                 self.assertIsNone(play.poll())
             play.send_signal(signal.SIGTERM)
             self.assertEqual(play.wait(60), 128 + signal.SIGTERM)
             self.assertEqual(play.communicate()[1], b"aibo: interrupted\n")
-        for asked in (witness.take("P"), self.asked("P", "play", "wag", "--times", 50, "--seconds", 0.5)):
-            self.assertEqual([payload for _, _, payload in asked], [b"\0\x32WAG.MTN", b"\0\0WAG.MTN"])
+        for asked in (witness.take("P"), self.asked("P", "play", "wag", "--times", 300, "--seconds", 0.5)):
+            self.assertEqual([payload for _, _, payload in asked], [b"\1\x2cWAG.MTN", b"\0\0WAG.MTN"])
 
     def test_for_sensors(self):
         for sensor in ("chin", "head_touch"):
@@ -660,6 +684,15 @@ class Asked(TestCase):
             stream = next(finding for finding in self.examined()["findings"] if finding["topic"] == "stream")
             self.assertFalse(stream["good"], stream)
             self.assertIn("Bring the robot nearer", stream["advice"])
+        jpeg = self.aibo("picture", "-q", "1", "-o", "-").stdout
+        port = self.server(says_hello(
+            b"", flood=lambda i: version2_frame(b"f", struct.pack(
+                ">IIHHBBH", (2 * i - 999) % 2**32, 8 * i, 208, 160, 1, 0, 0) + jpeg),  # every second image
+            answers={b"T": [[b"\0\4", measured(S={66: 876000})]], b"W": [[b"\1\0\0\1"]]}))
+        *_, battery, stream, _ = self.json("doctor", "--seconds", "1", port=port, status=FAILED)["findings"]
+        self.assertEqual(battery, {"topic": "battery", "good": True, "text": "88 % charged", "advice": ""})
+        self.assertRegex(stream["text"], r"\d\d\.\d pictures/s .* loss [4-9]\d\.\d %$")
+        self.assertFalse(stream["good"])
 
     def test_a_robot_that_falls_silent_is_bad(self):
         with start("doctor", "--seconds", "60", port=self.robot.port) as doctor:
@@ -675,6 +708,7 @@ class Asked(TestCase):
 
     def test_a_name_is_looked_up(self):
         report = json.loads(run("--json", "doctor", "localhost", "--seconds", "1", port=self.robot.port).stdout)
+        self.assertEqual(report["host"], "localhost")
         self.assertRegex(report["findings"][0]["text"], r"^localhost is 127\.0\.0\.1, found in \d+\.\d ms$")
 
 
@@ -754,9 +788,9 @@ class WithPermission(TestCase):
         self.assertEqual(self.said, "AIBO0002.JPG is on the robot's memory stick.\n")
         self.assertEqual(self.json("pictures")["pictures"], ["AIBO0001.JPG", "AIBO0002.JPG"])
         fetched = self.json("fetch", "aibo0001")
-        self.assertEqual(fetched["file"], str(self.folder / "AIBO0001.JPG"))
         content = (self.stick / "AIBO0001.JPG").read_bytes()
-        self.assertEqual(fetched["bytes"], len(content))
+        self.assertEqual(fetched, {"picture": "AIBO0001.JPG", "file": f"{self.folder}/AIBO0001.JPG",
+                                   "bytes": len(content)})
         self.assertEqual((self.folder / "AIBO0001.JPG").read_bytes(), content)
         self.assertEqual(self.text("fetch", "aibo0001"),
                          f"AIBO0001.JPG, {len(content)} bytes: {self.folder}/AIBO0001.JPG\n")
@@ -904,7 +938,7 @@ class Lost(TestCase):
             try:
                 self.second(watch, True)
                 robot.end()
-                self.assertRegex(self.second(watch, False)["problem"], "(refused|closed) the connection")
+                self.assertRegex(self.second(watch, False)["problem"], r"(refused|closed) the connection\. [A-Z].*[.?]$")
                 robot = SimulatedRobot(port=robot.port)
                 streams = [self.second(watch, True)["stream"] for _ in range(3)]
                 self.assertLess(min(stream["age"] or 9 for stream in streams), 0.9, "its clock has begun again")
@@ -931,7 +965,7 @@ class Lost(TestCase):
 
     def test_whatever_waits_for_a_robot_that_is_lost_ends_and_says_so(self):
         heard = b"a", struct.pack(">IHBx", 10, 512, 2) + bytes(2048), 0, 1
-        answers = {b"T": [[b"\0\4", measured(J=dict.fromkeys(Answered.JOINTS, 0), S={66: 870000})]], b"V": [[b""]],
+        answers = {b"T": [[b"\0\4", measured(J={joint: -900 * joint for joint in Answered.JOINTS}, S={66: 870000})]], b"V": [[b""]],
                    b"A": [[struct.pack(">BBH", 1, 2, 16000), heard]], **dict.fromkeys((b"E", b"O", b"S"), [[None]])}
 
         def robot(until):
@@ -1020,14 +1054,13 @@ class Unreachable(TestCase):
             self.assertIn("refused the connection", error["error"])
             self.assertIn("AIBO_HOST", error["error"])
             self.assertEqual(error["status"], UNREACHABLE)
-            self.assertNotIn("AIBO_HOST", self.json("joints", "--host", "127.0.0.1", port=port,
-                                                    status=UNREACHABLE)["error"])
             report = self.json("doctor", port=port, status=UNREACHABLE)
             self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]], [("name", True), ("port", False)])
             self.assertIn("Name the robot: aibo doctor HOST.", report["findings"][-1]["advice"])
             address = self.own_address()
-            report = self.json("doctor", address, port=port, status=UNREACHABLE)
-            self.assertNotIn("Name the robot", report["findings"][-1]["advice"])
+            finding = self.json("doctor", address, port=port, status=UNREACHABLE)["findings"][-1]
+            self.assertEqual(f"{finding['text']}. {finding['advice']}",
+                             self.json("joints", "--host", address, port=port, status=UNREACHABLE)["error"])
             with socket.create_server((address, 59000)):
                 report = self.json("doctor", address, port=port, status=UNREACHABLE)
             self.assertIn("the robot is on, but RCServer is not running", report["findings"][-1]["advice"])
@@ -1120,7 +1153,8 @@ class Answered(TestCase):
     def test_a_robot_that_measures_less(self):
         def start_with(report, *words):
             return start("--json", *words, port=self.server(says_hello(b"", answers={b"T": [[b"\0\4", report]]})))
-        some, charge = measured(J={2: 100000, 51: -200000}, S={67: 29000000}), measured(S={66: 870000})
+        some = measured(J={2: 100000, 51: -200000}, S={67: 29000000, 6: 12000000})
+        charge = measured(S={66: 870000})
         failing = {"where its joints are, so none was moved": start_with(some, "move", "head_pan=1deg"),
                    "its battery: does its server support sensors": start_with(some, "battery"),
                    "its battery: does its server": start_with(charge, "battery"),
@@ -1134,29 +1168,32 @@ class Answered(TestCase):
             self.assertEqual([(joint["name"], joint["position"]) for joint in json.load(joints.stdout)["joints"]],
                              [("head_pan", 0.1), ("tail_pan", -0.2)])
             self.assertEqual(json.load(sensors.stdout), {"robot": "ERS-7", "sensors": [
+                {"name": "back_rear", "value": 12, "unit": "", "pressed": False},
                 {"name": "temperature", "value": 29, "unit": "degrees Celsius", "pressed": None}]})
 
     def test_an_older_refusal_is_not_that_of_a_movement(self):
-        answers = {b"T": [[None, measured(J={joint: 100000 for joint in self.JOINTS})]],
+        old, new = ({joint: 4000 * joint + more for joint in self.JOINTS} for more in (150000, -2000))
+        answers = {b"T": [[None, measured(J=old), measured(J=new)]],
                    b"V": [[struct.pack(">Bxxxi", 2, 500000)]],
-                   b"J": [[struct.pack(">HBxBxxxiBxxxi", 0, 2, 2, 103000, 51, 160000)]]}
+                   b"J": [[struct.pack(">HBxBxxxiBxxxi", 0, 2, 2, 9000, 51, 197000)]]}
         moved = self.aibo("--json", "move", "head_pan=0.2rad", "tail_pan=0.3rad",
                           port=self.server(says_hello(b"", answers=answers)))
         self.assertEqual(json.loads(moved.stdout)["joints"], [
-            {"name": "head_pan", "commanded": 0.2, "target": 0.103, "position": 0.1, "clamped": True},
-            {"name": "tail_pan", "commanded": 0.3, "target": 0.16, "position": 0.1, "clamped": True}])
-        for note in ("refused to send telemetry: no", "head_pan cannot go to 11.5 degrees", "tail_pan cannot go to 17.2"):
-            self.assertIn(note, moved.errors)
+            {"name": "head_pan", "commanded": 0.2, "target": 0.009, "position": 0.006, "clamped": True},
+            {"name": "tail_pan", "commanded": 0.3, "target": 0.197, "position": 0.202, "clamped": True}])
+        why = "degrees, where another joint or the body is in its way: it goes to"
+        self.assertRegex(moved.errors, rf"^head_pan cannot go to 11\.5 {why} 0\.5 degrees\.\ntail_pan cannot go to 17\.2 {why} "
+                                       r"11\.3 degrees\.\naibo: .* refused to send telemetry: no T\.\n$")
         answers[b"J"] = [[None]]
         refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)),
                             status=FAILED)
-        self.assertRegex(refused.errors, r"telemetry: no\.\naibo: the robot refused: no\n$")
+        self.assertRegex(refused.errors, r"telemetry: no T\.\naibo: the robot refused: no J\n$")
 
     def test_other_ends_are_not_that_of_a_movement(self):
         def end(what, how, name):
             return b"i", bytes((what, how, 0, 0)) + name
         port = self.server(says_hello(b"RCServer", answers={
-            b"E": [[b"", end(1, 2, b"stand\n"), end(3, 2, b"sit\n"), end(3, 0, b"stand\n")]],
+            b"V": [[b""]], b"E": [[b"", end(1, 2, b"stand\n"), end(3, 2, b"sit\n"), end(3, 0, b"stand\n"), end(3, 3, b"rest\n")]],
             b"P": [[b"", end(3, 2, b"NOD.MTN\n"), end(1, 2, b"WAG.MTN\n"), end(1, 0, b"NOD.MTN\nit took longer")]]}))
         self.assertEqual(self.json("stand", port=port), {"posture": "stand"})
         self.assertEqual(self.json("play", "nod", port=port), {
@@ -1175,7 +1212,7 @@ class Answered(TestCase):
     def test_says_how_a_movement_has_ended(self):
         for how, words in (1, "was replaced"), (2, "was stopped"), (3, "could not go on"), (9, "ended in a way that"):
             port = self.server(says_hello(b"", answers={b"E": [[b"", (b"i", bytes((3, how, 0, 0)) + b"sit\nwhy")]]}))
-            self.assertRegex(self.aibo("sit", port=port, status=FAILED).errors, f"\naibo: sit {words}.*: why\n$")
+            self.assertRegex(self.aibo("sit", port=port, status=FAILED).errors, f"^aibo: sit {words}.*: why\n$")
 
     def test_a_robot_without_some_of_the_sensors_moves(self):
         robot = SimulatedRobot("--robot", "ERS-210", "--protocol-version", "1")
@@ -1204,7 +1241,7 @@ class Answered(TestCase):
     def test_a_refused_speed_is_said_before_a_motion_plays(self):
         port = self.server(says_hello(b"", answers={b"P": [[b"", (b"i", b"\1\0\0\0NOD.MTN\n")]]}))
         played = self.aibo("play", "nod", port=port)
-        self.assertIn("aibo: the robot refused: no\n", played.errors)
+        self.assertEqual(played.errors, "aibo: the robot refused: no V\n")
         self.assertEqual(played.stdout, b"NOD.MTN was played to its end.\n")
 
     def test_the_second_ctrl_c_waits_for_no_robot(self):
@@ -1245,12 +1282,13 @@ class Answered(TestCase):
         def heard(frame, sample):
             return b"a", struct.pack(">IHBx", frame, 896, 1) + struct.pack(">h", sample) * 896, 0, 1
         port = self.server(says_hello(b"RCServer", answers={
-            b"A": [[struct.pack(">BBH", 1, 1, 16000), heard(10, 5), heard(67, 6)]]}))
-        self.assertEqual(self.text("listen", "a.wav", "--mono", "--seconds", "0.1", port=port),
-                         "a.wav has 0.1 s of sound, with 1 gap.\n")
+            b"A": [[struct.pack(">BBH", 1, 1, 16000), heard(10, 5), heard(67, 6), heard(124, 7)]]}))
+        self.assertEqual(self.text("listen", "a.wav", "--mono", "--seconds", "0.15", port=port),
+                         "a.wav has 0.2 s of sound, with 2 gaps.\n")
         with wave.open(str(self.folder / "a.wav")) as file:
-            self.assertEqual(file.readframes(9000), b"\5\0" * 896 + bytes(2 * 50 * 128) + b"\6\0" * 896)
-        self.assertEqual(self.json("listen", "--mono", "--seconds", "0.1", port=port), {"seconds": 0.112, "gaps": 1})
+            self.assertEqual(file.readframes(19000), (bytes(2 * 50 * 128)).join(
+                number * 896 for number in (b"\5\0", b"\6\0", b"\7\0")))
+        self.assertEqual(self.json("listen", "--mono", "--seconds", "0.15", port=port), {"seconds": 0.168, "gaps": 2})
 
 
 class WrongUsage(TestCase):

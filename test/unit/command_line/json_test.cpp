@@ -9,7 +9,7 @@ namespace {
 
 TEST(Json, HasNumbersTextsAndTruth) {
   EXPECT_EQ(Json(3).text(), "3");
-  EXPECT_EQ(Json(0.25).text(), "0.25");
+  EXPECT_EQ(Json(-1.23456789).text(), "-1.23456789");
   EXPECT_EQ(Json(true).text(), "true");
   EXPECT_EQ(Json("nod").text(), "\"nod\"");
   EXPECT_EQ(Json().text(), "null");
