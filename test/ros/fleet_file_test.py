@@ -14,6 +14,7 @@ import roslaunch.config
 import yaml
 
 PROJECT = Path(__file__).resolve().parents[2]
+roslaunch.config.load_roscore = lambda *_, **__: None  # it would start two programs each time
 
 
 def program(name):
@@ -109,7 +110,8 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: h}, b: {host: i, frame_prefix: a}}', 'have the same frame_prefix: a')
         self.assert_refused('robots: {a: {host: h}, b: {host: i, camera_name: a}}', 'have the same camera_name: a')
         self.assert_refused('robots: {a: {host: h}, b: {host: i}, c: {host: h}}', "'a' and 'c' have the same host")
-        self.assertEqual(len(robots_in('robots: {a: {host: h}, b: {host: h, port: 54322}}')), 2)
+        self.assertEqual(len(robots_in('robots: {a: {host: h, camera_name: default}, '
+                                       'b: {host: h, port: 54322, camera_name: default}}')), 2)
 
     def test_each_driver_gets_its_settings(self):
         config = launch('robots: {a: {host: h, stream_on_start: false}, b: {host: i, frame_prefix: none, port: 5}}')
