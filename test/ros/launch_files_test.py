@@ -10,6 +10,7 @@ import yaml
 
 PROJECT = Path(__file__).resolve().parents[2]
 LAUNCH = PROJECT / 'launch'
+roslaunch.config.load_roscore = lambda *_, **__: None  # it would start two programs each time
 
 # Arguments of aibo.launch that are not the driver's parameters.
 NOT_OF_THE_DRIVER = {'ns', 'look_at', 'model', 'respawn', 'rviz', 'walk_calibration'}
@@ -38,8 +39,7 @@ def resolve(name, **arguments):
 
 
 def parameters(config):
-    leave_out = ('/robot_description', '/rosversion', '/rosdistro')
-    return {name: parameter.value for name, parameter in config.params.items() if not name.endswith(leave_out)}
+    return {name: parameter.value for name, parameter in config.params.items() if not name.endswith('/robot_description')}
 
 
 def driver_parameters(config, node='/aibo/aibo_driver'):
@@ -81,6 +81,11 @@ class LaunchFilesTest(unittest.TestCase):
         config = resolve('aibo.launch', ns='team/left', **OTHER_VALUES)
         expected = {**OTHER_VALUES, 'publish_footprint': True}  # together with the model
         self.assertEqual(driver_parameters(config, '/team/left/aibo_driver'), expected)
+        defaults = driver_parameters(resolve('aibo.launch'))
+        for name in (name for name, value in OTHER_VALUES.items() if isinstance(value, bool)):  # each alone
+            self.assertEqual(driver_parameters(resolve('aibo.launch', **{name: OTHER_VALUES[name]})),
+                             {**defaults, name: OTHER_VALUES[name]})
+        self.assertEqual(driver_parameters(resolve('aibo.launch', model=False)), {**defaults, 'publish_footprint': False})
 
     def test_the_defaults_of_aibo_launch_are_those_of_the_driver(self):
         defaults = documented_parameters()
@@ -135,12 +140,12 @@ class LaunchFilesTest(unittest.TestCase):
             ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'around'), **rviz}),
             ('demo.launch', {'walk': True}, {**without(demo, 'around'), '/aibo/aibo_follow_ball': ''}),
             ('demo.launch', {'simulation': False}, without(demo, 'rcserver', 'room')),
-            ('demo.launch', {'images': '/a b', 'port': 1, 'console_port': 2}, {
-                **without(demo, 'room'), '/aibo_rcserver': "--port 1 --console-port 2 --images '/a b'"}),
+            ('demo.launch', {'images': "/Anna's b", 'port': 1, 'console_port': 2}, {
+                **without(demo, 'room'), '/aibo_rcserver': r"--port 1 --console-port 2 --images '/Anna'\''s b'"}),
             ('demo.launch', {'on_table': True}, {
                 **demo, '/aibo_rcserver': '--port 54321 --console-port 59000 --on-table'}),
             ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
-            ('fleet.launch', {'robots': '/a b.yaml'}, {'/aibo_fleet': "'/a b.yaml'"}),
+            ('fleet.launch', {'robots': "/Anna's b.yaml"}, {'/aibo_fleet': r"'/Anna'\''s b.yaml'"}),
             ('fleet.launch', {'robots': '/a.yaml', 'rviz': True}, {'/aibo_fleet': "'/a.yaml' --rviz"}),
             ('playback.launch', {'bag': '/tmp/a.bag'}, playback),
             ('playback.launch', {'bag': '/tmp/a.bag', 'rviz': False}, without(playback, 'rviz')),
@@ -153,9 +158,6 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertEqual({each: node.args for each, node in started.items()}, wanted)
                 for each, node in started.items():
                     self.assertEqual(node.required, each.endswith(('rviz', 'aibo_playback', 'fleet', 'keyboard')), each)
-        waits = [parameters(resolve('playback.launch', bag='/a', rviz=rviz))['/aibo/aibo_playback/wait']
-                 for rviz in (True, False)]
-        self.assertEqual(waits, [30.0, 2.0])
         self.assertIs(nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver'].respawn, True)
         self.assertIs(nodes(resolve('aibo.launch'))['/aibo/aibo_driver'].respawn, False)
 
@@ -170,12 +172,16 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual(given['walk_speed_limit'], 0.1)
 
     def test_demo_passes_on_where_the_robot_is(self):
-        given = driver_parameters(resolve('demo.launch', simulation=False, host='aibo.local', port=4711))
-        self.assertEqual((given['host'], given['port']), ('aibo.local', 4711))
+        other = {'host': 'aibo.local', 'port': 4711, 'picture_folder': '/srv/pictures'}
+        config = resolve('demo.launch', simulation=False, go_on_after_stop=True, **other)
+        self.assertEqual(driver_parameters(config), {**driver_parameters(resolve('demo.launch')), **other})
+        self.assertIs(parameters(config)['/aibo/aibo_look_around/go_on_after_stop'], True)
 
     def test_demo_guards_walks_unless_it_walks_around_the_ball(self):
-        self.assertIs(driver_parameters(resolve('demo.launch', on_table=True))['guard'], True)
-        self.assertIs(driver_parameters(resolve('demo.launch', walk=True))['guard'], False)
+        for walk, node in (False, 'aibo_room/on_table'), (True, 'aibo_follow_ball/go_on_after_stop'):
+            config = resolve('demo.launch', walk=walk, on_table=not walk, go_on_after_stop=walk)
+            self.assertIs(driver_parameters(config)['guard'], not walk)
+            self.assertIs(parameters(config)['/aibo/' + node], True)
         self.assertIs(driver_parameters(resolve('demo.launch', walk=True, guard=True))['guard'], True)
 
     def test_teleop_by_joystick_has_its_mapping(self):
@@ -185,6 +191,9 @@ class LaunchFilesTest(unittest.TestCase):
                          {name[1:]: value for name, value in flat('', mapping)})
         self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
         self.assertEqual(parameters(config)['/aibo_joy/dev'], '/dev/input/js0')
+        speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
+        config = resolve('teleop.launch', ns='left', **speeds)
+        self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)
         config = resolve('teleop.launch', joy=True, joy_reader='joy_node', joy_dev='/dev/input/js1')
         self.assertIn('/joy_node', nodes(config))
         self.assertEqual(driver_parameters(config, '/joy_node'), {'dev': '/dev/input/js1', 'autorepeat_rate': 20})
@@ -215,8 +224,10 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_playback_has_the_recorded_namespace(self):
         for given in ('team/right', '/team/right'):
-            config = resolve('playback.launch', bag='/tmp/a.bag', recorded_ns=given)
-            self.assertEqual(parameters(config)['/aibo/aibo_playback/recorded_ns'], '/team/right')
+            other = {'bag': '/tmp/a b.bag', 'frame_prefix': 'port/side', 'loop': True, 'rate': 2.5, 'start': 7.5}
+            config = resolve('playback.launch', ns='left', recorded_ns=given, rviz=False, **other)
+            self.assertEqual(driver_parameters(config, '/left/aibo_playback'),
+                             {**other, 'recorded_ns': '/team/right', 'wait': 2.0})
 
     def test_playback_can_be_heard(self):
         self.assertNotIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))
