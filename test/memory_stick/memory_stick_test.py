@@ -193,11 +193,11 @@ class AStick(Workshop):
 
 class TheNetwork(Workshop):
     def test_with_a_fixed_address(self):
-        self.expect_stick("--essid", "AIBO", "--ip", "192.168.7.2", "--gateway", "192.168.7.1",
+        self.expect_stick("--essid", "AIBO", "--ip", "192.168.7.2", "--netmask", "255.255.252.0", "--gateway", "192.168.4.1",
                           "--wep-key", "Example4Robot")
         self.assertEqual(self.wlan_conf(),
-                         "HOSTNAME=AIBO\r\nUSE_DHCP=0\r\nETHER_IP=192.168.7.2\r\nETHER_NETMASK=255.255.255.0\r\n"
-                         "IP_GATEWAY=192.168.7.1\r\nDNS_SERVER_1=192.168.7.1\r\nESSID=AIBO\r\nWEPENABLE=1\r\n"
+                         "HOSTNAME=AIBO\r\nUSE_DHCP=0\r\nETHER_IP=192.168.7.2\r\nETHER_NETMASK=255.255.252.0\r\n"
+                         "IP_GATEWAY=192.168.4.1\r\nDNS_SERVER_1=192.168.4.1\r\nESSID=AIBO\r\nWEPENABLE=1\r\n"
                          "WEPKEY=Example4Robot\r\nAPMODE=1\r\nCHANNEL=3\r\n")
 
     def test_has_a_key_that_only_its_owner_can_read(self):
