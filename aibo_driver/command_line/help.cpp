@@ -90,7 +90,7 @@ std::string helpOf(const Command& command) {
                      wrapped(command.name + ": " + command.summary + ". " + command.details) + "\n\nExamples:\n";
   for (const Example& example : command.examples) {
     char line[160];
-    std::snprintf(line, sizeof line, "  aibo %-38s %s\n", example.arguments.c_str(), example.effect.c_str());
+    std::snprintf(line, sizeof line, "  aibo %-37s  %s\n", example.arguments.c_str(), example.effect.c_str());
     text += line;
   }
   std::ostringstream options;

@@ -190,6 +190,11 @@ void Robot::noteStatus(const ConnectionStatus& status) {
   change([&] {
     received_.failures += status.state == ConnectionState::kDisconnected && status.fault != FaultKind::kNone ? 1 : 0;
     received_.status = status;
+    if (status.state == ConnectionState::kDisconnected && !status.reason.empty()) {
+      // The client has logged why, and that it tries again. Most commands do not, and say why themselves.
+      const auto says_why = [&](const std::string& text) { return text.find(status.reason) != std::string::npos; };
+      warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(), says_why), warnings_.end());
+    }
   });
 }
 

@@ -438,12 +438,11 @@ class Version1(OnBothVersions, TestCase):
         self.assertIn("set its camera", self.aibo("picture", "--gain", "high", status=FAILED).errors)
 
     def test_warns_once_while_it_watches(self):
-        with start("watch", "--seconds", "2", "--gain", "high", port=self.robot.port,
+        with start("watch", "--seconds", "4", "--gain", "high", port=self.robot.port,
                    stderr=subprocess.STDOUT) as watch:
             said = watch.communicate()[0].decode()
         self.assertRegex(said, r"(?s)no request to set the camera.* pictures")
-        for connection in said.split("No connection"):  # a busy computer may lose it
-            self.assertLessEqual(connection.count("no request to set the camera"), 1, said)
+        self.assertLessEqual(said.count("no request to set the camera"), 2, "a busy computer may lose the connection")
 
     def test_plays_for_ten_seconds_because_it_does_not_know_the_end(self):
         begin = time.monotonic()
@@ -966,7 +965,7 @@ class Lost(TestCase):
     def test_whatever_waits_for_a_robot_that_is_lost_ends_and_says_so(self):
         heard = b"a", struct.pack(">IHBx", 10, 512, 2) + bytes(2048), 0, 1
         answers = {b"T": [[b"\0\4", measured(J={joint: -900 * joint for joint in Answered.JOINTS}, S={66: 870000})]], b"V": [[b""]],
-                   b"A": [[struct.pack(">BBH", 1, 2, 16000), heard]], **dict.fromkeys((b"E", b"O", b"S"), [[None]])}
+                   b"A": [[struct.pack(">BBH", 1, 2, 16000), heard]], **dict.fromkeys((b"E", b"O", b"S", b"U", b"M", b"D"), [[None]])}
 
         def robot(until):
             return self.server(says_hello(b"", answers=answers, until=until))
@@ -974,12 +973,13 @@ class Lost(TestCase):
             (b"T", "doctor"), (b"W", "doctor"), (b"T", "sensors"), (b"T", "battery"), (b"T", "joints"),
             (b"T", "move", "mouth=0deg"), (b"J", "move", "mouth=0deg"), (b"E", "stand"), (b"P", "play", "nod"),
             (b"S", "walk", "forward=1cm/s"), (b"O", "motors", "on"), (b"I", "stop"), (b"A", "listen"),
-            (b"AH", "listen", "a.wav"), (b"F", "picture", "-o", "b.jpg"))]
+            (b"AH", "listen", "a.wav"), (b"F", "picture", "-o", "b.jpg"), (b"N", "motions"), (b"U", "upload", str(NOD)),
+            (b"M", "snap"), (b"Y", "fetch", "aibo0001"), (b"D", "delete", "nod"))]
         for words, command in lost:
             with self.subTest(words), command:
                 said = b"".join(command.communicate())
                 self.assertEqual(command.returncode, UNREACHABLE, said)
-                self.assertIn(b"closed the connection", said)
+                self.assertEqual(said.count(b"closed the connection"), 1, said)
                 self.assertEqual(b"battery" in said, words == (b"W", "doctor"))
         self.assertEqual(os.listdir(self.folder), ["a.wav"])
         with wave.open(str(self.folder / "a.wav")) as file:
@@ -1182,8 +1182,9 @@ class Answered(TestCase):
             {"name": "head_pan", "commanded": 0.2, "target": 0.009, "position": 0.006, "clamped": True},
             {"name": "tail_pan", "commanded": 0.3, "target": 0.197, "position": 0.202, "clamped": True}])
         why = "degrees, where another joint or the body is in its way: it goes to"
-        self.assertRegex(moved.errors, rf"^head_pan cannot go to 11\.5 {why} 0\.5 degrees\.\ntail_pan cannot go to 17\.2 {why} "
-                                       r"11\.3 degrees\.\naibo: .* refused to send telemetry: no T\.\n$")
+        self.assertRegex(moved.errors, rf"^head_pan cannot go to 11\.5 {why} 0\.5 degrees\.\n"
+                                       rf"tail_pan cannot go to 17\.2 {why} 11\.3 degrees\.\n"
+                                       r"aibo: .* refused to send telemetry: no T\.\n$")
         answers[b"J"] = [[None]]
         refused = self.aibo("move", "head_pan=0.2rad", port=self.server(says_hello(b"", answers=answers)),
                             status=FAILED)

@@ -73,6 +73,7 @@ class DemoTest(unittest.TestCase):
     def test_says_what_is_wrong_with_its_options(self):
         for options, problem in ((['--fast'], "there is no option '--fast'"),
                                  (['--seconds'], '--seconds needs a value'),
+                                 (['--still', '--robot', ''], '--robot needs a value'),
                                  (['--seconds', '1.5'], "--seconds takes a whole number, not '1.5'"),
                                  (['--images', '/nowhere'], "there is no folder '/nowhere'"),
                                  (['--images', '/', '--robot', 'aibo'], '--images is for the simulated robot'),
