@@ -129,13 +129,18 @@ class LaunchFilesTest(unittest.TestCase):
         rviz = {'/aibo/rviz': 'aibo'}
         playback = {**model, '/aibo/aibo_playback': '', '/aibo/camera/aibo_image_decoder': '', **rviz}
 
+        left = {'ns': 'left', 'frame_prefix': 'port'}
+
+        def of_left(started):
+            return {name.replace('/aibo/', '/left/'): arguments for name, arguments in started.items()}
+
         def without(started, *names):
             return {name: arguments for name, arguments in started.items() if not name.endswith(names)}
         cases = (
             ('aibo.launch', {}, driver),
             ('aibo.launch', {'rviz': True}, {**driver, **rviz}),
-            ('aibo.launch', {'rviz': True, 'publish_odom_tf': False},
-             {**driver, '/aibo/rviz': '--fixed-frame base_footprint aibo'}),
+            ('aibo.launch', {'rviz': True, 'publish_odom_tf': False, **left},
+             {**of_left(driver), '/left/rviz': '--fixed-frame port/base_footprint left:port'}),
             ('demo.launch', {}, demo),
             ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'around'), **rviz}),
             ('demo.launch', {'walk': True}, {**without(demo, 'around'), '/aibo/aibo_follow_ball': ''}),
@@ -147,10 +152,10 @@ class LaunchFilesTest(unittest.TestCase):
             ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
             ('fleet.launch', {'robots': "/Anna's b.yaml"}, {'/aibo_fleet': r"'/Anna'\''s b.yaml'"}),
             ('fleet.launch', {'robots': '/a.yaml', 'rviz': True}, {'/aibo_fleet': "'/a.yaml' --rviz"}),
-            ('playback.launch', {'bag': '/tmp/a.bag'}, playback),
+            ('playback.launch', {'bag': '/tmp/a.bag', **left}, {**of_left(playback), '/left/rviz': 'left:port'}),
             ('playback.launch', {'bag': '/tmp/a.bag', 'rviz': False}, without(playback, 'rviz')),
             ('teleop.launch', {}, {'/aibo/aibo_teleop_keyboard': ''}),
-            ('view.launch', {'ns': 'left', 'frame_prefix': 'port', 'fixed_frame': 'map'},
+            ('view.launch', {**left, 'fixed_frame': 'map'},
              {'/left/rviz': '--fixed-frame map left:port'}))
         for name, given, wanted in cases:
             with self.subTest(name=name, given=given):
@@ -158,7 +163,8 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertEqual({each: node.args for each, node in started.items()}, wanted)
                 for each, node in started.items():
                     self.assertEqual(node.required, each.endswith(('rviz', 'aibo_playback', 'fleet', 'keyboard')), each)
-        self.assertIs(nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver'].respawn, True)
+        again = nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver']
+        self.assertEqual((again.respawn, again.respawn_delay), (True, 5))
         self.assertIs(nodes(resolve('aibo.launch'))['/aibo/aibo_driver'].respawn, False)
 
     def test_the_driver_takes_a_calibration_of_its_walk(self):
@@ -185,12 +191,14 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertIs(driver_parameters(resolve('demo.launch', walk=True, guard=True))['guard'], True)
 
     def test_teleop_by_joystick_has_its_mapping(self):
-        config = resolve('teleop.launch', joy=True, ns='left')
-        mapping = yaml.safe_load((PROJECT / 'config/joy.yaml').read_text(encoding='utf-8'))
-        self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'),
-                         {name[1:]: value for name, value in flat('', mapping)})
-        self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
-        self.assertEqual(parameters(config)['/aibo_joy/dev'], '/dev/input/js0')
+        other = PROJECT / 'config/diagnostics_aggregator.yaml'  # any other file
+        for given, file, device in (({}, PROJECT / 'config/joy.yaml', '/dev/input/js0'),
+                                    ({'joy_config': other, 'joy_dev': '/dev/input/js7'}, other, '/dev/input/js7')):
+            config = resolve('teleop.launch', joy=True, ns='left', **given)
+            self.assertEqual(driver_parameters(config, '/left/aibo_teleop_joy'),
+                             {name[1:]: value for name, value in flat('', yaml.safe_load(file.read_text('utf-8')))})
+            self.assertEqual(set(nodes(config)), {'/left/aibo_teleop_joy', '/aibo_joy'})
+            self.assertEqual(parameters(config)['/aibo_joy/dev'], device)
         speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
         config = resolve('teleop.launch', ns='left', **speeds)
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)
