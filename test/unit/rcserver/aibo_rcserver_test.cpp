@@ -1,70 +1,89 @@
 // The executable aibo_rcserver.
-#include <arpa/inet.h>
 #include <gmock/gmock.h>
-#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
-#include <unistd.h>
+#include <turbojpeg.h>
 
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "support/memory_stick.h"
 #include "support/process.h"
+#include "support/sockets.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
 
 namespace {
 
 using test_support::Process;
-using test_support::Reply;
+using test_support::TemporaryFolder;
 using test_support::TestClient;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-std::vector<std::string> command(const std::vector<std::string>& options) {
-  std::vector<std::string> arguments = {AIBO_RCSERVER, "--memory-stick", MEMORY_STICK};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  return arguments;
-}
+using Strings = std::vector<std::string>;
 
 constexpr std::chrono::seconds kPatience{30};
-const std::vector<std::string> kFreePorts = {"--port", "0", "--console-port", "0"};
+
+/// Requests of version 1; it is the name of the motion that is only on the stick of command().
+const std::string kOnePicture = "FU";
+const std::string kPlayBow = std::string("P\0BOW.MTN", 9) + std::string(5, '\0') + std::string("\1\0\0\0", 4);
+
+/// A memory stick whose path has a blank, the arguments that roslaunch adds, and among them `options`.
+Strings command(const Strings& options = {}, const std::string& port = "0", const std::string& console_port = "0") {
+  static const TemporaryFolder folder;
+  const std::filesystem::path stick = folder.path("a stick");
+  if (!std::filesystem::exists(stick)) {
+    std::filesystem::copy(MEMORY_STICK, stick, std::filesystem::copy_options::recursive);
+    std::filesystem::rename(stick / "OPEN-R/MW/DATA/P/NOD.MTN", stick / "OPEN-R/MW/DATA/P/BOW.MTN");
+  }
+  Strings arguments = {AIBO_RCSERVER, "__name:=robot", "--console-port", console_port,
+                       "--memory-stick=" + stick.string()};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  arguments.insert(arguments.end(), {"--port=" + port, "__log:=/nowhere/robot.log"});
+  return arguments;
+}
 
 std::string restOfLine(Process& robot, const std::string& text) {
   return robot.waitForOutput(text + "(.+)\n", kPatience).at(1);
 }
 
-// Waits until it listens.
+/// Waits until it listens.
 std::string portOf(Process& robot, const std::string& address = "127.0.0.1") {
   return restOfLine(robot, "RCServer listening on " + address + ":");
 }
 
-// Tries an address of this computer other than 127.0.0.1.
-bool isReachableByAnotherAddress(const std::string& port) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(std::stoi(port)));
-  EXPECT_EQ(::inet_pton(AF_INET, "127.0.0.2", &address.sin_addr), 1);
-  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
-  const bool reached = ::connect(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  ::close(socket);
-  return reached;
+std::uint16_t numberOf(const std::string& port) {
+  return static_cast<std::uint16_t>(std::stoi(port));
 }
 
-// The letter of the robot's first reply; 0 if it sends none.
-char letterOfAnswer(const std::string& port, const std::string& request) {
-  TestClient client(static_cast<uint16_t>(std::stoi(port)));
-  client.send(request);
-  std::optional<Reply> reply;
+bool isReachable(const std::string& address, const std::string& port) {
+  const auto socket = test_support::beginConnecting(address, numberOf(port));
+  pollfd waiting{socket.get(), POLLOUT, 0};
+  EXPECT_EQ(::poll(&waiting, 1, 30000), 1);
+  return (waiting.revents & POLLERR) == 0;
+}
+
+/// What one robot prints until it ends, and how it ends.
+std::pair<int, std::string> endOf(const Strings& arguments) {
+  Process robot(arguments);
+  const auto status = robot.waitForExit(kPatience);
+  return {status.value_or(-1), robot.output()};
+}
+
+/// The letter of the next reply of version 1; 0 if none comes.
+char nextLetter(TestClient& client) {
+  std::optional<test_support::Reply> reply;
   for (int i = 0; i < 3000 && !reply && !client.ended(); ++i) {
     reply = client.next();
     ::poll(nullptr, 0, 10);
@@ -72,159 +91,213 @@ char letterOfAnswer(const std::string& port, const std::string& request) {
   return reply ? reply->letter : '\0';
 }
 
-TEST(AiboRCServer, ServesPicturesUntilItIsToldToStop) {
+char letterOfAnswer(const std::string& port, const std::string& request) {
+  TestClient client(numberOf(port));
+  client.send(request);
+  return nextLetter(client);
+}
+
+TEST(AiboRCServer, TellsEachPortThatIsNotTheRobotsOwnAndStopsWhenItIsTold) {
+  const std::string address = "127.0.0.7";
   for (const int signal : {SIGINT, SIGTERM}) {
-    const test_support::TemporaryFolder folder;
-    std::vector<std::string> options = kFreePorts;
-    options.insert(options.end(), {"--picture-log", folder.path("log")});
-    Process robot(command(options));
-    EXPECT_EQ(letterOfAnswer(portOf(robot), "FU"), protocol::REPLY_PICTURE);
-    std::ifstream log(folder.path("log"));
-    long long taken_at = 0;  // nanoseconds since 1970
-    EXPECT_TRUE(log >> taken_at);
-    EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
+    Strings free;
+    for (std::vector<aibo_client::FileDescriptor> sockets; sockets.size() < 4;) {
+      sockets.push_back(test_support::bindTo(address, 0));
+      free.push_back(std::to_string(test_support::portOf(sockets.back())));
+    }
+    Process robot(command(
+        {"--map-port", "65535=0", "--map-port=7=" + free[0], "--bind", address, "--map-port", free[1] + "=" + free[1]},
+        free[2], free[3]));
+    const std::string any = restOfLine(robot, "Port 65535 of the robot is port ").substr(0, 5);
+    EXPECT_EQ(portOf(robot, address), free[2]);
     robot.signal(signal);
-    EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
-    EXPECT_THAT(robot.output(), AllOf(HasSubstr("RCServer: waiting for a client on port"), HasSubstr("Stopped\n")));
-  }
-}
-
-TEST(AiboRCServer, ContinuesWhenNobodyReadsItsOutputAnyMore) {
-  std::string line = "exec";
-  for (const std::string& argument : command(kFreePorts)) {
-    line += " '" + argument + "'";
-  }
-  Process robot({"bash", "-c", line + " > >(sed -u '/RCServer listening/q')"});
-  const std::string port = portOf(robot);
-  for (int client = 0; client < 3; ++client) {  // it prints a line about each
-    EXPECT_EQ(letterOfAnswer(port, "FU"), protocol::REPLY_PICTURE);
-  }
-}
-
-TEST(AiboRCServer, IgnoresTheArgumentsThatRoslaunchAdds) {
-  std::vector<std::string> options = kFreePorts;
-  options.insert(options.end(), {"__name:=robot", "__log:=/nowhere/robot.log"});
-  Process robot(command(options));
-  portOf(robot);
-  robot.signal(SIGTERM);
-  EXPECT_EQ(robot.waitForExit(kPatience), 0);
-}
-
-TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
-  const std::vector<std::vector<std::string>> wrong = {{"--port", "65536"},
-                                                       {"--port", "-1"},
-                                                       {"--port", "x"},
-                                                       {"--console-port", "65536"},
-                                                       {"--seconds-per-image", "0"},
-                                                       {"--battery-minutes", "0"},
-                                                       {"--battery-minutes", "nan"},
-                                                       {"--encode-time", "-1"},
-                                                       {"--encode-time", "10001"},
-                                                       {"--stick-time", "-1"},
-                                                       {"--stick-time", "60001"},
-                                                       {"--processor-slowdown", "-1"},
-                                                       {"--processor-slowdown", "1001"},
-                                                       {"--hears-itself", "-0.1"},
-                                                       {"--hears-itself", "1.1"},
-                                                       {"--map-port", "7"},
-                                                       {"--map-port", "7="},
-                                                       {"--map-port", "7=7x"},
-                                                       {"--map-port", "0=7"},
-                                                       {"--map-port", "65536=7"},
-                                                       {"--map-port", "7=65536"},
-                                                       {"--protocol-version", "3"},
-                                                       {"--protocol-version", "0"},
-                                                       {"--no-such-option"}};
-  for (const std::vector<std::string>& options : wrong) {
-    Process robot(command(options));
-    EXPECT_EQ(robot.waitForExit(kPatience), 2) << options[0];
-    EXPECT_THAT(robot.output(), HasSubstr(options[0]));
-  }
-}
-
-TEST(AiboRCServer, AcceptsTheLargestValuesAndExplainsItsOptions) {
-  Process robot(command({"--help", "--port", "65535", "--console-port", "65535", "--encode-time", "10000",
-                         "--stick-time", "60000", "--processor-slowdown", "1000", "--hears-itself", "1"}));
-  EXPECT_EQ(robot.waitForExit(kPatience), 0);
-  EXPECT_THAT(robot.output(), HasSubstr("--processor-slowdown"));
-}
-
-TEST(AiboRCServer, MapsPortsOfOtherObjectsAndTellsThem) {
-  std::vector<std::string> options = kFreePorts;
-  options.insert(options.end(), {"--map-port", "7=0", "--map-port", "65535=0"});
-  Process robot(command(options));
-  const std::string rest = " of the robot is port ([0-9]+) of this computer\n";
-  EXPECT_GT(std::stoi(robot.waitForOutput("Port 7" + rest, kPatience).at(1)), 7);
-  EXPECT_GT(std::stoi(robot.waitForOutput("Port 65535" + rest, kPatience).at(1)), 7);
-  EXPECT_EQ(robot.waitForOutput("Port 54321" + rest, kPatience).at(1), portOf(robot));
-}
-
-TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
-  const std::string play = std::string("P\0NOD.MTN", 9) + std::string(5, '\0') + std::string("\1\0\0\0", 4);
-  for (const auto& [option, request, letter] :
-       {std::tuple<std::string, std::string, char>{"--encode-time", "FU", 'f'}, {"--stick-time", play, 'p'}}) {
-    std::vector<std::string> options = kFreePorts;
-    options.insert(options.end(), {option, "200"});
-    Process robot(command(options));
-    const std::string port = portOf(robot);
-    const auto begin = std::chrono::steady_clock::now();
-    EXPECT_EQ(letterOfAnswer(port, request), letter);
-    EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(200)) << option;
-  }
-}
-
-TEST(AiboRCServer, SaysWhichSoundItCannotHear) {
-  std::vector<std::string> options = kFreePorts;
-  options.insert(options.end(), {"--microphone", "/nowhere.wav"});
-  Process robot(command(options));
-  EXPECT_EQ(robot.waitForExit(kPatience), 1);
-  EXPECT_THAT(robot.output(), HasSubstr("/nowhere.wav"));
-}
-
-TEST(AiboRCServer, SpeaksVersion2UnlessItIsToldNotTo) {
-  for (const auto& [version, letter] : std::map<std::string, char>{{"2", 'x'}, {"1", 'e'}}) {
-    std::vector<std::string> options = kFreePorts;
-    options.insert(options.end(), {"--protocol-version", version});
-    Process robot(command(options));
-    EXPECT_EQ(letterOfAnswer(portOf(robot), "X\2"), letter) << version;
+    EXPECT_EQ(robot.waitForExit(kPatience), 0);
+    const std::string here = " of this computer\n";
+    EXPECT_EQ(robot.output(),
+              "RCServer: any address may connect\nRCServer: waiting for a client on port 54321\n"
+              "Port 7 of the robot is port " +
+                  free[0] + here + "Port 54321 of the robot is port " + free[2] + here +
+                  "Port 65535 of the robot is port " + any + here + "Console on " + address + ":" + free[3] +
+                  "\nRCServer listening on " + address + ":" + free[2] + "\nStopped\n");
   }
 }
 
 TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
   for (const auto& [address, reachable] : std::map<std::string, bool>{{"127.0.0.1", false}, {"0.0.0.0", true}}) {
-    std::vector<std::string> options = kFreePorts;
-    if (reachable) {
-      options.insert(options.end(), {"--bind", address});
-    }
-    Process robot(command(options));
+    Process robot(command(reachable ? Strings{"--bind", address} : Strings{}));
     const std::string console_port = restOfLine(robot, "Console on " + address + ":");
-    const std::string port = portOf(robot, address);
-    EXPECT_EQ(isReachableByAnotherAddress(port), reachable);
-    EXPECT_EQ(isReachableByAnotherAddress(console_port), reachable);
+    EXPECT_EQ(isReachable("127.0.0.2", portOf(robot, address)), reachable);
+    EXPECT_EQ(isReachable("127.0.0.2", console_port), reachable);
   }
 }
 
-TEST(AiboRCServer, SaysWhichPortIsInUse) {
-  Process first(command(kFreePorts));
-  const std::string port = portOf(first);
-  Process second(command({"--port", port, "--console-port", "0"}));
-  EXPECT_EQ(second.waitForExit(kPatience), 1);
-  EXPECT_THAT(second.output(), HasSubstr(port));
-}
-
-TEST(AiboRCServer, SaysWhichMemoryStickIsNotThere) {
-  Process robot({AIBO_RCSERVER, "--port", "0", "--console-port", "0", "--memory-stick", "/nowhere"});
-  EXPECT_EQ(robot.waitForExit(kPatience), 1);
-  EXPECT_THAT(robot.output(), HasSubstr("/nowhere"));
-}
-
 TEST(AiboRCServer, FindsItsMemoryStickByItself) {
-  Process robot({AIBO_RCSERVER, "--port", "0", "--no-console"});
-  portOf(robot);
+  Process robot({AIBO_RCSERVER, "--no-console", "--port", "0"});
+  const std::string port = portOf(robot);
   Process another({AIBO_RCSERVER, "--port", "0", "--no-console"});
   portOf(another);  // so the port of the console is not in use
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.waitForExit(kPatience), 0) << robot.output();
+  EXPECT_EQ(robot.waitForExit(kPatience), 0);
+  EXPECT_EQ(robot.output(),
+            "RCServer: any address may connect\nRCServer: waiting for a client on port 54321\n"
+            "Port 54321 of the robot is port " +
+                port + " of this computer\nRCServer listening on 127.0.0.1:" + port + "\nStopped\n");
+}
+
+// An object for another model is not loaded, and without RCServer there is no port for it.
+TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
+  const test_support::MemoryStick stick;
+  std::ifstream connections(stick.path("OPEN-R/MW/CONF/CONNECT.CFG"));
+  stick.write("OPEN-R/MW/CONF/CONNECT.CFG",
+              "[ERS-210]\n" + std::string(std::istreambuf_iterator<char>(connections), {}));
+  const std::string objects = "/MS/OPEN-R/MW/OBJS/";
+  stick.write("OPEN-R/MW/CONF/OBJECT.CFG",
+              objects + "FILES.BIN\n[ERS-210]\n" + objects + "RCSERVER.BIN\n" + objects + "ENCODER.BIN\n");
+  const Strings options = {AIBO_RCSERVER, "--port=0", "--memory-stick", stick.path().string(), "--console-port", "0"};
+  Process ers7(options);
+  restOfLine(ers7, "^Console on 127.0.0.1:");
+  ers7.signal(SIGTERM);
+  ers7.waitForExit(kPatience);
+  EXPECT_THAT(ers7.output(), testing::MatchesRegex("Console on 127.0.0.1:[0-9]+\nStopped\n"));
+
+  Strings other_options = options;
+  other_options.insert(other_options.end(), {"--battery-minutes", "0.02", "--robot", "ERS-210"});
+  const auto [status, output] = endOf(other_options);
+  EXPECT_EQ(status, 0);
+  EXPECT_THAT(output, testing::EndsWith("RCServer: the battery is low: the robot lies down and shuts down\n"
+                                        "ERROR RCServer: RCServer: the robot does not lie down: this kind of robot has "
+                                        "no known way to lie down\nThe robot shuts down\nStopped\n"));
+}
+
+TEST(AiboRCServer, LogsThePicturesThatItServesAndContinuesWhenNobodyReadsItsOutputAnyMore) {
+  const TemporaryFolder folder;
+  std::string line = "exec";
+  for (const std::string& argument : command({"--picture-log", folder.path("log")})) {
+    line += " '" + argument + "'";
+  }
+  Process robot({"bash", "-c", line + " > >(sed -u '/RCServer listening/q')"});
+  const std::string port = portOf(robot);
+  for (int client = 0; client < 3; ++client) {  // it prints a line about each
+    EXPECT_EQ(letterOfAnswer(port, kOnePicture), protocol::REPLY_PICTURE);
+  }
+  std::ifstream log(folder.path("log"));
+  long long taken_at = 0;  // nanoseconds since 1970
+  EXPECT_TRUE(log >> taken_at);
+  EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
+}
+
+TEST(AiboRCServer, ShowsEachPhotographAsLongAsItIsTold) {
+  using namespace protocol::version2;
+  constexpr double kSeconds = 0.09;
+  const std::map<std::string, int> greys = {{"c.ppm", 40}, {"a.ppm", 120}, {"b.ppm", 230}};
+  const TemporaryFolder folder;
+  Strings photographs;
+  for (const auto& [name, grey] : greys) {
+    folder.write("some photographs/" + name, "P6 1 1 255\n" + std::string(3, static_cast<char>(grey)));
+    photographs.push_back(name);
+  }
+  Process robot(
+      command({"--images", folder.path("some photographs"), "--seconds-per-image", std::to_string(kSeconds)}));
+  TestClient client(numberOf(portOf(robot)));
+  client.send("X\2");
+  EXPECT_EQ(nextLetter(client), 'x');
+  std::set<std::string> seen;
+  for (unsigned char number = 1; seen.size() < greys.size() && number < 100; ++number) {
+    client.send({'F', 90, 0, static_cast<char>(number), 0, 0, 0, 1, 0});
+    std::optional<test_support::Frame> picture;
+    for (int i = 0; i < 3000 && !(picture = client.nextFrame()); ++i) {
+      ::poll(nullptr, 0, 10);
+    }
+    ASSERT_TRUE(picture && picture->header.kind == 'f');
+    ImageHeader image = {};
+    ASSERT_EQ(decode(picture->payload.data(), IMAGE_HEADER_SIZE, &image), nullptr);
+    const auto turn = static_cast<std::size_t>(image.frame_number * 0.008 / kSeconds);
+    const std::string& name = photographs[turn % photographs.size()];
+    std::vector<unsigned char> pixels(static_cast<std::size_t>(image.width) * image.height);
+    const tjhandle decoder = tjInitDecompress();
+    tjDecompress2(decoder, picture->payload.data() + IMAGE_HEADER_SIZE, picture->payload.size() - IMAGE_HEADER_SIZE,
+                  pixels.data(), image.width, 0, image.height, TJPF_GRAY, 0);
+    tjDestroy(decoder);
+    EXPECT_NEAR(pixels[0], greys.at(name), 3) << name << " in frame " << image.frame_number;
+    seen.insert(name);
+  }
+}
+
+TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
+  const auto milliseconds_of = [](TestClient& client, const std::string& request, char answer) {
+    const auto begin = std::chrono::steady_clock::now();
+    client.send(request);
+    EXPECT_EQ(nextLetter(client), answer);
+    return (std::chrono::steady_clock::now() - begin) / std::chrono::milliseconds(1);
+  };
+  Process robot(command({"--stick-time", "600", "--encode-time", "120"}));
+  TestClient client(numberOf(portOf(robot)));
+  EXPECT_GE(milliseconds_of(client, kPlayBow, 'p'), 600);
+  EXPECT_GE(milliseconds_of(client, kOnePicture, protocol::REPLY_PICTURE), 120);
+  // No computer compresses a picture in a tenth of a millisecond.
+  Process slow(command({"--processor-slowdown", "1000"}));
+  TestClient patient(numberOf(portOf(slow)));
+  EXPECT_GE(milliseconds_of(patient, kOnePicture, protocol::REPLY_PICTURE), 100);
+}
+
+TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
+  const std::tuple<std::string, Strings, std::string> wrong[] = {{"seconds-per-image", {"0"}, "above 0"},
+                                                                 {"battery-minutes", {"0", "nan"}, "above 0"},
+                                                                 {"encode-time", {"-1", "10001"}, "0 to 10000"},
+                                                                 {"stick-time", {"-1", "60001"}, "0 to 60000"},
+                                                                 {"processor-slowdown", {"-1", "1001"}, "0 to 1000"},
+                                                                 {"hears-itself", {"-0.1", "1.1"}, "0 to 1"},
+                                                                 {"protocol-version", {"3", "0"}, "1 or 2"}};
+  const auto refusal = [](const std::string& message) {
+    return std::pair(2, "aibo_rcserver: " + message + " (--help lists all options)\n");
+  };
+  const auto must_be = [&](const std::string& option, const std::string& allowed) {
+    return refusal("option '--" + option + "' must be " + allowed);
+  };
+  for (const auto& [option, values, allowed] : wrong) {
+    for (const std::string& value : values) {
+      EXPECT_EQ(endOf(command({"--" + option, value})), must_be(option, allowed));
+    }
+  }
+  for (const char* ports : {"7", "7=", "7=7x", "0=7", "65536=7", "7=65536"}) {
+    EXPECT_EQ(endOf(command({"--map-port", "7=7007", "--map-port", ports})),
+              refusal("option '--map-port' takes two ports such as 7=7007, not '" + std::string(ports) + "'"));
+  }
+  EXPECT_EQ(endOf(command({"--seed", "x"})), refusal("the argument ('x') for option '--seed' is invalid"));
+  EXPECT_EQ(endOf(command({"--no-such-option"})), refusal("unrecognised option '--no-such-option'"));
+  EXPECT_EQ(endOf(command({}, "65537")), must_be("port", "0 to 65535, not 65537"));
+  EXPECT_EQ(endOf(command({}, "-2")), must_be("port", "0 to 65535, not -2"));
+  EXPECT_EQ(endOf(command({}, "0", "65538")), must_be("console-port", "0 to 65535, not 65538"));
+}
+
+TEST(AiboRCServer, SaysWhatItCannotUse) {
+  const auto socket = test_support::bindTo("127.0.0.1", 0);
+  ::listen(socket.get(), 1);
+  const std::string port = std::to_string(test_support::portOf(socket));
+  const std::pair<Strings, std::string> missing[] = {
+      {command({"--microphone", "/nowhere.wav"}), "/nowhere.wav: cannot be read"},
+      {command({"--speaker", "/nowhere/played.wav"}), "/nowhere/played.wav: cannot be written"},
+      {command({"--picture-log", "/nowhere/log"}),
+       "cannot open the picture log /nowhere/log: No such file or directory"},
+      {command({"--images", "/nowhere"}), "cannot open the folder of pictures /nowhere: No such file or directory"},
+      {command({"--robot", "ERS-9"}), "there is no simulated ERS-9; there are ERS-7 and ERS-210"},
+      {{AIBO_RCSERVER, "--memory-stick", "/nowhere", "--no-console"},
+       "memory stick: the folder /nowhere cannot be read: No such file or directory"},
+      {command({}, port), "port " + port +
+                              " on 127.0.0.1 is in use by another program, perhaps a second aibo_rcserver: stop that, "
+                              "or choose another port (--port NUMBER; 0 = any free one)"}};
+  for (const auto& [arguments, message] : missing) {
+    EXPECT_EQ(endOf(arguments), std::pair(1, "aibo_rcserver: " + message + "\n"));
+  }
+}
+
+TEST(AiboRCServer, AcceptsTheLargestValuesAndExplainsItsOptions) {
+  const auto [status, output] =
+      endOf(command({"--help", "--encode-time", "10000", "--stick-time", "60000", "--processor-slowdown", "1000",
+                     "--hears-itself", "1", "--map-port", "65535=65535", "--seed", "18446744073709551615"},
+                    "65535", "65535"));
+  EXPECT_EQ(status, 0);
+  EXPECT_THAT(output, HasSubstr("--processor-slowdown"));
 }
 
 }  // namespace
