@@ -34,6 +34,11 @@ struct Line {
 
 class PictureLogTest : public ::testing::Test {
  protected:
+  std::string logOfBefore() const {
+    folder_.write("picture_log", "1 2 3\n");
+    return folder_.path("picture_log");
+  }
+
   void send(const Bytes& jpeg) {
     Bytes message(protocol::PICTURE_HEADER_SIZE);
     protocol::encodePictureHeader(jpeg.size(), message.data());
@@ -52,7 +57,7 @@ class PictureLogTest : public ::testing::Test {
   }
 
   const test_support::TemporaryFolder folder_;
-  const std::string path_ = folder_.path("picture_log");
+  const std::string path_ = logOfBefore();
   PictureLog log_{path_};
 };
 

@@ -60,8 +60,8 @@ TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
 }
 
 TEST(ObjectConfigurationTest, NamesFileAndLineOfAMalformedLine) {
-  EXPECT_THAT(objectError("# one\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
-              AllOf(StartsWith("OBJECT.CFG:3: "), HasSubstr("'RCSERVER.BIN'")));
+  EXPECT_THAT(objectError("# one\n\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
+              AllOf(StartsWith("OBJECT.CFG:5: "), HasSubstr("'RCSERVER.BIN'")));
   EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN"), StartsWith("OBJECT.CFG:1: "));
   for (const char* broken : {"[ERS-7", "[ERS-7] x", "[", "]", "/MS/OPEN-R/MW/OBJS/.BIN", "/MS/OPEN-R/MW/OBJS/A.TXT",
                              "/MS/OPEN-R/MW/OBJS/../A.BIN", "/MS/OPEN-R/MW/CONF/A.BIN", "/MS/OPEN-R/MW/OBJS/A B.BIN"}) {
@@ -116,8 +116,8 @@ TEST(ConnectionConfigurationTest, NamesFileAndLineOfAnUnknownService) {
 }
 
 TEST(ConnectionConfigurationTest, RefusesToConnectDifferentTypesOfData) {
-  EXPECT_THAT(connectionError("Robot.Sensor.Value.S Server.Image.Picture.O"),
-              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("data types differ")));
+  EXPECT_THAT(connectionError("Robot.Sensor.Value.S\nServer.Image.Picture.O"),
+              AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("data types differ: Robot.Sensor.Value.S and Server.")));
 }
 
 TEST(ConnectionConfigurationTest, RefusesAConnectionWithOnlyOneEnd) {
@@ -130,9 +130,9 @@ TEST(ConnectionConfigurationTest, RefusesAConnectionWithOnlyOneEnd) {
 }
 
 TEST(ConnectionConfigurationTest, RefusesTheSameConnectionTwice) {
-  EXPECT_THAT(connectionError("Robot.Image.Picture.S Server.Image.Picture.O\n"
-                              "Robot.Image.Picture.S Server.Image.Picture.O\n"),
-              AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("second time")));
+  EXPECT_THAT(connectionError("Robot.Image.Picture.S Server.Image.Picture.O\n\n"
+                              "Robot.Image.Picture.S\nServer.Image.Picture.O\n"),
+              AllOf(StartsWith("CONNECT.CFG:3: "), HasSubstr("second time")));
 }
 
 std::map<std::string, std::string> designFiles(const std::string& text) {

@@ -125,15 +125,6 @@ TEST_F(ConsoleTest, AListenerThatDisconnectsDoesNotDisturbOthers) {
   EXPECT_TRUE(test_.runUntil([&] { return staying.received().find("one\ntwo\n") != std::string::npos; }));
 }
 
-TEST_F(ConsoleTest, TypedLinesAreIgnored) {
-  TestClient listener(port_);
-  awaitAccepted(listener);
-  listener.send("hello?\r\n");
-  test_.runPending();
-  print("still here\n");
-  EXPECT_TRUE(test_.runUntil([&] { return listener.received().find("still here\n") != std::string::npos; }));
-}
-
 TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
   std::vector<std::string> lines;
   test_.on_console_line = [&](const std::string& line) {
@@ -202,18 +193,6 @@ TEST_F(ConsoleTest, AListenerWhoseFirstLineIsNoCommandIsDroppedAndNothingOfItIsO
   listener.send("press pause\npress pause\nwhat?\npress pause\n");
   const std::string answers = "ok\nok\nerror: not understood: \"what?\"; \"help\" shows the commands\nok\n";
   EXPECT_TRUE(test_.runUntil([&] { return listener.received() == answers; })) << listener.received();
-}
-
-TEST_F(ConsoleTest, AFirstLineMayArriveInPieces) {
-  test_.on_console_line = [](const std::string& line) -> std::optional<std::string> {
-    return line == "where" ? std::optional<std::string>("here\n") : std::nullopt;
-  };
-  TestClient listener(port_);
-  listener.send("whe");
-  test_.runPending();
-  EXPECT_FALSE(listener.ended());
-  listener.send("re\n");
-  EXPECT_TRUE(test_.runUntil([&] { return listener.received() == "here\n"; }));
 }
 
 /// A console with a clock of its own.

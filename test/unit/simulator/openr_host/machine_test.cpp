@@ -196,15 +196,6 @@ TEST_F(MachineTest, MessagesForABusyObjectAreHandledWhenItHasFinishedEvenIfNoFra
   EXPECT_TRUE(machine.runUntil([&] { return client.received() == "first"; }));
 }
 
-TEST_F(MachineTest, TheConsoleCanBeListenedTo) {
-  Machine& machine = boot();
-  TestClient listener(machine.hostPort(kConsolePort));
-  machine.runPending();
-  robot_.frames_with_image = {1};
-  stepTo(1);
-  EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "image 1\n"; }));
-}
-
 TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
   robot_.frames_with_image = {6};
   EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));
@@ -239,14 +230,6 @@ TEST_F(MachineTest, WhatIsTypedActsOnTheRobotAfterTheFramesThatHavePassed) {
   telnet.send("press head_touch\n");
   machine->run();
   EXPECT_EQ(last_call, expected);
-}
-
-TEST_F(MachineTest, LinesTypedAtTheConsoleGoToTheMachinesCallback) {
-  options_.on_console_line = [](const std::string& line) { return line + " it is\n"; };
-  Machine& machine = boot();
-  TestClient listener(machine.hostPort(kConsolePort));
-  listener.send("press\n");
-  EXPECT_TRUE(machine.runUntil([&] { return listener.received() == "press it is\n"; }));
 }
 
 TEST_F(MachineTest, AsksForAnImageOncePerFrameAndDeliversThoseThatAreDue) {

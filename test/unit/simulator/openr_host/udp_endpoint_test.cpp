@@ -105,14 +105,14 @@ TEST_F(UdpEndpointTest, APacketIsAnnouncedBeforeItIsSent) {
   const auto endpoint = create();
   bind(endpoint);
   test_support::UdpSocket receiver;
-  int announced = 0;
-  test_.on_send = [&] {
-    ++announced;
+  std::vector<std::string> announced;
+  test_.on_send = [&](const void* data, std::size_t size) {
+    announced.emplace_back(static_cast<const char*>(data), size);
     EXPECT_FALSE(receiver.next());
   };
   sendTo(endpoint, receiver.port(), "hello");
   ASSERT_TRUE(haveAnswers(1));
-  EXPECT_EQ(announced, 1);
+  EXPECT_THAT(announced, ElementsAre("hello"));
   EXPECT_TRUE(receiver.next());
 }
 
