@@ -4,6 +4,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+
+#include "effector_command.h"
+#include "robot_model/robot_model.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -11,33 +17,66 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
+/// It has stepped aside and turned, its joints differ from each other, and so do its lights.
 class ConsoleCommandsTest : public testing::Test {
  protected:
+  ConsoleCommandsTest() {
+    robot_.setMotorPower(opowerON);
+    for (int step = 0; step <= 100; ++step) {
+      openr_host::EffectorCommands commands;
+      for (const auto& [joint, microradians] : kMoved) {
+        const OPrimitiveID id = open(model_.joints[robot_model::findJointByName(model_, joint)].locator);
+        robot_.enableJointGain(id);
+        robot_.setDefaultJointGain(id);
+        commands.push_back(effectorCommand(id, odataJOINT_COMMAND2,
+                                           OJointCommandValue2{restingPosition(joint) + microradians * step / 100, 0}));
+      }
+      robot_.passFrame(frame_++, commands);
+    }
+    pass(20, {effectorCommand(open("PRM:/r1/c1/c2/c3/la-LED3:la"), odataLED_COMMAND3,
+                              OLEDCommandValue3{100, oled3_MODE_B, 1, 0}),
+              effectorCommand(open("PRM:/r1/c1/c2/c3/lb-LED3:lb"), odataLED_COMMAND3,
+                              OLEDCommandValue3{201, oled3_MODE_A, 1, 0})});
+  }
+
+  OPrimitiveID open(const char* locator) {
+    OPrimitiveID id = oprimitiveID_UNDEF;
+    EXPECT_EQ(robot_.openPrimitive(locator, &id), oSUCCESS) << locator;
+    return id;
+  }
+
+  void pass(int frames, const openr_host::EffectorCommands& commands = {}) {
+    for (int i = 0; i < frames; ++i) {
+      robot_.passFrame(frame_++, commands);
+    }
+  }
+
   std::string say(const std::string& line) { return obeyConsole(robot_, line).value_or("no command"); }
 
   int chin() { return valueOf("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"); }
 
   /// What all four paws report, two seconds later.
   bool allPawsAre(bool down) {
-    for (int frame = 0; frame < 250; ++frame) {
-      robot_.passFrame(frame_++, {});
-    }
+    pass(250);
     const auto paws = {"PRM:/r2/c1/c2/c3/c4-Sensor:24", "PRM:/r3/c1/c2/c3/c4-Sensor:34",
                        "PRM:/r4/c1/c2/c3/c4-Sensor:44", "PRM:/r5/c1/c2/c3/c4-Sensor:54"};
     return std::all_of(paws.begin(), paws.end(), [&](const char* paw) { return valueOf(paw) == down; });
   }
 
   int valueOf(const char* locator) {
-    OPrimitiveID id = oprimitiveID_UNDEF;
-    robot_.openPrimitive(locator, &id);
-    robot_.passFrame(frame_++, {});
+    pass(1);
     OSensorValue value = {};
-    robot_.getSensorValue(id, &value);
+    robot_.getSensorValue(open(locator), &value);
     return value.value;
   }
 
+  /// From rest, in microradians.
+  const std::map<const char*, int> kMoved = {
+      {"left_front_rotator", -200000}, {"left_hind_rotator", -180000}, {"right_front_rotator", -60000},
+      {"right_hind_rotator", -90000},  {"head_tilt", 40000},           {"neck_tilt", -70000}};
+  const robot_model::RobotModel& model_ = *robot_model::findRobotModel("ERS-7");
   SimulatedErs7 robot_;
-  longword frame_ = 0;
+  longword frame_ = 7500;
 };
 
 TEST_F(ConsoleCommandsTest, AButtonIsPressedUntilItIsReleased) {
@@ -104,11 +143,20 @@ TEST_F(ConsoleCommandsTest, TheMemoryStickIsFullLockedOutSlowOrReady) {
 }
 
 TEST_F(ConsoleCommandsTest, WhereTellsPlaceAndDirection) {
-  EXPECT_EQ(say("where"), "ok: where 0.0000 0.0000 0.0000\n");
+  const auto told = [&](const char* begin) {
+    char text[80];
+    std::snprintf(text, sizeof(text), "ok: %s %.4f %.4f %.4f\n", begin, robot_.pose().x, robot_.pose().y,
+                  robot_.pose().yaw);
+    return std::string(text);
+  };
+  EXPECT_EQ(say("where"), told("where"));
+  EXPECT_GT(robot_.pose().x, 0.01);
+  EXPECT_LT(robot_.pose().y, -0.001);
+  EXPECT_LT(robot_.pose().yaw, -0.05);
 }
 
 TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
-  EXPECT_EQ(say("battery 12"), "ok: battery 12\n");
+  EXPECT_EQ(say("battery 11.7"), "ok: battery 11.7\n");
   OPowerStatus status;
   robot_.getPowerStatus(&status);
   EXPECT_EQ(status.remainingCapacity, 12);
@@ -122,22 +170,16 @@ TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
 }
 
 TEST_F(ConsoleCommandsTest, AJointIsJammedUntilItIsFreed) {
-  const char* locator = "PRM:/r1/c1/c2-Joint2:12";
-  OPrimitiveID pan = oprimitiveID_UNDEF;
-  robot_.openPrimitive(locator, &pan);
-  robot_.setMotorPower(opowerON);
+  const OPrimitiveID pan = open("PRM:/r1/c1/c2-Joint2:12");
   robot_.enableJointGain(pan);
   robot_.setJointGain(pan, 8, 2, 4, 0x0E, 0x02, 0x0F);
-  openr_host::EffectorCommand command = {pan, odataJOINT_COMMAND2, {{100000, 0}}};
+  const openr_host::EffectorCommands commands = {
+      effectorCommand(pan, odataJOINT_COMMAND2, OJointCommandValue2{100000, 0})};
   EXPECT_EQ(say("jam head_pan"), "ok: jam head_pan\n");
-  for (int i = 0; i < 60; ++i) {
-    robot_.passFrame(frame_++, {command});
-  }
+  pass(60, commands);
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 0);
   EXPECT_EQ(say("free head_pan"), "ok: free head_pan\n");
-  for (int i = 0; i < 60; ++i) {
-    robot_.passFrame(frame_++, {command});
-  }
+  pass(60, commands);
   EXPECT_EQ(robot_.joints().named("head_pan").position(), 100000);
 }
 
@@ -152,11 +194,17 @@ TEST_F(ConsoleCommandsTest, OtherLinesAreNoCommands) {
 }
 
 TEST_F(ConsoleCommandsTest, TellsWhereJointsAreAndWhatLightsAndEarsDo) {
-  EXPECT_EQ(say("joint neck_tilt"), "ok: joint neck_tilt -25.00\n");
+  EXPECT_EQ(say("joint neck_tilt"), "ok: joint neck_tilt -29.01\n");
+  EXPECT_EQ(say("joint left_front_rotator"), "ok: joint left_front_rotator -34.46\n");
+  EXPECT_EQ(say("joint right_front_rotator"), "ok: joint right_front_rotator -26.44\n");
   EXPECT_THAT(say("joint nose"), StartsWith("error: "));
-  EXPECT_EQ(say("light face_1"), "ok: light face_1 0\n");
+  EXPECT_EQ(say("light face_1"), "ok: light face_1 100\n");
+  EXPECT_EQ(say("light face_2"), "ok: light face_2 201\n");
   EXPECT_THAT(say("light nose"), StartsWith("error: "));
+  pass(1, {effectorCommand(open("PRM:/r1/c1/c2/c3/e6-Joint4:16"), odataJOINT_COMMAND4,
+                           OJointCommandValue4{ojoint4_STATE1, 1, 0})});
   EXPECT_EQ(say("ear left_ear"), "ok: ear left_ear let go\n");
+  EXPECT_EQ(say("ear right_ear"), "ok: ear right_ear drawn\n");
 }
 
 }  // namespace

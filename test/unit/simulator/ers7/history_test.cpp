@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <sstream>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "effector_command.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/camera/scene_view.h"
 #include "simulator/ers7/console_commands.h"
@@ -97,18 +97,11 @@ class UsedRobot {
     }
   }
 
-  template <typename Value>
-  static EffectorCommand command(OPrimitiveID id, ODataType type, const Value& value) {
-    EffectorCommand made = {id, type, {}};
-    std::memcpy(&made.value, &value, sizeof(value));
-    return made;
-  }
-
   EffectorCommands joints(const std::function<slongword(std::size_t)>& position) {
     EffectorCommands commands;
     for (std::size_t i = 0; i < rest_.size(); ++i) {
       commands.push_back(
-          command(ids_[model_.joints[i].locator], odataJOINT_COMMAND2, OJointCommandValue2{position(i), 0}));
+          effectorCommand(ids_[model_.joints[i].locator], odataJOINT_COMMAND2, OJointCommandValue2{position(i), 0}));
     }
     return commands;
   }
@@ -132,11 +125,11 @@ class UsedRobot {
       const OPrimitiveID id = ids_[model_.leds[i].locator];
       if (model_.leds[i].kind == robot_model::LED2) {
         commands.push_back(
-            command(id, odataLED_COMMAND2, OLEDCommandValue2{(i + round) % 2 == 0 ? oledON : oledOFF, 1, 0}));
+            effectorCommand(id, odataLED_COMMAND2, OLEDCommandValue2{(i + round) % 2 == 0 ? oledON : oledOFF, 1, 0}));
       } else {
         const auto mode = (i + round) % 2 == 0 ? oled3_MODE_B : oled3_MODE_A;
         commands.push_back(
-            command(id, odataLED_COMMAND3, OLEDCommandValue3{static_cast<sword>(5 * i + round), mode, 1, 0}));
+            effectorCommand(id, odataLED_COMMAND3, OLEDCommandValue3{static_cast<sword>(5 * i + round), mode, 1, 0}));
       }
     }
     return commands;
@@ -147,8 +140,9 @@ class UsedRobot {
     for (int i = 0; i < model_.number_of_ears; ++i) {
       const bool is_new = model_.ears[i].kind != robot_model::EAR_JOINT3;
       const bool on = i == 0 ? left : right;
-      commands.push_back(command(ids_[model_.ears[i].locator], is_new ? odataJOINT_COMMAND4 : odataJOINT_COMMAND3,
-                                 OJointCommandValue4{on ? ojoint4_STATE1 : ojoint4_STATE0, 1, 0}));
+      commands.push_back(effectorCommand(ids_[model_.ears[i].locator],
+                                         is_new ? odataJOINT_COMMAND4 : odataJOINT_COMMAND3,
+                                         OJointCommandValue4{on ? ojoint4_STATE1 : ojoint4_STATE0, 1, 0}));
     }
     return commands;
   }
