@@ -248,6 +248,17 @@ TEST(PairOfVersion2Test, AMotionThatWaitsBehindAnotherForTheMemoryStickIsTooOld)
   other.join();
 }
 
+TEST(PairOfVersion2Test, AFullMemoryStickTakesNoPictureUntilItIsEmptied) {
+  const MemoryStick stick("ALLOW_PICTURES=yes\n");
+  SimulatedRobot robot({"--memory-stick", stick.path()});
+  User user(robot);
+  user.connect();
+  EXPECT_EQ(robot.type("stick full"), "ok: stick full\n");
+  EXPECT_THROW(user.client().takePictureOnRobot(85, kPatience), CommandException);
+  EXPECT_EQ(robot.type("stick ready"), "ok: stick ready\n");
+  EXPECT_EQ(user.client().takePictureOnRobot(85, kPatience), "AIBO0001.JPG");
+}
+
 // Steps of a trajectory wait for answers. A velocity does not, and would go before them.
 TEST(PairOfVersion2Test, AWalkIsNotEndedByAnEarlierCommandToTheLegs) {
   SimulatedRobot robot;
