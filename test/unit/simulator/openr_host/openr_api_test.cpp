@@ -104,6 +104,14 @@ TEST_F(OpenrApiTest, TheClockCanBeSet) {
 }
 
 // Programmer's Guide, appendix A.1.
+TEST_F(OpenrApiTest, TheTimeSinceBootIsInSecondsAndMicroseconds) {
+  test_.system.modelTime(nullptr, [] { return std::chrono::seconds(3) + std::chrono::microseconds(250007); });
+  SystemTime time{};
+  asObject([&] { GetSystemTime(&time); });
+  EXPECT_EQ(time.seconds, 3U);
+  EXPECT_EQ(time.useconds, 250007U);
+}
+
 TEST_F(OpenrApiTest, FilesOfObjectsAreOnTheMemoryStick) {
   stick_.write("Data/Old.txt", "old");
   asObject([&] {

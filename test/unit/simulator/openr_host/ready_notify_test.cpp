@@ -27,7 +27,7 @@ class ReadyNotifyTest : public testing::Test {
     };
   }
 
-  void boot() { test_.boot({{"Sender", "Receiver"}, {"Sender", "Other"}}); }
+  void boot() { test_.boot({{"Sender", "Receiver"}, {"Sender", "Other"}, {"Second", "Receiver"}}); }
 
   void assertReady(TestObject& object) {
     test_.as(object, [&] { object.observer().AssertReady(); });
@@ -45,6 +45,7 @@ class ReadyNotifyTest : public testing::Test {
   TestObject& sender_ = test_.add("Sender");
   TestObject& receiver_ = test_.add("Receiver");
   TestObject& other_receiver_ = test_.add("Other");
+  TestObject& second_sender_ = test_.add("Second");
   std::vector<std::string> received_;
   std::vector<std::string> other_received_;
 };
@@ -105,8 +106,12 @@ TEST_F(ReadyNotifyTest, DeassertReadyRevokesReadiness) {
   test_.as(receiver_, [&] { receiver_.observer().DeassertReady(sender_.subjectId()); });
   test_.run();
   notify("data");
+  test_.as(second_sender_, [&] {
+    second_sender_.subject().SetData("more", 4);
+    second_sender_.subject().NotifyObservers();
+  });
   test_.run();
-  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(received_, ElementsAre("more")) << "of the other sender";
   EXPECT_THAT(other_received_, ElementsAre("data"));
 }
 
@@ -248,10 +253,10 @@ TEST_F(ReadyNotifyTest, BothEndsAreToldAboutTheirConnection) {
     events.emplace_back(event.SenderID() == receiver_.observerId() ? "sender to receiver" : "sender to other");
   };
   receiver_.on_connect = [&](const OConnectEvent& event) {
-    events.emplace_back(event.SenderID() == sender_.subjectId() ? "receiver" : "?");
+    events.emplace_back(event.SenderID() == sender_.subjectId() ? "receiver" : "receiver to second");
   };
   boot();
-  EXPECT_THAT(events, ElementsAre("sender to receiver", "receiver", "sender to other"));
+  EXPECT_THAT(events, ElementsAre("sender to receiver", "receiver", "sender to other", "receiver to second"));
 }
 
 TEST_F(ReadyNotifyTest, AnObjectThatHasNotRegisteredItsServicesIsNamed) {
