@@ -67,6 +67,14 @@ void JointCommandFilter::startApproach() {
   approaches_.assign(table_.size(), std::nullopt);
 }
 
+void JointCommandFilter::interruptApproach(SteadyTime now) {
+  for (std::size_t i = 0; i < approaches_.size(); ++i) {
+    if (approaches_[i] && now < approaches_[i]->end && !isNear(i, approaches_[i]->target)) {
+      approaches_[i].reset();
+    }
+  }
+}
+
 aibo_client::JointTarget JointCommandFilter::targetFor(std::size_t index, double position, double velocity,
                                                        SteadyTime now) {
   const JointProperties& joint = table_[index];

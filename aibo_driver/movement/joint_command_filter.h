@@ -27,7 +27,8 @@ constexpr double kUsualApproachSpeed = 0.5;
 ///   example, joint_state_publisher_gui begins by commanding every joint to 0 or to its middle. So the joint moves
 ///   there at the approach speed. The approach ends after the time that this way takes, or when a new target comes
 ///   while the measured joint is near the old one. From then on only the speed limit holds. A new target before
-///   then makes the approach longer, but at most as long as the joint takes for its whole range.
+///   then makes the approach longer, but at most as long as the joint takes for its whole range. A joint that is
+///   stopped on the way begins it again.
 class JointCommandFilter {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
@@ -46,6 +47,9 @@ class JointCommandFilter {
 
   /// From now on the robot may have any posture, for example after a new connection. All joints are approached again.
   void startApproach();
+
+  /// The joints are stopped. Those that are still on the approach begin it again with the next command.
+  void interruptApproach(SteadyTime now);
 
  private:
   /// The way of a joint to the first target that it was given.

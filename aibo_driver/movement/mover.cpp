@@ -560,6 +560,7 @@ void Mover::halt(const std::vector<MovementId>& movements, const std::string& re
   change([&] {
     ++halts_;
     halt_reason_ = reason;
+    filter_.interruptApproach(clock_());
   });
   const auto end_as = [&](EndedHow how, const std::string& why) {
     change([&] {

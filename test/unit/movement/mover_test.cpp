@@ -973,6 +973,23 @@ TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFro
   }
 }
 
+// The joint stands still until the release, however long that takes.
+TEST_F(MoverTest, GoesOnWithAnApproachThatWasStopped) {
+  measure(0);
+  command("head_pan", 1.0);
+  mover_.stop(order());
+  now_ += std::chrono::seconds(10);
+  mover_.release(order());
+  client_.told.clear();
+  command("head_pan", 1.0);
+  EXPECT_THAT(client_.told, ElementsAre("J 2:1.00 in 0")) << "as slowly as before";
+  measure(0.95);
+  mover_.stop(order());
+  mover_.release(order());
+  command("head_pan", 0.5);
+  EXPECT_THAT(client_.told, Contains("V 2:3.00")) << "it had arrived before the stop";
+}
+
 // ---- Trajectories
 
 TEST_F(MoverTest, SendsWhereTheJointsOfATrajectoryShouldBeSoon) {
