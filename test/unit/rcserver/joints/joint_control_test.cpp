@@ -263,8 +263,10 @@ constexpr int kFar = 2 * JointWatch::TOLERANCE;
 constexpr int kMoved = JointWatch::MOVEMENT;
 constexpr unsigned kPeriod = 4;
 constexpr unsigned kPatience = JointWatch::PATIENCE;
+constexpr int kPlace = -70001;
+constexpr unsigned kBegin = 0xffffffe0;  // the frame number overflows
 
-// Readings for a number of frames, or until the watch finds a fault.
+// Readings for a number of frames, relative to where the joint was at first, or until the watch finds a fault.
 struct Watched {
   unsigned frames;
   int reference;
@@ -291,14 +293,15 @@ TEST(JointWatch, JudgesAJointByItsReadings) {
   };
   for (const auto& [name, readings] : cases) {
     JointWatch watch;
-    unsigned frame = 0;
-    int position = 0;
+    unsigned frame = kBegin;
+    int position = kPlace;
+    watch.Reset(position, frame);
     for (const Watched& reading : readings) {
       JointWatch::Verdict verdict = JointWatch::FOLLOWS;
       for (unsigned passed = 0; passed < reading.frames && verdict == JointWatch::FOLLOWS; passed += kPeriod) {
         frame += kPeriod;
         position += reading.step;
-        verdict = watch.Look({position, reading.reference, reading.duty}, frame);
+        verdict = watch.Look({position, kPlace + reading.reference, reading.duty}, frame);
       }
       EXPECT_EQ(verdict, reading.verdict) << name << ", frame " << frame;
     }
@@ -331,14 +334,14 @@ TEST(JointRecovery, NeedsACommandThatIsFollowed) {
   };
   for (const auto& [name, readings] : cases) {
     JointRecovery recovery;
-    recovery.Reset(0, 0);
+    unsigned frame = kBegin;
+    recovery.Reset(kPlace, frame);
     recovery.Await();
-    unsigned frame = 0;
     for (const Recovery& reading : readings) {
       bool has_recovered = false;
       for (unsigned passed = 0; passed < reading.frames && !has_recovered; passed += kPeriod) {
         frame += kPeriod;
-        has_recovered = recovery.Look({reading.position, reading.reference, 0}, frame);
+        has_recovered = recovery.Look({kPlace + reading.position, kPlace + reading.reference, -3}, frame);
       }
       EXPECT_EQ(has_recovered, reading.has_recovered) << name << ", frame " << frame;
     }

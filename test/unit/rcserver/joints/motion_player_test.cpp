@@ -289,12 +289,18 @@ TEST_F(MotionPlayerTest, playsAMotionThatEndsWhereItBeganOnceClipped) {
 }
 
 TEST_F(MotionPlayerTest, playsMotionsOfOtherJointsAtOnce) {
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 1600 head_pan 40\n")), "");
+  for (const char* const slow : {"left_front_knee", "tail_tilt"}) {
+    planner_.SetAccelerationLimit(joint(slow), 200000);
+  }
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 left_front_knee 0\nat 1600 head_pan 40 left_front_knee 30\n")),
+            "");
   passFrames(50);
-  ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0\nat 1600 tail_pan 40\n")), "");
+  ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0 tail_tilt 5\nat 1600 tail_pan 30 tail_tilt 50\n")), "");
   pathOf("head_pan");
   EXPECT_NEAR(at("head_pan"), 40, 1e-4);
-  EXPECT_NEAR(at("tail_pan"), 40, 1e-4);
+  EXPECT_NEAR(at("left_front_knee"), 30, 1e-4) << "it arrives later";
+  EXPECT_NEAR(at("tail_pan"), 30, 1e-4);
+  EXPECT_NEAR(at("tail_tilt"), 50, 1e-4);
 }
 
 TEST_F(MotionPlayerTest, refusesAMotionOfAJointThatIsMovedAlready) {

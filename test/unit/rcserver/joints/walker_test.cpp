@@ -30,7 +30,7 @@ using ::testing::UnorderedElementsAre;
 constexpr int kFramesASecond = 125;
 constexpr double kFrame = 0.008;
 constexpr double kGravity = 9.80665;
-constexpr FallWatch::Reading kUpright = {0, 0, kGravity, {true, true, true, true}};
+constexpr FallWatch::Reading kUpright = {0.05, -0.08, kGravity, {true, true, true, true}};
 constexpr FallWatch::Reading kOnItsSide = {0, kGravity, 0, {true, true, true, true}};
 constexpr FallWatch::Reading kOnItsBack = {0, 0, -kGravity, {}};
 constexpr FallWatch::Reading kInTheAir = {0, 0, kGravity, {}};
@@ -214,7 +214,7 @@ class WalkerTest : public ::testing::Test {
   JointControl joints_{robot_};
   const Postures postures_{Gait()};
   FallWatch::Reading reading_ = kUpright;
-  unsigned frame_ = 0;
+  unsigned frame_ = 0xfffffc00;  // it overflows
   unsigned frames_since_report_ = 0;
   int fastest_ = 0;                      // microradian/s
   static constexpr int kDegree = 17453;  // microradian

@@ -288,6 +288,17 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
   }
 }
 
+// It sees more than it can remember while it turns by three quarters.
+TEST_F(WalkGuardTest, TheOldestEdgesAreForgotten) {
+  walk(kTurn, 9.42, atEdge());
+  look(onFloor());
+  wayUntil("the floor ends there", kForward);
+  guard_.HaveWalked({-0.1, 0, 0}, kForward, 63);
+  walk(kTurn, 3.14);
+  walk(kForward, 2);
+  EXPECT_EQ(objection(kForward), "") << "where it began";
+}
+
 // What holds for one side holds for the other.
 TEST_F(WalkGuardTest, LeftAndRightAreAlike) {
   WalkGuard mirrored(gait_);
