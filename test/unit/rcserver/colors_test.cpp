@@ -213,7 +213,7 @@ TEST_F(ColorsTest, AClientThatReadsLateGetsTheNewest) {
   ASSERT_TRUE(machine_->runUntil([&] {
     for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
       if (next->header.kind == COLORS_PUSH) {
-        images.push_back(static_cast<unsigned>(next->payload[2]) << 8 | next->payload[3]);
+        images.push_back(protocol::decodeBigEndian32(next->payload.data()));
       }
     }
     return !images.empty() && images.back() >= last;

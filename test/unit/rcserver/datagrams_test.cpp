@@ -15,6 +15,19 @@
 
 namespace {
 
+std::optional<antOperation> refused_operation;  // by the IPStack
+
+}  // namespace
+
+// The linker replaces antEnvMsg::Call() by __wrap..., which can call the original as __real....
+extern "C" antError __real__ZN9antEnvMsg4CallERK11antStackRefm(antEnvMsg* self, const antStackRef& stack, size_t size);
+extern "C" antError __wrap__ZN9antEnvMsg4CallERK11antStackRefm(antEnvMsg* self, const antStackRef& stack, size_t size) {
+  return refused_operation == self->operation ? ANT_FAIL
+                                              : __real__ZN9antEnvMsg4CallERK11antStackRefm(self, stack, size);
+}
+
+namespace {
+
 using namespace protocol::version2;
 using test_support::UdpSocket;
 using ::testing::Each;
@@ -455,6 +468,24 @@ TEST_F(DatagramsTest, MalformedRequestIsRefusedAndChangesNothing) {
   }
   takeImage();
   EXPECT_FALSE(partsAt(receiver).empty());
+}
+
+TEST_F(DatagramsTest, WithoutAnEndpointTheStreamGoesByTcpUntilThereIsOne) {
+  UdpSocket receiver;
+  streamTo(receiver);
+  for (const auto operation : {antOperation_CreateEndpoint, antOperation_UDPBind}) {
+    refused_operation = operation;
+    expectRefusal(answerTo('B', 0, portPayload(receiver.port())), CODE_REFUSED, "has no endpoint for datagrams");
+    refused_operation.reset();
+    for (int i = 0; i < 3; ++i) {
+      takeImage();
+      EXPECT_EQ(picturesByTcp().size(), 1U);
+      EXPECT_THAT(partsAt(receiver), IsEmpty());
+    }
+    switchOn(receiver);
+    takeImage();
+    EXPECT_FALSE(partsAt(receiver).empty());
+  }
 }
 
 TEST_F(DatagramsTest, AnIPStackThatSendsNothingLosesPicturesAndNothingElse) {

@@ -1,5 +1,5 @@
 /// @file fake_robot.h
-/// A robot whose camera images can be told apart, and whose joints are always where they were commanded to be.
+/// A robot whose camera images can be told apart. No two of its joints, sensors and numbers are alike.
 #ifndef TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 #define TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 
@@ -25,12 +25,16 @@
 /// has given a plane of detected colours. Each image has the same
 /// brightness all over, which differs from that of the ten images before and after.
 ///
-/// Begins in an allowed posture. In each frame, a joint with gains moves to the position it was last commanded to,
-/// unless it is jammed. Joints report their exact positions, sensors the values that the test has set. LEDs and ears
-/// keep their last commands.
+/// Begins upright, in an allowed posture. In each frame, a joint with gains moves to the position it was last commanded
+/// to, unless it is jammed. Joints report their positions, but those with gains are a little off, each by its own
+/// error. Sensors report the values that the test has set. LEDs and ears keep their last commands.
+///
+/// The images are numbered so that their 16-bit number soon begins again.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
+  static constexpr longword kFirstFrame = 100000;  ///< in which tests begin
+  static constexpr longword kFirstImage = 65520;   ///< its image
   static constexpr size_t kWidth = 208;
   static constexpr size_t kHeight = 160;
   static constexpr size_t kMostBands = 6;
@@ -45,6 +49,8 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool keeps_gain = false;     ///< DisableJointGain fails
     bool is_mute = false;        ///< GetJointValue fails
     std::optional<int> duty{};   ///< that it reports; otherwise it is full unless the joint is at its reference
+    int duty_at_rest = 0;
+    int error = 0;  ///< of the position that it reports while it has gains
     robot_model::PidGains gains = {};
     int position = 0;
     int reference = 0;
@@ -71,9 +77,32 @@ class FakeRobot : public openr_host::VirtualRobot {
                              2 * kMostBands * kWidth * kHeight)),
         pixels_(std::in_place, region_->Base(), region_->Size()) {
     std::vector<int> posture(joints.size(), 0);
+    for (size_t i = 0; i < joints.size(); ++i) {
+      const int number = static_cast<int>(i) + 1;
+      const int sign = i % 2 == 0 ? -1 : 1;
+      posture[i] = sign * (1000 + 211 * number);
+      joints[i].error = sign * (300 + 47 * number);
+      joints[i].duty_at_rest = sign * 3 * number;
+    }
     robot_model::clampPosture(model, posture.data());
     for (size_t i = 0; i < joints.size(); ++i) {
       joints[i].position = joints[i].reference = posture[i];
+    }
+    for (size_t i = 0; i < sensor_values.size(); ++i) {
+      if (model.sensors[i].kind == robot_model::SENSOR_TOUCH) {
+        sensor_values[i] = 3 + static_cast<int>(i);
+      }
+    }
+    const std::pair<const char*, int> at_rest[] = {{"range_near", 500000},
+                                                   {"range_far", 1500000},
+                                                   {"range_chest", 223000},
+                                                   {"acceleration_up_down", -9780000},
+                                                   {"acceleration_right_left", 150000},
+                                                   {"acceleration_front_back", -90000}};
+    for (const auto& [name, value] : at_rest) {
+      if (robot_model::findSensorByName(model, name) != robot_model::NO_SENSOR) {
+        sensor(name) = value;
+      }
     }
   }
   ~FakeRobot() override {
@@ -135,7 +164,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       speaker_requests[request] = value;
       return oSUCCESS;
     }
-    if (id != kCamera || refuses_camera_settings) {
+    if (id != kCamera || refuses_camera_settings || request == refused_camera_request) {
       return oINVALID_PRIMITIVE_ID;
     }
     camera_requests.emplace_back(request, value);
@@ -170,6 +199,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
   OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
     *value = read(at(id));
+    value->value = at(id).position;
     return at(id).is_mute ? oFAIL : oSUCCESS;
   }
   OStatus getSensorValue(OPrimitiveID, OSensorValue*) override { return oINVALID_PRIMITIVE_ID; }
@@ -261,6 +291,15 @@ class FakeRobot : public openr_host::VirtualRobot {
     return sensors_;
   }
 
+  /// The position that a joint reports.
+  static int measured(const FakeJoint& joint) { return joint.position + (joint.gain ? joint.error : 0); }
+
+  /// It lies on its right side.
+  void layOnSide() {
+    sensor("acceleration_right_left") = 9806650;
+    sensor("acceleration_up_down") = 40000;
+  }
+
   /// The value that a sensor reports, in the units of robot_model::SensorKind.
   int& sensor(const std::string& name) {
     return sensor_values[static_cast<size_t>(robot_model::findSensorByName(model, name.c_str()))];
@@ -292,6 +331,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::optional<std::array<byte, 3>> detail{};  ///< of images, in LH, HL and HH; without it there are no such bands
   int images_read = 0;                          ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
+  std::optional<OPrimitiveRequest> refused_camera_request{};
   bool refuses_color_tables = false;
   bool refuses_power_status = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
@@ -306,7 +346,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::string missing_locator;                        ///< of a primitive that does not open
 
   bool cameraImageDue(longword frame) override {
-    const longword image = frame / kFramesPerImage;
+    const longword image = (frame - kFirstFrame) / kFramesPerImage + kFirstImage;
     const bool due = image != image_;
     image_ = image;
     return due;
@@ -377,9 +417,9 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   static OJointValue read(const FakeJoint& joint) {
     OJointValue value{};
-    value.value = joint.position;
+    value.value = measured(joint);
     value.refValue = joint.reference;
-    const int duty = joint.reference == joint.position ? 0 : 512;
+    const int duty = joint.reference == joint.position ? joint.duty_at_rest : 512;
     value.pwmDuty = static_cast<sword>(joint.duty.value_or(duty));
     return value;
   }

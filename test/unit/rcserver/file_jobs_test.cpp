@@ -148,6 +148,7 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
 TEST_F(FileJobsTest, AMotionIsStoppedWhileTheFileOfAnotherIsRead) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
   finishJobs();
+  answers();
   file_keeper_.slowDown();
   live();
   send(frame('P', 0, 2, playPayload("NOD.MTN", 1)) + frame('P', 0, 3, playPayload("WAG.MTN", 0)));

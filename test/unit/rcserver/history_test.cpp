@@ -26,8 +26,8 @@ namespace {
 using namespace protocol::version2;
 using test_support::UdpSocket;
 
-constexpr longword kBegin = 2400;    // frame in which each robot's scenario begins
-constexpr unsigned kHistories = 12;  // before each kind of beginning
+constexpr longword kBegin = FakeRobot::kFirstFrame + 2500;  // frame in which each robot's scenario begins
+constexpr unsigned kHistories = 12;                         // before each kind of beginning
 constexpr char kSettings[] =
     "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\nALLOW_MICROPHONE=yes\nALLOW_SOUND=yes\n";
 

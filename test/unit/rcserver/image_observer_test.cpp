@@ -51,7 +51,7 @@ class ImageObserverTest : public ::testing::Test {
   }
 
   ImageObserver observer_;
-  unsigned image_count_ = 0;
+  unsigned image_count_ = 0xfffffffe;  // it overflows
 };
 
 // rcserver_test.cpp has the table of the four states and four events, with the whole server.

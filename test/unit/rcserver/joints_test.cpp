@@ -53,6 +53,8 @@ TEST_F(JointsTest, StartHoldsAllJointsWhereTheyAreWithTheGainsOfTheTable) {
     EXPECT_EQ(joint.gains.integral, gains.integral);
     EXPECT_EQ(joint.gains.derivative, gains.derivative);
     EXPECT_EQ(joint.gains.proportional_shift, gains.proportional_shift);
+    EXPECT_EQ(joint.gains.integral_shift, gains.integral_shift);
+    EXPECT_EQ(joint.gains.derivative_shift, gains.derivative_shift);
   }
   EXPECT_TRUE(robot_.powered);
 }
@@ -108,10 +110,12 @@ TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
     SCOPED_TRACE(joint.name);
     const std::vector<int> before = positions();
     const short target = centidegreesFromMicroradians(before[i] + (joint.highest - before[i]) / 4);
-    expectAnswer(request('J', joint.identifier), 'j', joint.identifier, centidegreesFromMicroradians(before[i]));
+    expectAnswer(request('J', joint.identifier), 'j', joint.identifier,
+                 centidegreesFromMicroradians(before[i] + robot_.joints[i].error));
     expectAnswer(request('J', joint.identifier, target), 'j', joint.identifier, target);
     passFrames(kLongestWay);
-    expectAnswer(request('J', joint.identifier), 'j', joint.identifier, target);
+    expectAnswer(request('J', joint.identifier), 'j', joint.identifier,
+                 centidegreesFromMicroradians(microradiansFromCentidegrees(target) + robot_.joints[i].error));
     std::vector<int> expected = before;
     expected[i] = microradiansFromCentidegrees(target);
     EXPECT_EQ(positions(), expected);
@@ -149,10 +153,11 @@ TEST_F(JointsTest, JointMovesFromTheNextFrameOnWithinItsLimits) {
   const Joint& joint = robot_.model.joints[robot_model::findJointByName(robot_.model, "head_pan")];
   std::vector<int>& path = robot_.joint("head_pan").path;
   passFrames(50);
+  const int before = path.back();
   path.clear();
   expectAnswer(request('J', kHeadPan, 4000), 'j', kHeadPan, 4000);
   passFrames(kLongestWay);
-  EXPECT_GT(path[0], 0);
+  EXPECT_GT(path[0], before);
   const int highest_step = joint.highest_speed / 125;
   const int highest_change = robot_model::defaultAcceleration(joint) / 125 / 125;
   for (size_t i = 2; i < path.size(); ++i) {
@@ -209,15 +214,16 @@ TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   for (const auto& [name, id, target] : first_and_last) {
     SCOPED_TRACE(name);
     FakeRobot::FakeJoint& joint = robot_.joint(name);
-    const int before = centidegreesFromMicroradians(joint.position);
+    const int before = centidegreesFromMicroradians(FakeRobot::measured(joint));
     joint.jammed = true;
     answerTo(request('J', id, target));
     answerTo(request('J', kTailPan, 3000));
     passFrames(kLongestWay);
     EXPECT_THAT(console_.str(), HasSubstr(std::string(name) + " is jammed"));
-    EXPECT_EQ(joint.reference, joint.position) << "its motor still pushes";
+    EXPECT_EQ(joint.reference, FakeRobot::measured(joint)) << "its motor still pushes";
     EXPECT_EQ(robot_.joint("tail_pan").position, microradiansFromCentidegrees(3000));
-    expectAnswer(request('J', kTailPan), 'j', kTailPan, 3000);
+    expectAnswer(request('J', kTailPan), 'j', kTailPan,
+                 centidegreesFromMicroradians(FakeRobot::measured(robot_.joint("tail_pan"))));
     expectError(request('J', id));
     expectAnswer(request('J', id), 'j', id, before);
     answerTo(request('J', id, target / 2));

@@ -231,7 +231,7 @@ TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
 }
 
 TEST_F(PowerTest, RobotThatLiesOnItsSideShutsDownWithoutLyingDown) {
-  robot_.sensor("acceleration_right_left") = 9806650;
+  robot_.layOnSide();
   passFrames(kFramesASecond);
   raise(orsbBATTERY_CAPACITY_LOW);
   passUntilOff(2);

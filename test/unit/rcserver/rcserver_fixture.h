@@ -6,6 +6,7 @@
 #include <TCPEndpointMsg.h>
 #include <gmock/gmock.h>
 
+#include <cctype>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +16,7 @@
 
 #include "fake_robot.h"
 #include "objects/HostSettings.h"
+#include "protocol/color_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/settings/Settings.h"
@@ -118,7 +120,10 @@ inline Picture pictureIn(const Frame& frame) {
 
 class RCServerFixture : public ::testing::Test {
  protected:
-  RCServerFixture() { host_.memory_stick = MEMORY_STICK; }
+  RCServerFixture() {
+    host_.memory_stick = MEMORY_STICK;
+    clock_.step(FakeRobot::kFirstFrame);
+  }
 
   // The machine uses the robot until its end.
   void TearDown() override { machine_.reset(); }
@@ -225,18 +230,58 @@ class FakeRobotFixture : public RCServerFixture {
  protected:
   FakeRobotFixture() { host_.memory_stick = stick_.path().c_str(); }
 
-  /// Boots the robot, and waits until its joints and sensors have been measured.
+  /// Boots the robot, and waits until its joints and sensors have been measured. Another client has been there.
   void start() {
     machine_.reset();
     console_.str("");
     boot(robot_);
     passFrames(kUntilMeasured);
+    if (machine_->isOn()) {
+      passAnotherClient();
+    }
   }
 
   /// @param settings content of RCSERVER.CFG
   void startWith(const std::string& settings) {
     stick_.write(SETTINGS_FILE, settings);
     start();
+  }
+
+  /// A client wants much, and is torn away while it says something.
+  void passAnotherClient() {
+    const auto told = console_.str();
+    const auto leds = robot_.leds;
+    const auto camera_requests = robot_.camera_requests;
+    const int images_read = robot_.images_read;
+    const auto other = connect(0, "127.0.0.2");
+    other->send(request('S', 1, 0) + request('S', 94, 0) + request('X', 2));
+    machine_->runPending();
+    std::optional<Reply> reply = other->next();
+    while (reply && reply->letter == 's') {
+      reply = other->next();
+    }
+    if (reply && protocol::version2::agreesToVersion2(reply->value)) {
+      using namespace protocol::version2;
+      other->send(frame('V', 0, 1, payloadOf(SpeedLimits{2, {{1, 300000}, {2, 400000}}})) +
+                  frame('T', TELEMETRY_WITH_DUTY | TELEMETRY_WITH_WALK, 2, payloadOf(TelemetryPeriod{8})) +
+                  frame('W', 33, 3, payloadOf(StreamSettings{true, LAYER_LOW, 3})) + frame('O', 0, 4) +
+                  frame('L', 0, 5, payloadOf(LedValues{2, {{2, 9, LED_MODE_A}, {9, 99, LED_MODE_B}}})) +
+                  frame('G', SETTING_GAIN, 6, "\3") + frame('Z', COLORS_ON, 7, payloadOf(ColorSettings{5, true})) +
+                  frame('F', 44, 8, payloadOf(PictureRequest{LAYER_MIDDLE})));
+      passFrames(2 * FakeRobot::kFramesPerImage);
+      other->send(frame('H', 0, 9) + frame('J', 0, 10, "a part").substr(0, 11));
+      machine_->runPending();
+    }
+    other->reset();
+    machine_->runPending();
+    passFrames(kUntilMeasured);
+    robot_.leds = leds;
+    robot_.camera_requests = camera_requests;
+    robot_.images_read = images_read;
+    sends_.clear();
+    begun_pictures_ = 0;
+    console_.str("");
+    console_ << told;
   }
 
   void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
@@ -344,6 +389,7 @@ class FakeRobotFixture : public RCServerFixture {
       }
       if (answer->header.request_number != 0) {
         EXPECT_EQ(answer->header.request_number, number);
+        EXPECT_TRUE(answer->header.kind == std::tolower(kind) || answer->header.kind == 'e') << kind;
         return *answer;
       }
     }
@@ -366,7 +412,7 @@ class FakeRobotFixture : public RCServerFixture {
   test_support::MemoryStick stick_;
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
-  int last_number_ = 0;  ///< of a request of version 2
+  int last_number_ = 0xa0f0;  ///< of a request of version 2
 };
 
 /// The client speaks version 2.

@@ -17,7 +17,7 @@ constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 1
 
 class RCServerTest : public FakeRobotFixture {
  protected:
-  void SetUp() override { boot(robot_); }
+  void SetUp() override { start(); }
 
   void takeImages(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
@@ -72,18 +72,6 @@ TEST_P(StateMachine, SendsPicturesAsInTheTable) {
       expectNoPictureOfNextImage(*client);
     }
   }
-}
-
-TEST_P(StateMachine, IsIdleForTheNextClient) {
-  auto client = connectServed();
-  ask(*client, GetParam().before + GetParam().event);
-  client->close();
-  machine_->runPending();
-  auto next = connectServed();
-  expectNoPictureOfNextImage(*next);
-  expectNoPictureOfNextImage(*next);
-  ask(*next, request('F', 85));
-  expectPictureOfNextImage(*next, 85);
 }
 
 const std::string kPicture = request('F', 70);
@@ -204,26 +192,6 @@ TEST_F(RCServerTest, SecondClientIsTurnedAwayAndTheFirstIsNotDisturbed) {
     EXPECT_FALSE(second->next());
     EXPECT_TRUE(first->next());
     expectPictureOfNextImage(*first, 85);
-  }
-}
-
-TEST_F(RCServerTest, NextClientIsServedAtOnceWhenTheFirstHasGone) {
-  for (int round = 0; round < 100; ++round) {
-    auto client = connectServed();
-    round % 2 == 0 ? client->close() : client->reset();
-  }
-}
-
-TEST_F(RCServerTest, HalfARequestIsForgottenWithItsClient) {
-  for (const std::string& half : {std::string("F"), "U1WALK.MTN" + std::string(8, '\xff')}) {
-    auto client = connectServed();
-    client->send(half);
-    machine_->runPending();
-    client->close();
-    machine_->runPending();
-    // The server has two connections, so one of these two clients gets the same one as the client before.
-    expectNewClientIsServed();
-    expectNewClientIsServed();
   }
 }
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "protocol/hello.h"
@@ -23,6 +25,12 @@ using ::testing::IsEmpty;
 std::string steering(int forward, int left = 0, int turn = 0) {
   const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};
   return payloadOf(velocity);
+}
+
+std::string told(const Frame& frame) {
+  MotorsAndPosture state = {};
+  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &state), nullptr);
+  return (state.motors_on ? "on " : "off ") + std::to_string(state.posture);
 }
 
 class WalkTest : public Version2Fixture {
@@ -55,6 +63,8 @@ class WalkTest : public Version2Fixture {
                         std::string(end.name, end.name_size) + ": " + std::string(end.reason, end.reason_size));
       } else if (next->header.kind == ERROR_MESSAGE && !next->payload.empty()) {
         errors_.push_back(payload.substr(2));
+      } else if (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
+        states_.push_back(told(*next));
       } else if (next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0) {
         ASSERT_EQ(decode(next->payload.data(), next->payload.size(), &telemetry_), nullptr);
       }
@@ -92,10 +102,9 @@ class WalkTest : public Version2Fixture {
                         [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
   }
 
-  void layOnSide() { robot_.sensor("acceleration_right_left") = 9806650; }
-
   std::vector<std::string> ends_;
   std::vector<std::string> errors_;
+  std::vector<std::string> states_;  ///< of motors and posture
   Telemetry telemetry_{};
 };
 
@@ -133,13 +142,17 @@ TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
 }
 
 TEST_F(WalkTest, PutsItsFeetToTheSideToWhichItLeans) {
+  std::vector<double> ahead;
+  const std::vector<int>& path = robot_.joint("left_front_rotator").path;
   for (const int left : {-600000, 600000}) {
-    robot_.sensor("acceleration_up_down") = -9806650;
+    robot_.sensor("acceleration_front_back") = left;  // its nose is up, and then down
     robot_.sensor("acceleration_right_left") = -left;
     walk();
+    ahead.push_back(std::accumulate(path.end() - 100, path.end(), 0.0) / 100);
     const int outward = robot_.joint("left_front_elevator").position - robot_.joint("right_front_elevator").position;
     EXPECT_GT(left > 0 ? outward : -outward, 150000);
   }
+  EXPECT_GT(ahead[1], ahead[0] + 50000);
 }
 
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
@@ -247,48 +260,56 @@ TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
   EXPECT_EQ(robot_.joint("neck_tilt").position, -174533);
 }
 
-std::string told(const Frame& frame) {
-  MotorsAndPosture state = {};
-  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &state), nullptr);
-  return (state.motors_on ? "on " : "off ") + std::to_string(state.posture);
+TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
+  pass(20);
+  EXPECT_THAT(states_, IsEmpty()) << "a client that does not know it";
+  send(frame('O', 0, 1));
+  pass(20);
+  EXPECT_THAT(states_, ElementsAre("on " + std::to_string(POSTURE_STAND)));
+  send(frame('E', POSTURE_REST, 2));
+  pass(6 * kFramesASecond);
+  EXPECT_THAT(states_, Contains("on " + std::to_string(POSTURE_REST)));
+  EXPECT_EQ(states_.back(), "off " + std::to_string(POSTURE_REST));
+  robot_.layOnSide();
+  pass(kFramesASecond);
+  EXPECT_EQ(states_.back(), "off " + std::to_string(POSTURE_FALLEN));
+  const size_t count = states_.size();
+  pass(kFramesASecond);
+  EXPECT_EQ(states_.size(), count) << "nothing changes";
 }
 
-TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
-  std::vector<std::string> states;
-  const auto listen = [&](unsigned frames) {
-    for (unsigned i = 0; i < frames; ++i) {
-      if (i % 100 == 0) {
-        send(frame('H', 0, 901));
-      }
-      passFrames(1);
-      while (const auto next = client_->nextFrame()) {
-        if (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
-          states.push_back(told(*next));
-        }
-      }
-    }
+// Everything waits behind a picture that the client does not read.
+TEST_F(WalkTest, AFallThatItHasNoRoomToTellIsToldLater) {
+  disconnect();
+  robot_.showNoise();
+  connectVersion2(4096);
+  answerTo('O', 0);
+  answerTo('E', POSTURE_STAND);
+  pass(2 * kFramesASecond);
+  EXPECT_THAT(states_, ElementsAre("on " + std::to_string(POSTURE_STAND)));
+  send(frame('F', 100, 999, kLayerHigh));
+  takeImage();
+  for (int i = 0; i < 300; ++i) {
+    send(frame('V', 0, 7));
+  }
+  robot_.layOnSide();
+  passFrames(3 * kFramesASecond);
+  EXPECT_TRUE(isLimp());
+  const auto is_told = [this] {
+    collect();
+    return !errors_.empty();
   };
-  listen(20);
-  EXPECT_THAT(states, IsEmpty()) << "a client that does not know it";
-  send(frame('O', 0, 1));
-  listen(20);
-  EXPECT_THAT(states, ElementsAre("on " + std::to_string(POSTURE_STAND)));
-  send(frame('E', POSTURE_REST, 2));
-  listen(6 * kFramesASecond);
-  EXPECT_THAT(states, Contains("on " + std::to_string(POSTURE_REST)));
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_REST));
-  layOnSide();
-  listen(kFramesASecond);
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_FALLEN));
-  const size_t count = states.size();
-  listen(kFramesASecond);
-  EXPECT_EQ(states.size(), count) << "nothing changes";
+  EXPECT_TRUE(machine_->runUntil(is_told, std::chrono::seconds(5)));
+  pass(20);
+  EXPECT_THAT(errors_, ElementsAre("the robot has fallen: its motors are off, so that its legs are limp"));
+  EXPECT_EQ(states_.back(), "off " + std::to_string(POSTURE_FALLEN));
 }
 
 // While a process is stopped, or the radio is out, what the client sends waits. Nobody wants it any more afterwards.
 TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
   JointTargets head = {0, 1, {{2, 300000}}};
   const std::string pan = payloadOf(head);
+  const std::vector<int> before = positions();
   client_->send(frame('J', 0, 1, pan) + frame('S', 0, 2, steering(100)) + frame('E', POSTURE_SIT, 3) +
                 frame('P', 0, 4, playPayload("NOD.MTN", 1)) + frame('O', 0, 5, "\1") + frame('H', 0, 6));
   clock_.step(100);
@@ -298,7 +319,7 @@ TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
   }
   EXPECT_EQ(nextFrame()->header.kind, 'h');
   passFrames(20);
-  EXPECT_EQ(robot_.joint("head_pan").position, 0);
+  EXPECT_EQ(positions(), before);
   EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j') << "this is new";
   client_->send(frame('I', 0, 7) + frame('O', 0, 8, std::string(1, '\0')));
   clock_.step(100);
@@ -354,8 +375,8 @@ TEST_F(WalkTest, BadRequestsAreRefused) {
 
 TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   walk();
-  layOnSide();
-  steer(100, 72);
+  robot_.layOnSide();
+  steer(100, 84);
   EXPECT_THAT(ends_, ElementsAre("2 4 walk: the robot lies on its right side"));
   EXPECT_THAT(errors_, Contains(HasSubstr("the robot lies on its right side; let it stand up first")));
   EXPECT_FALSE(isLimp());
