@@ -973,7 +973,6 @@ TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFro
   }
 }
 
-// The joint stands still until the release, however long that takes.
 TEST_F(MoverTest, GoesOnWithAnApproachThatWasStopped) {
   measure(0);
   command("head_pan", 1.0);

@@ -327,7 +327,9 @@ TEST_F(Version2MotionsTest, leavesOutJointsThatTheRobotDoesNotHaveIfItIsTold) {
 TEST_F(Version2MotionsTest, reportsWhyAMotionCannotBePlayed) {
   startVersion2("");
   stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
+  stick_.write(std::string(kFolder) + "/LARGE.MTN", std::string(64001, 'x'));
   EXPECT_THAT(answerTo(play("MISSING.MTN", 1)), HasSubstr("e1 there is no MISSING.MTN on the memory stick"));
+  EXPECT_EQ(answerTo(play("LARGE.MTN", 1)), "e1 LARGE.MTN has more than 64000 bytes");
   EXPECT_THAT(answerTo(play("NOD.TXT", 1)), HasSubstr("e0 bad request"));
   EXPECT_THAT(answerTo(play("BAD.MTN", 1)), HasSubstr("e0 BAD.MTN is not a motion file: section 0"));
   EXPECT_EQ(answerTo(frame('O', std::string(1, '\0'))), std::string("o") + '\0');

@@ -239,22 +239,6 @@ TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
   EXPECT_TRUE(awaitEnd(*first));
 }
 
-TEST_F(RCServerTest, ClientGoneDuringAPictureMakesRoomForTheNext) {
-  for (int round = 0; round < 10; ++round) {
-    robot_.showNoise();
-    auto client = connect(4096);
-    client->send(request('W', 100));
-    takeImages(20);
-    round % 2 == 0 ? client->close() : client->reset();
-    EXPECT_TRUE(machine_->runUntil([&] {
-      auto next = connect();
-      next->send(kRefused);
-      machine_->runPending();
-      return next->next().has_value();
-    }));
-  }
-}
-
 // --------------------------------------------------------------------------------------------------- slow clients
 
 TEST_F(RCServerTest, SlowClientGetsTheNewestPicturesAndMissesOthers) {
@@ -285,7 +269,8 @@ TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesCanStreamThem) {
 TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
   auto client = connectServed();
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: client 127.0.0.1:"));
+  EXPECT_THAT(console_.str(),
+              HasSubstr("RCServer: client 127.0.0.1:" + std::to_string(client->port()) + " is connected\n"));
   ask(*client, request('W', 85));
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: stream on, quality 85\n"));
   expectPictureOfNextImage(*client, 85);

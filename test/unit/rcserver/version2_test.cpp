@@ -205,24 +205,6 @@ TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
   EXPECT_EQ(positionOf("head_pan"), held);
 }
 
-TEST_F(Version2Test, EachClientIsToldMotorsAndPostureOnceItHasAskedAndWhenTheyChange) {
-  const auto is_told = [this] {
-    passFrames(4);
-    bool comes = false;
-    while (const std::optional<Frame> next = client_->nextFrame()) {
-      comes = comes || (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0);
-    }
-    return comes;
-  };
-  for (int client = 0; client < 2; ++client) {
-    reconnect();
-    EXPECT_FALSE(is_told());
-    answerTo('O', 0);
-    EXPECT_TRUE(is_told());
-    EXPECT_FALSE(is_told());
-  }
-}
-
 TEST_F(Version2Test, ClientThatOnlyReadsIsSilent) {
   send(frame('T', 0, 1, period(4)));
   passFrames(629);

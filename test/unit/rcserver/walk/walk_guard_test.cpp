@@ -278,23 +278,23 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
   }
   guard_.Forget();
   look(atEdge());
-  walk(kTurn, 3.14);
+  walk(kTurn, 4.2);
   look(atEdge(), 100);
   look(onFloor());
   for (const double turn : {-0.5, 0.5}) {  // from the second edge to the first one
-    EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.007) << turn;
+    EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.012) << turn;
     walk({-0.1, 0, 0}, 0.5);
-    walk({0, 0, turn}, 3.14);
+    walk({0, 0, turn}, 4.2);
   }
 }
 
-// It sees more than it can remember while it turns by three quarters.
+// It sees more than it can remember while it turns by two thirds.
 TEST_F(WalkGuardTest, TheOldestEdgesAreForgotten) {
-  walk(kTurn, 9.42, atEdge());
+  walk(kTurn, 8.4, atEdge());
   look(onFloor());
   wayUntil("the floor ends there", kForward);
   guard_.HaveWalked({-0.1, 0, 0}, kForward, 63);
-  walk(kTurn, 3.14);
+  walk(kTurn, 4.17);
   walk(kForward, 2);
   EXPECT_EQ(objection(kForward), "") << "where it began";
 }
