@@ -113,7 +113,7 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   load(tableOf(0));
   load(tableOf(6));
   draw(10, 20, 4, 2, 0, &robot_.color_plane);
-  draw(50, 21, 1, 1, 0, &robot_.color_plane);
+  draw(50, 23, 1, 1, 0, &robot_.color_plane);
   draw(7, 22, 2, 1, 0, &robot_.color_plane);
   draw(30, 30, 3, 3, 1, &robot_.color_plane);  // has no table
   draw(12, 20, 4, 2, 6, &robot_.color_plane);  // partly the same pixels
@@ -129,11 +129,11 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(first.channel, 0);
   EXPECT_EQ(first.pixels, 11U);
   EXPECT_EQ(first.x, (64 * (2 * (10 + 11 + 12 + 13) + 50 + 7 + 8) + 5) / 11);
-  EXPECT_EQ(first.y, (64 * (4 * 20 + 5 * 21 + 2 * 22) + 5) / 11);
+  EXPECT_EQ(first.y, (64 * (4 * 20 + 4 * 21 + 2 * 22 + 23) + 5) / 11);
   EXPECT_EQ(first.left, 7);
   EXPECT_EQ(first.top, 20);
   EXPECT_EQ(first.width, 44);
-  EXPECT_EQ(first.height, 3);
+  EXPECT_EQ(first.height, 4);
   const ColorRegion& second = colors.regions.regions[1];
   EXPECT_EQ(second.channel, 6);
   EXPECT_EQ(second.pixels, 8U);

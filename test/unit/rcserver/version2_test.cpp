@@ -434,15 +434,15 @@ TEST_F(Version2Test, UnknownJointRefusesTheWholeRequest) {
 // --------------------------------------------------------------------------------------------------------------- V
 
 TEST_F(Version2Test, SpeedLimitsAreSetAndRead) {
-  EXPECT_THAT(limitsIn(answerTo('V', 0, limits({{kPanId, 1000000}, {kNeckTiltId, 2000000000}}))),
-              ElementsAre(std::make_pair(kPanId, 1000000), std::make_pair(kNeckTiltId, 3185226)));
+  const Values wanted = {{kPanId, 1000000}, {kTailPanId, 700001}, {kNeckTiltId, 2000000000}};
+  EXPECT_EQ(limitsIn(answerTo('V', 0, limits(wanted))), (Values{wanted[0], wanted[1], {kNeckTiltId, 3185226}}));
   const Values all = limitsIn(answerTo('V', 0));
   ASSERT_EQ(all.size(), 18U);
   for (size_t i = 0; i < all.size(); ++i) {
     EXPECT_EQ(all[i].first, robot_.model.joints[i].identifier);
     EXPECT_GT(all[i].second, 0);
   }
-  EXPECT_THAT(all, ::testing::Contains(std::make_pair(kPanId, 1000000)));
+  EXPECT_THAT(all, AllOf(::testing::Contains(wanted[0]), ::testing::Contains(wanted[1])));
   answerTo('J', 0, targets({{kPanId, 1000000}}));
   std::vector<int>& path = robot_.joint("head_pan").path;
   path.clear();
