@@ -1,6 +1,7 @@
 #include "support/fake_client.h"
 
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <utility>
@@ -35,7 +36,7 @@ void wait(RcServerClient* client) {
 
 std::string number(double value) {
   char text[32];
-  std::snprintf(text, sizeof(text), "%.2f", value);
+  std::snprintf(text, sizeof(text), "%.2f", std::abs(value) < 0.005 ? 0 : value);  // without -0.00
   return text;
 }
 
@@ -48,7 +49,7 @@ void RcServerClient::setJpegQuality(int quality) {
   tell(this, "quality " + std::to_string(quality));
 }
 int RcServerClient::jpegQuality() const {
-  return 85;
+  return 83;
 }
 void RcServerClient::setStreamFormat(const StreamFormat& format) {
   tell(this,
@@ -85,6 +86,7 @@ void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, mill
     if (target.speed > 0) {
       setJointSpeedLimits({{target.id, target.speed}});
     }
+    fake(this).joint_orders[target.id] = terms.number;
     text += " " + std::to_string(target.id) + ":" + number(target.position);
   }
   tell(this, text + " in " + std::to_string(duration.count()));
@@ -126,8 +128,11 @@ void RcServerClient::takePosture(Posture posture, milliseconds, const OrderTerms
   wait(this);
 }
 void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
-  tell(this, "LEDs");
-  fake(this).leds = commands;
+  std::string text = "LEDs";
+  for (const LedCommand& led : commands) {
+    text += " " + std::to_string(led.id) + ":" + std::to_string(led.intensity) + (led.mode == LedMode::kB ? "B" : "");
+  }
+  tell(this, text);
 }
 void RcServerClient::commandEars(bool left, bool right) {
   tell(this, std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));

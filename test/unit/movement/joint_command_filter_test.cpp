@@ -43,10 +43,17 @@ class JointCommandFilterTest : public ::testing::Test {
     return result;
   }
 
-  aibo_client::JointTarget target(const Command& command) {
+  // Of a joint that is commanded together with another, which is slower and goes elsewhere.
+  aibo_client::JointTarget target(Command command) {
+    command.names.insert(command.names.begin(), "neck_tilt");
+    command.positions.insert(command.positions.begin(), -0.9);
+    if (!command.velocities.empty()) {
+      command.velocities.insert(command.velocities.begin(), -0.7);
+    }
     const Filtered result = filter(command);
-    EXPECT_THAT(result.targets, SizeIs(1));
-    return result.targets.empty() ? aibo_client::JointTarget() : result.targets.begin()->second;
+    EXPECT_THAT(result.targets, SizeIs(2));
+    EXPECT_LE(result.targets.begin()->second.speed, table_.speedLimit(0));
+    return result.targets.empty() ? aibo_client::JointTarget() : result.targets.rbegin()->second;
   }
 
   // Ends the approach of a joint.
@@ -57,11 +64,13 @@ class JointCommandFilterTest : public ::testing::Test {
 
   void measure(double head_pan) {
     aibo_client::Telemetry telemetry;
-    telemetry.joints = {{kHeadPan, head_pan}};
+    telemetry.joints = {{1, -0.4}, {kHeadPan, head_pan}, {kMouth, -0.7}};
     measured_.update(telemetry);
   }
 
-  JointTable table_{"ERS-7", kSpeedLimit};
+  JointCommandFilterTest() { table_.setSpeedScale(0.5); }
+
+  JointTable table_{"ERS-7", 2 * kSpeedLimit};
   MeasuredJoints measured_{table_};
   JointCommandFilter filter_{table_, measured_, kApproachSpeed};
   JointCommandFilter::SteadyTime now_{seconds(1000)};
@@ -77,7 +86,7 @@ TEST_F(JointCommandFilterTest, PassesPositionsWithinTheLimits) {
 
 TEST_F(JointCommandFilterTest, ScalesTheSpeed) {
   arrive("head_pan", 0);
-  table_.setSpeedScale(0.5);
+  table_.setSpeedScale(0.25);
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {}}).speed, kSpeedLimit / 2);
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {kSpeedLimit}}).speed, kSpeedLimit / 2);
 }

@@ -21,6 +21,7 @@ using std::chrono::duration;
 using std::chrono::duration_cast;
 using std::chrono::milliseconds;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -34,7 +35,10 @@ constexpr double kLookahead = 0.096;
 // Time is counted from 100 s on, because a measurement that was never made is from 0.
 class JointPlanTest : public ::testing::Test {
  protected:
-  JointPlanTest() { measure(0); }
+  JointPlanTest() {
+    table_.setSpeedScale(0.5);
+    measure(0);
+  }
 
   static SteadyTime at(double seconds) {
     return SteadyTime() + duration_cast<SteadyTime::duration>(duration<double>(100 + seconds));
@@ -43,7 +47,7 @@ class JointPlanTest : public ::testing::Test {
   void measure(double time, double pan = 0, double mouth = -0.5) {
     aibo_client::Telemetry telemetry;
     telemetry.arrival = at(time);
-    telemetry.joints = {{kPan, pan}, {kMouth, mouth}, {kTailPan, 0}};
+    telemetry.joints = {{kPan, pan}, {kMouth, mouth}, {kTailPan, 0.2}};
     measured_.update(telemetry);
   }
 
@@ -86,7 +90,12 @@ class JointPlanTest : public ::testing::Test {
   void advance(double now) {
     std::map<int, double> sent;
     for (const JointStep& step : plan_.advance(at(now))) {
+      EXPECT_LE(step.duration, JointPlan::kLookahead);
       for (const auto& [id, target] : step.targets) {
+        const std::size_t joint = *table_.findById(id);
+        EXPECT_EQ(target.id, id);
+        EXPECT_EQ(target.speed, table_.speedLimit(joint));
+        EXPECT_THAT(plan_.jointsOf(step.movement), Contains(table_[joint].name));
         EXPECT_TRUE(sent.emplace(id, target.position).second) << "joint " << id << " is sent to two places";
         sent_[id] = target.position;
       }
@@ -112,12 +121,12 @@ class JointPlanTest : public ::testing::Test {
   double wanted(MovementId id, double now) { return plan_.wantedBy(id, at(now)).at(0).position; }
   double velocity(MovementId id, double now) { return plan_.wantedBy(id, at(now)).at(0).velocity; }
 
-  JointTable table_{"ERS-7", 3.0};
+  JointTable table_{"ERS-7", 6.0};
   MeasuredJoints measured_{table_};
   JointPlan plan_{table_, measured_, false};
   std::map<int, double> sent_;  // where each joint was sent last
   std::map<MovementId, JointPlan::End> ends_;
-  MovementId last_id_ = 0;
+  MovementId last_id_ = 40;
 };
 
 TEST_F(JointPlanTest, ANewTrajectoryTakesOverWithThePlannedPositionAndVelocity) {

@@ -22,13 +22,18 @@ class MeasuredJointsTest : public ::testing::Test {
     Telemetry result;
     result.frame_number = frame_number;
     result.arrival = std::chrono::steady_clock::time_point(arrival);
-    result.joints = {{kHeadPan, position}};
+    result.joints = {{1, -0.2, 0.1}, {kHeadPan, position, position / 2}, {4, -0.4, 0.3}};
     return result;
   }
 
   double velocityOf(const std::vector<MeasuredJoint>& joints) {
-    EXPECT_THAT(joints, SizeIs(1));
-    return joints.empty() ? 0 : joints.front().velocity;
+    EXPECT_THAT(joints, SizeIs(3));
+    const MeasuredJoint pan = joints.at(1);
+    EXPECT_EQ(pan.index, pan_);
+    EXPECT_EQ(pan.duty, pan.position / 2);
+    EXPECT_EQ(measured_.find(pan_)->arrival, pan.arrival);
+    EXPECT_EQ(joints[2].velocity, 0);
+    return pan.velocity;
   }
 
   const JointTable table_{"ERS-7", 100};

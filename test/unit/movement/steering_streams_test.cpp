@@ -43,6 +43,8 @@ TEST_F(SteeringStreamsTest, WhoLetsGoLetsGoForHimselfAlone) {
   EXPECT_EQ(receive(200, "/joystick"), "");
   streams_.overrule("/joystick", "again");
   EXPECT_EQ(receive(300, "/joystick"), "again");
+  EXPECT_EQ(receive(300, "/stuck"), "stop was called");
+  EXPECT_TRUE(streams_.goesOn("/stuck", at(799))) << "though it does not count";
 }
 
 TEST_F(SteeringStreamsTest, WhoBeginsLaterWasNotOverruled) {
