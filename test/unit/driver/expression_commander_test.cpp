@@ -131,9 +131,7 @@ TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
   Ears ears;
   ears.right = 1;
   commander_.receiveEars(ears);
-  EXPECT_THAT(client_.told, ElementsAre("LEDs", "ears 01"));
-  ASSERT_THAT(client_.leds, SizeIs(1));
-  EXPECT_EQ(client_.leds.front().intensity, 255);
+  EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255", "ears 01"));
 }
 
 TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {

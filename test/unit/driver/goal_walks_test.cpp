@@ -25,14 +25,22 @@ class GoalWalksTest : public ::testing::Test {
     ros::Time::init();
     client_.present.robot.capabilities = {"I", "S", "E", "O"};
     client_.present.robot.walk_limits = {0.15, 0.1, 0.06, 1.2};
+    parameters_.walk.scale = 0.5;
+    parameters_.walk.turn_scale = 2;
   }
 
+  // All poses are told relative to this one, except those in the frame of the robot.
+  static constexpr PlanePose kOrigin{3, -2, 0.7};
+
   static geometry_msgs::PoseStamped goalAt(double x, double y = 0, const std::string& frame = "odom") {
+    const bool is_of_robot = frame.find("/base") != std::string::npos;
+    const PlanePose pose = is_of_robot ? PlanePose{x, y, 0} : inFrameOf(kOrigin, {x, y, 0});
     geometry_msgs::PoseStamped goal;
     goal.header.frame_id = frame;
-    goal.pose.position.x = x;
-    goal.pose.position.y = y;
-    goal.pose.orientation.w = 1;
+    goal.pose.position.x = pose.x;
+    goal.pose.position.y = pose.y;
+    goal.pose.orientation.z = std::sin(pose.yaw / 2);
+    goal.pose.orientation.w = std::cos(pose.yaw / 2);
     return goal;
   }
 
@@ -70,7 +78,8 @@ class GoalWalksTest : public ::testing::Test {
   movement::MeasuredJoints measured_{table_};
   test_support::FakeClient client_;
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }, clock_};
-  GoalWalks walks_{parameters_, client_, mover_, [this] { return here_; }, clock_};
+  GoalWalks walks_{parameters_, client_, mover_,
+                   [this] { return here_ ? std::make_optional(inFrameOf(kOrigin, *here_)) : std::nullopt; }, clock_};
 };
 
 TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
@@ -129,7 +138,7 @@ TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
     EXPECT_EQ(begin(goalAt(2, 0.5, "left/odom")).begun().ended(), nullptr);
     EXPECT_EQ(begin(goalAt(2, 0.5, frame)).begun().ended(), nullptr);
     ASSERT_EQ(mover_.state().movements.size(), 1U);
-    EXPECT_EQ(mover_.state().movements[0].name, "to x 0.50 m, y 5.00 m, yaw 1.57 rad") << "2 m ahead of the robot";
+    EXPECT_EQ(mover_.state().movements[0].name, "to x 0.16 m, y 2.15 m, yaw 2.27 rad") << "2 m ahead of the robot";
   }
 }
 
@@ -153,18 +162,20 @@ TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   here_ = PlanePose{4, 0, 1};
   ASSERT_NE(walk.goOn(), nullptr);
   EXPECT_EQ(walk.goOn()->how, EndedHow::kLost);
-  EXPECT_EQ(walk.distanceLeft(), 5) << "it is not looked at any more";
+  EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9) << "it is not looked at any more";
   EXPECT_EQ(lastVelocity(), "");
 }
 
 TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
-  parameters_.walk.speed_limit = 0.05;
   GoalWalks::Walk walk = begin(goalAt(2));
   walkOn(walk, 0);
-  EXPECT_EQ(lastVelocity(), "steer 0.05 0.00 0.00");
+  EXPECT_EQ(lastVelocity(), "steer 0.15 0.00 0.00") << "as fast as the robot can";
+  parameters_.walk.speed_limit = 0.05;
+  walkOn(walk, 0);
+  EXPECT_EQ(lastVelocity(), "steer 0.10 0.00 0.00");
   EXPECT_NEAR(walk.distanceLeft(), 1, 1e-9);
   walkOn(walk, 0.97);
-  EXPECT_EQ(lastVelocity(), "steer 0.03 0.00 0.00");
+  EXPECT_EQ(lastVelocity(), "steer 0.06 0.00 0.00");
   walkOn(walk, 0.02);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   walkOn(walk, 0.05);

@@ -17,7 +17,7 @@ class LinkMeterTest : public ::testing::Test {
   /// A picture of the camera's n-th image, one every 4 frames.
   Picture pictureOf(std::uint32_t image, milliseconds late = milliseconds(0)) const {
     Picture picture;
-    picture.jpeg.resize(1000);
+    picture.jpeg.resize(900 + 20 * image);
     picture.connection_number = connection_;
     picture.image_count = image;
     picture.frame_number = 4 * image;
@@ -31,7 +31,7 @@ class LinkMeterTest : public ::testing::Test {
     meter_.add(picture, std::chrono::duration<double>(age).count(), 1, picture.first_byte_time + milliseconds(2));
   }
 
-  std::uint64_t connection_ = 1;
+  std::uint64_t connection_ = 41;
   const LinkMeter::SteadyTime begin_{std::chrono::hours(1)};
   LinkMeter meter_{begin_};
 };
@@ -43,7 +43,7 @@ TEST_F(LinkMeterTest, CountsPicturesAndBytes) {
   const LinkMeter::Reading reading = meter_.read(begin_ + milliseconds(500));
   EXPECT_EQ(reading.pictures, 10U);
   EXPECT_DOUBLE_EQ(reading.picturesPerSecond(), 20);
-  EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 20);
+  EXPECT_DOUBLE_EQ(reading.kilobytesPerSecond(), 19.8);
   EXPECT_EQ(meter_.read(begin_ + milliseconds(600)).pictures, 0U);
 }
 
@@ -80,7 +80,7 @@ TEST_F(LinkMeterTest, EachReadingStartsAgain) {
   const LinkMeter::Reading good = meter_.read(begin_ + milliseconds(3000));
   EXPECT_DOUBLE_EQ(good.seconds, 1);
   EXPECT_EQ(good.pictures, 31U);
-  EXPECT_EQ(good.bytes, 31000U);
+  EXPECT_EQ(good.bytes, 76260U);
   EXPECT_LT(good.mean_age.value(), 0.005);
   EXPECT_LT(good.worst_age.value(), 0.005);
   EXPECT_NEAR(good.loss.value(), 42.0 / 73, 1e-9) << "those since the last picture";
@@ -92,7 +92,7 @@ TEST_F(LinkMeterTest, EachReadingStartsAgain) {
 TEST_F(LinkMeterTest, AReconnectIsNoLoss) {
   arrive(1000);
   arrive(1001);
-  connection_ = 2;
+  ++connection_;
   arrive(2000);
   arrive(2001);
   EXPECT_DOUBLE_EQ(meter_.read(begin_ + milliseconds(70000)).loss.value(), 0);

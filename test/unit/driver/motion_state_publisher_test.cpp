@@ -41,9 +41,14 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
       {Kind::kCommand, "", "/sliders", {"mouth"}, {}},
       {Kind::kTrajectory, "", "/planner", {"head_pan", "neck_tilt"}, kSteadyNow + std::chrono::seconds(2)},
       {Kind::kMotion, "NOD.MTN", "", {}, {}},
-      {Kind::kWalk, "to x 1.00 m", "/navigator", {}, {}}};
+      {Kind::kWalk, "to x 1.00 m", "/navigator", {}, {}},
+      {Kind::kWalk, "", "/teleop", {}, {}},
+      {Kind::kPosture, "sit", "", {}, {}}};
   const MotionState message = messageOf(state);
-  ASSERT_THAT(message.movements, SizeIs(4));
+  ASSERT_THAT(message.movements, SizeIs(6));
+  EXPECT_EQ(message.movements[3].source, "/navigator");
+  EXPECT_EQ(message.movements[4].kind, Movement::WALK);
+  EXPECT_EQ(message.movements[5].kind, Movement::POSTURE);
   EXPECT_EQ(message.movements[0].kind, Movement::COMMAND);
   EXPECT_EQ(message.movements[0].source, "/sliders");
   EXPECT_TRUE(message.movements[0].end.isZero());
@@ -53,7 +58,7 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_EQ(message.movements[2].name, "NOD.MTN");
   EXPECT_EQ(message.text,
             "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN "
-            "and /navigator (walk to x 1.00 m)");
+            "and /navigator (walk to x 1.00 m) and /teleop (walk) and posture sit");
 }
 
 TEST(MotionStateMessage, NothingIsSaidToEndInThePast) {
@@ -79,6 +84,8 @@ TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
   EXPECT_EQ(message.ended[0].movement.name, "NOD.MTN");
   EXPECT_EQ(message.ended[0].how, EndedMovement::DONE);
   EXPECT_EQ(message.ended[1].movement.kind, Movement::LOOK_AT);
+  EXPECT_EQ(message.ended[1].movement.source, "/look_at");
+  EXPECT_THAT(message.ended[1].movement.joints, ElementsAre("head_pan"));
   EXPECT_EQ(message.ended[1].how, EndedMovement::NOT_REACHED);
   EXPECT_EQ(message.ended[1].reason, "head_pan is 0.50 rad off");
   EXPECT_EQ(message.text, "nothing moves the robot; last ended: look_at of head_pan: head_pan is 0.50 rad off");

@@ -14,11 +14,13 @@ using ::testing::HasSubstr;
 
 constexpr int kBattery = 66;
 constexpr int kTemperature = 67;
+constexpr int kOther = 55;
 constexpr bool kAsked = true;
 
 aibo_client::Telemetry telling(std::vector<aibo_client::SensorReading> sensors) {
   aibo_client::Telemetry telemetry;
   telemetry.sensors = std::move(sensors);
+  telemetry.sensors.insert(telemetry.sensors.begin(), {kOther, 0.33});
   return telemetry;
 }
 
@@ -30,7 +32,8 @@ DiagnosticStatusWrapper reportOf(const PowerStatus& power, bool asked = kAsked) 
 
 DiagnosticStatusWrapper reportAt(double charge, double temperature) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
-  power.update(telling({{kBattery, charge}, {kTemperature, temperature}}));
+  power.update(telling({{kBattery, 0.01}, {kTemperature, 80}}));
+  power.update(telling({{kTemperature, temperature}, {kBattery, charge}}));
   return reportOf(power);
 }
 
@@ -55,7 +58,8 @@ TEST(PowerStatus, WarnsOfHeatAndOfBothAtOnce) {
   EXPECT_EQ(reportAt(0.9, 49).level, DiagnosticStatus::OK);
   EXPECT_EQ(reportAt(0.9, 50).level, DiagnosticStatus::WARN);
   EXPECT_EQ(reportAt(0.9, 60).level, DiagnosticStatus::ERROR);
-  EXPECT_THAT(reportAt(0.15, 60).message, AllOf(HasSubstr("15 %"), HasSubstr("60 degrees Celsius: too hot")));
+  EXPECT_THAT(reportAt(0.15, 60).message,
+              AllOf(HasSubstr("battery at 15 %: charge it soon"), HasSubstr("battery at 60 degrees Celsius: too hot")));
   EXPECT_THAT(reportAt(0.15, 50).message,
               AllOf(HasSubstr("15 %: charge it soon"), HasSubstr("50 degrees Celsius: let")));
 }

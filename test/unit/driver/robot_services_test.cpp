@@ -155,13 +155,6 @@ TEST_F(RobotServicesTest, SayWhatTheRobotPlaysDifferently) {
             "NOD.MTN has begun and plays 3 times: 1 step is too fast, so it takes 2.98 s, which is 1.38 s longer.");
 }
 
-TEST_F(RobotServicesTest, LetAMotionMoveAllJointsAsFastAsTheirLimitsAllow) {
-  play("nod");
-  ASSERT_EQ(client_.told.size(), table_.size() + 1);
-  EXPECT_EQ(client_.told.front(), "V 1:3.19");
-  EXPECT_EQ(lastTold(), "play NOD.MTN 1");
-}
-
 TEST_F(RobotServicesTest, StopOneMotionOrAll) {
   EXPECT_EQ(play("nod", 0).message, "NOD.MTN stopped: the joints hold where they are.");
   EXPECT_EQ(lastTold(), "stop NOD.MTN");
@@ -184,15 +177,6 @@ TEST_F(RobotServicesTest, ListTheMotions) {
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "Motions on the robot: 2.");
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
-}
-
-TEST_F(RobotServicesTest, DoNotPlayOnARobotOfAnotherDesign) {
-  client_.present.robot.design = "ERS-210";
-  const auto answer = play("nod");
-  EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("parameter robot is ERS-7"));
-  EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_TRUE(setMotors(false).success) << "switching off is always allowed";
 }
 
 TEST_F(RobotServicesTest, UploadDataUnderItsName) {

@@ -30,7 +30,9 @@ class RobotStamperTest : public ::testing::Test {
  protected:
   RobotStamper makeStamper(std::chrono::nanoseconds time_offset, robot_time::RobotClock* robot_clock = nullptr) {
     return RobotStamper(
-        robot_clock, time_offset, [this] { return ros_now_; }, [this] { return steady_now_; });
+        robot_clock, time_offset + 40ms,
+        [this] { return ros_now_.isZero() ? ros_now_ : ros_now_ - ros::Duration(0.04); },
+        [this] { return steady_now_; });
   }
 
   void advance(std::chrono::milliseconds time) {

@@ -32,7 +32,9 @@ const robot_model::Sensor& sensorOf(const std::string& name) {
 
 Telemetry telemetryWith(const Readings& readings) {
   Telemetry telemetry;
-  telemetry.connection_number = 1;
+  telemetry.connection_number = 41;
+  telemetry.arrival += 137ms;
+  telemetry.sensors.push_back({sensorOf("range_chest").identifier, 0.33});  // before what the test is about
   for (const auto& reading : readings) {
     telemetry.sensors.push_back({sensorOf(reading.first).identifier, reading.second});
   }
@@ -147,7 +149,7 @@ TEST_F(AccelerometerTest, WaitsForAllAxesEachTime) {
 TEST_F(AccelerometerTest, ForgetsAxesOfAnEarlierConnection) {
   accelerometer_.read(telemetryWith({{"acceleration_front_back", 1}, {"acceleration_right_left", 2}}));
   Telemetry telemetry = telemetryWith({{"acceleration_up_down", 3}});
-  telemetry.connection_number = 2;
+  ++telemetry.connection_number;
   EXPECT_FALSE(accelerometer_.read(telemetry));
 }
 
@@ -212,7 +214,7 @@ TEST_F(TouchSensorsTest, KeepsEarlierValuesUntilTheNextConnection) {
   EXPECT_TRUE(second->head);
   EXPECT_TRUE(std::isnan(second->back_front_strength)) << "not read yet";
   Telemetry telemetry = telemetryWith({{"paw_left_hind", 1}});
-  telemetry.connection_number = 2;
+  ++telemetry.connection_number;
   const auto third = touch_.read(telemetry);
   ASSERT_TRUE(third);
   EXPECT_FALSE(third->chin);

@@ -27,6 +27,7 @@ class StreamAdapterTest : public ::testing::Test {
     wish.format.every_nth_image = 2;
     wish.format.resolution = aibo_client::Resolution::kDouble;
     wish.adaptive = adaptive;
+    wish.max_picture_age = 0.13;
     return wish;
   }
 
@@ -64,7 +65,7 @@ TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
   EXPECT_THAT(listener.texts,
-              Contains(HasSubstr("is 200 ms old, and at most 150 ms are allowed: the stream is lowered")));
+              Contains(HasSubstr("is 200 ms old, and at most 130 ms are allowed: the stream is lowered")));
   client_.told.clear();
   for (int i = 0; i < 300; ++i) {
     publish(10ms);

@@ -74,7 +74,7 @@ TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
   EXPECT_TRUE(std::is_sorted(robot_.played.begin(), robot_.played.end()));
   EXPECT_FALSE(playback->end());
   EXPECT_TRUE(player_.isPlaying());
-  player_.ended({1, EndedHow::kDone, 4196, 2, 16000});
+  player_.ended({41, EndedHow::kDone, 4196, 2, 16000});
   ASSERT_TRUE(playback->end());
   EXPECT_EQ(EndedHow::kDone, playback->end()->how);
   EXPECT_THAT(playback->end()->message, HasSubstr("2 gaps, 1.0 s"));
@@ -83,13 +83,13 @@ TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
 
 TEST_F(PlayerTest, TheEndOfASoundIsSaidInWords) {
   const std::pair<aibo_client::SoundEnd, const char*> ends[] = {
-      {{1, EndedHow::kDone, 24000, 0, 0}, "It was played to its end, 1.5 s."},
-      {{2, EndedHow::kReplaced, 24000, 0, 0}, "Another sound has replaced it."},
-      {{3, EndedHow::kStopped, 24000, 0, 0}, "It was stopped."},
-      {{4, EndedHow::kRefused, 24000, 0, 0}, "The robot has ended it: no more samples came for 2 s."},
-      {{5, EndedHow::kLost, 24000, 0, 0},
+      {{41, EndedHow::kDone, 24000, 0, 0}, "It was played to its end, 1.5 s."},
+      {{42, EndedHow::kReplaced, 24000, 0, 0}, "Another sound has replaced it."},
+      {{43, EndedHow::kStopped, 24000, 0, 0}, "It was stopped."},
+      {{44, EndedHow::kRefused, 24000, 0, 0}, "The robot has ended it: no more samples came for 2 s."},
+      {{45, EndedHow::kLost, 24000, 0, 0},
        "The connection to the robot was lost. The sound does not go on when it is back."},
-      {{6, EndedHow::kUnknown, 24000, 0, 0}, "The robot does not say how it has ended."}};
+      {{46, EndedHow::kUnknown, 24000, 0, 0}, "The robot does not say how it has ended."}};
   for (const auto& [end, words] : ends) {
     const auto playback = player_.play(std::make_unique<Ramp>(5));
     player_.ended(end);
@@ -116,18 +116,18 @@ TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
 TEST_F(PlayerTest, TheNewestAnswerSaysHowMuchRoomThereIs) {
   std::chrono::steady_clock::time_point full;
   robot_.on_samples = [this, &full, told = robot_.on_samples](bool is_last) {
-    robot_.room_for_samples = 0;
+    robot_.room_for_samples = robot_.played.size() > kMostSamplesAtOnce ? 0 : 16384;
     full = is_last ? full : std::chrono::steady_clock::now();
     told(is_last);
   };
-  player_.play(std::make_unique<Ramp>(2 * kMostSamplesAtOnce));
+  player_.play(std::make_unique<Ramp>(3 * kMostSamplesAtOnce));
   robot_.waitForLast();
   EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - full);
 }
 
 TEST_F(PlayerTest, ASoundThatEndsBeforeItIsKnownHasEnded) {
-  player_.ended({1, EndedHow::kDone, 3, 0, 0});
-  player_.ended({7, EndedHow::kDone, 3, 0, 0});
+  player_.ended({41, EndedHow::kDone, 3, 0, 0});
+  player_.ended({47, EndedHow::kDone, 3, 0, 0});
   EXPECT_TRUE(player_.play(std::make_unique<Ramp>(3))->end());
 }
 
@@ -136,7 +136,7 @@ TEST_F(PlayerTest, ANewSoundReplacesTheOneThatPlays) {
   player_.play(std::make_unique<Ramp>(1000000));
   const auto second = player_.play(std::make_unique<Ramp>(5));
   EXPECT_EQ("samples 5 last", robot_.told.back());
-  player_.ended({1, EndedHow::kReplaced, 0, 0, 0});
+  player_.ended({41, EndedHow::kReplaced, 0, 0, 0});
   EXPECT_FALSE(second->end());
 }
 
@@ -176,13 +176,13 @@ TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
   player_.stop(second);
   EXPECT_EQ("stop sound", robot_.told.back());
   robot_.told.clear();
-  player_.ended({2, EndedHow::kStopped, 0, 0, 0});
+  player_.ended({42, EndedHow::kStopped, 0, 0, 0});
   player_.stop();
   EXPECT_TRUE(robot_.told.empty());
 }
 
 TEST_F(PlayerTest, EndsOfOtherSoundsDoNotPileUp) {
-  for (std::uint64_t sound = 2; sound < 100; ++sound) {
+  for (std::uint64_t sound = 42; sound < 140; ++sound) {
     player_.ended({sound, EndedHow::kDone, 3, 0, 0});
   }
   robot_.room_for_samples = 0;
@@ -202,7 +202,7 @@ TEST_F(PlayerTest, WhyNoMoreSamplesWereSentIsInTheEnd) {
   const auto playback = player_.play(std::make_unique<Ramp>(1000000));
   fails.get_future().wait();
   player_.finish();
-  player_.ended({1, EndedHow::kRefused, 0, 0, 0});
+  player_.ended({41, EndedHow::kRefused, 0, 0, 0});
   EXPECT_THAT(playback->end()->message, HasSubstr("The robot has ended it: the answer did not come"));
 }
 
