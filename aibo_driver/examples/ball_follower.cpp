@@ -33,14 +33,14 @@ class BallFollower {
  public:
   BallFollower(ros::NodeHandle handle, const ros::NodeHandle& parameters)
       : name_(parameters.param<std::string>("name", "pink_ball")),
-        fewest_pixels_(parameters.param("fewest_pixels", 20)),
+        fewest_pixels_(aibo_driver::node::readNumber(parameters, "fewest_pixels", 20, 416 * 320)),
         points_(handle.advertise<PointStamped>("look_at", 1)),
         regions_(handle.subscribe("color_regions", 1, &BallFollower::receive, this)) {}
 
  private:
   void receive(const ColorRegions::ConstPtr& regions) {
     const auto ball = std::find_if(regions->regions.begin(), regions->regions.end(), [this](const ColorRegion& region) {
-      return region.name == name_ && static_cast<int>(region.pixels) >= fewest_pixels_;
+      return region.name == name_ && region.pixels >= fewest_pixels_;
     });
     const bool is_seen = ball != regions->regions.end() && regions->width > 0 && regions->height > 0;
     if (is_seen != was_seen_) {
@@ -71,7 +71,7 @@ class BallFollower {
   }
 
   const std::string name_;
-  const int fewest_pixels_;
+  const double fewest_pixels_;
   bool was_seen_ = false;
   ros::Publisher points_;
   ros::Subscriber regions_;

@@ -248,6 +248,8 @@ TEST(BallFollowerExample, LooksAtTheBallWhileItSeesIt) {
 }
 
 TEST(BallFollowerExample, LooksAtWhatItIsToldToFind) {
+  Process misled({BALL_FOLLOWER, "__ns:=/misled", "_fewest_pixels:=many"});
+  misled.waitForOutput("misled/ball_follower/fewest_pixels is the text 'many'", kSafetyNet);
   TopicListener<PointStamped> points("/bone/look_at");
   const Process node({BALL_FOLLOWER, "__ns:=/bone", "_name:=blue_bone", "_fewest_pixels:=1000"});
   TopicPublishers robot("/bone");
