@@ -1180,7 +1180,7 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
   const std::vector<std::function<void()>> overrules{
       [this] { mover_.takePosture(order(), Posture::kSit); },
       [this] { mover_.setMotors(order(), false); },
-      [this] { command("left_front_rotator", 0.1); },
+      [this] { command("right_hind_knee", 0.1); },
       [this] {
         mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.1, 0.1}, {});
       },
