@@ -21,6 +21,7 @@
 #include <csignal>
 #include <ctime>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <regex>
@@ -29,9 +30,11 @@
 #include <thread>
 #include <vector>
 
+#include "protocol/walk_requests.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
 #include "support/ros/motion_states.h"
+#include "support/scripted_server.h"
 #include "support/temporary_folder.h"
 
 namespace {
@@ -109,6 +112,37 @@ class Walker : public JointUser {
   TopicListener<Odometry> odom;
   TopicListener<MotionState> state;
 };
+
+// It says only how its walk has ended.
+TEST(Walk, AFallOfARobotThatReportsNoPostureMakesTheOdometryUncertain) {
+  namespace version2 = protocol::version2;
+  test_support::ScriptedServer server;
+  TopicListener<Odometry> odom("/no_posture/odom");
+  const test_support::DriverProcess driver("/no_posture", server.port(), quickWith("/no_posture"));
+  test_support::ScriptedPeer robot = server.accept();
+  robot.agreeToVersion2("F J T S E");
+  version2_frames::Frame request;
+  while ((request = robot.readRequest()).header.kind != version2::REQUEST_TELEMETRY) {
+  }
+  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  unsigned frame = 0xFFFFFF00;
+  const auto is_told = [&](const std::function<bool(double)>& is_so) {
+    for (int i = 0; i < 300; ++i) {  // again, until the driver knows its first subscriber
+      const auto telemetry = version2_frames::makeTelemetry(
+          frame += 4, {{'W', version2::WALK_FORWARD, 0}, {'W', version2::WALK_LEFT, 0}, {'W', version2::WALK_TURN, 0}});
+      robot.send(version2_frames::makeFrame('t', 0, telemetry));
+      if (odom.waitFor([&](const Odometry& each) { return is_so(each.pose.covariance[0]); },
+                       std::chrono::milliseconds(100))) {
+        return true;
+      }
+    }
+    return false;
+  };
+  ASSERT_TRUE(is_told([](double variance) { return variance == 0; }));
+  robot.send(version2_frames::makeFrame(
+      version2::END_PUSH, 0, version2_frames::makeEnd(version2::ENDED_WALK, version2::END_FELL, "walk", "it fell")));
+  EXPECT_TRUE(is_told([](double variance) { return variance == 1; })) << "in m^2";
+}
 
 TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   Walker walker("/walk");
