@@ -899,6 +899,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     ++connection_.context.counters.refusals;
     if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier wish
       giveUpDatagrams("it refused to: " + problem, now_);
+      connection_.lets_no_datagram_through = false;  // over the next connection it may agree
     }
     return;
   }
