@@ -1,5 +1,6 @@
 #include "client/connection_loop.h"
 
+#include <cerrno>
 #include <exception>
 #include <random>
 #include <utility>
@@ -228,7 +229,8 @@ int ConnectionLoop::datagramPort(const Wish& wish) {
                        connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_REPEATED_DATAGRAMS));
   if (wish.transport == PictureTransport::kTcp || !may_try) {
     transport_->datagrams().close();
-  } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams()) {
+  } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&
+             errno != ENOTCONN) {  // else the connection has just been reset, which the next read will tell
     connection.giveUpDatagrams("this computer has no free socket");
   }
   datagrams_blocked_ = connection.lets_no_datagram_through ? connection.transport_problem : "";
