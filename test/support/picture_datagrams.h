@@ -23,7 +23,7 @@ inline std::vector<test_pictures::Bytes> makeDatagrams(const test_pictures::Byte
   PictureDatagram header = {};
   header.picture = picture;
   header.jpeg_size = static_cast<unsigned>(jpeg.size());
-  header.image = {picture, frame_number, 208, 160, 85, LAYER_HIGH, {}};
+  header.image = {picture + 12345, frame_number, 208, 160, 85, LAYER_HIGH, {}};
   const auto add = [&](const test_pictures::Bytes& content) {
     header.sequence = (*sequence)++;
     test_pictures::Bytes datagram(DATAGRAM_HEADER_SIZE);

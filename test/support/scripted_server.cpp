@@ -6,6 +6,7 @@
 #include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -96,7 +97,9 @@ void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {
 void ScriptedPeer::send(const Bytes& bytes) {
   std::size_t sent = 0;
   while (sent < bytes.size()) {
-    const ssize_t count = ::send(socket_.get(), bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
+    // The beginning goes alone, as part of a header.
+    const std::size_t part = sent == 0 ? std::min<std::size_t>(bytes.size(), 3) : bytes.size() - sent;
+    const ssize_t count = ::send(socket_.get(), bytes.data() + sent, part, MSG_NOSIGNAL);
     check(count >= 0, "send");
     sent += static_cast<std::size_t>(count);
   }

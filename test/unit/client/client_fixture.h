@@ -24,7 +24,8 @@ class ClientFixture : public testing::Test {
   static aibo_client::ClientOptions optionsFor(const ScriptedServer& server) {
     aibo_client::ClientOptions options;
     options.port = server.port();
-    options.connect_timeout = std::chrono::seconds(10);
+    options.connect_timeout = std::chrono::seconds(12);
+    options.jpeg_quality = 73;
     options.read_timeout = std::chrono::seconds(10);
     options.reconnect_wait_min = std::chrono::milliseconds(10);
     options.reconnect_wait_max = std::chrono::milliseconds(50);
@@ -50,7 +51,7 @@ class ClientFixture : public testing::Test {
   /// Waits for the client to come (back) and to ask for its stream.
   ScriptedPeer acceptStream() {
     ScriptedPeer peer = accept();
-    expectCommand(&peer, 'W', 85);
+    expectCommand(&peer, 'W', 73);
     return peer;
   }
 

@@ -130,10 +130,10 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
 
 TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
   CommandOutbox outbox;
-  outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
+  outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}, {9, 0.4}}, {at(1000), 1}});
   outbox.command({milliseconds(200), {{3, 0.3}}, {at(1000), 2}});
   outbox.stopJoints({1, 3, 9}, "a stop");
-  EXPECT_EQ("J" + std::to_string(kStopped) + "#1 1;J" + std::to_string(kStopped) + "#2 3;", takeDropped(&outbox));
+  EXPECT_EQ("J" + std::to_string(kStopped) + "#1 1 9;J" + std::to_string(kStopped) + "#2 3;", takeDropped(&outbox));
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("2:2 in 100"));
   outbox.stopJoints({}, "a stop");
   EXPECT_TRUE(outbox.joints.empty());

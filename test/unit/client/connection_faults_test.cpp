@@ -111,7 +111,7 @@ TEST_F(ConnectionFaultsTest, AServerThatClosesAfterItsFirstAnswerHasNotTurnedThe
   RcServerClient client(options, recorder_.callbacks());
   client.start();
   ScriptedPeer peer = server_.accept();
-  expectCommand(&peer, 'F', 85);
+  expectCommand(&peer, 'F', 73);
   peer.sendPicture(test_pictures::make());
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
   peer.close();

@@ -14,11 +14,13 @@
 
 constexpr int kPort = 40000;
 
-/// Larger than a datagram: it has four parts.
+/// Larger than a datagram: it has six parts.
 inline test_pictures::Bytes makeJpeg(unsigned seed) {
   test_pictures::PictureKind kind;
   kind.seed = seed;
-  kind.quality = 92;
+  kind.width = 176;
+  kind.height = 144;
+  kind.quality = 94;
   return test_pictures::make(kind);
 }
 
@@ -32,7 +34,7 @@ class DatagramsFixture : public SessionFixture {
 
   void SetUp() override {
     EXPECT_EQ('H', request());
-    receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities_)));
+    receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities_, kFrame)));
   }
 
   /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
@@ -58,7 +60,7 @@ class DatagramsFixture : public SessionFixture {
     for (char kind = request(); kind != 0; kind = request()) {
       const char reply = protocol::version2::replyKind(kind);
       receive(version2_frames::makeFrame(reply, number_,
-                                         kind == 'H' ? version2_frames::makeHello(capabilities_) : payload_));
+                                         kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload_));
       asked_ += kind;
     }
   }
@@ -98,7 +100,7 @@ class DatagramsFixture : public SessionFixture {
       pass(std::min(end, session_.nextDeadline()) - now_);
     }
     for (const int number : unanswered) {
-      receive(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities_)));
+      receive(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities_, kFrame)));
     }
   }
 
@@ -117,7 +119,7 @@ class DatagramsFixture : public SessionFixture {
 
   /// The robot's number of the picture that is `picture` here.
   unsigned numberOf(unsigned picture) const { return order_.first_picture + picture - 1 - pictures_before_order_; }
-  static unsigned frameOf(unsigned picture) { return 1000 + 4 * picture; }
+  static unsigned frameOf(unsigned picture) { return kFrame + 4 * picture; }
 
   void arrive(const Bytes& datagram) { receiveDatagram(datagram); }
   void arrive(const std::vector<Bytes>& datagrams) {

@@ -17,16 +17,11 @@ namespace {
 
 class JointsTest : public NewestClientFixture {};
 
-TEST_F(JointsTest, TheNewestVersionIsSpokenThatTheServerAgreesToAndTheRobotKnown) {
-  const ScriptedPeer peer = connectVersion2();
-  const ConnectionStatus status = client().status();
-  EXPECT_EQ(2, status.protocol_version);
-  EXPECT_EQ("ERS-7", status.robot.design);
-  EXPECT_EQ(2u, status.robot.joint_limits.size());
-}
-
 TEST_F(JointsTest, NothingIsSaidOfARobotThatIsNotConnected) {
   ScriptedPeer peer = connectVersion2();
+  EXPECT_EQ(2, client().status().protocol_version);
+  EXPECT_EQ(2u, client().status().robot.joint_limits.size());
+  EXPECT_FALSE(client().status().robot.hasCapability("X")) << "that was the robot before";
   EXPECT_EQ("ERS-7", client().status().robot.design);
   peer.send(makeFrame('o', 0, {1, protocol::version2::POSTURE_SIT, 0, 0}));
   EXPECT_TRUE(eventually([&] { return client().motorsAndPosture().motors == MotorState::kOn; }));
@@ -44,7 +39,7 @@ TEST_F(JointsTest, AServerThatRefusesVersion2IsSpokenToInVersion1) {
   ScriptedPeer peer = connectVersion1();
   EXPECT_EQ(1, client().status().protocol_version);
   EXPECT_EQ("", client().status().robot.design);
-  expectCommand(&peer, 'W', 85);
+  expectCommand(&peer, 'W', 73);
   peer.sendPicture(test_pictures::makeNumbered(1));
   ASSERT_TRUE(recorder_.waitForPictures(1));
   EXPECT_FALSE(recorder_.pictures()[0]->frame_number);
@@ -54,12 +49,30 @@ TEST_F(JointsTest, ALateAgreementIsFollowedByANewConnection) {
   client().start();
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'X', 2);
-  expectCommand(&peer, 'F', 85);
+  expectCommand(&peer, 'F', 73);
   peer.send({'x', 2, 0, 0});
   peer.waitUntilClosed();
   ScriptedPeer next = server_.accept();
   next.agreeToVersion2();
   EXPECT_TRUE(eventually([&] { return client().status().protocol_version == 2; }));
+}
+
+// Each of these connections ends when the client has waited for a second.
+TEST_F(JointsTest, WhatAVersion1ServerDoesNotAnswerOverThreeConnectionsIsNotAskedForOverTheFourth) {
+  ClientOptions options = optionsFor(server_);
+  options.read_timeout = milliseconds(1000);
+  RcServerClient client(options, recorder_.callbacks());
+  client.setTelemetryPeriod(4);
+  client.start();
+  for (int connection = 1; connection <= 4; ++connection) {
+    ScriptedPeer peer = accept();
+    expectCommand(&peer, 'J', 1);
+    peer.send({'j', 1, 0, 0});
+    EXPECT_EQ(connection < 4 ? 'S' : 'J', peer.readCommand().command) << connection;
+    if (connection < 4) {
+      peer.waitUntilClosed();
+    }
+  }
 }
 
 TEST_F(JointsTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
@@ -68,7 +81,7 @@ TEST_F(JointsTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
   RcServerClient client(options, recorder_.callbacks());
   client.start();
   ScriptedPeer peer = server_.accept();
-  expectCommand(&peer, 'F', 85);
+  expectCommand(&peer, 'F', 73);
   EXPECT_EQ(ConnectionState::kConnecting, client.status().state) << "it has not answered";
   peer.sendPicture(test_pictures::make());
   ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
@@ -91,7 +104,8 @@ TEST_F(JointsTest, StreamAndTelemetryAreWantedAgainAfterAReconnect) {
 TEST_F(JointsTest, TelemetryIsDelivered) {
   ScriptedPeer peer = connectVersion2();
   peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
-  EXPECT_TRUE(recorder_.waitForTelemetry(1));
+  ASSERT_TRUE(recorder_.waitForTelemetry(1));
+  EXPECT_EQ(2u, recorder_.telemetry()[0].connection_number);
   EXPECT_EQ(1u, client().statistics().telemetry);
 }
 
@@ -132,8 +146,9 @@ TEST_F(JointsTest, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
   for (int i = 0; i < 2; ++i) {
     ScriptedPeer peer = connectVersion2();
     ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
-    client().commandJoints({{1, 0.1, 2.0}, {2, 0.1}}, milliseconds(0));
-    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128", version2_frames::textOf(peer.readRequest())) << "joint 1 at 2 rad/s";
+    client().commandJoints({{1, 0.1, 2.0}, {2, 0.1}, {4, 0.1, 0.5}}, milliseconds(0));
+    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128 4 0 0 0 0 7 161 32", version2_frames::textOf(peer.readRequest()))
+        << "joint 1 at 2 rad/s, joint 4 at 0.5 rad/s";
     EXPECT_EQ('J', peer.readRequest().header.kind);
     client().commandJoints({{1, 0.2, 2.0}}, milliseconds(0));
     EXPECT_EQ('J', peer.readRequest().header.kind) << "the robot has the limit";
@@ -172,8 +187,9 @@ TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
   ScriptedPeer peer = connectVersion2();
   peer.send(makeFrame('e', 0, version2_frames::makeError(3, "joint head_pan does not move")));
   peer.close();
-  EXPECT_TRUE(recorder_.waitForReason("closed the connection"));
-  EXPECT_THAT(client().status().robot_message, HasSubstr("joint head_pan does not move"));
+  EXPECT_TRUE(recorder_.waitForStatus([](const ConnectionStatus& status) {
+    return status.state != ConnectionState::kConnected && status.robot_message == "joint head_pan does not move";
+  }));
   const ScriptedPeer next = connectVersion2();
   EXPECT_TRUE(eventually([&] { return client().status().robot_message.empty(); }));
 }
@@ -185,6 +201,9 @@ TEST_F(JointsTest, ArgumentsAreChecked) {
   EXPECT_THROW(client().setTelemetryPeriod(-1), InvalidArgumentException);
   EXPECT_THROW(client().setTelemetryPeriod(65536), InvalidArgumentException);
   EXPECT_THROW(client().setMotors(true, milliseconds(0)), InvalidArgumentException);
+  EXPECT_THROW(client().hold({0}, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().hold({2, 2}, seconds(1)), InvalidArgumentException);
+  EXPECT_THROW(client().hold({2}, seconds(1)), NetworkException);
 }
 
 TEST_F(JointsTest, AServerThatCannotHoldIsNotAsked) {
@@ -236,12 +255,6 @@ TEST_F(JointsTest, AJointCommandIsNotSentAfterAHoldThatCameAfterIt) {
   }
   client.commandLeds({{7, 1}});
   EXPECT_EQ('L', answer());
-}
-
-TEST_F(JointsTest, WhatIsToBeHeldIsCheckedFirst) {
-  EXPECT_THROW(client().hold({0}, seconds(1)), InvalidArgumentException);
-  EXPECT_THROW(client().hold({2, 2}, seconds(1)), InvalidArgumentException);
-  EXPECT_THROW(client().hold({2}, seconds(1)), NetworkException);
 }
 
 }  // namespace

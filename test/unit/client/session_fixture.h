@@ -11,8 +11,14 @@
 #include <vector>
 
 #include "client/connection.h"
+#include "client/fault.h"
 #include "client/session.h"
 #include "support/test_pictures.h"
+
+/// The robot's frame when it says hello: ten before its numbers begin again.
+constexpr unsigned kFrame = 0xFFFFFFF6;
+
+constexpr char kSilentStream[] = "robot:54321 sent nothing for 500 ms while a picture was due";
 
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
 class SessionFixture : public testing::Test {
@@ -48,6 +54,20 @@ class SessionFixture : public testing::Test {
       look();
     }
     now_ = end;
+  }
+
+  /// @return why the robot is given up while this is done; empty if it is not
+  template <typename Act>
+  static std::string whyGivenUp(const Act& act) {
+    try {
+      act();
+    } catch (const aibo_client::Fault& fault) {
+      return fault.what();
+    }
+    return "";
+  }
+  std::string whyGivenUpWithin(TimePoint::duration time) {
+    return whyGivenUp([this, time] { pass(time); });
   }
 
   std::future<aibo_client::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
@@ -93,7 +113,7 @@ class SessionFixture : public testing::Test {
   /// Has a posture taken.
   std::future<aibo_client::Answer> askForPosture(int id) { return ask('E', "", id); }
 
-  /// Orders are numbered from 1 on.
+  /// Orders are numbered from kFirstOrder on.
   aibo_client::OrderTerms terms() { return {now_ + aibo_client::kLongestOrderWait, ++last_order_}; }
 
   void steer(const aibo_client::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
@@ -139,8 +159,8 @@ class SessionFixture : public testing::Test {
   std::vector<Bytes> replies_;  ///< datagrams that were sent back
   std::vector<aibo_client::PicturePtr> pictures_;
   std::vector<aibo_client::Telemetry> telemetry_;
-  std::vector<std::vector<aibo_client::JointTarget>> accepted_;
-  std::string leds_;  ///< as accepted: "7=255A "
+  std::vector<std::string> accepted_;  ///< joints: "2=-0.500000 3=0.200000 "
+  std::string leds_;                   ///< as accepted: "7=255A "
   std::vector<aibo_client::WalkVelocity> steered_;
   std::vector<std::uint64_t> steered_orders_;
   std::vector<aibo_client::MotionEnd> ended_;
@@ -149,12 +169,13 @@ class SessionFixture : public testing::Test {
   std::vector<aibo_client::DetectedColors> colors_;
   std::vector<aibo_client::HeardSound> heard_;
   std::vector<aibo_client::SoundEnd> sound_ends_;
-  std::vector<std::string> log_;
-  std::uint64_t last_order_ = 0;
+  std::vector<std::string> log_;  ///< what is no warning begins with its level
+  static constexpr std::uint64_t kFirstOrder = 0x4000000011;
+  std::uint64_t last_order_ = kFirstOrder - 1;
   aibo_client::Notifier notifier_;
   aibo_client::ClientStatistics counters_;
-  aibo_client::Wish wish_{false, 85, 0};
-  TimePoint now_ = TimePoint() + milliseconds(100000);
+  aibo_client::Wish wish_{false, 73, 0};
+  TimePoint now_ = TimePoint() + std::chrono::microseconds(100123456);
   aibo_client::Connection connection_{context(), now_};
 
  private:
@@ -170,7 +191,10 @@ class SessionFixture : public testing::Test {
     callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { pictures_.push_back(picture); };
     callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
     callbacks.on_joints_accepted = [this](const std::vector<aibo_client::JointTarget>& targets) {
-      accepted_.push_back(targets);
+      accepted_.emplace_back();
+      for (const aibo_client::JointTarget& target : targets) {
+        accepted_.back() += std::to_string(target.id) + "=" + std::to_string(target.position) + " ";
+      }
     };
     callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) {
       for (const aibo_client::LedCommand& led : leds) {
@@ -190,7 +214,12 @@ class SessionFixture : public testing::Test {
     }
     callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) { late_answers_.push_back(answer); };
     callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { ended_.push_back(end); };
-    callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { log_.push_back(line); };
+    callbacks.log = [this](aibo_client::LogLevel level, const std::string& line) {
+      log_.push_back((level == aibo_client::LogLevel::kWarn   ? ""
+                      : level == aibo_client::LogLevel::kInfo ? "info "
+                                                              : "error ") +
+                     line);
+    };
     return callbacks;
   }
 };

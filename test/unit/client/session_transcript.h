@@ -23,7 +23,9 @@ inline const Bytes& jpegOf(unsigned number) {
     for (unsigned i = 0; i < 4; ++i) {
       test_pictures::PictureKind kind;
       kind.seed = i;
-      kind.quality = 92;  // it has four parts
+      kind.width = i % 2 == 0 ? 208 : 176;
+      kind.height = i % 2 == 0 ? 160 : 144;
+      kind.quality = i % 2 == 0 ? 92 : 94;  // it has six parts
       jpegs.push_back(test_pictures::make(kind));
     }
     return jpegs;
@@ -62,7 +64,7 @@ class SessionTranscript : public SessionFixture {
   std::vector<std::pair<std::string, std::future<Answer>>> calls_;
   ClientStatistics counters_before_;
   TimePoint base_ = now_;
-  unsigned base_frame_ = 1000;
+  unsigned base_frame_ = 0U - 2000;  // its numbers begin again during a history
 
  private:
   void tellPictures();
@@ -145,12 +147,8 @@ inline void SessionTranscript::tellPictures() {
 }
 
 inline void SessionTranscript::tellOrders() {
-  for (const auto& each : std::exchange(accepted_, {})) {
-    std::string line = "accepted";
-    for (const JointTarget& target : each) {
-      line += " " + std::to_string(target.id) + "=" + std::to_string(target.position);
-    }
-    write(line);
+  for (const std::string& each : std::exchange(accepted_, {})) {
+    write("accepted " + each);
   }
   if (!leds_.empty()) {
     write("LEDs " + std::exchange(leds_, ""));

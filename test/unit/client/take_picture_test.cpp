@@ -71,9 +71,9 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
     return taken.wait_for(milliseconds(1)) == std::future_status::ready;
   }));
   EXPECT_EQ(test_pictures::makeNumbered(2), taken.get()->jpeg);
-  EXPECT_EQ(85, quality) << "the stream's";
+  EXPECT_EQ(73, quality) << "the stream's";
   client_.setStreaming(false);
-  expectCommand(&peer, 'W', 85);
+  expectCommand(&peer, 'W', 73);
   taken = std::async(std::launch::async, take);
   expectCommand(&peer, 'F', 40);
   peer.sendPicture(test_pictures::makeNumbered(3));

@@ -67,7 +67,7 @@ class TransportChoiceTest : public DatagramsFixture {
         ways_ += by_udp_ ? "U" : "T";
       }
       receive(version2_frames::makeFrame(protocol::version2::replyKind(kind), number,
-                                         kind == 'H' ? version2_frames::makeHello(capabilities_) : payload));
+                                         kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload));
     }
   }
 
@@ -111,7 +111,7 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
   EXPECT_EQ(4, tests_);
   EXPECT_EQ("", ways_);
   EXPECT_EQ(picture_, pictures_.size());
-  EXPECT_EQ(1, logged("by TCP, not by UDP"));
+  EXPECT_EQ(1, logged("info robot:54321 sends its pictures by TCP, not by UDP"));
 }
 
 TEST_F(TransportChoiceTest, UdpIsUsedTenSecondsAfterTheFirewallLetsItThrough) {
@@ -188,7 +188,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   wrong_number[7] ^= 1;
   Bytes wrong_picture = good;
   wrong_picture[11] ^= 1;
-  const Bytes picture = test_support::makeDatagrams(makeJpeg(1), 0, 1000, &sequence_)[0];
+  const Bytes picture = test_support::makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0];
   for (const Bytes& forged :
        {wrong_number, wrong_picture, testDatagram(payload_, 1371), Bytes(), Bytes(1372), picture}) {
     arrive(forged);

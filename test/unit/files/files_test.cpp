@@ -33,7 +33,7 @@ using ::testing::SizeIs;
 class FilesTest : public ::testing::Test {
  protected:
   FilesTest() {
-    std::string pattern = (fs::temp_directory_path() / "files_test.XXXXXX").string();
+    std::string pattern = (fs::temp_directory_path() / "files of t\u00e9st.XXXXXX").string();
     folder_ = fs::canonical(::mkdtemp(pattern.data()));
   }
   ~FilesTest() override { fs::remove_all(folder_); }

@@ -104,9 +104,9 @@ class RobotBehindRadio {
 
   std::mt19937 random_;
   std::uniform_real_distribution<double> random_delay_{0, 0.045};
-  std::uint64_t connection_number_ = 1;
-  std::uint32_t frame_ = 1000;
-  double now_ = 5000;
+  std::uint64_t connection_number_ = 3;
+  std::uint32_t frame_ = 0U - 45 * 125;  // the numbers begin again after 45 s
+  double now_ = 5000.4321;
   double radio_free_ = 0;
   int sent_ = 0;
   std::optional<SteadyTime> last_;
@@ -146,7 +146,6 @@ TEST(RobotClock, IsRightSoonAfterTheBeginning) {
 
 TEST(RobotClock, GoesOnWhenFrameNumbersWrapAround) {
   RobotBehindRadio robot(1);
-  robot.reboot(0xffffffffu - 45 * 125);
   robot.run(30);
   expectAccurate(robot);
   const RobotClock::Reading reading = robot.clock.read();
@@ -169,7 +168,7 @@ TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestartedAndHasRunForLongerThanBe
   RobotBehindRadio robot(1);
   robot.run(2);
   robot.pass(60);
-  robot.reboot(5000);
+  robot.reboot(0U - 1000);
   robot.run(1);
   EXPECT_EQ(robot.clock.read().timelines, 2u);
 }
