@@ -384,6 +384,7 @@ TEST(ConnectionHistoryTest, EarlierConnectionsDoNotShow) {
   Life fresh;
   fresh.wishFor(3);
   const std::string expected = fresh.meetRobot();
+  EXPECT_THAT(expected, testing::HasSubstr("# walk\n-0.040000 2\n-0.070000 2\n"));
   const std::vector<std::pair<std::string, Life::End>> ends = {
       {"reset", [](Life& life) { life.reset(); }},
       {"closed", [](Life& life) { life.close(); }},
