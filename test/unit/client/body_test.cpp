@@ -29,11 +29,12 @@ class BodyTest : public NewestClientFixture {
     return std::async(std::launch::async, call);
   }
 
-  /// Answers the client's next request, which has to be this one.
-  static void answer(ScriptedPeer* peer, char kind, const Bytes& payload = {}) {
+  /// Answers the client's next request, which has to be this one, and returns its payload.
+  static Bytes answer(ScriptedPeer* peer, char kind, const Bytes& payload = {}) {
     const version2_frames::Frame frame = peer->readRequest();
     EXPECT_EQ(kind, frame.header.kind);
     peer->send(makeFrame(protocol::version2::replyKind(kind), frame.header.request_number, payload));
+    return frame.payload;
   }
 };
 
@@ -57,11 +58,13 @@ TEST_F(BodyTest, MotionsAreStoredListedPlayedStoppedAndDeletedInAnyCase) {
     return names;
   });
   const std::string name = "NOD.MTN";
-  answer(&peer, 'U');
+  EXPECT_EQ(Bytes({7, 'N', 'O', 'D', '.', 'M', 'T', 'N', 1, 2, 3}), answer(&peer, 'U'));
   answer(&peer, 'N', Bytes(name.begin(), name.end()));
-  for (const char kind : {'P', 'P', 'P', 'D'}) {
-    answer(&peer, kind);
+  for (const std::uint8_t repetitions : Bytes{2, 0}) {
+    EXPECT_EQ(Bytes({0, repetitions, 'N', 'O', 'D', '.', 'M', 'T', 'N'}), answer(&peer, 'P'));
   }
+  EXPECT_EQ(Bytes({0, 0}), answer(&peer, 'P'));
+  EXPECT_EQ(Bytes(name.begin(), name.end()), answer(&peer, 'D'));
   EXPECT_THAT(calls.get(), ElementsAre(name));
 }
 

@@ -115,8 +115,8 @@ TEST_F(JointsTest, WithoutAConnectionACommandIsRefusedAndNotKept) {
               }),
               HasSubstr("has not been started"));
   ScriptedPeer peer = connectVersion2();
-  client().commandJoints({{200, 0}}, milliseconds(0));
-  EXPECT_EQ(200, peer.readRequest().payload.at(4)) << "the first joint that is sent";
+  client().commandJoints({{200, 0}}, milliseconds(300));
+  EXPECT_EQ("J 0 1 44 1 0 200 0 0 0 0 0 0 0", version2_frames::textOf(peer.readRequest())) << "the first that is sent";
 }
 
 TEST_F(JointsTest, BeforeTheVersionIsKnownACommandIsRefused) {
