@@ -20,7 +20,7 @@ class DatagramSocket {
 
   /// Takes a free port at this computer's address in the connection.
   /// @param connection a connected socket
-  /// @return false if the kernel refuses
+  /// @return false if the kernel refuses, and errno says why
   bool open(int connection);
 
   void close() noexcept { socket_.close(); }

@@ -52,7 +52,7 @@ class TcpTransport {
 
   /// Takes a port for datagrams from the connection's peer. From then on, wait() returns early when a datagram is
   /// there.
-  /// @return false if the kernel refuses
+  /// @return false if the kernel refuses, and errno says why: ENOTCONN if the peer has reset the connection
   bool openDatagrams() { return datagrams_.open(socket_.get()); }
 
   /// The socket for datagrams. It is closed before openDatagrams() and after the end of the connection.
