@@ -112,10 +112,12 @@ TEST_F(TrajectoryTest, MovesAllItsJoints) {
 TEST_F(TrajectoryTest, EachJointThatMovesAlreadyKeepsItsVelocity) {
   for (const TrajectoryRequest& request : {TrajectoryRequest{{"head_pan", "mouth"}, {{1, {0.4, -0.7}, {}}}},
                                            TrajectoryRequest{{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}}}) {
-    const Trajectory trajectory(request, table_, {{pan_, 0, 0}, {mouth_, -0.5, 0.1}}, false);
-    const std::size_t mouth = request.joints[0] == "mouth" ? 0 : 1;
-    EXPECT_NEAR(trajectory.velocities(0)[mouth], 0.1, 1e-12);
-    EXPECT_NEAR(trajectory.velocities(0)[1 - mouth], 0.4, 1e-12) << "it goes straight";
+    for (const double velocity : {0.1, -0.1}) {
+      const Trajectory trajectory(request, table_, {{pan_, 0, 0}, {mouth_, -0.5, velocity}}, false);
+      const std::size_t mouth = request.joints[0] == "mouth" ? 0 : 1;
+      EXPECT_NEAR(trajectory.velocities(0)[mouth], velocity, 1e-12);
+      EXPECT_NEAR(trajectory.velocities(0)[1 - mouth], 0.4, 1e-12) << "it goes straight";
+    }
   }
 }
 
