@@ -1087,6 +1087,7 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
   const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
   window.resize(screen.size() + QSize(100, 100));
   auto* panel = plugins.createUnmanagedInstance("aibo_driver/RemoteControl");
+  panel->setClassId("aibo_driver/RemoteControl");
   panel->setParent(&window);
   panel->initialize(nullptr);
   window.show();
@@ -1100,8 +1101,10 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
   const auto is_kept = [&](const QString& driver, const QString& folder) {
     rviz::Config config;
     panel->save(config);
-    QString values[2];
+    QString values[3];
     EXPECT_TRUE(config.mapGetString("Driver", &values[0]) && config.mapGetString("Picture Folder", &values[1]));
+    EXPECT_TRUE(config.mapGetString("Class", &values[2])) << "rviz makes the panel again from it";
+    EXPECT_EQ(values[2], "aibo_driver/RemoteControl");
     return values[0] == driver && values[1] == folder &&
            panel->findChild<QWidget*>("folder")->toolTip().contains("saved in " + folder + ".");
   };
