@@ -51,7 +51,8 @@ class BagTest(unittest.TestCase):
                 self.latch(bag, robot + '/robot_state', RobotState(stopped_by='/bert'), 4)
                 for i in range(100):
                     stamp = genpy.Time.from_sec(BEGIN + i / 10)
-                    joints = JointState(name=['head_pan', 'mouth'], position=[i / 100, -0.1], velocity=[0.5, 0])
+                    joints = JointState(name=['head_pan', 'mouth'], velocity=[0.5, 0],
+                                        position=[i / 100, -(1 + robots.index(robot)) / 10])
                     joints.header.stamp = stamp - genpy.Duration(0, 20000000)  # it took time to arrive
                     bag.write(robot + '/joint_states', joints, stamp)
                     if pictures:
@@ -227,6 +228,7 @@ class BagTest(unittest.TestCase):
         self.assertIn('robot /left, /lefty, /team/right,', self.succeed('list', both))
         self.fail_with('has these robots', 'joints', both, self.path('a.csv'), '--robot', 'middle')
         self.succeed('joints', both, self.path('a.csv'), '--robot', 'team/right')
+        self.assertIn(',-0.3,', Path(self.path('a.csv')).read_text(encoding='utf-8'))
         self.fail_with('has these robots', 'cut', both, self.path('a.bag'), '--robot', 'middle')
         self.succeed('cut', both, self.path('one.bag'), '--robot', 'left')
         self.succeed('cut', both, self.path('all.bag'))
