@@ -261,6 +261,9 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   EXPECT_TRUE(connection.waitFor([](const Connection& message) {
     return message.text == "playback of left.bag, 0:02 of 0:02";
   })) << "counted from where the recording begins";
+  for (const Connection::ConstPtr& message : connection.waitForCount(1)) {
+    EXPECT_THAT(message->text, ::testing::Not(HasSubstr("0:00 of"))) << "nor does it play what was before";
+  }
   ASSERT_EQ(state.waitForCount(1).size(), 1u);
   EXPECT_EQ(state.waitForCount(1).front()->stopped_by, "/bert");
   EXPECT_TRUE(tf.waitFor([](const tf2_msgs::TFMessage& message) {
