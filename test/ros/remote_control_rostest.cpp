@@ -926,6 +926,11 @@ TEST_F(ToldTest, SettingsAreThoseOfTheNodeThatDrives) {
   EXPECT_TRUE(hears("set balance,gain 8")) << "the driver's word counts";
   EXPECT_TRUE(hears("yes, gain is 8"));
   EXPECT_EQ(descriptions, 1) << "a form that is made again loses what the user writes";
+  ros::NodeHandle(kTold).deleteParam("driver/telemetry_rate");
+  ros::NodeHandle(kTold).setParam("nodelet/telemetry_rate", 31.25);
+  tell("nodelet/parameter_updates", config(3));
+  EXPECT_TRUE(hears("set balance,gain 3")) << "the driver has come back under another name";
+  services_.push_back(ros::NodeHandle(kTold).advertiseService("nodelet/set_parameters", answer));
   serve<ListMotions>("list_motions", [](const auto&) { return QString(); });
   {
     const std::lock_guard<std::mutex> driver_is_busy(mutex_);
