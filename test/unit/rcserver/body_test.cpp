@@ -36,12 +36,15 @@ namespace {
 
 using namespace protocol::version2;
 using robot_model::Sensor;
+using ::testing::AllOf;
 using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::Eq;
 using ::testing::Field;
+using ::testing::Gt;
 using ::testing::HasSubstr;
+using ::testing::Lt;
 using ::testing::Not;
 
 constexpr int kHeadTouch = 5;
@@ -300,6 +303,16 @@ TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   EXPECT_EQ(std::count(drawn, drawn + LightDriver::EAR_FRAMES, true), LightDriver::EAR_FRAMES) << "without a gap";
   EXPECT_FALSE(robot_.ears[1].drawn);
   EXPECT_EQ(robot_.ears[1].period, 1);
+}
+
+TEST_F(BodyTest, BothEarsAreLetGoAtOnce) {
+  expectAnswer(request('K', 0, 1), 'k', 0, 1);
+  passFrames(1);
+  expectAnswer(request('K', 0, 0), 'k', 0, 0);
+  passFrames(100);
+  for (const int ear : {kLeftEar, kRightEar}) {
+    EXPECT_THAT(framesDrawn(ear), AllOf(Gt(0), Lt(LightDriver::EAR_FRAMES)));
+  }
 }
 
 TEST_F(BodyTest, EarThatDoesNotOpenIsNamedAndTheOtherIsDrawn) {

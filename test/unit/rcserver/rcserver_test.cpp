@@ -268,9 +268,10 @@ TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesCanStreamThem) {
 
 TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
-  auto client = connectServed();
+  auto client = connect(0, "127.1.2.3");
+  ask(*client, "");
   EXPECT_THAT(console_.str(),
-              HasSubstr("RCServer: client 127.0.0.1:" + std::to_string(client->port()) + " is connected\n"));
+              HasSubstr("RCServer: client 127.1.2.3:" + std::to_string(client->port()) + " is connected\n"));
   ask(*client, request('W', 85));
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: stream on, quality 85\n"));
   expectPictureOfNextImage(*client, 85);
