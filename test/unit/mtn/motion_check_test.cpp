@@ -80,6 +80,16 @@ TEST(MotionCheckTest, describesAWholeMotionInOneLine) {
             "up to 5.0 are clipped");
 }
 
+TEST(MotionCheckTest, saysThatARobotWithoutOneOfTheJointsDoesNotPlayIt) {
+  std::istringstream text("robot ERS-7\nat 0 head_pan 0 mouth -10\n");
+  std::string bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+  bytes.replace(bytes.find("-Joint2"), 7, "-Joint9");
+  mtn::Motion motion;
+  ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
+  EXPECT_THAT(motion_tool::describeChanges(motion, *robot_model::findRobotModel("ERS-7")),
+              ::testing::MatchesRegex("an ERS-7 does not play it: it .*-Joint9.*"));
+}
+
 TEST(MotionCheckTest, findsJointsThatTheRobotDoesNotHave) {
   EXPECT_THAT(obstaclesOf("at 0 head_pan 0\n", "ERS-210"),
               ElementsAre(HasSubstr("an ERS-210 has no joint PRM:/r1/c1/c2-Joint2:12")));
