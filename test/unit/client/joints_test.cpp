@@ -178,9 +178,34 @@ TEST_F(JointsTest, TheStateOfTheMotorsIsThatOfTheRobotNotTheOneAskedFor) {
   for (const bool wanted : {true, false}) {
     auto state = std::async(std::launch::async, [&] { return client().setMotors(wanted, seconds(20)); });
     const std::uint8_t said = wanted ? 0 : 1;
-    peer.send(makeFrame('o', peer.readRequest().header.request_number, {said}));
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_THAT(request.payload, ElementsAre(wanted ? 1 : 0));
+    peer.send(makeFrame('o', request.header.request_number, {said}));
     EXPECT_EQ(state.get(), !wanted);
   }
+}
+
+TEST_F(JointsTest, OrdersAreSentWithTheirValues) {
+  ScriptedPeer peer = connectVersion2("V I F");
+  client().setJointSpeedLimits({{1, 0.5}, {2, 1.25}});
+  const version2_frames::Frame limits = peer.readRequest();
+  EXPECT_EQ('V', limits.header.kind);
+  EXPECT_THAT(limits.payload, ElementsAre(1, 0, 0, 0, 0x00, 0x07, 0xa1, 0x20, 2, 0, 0, 0, 0x00, 0x13, 0x12, 0xd0));
+  for (const std::vector<int>& joints : {std::vector<int>{2, 1}, std::vector<int>{}}) {
+    auto held = std::async(std::launch::async, [&] { client().hold(joints, seconds(20)); });
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(joints.empty() ? 0 : 1, request.header.id);
+    EXPECT_EQ(joints, std::vector<int>(request.payload.begin(), request.payload.end()));
+    peer.send(makeFrame('i', request.header.request_number, {}));
+    held.get();
+  }
+  auto taken =
+      std::async(std::launch::async, [&] { client().takePicture(37, seconds(20), nullptr, Resolution::kDouble); });
+  const version2_frames::Frame request = peer.readRequest();
+  EXPECT_EQ(37, request.header.id);
+  EXPECT_THAT(request.payload, ElementsAre(3));
+  peer.close();
+  EXPECT_THROW(taken.get(), NetworkException);
 }
 
 TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
