@@ -16,6 +16,7 @@ void SimulatedRobot::start(int port) {
   std::vector<std::string> command = launcher_;
   command.insert(command.end(), {AIBO_RCSERVER, "--port", std::to_string(port), "--console-port", "0"});
   command.insert(command.end(), options_.begin(), options_.end());
+  kept_port_.close();
   process_ = std::make_unique<Process>(command);
   const auto ports = process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)", kPatience);
   console_port_ = std::stoi(ports.at(1));

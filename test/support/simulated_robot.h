@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "support/process.h"
+#include "support/sockets.h"
 
 namespace test_support {
 
@@ -28,8 +29,12 @@ class SimulatedRobot {
   /// @throw std::system_error the console cannot be reached
   std::string type(const std::string& line) const;
 
-  /// Kills it by SIGKILL.
-  void kill() { process_.reset(); }
+  /// Kills it by SIGKILL. Until restart(), no other program gets its port, but nothing listens there.
+  /// @throw std::system_error the port cannot be kept
+  void kill() {
+    process_.reset();
+    kept_port_ = bindTo("127.0.0.1", port_);
+  }
 
   /// Starts it again, on the same port. Returns when it listens.
   void restart() { start(port_); }
@@ -47,6 +52,7 @@ class SimulatedRobot {
   int port_ = 0;
   int console_port_ = 0;
   std::unique_ptr<Process> process_;
+  aibo_client::FileDescriptor kept_port_;
 };
 
 }  // namespace test_support
