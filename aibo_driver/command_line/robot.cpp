@@ -59,6 +59,12 @@ Robot::Robot(const RobotAddress& address, Output& output, const ClientOptions& b
 
 Robot::~Robot() {
   client_->stop();
+  // The client has logged why the connection was lost, and that it tries again. A command that ended with the
+  // connection does not, and says why itself.
+  const auto says_why = [this](const std::string& text) { return text.find(last_loss_) != std::string::npos; };
+  if (!last_loss_.empty()) {
+    warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(), says_why), warnings_.end());
+  }
   showWarnings();
 }
 
@@ -188,13 +194,11 @@ void Robot::change(const Change& change) {
 
 void Robot::noteStatus(const ConnectionStatus& status) {
   change([&] {
-    received_.failures += status.state == ConnectionState::kDisconnected && status.fault != FaultKind::kNone ? 1 : 0;
-    received_.status = status;
-    if (status.state == ConnectionState::kDisconnected && !status.reason.empty()) {
-      // The client has logged why, and that it tries again. Most commands do not, and say why themselves.
-      const auto says_why = [&](const std::string& text) { return text.find(status.reason) != std::string::npos; };
-      warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(), says_why), warnings_.end());
+    if (status.state == ConnectionState::kDisconnected && status.fault != FaultKind::kNone) {
+      ++received_.failures;
+      last_loss_ = status.reason;
     }
+    received_.status = status;
   });
 }
 

@@ -133,6 +133,7 @@ class Robot {
   Received received_;                                    // guarded by mutex_
   robot_time::RobotClock clock_;                         // guarded by mutex_
   std::deque<std::string> warnings_;                     // the newest kMostWarnings; guarded by mutex_
+  std::string last_loss_;                                // why the connection was lost; guarded by mutex_
   std::unique_ptr<aibo_client::RcServerClient> client_;  // last, because its thread uses all members above
 };
 
