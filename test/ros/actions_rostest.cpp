@@ -101,7 +101,8 @@ TEST(PlayMotionGoal, EndsWithTheMotion) {
   PlayGoal next(user.client, PlayUser::nod(0));
   const auto feedback_of_next = next.waitForFeedback();
   ASSERT_TRUE(feedback_of_next);
-  EXPECT_LE(feedback_of_next->time.toSec(), (ros::SteadyTime::now() - begin).toSec()) << "its time begins anew";
+  EXPECT_LE(feedback_of_next->time.toSec(), (ros::SteadyTime::now() - begin).toSec())
+      << "the time of each goal begins at 0";
 }
 
 // Each repetition wakes several of the driver's threads.
@@ -133,7 +134,7 @@ TEST(Actions, FollowEachGoalToItsEndAndAGoalThatWasCancelledSucceedsIfItIsDoneAl
   handle.setCallbackQueue(&queue);
   ros::AsyncSpinner thread(1, &queue);
   std::atomic<End::State> state{};
-  std::atomic<int> over{0};  // goals with so many repetitions or fewer
+  std::atomic<int> over{0};  // goals with at most this many repetitions are over
   std::atomic<bool> can_stop{true};
   ActionWay<PlayMotionAction> way;
   way.name = "do";

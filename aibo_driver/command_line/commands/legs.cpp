@@ -44,7 +44,8 @@ bool moves(const WalkVelocity& velocity) {
   return std::max({std::abs(velocity.forward), std::abs(velocity.left), std::abs(velocity.turn)}) >= kStep / 2;
 }
 
-bool isLess(const WalkVelocity& in_force, const WalkVelocity& wanted) {
+/// True if the robot walks otherwise than it was asked to.
+bool isOther(const WalkVelocity& in_force, const WalkVelocity& wanted) {
   return std::abs(in_force.forward - wanted.forward) > kStep || std::abs(in_force.left - wanted.left) > kStep ||
          std::abs(in_force.turn - wanted.turn) > kStep;
 }
@@ -72,8 +73,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
     if (!robot.received().velocity) {
       throw;
     }
-    // The robot ends the walk by itself. While it brakes, it refuses to be steered; then it says how the walk has
-    // ended.
+    // The robot ends the walk by itself. It refuses to be steered while it brakes. Then it says how the walk has ended.
   }
   robot.client().steer({});
   if (interrupted) {
@@ -95,7 +95,7 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   robot.connect();
   steer(robot, velocity, seconds);
   const WalkVelocity in_force = robot.received().velocity.value_or(WalkVelocity());
-  if (isLess(in_force, velocity)) {
+  if (isOther(in_force, velocity)) {
     output.note("The robot cannot walk with " + wordsOf(velocity) + ": it walks with " + wordsOf(in_force) + ".");
   }
   if (!waitForEnd(robot, aibo_client::EndedKind::kWalk, "", kLongestPosture)) {

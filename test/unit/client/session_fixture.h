@@ -169,7 +169,7 @@ class SessionFixture : public testing::Test {
   std::vector<aibo_client::DetectedColors> colors_;
   std::vector<aibo_client::HeardSound> heard_;
   std::vector<aibo_client::SoundEnd> sound_ends_;
-  std::vector<std::string> log_;  ///< a line that is no warning begins with its level
+  std::vector<std::string> log_;  ///< lines; all but warnings begin with their level
   static constexpr std::uint64_t kFirstOrder = 0x4000000011;
   std::uint64_t last_order_ = kFirstOrder - 1;
   aibo_client::Notifier notifier_;

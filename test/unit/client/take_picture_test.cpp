@@ -78,7 +78,7 @@ TEST_F(TakePictureTest, APictureOfTheStreamThatBeganBeforeTheCallIsNotItsAnswer)
   expectCommand(&peer, 'F', 40);
   peer.sendPicture(test_pictures::makeNumbered(3));
   EXPECT_EQ(test_pictures::makeNumbered(3), taken.get()->jpeg);
-  EXPECT_EQ(0, quality) << "there is no stream any more";
+  EXPECT_EQ(0, quality) << "the stream has been switched off";
 }
 
 TEST_F(TakePictureTest, QualityAndTimeoutAreChecked) {

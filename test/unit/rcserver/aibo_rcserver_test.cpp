@@ -141,7 +141,7 @@ TEST(AiboRCServer, FindsItsMemoryStickByItself) {
                 port + " of this computer\nRCServer listening on 127.0.0.1:" + port + "\nStopped\n");
 }
 
-// An object for another model is not loaded, and without RCServer there is no port for it.
+// On this memory stick, RCServer is for an ERS-210. A simulated ERS-7 does not load it, so it has no port for clients.
 TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
   const test_support::MemoryStick stick;
   std::ifstream connections(stick.path("OPEN-R/MW/CONF/CONNECT.CFG"));

@@ -161,7 +161,7 @@ TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
   for (; frame <= 10 * JointWatch::PATIENCE; frame += 4) {
     joints.Measured(pan, {-30000, 400000, -7}, frame, false);
   }
-  EXPECT_EQ(joints.Position(pan), -30000) << "whoever moves it by hand can read that";
+  EXPECT_EQ(joints.Position(pan), -30000) << "a joint that is moved by hand is measured, too";
   EXPECT_EQ(joints.Duty(pan), -7);
   EXPECT_EQ(joints.Measured(pan, {-30000, 400000, 0}, frame, true), JointWatch::FOLLOWS);
 }
