@@ -18,7 +18,7 @@ class SimulatedRobot {
   /// @param launcher command that starts the executable and becomes its process, such as {"ip", "netns", "exec", "a"}
   explicit SimulatedRobot(const std::vector<std::string>& options = {}, const std::vector<std::string>& launcher = {})
       : options_(options), launcher_(launcher) {
-    start(0);
+    start(portOf(bindTo("127.0.0.1", 0)));
   }
 
   int port() const { return port_; }

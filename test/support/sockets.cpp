@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdint>
+#include <random>
 #include <stdexcept>
 #include <system_error>
 
@@ -32,6 +33,17 @@ void setOption(int socket, int level, int name, int value) {
   check(::setsockopt(socket, level, name, &value, sizeof value) == 0, "setsockopt");
 }
 
+// The kernel gives ports from 32768 on to whoever asks for any. One of those may just have been a ROS node's, and the
+// master goes on sending its news there.
+std::uint16_t portThatNoNodeHasHad() {
+  static std::mt19937 random(std::random_device{}());
+  return std::uniform_int_distribution<std::uint16_t>(20000, 32767)(random);
+}
+
+bool bindOnce(const FileDescriptor& socket, const sockaddr_in& address) {
+  return ::bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+}
+
 void configure(const FileDescriptor& socket) {
   setOption(socket.get(), IPPROTO_TCP, TCP_NODELAY, 1);
   setOption(socket.get(), SOL_SOCKET, SO_RCVBUF, kBufferSize);
@@ -46,14 +58,22 @@ void check(bool good, const std::string& what) {
   }
 }
 
+void bindSocket(const FileDescriptor& socket, const std::string& address, int port) {
+  sockaddr_in parsed = parse(address, port);
+  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
+  bool bound = port != 0 && bindOnce(socket, parsed);
+  for (int attempt = 0; port == 0 && !bound && attempt < 100; ++attempt) {
+    parsed.sin_port = htons(portThatNoNodeHasHad());
+    bound = bindOnce(socket, parsed);
+  }
+  check(bound, address + ":" + std::to_string(port));
+}
+
 FileDescriptor bindTo(const std::string& address, int port) {
-  const sockaddr_in parsed = parse(address, port);
   FileDescriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   check(socket.valid(), "socket");
-  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
   configure(socket);
-  check(::bind(socket.get(), reinterpret_cast<const sockaddr*>(&parsed), sizeof parsed) == 0,
-        address + ":" + std::to_string(port));
+  bindSocket(socket, address, port);
   return socket;
 }
 

@@ -9,8 +9,12 @@
 
 namespace test_support {
 
-/// A socket that is bound to an address of this computer, and does not listen yet.
-/// @param port 0 = any free one
+/// Binds a TCP socket to an address of this computer.
+/// @param port 0 = any free one that no ROS node has had
+/// @throw std::system_error, std::invalid_argument
+void bindSocket(const aibo_client::FileDescriptor& socket, const std::string& address, int port);
+
+/// A socket that is bound as by bindSocket(), and does not listen yet. It does not block, and its buffers are small.
 /// @throw std::system_error, std::invalid_argument
 aibo_client::FileDescriptor bindTo(const std::string& address, int port);
 
