@@ -74,13 +74,15 @@ version2_frames::Frame ScriptedPeer::readFrame() {
 }
 
 version2_frames::Frame ScriptedPeer::readRequest() {
-  for (;;) {
+  const auto end = std::chrono::steady_clock::now() + kPatience;
+  while (std::chrono::steady_clock::now() < end) {
     version2_frames::Frame frame = readFrame();
     if (frame.header.kind != protocol::version2::REQUEST_HELLO) {
       return frame;
     }
     send(version2_frames::makeFrame('h', frame.header.request_number, version2_frames::makeHello()));
   }
+  throw std::runtime_error("the client has sent nothing but heartbeats");
 }
 
 void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {

@@ -226,12 +226,14 @@ void Life::serve(const Frame& request) {
 
 /// Answers until a request of this kind has come, which is not answered.
 Frame Life::serveUntil(char kind) {
-  for (Frame request = peer_->readFrame();; request = peer_->readFrame()) {
+  for (const auto end = std::chrono::steady_clock::now() + kTimeout; std::chrono::steady_clock::now() < end;) {
+    Frame request = peer_->readFrame();
     if (request.header.kind == kind) {
       return request;
     }
     serve(request);
   }
+  throw std::runtime_error(std::string("the client has not sent the request ") + kind);
 }
 
 void Life::push(char kind, const Bytes& payload, int id, int number) {
