@@ -208,6 +208,54 @@ TEST_F(JointsTest, OrdersAreSentWithTheirValues) {
   EXPECT_THROW(taken.get(), NetworkException);
 }
 
+TEST_F(JointsTest, EachOrderHasItsNumberAndItsTime) {
+  ScriptedPeer peer = connectVersion2("J S E P");
+  const auto refuse = [&peer](char kind) {
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(kind, request.header.kind);
+    const std::string reason(1, kind);
+    peer.send(makeFrame('e', request.header.request_number, version2_frames::makeError(3, reason)));
+  };
+  const auto time_out = [](const auto& call) {
+    for (milliseconds time(20); time < seconds(20); time *= 2) {
+      try {
+        call(time);
+      } catch (const TimeoutException& error) {
+        if (error.wasSent()) {
+          return;
+        }
+      }
+    }
+  };
+  using TimePoint = std::chrono::steady_clock::time_point;
+  const TimePoint never = TimePoint::max();
+  client().commandJoints({{1, 0.1}}, milliseconds(0), {never, 71});
+  refuse('J');
+  client().steer({0.1, 0, 0}, {never, 72});
+  refuse('S');
+  time_out([&](milliseconds time) { client().takePosture(Posture::kSit, time, {never, 73}); });
+  refuse('E');
+  time_out([&](milliseconds time) { client().playMotion("NOD.MTN", 1, time, {never, 74}); });
+  refuse('P');
+  const std::string address = "127.0.0.1:" + std::to_string(server_.port());
+  std::string told = "71:J; 72:S; late 73:" + address + " refused to take the posture sit: E.; late 74:" + address +
+                     " refused to play the motion NOD.MTN: P.; ";
+  const auto expect_told = [&] { EXPECT_TRUE(eventually([&] { return recorder_.orders() == told; })) << told; };
+  expect_told();
+  const OrderTerms too_old = {TimePoint(), 75};
+  const auto complaint = HasSubstr("is too old: it could not be sent to " + address + " in time.");
+  EXPECT_THAT(complaintOf<CommandException>([&] { client().takePosture(Posture::kSit, seconds(20), too_old); }),
+              complaint);
+  EXPECT_THAT(complaintOf<CommandException>([&] { client().playMotion("NOD.MTN", 1, seconds(20), too_old); }),
+              complaint);
+  client().commandJoints({{2, 0.1}}, milliseconds(0), too_old);
+  client().steer({0, 0.1, 0}, {TimePoint(), 76});
+  for (const char* const order : {"75", "76"}) {
+    told += std::string(order) + ":too old: it could not be sent to " + address + " in time; ";
+  }
+  expect_told();
+}
+
 TEST_F(JointsTest, ARobotsReportStaysInTheStatusUntilTheNextConnection) {
   ScriptedPeer peer = connectVersion2();
   peer.send(makeFrame('e', 0, version2_frames::makeError(3, "joint head_pan does not move")));

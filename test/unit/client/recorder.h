@@ -26,6 +26,12 @@ class Recorder {
     callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) {
       change([&] { telemetry_.push_back(telemetry); });
     };
+    callbacks.on_refused = [this](const aibo_client::Refusal& refusal) {
+      change([&] { orders_ += std::to_string(refusal.order) + ":" + refusal.reason + "; "; });
+    };
+    callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) {
+      change([&] { orders_ += "late " + std::to_string(answer.order) + ":" + answer.reason + answer.changes + "; "; });
+    };
     callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
     return callbacks;
   }
@@ -82,6 +88,12 @@ class Recorder {
     return streaming_;
   }
 
+  /// Orders that were refused or answered late, and why, as in "7:too old; late 8:changed; ".
+  std::string orders() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return orders_;
+  }
+
   /// Lines logged that contain this text.
   long logged(const std::string& text) const {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -113,6 +125,7 @@ class Recorder {
   std::vector<aibo_client::ConnectionStatus> statuses_;
   std::vector<bool> streaming_;
   std::vector<aibo_client::Telemetry> telemetry_;
+  std::string orders_;
   std::vector<std::string> log_;
 };
 
