@@ -147,6 +147,11 @@ TEST_F(RepeatedDatagramsTest, OnASlowLinkAPartHasMoreTime) {
   EXPECT_THAT(takeRequests(picture_), IsEmpty());
   wait(milliseconds(1));
   EXPECT_THAT(takeRequests(picture_), ElementsAre(picture.size()));
+  arriveEach(milliseconds(12), nextPicture());
+  wait(milliseconds(6 * 12 - 1));
+  EXPECT_THAT(delivered(), IsEmpty()) << "a whole picture waits longer for those before it, too";
+  wait(milliseconds(1));
+  EXPECT_THAT(delivered(), ElementsAre(picture_));
 }
 
 TEST_F(RepeatedDatagramsTest, APictureThatWasLostWholeIsAskedFor) {
@@ -260,12 +265,14 @@ TEST_F(RepeatedDatagramsTest, ALostParityIsNotWaitedFor) {
 // Parities take time on the air from other pictures.
 TEST_F(RepeatedDatagramsTest, ParitiesAreRequestedOnlyWhereTheLinkHasTimeForThem) {
   const auto parts = static_cast<int>(nextPicture().size());
-  for (const int spare : {4, 1}) {
+  for (const int spare : {4, 1, 4}) {
     knowPace(milliseconds(5), milliseconds(5 * (parts + spare)));
     std::vector<Bytes> picture = nextPicture();
     picture.erase(picture.begin() + 1);
     arriveEach(milliseconds(5), picture);
-    EXPECT_EQ(spare == 4, !repliesOf('l').empty()) << spare;
+    const Bytes report = encoded(protocol::version2::LossReport{numberOf(picture_)});
+    EXPECT_EQ(spare == 4 ? std::vector<Bytes>{report} : std::vector<Bytes>(), repliesOf('l')) << spare;
+    wait(milliseconds(5 * (spare + 1)));
   }
 }
 
