@@ -29,6 +29,9 @@ namespace {
 
 constexpr milliseconds kTimeout{20000};
 
+/// The frame in which the robot begins to listen: the numbers begin again soon.
+constexpr unsigned kHeard = 0xFFFFFFFE;
+
 /// A reply or a push `a`.
 Bytes makeSoundFrame(int id, int number, const Bytes& payload) {
   Bytes frame = version2_frames::makeFrame('a', number, payload);
@@ -163,9 +166,9 @@ TEST_F(SoundTest, ARefusalToListenIsReportedAndTheRequestIsNotRepeated) {
 
 TEST_F(SoundTest, WhatTheRobotHearsIsDeliveredWithItsFrame) {
   listen();
-  push(700, {1, -2, 32767, -32768});
+  push(kHeard, {1, -2, 32767, -32768});
   ASSERT_THAT(heard_, SizeIs(1));
-  EXPECT_EQ(700U, heard_[0].frame_number);
+  EXPECT_EQ(kHeard, heard_[0].frame_number);
   EXPECT_EQ(3U, heard_[0].connection_number);
   EXPECT_EQ(now_, heard_[0].arrival);
   EXPECT_EQ(2, heard_[0].channels);
@@ -175,10 +178,10 @@ TEST_F(SoundTest, WhatTheRobotHearsIsDeliveredWithItsFrame) {
 
 TEST_F(SoundTest, WhatIsMissingBetweenTwoPushesIsCounted) {
   listen();
-  push(700, kSixteenMilliseconds);
-  push(702, kSixteenMilliseconds);
-  push(707, kSixteenMilliseconds);
-  push(709, kSixteenMilliseconds);
+  push(kHeard, kSixteenMilliseconds);
+  push(kHeard + 2, kSixteenMilliseconds);
+  push(kHeard + 7, kSixteenMilliseconds);
+  push(kHeard + 9, kSixteenMilliseconds);
   std::vector<unsigned> missing;
   for (const HeardSound& sound : heard_) {
     missing.push_back(sound.missing);
@@ -190,29 +193,29 @@ TEST_F(SoundTest, WhatIsMissingBetweenTwoPushesIsCounted) {
 
 TEST_F(SoundTest, AtHalfTheRateAFrameHasHalfTheSamples) {
   listen(1, 8000);
-  push(700, std::vector<std::int16_t>(128), 1);
-  push(702, std::vector<std::int16_t>(128), 1);
-  push(706, std::vector<std::int16_t>(128), 1);
+  push(kHeard, std::vector<std::int16_t>(128), 1);
+  push(kHeard + 2, std::vector<std::int16_t>(128), 1);
+  push(kHeard + 6, std::vector<std::int16_t>(128), 1);
   EXPECT_EQ(0U, heard_.at(1).missing);
   EXPECT_EQ(2U * 64, heard_.at(2).missing);
 }
 
 TEST_F(SoundTest, PiecesThatAreNoWholeFramesHaveNoGaps) {
   listen(1);
-  push(700, std::vector<std::int16_t>(100), 1);
-  push(700, std::vector<std::int16_t>(100), 1);  // begins within the same frame
-  push(701, std::vector<std::int16_t>(56), 1);
-  push(702, std::vector<std::int16_t>(56), 1);
+  push(kHeard, std::vector<std::int16_t>(100), 1);
+  push(kHeard, std::vector<std::int16_t>(100), 1);  // begins within the same frame
+  push(kHeard + 1, std::vector<std::int16_t>(56), 1);
+  push(kHeard + 2, std::vector<std::int16_t>(56), 1);
   EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
 // The rate of a push is that of the settings, so one from before a change would be misunderstood.
 TEST_F(SoundTest, AfterAGapWithinAFrameTheNextOneIsCountedAsEver) {
   listen(1);
-  push(700, std::vector<std::int16_t>(100), 1);
-  push(705, std::vector<std::int16_t>(28), 1);
-  push(705, std::vector<std::int16_t>(100), 1);
-  push(707, std::vector<std::int16_t>(128), 1);
+  push(kHeard, std::vector<std::int16_t>(100), 1);
+  push(kHeard + 5, std::vector<std::int16_t>(28), 1);
+  push(kHeard + 5, std::vector<std::int16_t>(100), 1);
+  push(kHeard + 7, std::vector<std::int16_t>(128), 1);
   EXPECT_EQ(128U, heard_.at(3).missing);
 }
 
@@ -225,11 +228,11 @@ TEST_F(SoundTest, OfTwoChangesTheAnswerToTheSecondCounts) {
   EXPECT_EQ("A 1 1 1 31 64", request());
   const int second = std::exchange(number_, first);
   agree(1, 16000);
-  push(700, std::vector<std::int16_t>(256), 1);
+  push(kHeard, std::vector<std::int16_t>(256), 1);
   EXPECT_THAT(heard_, IsEmpty());
   number_ = second;
   agree(1, 8000);
-  push(702, std::vector<std::int16_t>(128), 1);
+  push(kHeard + 2, std::vector<std::int16_t>(128), 1);
   ASSERT_THAT(heard_, SizeIs(1));
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
@@ -238,10 +241,10 @@ TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   listen(2);
   wish_.microphone.samples_per_second = 16000;
   EXPECT_EQ("A 1 1 1 62 128", request());
-  push(700, kSixteenMilliseconds);
+  push(kHeard, kSixteenMilliseconds);
   EXPECT_THAT(heard_, IsEmpty());
   agree(2, 8000);
-  push(702, kSixteenMilliseconds);
+  push(kHeard + 2, kSixteenMilliseconds);
   ASSERT_THAT(heard_, SizeIs(1));
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
@@ -249,7 +252,7 @@ TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
 TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
   listen();
   for (unsigned i = 0; i < 400; ++i) {
-    push(2 * i, kSixteenMilliseconds);
+    push(kHeard + 2 * i, kSixteenMilliseconds);
     now_ += milliseconds(16);
   }
   begin();  // the check of the link
@@ -259,27 +262,27 @@ TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
   wish_.microphone.on = true;
   request();
   agree(2, 16000);
-  push(1000, kSixteenMilliseconds);
+  push(kHeard + 1000, kSixteenMilliseconds);
   EXPECT_EQ(0U, heard_.back().missing) << "nobody has listened";
   now_ += milliseconds(24);
-  push(1003, kSixteenMilliseconds);
+  push(kHeard + 1003, kSixteenMilliseconds);
   EXPECT_EQ(128U, heard_.back().missing);
 }
 
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
   begin();
-  push(700, kSixteenMilliseconds);
+  push(kHeard, kSixteenMilliseconds);
   wish_.microphone = {true, 1, 16000};
   request();
   agree(1, 16000);
-  push(702, kSixteenMilliseconds, 2);
+  push(kHeard + 2, kSixteenMilliseconds, 2);
   EXPECT_THAT(heard_, IsEmpty());
 }
 
 TEST_F(SoundTest, MoreThanTwiceTheSoundThatWasAskedForIsDroppedAndLoggedOnce) {
   listen();
   for (unsigned i = 0; i < 1000; ++i) {
-    push(700 + 2 * i, kSixteenMilliseconds);
+    push(kHeard + 2 * i, kSixteenMilliseconds);
     now_ += milliseconds(4);
   }
   EXPECT_GE(1000U / 2 + 64, heard_.size());
@@ -294,7 +297,7 @@ TEST_F(SoundTest, NoMixtureOfPiecesIsMoreThanTwiceTheSoundThatWasAskedFor) {
   const std::vector<std::int16_t> second(16000);
   std::size_t samples = 0;
   for (int i = 0; i < 10000; ++i) {
-    push(700, i % 10 == 9 ? second : std::vector<std::int16_t>(1), 1);
+    push(kHeard, i % 10 == 9 ? second : std::vector<std::int16_t>(1), 1);
     now_ += std::chrono::microseconds(100);
   }
   for (const HeardSound& sound : heard_) {
@@ -326,29 +329,29 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
 TEST_F(SoundTest, WhatWasHeardIsNotMissingToo) {
   listen();
   for (unsigned i = 0; i < 625; ++i) {
-    push(2 * i, kSixteenMilliseconds);
+    push(kHeard + 2 * i, kSixteenMilliseconds);
     now_ += milliseconds(16);
   }
-  push(1250 + 1000, kSixteenMilliseconds);
+  push(kHeard + 1250 + 1000, kSixteenMilliseconds);
   EXPECT_EQ(0U, heard_.back().missing) << "18 s of sound cannot come in 10 s";
 }
 
 TEST_F(SoundTest, NothingIsMissingIfAPushComesTwice) {
   listen();
-  push(700, kSixteenMilliseconds);
-  push(700, kSixteenMilliseconds);
+  push(kHeard, kSixteenMilliseconds);
+  push(kHeard, kSixteenMilliseconds);
   EXPECT_EQ(0U, heard_.back().missing);
 }
 
 TEST_F(SoundTest, APushOfMoreThanASecondIsDropped) {
   listen(1);
-  push(700, std::vector<std::int16_t>(16001), 1);
+  push(kHeard, std::vector<std::int16_t>(16001), 1);
   EXPECT_THAT(heard_, IsEmpty());
 }
 
 TEST_F(SoundTest, APushThatContradictsItselfIsNoSound) {
   listen();
-  Bytes payload = encoded(version2::HeardSound{700, 0, 2, nullptr, 0});
+  Bytes payload = encoded(version2::HeardSound{kHeard, 0, 2, nullptr, 0});
   payload.push_back(1);
   EXPECT_THROW(receive(makeSoundFrame(1, 0, payload)), ProtocolException);
 }
@@ -482,9 +485,11 @@ TEST_F(SoundTest, ASoundThatTheRobotRefusesHasNotBegunAndHasNoEnd) {
 /// The client's functions.
 class SoundClientTest : public NewestClientFixture {
  protected:
+  /// Each time, it is a sample more than before; at first, there are three.
   std::future<SoundProgress> play(std::uint64_t sound, bool is_last = false) {
+    ++size_;
     return std::async(std::launch::async, [this, sound, is_last] {
-      return client().playSamples(sound, {1, 2, 3}, is_last, kTimeout);
+      return client().playSamples(sound, std::vector<std::int16_t>(size_, 7), is_last, kTimeout);
     });
   }
 
@@ -496,6 +501,8 @@ class SoundClientTest : public NewestClientFixture {
     peer->send(makeSoundFrame(2, request.header.request_number, encoded(version2::SpeakerRoom{5000})));
     return protocol::decodeBigEndian32(request.payload.data());
   }
+
+  std::size_t size_ = 2;
 };
 
 TEST_F(SoundClientTest, TheClientCountsThePositionOfSamples) {
@@ -504,9 +511,11 @@ TEST_F(SoundClientTest, TheClientCountsThePositionOfSamples) {
   EXPECT_EQ(0U, accept(&peer));
   const SoundProgress progress = first.get();
   EXPECT_EQ(5000U, progress.room);
-  auto second = play(progress.sound, true);
-  EXPECT_EQ(3U, accept(&peer));
-  EXPECT_EQ(progress.sound, second.get().sound);
+  for (const bool is_last : {false, true}) {
+    auto next = play(progress.sound, is_last);
+    EXPECT_EQ(is_last ? 3U + 4U : 3U, accept(&peer));
+    EXPECT_EQ(progress.sound, next.get().sound);
+  }
   EXPECT_THROW(client().playSamples(progress.sound, {1}, false, kTimeout), CommandException) << "it had its last part";
 }
 
