@@ -87,7 +87,7 @@ TEST(JointCommandsTest, WhatRemainsOfACommandThatHasBegunMayWaitAgain) {
   EXPECT_EQ(JointCommands::TimePoint::max(), commands.nextTooOld());
 }
 
-/// The orders that were dropped: request, cause, order, joints.
+/// The orders that were dropped: request, cause, order, joints, reason.
 std::string takeDropped(CommandOutbox* outbox) {
   std::string text;
   for (const Refusal& refusal : std::exchange(outbox->dropped, {})) {
@@ -96,7 +96,7 @@ std::string takeDropped(CommandOutbox* outbox) {
     for (const int id : refusal.ids) {
       text += " " + std::to_string(id);
     }
-    text += ";";
+    text += " " + refusal.reason + ";";
   }
   return text;
 }
@@ -117,11 +117,11 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
   outbox.dropTooOld(at(999), "robot");
   EXPECT_EQ("", takeDropped(&outbox));
   outbox.dropTooOld(at(1000), "robot");
-  EXPECT_EQ("too old: it could not be sent to robot in time", outbox.dropped.at(0).reason);
-  EXPECT_EQ("J" + std::to_string(kTooOld) + "#1 1;", takeDropped(&outbox));
+  const std::string why = " too old: it could not be sent to robot in time;";
+  EXPECT_EQ("J" + std::to_string(kTooOld) + "#1 1" + why, takeDropped(&outbox));
   EXPECT_EQ(at(1500), outbox.nextTooOld());
   outbox.dropTooOld(at(1999), "robot");
-  EXPECT_EQ("S" + std::to_string(kTooOld) + "#3;", takeDropped(&outbox));
+  EXPECT_EQ("S" + std::to_string(kTooOld) + "#3" + why, takeDropped(&outbox));
   outbox.steer({{}, {at(1500), 4}});
   outbox.dropTooOld(at(1999), "robot");
   EXPECT_EQ("", takeDropped(&outbox)) << "a velocity of 0 does no harm by its loss";
@@ -133,9 +133,11 @@ TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}, {9, 0.4}}, {at(1000), 1}});
   outbox.command({milliseconds(200), {{3, 0.3}}, {at(1000), 2}});
   outbox.stopJoints({1, 3, 9}, "a stop");
-  EXPECT_EQ("J" + std::to_string(kStopped) + "#1 1 9;J" + std::to_string(kStopped) + "#2 3;", takeDropped(&outbox));
+  const std::string stopped = std::to_string(kStopped);
+  EXPECT_EQ("J" + stopped + "#1 1 9 a stop;J" + stopped + "#2 3 a stop;", takeDropped(&outbox));
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("2:2 in 100"));
-  outbox.stopJoints({}, "a stop");
+  outbox.stopJoints({}, "another");
+  EXPECT_EQ("J" + stopped + "#1 2 another;", takeDropped(&outbox));
   EXPECT_TRUE(outbox.joints.empty());
 }
 
@@ -145,21 +147,22 @@ TEST(CommandOutboxTest, WhatWasDroppedFromNewerCommandsIsToldToo) {
   newer.command({milliseconds(100), {{kLegJoint, 0.3}}, {at(1000), 2}});
   CommandOutbox outbox;
   outbox.append(newer);
-  EXPECT_EQ("S" + std::to_string(kReplaced) + "#1;", takeDropped(&outbox));
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#1 the legs were commanded before it was sent;", takeDropped(&outbox));
 }
 
 TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   CommandOutbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});
   outbox.steer({kForward, {at(1000), 2}});
-  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 11;", takeDropped(&outbox));
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 11 the robot was told to walk before it was sent;",
+            takeDropped(&outbox));
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("1:1 in 100"));
   outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
   EXPECT_TRUE(outbox.steering) << "the head is free";
   CommandOutbox newer;
   newer.command({milliseconds(100), {{43, 0.3}}, {at(1000), 4}});  // the last joint of the legs
   outbox.append(newer);
-  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2;", takeDropped(&outbox));
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;", takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);
   outbox.steer({{}, {at(1000), 5}});
   EXPECT_EQ("", takeDropped(&outbox)) << "not to walk leaves the legs as they are";

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <future>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/connection.h"
@@ -145,6 +146,22 @@ class SessionFixture : public testing::Test {
 
   static bool done(const std::future<aibo_client::Answer>& answer) {
     return answer.wait_for(milliseconds(0)) == std::future_status::ready;
+  }
+
+  /// Exactly these refusals were told since the last call.
+  void expectRefusals(const std::vector<aibo_client::Refusal>& expected) {
+    const auto text_of = [](const std::vector<aibo_client::Refusal>& refusals) {
+      std::string text;
+      for (const aibo_client::Refusal& each : refusals) {
+        text += std::to_string(static_cast<int>(each.request)) + std::to_string(static_cast<int>(each.cause)) + " [";
+        for (const int id : each.ids) {
+          text += std::to_string(id) + " ";
+        }
+        text += "] " + each.reason + " #" + std::to_string(each.order) + "\n";
+      }
+      return text;
+    };
+    EXPECT_EQ(text_of(expected), text_of(std::exchange(refusals_, {})));
   }
 
   /// Lines logged that contain this text.

@@ -14,7 +14,7 @@ using testing::SizeIs;
 class ThrottledWarningsTest : public testing::Test {
  protected:
   std::vector<std::string> logged_;
-  ThrottledWarnings::TimePoint now_{};
+  ThrottledWarnings::TimePoint now_{std::chrono::milliseconds(5000123)};
   ThrottledWarnings warnings_{[this](const std::string& text) { logged_.push_back(text); }, [this] { return now_; }};
 };
 
