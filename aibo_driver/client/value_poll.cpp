@@ -40,8 +40,15 @@ ValuePoll::Value ValuePoll::take(TimePoint now) {
 }
 
 void ValuePoll::drop(const Value& value) {
-  std::vector<int>& ids = groupOf(value.request).ids;
-  ids.erase(std::remove(ids.begin(), ids.end(), value.id), ids.end());
+  Group& group = groupOf(value.request);
+  const auto place = std::find(group.ids.begin(), group.ids.end(), value.id);
+  if (place == group.ids.end()) {
+    return;
+  }
+  if (static_cast<std::size_t>(place - group.ids.begin()) < group.next) {
+    --group.next;  // the next value moves up, too
+  }
+  group.ids.erase(place);
 }
 
 void ValuePoll::dropAll(char request) {
