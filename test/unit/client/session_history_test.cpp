@@ -477,7 +477,8 @@ std::string requestsIn(const std::string& text) {
 }
 
 std::string WholeRobot::doEverything() {
-  for (said_hello_ = false; !said_hello_;) {
+  said_hello_ = false;
+  for (int i = 0; i < 1000 && !said_hello_; ++i) {
     live(milliseconds(1));
   }
   base_frame_ = frame() + 1;

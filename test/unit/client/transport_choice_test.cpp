@@ -77,6 +77,17 @@ class TransportChoiceTest : public DatagramsFixture {
     answerAll();
   }
 
+  /// Wants a stream, and goes on until the robot is asked for a test.
+  void beUntilTest() {
+    wish_.streaming = true;
+    wish_.datagram_port = kPort;
+    char kind = request();
+    while (kind != 'X' && kind != 0) {
+      kind = request();
+    }
+    ASSERT_EQ('X', kind);
+  }
+
   bool lets_through_ = true;
   bool by_udp_ = false;
   int tests_ = 0;
@@ -176,13 +187,7 @@ TEST_F(TransportChoiceTest, AfterAMinuteThatWentWellThePauseIsShortAgain) {
 
 TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   lets_through_ = false;
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  char kind = request();
-  while (kind != 'X') {
-    ASSERT_NE(0, kind);
-    kind = request();
-  }
+  beUntilTest();
   const Bytes good = testDatagram(payload_);
   Bytes wrong_number = good;
   wrong_number[7] ^= 1;
@@ -192,7 +197,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   for (const Bytes& forged :
        {wrong_number, wrong_picture, testDatagram(payload_, 1371), Bytes(), Bytes(1372), picture}) {
     arrive(forged);
-    for (kind = request(); kind != 0; kind = request()) {
+    for (char kind = request(); kind != 0; kind = request()) {
       EXPECT_FALSE(kind == 'X' && !isTest());
     }
   }
@@ -204,10 +209,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
 
 // Those that the robot has sent by TCP may come after the first ones by UDP.
 TEST_F(TransportChoiceTest, PicturesByUdpWaitForThoseThatWereSentByTcpBefore) {
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  while (request() != 'X') {
-  }
+  beUntilTest();
   arrive(testDatagram(payload_));
   EXPECT_EQ('X', request());
   const int order = number_;
@@ -228,10 +230,7 @@ TEST_F(TransportChoiceTest, PicturesByUdpWaitForThoseThatWereSentByTcpBefore) {
 }
 
 TEST_F(TransportChoiceTest, TheyDoNotWaitForLong) {
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  while (request() != 'X') {
-  }
+  beUntilTest();
   arrive(testDatagram(payload_));
   EXPECT_EQ('X', request());
   EXPECT_EQ('W', request());
@@ -274,9 +273,7 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
 }
 
 TEST_F(TransportChoiceTest, ATestThatHasComeBeforeAChangeByTheUserDoesNotCount) {
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  EXPECT_EQ('X', request());
+  beUntilTest();
   arrive(testDatagram(payload_));
   wish_.transport = PictureTransport::kTcp;
   ++wish_.transport_changes;
@@ -305,10 +302,7 @@ TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
 }
 
 TEST_F(TransportChoiceTest, ARefusalMeansTcp) {
-  wish_.streaming = true;
-  wish_.datagram_port = kPort;
-  while (request() != 'X') {
-  }
+  beUntilTest();
   receive(version2_frames::makeFrame('e', number_, version2_frames::makeError(7, "no endpoint")));
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no endpoint"));
   answerAll();
