@@ -583,6 +583,9 @@ TEST_F(SoundClientTest, TheRobotSaysWhichVolumeIsInForce) {
   EXPECT_EQ("A 3 255", version2_frames::textOf(request));
   peer.send(makeSoundFrame(3, request.header.request_number, {2}));
   EXPECT_EQ(2, volume.get());
+  auto nonsense = std::async(std::launch::async, [this] { client().setVolume(1, kTimeout); });
+  peer.send(makeSoundFrame(3, peer.readRequest().header.request_number, {4}));
+  EXPECT_THROW(nonsense.get(), NetworkException);
 }
 
 TEST_F(SoundClientTest, ArgumentsThatCannotBeAreRefused) {
