@@ -117,7 +117,17 @@ class SessionFixture : public testing::Test {
   /// Orders are numbered from kFirstOrder on.
   aibo_client::OrderTerms terms() { return {now_ + aibo_client::kLongestOrderWait, ++last_order_}; }
 
-  void steer(const aibo_client::WalkVelocity& velocity) { connection_.commands.steer({velocity, terms()}); }
+  /// Commands come as from the client's users.
+  template <typename Command>
+  void command(const Command& command) {
+    aibo_client::CommandOutbox newer;
+    command(&newer);
+    connection_.take(std::move(newer));
+  }
+
+  void steer(const aibo_client::WalkVelocity& velocity) {
+    command([&](auto* newer) { newer->steer({velocity, terms()}); });
+  }
 
   std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout) {
     call.timeout = timeout;
@@ -129,19 +139,21 @@ class SessionFixture : public testing::Test {
   }
 
   void commandJoints(const std::vector<aibo_client::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
-    connection_.commands.command({duration, targets, terms()});
+    command([&](auto* newer) { newer->command({duration, targets, terms()}); });
   }
 
   void limitSpeed(const std::vector<aibo_client::JointSpeedLimit>& limits) {
-    aibo_client::CommandOutbox newer;
-    newer.speed_limits.add(limits);
-    connection_.take(std::move(newer));
+    command([&](auto* newer) { newer->speed_limits.add(limits); });
   }
 
-  void commandLeds(const std::vector<aibo_client::LedCommand>& leds) { connection_.commands.leds.add(leds); }
+  void commandLeds(const std::vector<aibo_client::LedCommand>& leds) {
+    command([&](auto* newer) { newer->leds.add(leds); });
+  }
 
   void commandEars(bool left, bool right) {
-    connection_.commands.ears.add({{aibo_client::EarCommand::kLeft, left}, {aibo_client::EarCommand::kRight, right}});
+    command([&](auto* newer) {
+      newer->ears.add({{aibo_client::EarCommand::kLeft, left}, {aibo_client::EarCommand::kRight, right}});
+    });
   }
 
   static bool done(const std::future<aibo_client::Answer>& answer) {
