@@ -11,6 +11,14 @@ class StallDetectorTest : public testing::Test {
  protected:
   using TimePoint = StallDetector::TimePoint;
 
+  /// The thread has not kept up once, and has caught up.
+  StallDetectorTest() {
+    now_ += milliseconds(200);
+    detector_.bytesArrived(now_);
+    now_ += StallDetector::kQuietTime;
+    detector_.foundEmpty(now_);
+  }
+
   /// A picture arrives whole; returns whether it is stale.
   bool pictureIsStale() {
     detector_.bytesArrived(now_);

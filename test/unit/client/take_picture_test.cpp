@@ -108,10 +108,13 @@ TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
 class FaultKindTest : public TakePictureTest {
  protected:
   template <typename Call>
-  static FaultKind kindOf(const Call& call) {
+  static FaultKind kindOf(const Call& call, bool* was_sent = nullptr) {
     try {
       call();
     } catch (const NetworkException& error) {
+      if (was_sent != nullptr) {
+        *was_sent = error.wasSent();
+      }
       return error.kind();
     }
     ADD_FAILURE() << "no NetworkException";
@@ -119,7 +122,10 @@ class FaultKindTest : public TakePictureTest {
   }
 
   FaultKind kindOfCall() {
-    return kindOf([this] { client_.takePicture(0, seconds(20)); });
+    bool was_sent = true;
+    const FaultKind kind = kindOf([this] { client_.takePicture(0, seconds(20)); }, &was_sent);
+    EXPECT_FALSE(was_sent);
+    return kind;
   }
 
   /// The kind of fault that ends a waiting call when the server does this.
@@ -129,7 +135,10 @@ class FaultKindTest : public TakePictureTest {
     auto taken = takeInBackground(40);
     expectCommand(&peer, 'F', 40);
     act(&peer);
-    return kindOf([&taken] { taken.get(); });
+    bool was_sent = false;
+    const FaultKind kind = kindOf([&taken] { taken.get(); }, &was_sent);
+    EXPECT_TRUE(was_sent);
+    return kind;
   }
 };
 

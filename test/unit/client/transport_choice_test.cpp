@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "client/fault.h"
+#include "client/transport_choice.h"
 #include "datagrams_fixture.h"
 
 using namespace aibo_client;
@@ -154,6 +155,23 @@ TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain
     pauses.push_back(std::chrono::ceil<seconds>(now_ - begin).count());
   }
   EXPECT_THAT(pauses, ElementsAre(10, 20, 40));
+}
+
+TEST(TransportChoicePauseTest, ThePauseDoesNotGrowForEver) {
+  TransportChoice choice(false, 5);
+  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true, true, true};
+  TransportChoice::TimePoint now(seconds(1000));
+  std::vector<long> pauses;
+  for (int i = 0; i < 6; ++i) {
+    choice.testArrived();
+    EXPECT_EQ(TransportChoice::Step::kBegin, choice.next(situation, now));
+    choice.giveUp(now);
+    EXPECT_EQ(TransportChoice::Step::kEnd, choice.next(situation, now));
+    EXPECT_EQ(TransportChoice::Step::kNone, choice.next(situation, now));
+    pauses.push_back(std::chrono::round<seconds>(choice.nextLook() - now).count());
+    now = choice.nextLook();
+  }
+  EXPECT_THAT(pauses, ElementsAre(10, 20, 40, 80, 160, 160));
 }
 
 TEST_F(TransportChoiceTest, AllTestsAreSentAgainHoweverManyTheFirstTimeNeeded) {
