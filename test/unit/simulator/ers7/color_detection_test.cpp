@@ -66,8 +66,13 @@ TEST_F(ColorDetectionTest, ChannelsAreIndependent) {
   EXPECT_EQ(pixelOf(0, 160, 160), ocdtCHANNEL0 | ocdtCHANNEL6);
   EXPECT_EQ(pixelOf(0, 210, 210), ocdtCHANNEL6);
   EXPECT_EQ(pixelOf(0, 120, 210), 0) << "Cr of one channel and Cb of another";
-  detection_.load(tablesOf(ocdtCHANNEL0));
+  OCdtVectorData other = tablesOf(ocdtCHANNEL0);
+  other.GetInfo(0)->Set(0, 90, 80, 90, 80);
+  detection_.load(other);
   EXPECT_EQ(pixelOf(0, 160, 160), ocdtCHANNEL6) << "the other channel keeps its table";
+  EXPECT_EQ(pixelOf(0, 85, 85), ocdtCHANNEL0);
+  EXPECT_EQ(pixelOf(0, 85, 120), 0) << "the Cb of its last table";
+  EXPECT_EQ(pixelOf(0, 120, 85), 0) << "the Cr of its last table";
   detection_.clear();
   EXPECT_FALSE(detection_.isOn());
 }

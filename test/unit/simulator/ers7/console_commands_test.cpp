@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -17,26 +18,46 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-/// It has stepped aside and turned, its joints differ from each other, and so do its lights.
+/// It has stepped aside and turned by more than half a turn. Its joints differ from each other, and one of them jams.
+/// Its lights differ, too, and an ear is too hot.
 class ConsoleCommandsTest : public testing::Test {
  protected:
   ConsoleCommandsTest() {
     robot_.setMotorPower(opowerON);
-    for (int step = 0; step <= 100; ++step) {
-      openr_host::EffectorCommands commands;
-      for (const auto& [joint, microradians] : kMoved) {
-        const OPrimitiveID id = open(model_.joints[robot_model::findJointByName(model_, joint)].locator);
-        robot_.enableJointGain(id);
-        robot_.setDefaultJointGain(id);
-        commands.push_back(effectorCommand(id, odataJOINT_COMMAND2,
-                                           OJointCommandValue2{restingPosition(joint) + microradians * step / 100, 0}));
+    robot_.jam("mouth", true);
+    for (int stroke = 0; stroke < 25; ++stroke) {
+      robot_.lift(true);
+      pass(8);
+      pass(40, moved(0));
+      robot_.lift(false);
+      pass(50);
+      for (int step = 1; step <= 25; ++step) {
+        pass(1, moved(step / 25.0));
       }
-      robot_.passFrame(frame_++, commands);
     }
+    pass(1, {effectorCommand(open("PRM:/r1/c1/c2/c3/e5-Joint4:15"), odataJOINT_COMMAND4,
+                             OJointCommandValue4{ojoint4_STATE1, 1, 0})});
+    testing::internal::CaptureStdout();
+    pass(125);
+    EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("left_ear was energised for 1000 ms"));
     pass(20, {effectorCommand(open("PRM:/r1/c1/c2/c3/la-LED3:la"), odataLED_COMMAND3,
                               OLEDCommandValue3{100, oled3_MODE_B, 1, 0}),
               effectorCommand(open("PRM:/r1/c1/c2/c3/lb-LED3:lb"), odataLED_COMMAND3,
                               OLEDCommandValue3{201, oled3_MODE_A, 1, 0})});
+  }
+
+  /// Commands for a share of the way in kMoved.
+  openr_host::EffectorCommands moved(double share) {
+    openr_host::EffectorCommands commands;
+    for (const auto& [joint, microradians] : kMoved) {
+      const OPrimitiveID id = open(model_.joints[robot_model::findJointByName(model_, joint)].locator);
+      robot_.enableJointGain(id);
+      robot_.setDefaultJointGain(id);
+      const auto way = static_cast<slongword>(share * microradians);
+      commands.push_back(
+          effectorCommand(id, odataJOINT_COMMAND2, OJointCommandValue2{restingPosition(joint) + way, 0}));
+    }
+    return commands;
   }
 
   OPrimitiveID open(const char* locator) {
@@ -71,9 +92,13 @@ class ConsoleCommandsTest : public testing::Test {
   }
 
   /// From rest, in microradians.
-  const std::map<const char*, int> kMoved = {{"left_front_rotator", -200000}, {"left_hind_rotator", -180000},
-                                             {"right_front_rotator", -60000}, {"right_hind_rotator", -90000},
-                                             {"left_front_knee", 40000},      {"neck_tilt", -70000}};
+  const std::map<const char*, int> kMoved = {{"left_front_rotator", -200000},
+                                             {"left_hind_rotator", -180000},
+                                             {"right_front_rotator", 150000},
+                                             {"right_hind_rotator", 90000},
+                                             {"left_front_knee", 40000},
+                                             {"neck_tilt", -70000},
+                                             {"mouth", -300000}};
   const robot_model::RobotModel& model_ = *robot_model::findRobotModel("ERS-7");
   SimulatedErs7 robot_;
   longword frame_ = 7500;
@@ -146,13 +171,11 @@ TEST_F(ConsoleCommandsTest, WhereTellsPlaceAndDirection) {
   const auto told = [&](const char* begin) {
     char text[80];
     std::snprintf(text, sizeof(text), "ok: %s %.4f %.4f %.4f\n", begin, robot_.pose().x, robot_.pose().y,
-                  robot_.pose().yaw);
+                  robot_.pose().yaw + 2 * std::acos(-1.0));
     return std::string(text);
   };
   EXPECT_EQ(say("where"), told("where"));
-  EXPECT_GT(robot_.pose().x, 0.01);
-  EXPECT_LT(robot_.pose().y, -0.0005);
-  EXPECT_LT(robot_.pose().yaw, -0.05);
+  EXPECT_LT(robot_.pose().yaw, -3.2) << "it is told as an angle to the left";
 }
 
 TEST_F(ConsoleCommandsTest, TheBatteryIsSetInPercent) {
@@ -198,6 +221,7 @@ TEST_F(ConsoleCommandsTest, TellsWhereJointsAreAndWhatLightsAndEarsDo) {
   EXPECT_EQ(say("joint left_front_rotator"), "ok: joint left_front_rotator -34.46\n");
   EXPECT_EQ(say("joint right_front_knee"), "ok: joint right_front_knee 44.00\n");
   EXPECT_EQ(say("joint left_front_knee"), "ok: joint left_front_knee 46.29\n");
+  EXPECT_EQ(say("joint mouth"), "ok: joint mouth -4.00\n") << "not where it is to go";
   EXPECT_THAT(say("joint nose"), StartsWith("error: "));
   EXPECT_EQ(say("light face_1"), "ok: light face_1 100\n");
   EXPECT_EQ(say("light face_2"), "ok: light face_2 201\n");

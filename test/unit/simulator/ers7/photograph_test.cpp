@@ -203,12 +203,12 @@ TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
   write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
   write("notes.txt", "left alone");
   std::filesystem::create_directory(folder_ / "folder.jpg");
-  PhotoShow show(folder_.string(), 2);
+  PhotoShow show(folder_.string(), 0.7);
   const auto is_red = [&show](double seconds) { return show.picture(seconds, 1, CameraSettings()).cr[0] > 200; };
   EXPECT_TRUE(is_red(0));
-  EXPECT_TRUE(is_red(1.9));
-  EXPECT_FALSE(is_red(2.1));
-  EXPECT_TRUE(is_red(4));
+  EXPECT_TRUE(is_red(0.69));
+  EXPECT_FALSE(is_red(0.71));
+  EXPECT_TRUE(is_red(1.41));
 }
 
 TEST_F(PhotographTest, AShowWithoutPicturesNamesWhatIsMissing) {

@@ -51,16 +51,19 @@ TEST_F(SensorsTest, TheChestMeasuresTheFloorInFrontOfIt) {
 }
 
 TEST_F(SensorsTest, NearAndFarMeasureTheBallWhereTheHeadLooks) {
-  // From 0.4 m behind the ball, looking level: the sensors are at the height of the ball's centre.
+  // From 0.25 m behind the ball and 25 mm to its left, looking level: the sensors are at the height of its centre.
   const HeadAngles level = {};
   situation_.head = level;
   const Eigen::Vector3d nose = headInBody(level) * Eigen::Vector3d(0.0769, 0, -0.0146);
   situation_.frame = 750;  // after six seconds the ball is on the axis
   situation_.stance.body =
-      Eigen::Isometry3d(Eigen::Translation3d(kBallX - kBallRadius - 0.4 - nose.x(), 0, kBallRadius - nose.z()));
+      Eigen::Isometry3d(Eigen::Translation3d(kBallX - 0.25 - nose.x(), 0.025, kBallRadius - nose.z()));
   passFrames(7);
-  EXPECT_NEAR(value("range_near"), 400000, 4000 + 500);
-  EXPECT_NEAR(value("range_far"), 400000, 4000 + 1000);
+  const auto distance = [](double aside) {
+    return 1e6 * (0.25 - std::sqrt(kBallRadius * kBallRadius - aside * aside));
+  };
+  EXPECT_NEAR(value("range_near"), distance(0.025 + 0.0028), 2200);
+  EXPECT_NEAR(value("range_far"), distance(0.025 - 0.0080), 2200);
 }
 
 TEST_F(SensorsTest, DistancesOutOfRangeAreReportedAsTheEndOfTheRange) {

@@ -160,20 +160,19 @@ TEST_F(SimulatedErs7Test, ClosingTheUndefinedPrimitiveClosesAll) {
 
 TEST_F(SimulatedErs7Test, TheCameraAcceptsItsSettings) {
   ASSERT_EQ(robot_.openPrimitive(kCameraLocator, &camera_), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_SET_WHITE_BALANCE, ocamparamWB_INDOOR_MODE), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_SET_GAIN, ocamparamGAIN_HIGH), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_SET_SHUTTER_SPEED, ocamparamSHUTTER_SLOW), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_AE_ON), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_AWB_ON), oSUCCESS);
-  EXPECT_EQ(robot_.cameraSettings().white_balance, ocamparamWB_INDOOR_MODE);
-  EXPECT_EQ(robot_.cameraSettings().gain, ocamparamGAIN_HIGH);
-  EXPECT_EQ(robot_.cameraSettings().shutter, ocamparamSHUTTER_SLOW);
-  EXPECT_TRUE(robot_.cameraSettings().auto_exposure);
-  EXPECT_TRUE(robot_.cameraSettings().auto_white_balance);
-  EXPECT_EQ(control(oprmreqCAM_AE_OFF), oSUCCESS);
-  EXPECT_EQ(control(oprmreqCAM_AWB_OFF), oSUCCESS);
-  EXPECT_FALSE(robot_.cameraSettings().auto_exposure);
-  EXPECT_FALSE(robot_.cameraSettings().auto_white_balance);
+  EXPECT_EQ(control(oprmreqCAM_SET_WHITE_BALANCE, 1), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_GAIN, 3), oSUCCESS);
+  EXPECT_EQ(control(oprmreqCAM_SET_SHUTTER_SPEED, 2), oSUCCESS);
+  const std::pair<OPrimitiveRequest, std::pair<bool, bool>> automatic[] = {{oprmreqCAM_AE_ON, {true, false}},
+                                                                           {oprmreqCAM_AWB_ON, {true, true}},
+                                                                           {oprmreqCAM_AE_OFF, {false, true}},
+                                                                           {oprmreqCAM_AWB_OFF, {false, false}}};
+  for (const auto& [request, expected] : automatic) {
+    EXPECT_EQ(control(request), oSUCCESS);
+    const CameraSettings& now = robot_.cameraSettings();
+    EXPECT_EQ(std::tuple(now.white_balance, now.gain, now.shutter), std::tuple(1U, 3U, 2U));
+    EXPECT_EQ(std::pair(now.auto_exposure, now.auto_white_balance), expected);
+  }
 }
 
 TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
@@ -407,16 +406,31 @@ TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOtherThanSensorsAreRefused) 
   EXPECT_EQ(refusal(), first);
 }
 
-TEST_F(SimulatedErs7Test, TheSwitchOfALiftedPawIsOff) {
-  const OPrimitiveID knee = driveJoint("left_front_knee");
-  passFrames(1);
-  EXPECT_EQ(sensorValue("paw_left_front"), 1);
-  robot_.passFrame(frame_++, {jointCommand(knee, 1900000)});
-  passFrames(100);
-  EXPECT_EQ(sensorValue("paw_left_front"), 0);
-  robot_.press("paw_left_front", true);
-  passFrames(1);
-  EXPECT_EQ(sensorValue("paw_left_front"), 1) << "by hand";
+TEST_F(SimulatedErs7Test, OnlyTheSwitchOfALiftedPawIsOff) {
+  for (const std::string leg : {"left_front", "left_hind", "right_front", "right_hind"}) {
+    const OPrimitiveID knee = driveJoint((leg + "_knee").c_str());
+    robot_.passFrame(frame_++, {jointCommand(knee, 1900000)});
+    passFrames(100);
+    for (const std::string paw : {"left_front", "left_hind", "right_front", "right_hind"}) {
+      EXPECT_EQ(sensorValue("paw_" + paw), paw != leg) << leg;
+    }
+    robot_.press("paw_" + leg, true);
+    passFrames(1);
+    EXPECT_EQ(sensorValue("paw_" + leg), 1) << "by hand";
+    robot_.press("paw_" + leg, false);
+    robot_.passFrame(frame_++, {jointCommand(knee, restingPosition(leg + "_knee"))});
+    passFrames(100);
+  }
+}
+
+TEST_F(SimulatedErs7Test, OnATableItStandsOnItsTop) {
+  SimulatedErs7::Options options;
+  options.on_table = true;
+  SimulatedErs7 robot(options);
+  robot.passFrame(0, {});
+  const double height = robot.travel().stance().body.translation().z();
+  EXPECT_DOUBLE_EQ(height, kTableHeight + robot_.travel().stance().body.translation().z());
+  EXPECT_NEAR(robot.scene().castRay({{0, 0, height}, {0, 0, -1}}).distance, height - kTableHeight, 1e-9);
 }
 
 TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommandUntilTheRobotIsSwitchedOff) {
@@ -450,7 +464,9 @@ TEST_F(SimulatedErs7Test, WhatPeopleHaveDoneWithItOutlastsAReboot) {
   robot_.stick().set(StickState::kLocked);
   robot_.lift(true);
   robot_.jam("head_pan", true);
-  passFrames(125);
+  passFrames(10);
+  EXPECT_LT(sensorValue("acceleration_up_down"), -10200000) << "it goes up";
+  passFrames(115);
   robot_.switchOff();
   const OPrimitiveID pan = driveJoint("head_pan");
   robot_.passFrame(frame_++, {jointCommand(pan, 500000)});
@@ -507,6 +523,9 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   OPowerStatus usual;
   ASSERT_EQ(robot_.getPowerStatus(&usual), oSUCCESS);
   EXPECT_EQ(usual.current, -1466) << "in 90 minutes";
+  robot_.setCharge(0.3);
+  ASSERT_EQ(robot_.getPowerStatus(&usual), oSUCCESS);
+  EXPECT_EQ(usual.current, -1466) << "as ever";
   robot.setMotorPower(opowerON);
   longword frame = 0;
   const auto passSeconds = [&](longword seconds) {
@@ -520,7 +539,7 @@ TEST_F(SimulatedErs7Test, TheBatteryRunsDownInTheConfiguredTimeAndWarmsUp) {
   EXPECT_EQ(half.remainingCapacity, 50);
   EXPECT_EQ(half.robotStatus, orsbBATTERY_CONNECTED | orsbMOTOR_POWER);
   EXPECT_EQ(half.voltage, 7500);
-  EXPECT_GT(half.temperature, full.temperature);
+  EXPECT_NEAR(half.temperature - full.temperature, 130 * (1 - std::exp(-30 / 600.0)), 1) << "a tenth of 38 - 25";
   EXPECT_NEAR(full.temperature, 2982, 1) << "25 degrees Celsius, in tenths of a kelvin";
   passSeconds(31);
   OPowerStatus empty;

@@ -35,11 +35,11 @@ class SimulatedSoundTest : public testing::Test {
     return robot_.controlPrimitive(speaker_, request, nullptr, 0, nullptr, 0);
   }
 
-  // What the left microphone hears of a loud sample.
+  // What a microphone hears of a loud sample.
   int heard() {
     SpeakerFrame frame{};
     frame.fill(10000);
-    return robot_.passSound(frame_++, &frame)[7].L;
+    return robot_.passSound(frame_++, &frame)[7].R;
   }
 
   static SimulatedErs7::Options options() {
@@ -104,17 +104,21 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
     SimulatedErs7 robot(options);
     robot.passSound(0, &frame);
     robot.passSound(1, nullptr);
+    ASSERT_EQ(robot.openPrimitive("PRM:/s1-Speaker:S1", &speaker_), oSUCCESS);
+    OPrimitiveControl_SpeakerVolume softer(ospkvol18dB);
+    robot.controlPrimitive(speaker_, oprmreqSPEAKER_SET_VOLUME, &softer, sizeof(softer), nullptr, 0);
     robot.passSound(2, &frame);
   }
   const std::vector<OSoundSampleStereo16> samples = readWav(path);
   ASSERT_EQ(samples.size(), 256U) << "without the pause";
   EXPECT_EQ(samples[0].L, 1);
-  EXPECT_EQ(samples[255].R, -30000) << "one channel is for both microphones";
+  EXPECT_EQ(samples[127].R, -30000) << "one channel is for both microphones";
+  EXPECT_EQ(samples[255].R, -11943) << "8 dB less";
 
   EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
   const MicrophoneFrame heard = robot_.passSound(100, nullptr);
   EXPECT_EQ(heard[127].L, -30000);
-  EXPECT_EQ(robot_.passSound(101, nullptr)[127].R, -30000);
+  EXPECT_EQ(robot_.passSound(101, nullptr)[127].R, -11943);
   EXPECT_EQ(robot_.passSound(102, nullptr)[0].L, 0) << "once";
   obeyConsole(robot_, "hear " + path);
   EXPECT_EQ(obeyConsole(robot_, "hear silence"), "ok: hear silence\n");
