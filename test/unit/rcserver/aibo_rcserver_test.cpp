@@ -1,4 +1,5 @@
 // The executable aibo_rcserver.
+#include <OPENR/OFbkImage.h>
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -11,12 +12,17 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
 
+#include "picture_encoder/JpegEncoder.h"
+#include "protocol/version1.h"
+#include "protocol/version2.h"
+#include "simulator/ers7/simulated_ers7.h"
 #include "support/memory_stick.h"
 #include "support/process.h"
 #include "support/sockets.h"
@@ -185,9 +191,53 @@ TEST(AiboRCServer, LogsThePicturesThatItServesAndContinuesWhenNobodyReadsItsOutp
   EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
 }
 
+using SentPicture = std::pair<protocol::version2::ImageHeader, std::vector<std::uint8_t>>;
+
+/// The next picture for a client of version 2, in a quality that is not the usual one.
+std::optional<SentPicture> nextPicture(TestClient& client, char number) {
+  using namespace protocol::version2;
+  client.send({'F', 90, 0, number, 0, 0, 0, 1, 0});
+  std::optional<test_support::Frame> picture;
+  for (int i = 0; i < 3000 && !(picture = client.nextFrame()); ++i) {
+    ::poll(nullptr, 0, 10);
+  }
+  ImageHeader image = {};
+  if (!picture || picture->header.kind != 'f' ||
+      decode(picture->payload.data(), IMAGE_HEADER_SIZE, &image) != nullptr) {
+    return std::nullopt;
+  }
+  return SentPicture(image, {picture->payload.begin() + IMAGE_HEADER_SIZE, picture->payload.end()});
+}
+
+// A picture depends on its frame, the seed and the ground on which the robot stands.
+TEST(AiboRCServer, HasTheSeedAndTheTableThatItIsTold) {
+  simulated_ers7::SimulatedErs7::Options options;
+  options.seed = 18446744073709551614U;
+  options.on_table = true;
+  Process robot(command({"--on-table", "--seed", std::to_string(options.seed)}));
+  TestClient client(numberOf(portOf(robot)));
+  client.send("X\2");
+  EXPECT_EQ(nextLetter(client), 'x');
+  const auto picture = nextPicture(client, 7);
+  ASSERT_TRUE(picture);
+  simulated_ers7::SimulatedErs7 twin(options);
+  for (longword frame = 0; frame <= picture->first.frame_number; ++frame) {
+    twin.passFrame(frame, {});
+  }
+  void* const base = twin.captureImage(picture->first.frame_number)->Base();
+  auto* const vector = static_cast<OFbkImageVectorData*>(base);
+  const auto plane = [vector](OFbkImageBand band) {
+    return OFbkImage(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), band).Pointer();
+  };
+  const CameraImage image = {plane(ofbkimageBAND_Y), plane(ofbkimageBAND_Cr), plane(ofbkimageBAND_Cb), 208, 160,
+                             std::size_t{6} * 208};
+  std::vector<std::uint8_t> jpeg(JpegEncoder::WorstCaseSize(image.width, image.height));
+  jpeg.resize(std::make_unique<JpegEncoder>()->Encode(image, 90, jpeg.data(), jpeg.size()));
+  EXPECT_TRUE(picture->second == jpeg) << "in frame " << picture->first.frame_number;
+}
+
 // The same photograph is always the same JPEG.
 TEST(AiboRCServer, ShowsEachPhotographAsLongAsItIsTold) {
-  using namespace protocol::version2;
   constexpr double kSeconds = 0.09;
   const TemporaryFolder folder;
   for (const char grey : {'A', 'K', 'z'}) {
@@ -200,15 +250,9 @@ TEST(AiboRCServer, ShowsEachPhotographAsLongAsItIsTold) {
   EXPECT_EQ(nextLetter(client), 'x');
   std::map<int, std::vector<std::uint8_t>> seen;
   for (char number = 1; seen.size() < 3 && number < 100; ++number) {
-    client.send({'F', 90, 0, number, 0, 0, 0, 1, 0});
-    std::optional<test_support::Frame> picture;
-    for (int i = 0; i < 3000 && !(picture = client.nextFrame()); ++i) {
-      ::poll(nullptr, 0, 10);
-    }
-    ASSERT_TRUE(picture && picture->header.kind == 'f');
-    ImageHeader image = {};
-    ASSERT_EQ(decode(picture->payload.data(), IMAGE_HEADER_SIZE, &image), nullptr);
-    const std::vector<std::uint8_t> jpeg(picture->payload.begin() + IMAGE_HEADER_SIZE, picture->payload.end());
+    const auto picture = nextPicture(client, number);
+    ASSERT_TRUE(picture);
+    const auto& [image, jpeg] = *picture;
     const int turn = static_cast<int>(image.frame_number * 0.008 / kSeconds) % 3;
     EXPECT_EQ(seen.emplace(turn, jpeg).first->second, jpeg) << "in frame " << image.frame_number;
   }
@@ -218,12 +262,18 @@ TEST(AiboRCServer, ShowsEachPhotographAsLongAsItIsTold) {
 }
 
 TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
-  const std::tuple<Strings, std::string, char, int> cases[] = {
-      {{"--stick-time", "600"}, kPlayBow, 'p', 600},
-      {{"--stick-time", "1", "--encode-time", "400"}, kOnePicture, 'f', 400}};
-  for (const auto& [options, request, answer, least] : cases) {
+  const std::tuple<Strings, std::string, std::string, char, int> cases[] = {
+      {{"--stick-time", "400"}, "full", kPlayBow, 'p', 400},
+      {{"--stick-time", "1"}, "slow", kPlayBow, 'p', 2000},
+      {{"--stick-time", "1", "--encode-time", "300"}, "slow", kOnePicture, 'f', 300}};
+  for (const auto& [options, stick, request, answer, least] : cases) {
     Process robot(command(options));
+    TestClient console(numberOf(restOfLine(robot, "Console on 127.0.0.1:")));
     const std::string port = portOf(robot);
+    console.send("stick " + stick + "\n");
+    for (int i = 0; i < 3000 && console.received() != "ok: stick " + stick + "\n"; ++i) {
+      ::poll(nullptr, 0, 10);
+    }
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_EQ(letterOfAnswer(port, request), answer);
     EXPECT_GE(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(least)) << options[0];

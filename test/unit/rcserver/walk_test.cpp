@@ -402,6 +402,26 @@ TEST_F(WalkTest, ARobotThatIsLiftedStops) {
   EXPECT_FALSE(isLimp());
 }
 
+TEST_F(WalkTest, AGuardedOneSaysWhichPawFindsNoFloor) {
+  for (const std::string paw : {"left front", "left hind", "right front", "right hind"}) {
+    SetUp();
+    robot_.sensor("acceleration_up_down") = -9806650;
+    const auto sensorOf = [](std::string words) { return "paw_" + words.replace(words.find(' '), 1, "_"); };
+    for (const char* other : {"left front", "left hind", "right front", "right hind"}) {
+      robot_.sensor(sensorOf(other)) = 1;
+    }
+    ends_.clear();
+    for (unsigned passed = 0; passed < 8 * kFramesASecond && ends_.empty(); passed += 12) {
+      if (passed > 6 * kFramesASecond) {
+        robot_.sensor(sensorOf(paw)) = 0;
+      }
+      send(frame('S', STEER_GUARDED, 900, steering(100)));
+      pass(12);
+    }
+    EXPECT_THAT(ends_, ElementsAre("2 3 walk: the " + paw + " paw finds no floor: go back the way it came"));
+  }
+}
+
 TEST_F(WalkTest, AGuardedOneStopsBeforeWhatTheHeadLooksAt) {
   robot_.sensor("acceleration_up_down") = -9806650;
   robot_.sensor("range_near") = 50000;

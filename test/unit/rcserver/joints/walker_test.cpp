@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -21,6 +22,7 @@ using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
 using protocol::version2::Velocity;
+using protocol::version2::WalkLimits;
 using robot_model::LegAngles;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -64,6 +66,7 @@ class WalkerTest : public ::testing::Test {
       const std::vector<int> before = positions();
       joints_.NextFrame();
       ++frame_;
+      measured_ = holds_still_ ? measured_ : positions();
       if (++frames_since_report_ == 4) {
         report();
       }
@@ -79,14 +82,17 @@ class WalkerTest : public ::testing::Test {
     return positions;
   }
 
-  double heightOfFoot(robot_model::Leg leg) {
+  LegAngles anglesOf(int leg) {
     const auto angle = [&](int number) {
-      return joints_.Planner().Position(joints_.Find(legJointIdentifier(leg, number))) * 1e-6;
+      return joints_.Planner().Position(joints_.Find(legJointIdentifier(static_cast<robot_model::Leg>(leg), number))) *
+             1e-6;
     };
-    return findFoot(leg, {angle(0), angle(1), angle(2)}).z;
+    return {angle(0), angle(1), angle(2)};
   }
 
-  // The joints do what they are told. The lowest feet are on the floor if there is one.
+  double heightOfFoot(robot_model::Leg leg) { return findFoot(leg, anglesOf(leg)).z; }
+
+  // The joints do what they are told, unless they hold still. The lowest feet are on the floor if there is one.
   void report() {
     frames_since_report_ = 0;
     FallWatch::Reading reading = reading_;
@@ -97,7 +103,9 @@ class WalkerTest : public ::testing::Test {
     for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
       reading.paws[leg] = reading.paws[leg] && heightOfFoot(static_cast<robot_model::Leg>(leg)) < lowest + 0.004;
     }
-    walker().Measured(reading, positions().data(), frame_);
+    walker().Measured(reading, measured_.data(), frame_);
+    std::array<LegAngles, robot_model::NUMBER_OF_LEGS> legs = {anglesOf(0), anglesOf(1), anglesOf(2), anglesOf(3)};
+    told_.Measured(legs.data(), reading.paws, frame_, 0);
   }
 
   // As a client does: again and again.
@@ -216,6 +224,9 @@ class WalkerTest : public ::testing::Test {
   FallWatch::Reading reading_ = kUpright;
   unsigned frame_ = 0xfffffc00;  // it overflows
   unsigned frames_since_report_ = 0;
+  std::vector<int> measured_ = std::vector<int>(robot_model::MAX_JOINTS);
+  bool holds_still_ = false;
+  WalkedVelocity told_;                  // of legs that do as they are told
   int fastest_ = 0;                      // microradian/s
   static constexpr int kDegree = 17453;  // microradian
   int farthest_lag_ = 0;                 // microradian
@@ -242,6 +253,26 @@ TEST_F(WalkerTest, WalksWithTheVelocityItIsSteeredWithAndStandsInTheEnd) {
   walker().TakeVelocity();
   EXPECT_TRUE(walker().TakeVelocity().isZero());
   EXPECT_EQ(walker().State(), protocol::version2::WALK_STATE_NONE);
+}
+
+TEST_F(WalkerTest, LegsThatDoNotFollowAreToldToWalkFasterByPartOfTheHighestVelocity) {
+  const WalkLimits& highest = walker().Parameters().highest;
+  const Velocity asked[] = {{highest.forward / 4, 0, 0}, {0, highest.left / 4, 0}, {0, 0, -highest.turn / 4}};
+  for (const Velocity& velocity : asked) {
+    walk(velocity);
+    holds_still_ = true;
+    steer(velocity, 600);
+    told_.Take(false);
+    steer(velocity, 600);
+    const Velocity told = told_.Take(false);
+    const auto more = [](double part) { return part == 0 ? 0 : part * (1 + 0.3 / 0.25); };
+    EXPECT_NEAR(told.forward, more(velocity.forward), 0.05 * highest.forward);
+    EXPECT_NEAR(told.left, more(velocity.left), 0.05 * highest.left);
+    EXPECT_NEAR(told.turn, more(velocity.turn), 0.1 * highest.turn);
+    holds_still_ = false;
+    joints_.Steer({0, 0, 0});
+    passUntilIdle();
+  }
 }
 
 TEST_F(WalkerTest, SaysTheVelocityInForce) {

@@ -288,7 +288,13 @@ TEST(ImageSensor, EachBandOfTheFineDetailGoesToItsOwnPlane) {
 TEST(ImageSensor, BrightnessAndColoursHaveNoiseOfTheirOwn) {
   constexpr std::size_t kPixels = std::size_t{kPictureWidth} * kPictureHeight;
   YCrCbImage picture;
-  ImageSensor(1).expose(LightImage(kPixels, Color::Constant(0.3)), DetailImage(kPixels), CameraSettings(), 1, &picture);
+  YCrCbImage noisier;  // and as bright
+  CameraSettings settings;
+  for (YCrCbImage* const taken : {&picture, &noisier}) {
+    ImageSensor(1).expose(LightImage(kPixels, Color::Constant(0.3)), DetailImage(kPixels), settings, 1, taken);
+    settings.gain = ocamparamGAIN_HIGH;
+    settings.shutter = ocamparamSHUTTER_FAST;
+  }
   const auto covariance = [](const YCrCbImage::Plane& one, const YCrCbImage::Plane& other) {
     double sum = 0;
     double sum_of_one = 0;
@@ -302,6 +308,9 @@ TEST(ImageSensor, BrightnessAndColoursHaveNoiseOfTheirOwn) {
   };
   const std::vector<const YCrCbImage::Plane*> planes = {&picture.y,    &picture.cr,   &picture.cb,
                                                         &picture.y_lh, &picture.y_hl, &picture.y_hh};
+  for (const auto plane : {&YCrCbImage::y, &YCrCbImage::cr, &YCrCbImage::cb, &YCrCbImage::y_hh}) {
+    EXPECT_GT(covariance(noisier.*plane, noisier.*plane), 3 * covariance(picture.*plane, picture.*plane));
+  }
   for (const YCrCbImage::Plane* one : planes) {
     EXPECT_GT(covariance(*one, *one), 0.1);
     for (const YCrCbImage::Plane* other : planes) {

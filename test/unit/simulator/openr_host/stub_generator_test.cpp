@@ -24,6 +24,8 @@ const char kSample[] =
     "Extra : UpdatePowerStatus()\n"
     "Extra : SendCont()\n";
 
+const std::string kOrigin = "// Written by openr_stub_generator from stub.cfg: change that instead.\n";
+
 StubConfiguration parse(const std::string& text) {
   std::istringstream stream(text);
   return readStub(stream, "stub.cfg");
@@ -112,35 +114,59 @@ TEST(StubConfigurationTest, RefusesANameTwice) {
 }
 
 TEST(StubWriterTest, DefHasNumbersAndIndexes) {
-  const std::string def = writeDef(parse(kSample));
-  for (const char* line : {"const int numOfSubject = 1;\n", "const int numOfObserver = 2;\n",
-                           "const int sbjFunc1 = 0;\n", "const int obsFunc2 = 0;\n", "const int obsFunc3 = 1;\n"}) {
-    EXPECT_THAT(def, HasSubstr(line));
-  }
+  EXPECT_EQ(writeDef(parse(kSample)), kOrigin + R"(#ifndef DEF_H
+#define DEF_H
+
+const int numOfSubject = 1;
+const int numOfObserver = 2;
+
+const int sbjFunc1 = 0;
+
+const int obsFunc2 = 0;
+const int obsFunc3 = 1;
+
+#endif  // DEF_H
+)");
 }
 
 TEST(StubWriterTest, EntryHasTheIndexesOfTheExtraFunctions) {
-  const std::string entry = writeEntry(parse(kSample));
-  for (const char* line : {"const int entryUpdatePowerStatus = 0;\n", "const int entrySendCont = 1;\n",
-                           "const Selector Extra_Entry[] = {0, 1};\n"}) {
-    EXPECT_THAT(entry, HasSubstr(line));
-  }
-  EXPECT_THAT(entry, HasSubstr("const Selector Entry_Notify[] = {0, 1};\n"));
+  EXPECT_EQ(writeEntry(parse(kSample)), kOrigin + R"(#ifndef ENTRY_H
+#define ENTRY_H
+
+#include <OPENR/OPENR.h>
+
+const int entryUpdatePowerStatus = 0;
+const int entrySendCont = 1;
+
+const Selector Entry_Notify[] = {0, 1};
+
+const Selector Extra_Entry[] = {0, 1};
+
+#endif  // ENTRY_H
+)");
   const std::string none = replaced(replaced(kSample, "Extra : UpdatePowerStatus()\n", ""), "Extra : SendCont()\n", "");
   EXPECT_THAT(writeEntry(parse(none)), testing::Not(HasSubstr("Extra_Entry")));
 }
 
-TEST(StubWriterTest, DescriptionHasThePriorityOfTheOcf) {
-  EXPECT_THAT(writeDescription(parse(kSample), 112), HasSubstr("description.priority = 112;\n"));
-}
-
-TEST(StubWriterTest, DescriptionHasAllServicesAndExtraEntries) {
-  const std::string text = writeDescription(parse(kSample), 112);
-  for (const char* part : {"description.subjects.push_back", "description.observers.push_back", "SampleObject.Func1.",
-                           "SampleObject.Func2.int.O", "SampleObject.Func3.Data.O", "UpdatePowerStatus", "SendCont",
-                           "std::make_unique<SampleObject>()"}) {
-    EXPECT_THAT(text, HasSubstr(part));
-  }
+TEST(StubWriterTest, DescriptionHasThePriorityOfTheOcfAndAllServicesAndExtraEntriesInOrder) {
+  EXPECT_THAT(writeDescription(parse(kSample), 112), HasSubstr(R"(  description.name = "SampleObject";
+  description.priority = 112;
+  description.subjects.push_back({"SampleObject.Func1.char.S",
+      nullptr,
+      [](OObject& object, const OReadyEvent& argument) { static_cast<SampleObject&>(object).Ready(argument); }});
+  description.observers.push_back({"SampleObject.Func2.int.O",
+      [](OObject& object, const OConnectEvent& argument) { static_cast<SampleObject&>(object).Connect(argument); },
+      [](OObject& object, const ONotifyEvent& argument) { static_cast<SampleObject&>(object).Notify(argument); }});
+  description.observers.push_back({"SampleObject.Func3.Data.O",
+      nullptr,
+      [](OObject& object, const ONotifyEvent& argument) { static_cast<SampleObject&>(object).Control(argument); }});
+  description.extra_entries.push_back(
+      [](OObject& object, ANTENVMSG argument) { static_cast<SampleObject&>(object).UpdatePowerStatus(argument); });
+  description.extra_entries.push_back(
+      [](OObject& object, ANTENVMSG argument) { static_cast<SampleObject&>(object).SendCont(argument); });
+  description.create = [] { return std::make_unique<SampleObject>(); };
+  return description;
+)"));
 }
 
 }  // namespace
