@@ -51,7 +51,8 @@ class DnsEndpointTest : public testing::Test {
   }
   template <typename Message>
   void post(Message message) {
-    test_.as(object_, [&] { EXPECT_EQ(message.Send(stack_, object_.id(), 0, sizeof(message)), ANT_SUCCESS); });
+    test_.as(object_,
+             [&] { EXPECT_EQ(message.Send(stack_, object_.id(), TestObject::kSecond, sizeof(message)), ANT_SUCCESS); });
   }
   bool haveAnswers(std::size_t count) {
     return test_.runUntil([&] { return answers_.size() >= count; });

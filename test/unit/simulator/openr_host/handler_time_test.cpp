@@ -77,7 +77,7 @@ TEST_F(HandlerTimeTest, ABusyObjectHoldsUpNoMessageOfOthers) {
   camera_.on_answer = [&](ANTENVMSG) { ++answers; };
   camera_.on_ready = [this](const OReadyEvent&) {
     antEnvCreateSharedBufferMsg message(1);
-    message.Send(antStackRef("IPStack"), camera_.id(), 0, sizeof(message));
+    message.Send(antStackRef("IPStack"), camera_.id(), TestObject::kSecond, sizeof(message));
   };
   test_.as(encoder_, [&] { encoder_.observer().AssertReady(camera_.subjectId()); });
   test_.as(camera_, [&] {

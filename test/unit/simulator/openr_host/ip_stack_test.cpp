@@ -77,7 +77,7 @@ class IpStackTest : public testing::Test {
   antError post(Message message, int continuation = 0) {
     message.continuation = reinterpret_cast<void*>(continuation);
     antError error = ANT_FAIL;
-    test_.as(object_, [&] { error = message.Send(stack_, object_.id(), 0, sizeof(message)); });
+    test_.as(object_, [&] { error = message.Send(stack_, object_.id(), TestObject::kSecond, sizeof(message)); });
     return error;
   }
 
@@ -733,7 +733,7 @@ TEST_F(IpStackTest, AMessageToAnUnknownStackObjectOrEntryFails) {
     EXPECT_EQ(message.Call(stack_, sizeof(antEnvMsg)), ANT_FAIL);
     EXPECT_EQ(message.Send(stack_, OID(), 0, sizeof(message)), ANT_FAIL);
     EXPECT_EQ(message.Send(stack_, OID(reinterpret_cast<void*>(1000)), 0, sizeof(message)), ANT_FAIL);
-    EXPECT_EQ(message.Send(stack_, object_.id(), 1, sizeof(message)), ANT_FAIL);
+    EXPECT_EQ(message.Send(stack_, object_.id(), TestObject::kSecond + 1, sizeof(message)), ANT_FAIL);
     EXPECT_EQ(message.Call(stack_, sizeof(message)), ANT_SUCCESS);
   });
   EXPECT_EQ(message.error, TCP_SUCCESS);

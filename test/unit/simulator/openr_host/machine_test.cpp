@@ -206,8 +206,8 @@ TEST_F(MachineTest, NoFrameIsSleptThroughWhileAnObjectListens) {
   stick_.write("OPEN-R/MW/CONF/CONNECT.CFG",
                "OVirtualRobotAudioComm.Mic.OSoundVectorData.S Listener.In.OSoundVectorData.O\n");
   ObjectDescription& listener = options_.catalog["LISTENER.BIN"] = TestObject::describe("Listener");
-  listener.observers[0].service = "Listener.In.OSoundVectorData.O";
-  listener.observers[0].connect = [](OObject& object, const OConnectEvent& /*event*/) {
+  listener.observers[TestObject::kSecond].service = "Listener.In.OSoundVectorData.O";
+  listener.observers[TestObject::kSecond].connect = [](OObject& object, const OConnectEvent& /*event*/) {
     static_cast<TestObject&>(object).observer().AssertReady();
   };
   EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));

@@ -20,7 +20,7 @@ class PowerWatchTest : public testing::Test {
     return !watch_.look(now).empty();
   }
 
-  const OServiceEntry entry_{oidOf(1), 0};
+  const OServiceEntry entry_{oidOf(3), 5};
   PowerWatch watch_;
   OPowerStatus present_;
   OPowerStatus changed_;
@@ -88,7 +88,7 @@ TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   };
   OPowerStatus wanted;
   wanted.robotStatus = orsbPAUSE;
-  const OServiceEntry entry(object.id(), 0);
+  const OServiceEntry entry(object.id(), TestObject::kSecond);
   test.as(object, [&] {
     EXPECT_EQ(OPENR::ObservePowerStatus(wanted, OServiceEntry(object.id(), 7)), oINVALID_ARG) << "no such entry";
     EXPECT_EQ(OPENR::ObservePowerStatus(wanted, entry), oSUCCESS);

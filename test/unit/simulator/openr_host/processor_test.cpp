@@ -17,9 +17,9 @@ const OID kNeighbour = oidOf(3);
 class ProcessorTest : public testing::Test {
  protected:
   ProcessorTest() {
+    processor_.add(kWorker, 112);
     processor_.add(kServer, 128);
     processor_.add(kNeighbour, 140);
-    processor_.add(kWorker, 112);
   }
 
   Processor processor_;
@@ -60,7 +60,9 @@ TEST_F(ProcessorTest, ObjectsOfOneClassShareTheProcessor) {
 TEST_F(ProcessorTest, AnObjectThatWaitsKeepsOnlyItselfBusy) {
   const OID waiting = oidOf(4);
   processor_.add(waiting, 128, true);
+  processor_.run(kWorker, milliseconds(0), milliseconds(5));
   processor_.run(waiting, milliseconds(0), milliseconds(60));
+  EXPECT_EQ(processor_.busyUntil(kWorker), milliseconds(5));
   EXPECT_FALSE(processor_.mayRun(waiting, milliseconds(10)));
   EXPECT_TRUE(processor_.mayRun(kServer, milliseconds(10)));
   EXPECT_TRUE(processor_.mayRun(kWorker, milliseconds(10)));

@@ -119,7 +119,7 @@ TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) 
   std::vector<std::string> events;
   std::vector<bool> states;
   sender_.on_ready = [&](const OReadyEvent& event) {
-    EXPECT_EQ(event.SbjIndex(), 0);
+    EXPECT_EQ(event.SbjIndex(), TestObject::kSecond);
     EXPECT_NE(event.IsAssert(), event.IsDeassert());
     events.push_back(std::string(event.SenderID() == receiver_.observerId() ? "receiver" : "other") +
                      (event.IsAssert() ? " ready" : " not ready"));
@@ -139,7 +139,7 @@ TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) 
 
 TEST_F(ReadyNotifyTest, AnObserverAnswersTheSubjectThatNotifiedIt) {
   receiver_.on_notify = [&](const ONotifyEvent& event) {
-    EXPECT_EQ(event.ObsIndex(), 0);
+    EXPECT_EQ(event.ObsIndex(), TestObject::kSecond);
     EXPECT_TRUE(event.SenderID() == sender_.subjectId());
     received_.emplace_back("notified");
     receiver_.observer().AssertReady(event.SenderID());

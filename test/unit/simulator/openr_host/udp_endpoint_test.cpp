@@ -46,7 +46,8 @@ class UdpEndpointTest : public testing::Test {
   }
   template <typename Message>
   void post(Message message) {
-    test_.as(object_, [&] { EXPECT_EQ(message.Send(stack_, object_.id(), 0, sizeof(message)), ANT_SUCCESS); });
+    test_.as(object_,
+             [&] { EXPECT_EQ(message.Send(stack_, object_.id(), TestObject::kSecond, sizeof(message)), ANT_SUCCESS); });
   }
 
   antModuleRef create() {
