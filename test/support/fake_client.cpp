@@ -21,7 +21,8 @@ FakeClient& fake(RcServerClient* client) {
   return static_cast<FakeClient&>(*client);
 }
 
-void tell(RcServerClient* client, const std::string& request) {
+void tell(RcServerClient* client, const std::string& request, milliseconds timeout = milliseconds(0)) {
+  fake(client).timeout = timeout;
   if (!fake(client).problem.empty()) {
     throw NetworkException(fake(client).problem);
   }
@@ -72,9 +73,10 @@ void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
 }
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* quality_of_stream,
                                        std::optional<Resolution> resolution) {
-  tell(this, "picture " + std::to_string(quality) +
-                 (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""));
-  fake(this).timeout = timeout;
+  tell(this,
+       "picture " + std::to_string(quality) +
+           (resolution ? " of resolution " + std::to_string(static_cast<int>(*resolution)) : ""),
+       timeout);
   *quality_of_stream = fake(this).stream_quality;
   return fake(this).picture;
 }
@@ -100,12 +102,12 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
     }
   }
 }
-bool RcServerClient::setMotors(bool on, milliseconds) {
-  tell(this, on ? "motors on" : "motors off");
+bool RcServerClient::setMotors(bool on, milliseconds timeout) {
+  tell(this, on ? "motors on" : "motors off", timeout);
   wait(this);
   return on == fake(this).motors_work;
 }
-void RcServerClient::hold(const std::vector<int>& joints, milliseconds) {
+void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
   if (!fake(this).can_hold) {
     throw CommandException("it has no request to hold joints");
   }
@@ -113,7 +115,7 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds) {
   for (const int joint : joints) {
     text += " " + std::to_string(joint);
   }
-  tell(this, text);
+  tell(this, text, timeout);
   wait(this);
 }
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -121,10 +123,10 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
   fake(this).steering_order = terms.number;
   tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
 }
-void RcServerClient::takePosture(Posture posture, milliseconds, const OrderTerms& terms) {
+void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
   fake(this).terms = terms;
   constexpr const char* kNames[] = {"stand", "sit", "rest"};
-  tell(this, kNames[static_cast<int>(posture)]);
+  tell(this, kNames[static_cast<int>(posture)], timeout);
   wait(this);
 }
 void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
@@ -137,48 +139,49 @@ void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
 void RcServerClient::commandEars(bool left, bool right) {
   tell(this, std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
 }
-std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds,
+std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
                                        const OrderTerms& terms) {
   fake(this).terms = terms;
-  tell(this, "play " + name + " " + std::to_string(repetitions));
+  tell(this, "play " + name + " " + std::to_string(repetitions), timeout);
   wait(this);
   return fake(this).motion_changes;
 }
-void RcServerClient::stopMotion(const std::string& name, milliseconds) {
-  tell(this, "stop " + name);
+void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
+  tell(this, "stop " + name, timeout);
 }
-void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content, milliseconds) {
-  tell(this, "upload " + name + " " + std::to_string(content.size()));
+void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
+                                  milliseconds timeout) {
+  tell(this, "upload " + name + " " + std::to_string(content.size()), timeout);
 }
-void RcServerClient::deleteMotion(const std::string& name, milliseconds) {
-  tell(this, "delete " + name);
+void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
+  tell(this, "delete " + name, timeout);
 }
-std::vector<std::string> RcServerClient::listMotions(milliseconds) {
-  tell(this, "list");
+std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
+  tell(this, "list", timeout);
   return fake(this).motions;
 }
-std::string RcServerClient::takePictureOnRobot(int quality, milliseconds) {
-  tell(this, "picture on robot " + std::to_string(quality));
+std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
+  tell(this, "picture on robot " + std::to_string(quality), timeout);
   return "AIBO0001.JPG";
 }
-std::vector<std::string> RcServerClient::listPictures(milliseconds) {
-  tell(this, "list pictures");
+std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
+  tell(this, "list pictures", timeout);
   return {"AIBO0001.JPG", "MINE.JPG"};
 }
-std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds) {
-  tell(this, "fetch " + name);
+std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
+  tell(this, "fetch " + name, timeout);
   return fake(this).picture->jpeg;
 }
-void RcServerClient::deletePicture(const std::string& name, milliseconds) {
-  tell(this, "delete " + name);
+void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
+  tell(this, "delete " + name, timeout);
 }
 void RcServerClient::setMicrophone(const MicrophoneSettings& settings) {
   tell(this, settings.on ? "listen " + std::to_string(settings.channels) : "do not listen");
 }
 SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
-                                          milliseconds) {
+                                          milliseconds timeout) {
   FakeClient& client = fake(this);
-  tell(this, "samples " + std::to_string(samples.size()) + (is_last ? " last" : ""));
+  tell(this, "samples " + std::to_string(samples.size()) + (is_last ? " last" : ""), timeout);
   client.played.insert(client.played.end(), samples.begin(), samples.end());
   client.sounds += sound == 0 ? 1 : 0;
   if (client.on_samples) {
@@ -186,18 +189,18 @@ SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector
   }
   return {sound == 0 ? client.sounds : sound, client.room_for_samples};
 }
-void RcServerClient::stopSound(milliseconds) {
-  tell(this, "stop sound");
+void RcServerClient::stopSound(milliseconds timeout) {
+  tell(this, "stop sound", timeout);
 }
-int RcServerClient::setVolume(int volume, milliseconds) {
-  tell(this, "volume " + std::to_string(volume));
+int RcServerClient::setVolume(int volume, milliseconds timeout) {
+  tell(this, "volume " + std::to_string(volume), timeout);
   return volume == kVolumeOfRobot ? 2 : volume;
 }
-void RcServerClient::shutDownRobot(milliseconds) {
-  tell(this, "shut down");
+void RcServerClient::shutDownRobot(milliseconds timeout) {
+  tell(this, "shut down", timeout);
 }
-void RcServerClient::rebootRobot(milliseconds) {
-  tell(this, "reboot");
+void RcServerClient::rebootRobot(milliseconds timeout) {
+  tell(this, "reboot", timeout);
 }
 MotorsAndPosture RcServerClient::motorsAndPosture() const {
   return static_cast<const FakeClient*>(this)->state;

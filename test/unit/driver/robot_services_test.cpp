@@ -6,6 +6,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -19,6 +20,7 @@
 namespace aibo_driver::node {
 namespace {
 
+using namespace std::chrono_literals;
 using test_support::callService;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -56,13 +58,23 @@ class RobotServicesTest : public ::testing::Test {
     request.name = name;
     request.file = file;
     request.data = std::move(data);
-    return callService<UploadMotion>(services_, "upload_motion", request);
+    return callOfStick<UploadMotion>("upload_motion", 15s, request);
   }
 
   DeleteMotion::Response remove(const std::string& name) {
     DeleteMotion::Request request;
     request.name = name;
-    return callService<DeleteMotion>(services_, "delete_motion", request);
+    return callOfStick<DeleteMotion>("delete_motion", 5s, request);
+  }
+
+  /// A call that waits as long as this for the memory stick, if it comes to that.
+  template <typename Service>
+  typename Service::Response callOfStick(const std::string& name, std::chrono::seconds timeout,
+                                         const typename Service::Request& request = {}) {
+    client_.timeout = timeout;
+    const auto response = callService<Service>(services_, name, request);
+    EXPECT_EQ(client_.timeout, timeout) << name;
+    return response;
   }
 
   /// Calls stop, release, shut_down or reboot.
@@ -173,7 +185,7 @@ TEST_F(RobotServicesTest, DoNotPlayWithoutAName) {
 
 TEST_F(RobotServicesTest, ListTheMotions) {
   client_.motions = {"NOD.MTN", "SIT.MTN"};
-  const auto response = callService<ListMotions>(services_, "list_motions");
+  const auto response = callOfStick<ListMotions>("list_motions", 5s);
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "Motions on the robot: 2.");
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));

@@ -4,6 +4,7 @@
 #include <aibo_driver/TakePictureOnRobot.h>
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -17,7 +18,7 @@
 namespace aibo_driver::node {
 namespace {
 
-using test_support::callService;
+using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -30,26 +31,35 @@ class StickPictureServicesTest : public ::testing::Test {
     client_.picture = std::make_shared<aibo_client::Picture>(picture);
   }
 
+  /// A memory stick is slow.
+  template <typename Service>
+  typename Service::Response call(const std::string& name, const typename Service::Request& request = {}) {
+    client_.timeout = 15s;
+    const auto response = test_support::callService<Service>(services_, name, request);
+    EXPECT_EQ(client_.timeout, 15s) << name;
+    return response;
+  }
+
   TakePictureOnRobot::Response takePicture(std::uint8_t quality) {
     TakePictureOnRobot::Request request;
     request.quality = quality;
-    return callService<TakePictureOnRobot>(services_, "take_picture_on_robot", request);
+    return call<TakePictureOnRobot>("take_picture_on_robot", request);
   }
 
   FetchPicture::Response fetch(const std::string& name, const std::string& save_to = "") {
     FetchPicture::Request request;
     request.name = name;
     request.save_to = save_to;
-    return callService<FetchPicture>(services_, "fetch_picture", request);
+    return call<FetchPicture>("fetch_picture", request);
   }
 
   DeletePicture::Response remove(const std::string& name) {
     DeletePicture::Request request;
     request.name = name;
-    return callService<DeletePicture>(services_, "delete_picture", request);
+    return call<DeletePicture>("delete_picture", request);
   }
 
-  ListPictures::Response list() { return callService<ListPictures>(services_, "list_pictures"); }
+  ListPictures::Response list() { return call<ListPictures>("list_pictures"); }
 
   DriverParameters parameters() const {
     DriverParameters parameters;

@@ -1177,42 +1177,50 @@ TEST_F(MoverTest, AReleaseWithoutAStopLeavesAWalkAlone) {
 }
 
 TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
-  const std::vector<std::function<void()>> overrules{
-      [this] { mover_.takePosture(order(), Posture::kSit); },
-      [this] { mover_.setMotors(order(), false); },
-      [this] { command("right_hind_knee", 0.1); },
-      [this] {
-        mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.1, 0.1}, {});
-      },
-      [this] { follow("left_front_rotator", 0.1, 1.0); },
-      [this] {
-        mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was lifted"});
-      },
-      [this] {
-        mover_.ended({EndedKind::kWalk, EndedHow::kRefused, "walk", "the floor ends ahead"});
-      },
-      [this] {
-        mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
-      },
-      [this] {
-        mover_.robotChanged({MotorState::kOn, PostureNow::kCarried});
-      },
-      [this] {
-        mover_.robotChanged({MotorState::kOn, PostureNow::kFallen});
-      },
-      [this] {
-        mover_.robotChanged({MotorState::kOff, PostureNow::kStanding});
-      },
-      [this] {
-        mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
-      }};
-  for (std::size_t i = 0; i < overrules.size(); ++i) {
+  const std::vector<std::pair<const char*, std::function<void()>>> overrules{
+      {"/user called sit", [this] { mover_.takePosture(order(), Posture::kSit); }},
+      {"/user switched the motors off", [this] { mover_.setMotors(order(), false); }},
+      {"/user moves right_hind_knee", [this] { command("right_hind_knee", 0.1); }},
+      {"/user moves left_hind_elevator",
+       [this] {
+         mover_.command(order(), {"head_pan", "left_hind_elevator"}, {0.1, 0.1}, {});
+       }},
+      {"/user moves left_front_rotator", [this] { follow("left_front_rotator", 0.1, 1.0); }},
+      {"it was carried off",
+       [this] {
+         mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was carried off"});
+       }},
+      {"the floor ends ahead",
+       [this] {
+         mover_.ended({EndedKind::kWalk, EndedHow::kRefused, "walk", "the floor ends ahead"});
+       }},
+      {"left_front_knee was commanded",
+       [this] {
+         mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
+       }},
+      {"the robot was lifted",
+       [this] {
+         mover_.robotChanged({MotorState::kOn, PostureNow::kCarried});
+       }},
+      {"the robot has fallen",
+       [this] {
+         mover_.robotChanged({MotorState::kOn, PostureNow::kFallen});
+       }},
+      {"the motors are off",
+       [this] {
+         mover_.robotChanged({MotorState::kOff, PostureNow::kStanding});
+       }},
+      {"the robot is hot", [this] {
+         mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the robot is hot", 0});
+       }}};
+  for (const auto& [reason, overrule] : overrules) {
     walk();
-    overrules[i]();
+    overrule();
     measure(0);
     told();
     steerOn(0.1);
-    EXPECT_THAT(told(), IsEmpty()) << i;
+    EXPECT_THAT(told(), IsEmpty()) << reason;
+    EXPECT_EQ(ends_.back().reason, std::string(reason) + "; let go first: send a velocity of 0, or none for 0.5 s");
     mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
     now_ += milliseconds(500);
     measure(0);
