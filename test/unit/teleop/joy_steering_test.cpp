@@ -54,7 +54,7 @@ class JoySteeringTest : public ::testing::Test {
     press({kDeadMan});
     press({kWag, kDeadMan, kPicture, kRelease, kNod, kStop, kStand, kRest});
     joy_.read({1, 1}, {1, 1});
-    axes_.assign(7, 0.0F);
+    axes_ = {0.1F, 1, -0.05F, 0.15F, -1, -0.1F, -0.15F};  // a hand trembles, and what has no meaning is deflected
     press({});
   }
 
@@ -103,6 +103,7 @@ TEST_F(JoySteeringTest, TurnsTheHeadByTheOtherStick) {
   EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,head -0.3 0,");
   axes_[kPan] = 0;
   EXPECT_EQ(press({kDeadMan}), "walk 0 0 0,") << "others may move it";
+  EXPECT_EQ(press({}), "walk 0 0 0,") << "another node may have let it walk meanwhile";
 }
 
 TEST_F(JoySteeringTest, StopsAtOnceAndDoesNotGoOnBeforeTheDeadManButtonWasLetGo) {
@@ -110,7 +111,8 @@ TEST_F(JoySteeringTest, StopsAtOnceAndDoesNotGoOnBeforeTheDeadManButtonWasLetGo)
   EXPECT_EQ(press({kStop}), "") << "once";
   press({});
   axes_[kForward] = 1;
-  EXPECT_EQ(press({kDeadMan}), "walk 0.2 0 0,");
+  EXPECT_EQ(press({kStop}), "stop,");
+  EXPECT_EQ(press({kDeadMan}), "walk 0.2 0 0,") << "it was let go";
   EXPECT_EQ(press({kDeadMan, kStop}), "walk 0 0 0,stop,");
   EXPECT_EQ(press({kDeadMan}), "") << "the stick is still deflected";
   press({});

@@ -9,6 +9,12 @@ using std::chrono::milliseconds;
 
 class KeySteeringTest : public ::testing::Test {
  protected:
+  // It has gone before, and was stopped.
+  KeySteeringTest() {
+    keys_.press('M', now_ - milliseconds(300));
+    keys_.press('5', now_ - milliseconds(200));
+  }
+
   void expect(char key, double forward, double left, double turn) {
     keys_.press(key, now_);
     const aibo_client::WalkVelocity velocity = keys_.velocity(now_);
@@ -24,7 +30,7 @@ class KeySteeringTest : public ::testing::Test {
     EXPECT_NEAR(keys_.speeds().turn, turn, 1e-12) << key;
   }
 
-  KeySteering::TimePoint now_{milliseconds(1000)};
+  KeySteering::TimePoint now_{milliseconds(12345)};
   KeySteering keys_{{0.2, 0.05, 0.7}, milliseconds(600)};
 };
 

@@ -5,6 +5,7 @@
 #include <pty.h>
 #include <unistd.h>
 
+#include <cstring>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,12 @@ class TerminalTest : public ::testing::Test {
     if (::openpty(&keyboard_, &terminal_, nullptr, nullptr, nullptr) != 0) {
       GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
     }
+    // As another program has left it.
+    termios settings = this->settings();
+    settings.c_cc[VMIN] = 2;
+    settings.c_cc[VTIME] = 3;
+    settings.c_iflag ^= IXANY;
+    EXPECT_EQ(::tcsetattr(terminal_, TCSANOW, &settings), 0);
   }
 
   ~TerminalTest() override {
@@ -41,10 +48,10 @@ class TerminalTest : public ::testing::Test {
     EXPECT_EQ(::write(keyboard_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
   }
 
-  tcflag_t modes() const {
+  termios settings() const {
     termios settings{};
     EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
-    return settings.c_lflag;
+    return settings;
   }
 
   int keyboard_ = -1;
@@ -60,14 +67,19 @@ TEST_F(TerminalTest, GivesEachKeyAtOnce) {
 }
 
 TEST_F(TerminalTest, DoesNotShowTheKeysAndIsThenAsBefore) {
-  const tcflag_t before = modes();
-  EXPECT_NE(before & ECHO, 0U);
-  {
-    const Terminal terminal(terminal_);
-    EXPECT_EQ(modes() & (ECHO | ICANON), 0U);
-    EXPECT_NE(modes() & ISIG, 0U) << "Ctrl-C interrupts";
+  for (const tcflag_t modes : {ISIG | ECHO | ICANON, ISIG | ECHO, ISIG | ICANON, ISIG}) {
+    termios before = settings();
+    before.c_lflag = modes;
+    EXPECT_EQ(::tcsetattr(terminal_, TCSANOW, &before), 0);
+    {
+      const Terminal terminal(terminal_);
+      EXPECT_EQ(settings().c_lflag, static_cast<tcflag_t>(ISIG)) << "Ctrl-C interrupts";
+      EXPECT_EQ(settings().c_cc[VMIN], 1);
+      EXPECT_EQ(settings().c_cc[VTIME], 0);
+    }
+    const termios after = settings();
+    EXPECT_EQ(std::memcmp(&after, &before, sizeof(termios)), 0);
   }
-  EXPECT_EQ(modes(), before);
 }
 
 TEST_F(TerminalTest, SaysThatItWasClosed) {
