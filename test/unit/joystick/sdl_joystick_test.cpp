@@ -45,7 +45,9 @@ class VirtualJoystick {
 };
 
 TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
-  SdlJoystick joystick(0, "");
+  SdlJoystick joystick(1, "");
+  VirtualJoystick other("Wheel");
+  other.setAxis(2, 32767);
   VirtualJoystick hardware;
   hardware.setAxis(0, -32768);  // left
   hardware.setAxis(1, 32767);   // down
@@ -58,7 +60,7 @@ TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
   ASSERT_TRUE(state);
   EXPECT_THAT(state->axes, ElementsAre(1, -1, FloatNear(-0.5F, 1e-3F), 1, 1, 0, -1));
   EXPECT_THAT(state->buttons, ElementsAre(0, 1));
-  EXPECT_THAT(joystick.describe(), HasSubstr("with 7 axes and 2 buttons"));
+  EXPECT_EQ(joystick.describe(), "Pedals, with 7 axes and 2 buttons");
   for (const auto& [hat, right_and_up] : {std::pair(SDL_HAT_RIGHTDOWN, -1), std::pair(SDL_HAT_CENTERED, 0)}) {
     hardware.setHat(0, hat);
     joystick.read();
@@ -67,7 +69,8 @@ TEST(SdlJoystick, ReadsAxesHatsAndButtonsWithTheSignsOfRos) {
 }
 
 TEST(SdlJoystick, MayBePulledOutAndPluggedInAgain) {
-  SdlJoystick joystick(0, "");
+  SdlJoystick joystick(1, "");
+  const VirtualJoystick other("Wheel");
   EXPECT_FALSE(joystick.read());
   EXPECT_EQ(joystick.describe(), "");
   for (int i = 0; i < 3; ++i) {
