@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 
 #include <array>
+#include <cmath>
+#include <optional>
 
 #include "aibo_client/exceptions.h"
 
@@ -11,15 +13,39 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// A grey picture with a pink square, 20..39.
+// The part of the picture with the color, and the means of its color.
+constexpr Region kRegion{31, 12, 20, 15};
+constexpr int kY = 150;
+constexpr int kCr = 170;
+constexpr int kCb = 100;
+
+void paint(node::BgrImage* picture, int x, int y, double luminance, double cr, double cb) {
+  const double red = luminance + (cr - 128) / 0.713267;
+  const double blue = luminance + (cb - 128) / 0.564334;
+  const double green = (luminance - 0.299 * red - 0.114 * blue) / 0.587;
+  std::uint8_t* bgr = &picture->pixels[3 * static_cast<std::size_t>(y * picture->width + x)];
+  for (const double value : {blue, green, red}) {
+    *bgr++ = static_cast<std::uint8_t>(std::lround(value));
+  }
+}
+
+// What surrounds a color differs from it in only one value each, which is too low or too high.
+void paintOther(node::BgrImage* picture, int x, int y, int kind) {
+  const int more = kind % 2 == 0 ? -40 : 40;
+  paint(picture, x, y, kY + (kind / 2 == 0 ? more : 0), kCr + (kind / 2 == 1 ? more : 0),
+        kCb + (kind / 2 == 2 ? more : 0));
+}
+
+// Cr grows to the right, and Cb downward.
 node::BgrImage pinkSquare() {
-  node::BgrImage picture{104, 80, std::vector<std::uint8_t>(3 * 104 * 80, 128)};
-  for (std::size_t y = 20; y < 40; ++y) {
-    for (std::size_t x = 20; x < 40; ++x) {
-      std::uint8_t* bgr = &picture.pixels[3 * (y * 104 + x)];
-      bgr[0] = 140;
-      bgr[1] = static_cast<std::uint8_t>(60 + x);
-      bgr[2] = 240;
+  node::BgrImage picture{104, 80, std::vector<std::uint8_t>(3 * 104 * 80)};
+  for (int y = 0; y < picture.height; ++y) {
+    for (int x = 0; x < picture.width; ++x) {
+      if (kRegion.contains(x, y)) {
+        paint(&picture, x, y, kY, kCr + (x - kRegion.left - 10) / 2, kCb + y - kRegion.top - 7);
+      } else {
+        paintOther(&picture, x, y, (x + y) % 6);
+      }
     }
   }
   return picture;
@@ -35,27 +61,20 @@ std::string refusalOf(const Region& region) {
 }
 
 TEST(TableMaker, TheTableHasTheColorsOfTheRegionAndNoOthers) {
-  const Region region{20, 20, 20, 20};
-  const aibo_client::ColorTable table = makeTable(pinkSquare(), region, "pink", 2);
+  const aibo_client::ColorTable table = makeTable(pinkSquare(), kRegion, "pink", 3);
   EXPECT_EQ(table.name, "pink");
-  const Coverage coverage = coverageOf(table, pinkSquare(), region);
-  EXPECT_GE(coverage.inside, 0.97);
+  const Coverage coverage = coverageOf(table, pinkSquare(), kRegion);
+  EXPECT_EQ(coverage.inside, 1);
   EXPECT_EQ(coverage.outside, 0);
-  const Coverage of_a_part = coverageOf(table, pinkSquare(), {20, 20, 20, 10});
-  EXPECT_EQ(of_a_part.inside, coverage.inside) << "each row is the same";
-  EXPECT_NEAR(of_a_part.outside, coverage.inside * 200 / (104 * 80 - 200), 1e-9);
-  EXPECT_FALSE(table.segments[0]);
-  EXPECT_FALSE(table.segments[31]);
-  ASSERT_TRUE(table.segments[17]);  // Y is about 140
-  EXPECT_GT(table.segments[17]->cr_min, 180);
-  EXPECT_LT(table.segments[17]->cb_max, 140);
-}
-
-TEST(TableMaker, AlsoTakesWhatIsALittleDarkerOrBrighter) {
-  node::BgrImage grey{104, 80, std::vector<std::uint8_t>(3 * 104 * 80, 140)};
-  const aibo_client::ColorTable table = makeTable(grey, {20, 20, 20, 20}, "grey", 2);
-  for (std::size_t segment = 0; segment < table.segments.size(); ++segment) {  // each has 8 values of Y
-    EXPECT_EQ(table.segments[segment].has_value(), segment >= 16 && segment <= 18) << segment;
+  const Coverage of_a_part = coverageOf(table, pinkSquare(), {31, 12, 20, 9});
+  EXPECT_EQ(of_a_part.inside, 1);
+  EXPECT_NEAR(of_a_part.outside, 120.0 / (104 * 80 - 180), 1e-9);
+  for (std::size_t segment = 0; segment < table.segments.size(); ++segment) {
+    const bool is_of_it = segment >= 17 && segment <= 19;  // Y is about 150, and each has 8 values of it
+    EXPECT_EQ(table.segments[segment],
+              is_of_it ? std::optional<aibo_client::ColorRange>({kCr - 5 - 3, kCr + 4 + 3, kCb - 7 - 3, kCb + 7 + 3})
+                       : std::nullopt)
+        << segment;
   }
 }
 
@@ -78,17 +97,23 @@ TEST(TableMaker, BlackWhiteAndFullColorsHaveTablesToo) {
 }
 
 TEST(TableMaker, AFewOtherPixelsDoNotMatter) {
-  node::BgrImage picture = pinkSquare();
-  picture.pixels[3 * (25 * 104 + 25) + 2] = 0;
-  const Region region{20, 20, 20, 20};
-  EXPECT_EQ(makeTable(picture, region, "pink", 2).segments, makeTable(pinkSquare(), region, "pink", 2).segments);
+  for (int kind = 0; kind < 6; ++kind) {
+    node::BgrImage picture = pinkSquare();
+    for (const int x : {33, 40, 50}) {  // one of a hundred
+      paintOther(&picture, x, 15, kind);
+    }
+    EXPECT_EQ(makeTable(picture, kRegion, "pink", 2).segments, makeTable(pinkSquare(), kRegion, "pink", 2).segments)
+        << kind;
+  }
 }
 
 TEST(TableMaker, SaysWhatIsWrongWithARegion) {
-  EXPECT_THAT(refusalOf({90, 20, 20, 20}), HasSubstr("not within the picture, which has 104x80 pixels"));
-  EXPECT_THAT(refusalOf({-1, 20, 20, 20}), HasSubstr("not within"));
-  EXPECT_THAT(refusalOf({0, 0, 2147483647, 20}), HasSubstr("not within"));
-  EXPECT_THAT(refusalOf({20, 20, 3, 5}), HasSubstr("15 pixels"));
+  EXPECT_EQ(refusalOf({85, 12, 20, 15}), "the region 85,12,20,15 is not within the picture, which has 104x80 pixels");
+  for (const Region& region : {Region{31, 66, 20, 15}, Region{-1, 12, 20, 15}, Region{31, -1, 20, 15},
+                               Region{0, 0, 2147483647, 15}, Region{0, 0, 20, 2147483647}}) {
+    EXPECT_THAT(refusalOf(region), HasSubstr("not within")) << region.left << "," << region.top;
+  }
+  EXPECT_EQ(refusalOf({31, 12, 3, 5}), "the region has 15 pixels; it must have at least 16");
 }
 
 }  // namespace
