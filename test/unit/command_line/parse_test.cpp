@@ -12,17 +12,26 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(Parse, OptionsOfAllCommandsMayBeAnywhere) {
+class Parse : public ::testing::Test {
+ protected:
+  Parse() { ::setenv("AIBO_HOST", "from_environment", 1); }
+  ~Parse() override { ::unsetenv("AIBO_HOST"); }
+};
+
+TEST_F(Parse, OptionsOfAllCommandsMayBeAnywhere) {
   const CommandLine before = parse({"--host", "robot", "--json", "move", "head_pan=-3deg", "--duration", "2"});
   EXPECT_EQ(before.command->name, "move");
   EXPECT_EQ(before.arguments.robot.host, "robot");
   EXPECT_TRUE(before.json);
   EXPECT_THAT(before.arguments.words, ElementsAre("head_pan=-3deg"));
   EXPECT_EQ(before.arguments.get("duration"), "2");
-  EXPECT_EQ(parse({"joints", "--port", "4", "--host=robot"}).arguments.robot.port, 4);
+  const CommandLine behind = parse({"joints", "--port", "4", "--host=robot"});
+  EXPECT_EQ(behind.arguments.robot.port, 4);
+  EXPECT_EQ(behind.arguments.robot.host, "robot");
+  EXPECT_EQ(parse({"joints", "--port", "4"}).arguments.robot.port, 4);
 }
 
-TEST(Parse, EachCommonOptionMayStandBeforeTheCommand) {
+TEST_F(Parse, EachCommonOptionMayStandBeforeTheCommand) {
   const CommandLine line = parse({"--timeout", "5", "--port", "4", "--host", "robot", "move", "head_pan=0"});
   EXPECT_EQ(line.command->name, "move");
   EXPECT_EQ(line.arguments.robot.timeout, std::chrono::seconds(5));
@@ -37,8 +46,7 @@ TEST(Parse, EachCommonOptionMayStandBeforeTheCommand) {
   }
 }
 
-TEST(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {
-  ::setenv("AIBO_HOST", "from_environment", 1);
+TEST_F(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {
   EXPECT_EQ(parse({"joints"}).arguments.robot.host, "from_environment");
   EXPECT_TRUE(parse({"joints"}).arguments.robot.host_is_given);
   EXPECT_EQ(parse({"joints", "--host", "from_option"}).arguments.robot.host, "from_option");
@@ -49,7 +57,7 @@ TEST(Parse, TheEnvironmentNamesTheRobotUnlessAnOptionDoes) {
   EXPECT_TRUE(parse({"joints", "--host", "from_option"}).arguments.robot.host_is_given);
 }
 
-TEST(Parse, RefusesWhatNoCommandHas) {
+TEST_F(Parse, RefusesWhatNoCommandHas) {
   using Words = std::vector<std::string>;
   for (const Words& words :
        {Words{}, Words{"fly"}, Words{"joints", "extra"}, Words{"move"}, Words{"motors"},
@@ -59,16 +67,21 @@ TEST(Parse, RefusesWhatNoCommandHas) {
         Words{"upload"}, Words{"upload", "a", "b", "c"}, Words{"walk", "a", "b", "c", "d"}}) {
     EXPECT_THROW(parse(words), aibo_client::InvalidArgumentException) << ::testing::PrintToString(words);
   }
+  try {
+    parse({"upload"});
+  } catch (const aibo_client::InvalidArgumentException& error) {
+    EXPECT_STREQ(error.what(), "usage: aibo upload FILE [NAME] (`aibo help upload` has examples)");
+  }
 }
 
-TEST(Parse, TakesAsManyWordsAsTheSynopsisSays) {
+TEST_F(Parse, TakesAsManyWordsAsTheSynopsisSays) {
   EXPECT_EQ(parse({"upload", "a"}).arguments.words.size(), 1U);
   EXPECT_EQ(parse({"upload", "a", "b"}).arguments.words.size(), 2U);
   EXPECT_EQ(parse({"doctor"}).arguments.words.size(), 0U);
   EXPECT_EQ(parse({"say", "a", "b", "c", "d"}).arguments.words.size(), 4U);
 }
 
-TEST(Parse, HelpAndVersionNeedNoArguments) {
+TEST_F(Parse, HelpAndVersionNeedNoArguments) {
   EXPECT_TRUE(parse({"--help"}).help);
   EXPECT_TRUE(parse({"--version"}).version);
   EXPECT_EQ(parse({"move", "--help"}).command->name, "move");
