@@ -1,0 +1,68 @@
+"""The scripts know their options, and refuse others before they install or build anything."""
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+PROJECT = Path(__file__).resolve().parents[2]
+
+# These two only note with which words they were started, in a project without anything else.
+NOTE = '#!/bin/sh\necho "${0##*/} $*" >> "${0%/*}/../log"; [ "${0##*/}" != build ]\n'
+
+REFUSED = {
+    'lint --fast': "no option '--fast'", 'package --fast': "no option '--fast'", 'physics --fast': "no option '--fast'",
+    'mips --count --fast': "no option '--fast'", 'mips --libjpeg /': 'the folder with the sources of libjpeg',
+    'soak --minutes': '--minutes needs a number', 'soak --seed 3 --fast': "no option '--fast'",
+    'soak --sanitize memory': "no sanitizer 'memory'", 'fuzz': '--seconds or --runs is missing',
+    'fuzz --seconds 0': '--seconds needs', 'fuzz --runs 1.5': '--runs needs', 'fuzz --runs 2 none': "no target 'none'",
+    'benchmark --quick fast': "no option or benchmark 'fast'", 'pictures fleet none': "no picture 'none'",
+    'openr_object': 'which folder?', 'openr_object --fast': "no option '--fast'",
+    'openr_object /usr /etc': "two folders, '/usr' and '/etc'", 'openr_object /none': "no folder '/none'",
+    'try_release --packages trixie': 'give a release and a folder', 'try_release trixie /usr': '/usr exists'}
+
+STARTED = {
+    'soak --orders --seed 3 --sanitize thread': ['build tests soak', '--sanitize thread all aibo_soak'],
+    'fuzz --runs 2 hello picture': ['build tests fuzz', '--sanitize fuzz fuzz_hello fuzz_picture'],
+    'sanitize thread -R x': ['build tests gamepad rviz wlan physics', '--sanitize thread all tests'],
+    'faults --only hostile-driver': ['build tests', 'fault_rostest'],
+    'test -R x': ['build tests gamepad rviz wlan physics', 'all tests'],
+    'faults --only loss': ['build tests', 'aibo_fault_campaign']}
+
+
+class ScriptsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.home = Path(folder.name)
+        shutil.copytree(PROJECT / 'scripts', self.home / 'scripts')
+        for target in ('hello', 'picture', 'settings'):
+            source = self.home / 'test/fuzz/targets' / (target + '.cpp')
+            source.parent.mkdir(parents=True, exist_ok=True)
+            source.touch()
+        for name in ('install_dependencies', 'build'):
+            (self.home / 'scripts' / name).write_text(NOTE)
+
+    def run_script(self, words):
+        script, *options = words.split()
+        return subprocess.run([self.home / 'scripts' / script, *options], capture_output=True, timeout=60, check=False,
+                              text=True)
+
+    def test_refuse_what_they_do_not_know(self):
+        for words, problem in REFUSED.items():
+            with self.subTest(words):
+                ended = self.run_script(words)
+                self.assertEqual((ended.returncode, ended.stdout), (1, ''))
+                self.assertIn(problem, ended.stderr)
+        self.assertFalse((self.home / 'log').exists())
+
+    def test_install_and_build_what_they_need(self):
+        for words, (installed, built) in STARTED.items():
+            with self.subTest(words):
+                self.assertEqual(self.run_script(words).returncode, 1)
+                self.assertEqual((self.home / 'log').read_text(), f'install_dependencies {installed}\nbuild {built}\n')
+            (self.home / 'log').unlink()
+
+
+if __name__ == '__main__':
+    unittest.main()
