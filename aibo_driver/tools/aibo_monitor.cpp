@@ -12,7 +12,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
-#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <string>
@@ -23,6 +22,7 @@
 #include "text/number.h"
 #include "text/plain_text.h"
 #include "tools/node_process.h"
+#include "tools/picture_figures.h"
 
 namespace aibo_driver::tools {
 namespace {
@@ -97,27 +97,16 @@ class Monitor {
   }
 
   void report(nanoseconds elapsed) {
-    const std::vector<Arrival> arrivals = std::exchange(arrivals_, {});
-    const auto pictures = static_cast<double>(arrivals.size());
-    const double seconds = std::chrono::duration<double>(elapsed).count();
-    double bytes = 0;
-    double latency_sum = 0;  // ms
-    double worst_latency = 0;
-    for (const Arrival& arrival : arrivals) {
-      const std::chrono::duration<double, std::milli> latency =
-          arrival.time - sinceEpoch(arrival.picture->header.stamp);
-      bytes += static_cast<double>(arrival.picture->data.size());
-      latency_sum += latency.count();
-      worst_latency = std::max(worst_latency, latency.count());
+    PictureFigures figures;
+    for (const Arrival& arrival : std::exchange(arrivals_, {})) {
+      figures.add(arrival.picture->data.size(), arrival.time - sinceEpoch(arrival.picture->header.stamp));
     }
     const std::string driver_load = driverLoad(elapsed);
-    if (arrivals.empty()) {
+    if (figures.empty()) {
       std::printf("no pictures: %s%s\n", connection_text_.c_str(), stop_text_.c_str());
     } else {
-      std::printf(
-          "%5.1f pictures/s %6.1f KB/s   stamp to topic: %.1f ms (worst %.1f)   driver: %s of one processor%s\n",
-          pictures / seconds, bytes / 1000 / seconds, latency_sum / pictures, worst_latency, driver_load.c_str(),
-          stop_text_.c_str());
+      std::printf("%s   driver: %s of one processor%s\n", figures.words(elapsed).c_str(), driver_load.c_str(),
+                  stop_text_.c_str());
     }
     if (std::fflush(stdout) != 0) {
       ros::shutdown();  // nobody reads the output any more
