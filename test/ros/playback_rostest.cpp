@@ -52,7 +52,7 @@ class WalkBag {
   WalkBag(const std::string& path, std::string name_space, const std::string& frame_prefix = "")
       : bag_(path, rosbag::bagmode::Write), name_space_(std::move(name_space)), frame_prefix_(frame_prefix) {}
 
-  void connect(std::uint8_t state = Connection::CONNECTED, const std::string& text = "") {
+  void connect(std::uint8_t state = Connection::CONNECTED, const std::string& text = "connected to anna") {
     Connection connection;
     connection.state = state;
     connection.text = text;
@@ -157,7 +157,7 @@ class PlaybackTest : public ::testing::Test {
 
   std::string recordAWalk(double seconds = 3) const {
     WalkBag bag(path("walk.bag"), "/aibo");
-    bag.connect(Connection::CONNECTED, "connected");
+    bag.connect();
     bag.report("/anna");
     bag.walk(seconds);
     return path("walk.bag");
@@ -312,14 +312,21 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
                   std::abs((played[i]->header.stamp - played[i - 1]->header.stamp).toSec() - way / kSpeed / 2) < 1e-6)
           << "twice as fast";
     }
+    TopicListener<nav_msgs::Odometry> late("/again/odom");
     const ros::Time resumed = ros::Time::now();
     call.request.data = 0;
     ASSERT_TRUE(ros::service::call("/again/aibo_playback/pause_playback", call));
     EXPECT_TRUE(call.response.success) << call.response.message;
+    const ros::Time goes_on = ros::Time::now();
     EXPECT_EQ(call.response.message, "0:00 of 0:00");
     ASSERT_GT(odom.waitForCount(heard + 1).size(), heard);
     const auto next = odom.waitForCount(0).at(heard);
+    ASSERT_FALSE(late.waitForCount(1).empty());
+    EXPECT_GE(late.waitForCount(1)[0]->header.stamp, next->header.stamp) << "the others are not latched";
     EXPECT_GT(next->header.stamp + ros::Duration(0.5), resumed) << "the time of the pause is left out";
+    EXPECT_TRUE(next->pose.pose.position.x < before->pose.pose.position.x ||
+                next->header.stamp < goes_on + ros::Duration(kPeriod))
+        << "unless a round begins";
     EXPECT_NEAR(std::fmod(next->pose.pose.position.x - before->pose.pose.position.x + kSpeed, kSpeed), kSpeed * kPeriod,
                 1e-6);
   }
@@ -335,17 +342,33 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
 TEST_F(PlaybackTest, ARoundKnowsNothingOfTheLastOne) {
   {
     WalkBag bag(path("odometry_comes_later.bag"), "/aibo");
-    bag.connect();
     bag.measureJoints();
-    bag.walk(0.5);
+    bag.walk(0.2);
+    bag.connect(Connection::DISCONNECTED, "the robot was off");
+    bag.walk(0.2);
+    bag.connect(Connection::CONNECTING, "it wakes up");
+    bag.walk(0.2);
   }
   TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  TopicListener<Connection> connection("/rounds/connection");
   const Process playback(command(path("odometry_comes_later.bag"), "/rounds", {"_loop:=true", "_wait:=0"}));
   const auto frames = tf.waitForCount(25);
   EXPECT_GE(std::count_if(frames.begin(), frames.end(),
                           [](const auto& each) { return each->transforms.at(0).transform.translation.x == 0; }),
             2)
       << "each round begins where no odometry has come";
+  std::vector<std::string> said;
+  for (const Connection::ConstPtr& each : connection.waitForCount(0)) {
+    const std::size_t at = each->text.find("at that time");
+    const std::string text = at == std::string::npos ? "nothing" : each->text.substr(at);
+    if (said.empty() || said.back() != text) {
+      said.push_back(text);
+    }
+  }
+  const std::vector<std::string> rounds{"at that time: the robot was off", "at that time: it wakes up", "nothing",
+                                        "at that time: the robot was off"};
+  EXPECT_NE(std::search(said.begin(), said.end(), rounds.begin(), rounds.end()), said.end())
+      << ::testing::PrintToString(said);
 }
 
 TEST_F(PlaybackTest, RepeatsAlsoAMoment) {
