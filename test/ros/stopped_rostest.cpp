@@ -3,6 +3,7 @@
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
@@ -24,6 +25,7 @@
 #include <cmath>
 #include <csignal>
 #include <future>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -647,6 +649,15 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
   FakeDriver driver("/sticks");
   TopicListener<Twist> walks("/sticks/cmd_vel");
   TopicListener<sensor_msgs::JointState> heads("/sticks/joint_command");
+  std::promise<aibo_driver::PlayMotion::Request> played;
+  const auto play = [&played](aibo_driver::PlayMotion::Request& request, aibo_driver::PlayMotion::Response&) {
+    played.set_value(request);
+    return true;
+  };
+  const ros::ServiceServer motions =
+      ros::NodeHandle("/sticks").advertiseService<aibo_driver::PlayMotion::Request, aibo_driver::PlayMotion::Response>(
+          "play_motion", play);
+  ros::param::set("/sticks/aibo_teleop_joy/motions", std::map<std::string, int>{{"NOD", 0}, {"WAG", 1}});
   Gamepad pad("/sticks", {"_turn_axis:=1", "_forward_axis:=0", "_left_axis:=2", "_pan_axis:=4", "_tilt_axis:=3",
                           "_speed:=0.1", "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3", "_dead_zone:=0.2",
                           "_stop_button:=2", "_picture_button:=3"});
@@ -685,6 +696,13 @@ TEST(Gamepad, WalksAndTurnsTheHeadWhereItsSticksPoint) {
     begins = heads.waitFor(begins_there, std::chrono::milliseconds(50)) != nullptr;
   }
   EXPECT_TRUE(begins);
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, 0});
+  auto request = played.get_future();
+  ASSERT_EQ(request.wait_for(kSafetyNet), std::future_status::ready);
+  const aibo_driver::PlayMotion::Request motion = request.get();
+  EXPECT_EQ(motion.name, "NOD");
+  EXPECT_EQ(motion.repetitions, 1);
   pad.press({3});
   pad.teleop().waitForOutput("/sticks/take_picture cannot be called", kSafetyNet);
   pad.press({2});
