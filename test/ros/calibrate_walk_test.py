@@ -134,7 +134,7 @@ class CalibrateWalkTest(unittest.TestCase):
 
     def test_writes_what_the_driver_can_read(self):
         with tempfile.TemporaryDirectory() as folder:
-            parameters = {'aibo_driver/guard': False, 'aibo_driver/walk_scale': 0.8}
+            parameters = {'~driver': 'dog', 'dog/guard': False, 'dog/walk_scale': 0.8, 'aibo_driver/walk_scale': 2.0}
             os.mkdir(folder + '/.ros')
             Path(folder + '/.ros/walk_calibration.yaml').write_text('of: an earlier day\n', encoding='utf-8')
             with mock.patch.dict(os.environ, HOME=folder):

@@ -61,8 +61,8 @@ class FleetFileTest(unittest.TestCase):
         self.assert_refused('robots: {a: {host: !!python/object/apply:os.system [true]}}', 'it is not YAML')
 
     def test_mistakes_are_refused(self):
-        self.assert_refused('robots: {a: {host: h}, a: {host: i}}', "'a' appears twice")
-        self.assert_refused('robots: {a: {host: h, host: i}}', "'host' appears twice")
+        self.assert_refused('\nrobots: {a: {host: h}, a: {host: i}}', r"'a' appears twice \(line 2\)")
+        self.assert_refused('robots: {a: {port: 1, host: h, host: i}}', "'host' appears twice")
         self.assert_refused('robots: {a: {port: 1}}', "robot 'a' has no host")
         self.assert_refused('robots: {a: h}', "robot 'a' has no host")
         self.assert_refused('robots: {a: {host: h, hots: i}}', "'hots'; allowed are .*jpeg_quality")
@@ -114,10 +114,13 @@ class FleetFileTest(unittest.TestCase):
                                        'b: {host: h, port: 54322, camera_name: default}}')), 2)
 
     def test_each_driver_gets_its_settings(self):
-        config = launch('robots: {a: {host: h, stream_on_start: false}, b: {host: i, frame_prefix: none, port: 5}}')
+        config = launch('robots: {a: {port: 6, stream_on_start: false, guard: true, host: h}, '
+                        'b: {host: i, frame_prefix: none, port: 5}}')
         values = {name: parameter.value for name, parameter in config.params.items()}
         self.assertEqual(values['/a/aibo_driver/host'], 'h')
         self.assertIs(values['/a/aibo_driver/stream_on_start'], False)
+        self.assertIs(values['/a/aibo_driver/guard'], True)
+        self.assertEqual(values['/a/aibo_driver/port'], 6)
         self.assertEqual(values['/a/aibo_driver/frame_prefix'], 'a')
         self.assertEqual(values['/b/aibo_driver/host'], 'i')
         self.assertEqual(values['/b/aibo_driver/port'], 5)
@@ -126,12 +129,12 @@ class FleetFileTest(unittest.TestCase):
 
     def test_the_robots_stand_in_one_frame(self):
         config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none, pose: [1, 2, 0.5]}, '
-                        'c: {host: j, publish_odom_tf: false}}')
+                        'c: {host: j, publish_odom_tf: false}, d: {host: k}}')
         model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
         places = {joint.find('child').get('link'): (joint.find('origin').get('xyz'), joint.find('origin').get('rpy'))
                   for joint in model.findall('joint')}
-        self.assertEqual(places, {'a/odom': ('0 0.5 0', '0 0 0'), 'odom': ('1 2 0', '0 0 0.5'),
-                                  'c/base_footprint': ('0 -0.5 0', '0 0 0')})
+        self.assertEqual(places, {'a/odom': ('0 0.75 0', '0 0 0'), 'odom': ('1 2 0', '0 0 0.5'),
+                                  'c/base_footprint': ('0 -0.25 0', '0 0 0'), 'd/odom': ('0 -0.75 0', '0 0 0')})
 
     def test_rviz_shows_all_robots(self):
         config = launch('robots: {a: {host: h}, b: {host: i, frame_prefix: none}}', with_rviz=True)
