@@ -1107,6 +1107,18 @@ class Unreachable(TestCase):
         self.assertEqual([(f["topic"], f["good"]) for f in report["findings"]],
                          [("name", True), ("port", True), ("server", False)])
         self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
+        kept = []
+        port = self.server(lambda client: turn_away(client) if len(kept) == 2 else kept.append(client.dup()))
+        hold = "import socket, sys; s = socket.create_connection(('127.0.0.1', %d)); print(flush=True); sys.stdin.read()"
+        holders = [subprocess.Popen([sys.executable, "-c", hold % port], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+                   for _ in range(2)]
+        for holder in holders:
+            self.addCleanup(holder.communicate)
+            holder.stdout.readline()
+        advice = self.json("doctor", port=port, status=UNREACHABLE)["findings"][-1]["advice"]
+        self.assertRegex(advice, r"^On this computer, python\S* \(process \d+\), python\S* \(process \d+\) "
+                                 r"are connected to the robot: end them\.$")
+        self.assertEqual(set(re.findall(r"\d+(?=\))", advice)), {str(holder.pid) for holder in holders})
         users = iter((turn_away, turn_away, says_hello(b"RCServer", b"NOD.MTN")))  # the robot is free a moment later
         self.assertEqual(self.text("motions", port=self.server(lambda client: next(users)(client))), "NOD.MTN\n")
 

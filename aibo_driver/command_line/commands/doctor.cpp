@@ -181,12 +181,14 @@ class Doctor {
   }
 
   std::string whoIsConnected() const {
+    const std::vector<std::string> clients = localClients(numeric_address_, address_.port);
     std::string names;
-    for (const std::string& name : localClients(numeric_address_, address_.port)) {
+    for (const std::string& name : clients) {
       names += (names.empty() ? "" : ", ") + name;
     }
-    if (!names.empty()) {
-      return "On this computer, " + names + " is connected to the robot: end it.";
+    if (!clients.empty()) {
+      return "On this computer, " + names +
+             (clients.size() == 1 ? " is connected to the robot: end it." : " are connected to the robot: end them.");
     }
     return "Another computer has the robot, or this computer's address is not among the ALLOWED_ADDRESSES in "
            "RCSERVER.CFG. The robot's console (port 59000) says which.";
