@@ -16,11 +16,13 @@ using aibo_driver::LedStates;
 using aibo_driver::Touch;
 using visualization_msgs::Marker;
 
+// Between two LEDs that this robot does not have.
 LedStates states(const std::string& name, float intensity, int mode = LedStates::MODE_A) {
+  const int other = mode == LedStates::MODE_A ? LedStates::MODE_B : LedStates::MODE_A;
   LedStates leds;
-  leds.names = {name};
-  leds.intensities = {intensity};
-  leds.modes = {static_cast<std::uint8_t>(mode)};
+  leds.names = {"tail_blue", name, "tail_orange"};
+  leds.intensities = {0.77F, intensity, 0.66F};
+  leds.modes = {static_cast<std::uint8_t>(other), static_cast<std::uint8_t>(mode), static_cast<std::uint8_t>(other)};
   return leds;
 }
 
