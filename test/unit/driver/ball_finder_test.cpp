@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace aibo_driver::ball {
@@ -9,13 +10,17 @@ namespace {
 
 constexpr double kFocalLength = 96;  // pixels, of a mask that is 104 wide
 
+// The rows are longer than they need to be.
 sensor_msgs::Image emptyMask() {
   sensor_msgs::Image mask;
   mask.width = 104;
   mask.height = 80;
-  mask.step = 3 * 104;
+  mask.step = 3 * 104 + 7;
   mask.encoding = "rgb8";
-  mask.data.resize(3 * 104 * 80);
+  mask.data.resize(mask.step * mask.height, 255);
+  for (std::size_t row = 0; row < mask.height; ++row) {
+    std::fill_n(mask.data.begin() + static_cast<std::ptrdiff_t>(row * mask.step), 3 * mask.width, 0);
+  }
   return mask;
 }
 
