@@ -509,10 +509,6 @@ class Version2(OnBothVersions, TestCase):
         self.assertEqual([kind for kind, _, _ in witness.take("S", "I")[-2:]], ["S", "I"], "it holds")
         self.json("stand")
 
-    def test_sets_the_camera_for_a_picture(self):
-        self.json("picture", "-o", "a.jpg", "--white-balance", "indoor", "--gain", "low", "--shutter", "fast")
-        self.assertEqual(self.json("picture", "-o", "b.jpg", "--resolution", "104x80")["width"], 104)
-
     def check_hold(self, witness):
         self.assertEqual(witness.take("I"), [("I", 1, b"\2\x33")])
 

@@ -36,10 +36,7 @@ class ScriptsTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.home = Path(folder.name)
         shutil.copytree(PROJECT / 'scripts', self.home / 'scripts')
-        for target in ('hello', 'picture', 'settings'):
-            source = self.home / 'test/fuzz/targets' / (target + '.cpp')
-            source.parent.mkdir(parents=True, exist_ok=True)
-            source.touch()
+        shutil.copytree(PROJECT / 'test/fuzz/targets', self.home / 'test/fuzz/targets')
         for name in ('install_dependencies', 'build'):
             (self.home / 'scripts' / name).write_text(NOTE)
 

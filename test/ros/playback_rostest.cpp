@@ -271,20 +271,6 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   }));
 }
 
-TEST_F(PlaybackTest, SaysThatTheRobotWasGone) {
-  {
-    WalkBag bag(path("gone.bag"), "/aibo");
-    bag.connect(Connection::DISCONNECTED, "the robot was off");
-    bag.walk(1);
-  }
-  TopicListener<Connection> connection("/gone/connection");
-  Process playback(command(path("gone.bag"), "/gone", {"_wait:=0"}));
-  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
-  EXPECT_TRUE(connection.waitFor([](const Connection& message) {
-    return message.text == "playback of gone.bag, 0:00 of 0:00; at that time: the robot was off";
-  }));
-}
-
 TEST_F(PlaybackTest, PausesAndRepeats) {
   TopicListener<nav_msgs::Odometry> odom("/again/odom");
   TopicListener<Connection> connection("/again/connection");
@@ -359,14 +345,13 @@ TEST_F(PlaybackTest, ARoundKnowsNothingOfTheLastOne) {
       << "each round begins where no odometry has come";
   std::vector<std::string> said;
   for (const Connection::ConstPtr& each : connection.waitForCount(0)) {
-    const std::size_t at = each->text.find("at that time");
-    const std::string text = at == std::string::npos ? "nothing" : each->text.substr(at);
-    if (said.empty() || said.back() != text) {
-      said.push_back(text);
+    if (said.empty() || said.back() != each->text) {
+      said.push_back(each->text);
     }
   }
-  const std::vector<std::string> rounds{"at that time: the robot was off", "at that time: it wakes up", "nothing",
-                                        "at that time: the robot was off"};
+  const std::string now = "playback of odometry_comes_later.bag, 0:00 of 0:00";
+  const std::vector<std::string> rounds{now + "; at that time: the robot was off", now + "; at that time: it wakes up",
+                                        now, now + "; at that time: the robot was off"};
   EXPECT_NE(std::search(said.begin(), said.end(), rounds.begin(), rounds.end()), said.end())
       << ::testing::PrintToString(said);
 }
@@ -404,8 +389,6 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
               HasSubstr("no robot in /right, but in /left"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_frame_prefix:=left", "_rate:=0"}), HasSubstr("rate is 0; it must"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=nan"}), HasSubstr("rate is nan; it must be a number, 0..100."));
-  EXPECT_THAT(complaintAbout(path("left.bag"), {"_rate:=fast"}),
-              HasSubstr("rate is the text 'fast'; it must be a number"));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_wait:=-1"}), HasSubstr("wait is -1; it must be a number, 0.."));
   EXPECT_THAT(complaintAbout(path("left.bag"), {"_loop:=1"}), HasSubstr("loop is 1; it must be true or false"));
   {

@@ -92,7 +92,6 @@ using aibo_driver::Touch;
 using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::JointSlider;
 using aibo_driver::remote_control::Part;
-using aibo_driver::remote_control::PictureView;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RobotConnection;
 using aibo_driver::remote_control::RosRobot;
@@ -198,12 +197,6 @@ TEST_F(RemoteControlRosTest, APictureThatCannotBeSavedSaysWhy) {
   EXPECT_TRUE(user_.click("take_picture", "not saved in /proc/no/such/folder"));
 }
 
-TEST_F(RemoteControlRosTest, SwitchesTheStreamAndShowsIt) {
-  ASSERT_TRUE(user_.waitFor([this] { return user_.find<QAbstractButton>("stream")->text() == "Stop stream"; }));
-  EXPECT_TRUE(user_.click("stream", "stream off: "));
-  EXPECT_TRUE(user_.waitFor([this] { return user_.find<QAbstractButton>("stream")->text() == "Start stream"; }));
-}
-
 TEST_F(RemoteControlRosTest, AnswersOfPosturesMotorsStopAndReleaseAreRepeated) {
   const auto shows = [this](const QString& text) {
     return user_.waitFor([this, text] { return user_.find<QAbstractButton>("stop")->text() == text; });
@@ -278,22 +271,6 @@ TEST_F(RemoteControlRosTest, ChangesASetting) {
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QSpinBox>("jpeg_quality")->value() == 85; }));
   user_.find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_TRUE(user_.waitForText("status", "jpeg_quality is 60")) << user_.textOf("status").toStdString();
-}
-
-TEST_F(RemoteControlRosTest, AClickIntoThePictureSaysWhereToLook) {
-  TopicListener<geometry_msgs::PointStamped> look_at("/remote/look_at");
-  auto* view = user_.window.findChild<PictureView*>();
-  bool has_picture = false;
-  QObject::connect(&user_.robot, &RosRobot::pictureArrived, [&has_picture](const QImage&) { has_picture = true; });
-  ASSERT_TRUE(user_.waitFor([&has_picture] { return has_picture; }));
-  EXPECT_TRUE(user_.waitFor([&] {
-    QTest::mouseClick(view, Qt::LeftButton, {}, view->rect().center() + QPoint(40, 0));
-    return look_at.count() > 0;
-  }));
-  const auto point = look_at.waitForCount(1).front();
-  EXPECT_EQ(point->header.frame_id, "camera_optical_frame");
-  EXPECT_GT(point->point.x, 0.05);
-  EXPECT_NEAR(point->point.y, 0, 0.05);
 }
 
 TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMeanwhile) {

@@ -641,6 +641,7 @@ TEST(Gamepad, StopsAlsoWithFewerAxesThanItsMappingNames) {
   }
   pad.press({Gamepad::kDeadMan}, {0, 1});
   EXPECT_TRUE(walks.waitFor([](const Twist& walk) { return walk.linear.x == 0; }));
+  pad.teleop().waitForOutput("The joystick has 2 axes and 6 buttons, but", kSafetyNet);
   pad.press({Gamepad::kStop}, {0, 1});
   pad.teleop().waitForOutput("/few/stop: ", kSafetyNet);
 }
