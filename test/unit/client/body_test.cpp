@@ -132,12 +132,12 @@ TEST_F(BodyTest, TheRobotIsShutDownAndTheClientWaitsForItsReturn) {
   {
     ScriptedPeer peer = connectVersion2();
     auto call = inBackground([this] { client().shutDownRobot(seconds(20)); });
-    answer(&peer, 'Q');
+    EXPECT_EQ(Bytes(), answer(&peer, 'Q'));
     call.get();
   }
   ScriptedPeer peer = connectVersion2();
   auto call = inBackground([this] { client().rebootRobot(seconds(20)); });
-  answer(&peer, 'R');
+  EXPECT_EQ(Bytes(), answer(&peer, 'R'));
   call.get();
 }
 
@@ -151,16 +151,18 @@ TEST_F(BodyTest, ARefusalIsThrownWithTheRobotsReason) {
 }
 
 TEST_F(BodyTest, NothingIsRepeatedAfterAReconnectAndWaitingCallersGetAnError) {
-  ScriptedPeer peer = connectVersion2();
+  ScriptedPeer peer = connectVersion2("U L K J S");
   auto upload = inBackground([this] { client().uploadMotion("NOD.MTN", {1}, seconds(60)); });
   EXPECT_EQ('U', peer.readRequest().header.kind);
   for (int i = 1; i < 10; ++i) {
     client().commandLeds({{i, 100}});  // one is sent, the others wait for its answer
     client().commandEars(true, true);
+    client().commandJoints({{i, 0.1}}, milliseconds(0));  // four are sent
+    client().steer({0.01 * i, 0, 0});
   }
   peer.close();
   EXPECT_THROW(upload.get(), NetworkException);
-  ScriptedPeer next = connectVersion2();
+  ScriptedPeer next = connectVersion2("U L K J S");
   ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
   client().commandLeds({{200, 1}});
   EXPECT_THAT(next.readRequest().payload, ElementsAre(200, 1, 0, 0)) << "the first that is sent";

@@ -63,13 +63,6 @@ TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
   EXPECT_GE(client_.statistics().failed_attempts, 1u);
 }
 
-TEST_F(ConnectionFaultsTest, AReasonIsLoggedOnceAndNotOnceAnAttempt) {
-  server_.vanish();
-  client_.start();
-  ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= 10; }));
-  EXPECT_EQ(1, recorder_.logged("No connection to the robot"));
-}
-
 TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
   client_.start();
   for (int i = 0; i < 5; ++i) {

@@ -129,19 +129,6 @@ TEST_F(JointsTest, BeforeTheVersionIsKnownACommandIsRefused) {
               HasSubstr("not connected to"));
 }
 
-TEST_F(JointsTest, NoCommandIsRepeatedAfterAReconnect) {
-  ScriptedPeer peer = connectVersion2();
-  for (int i = 0; i < 10; ++i) {
-    client().commandJoints({{i + 1, 0.1}}, milliseconds(0));  // four are sent, the others wait for answers
-  }
-  EXPECT_EQ('J', peer.readRequest().header.kind);
-  peer.close();
-  ScriptedPeer next = connectVersion2();
-  ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
-  client().commandJoints({{200, 0}}, milliseconds(0));
-  EXPECT_EQ(200, next.readRequest().payload.at(4)) << "the first joint that is sent";
-}
-
 TEST_F(JointsTest, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
   for (int i = 0; i < 2; ++i) {
     ScriptedPeer peer = connectVersion2();

@@ -584,7 +584,7 @@ TEST_F(SoundClientTest, TheRobotSaysWhichVolumeIsInForce) {
   peer.send(makeSoundFrame(3, request.header.request_number, {2}));
   EXPECT_EQ(2, volume.get());
   auto nonsense = std::async(std::launch::async, [this] { client().setVolume(1, kTimeout); });
-  peer.send(makeSoundFrame(3, peer.readRequest().header.request_number, {4}));
+  peer.send(makeSoundFrame(3, peer.readRequest().header.request_number, {255}));
   EXPECT_THROW(nonsense.get(), NetworkException);
 }
 

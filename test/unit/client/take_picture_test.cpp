@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <future>
+#include <optional>
 
 #include "client_fixture.h"
 
@@ -108,13 +109,11 @@ TEST_F(TakePictureTest, ACallFromACallbackIsRefusedInsteadOfWaitingForItself) {
 class FaultKindTest : public TakePictureTest {
  protected:
   template <typename Call>
-  static FaultKind kindOf(const Call& call, bool* was_sent = nullptr) {
+  static FaultKind kindOf(const Call& call, std::optional<bool> was_sent = std::nullopt) {
     try {
       call();
     } catch (const NetworkException& error) {
-      if (was_sent != nullptr) {
-        *was_sent = error.wasSent();
-      }
+      EXPECT_EQ(was_sent.value_or(error.wasSent()), error.wasSent());
       return error.kind();
     }
     ADD_FAILURE() << "no NetworkException";
@@ -122,10 +121,7 @@ class FaultKindTest : public TakePictureTest {
   }
 
   FaultKind kindOfCall() {
-    bool was_sent = true;
-    const FaultKind kind = kindOf([this] { client_.takePicture(0, seconds(20)); }, &was_sent);
-    EXPECT_FALSE(was_sent);
-    return kind;
+    return kindOf([this] { client_.takePicture(0, seconds(20)); }, false);
   }
 
   /// The kind of fault that ends a waiting call when the server does this.
@@ -135,10 +131,7 @@ class FaultKindTest : public TakePictureTest {
     auto taken = takeInBackground(40);
     expectCommand(&peer, 'F', 40);
     act(&peer);
-    bool was_sent = false;
-    const FaultKind kind = kindOf([&taken] { taken.get(); }, &was_sent);
-    EXPECT_TRUE(was_sent);
-    return kind;
+    return kindOf([&taken] { taken.get(); }, true);
   }
 };
 

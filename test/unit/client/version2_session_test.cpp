@@ -826,17 +826,6 @@ TEST_F(Version2SessionTest, MotionsAreUploadedPlayedStoppedListedAndDeleted) {
   EXPECT_EQ("robot:54321 refused to delete the motion NOD.MTN: there is no motion NOD.MTN.", deletion.get().problem);
 }
 
-TEST_F(Version2SessionTest, ShuttingDownAndRebootingAreRequested) {
-  auto shut_down = ask('Q');
-  auto reboot = ask('R');
-  EXPECT_EQ("Q2", request());
-  EXPECT_TRUE(frame_.payload.empty());
-  EXPECT_EQ("R3", request());
-  receive(makeFrame('q', 2, {}));
-  EXPECT_EQ(CallOutcome::kDone, shut_down.get().outcome);
-  EXPECT_FALSE(done(reboot));
-}
-
 TEST_F(Version2SessionTest, ACallMayTakeItsTimeAndALateAnswerIsIgnored) {
   auto answer = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(4000));
   EXPECT_EQ("U2", request());

@@ -34,20 +34,6 @@ TEST_F(WalkTest, WithoutAConnectionSteeringIsRefusedAndNotKept) {
   EXPECT_EQ('K', peer.readRequest().header.kind);
 }
 
-TEST_F(WalkTest, SteeringIsNotRepeatedAfterAReconnect) {
-  {
-    ScriptedPeer peer = connectVersion2(kWalks);
-    client().steer({0.1, 0, 0});
-    EXPECT_EQ('S', peer.readRequest().header.kind);
-    client().steer({0.05, 0, 0});  // waits for the answer to the one before
-    peer.close();
-  }
-  ScriptedPeer peer = connectVersion2(kWalks);
-  ASSERT_TRUE(eventually([&] { return client().status().state == ConnectionState::kConnected; }));
-  client().commandLeds({{7, 1}});
-  EXPECT_EQ('L', peer.readRequest().header.kind);
-}
-
 TEST_F(WalkTest, AServerThatCannotWalkIsNotAsked) {
   {
     ScriptedPeer peer = connectVersion2("F W J V T L K");
