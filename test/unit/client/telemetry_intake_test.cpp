@@ -211,14 +211,14 @@ TEST_F(TelemetryIntakeTest, ReadingsThatNoSensorCanHaveAreDroppedAndNamed) {
 }
 
 TEST_F(TelemetryIntakeTest, WhatComesTooOftenIsThinnedToTwiceTheRateAskedForAndThatIsSaidOnce) {
-  intake_.askedFor(4);
+  intake_.askedFor(8);
   constexpr int kSeconds = 3;
   for (int i = 0; i < 33000 * kSeconds; ++i) {
     now_ += microseconds(30);
     frame_ += 4;
     measure({{kHeadPan, 0}});
   }
-  const double twice = 2 * 31.25 * kSeconds;
+  const double twice = 2 * 15.625 * kSeconds;
   EXPECT_THAT(delivered_, SizeIs(AllOf(testing::Ge(twice), testing::Le(twice + TelemetryIntake::kMostAtOnce + 1))));
   EXPECT_EQ(counters_.telemetry, delivered_.size());
   EXPECT_EQ(counters_.thinned_telemetry, 33000 * kSeconds - delivered_.size());

@@ -1296,7 +1296,8 @@ TEST_F(Version2SessionTest, AMotionThatHasNotBeenSentIsStoppedByItsName) {
   EXPECT_EQ("J4", request()) << "it stops no joint";
   auto stop_all = ask('P');
   ASSERT_TRUE(done(sit));
-  EXPECT_EQ(CallOutcome::kRefused, sit.get().outcome);
+  EXPECT_EQ("robot:54321 was told to stop all motions before it was asked to play the motion SIT.MTN.",
+            sit.get().problem);
 }
 
 TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthersGoOn) {
