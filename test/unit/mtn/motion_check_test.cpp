@@ -29,8 +29,8 @@ std::vector<std::string> obstaclesOf(const std::string& key_frames, const std::s
   return verdict(motion_tool::findObstacles, key_frames, on);
 }
 
-std::string changesOf(const std::string& key_frames) {
-  return verdict(motion_tool::describeChanges, key_frames, "ERS-7");
+std::string changesOf(const std::string& key_frames, const std::string& on = "ERS-7") {
+  return verdict(motion_tool::describeChanges, key_frames, on);
 }
 
 TEST(MotionCheckTest, findsNothingInAMotionWithinAllLimits) {
@@ -56,8 +56,11 @@ TEST(MotionCheckTest, jointsThatAreNotInTheMotionAreOutOfTheWay) {
 }
 
 TEST(MotionCheckTest, findsAJointThatWouldBeTooFast) {
-  EXPECT_THAT(obstaclesOf("at 0 tail_pan 0 neck_tilt 0\nat 160 neck_tilt -40\n"),
-              ElementsAre(HasSubstr("at 160 ms, neck_tilt would have moved at 250.0 degrees a second")));
+  EXPECT_THAT(
+      obstaclesOf("at 0 tail_pan 0 neck_tilt 0\nat 1600 neck_tilt -10\nat 1760 neck_tilt -50\n"
+                  "at 1776 tail_pan 40\nat 3376 tail_pan -40\n"),
+      ElementsAre("at 1760 ms, neck_tilt would have moved at 250.0 degrees a second, above its limit of 182.5",
+                  "at 1776 ms, tail_pan would have moved at 2500.0 degrees a second, above its limit of 868.8"));
 }
 
 TEST(MotionCheckTest, toleratesAThousandthOfADegree) {
@@ -71,6 +74,8 @@ TEST(MotionCheckTest, knowsTheEars) {
 
 TEST(MotionCheckTest, describesAWholeMotionInOneLine) {
   EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 80\n"), "");
+  EXPECT_THAT(changesOf("robot ERS-210\nat 0 head_pan 0\nat 1600 head_pan 91\n", "ERS-210"),
+              ::testing::StartsWith("on an ERS-210, 1 position is clipped"));
   EXPECT_THAT(changesOf("at 0 tail_tilt 10\nat 32 tail_tilt 55\n"), HasSubstr("1 step is too fast"));
   EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 90\nat 3200 head_pan -90\nat 3232 head_pan -60\n"),
             "on an ERS-7, 2 positions are clipped, by up to 2.0 degrees (head_pan at 1600 ms); "

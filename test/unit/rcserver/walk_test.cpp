@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "protocol/hello.h"
@@ -424,15 +425,16 @@ TEST_F(WalkTest, AGuardedOneSaysWhichPawFindsNoFloor) {
 
 TEST_F(WalkTest, AGuardedOneStopsBeforeWhatTheHeadLooksAt) {
   robot_.sensor("acceleration_up_down") = -9806650;
-  robot_.sensor("range_near") = 50000;
-  const std::pair<std::array<JointValue, 3>, bool> cases[] = {
-      {{{{1, 0}, {2, 0}, {3, 0}}}, true},
-      {{{{1, 0}, {2, 0}, {3, 700000}}}, false},        // it is over the head
-      {{{{1, 0}, {2, 1200000}, {3, 0}}}, false},       // it is beside the robot
-      {{{{1, -1000000}, {2, 0}, {3, 700000}}}, true},  // the neck is down
+  const std::tuple<std::array<JointValue, 3>, bool, bool> cases[] = {
+      {{{{1, 0}, {2, 0}, {3, 0}}}, false, true},
+      {{{{1, 0}, {2, 0}, {3, 700000}}}, true, false},        // it is over the head
+      {{{{1, 0}, {2, 1200000}, {3, 0}}}, false, false},      // it is beside the robot
+      {{{{1, -1000000}, {2, 0}, {3, 700000}}}, true, true},  // the neck is down
   };
-  for (const auto& [head, stops] : cases) {
+  for (const auto& [head, is_near, stops] : cases) {
     SCOPED_TRACE(head[0].value + head[1].value + head[2].value);
+    robot_.sensor("range_near") = is_near ? 50000 : 500000;  // the end of its range
+    robot_.sensor("range_far") = is_near ? 1500000 : 50000;
     JointTargets targets = {0, 3, {}};
     std::copy(head.begin(), head.end(), targets.joints);
     live();

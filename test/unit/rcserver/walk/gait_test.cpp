@@ -155,6 +155,7 @@ TEST_F(GaitTest, LimitsEachVelocity) {
   const GaitParameters& parameters = gait_.Parameters();
   EXPECT_DOUBLE_EQ(gait_.Limited({1, 0, 0}).forward, parameters.fastest);
   EXPECT_DOUBLE_EQ(gait_.Limited({-1, 0, 0}).forward, -parameters.highest.back);
+  EXPECT_DOUBLE_EQ(gait_.StepAt({-parameters.highest.back, 0, 0}).period, parameters.back.period);
   EXPECT_DOUBLE_EQ(gait_.Limited({0, 1, 0}).left, parameters.highest.left);
   EXPECT_DOUBLE_EQ(gait_.Limited({0, 0, -9}).turn, -parameters.highest.turn);
   EXPECT_DOUBLE_EQ(gait_.Limited({0.01, -0.01, 0.1}).left, -0.01) << "within the limits";
