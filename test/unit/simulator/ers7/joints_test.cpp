@@ -83,24 +83,6 @@ TEST(Joints, HaveEncoderErrorsOfUpToATwentiethOfADegree) {
   EXPECT_GT(most, 800);
 }
 
-TEST(Joints, GiveTheSameReadingsForTheSameSeedOnly) {
-  Joints joints(ers7(), 7);
-  Joints same(ers7(), 7);
-  Joints other(ers7(), 8);
-  int differences = 0;
-  for (int i = 0; i < 20; ++i) {
-    joints.passFrame();
-    same.passFrame();
-    other.passFrame();
-    for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
-      const slongword value = joints.all()[joint].readings().back().value;
-      EXPECT_EQ(value, same.all()[joint].readings().back().value);
-      differences += value != other.all()[joint].readings().back().value;
-    }
-  }
-  EXPECT_GT(differences, 300);
-}
-
 TEST(Joints, NameAnUnknownJointInTheirError) {
   Joints joints(ers7(), 1);
   try {

@@ -151,22 +151,5 @@ TEST_F(SensorsTest, TheLastFourReadingsAreKept) {
   EXPECT_EQ(readings[3].value, 1);
 }
 
-TEST_F(SensorsTest, TheSameSeedGivesTheSameReadings) {
-  Scene other_scene;
-  Sensors same(model(), other_scene, 1);
-  Sensors other(model(), other_scene, 2);
-  bool differs = false;
-  for (; situation_.frame < 20; ++situation_.frame) {
-    sensors_.passFrame(situation_);
-    same.passFrame(situation_);
-    other.passFrame(situation_);
-    for (std::size_t i = 0; i < static_cast<std::size_t>(model().number_of_sensors); ++i) {
-      ASSERT_EQ(same.readings(i).back().value, sensors_.readings(i).back().value);
-      differs = differs || other.readings(i).back().value != sensors_.readings(i).back().value;
-    }
-  }
-  EXPECT_TRUE(differs);
-}
-
 }  // namespace
 }  // namespace simulated_ers7

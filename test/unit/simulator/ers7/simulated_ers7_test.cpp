@@ -697,21 +697,6 @@ TEST_F(SimulatedErs7Test, OnlyRobotsWithTheSameSeedDeliverTheSameBytes) {
       << "whatever is measured; touch has no dimension";
 }
 
-// Level2 Reference Guide, page 72.
-TEST_F(SimulatedErs7Test, TheStandardGainMovesAJointOnceItIsEnabled) {
-  const OPrimitiveID id = openJoint("head_pan");
-  robot_.setMotorPower(opowerON);
-  EXPECT_EQ(robot_.setDefaultJointGain(id), oGAIN_DISABLED);
-  robot_.enableJointGain(id);
-  EXPECT_EQ(robot_.setDefaultJointGain(id), oSUCCESS);
-  robot_.passFrame(0, {jointCommand(id, 100000)});
-  for (longword frame = 1; frame < 20; ++frame) {
-    robot_.passFrame(frame, {});
-  }
-  EXPECT_NEAR(robot_.joints().named("head_pan").position(), 100000, 10);
-  EXPECT_EQ(robot_.setDefaultJointGain(oprimitiveID_UNDEF), oSUCCESS);
-}
-
 class SimulatedErs210Test : public testing::Test {
  protected:
   SimulatedErs210Test() : robot_(options()) { robot_.setMotorPower(opowerON); }

@@ -190,16 +190,6 @@ TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
   }
 }
 
-TEST_F(TravelTest, TheSameMovementsLeadToTheSamePlace) {
-  Travel twin(kStanding, {});
-  for (int frame = 0; frame < 500; ++frame) {
-    const Legs legs = trotting({0.1, 0.02, 0.3}, frame * kFrameSeconds);
-    pass(legs);
-    twin.passFrame(legs, {}, scene_);
-  }
-  EXPECT_EQ(travel_.stance().body.matrix(), twin.stance().body.matrix());
-}
-
 TEST_F(TravelTest, AnArcEndsWhereItsRadiusAndLengthSay) {
   const Velocity velocity = {0.08, 0, 0.4};
   trot(velocity, 4);
