@@ -123,7 +123,7 @@ bool Robot::waitUntil(const std::function<bool(const Received&)>& done, nanoseco
   const steady_clock::time_point deadline = steady_clock::now() + timeout;
   for (;;) {
     changed_.clear();
-    if (interruption() != 0) {
+    if (interruption() != 0 && !std::exchange(is_interrupted_, true)) {
       throw Interrupted("interrupted");
     }
     {
@@ -278,7 +278,7 @@ void Robot::showWarnings() {
 }
 
 void Robot::waitForEvent(steady_clock::time_point deadline) {
-  pollfd polled[] = {{changed_.descriptor(), POLLIN, 0}, {interruptionDescriptor(), POLLIN, 0}};
+  pollfd polled[] = {{changed_.descriptor(), POLLIN, 0}, {is_interrupted_ ? -1 : interruptionDescriptor(), POLLIN, 0}};
   const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
   ::poll(polled, 2, static_cast<int>(std::clamp(left, milliseconds(0), milliseconds(60000)).count()));
 }

@@ -100,7 +100,7 @@ class Robot {
   /// Waits until a condition of the received data is true, but no longer than a certain time.
   /// @return false if the time has passed
   /// @throw NetworkException the connection is lost, and `Loss` does not tolerate that
-  /// @throw Interrupted
+  /// @throw Interrupted only once, so that a command can still wait for what ends it
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
@@ -127,6 +127,7 @@ class Robot {
 
   const RobotAddress address_;
   Output& output_;
+  bool is_interrupted_ = false;
   const std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended_;
   aibo_client::Event changed_;
   mutable std::mutex mutex_;

@@ -281,8 +281,8 @@ class OnBothVersions:
         return next(joint["position"] for joint in self.json("joints")["joints"] if joint["name"] == name)
 
     def test_says_what_was_clamped(self):
-        result = self.aibo("--json", "move", "mouth=30deg", "head_tilt=-15deg", "--speed", "120deg/s")
-        joint = json.loads(result.stdout)["joints"][0]
+        result = self.aibo("--json", "move", "tail_pan=1deg", "mouth=30deg", "head_tilt=-15deg", "--speed", "120deg/s")
+        joint = json.loads(result.stdout)["joints"][1]
         self.assertTrue(joint["clamped"])
         self.assertAlmostEqual(joint["target"], -0.052, delta=0.01)  # 3 degrees
         for note in ("mouth cannot go to 30.0 degrees, beyond the joint's limit: it goes to -3.0 degrees.\n",
@@ -459,9 +459,10 @@ class Version1(OnBothVersions, TestCase):
         self.assertEqual(witness.sent[-1], b"P" + bytes(17), "no name: all")
 
     def check_hold(self, witness):
-        """The joint is told to stay where it is: such a server may go on without its client."""
-        commands = [piece[2:] for piece in witness.sent if piece[:2] == b"J\2" and len(piece) == 4]
-        self.assertLess(struct.unpack("<h", commands[-1])[0], 6000)
+        """The joints are told to stay where they are: such a server may go on without its client."""
+        for joint, farthest in (b"\2", 6000), (b"\x33", 3000):
+            commands = [piece[2:] for piece in witness.sent if piece[:2] == b"J" + joint and len(piece) == 4]
+            self.assertLess(struct.unpack("<h", commands[-1])[0], farthest)
 
     def test_tells_neither_age_nor_loss(self):
         stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
@@ -575,10 +576,13 @@ class Asked(TestCase):
                                                             status=WRONG_USAGE).errors)
         self.robot.ask("jam head_pan")
         self.assertRegex(self.text("move", "head_pan=4deg"), r"^head_pan is at -?0\.\d degrees$", "near, and measured")
-        late = self.aibo("move", "head_pan=40deg", "tail_pan=5deg", "--speed", "170deg/s", status=FAILED).errors
+        self.robot.ask("jam mouth")
+        late = self.aibo("move", "neck_tilt=-9deg", "mouth=-40deg", "head_pan=40deg", "--speed", "170deg/s",
+                         status=FAILED).errors
         self.robot.ask("free head_pan")
-        self.assertRegex(late, "not all joints have arrived: head_pan is at -?0.[0-9] degrees instead of 40.0 degrees. "
-                               "The robot says: .*head_pan")
+        self.robot.ask("free mouth")
+        self.assertRegex(late, "not all joints have arrived: head_pan is at -?0.[0-9] degrees instead of 40.0 degrees, "
+                               "mouth is at -[0-9]+.[0-9] degrees instead of -40.0 degrees. The robot says: .* is jammed")
 
     def test_for_motors_and_postures(self):
         self.assertIn(("O", 0, b"\1"), self.asked("O", "motors", "on"))
@@ -613,13 +617,15 @@ class Asked(TestCase):
             self.assertEqual(walk.returncode, FAILED)
 
     def test_a_walk_that_the_robot_ends_is_told_with_its_reason(self):
-        port = self.server(says_hello(b"", answers={b"S": [
-            [struct.pack(">hhhxx", 0, -100, 0)], [None],
-            [bytes(8), (b"i", b"\2\3\0\0walk\nthe floor ends ahead")]]}))
-        self.assertEqual(self.aibo("walk", "left=-50cm/s", "--seconds", 9, port=port, status=FAILED).errors,
-                         "The robot cannot walk with forward=0.000m/s left=-0.500m/s turn=0.000rad/s: "
-                         "it walks with forward=0.000m/s left=-0.100m/s turn=0.000rad/s.\n"
-                         "aibo: the movement could not go on: the floor ends ahead\n")
+        for word, left, turn, wanted in (("left=-50cm/s", -100, 0, "left=-0.500m/s turn=0.000rad/s"),
+                                         ("turn=0.5rad/s", 0, 70, "left=0.000m/s turn=0.500rad/s")):
+            port = self.server(says_hello(b"", answers={b"S": [
+                [struct.pack(">hhhxx", 0, 2 * left, 2 * turn)], [struct.pack(">hhhxx", 0, left, turn)], [None],
+                [bytes(8), (b"i", b"\2\3\0\0walk\nthe floor ends ahead")]]}))
+            self.assertEqual(self.aibo("walk", word, "--seconds", 9, port=port, status=FAILED).errors,
+                             f"The robot cannot walk with forward=0.000m/s {wanted}: it walks with "
+                             f"forward=0.000m/s left={left / 1000:.3f}m/s turn={turn / 1000:.3f}rad/s.\n"
+                             "aibo: the movement could not go on: the floor ends ahead\n")
 
     def test_for_motions(self):
         self.json("stand")

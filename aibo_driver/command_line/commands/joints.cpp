@@ -189,7 +189,15 @@ class Mover {
       robot_.client().hold(ids, Robot::kTimeout);
     } else {
       movement::sendTargets(robot_.client(), table_.design(), here);
-      robot_.client().stopMotion("", Robot::kTimeout);  // its answer comes after the answers to the joints
+      robot_.waitUntil(
+          [&here](const Received& received) {
+            return std::all_of(here.begin(), here.end(), [&received](const auto& each) {
+              const auto accepted = received.accepted_joints.find(each.first);
+              return accepted != received.accepted_joints.end() &&
+                     std::abs(accepted->second - each.second.position) <= kClamped;
+            });
+          },
+          Robot::kTimeout);
     }
   }
 
