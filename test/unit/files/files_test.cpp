@@ -313,6 +313,10 @@ TEST_F(SaveJpegTest, TakesALongPath) {
   EXPECT_EQ(save(path), path);
 }
 
+TEST_F(SaveJpegTest, TakesANameThatLooksLikeAnOption) {
+  EXPECT_EQ(save("-rf.jpg"), (folder_ / "-rf.jpg").string());
+}
+
 TEST_F(SaveJpegTest, SaysThatATildeIsNotExpanded) {
   EXPECT_THAT(saveRefusal("~/picture.jpg"), HasSubstr("'~' is not expanded"));
 }
