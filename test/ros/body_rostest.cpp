@@ -25,6 +25,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -35,10 +36,13 @@
 #include <utility>
 #include <vector>
 
+#include "node/body/body_pose.h"
+#include "robot_model/robot_model.h"
 #include "support/memory_stick.h"
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/topic_listener.h"
+#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
 
 namespace {
@@ -76,6 +80,11 @@ std::string ownTf(const std::string& name_space) {
   return "/tf:=" + name_space + "/tf";
 }
 
+// Of a joint of a leg, in microradian.
+int angleOf(std::size_t joint) {
+  return 100000 + 20000 * static_cast<int>(joint * 7 % 12);
+}
+
 class BodyUser : public DriverUser {
  public:
   explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
@@ -98,7 +107,7 @@ TEST(RangeFinders, ArePublishedWithFrameAndRange) {
     ASSERT_GE(messages.size(), 10u) << name;
     ros::Time last;
     for (const auto& message : messages) {
-      EXPECT_EQ(message->header.frame_id, "range_" + name + "_link");
+      EXPECT_EQ(message->header.frame_id, "rex/range_" + name + "_link");
       EXPECT_EQ(message->radiation_type, Range::INFRARED);
       EXPECT_TRUE(std::isinf(message->range) ||
                   (message->range >= message->min_range && message->range <= message->max_range))
@@ -114,7 +123,7 @@ TEST(Acceleration, OfARobotThatLiesStillPointsUpwards) {
   TopicListener<Imu> accelerations("/imu/imu/data_raw");
   const auto message = accelerations.waitForNext();
   ASSERT_TRUE(message);
-  EXPECT_EQ(message->header.frame_id, "imu_link");
+  EXPECT_EQ(message->header.frame_id, "rex/imu_link");
   const auto& acceleration = message->linear_acceleration;
   EXPECT_NEAR(std::hypot(acceleration.x, acceleration.y, acceleration.z), 9.81, 0.3);
   EXPECT_GT(acceleration.z, 8);
@@ -134,15 +143,15 @@ class Footprints {
       const auto& rotation = each.transform.rotation;
       const double height = each.transform.translation.z;
       const double pitch = std::asin(2 * (rotation.w * rotation.y - rotation.z * rotation.x)) * 180 / M_PI;
-      return each.header.frame_id == "base_footprint" && each.child_frame_id == "base_link" && height > lowest &&
-             height < highest && pitch > lowest_pitch && pitch < highest_pitch;
+      return each.header.frame_id == "rex/base_footprint" && each.child_frame_id == "rex/base_link" &&
+             height > lowest && height < highest && pitch > lowest_pitch && pitch < highest_pitch;
     }) != nullptr;
   }
 
   bool waitFor(const ros::Time& stamp) {
     return listener_.waitFor([&stamp](const tf2_msgs::TFMessage& message) {
       const geometry_msgs::TransformStamped& each = message.transforms.front();
-      return each.child_frame_id == "base_link" && each.header.stamp == stamp;
+      return each.child_frame_id == "rex/base_link" && each.header.stamp == stamp;
     }) != nullptr;
   }
 
@@ -163,6 +172,63 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
   EXPECT_TRUE(measured && footprints.waitFor(measured->header.stamp)) << "it has the time of the joints";
 }
 
+// It first lies level, and nobody listens. Then it tilts for one measurement. Each joint of its legs has another angle.
+TEST(Footprint, IsSmoothedFromTheFirstMessageThatAListenerGets) {
+  namespace version2 = protocol::version2;
+  test_support::ScriptedServer server;
+  const DriverProcess driver("/late", server.port(), {"_stream_on_start:=false", ownTf("/late")});
+  test_support::ScriptedPeer robot = server.accept();
+  robot.agreeToVersion2("F J T S E");
+  version2_frames::Frame request;
+  while ((request = robot.readRequest()).header.kind != version2::REQUEST_TELEMETRY) {
+  }
+  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  unsigned frame = 0xFFFFFFFE;
+  const auto tell = [&](const std::vector<version2::TelemetryEntry>& entries) {
+    robot.send(version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(++frame, entries)));
+  };
+  const robot_model::RobotModel& ers7 = *robot_model::findRobotModel("ERS-7");
+  const auto lie = [&](double forward, double up) {
+    std::vector<version2::TelemetryEntry> entries;
+    const std::pair<const char*, double> accelerations[] = {
+        {"front_back", -forward}, {"right_left", 0}, {"up_down", -up}};
+    for (const auto& [axis, value] : accelerations) {
+      const int sensor = robot_model::findSensorByName(ers7, (std::string("acceleration_") + axis).c_str());
+      entries.push_back({version2::GROUP_SENSOR, ers7.sensors[sensor].identifier, static_cast<int>(1e6 * value)});
+    }
+    for (std::size_t i = 0; i < 12; ++i) {
+      const int joint = robot_model::findJointByName(ers7, aibo_driver::node::legJointName(i / 3, i % 3).c_str());
+      entries.push_back({version2::GROUP_JOINT, ers7.joints[joint].identifier, angleOf(i)});
+    }
+    tell(entries);
+  };
+  lie(0, 9.8);
+  const unsigned begin = frame;
+  TopicListener<tf2_msgs::TFMessage> transforms("/late/tf");
+  do {  // until the driver knows its listener
+    tell({{'W', version2::WALK_FORWARD, 0}, {'W', version2::WALK_LEFT, 0}, {'W', version2::WALK_TURN, 0}});
+  } while (transforms.waitForCount(1, std::chrono::milliseconds(300)).empty());
+  lie(7, 7);
+  const auto found = transforms.waitFor(
+      [](const tf2_msgs::TFMessage& each) { return each.transforms[0].child_frame_id == "base_link"; });
+  ASSERT_TRUE(found);
+  aibo_driver::node::BodyPose pose;
+  geometry_msgs::Vector3 up;
+  up.z = 9.8;
+  pose.accelerate(up, ros::Time(1));
+  up.x = up.z = 7;
+  pose.accelerate(up, ros::Time(1 + 0.008 * (frame - begin)));
+  std::array<robot_model::LegAngles, 4> legs{};
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    legs[leg] = {angleOf(3 * leg) / 1e6, angleOf(3 * leg + 1) / 1e6, angleOf(3 * leg + 2) / 1e6};
+  }
+  const geometry_msgs::Transform expected = pose.above(legs);
+  const geometry_msgs::Transform& is = found->transforms[0].transform;
+  EXPECT_NEAR(is.translation.z, expected.translation.z, 0.001);
+  EXPECT_NEAR(is.rotation.x, expected.rotation.x, 0.005);
+  EXPECT_NEAR(is.rotation.y, expected.rotation.y, 0.005);
+}
+
 TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
   SimulatedRobot robot;
   Footprints footprints("/no_footprint");
@@ -180,7 +246,7 @@ TEST(TouchTopic, FollowsWhatIsPressed) {
   TopicListener<Touch> touch("/touch/touch");
   const auto first = touch.waitForNext();
   ASSERT_TRUE(first);
-  EXPECT_EQ(first->header.frame_id, "base_link");
+  EXPECT_EQ(first->header.frame_id, "rex/base_link");
   ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
   EXPECT_TRUE(touch.waitFor([](const Touch& message) { return message.chin && !message.back_rear; }));
   ASSERT_THAT(user.robot.type("press back_rear"), HasSubstr("ok"));
@@ -195,7 +261,7 @@ TEST(BatteryTopic, SaysHowFullItIs) {
   TopicListener<BatteryState> battery("/battery/battery");
   const auto full = battery.waitForNext();
   ASSERT_TRUE(full);
-  EXPECT_EQ(full->header.frame_id, "base_link");
+  EXPECT_EQ(full->header.frame_id, "rex/base_link");
   EXPECT_GT(full->percentage, 0.9);
   EXPECT_TRUE(std::isnan(full->voltage));
   ASSERT_THAT(user.robot.type("battery 40"), HasSubstr("ok"));

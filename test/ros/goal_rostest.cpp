@@ -39,7 +39,7 @@ using State = actionlib::TerminalState;
 using Going = GoalWatch<GoToAction>;
 using Taking = GoalWatch<TakePostureAction>;
 
-PoseStamped poseAt(double x, double y = 0, double yaw = 0, const std::string& frame = "odom") {
+PoseStamped poseAt(double x, double y = 0, double yaw = 0, const std::string& frame = "rex/odom") {
   PoseStamped pose;
   pose.header.frame_id = frame;
   pose.pose.position.x = x;
@@ -49,7 +49,7 @@ PoseStamped poseAt(double x, double y = 0, double yaw = 0, const std::string& fr
   return pose;
 }
 
-Going::Goal goalAt(double x, double y = 0, double yaw = 0, const std::string& frame = "odom") {
+Going::Goal goalAt(double x, double y = 0, double yaw = 0, const std::string& frame = "rex/odom") {
   Going::Goal goal;
   goal.pose = poseAt(x, y, yaw, frame);
   return goal;
@@ -113,7 +113,7 @@ TEST(Goal, TheRobotGoesToItAndToTheNext) {
   EXPECT_TRUE(there.result()->success);
   EXPECT_EQ(there.result()->end, EndedMovement::DONE);
   EXPECT_TRUE(user.isAt(0.35, 0.1, 1.5));
-  Going next(user.go_to, goalAt(0.2, 0, 0, "base_link"));
+  Going next(user.go_to, goalAt(0.2, 0, 0, "rex/base_link"));
   EXPECT_EQ(next.waitForEnd(), State::SUCCEEDED);
   EXPECT_TRUE(user.isAt(0.35, 0.3, 1.5));
 }
@@ -161,7 +161,7 @@ TEST(Goal, StopEndsItAndNothingResumesIt) {
   EXPECT_EQ(refused.waitForEnd(), State::REJECTED);
   EXPECT_THAT(refused.result()->message, HasSubstr("call release"));
   ASSERT_TRUE(user.call<Trigger>("release").success);
-  Going again(user.go_to, goalAt(0.1, 0, 0, "base_footprint"));
+  Going again(user.go_to, goalAt(0.1, 0, 0, "/rex/base_footprint"));
   EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED) << "it goes to the new goal, not to the old one";
 }
 
@@ -200,7 +200,7 @@ TEST(Goal, ABrokenConnectionEndsItForGood) {
   EXPECT_EQ(there.waitForEnd(), State::ABORTED);
   EXPECT_EQ(there.result()->end, EndedMovement::LOST);
   EXPECT_TRUE(user.stateSays(there.result()));
-  Going again(user.go_to, goalAt(0.1, 0, 0, "base_link"));
+  Going again(user.go_to, goalAt(0.1, 0, 0, "rex/base_link"));
   EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED);
 }
 

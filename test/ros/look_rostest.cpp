@@ -51,7 +51,7 @@ PointStamped point(const std::string& frame, double x, double y, double z) {
   return message;
 }
 
-std::vector<std::string> quickWith(const std::string& parameter) {
+std::vector<std::string> quickWith(const std::string& parameter = "_frame_prefix:=") {
   std::vector<std::string> parameters = kQuick;
   parameters.push_back(parameter);
   return parameters;
@@ -88,7 +88,7 @@ class LookTest : public ::testing::Test {
     return false;
   }
 
-  JointUser user_{"/look"};
+  JointUser user_{"/look", quickWith()};
   Process node_{{AIBO_LOOK_AT, "__ns:=/look"}};
   TopicListener<LookAtResult> results_{"/look/look_at_result"};
   tf2_ros::Buffer frames_;

@@ -34,11 +34,11 @@ TEST(TakePicture, WithoutAStreamAnswersAPictureThatWasTakenAfterTheCall) {
   const auto answer = user.call<TakePicture>("take_picture");
   ASSERT_TRUE(answer.success) << answer.message;
   EXPECT_GT(answer.image.header.stamp, before);
-  EXPECT_EQ(answer.image.header.frame_id, "camera_optical_frame");
-  EXPECT_THAT(answer.message, HasSubstr("at quality 85"));
+  EXPECT_EQ(answer.image.header.frame_id, "rex/camera_optical_frame");
+  EXPECT_THAT(answer.message, HasSubstr("at quality 83"));
   EXPECT_THAT(user.proxy.picturesFromRobot(), Contains(answer.image.data));
   ASSERT_THAT(user.proxy.requestsFromDriver("F"), SizeIs(1));
-  EXPECT_EQ(user.proxy.requestsFromDriver("F").front().id, 85);
+  EXPECT_EQ(user.proxy.requestsFromDriver("F").front().id, 83);
 }
 
 TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {

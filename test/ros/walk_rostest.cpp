@@ -56,13 +56,6 @@ using test_support::TopicPublishers;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
 
-Twist twist(double forward, double turn = 0) {
-  Twist message;
-  message.linear.x = forward;
-  message.angular.z = turn;
-  return message;
-}
-
 // Parameters of a driver in whose namespace tf is, because all tests share a master.
 std::vector<std::string> quickWith(const std::string& name_space, std::vector<std::string> more = {}) {
   more.insert(more.end(), kQuick.begin(), kQuick.end());
@@ -151,12 +144,12 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   ASSERT_TRUE(walker.walks(0.1));
   const auto odom = walker.odom.waitFor([](const Odometry& each) { return each.pose.pose.position.x > 0.1; });
   ASSERT_TRUE(odom);
-  EXPECT_EQ(odom->header.frame_id, "odom");
-  EXPECT_EQ(odom->child_frame_id, "base_footprint");
+  EXPECT_EQ(odom->header.frame_id, "rex/odom");
+  EXPECT_EQ(odom->child_frame_id, "rex/base_footprint");
   EXPECT_LT(std::abs((ros::Time::now() - odom->header.stamp).toSec()), 20);
   EXPECT_TRUE(tf.waitFor([&odom](const tf2_msgs::TFMessage& each) {
     const auto& transform = each.transforms.front();
-    return transform.child_frame_id == "base_footprint" && transform.header.stamp == odom->header.stamp &&
+    return transform.child_frame_id == odom->child_frame_id && transform.header.stamp == odom->header.stamp &&
            transform.transform.translation.x == odom->pose.pose.position.x &&
            transform.transform.translation.y == odom->pose.pose.position.y &&
            transform.transform.rotation == odom->pose.pose.orientation;
@@ -198,7 +191,7 @@ TEST(Walk, EndsInAnOrderlyWayWithAVelocityOfZero) {
   Walker walker("/zero");
   ASSERT_TRUE(walker.walks(0.1)) << "it first stands up";
   walker.letGo();
-  walker.publish("cmd_vel", twist(0));
+  walker.publish("cmd_vel", JointUser::twist(0));
   const auto end = walker.waitForEnd();
   ASSERT_TRUE(end);
   EXPECT_EQ(lastEnd(*end).how, EndedMovement::DONE);
@@ -288,7 +281,7 @@ TEST(Walk, ARobotThatHasFallenStaysDownOnceAUserSwitchedItsMotorsOff) {
 TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
   JointUser user("/unheard", quickWith("/unheard"));
   for (int i = 0; i < 100; ++i) {
-    user.publish("cmd_vel", twist(0.1));
+    user.publish("cmd_vel", JointUser::twist(0.1));
     ASSERT_TRUE(user.joints.messages().waitForNext());
   }
   TopicListener<Odometry> odom("/unheard/odom");
@@ -297,7 +290,7 @@ TEST(Walk, IsMeasuredAlsoWhileNobodyListens) {
 
 TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
   TopicListener<tf2_msgs::TFMessage> tf("/frames/tf");
-  Walker walker("/frames", {"_frame_prefix:=left"});
+  const Walker walker("/frames");
   const auto frames = tf.waitForCount(100);
   const auto stamps_of = [&frames](const std::string& parent, const std::string& child) {
     std::vector<ros::Time> stamps;
@@ -310,8 +303,8 @@ TEST(Walk, HasAFrameForTheFloorWithTheStampOfTheBodys) {
     }
     return stamps;
   };
-  const std::vector<ros::Time> floor = stamps_of("left/odom", "left/base_footprint");
-  const std::vector<ros::Time> body = stamps_of("left/base_footprint", "left/base_link");
+  const std::vector<ros::Time> floor = stamps_of("rex/odom", "rex/base_footprint");
+  const std::vector<ros::Time> body = stamps_of("rex/base_footprint", "rex/base_link");
   std::size_t shared = 0;
   for (const ros::Time& stamp : body) {
     if (stamp < floor.back()) {
@@ -341,14 +334,15 @@ TEST(Walk, LeavesTheHeadToThoseWhoLookAround) {
 TEST(Walk, IsUnknownToVersion1) {
   TopicListener<tf2_msgs::TFMessage> tf("/walk1/tf");
   Walker walker("/walk1", {}, {"--protocol-version", "1"});
-  walker.publish("cmd_vel", twist(0.1));
+  walker.publish("cmd_vel", JointUser::twist(0.1));
   walker.waitForWarning("walk is refused.*speaks version 1");
   const Trigger::Response response = walker.call<Trigger>("sit");
   EXPECT_FALSE(response.success);
   EXPECT_THAT(response.message, HasSubstr("speaks version 1"));
   EXPECT_EQ(walker.odom.count(), 0u);
   EXPECT_TRUE(tf.waitFor([](const tf2_msgs::TFMessage& each) {
-    return each.transforms[0].child_frame_id == "base_footprint" && each.transforms[0].header.frame_id == "odom";
+    return each.transforms[0].child_frame_id == "rex/base_footprint" &&
+           each.transforms[0].header.frame_id == "rex/odom";
   })) << "it stands where it began";
 }
 

@@ -21,7 +21,8 @@
 
 namespace test_support {
 
-/// Robot, proxy and driver, connected with each other, and a user.
+/// Robot, proxy and driver, connected with each other, and a user. Unless a test says otherwise, frames have the prefix
+/// "rex", and pictures the quality 83.
 class DriverUser {
  public:
   explicit DriverUser(const std::string& name_space, std::vector<std::string> parameters = {},
@@ -29,7 +30,7 @@ class DriverUser {
       : robot(robot_options),
         proxy(robot.port()),
         connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), patient(&parameters), {}, program),
+        driver(name_space, proxy.port(), unusual(&parameters), {}, program),
         name_space_(name_space),
         publishers_(name_space) {
     EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
@@ -55,15 +56,23 @@ class DriverUser {
     return response;
   }
 
+  /// A velocity ahead. The robot cannot do what is in the fields that are not for it.
+  static geometry_msgs::Twist twist(double forward, double turn = 0) {
+    geometry_msgs::Twist twist;
+    twist.linear.x = forward;
+    twist.linear.z = 0.03;
+    twist.angular.x = -0.5;
+    twist.angular.y = 0.7;
+    twist.angular.z = turn;
+    return twist;
+  }
+
   /// Sends a velocity ten times a second from now on.
   void steer(double forward, double turn = 0) {
     letGo();
-    geometry_msgs::Twist twist;
-    twist.linear.x = forward;
-    twist.angular.z = turn;
     ros::Publisher& publisher = publisherOf<geometry_msgs::Twist>("cmd_vel");
     steering_ = true;
-    steerer_ = std::thread([this, &publisher, twist] {
+    steerer_ = std::thread([this, &publisher, twist = twist(forward, turn)] {
       while (steering_) {
         publisher.publish(twist);
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
@@ -98,9 +107,9 @@ class DriverUser {
   DriverProcess driver;
 
  private:
-  /// A busy computer may be silent for longer than a robot, unless a test says otherwise.
-  static std::vector<std::string>& patient(std::vector<std::string>* parameters) {
-    parameters->insert(parameters->begin(), "_read_timeout:=20");
+  /// A busy computer may be silent for longer than a robot.
+  static std::vector<std::string>& unusual(std::vector<std::string>* parameters) {
+    parameters->insert(parameters->begin(), {"_read_timeout:=20", "_frame_prefix:=rex", "_jpeg_quality:=83"});
     return *parameters;
   }
 

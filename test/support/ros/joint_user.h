@@ -19,7 +19,7 @@ namespace test_support {
 
 /// Parameters with which joints move as fast as they can and without a slow approach, for tests of something else.
 inline const std::vector<std::string> kQuick{"_stream_on_start:=false", "_joint_speed_limit:=20",
-                                             "_approach_speed:=20"};
+                                             "_approach_speed:=17"};
 
 /// A user who moves the joints.
 class JointUser : public DriverUser {
