@@ -141,15 +141,15 @@ TEST(Camera, TheTimeOffsetIsAddedToTheStamps) {
 TEST(Camera, ImagesAreBgrOfThePicturesSize) {
   SimulatedRobot robot;
   ImageListener images("/image/camera/image_raw");
-  DriverProcess driver("/image", robot.port());
+  DriverProcess driver("/image", robot.port(), {"_resolution:=104x80"});
   const auto decoded = images.waitForCount(1);
   ASSERT_FALSE(decoded.empty());
   const sensor_msgs::Image& image = *decoded.front();
   EXPECT_EQ(image.encoding, "bgr8");
-  EXPECT_EQ(image.width, 208u);
-  EXPECT_EQ(image.height, 160u);
-  EXPECT_EQ(image.step, 3u * 208u);
-  EXPECT_EQ(image.data.size(), 3u * 208u * 160u);
+  EXPECT_EQ(image.width, 104u);
+  EXPECT_EQ(image.height, 80u);
+  EXPECT_EQ(image.step, 3u * 104u);
+  EXPECT_EQ(image.data.size(), 3u * 104u * 80u);
 }
 
 TEST(Camera, AllTopicsOfTheImageAreRemappedWithIt) {

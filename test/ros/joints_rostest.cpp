@@ -47,11 +47,12 @@ const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-// Each joint at this fraction between its limits. From 0.5 to 0.7 no part of the body is in the way of another.
-Posture postureAt(double fraction) {
+// Each joint at another fraction between its limits. From 0.5 to 0.7 no part of the body is in the way of another.
+Posture postureOf(int number) {
   Posture posture;
   for (int i = 0; i < ers7().number_of_joints; ++i) {
     const robot_model::Joint& joint = ers7().joints[i];
+    const double fraction = 0.5 + 0.01 * ((7 * (i + number)) % 20);
     posture[joint.name] = (joint.lowest + fraction * (joint.highest - joint.lowest)) / 1e6;
   }
   return posture;
@@ -109,7 +110,7 @@ TEST(JointStates, HaveNoSpeedFromOneConnectionToTheNext) {
 
 TEST(JointCommand, MovesEveryJointByOneRequest) {
   JointUser user("/command");
-  const Posture posture = postureAt(0.5);
+  const Posture posture = postureOf(1);
   user.publish("joint_command", command(posture));
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
   EXPECT_EQ(user.jointRequests(), 1u);
@@ -117,7 +118,7 @@ TEST(JointCommand, MovesEveryJointByOneRequest) {
 
 TEST(JointCommand, MovesEveryJointByAQuickSeriesOfMessages) {
   JointUser user("/series");
-  const Posture posture = postureAt(0.5);
+  const Posture posture = postureOf(2);
   for (const auto& joint : posture) {
     user.publish("joint_command", command({joint}));
   }
@@ -126,7 +127,7 @@ TEST(JointCommand, MovesEveryJointByAQuickSeriesOfMessages) {
 
 TEST(PositionControllers, MoveEveryJoint) {
   JointUser user("/controllers");
-  const Posture posture = postureAt(0.6);
+  const Posture posture = postureOf(3);
   for (const auto& joint : posture) {
     user.publisherOf<std_msgs::Float64>(joint.first + "_position_controller/command");
   }
@@ -143,7 +144,7 @@ TEST(PositionControllers, MoveEveryJoint) {
 
 TEST(JointTrajectory, MovesEveryJoint) {
   JointUser user("/trajectory");
-  const Posture posture = postureAt(0.7);
+  const Posture posture = postureOf(4);
   user.publish("joint_trajectory", trajectory(posture, 1.5));
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
 }
@@ -322,7 +323,7 @@ TEST(OldServer, MovesJointsDuringTheStream) {
   EXPECT_EQ(connected->protocol_version, 1);
   ASSERT_FALSE(pictures.waitForCount(10).empty());
 
-  const Posture posture = postureAt(0.6);
+  const Posture posture = postureOf(5);
   user.publish("joint_command", command(posture));
   EXPECT_THAT(user.joints.waitForPositions(posture), IsEmpty());
   EXPECT_GE(pictures.waitForCount(pictures.count() + 30).size(), 40u) << "the stream goes on";

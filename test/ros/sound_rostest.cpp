@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -53,7 +54,8 @@ class SoundUser {
     robot_.emplace(std::vector<std::string>{"--memory-stick", stick_.path().string(), "--microphone", path("heard.wav"),
                                             "--speaker", path("played.wav")});
     driver_.emplace(name_space, robot_->port(),
-                    std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1"},
+                    std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1",
+                                             "_frame_prefix:=rex"},
                     std::map<std::string, std::string>{{"PATH", "/nonexistent"}}, AIBO_DRIVER_NODE_WITH_ALL);
     EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(30)));
     TopicListener<Connection> connection(name_space + "/connection");
@@ -98,7 +100,7 @@ TEST(Microphone, IsHeardByEverySubscriberAlsoTheSecondTime) {
     for (std::size_t i = 1; i < messages.size(); ++i) {
       EXPECT_EQ(messages[i]->samples_per_second, 16000U);
       EXPECT_EQ(messages[i]->channels, 1);
-      EXPECT_EQ(messages[i]->header.frame_id, "base_link");
+      EXPECT_EQ(messages[i]->header.frame_id, "rex/base_link");
       EXPECT_GT(messages[i]->frame_number, messages[i - 1]->frame_number);
       EXPECT_GT(messages[i]->header.stamp, messages[i - 1]->header.stamp);
     }
@@ -178,7 +180,8 @@ TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConn
 TEST(Microphone, AGapIsSilenceInAudio) {
   namespace version2 = protocol::version2;
   test_support::ScriptedServer server;
-  DriverProcess driver("/gap", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"}, {},
+  DriverProcess driver("/gap", server.port(),
+                       {"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1"}, {},
                        AIBO_DRIVER_NODE_WITH_ALL);
   test_support::ScriptedPeer robot = server.accept();
   robot.agreeToVersion2("F A");
@@ -186,11 +189,16 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   ASSERT_TRUE(saysOfSound(diagnostics, "gap", "idle"));
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
   ASSERT_TRUE(isSwitchedOn(&robot));
-  const std::vector<std::uint8_t> samples(4 * version2::SAMPLES_PER_FRAME, 1);
+  std::vector<std::uint8_t> samples(2 * version2::SAMPLES_PER_FRAME);
+  std::iota(samples.begin(), samples.end(), std::uint8_t{1});
+  std::vector<std::uint8_t> heard_samples = samples;  // little-endian
+  for (std::size_t i = 0; i < samples.size(); i += 2) {
+    std::swap(heard_samples[i], heard_samples[i + 1]);
+  }
   const auto send = [&robot, &samples](unsigned frame) {
     std::vector<std::uint8_t> bytes =
         version2_frames::makeFrame('a', 0,
-                                   version2_frames::encoded(version2::HeardSound{frame, version2::SAMPLES_PER_FRAME, 2,
+                                   version2_frames::encoded(version2::HeardSound{frame, version2::SAMPLES_PER_FRAME, 1,
                                                                                  samples.data(), samples.size()}));
     bytes[1] = version2::SOUND_MICROPHONE;
     robot.send(bytes);
@@ -200,9 +208,9 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   send(1002);
   const auto heard = audio.waitForCount(2);
   ASSERT_EQ(heard.size(), 2U);
-  EXPECT_EQ(heard[0]->audio.data, samples);
+  EXPECT_EQ(heard[0]->audio.data, heard_samples);
   std::vector<std::uint8_t> with_silence(samples.size(), 0);
-  with_silence.insert(with_silence.end(), samples.begin(), samples.end());
+  with_silence.insert(with_silence.end(), heard_samples.begin(), heard_samples.end());
   EXPECT_EQ(heard[1]->audio.data, with_silence);
   EXPECT_NEAR((heard[1]->header.stamp - heard[0]->header.stamp).toSec(), 0.008, 0.004) << "when the silence began";
   EXPECT_TRUE(saysOfSound(diagnostics, "gap", "sound is missing"));
@@ -214,7 +222,7 @@ TEST(Microphone, AGapIsSilenceInAudio) {
   send(1200);
   const auto after_long_gap = audio.waitForCount(4);
   ASSERT_EQ(after_long_gap.size(), 4U);
-  EXPECT_EQ(after_long_gap[3]->audio.data, samples) << "more than a second is not filled";
+  EXPECT_EQ(after_long_gap[3]->audio.data, heard_samples) << "more than a second is not filled";
 }
 
 TEST(Microphone, IsSilentUnlessTheRobotsOwnerAllowsIt) {
@@ -246,6 +254,8 @@ TEST(PlaySoundService, PlaysAFileAndSaysWhyItDoesNot) {
   EXPECT_TRUE(set.success) << set.message;
   EXPECT_EQ(set.volume, 2);
   EXPECT_EQ(set.message, "The volume is 2.");
+  volume.volume = SetVolume::Request::OF_ROBOT;
+  EXPECT_LE(user.call<SetVolume>("set_volume", volume).volume, 3) << "the one in force";
   writeSoundFile(user.path("long.wav"), tone(16000 * 60));
   EXPECT_TRUE(user.play(user.path("long.wav")).success);
   test_support::DiagnosticsListener diagnostics;

@@ -3,6 +3,7 @@
 #define TEST_SUPPORT_ROS_GOAL_WATCH_H
 
 #include <actionlib/client/action_client.h>
+#include <gtest/gtest.h>
 
 #include <condition_variable>
 #include <mutex>
@@ -11,7 +12,7 @@
 
 namespace test_support {
 
-/// One goal of an action, from its beginning to its end.
+/// One goal of an action, from its beginning to its end. It ends once, and its status says the same as its result.
 template <typename Action>
 class GoalWatch {
  public:
@@ -60,10 +61,23 @@ class GoalWatch {
       return;
     }
     const std::lock_guard<std::mutex> lock(mutex_);
+    EXPECT_FALSE(over_);
     over_ = true;
     end_ = handle.getTerminalState().state_;
     result_ = handle.getResult();
+    if (result_) {
+      EXPECT_EQ(handle.getTerminalState().text_, textOf(*result_));
+    }
     changed_.notify_all();
+  }
+
+  template <typename Any>
+  static auto textOf(const Any& result) -> decltype(result.message) {
+    return result.message;
+  }
+  template <typename Any>
+  static auto textOf(const Any& result) -> decltype(result.error_string) {
+    return result.error_string;
   }
 
   void received(const FeedbackPtr& feedback) {
