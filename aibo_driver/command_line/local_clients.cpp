@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -70,7 +71,7 @@ std::vector<std::string> localClients(const std::string& address, int port) {
   if (::inet_pton(AF_INET, address.c_str(), &numeric) == 1) {
     for (const std::string& socket : socketsTo(numeric, port)) {
       const std::string owner = ownerOf(socket);
-      if (!owner.empty()) {
+      if (!owner.empty() && std::find(clients.begin(), clients.end(), owner) == clients.end()) {
         clients.push_back(owner);
       }
     }

@@ -1110,8 +1110,9 @@ class Unreachable(TestCase):
                          [("name", True), ("port", True), ("server", False)])
         self.assertIn("ALLOWED_ADDRESSES", report["findings"][-1]["advice"])
         kept = []
-        port = self.server(lambda client: turn_away(client) if len(kept) == 2 else kept.append(client.dup()))
-        hold = "import socket, sys; s = socket.create_connection(('127.0.0.1', %d)); print(flush=True); sys.stdin.read()"
+        port = self.server(lambda client: turn_away(client) if len(kept) == 4 else kept.append(client.dup()))
+        hold = ("import socket, sys; s = [socket.create_connection(('127.0.0.1', %d)) for _ in range(2)]; "
+                "print(flush=True); sys.stdin.read()")
         holders = [subprocess.Popen([sys.executable, "-c", hold % port], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
                    for _ in range(2)]
         for holder in holders:
