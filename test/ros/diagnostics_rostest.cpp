@@ -121,9 +121,10 @@ DiagnosticStatus waitForStatus(DiagnosticsListener& diagnostics, const std::stri
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
   DiagnosticsListener diagnostics;
-  const DriverProcess driver("/alone", 1);
+  const DriverProcess driver("/alone", 1, {"_transport:=udp"});
   const std::string name = "alone/aibo_driver: ";
-  waitForStatus(diagnostics, name + "stream", DiagnosticStatus::WARN, "no pictures: the robot is not connected");
+  const std::string dark = "no pictures: the robot is not connected";
+  EXPECT_EQ(waitForStatus(diagnostics, name + "stream", DiagnosticStatus::WARN, dark).message, dark);
   const std::string unknown = "no joint positions: the robot is not connected";
   EXPECT_EQ(waitForStatus(diagnostics, name + "joints", DiagnosticStatus::WARN, unknown).message, unknown);
   waitForStatus(diagnostics, name + "power", DiagnosticStatus::OK, "idle: the robot is not connected");

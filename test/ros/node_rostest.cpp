@@ -269,6 +269,9 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndTheFirstKeepsItsNames) {
   DriverProcess next("/one", robot.port(), {"__name:=second"});
   CompressedListener pictures("/one/camera/image_raw/compressed");
   EXPECT_FALSE(pictures.waitForCount(1).empty()) << next.output();
+  DriverProcess after("/one", robot.port(), {"__name:=third"});
+  EXPECT_EQ(after.waitForExit(kSafetyNet), 1);
+  after.waitForOutput("a driver in the namespace /one already: the node /one/second", kSafetyNet);
 }
 
 // As a node does that had the same names and has ended.
