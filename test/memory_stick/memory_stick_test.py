@@ -646,7 +646,7 @@ class DebiansCompiler(Workshop):
                         str(Path(__file__).with_name("runtime_test.cc")), str(debian.RUNTIME / "runtime.cc"), "-lc",
                         "-lgcc"], check=True)
         done = subprocess.run([str(program)], stdout=subprocess.PIPE, universal_newlines=True, check=False)
-        self.assertEqual((done.returncode, done.stdout), (0, "text -5 7\n"))
+        self.assertEqual((done.returncode, done.stdout), (0, "text -5 7 0x1a\n"))
 
     @unittest.skipIf(shutil.which(debian.PREFIX + "g++") is None, "needs scripts/install_dependencies stick")
     def test_links_a_program_that_works_wherever_it_lies(self):

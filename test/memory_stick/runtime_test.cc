@@ -69,6 +69,6 @@ int main() {
   testAlgorithms();
   testList();
   testMemory();
-  std::cout << "text " << -5 << " " << 7u << std::endl;
+  std::cout << "text " << -5 << " " << 7u << " " << reinterpret_cast<const void*>(0x1a) << std::endl;
   return failures;
 }

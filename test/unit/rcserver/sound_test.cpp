@@ -118,8 +118,9 @@ class SoundTest : public FakeRobotFixture {
     return reply == replies_.end() ? Frame() : *reply;
   }
 
-  void listen(unsigned char channels = 2, unsigned short rate = kRate) {
-    const Frame reply = ask(SOUND_MICROPHONE, payloadOf(MicrophoneSettings{true, channels, rate}));
+  void listen(unsigned char channels = 2, unsigned short rate = kRate, int mode = MICROPHONE_ON | SOUND_FIRST) {
+    const MicrophoneSettings settings = {static_cast<unsigned char>(mode), channels, rate};
+    const Frame reply = ask(SOUND_MICROPHONE, payloadOf(settings));
     ASSERT_EQ(reply.header.kind, 'a');
     EXPECT_EQ(payloadIn<MicrophoneSettings>(reply).channels, channels);
     heard_rate_ = rate;
@@ -747,7 +748,7 @@ TEST_P(BusySoundTest, BothWaysCostPicturesAndJointsNothing) {
   pass(25);
   const Counts without = measure();
   robot_.hears_itself = true;
-  listen();
+  listen(2, kRate, MICROPHONE_ON);
   unsigned sent = 8000;
   play(0, samplesOf(mark, 0, sent));
   in_each_frame_ = [this, &sent] {

@@ -129,6 +129,7 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   EXPECT_EQ(ask('M', 101).header.id, 100) << "at most";
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG", "AIBO0002.JPG", "AIBO0003.JPG"));
   const std::string jpeg = fileContent(folder() + "/AIBO0001.JPG");
+  EXPECT_LT(jpeg.size(), fileContent(folder() + "/AIBO0003.JPG").size());
   EXPECT_NEAR(brightnessOf({jpeg.begin(), jpeg.end()}).level, FakeRobot::brightness(image + 1), 3);
 }
 
