@@ -121,7 +121,7 @@ DiagnosticStatus waitForStatus(DiagnosticsListener& diagnostics, const std::stri
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
   DiagnosticsListener diagnostics;
-  const DriverProcess driver("/alone", 1, {"_transport:=udp"});
+  const DriverProcess driver("/alone", 1);
   const std::string name = "alone/aibo_driver: ";
   const std::string dark = "no pictures: the robot is not connected";
   EXPECT_EQ(waitForStatus(diagnostics, name + "stream", DiagnosticStatus::WARN, dark).message, dark);
@@ -283,7 +283,7 @@ TEST(StreamDiagnostics, SayToWhatAdaptiveHasLoweredTheStream) {
 
 TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
   SimulatedRobot robot;
-  DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
+  DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false", "_transport:=udp", "_read_timeout:=20"});
   DiagnosticsListener diagnostics;
   TopicPublishers topics("/jam");
   const auto wait_for = [&](int level, const std::string& text) {
@@ -297,6 +297,8 @@ TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
     topics.publish("head_pan_position_controller/command", command);
   };
   EXPECT_NE(wait_for(DiagnosticStatus::OK, "measurements/s").name, "");
+  const std::string idle = "idle: the stream is off (set_streaming turns it on)";
+  EXPECT_EQ(waitForStatus(diagnostics, "jam/aibo_driver: stream", DiagnosticStatus::OK, idle).message, idle);
   ASSERT_THAT(robot.type("jam head_pan"), HasSubstr("ok"));
   send_head_to(1);
   EXPECT_NE(wait_for(DiagnosticStatus::ERROR, "head_pan is jammed").name, "");
