@@ -273,20 +273,31 @@ TEST(LookAround, PausesWhileAnythingElseMovesTheRobot) {
   JointUser user("/look", kQuick);
   TopicListener<MotionState> states("/look/motion_state");
   Process look_around({AIBO_LOOK_AROUND, "__ns:=/look"});
-  ASSERT_TRUE(states.waitFor([](const MotionState& state) {
+  const auto looks_around = [](const MotionState& state) {
     return !state.movements.empty() && state.movements[0].source == "/look/aibo_look_around";
-  }));
+  };
+  ASSERT_TRUE(states.waitFor(looks_around));
   user.publish("joint_command", commandAtSpeed("left_front_knee", 1.5, 0.1));
-  const auto has_only_the_knee = [](const MotionState& state) {
+  const auto has_only_a_command = [](const MotionState& state) {
     return state.movements.size() == 1 && state.movements[0].kind == Movement::COMMAND;
   };
-  ASSERT_TRUE(states.waitFor(has_only_the_knee)) << "its glance ends, and no other begins";
+  ASSERT_TRUE(states.waitFor(has_only_a_command)) << "its glance ends, and no other begins";
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   states.clear();
   user.publish("joint_trajectory", JointTrajectory());
   EXPECT_TRUE(states.waitFor([](const MotionState& state) {
     return state.movements.size() == 1 && state.movements[0].kind == Movement::TRAJECTORY;
   })) << "then it goes on";
+  user.publish("joint_command", command({{"head_pan", 0.3}}));
+  ASSERT_TRUE(states.waitFor(has_only_a_command));
+  ASSERT_TRUE(states.waitFor([](const MotionState& state) { return state.movements.empty(); }));
+  states.clear();
+  user.publish("joint_command", commandAtSpeed("left_front_knee", 0.5, 2));
+  ASSERT_TRUE(states.waitFor(has_only_a_command));
+  ASSERT_TRUE(states.waitFor([](const MotionState& state) { return state.movements.empty(); }));
+  states.clear();
+  const std::chrono::milliseconds longer_than_after_a_knee(1500);
+  EXPECT_FALSE(states.waitFor(looks_around, longer_than_after_a_knee)) << "somebody has pointed the head";
 }
 
 }  // namespace

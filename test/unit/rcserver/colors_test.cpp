@@ -146,7 +146,8 @@ TEST(ColorCounterTest, EachImageIsCountedAnew) {
   ColorRegions regions{};
   for (const unsigned size : {4U, 2U}) {
     std::vector<byte> pixels = emptyPlane();
-    draw(10, 20, size, size, 0, &pixels);
+    draw(10, 20, size, size - 1, 0, &pixels);
+    draw(11, 20 + size - 1, 1, 1, 0, &pixels);  // narrower at its end
     countColors({pixels.data(), kWidth, kHeight, kWidth}, 1, &regions);
     ASSERT_EQ(regions.count, 1);
     EXPECT_EQ(regions.regions[0].width, size);
