@@ -1,6 +1,8 @@
 // The actions play_motion and follow_joint_trajectory.
 
 #include <aibo_driver/EndedMovement.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/PlayMotionAction.h>
 #include <aibo_driver/RobotState.h>
 #include <control_msgs/FollowJointTrajectoryAction.h>
@@ -188,9 +190,17 @@ TEST(PlayMotionGoal, ThatIsCancelledStopsTheMotion) {
   PlayUser user("/play_cancelled");
   PlayGoal goal(user.client, PlayUser::nod(100));
   ASSERT_TRUE(goal.waitForFeedback());
+  aibo_driver::PlayMotion::Request wag;
+  wag.name = "wag";
+  wag.repetitions = 100;
+  ASSERT_TRUE(user.call<aibo_driver::PlayMotion>("play_motion", wag).success);
   goal.cancel();
   ASSERT_EQ(goal.waitForEnd(), State::PREEMPTED);
   EXPECT_EQ(goal.result()->end, EndedMovement::STOPPED);
+  TopicListener<aibo_driver::MotionState> states("/play_cancelled/motion_state");
+  EXPECT_TRUE(states.waitFor([](const aibo_driver::MotionState& state) {
+    return !state.ended.empty() && state.ended.back().movement.name == "NOD.MTN" && state.movements.size() == 1;
+  })) << "the other motion plays on";
 }
 
 TEST(PlayMotionGoal, SaysWhyTheMotionEndedEarly) {

@@ -158,6 +158,9 @@ TEST_F(ClientSettingsTest, EachSettingReachesTheRobot) {
   };
   expect({"G 1 1", "G 2 3", "G 3 1", "G 4 1", "G 5 0", "W 60 1 2 0 3", "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0",
           "A 1 1 1 31 64"});
+  table.segments[0]->cr_min = 2;
+  client().setColorTable(5, std::make_shared<ColorTable>(table));
+  expect({"Z 2 5 0 0 0 2 2 3 4"});
   client().setColorTable(5, nullptr);
   expect({"Z 2 5 0 0 0 128 128 128 128"});
 }

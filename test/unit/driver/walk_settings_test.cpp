@@ -75,6 +75,8 @@ TEST(WalkSettings, CorrectEachAxis) {
   settings.turn_scale = 1;
   expectNear(velocityToSend({0.09, 0.04, 0}, settings, kRobot), {0.1, 0.05, -0.18});
   expectNear(velocityToSend({0, 0, 0}, settings, kRobot), {0, 0, 0});
+  settings.speed_limit = 0.09;
+  expectNear(velocityToSend({0.5, 0, 0}, settings, kRobot), {0.1, 0, -0.18});
   settings.direction = 0.3;
   settings.turn_scale = 1.2;
   for (const WalkVelocity& wanted : {WalkVelocity{0.05, 0.01, 0.1}, WalkVelocity{-0.05, -0.01, 0.1}}) {
