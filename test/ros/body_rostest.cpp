@@ -178,11 +178,7 @@ TEST(Footprint, IsSmoothedFromTheFirstMessageThatAListenerGets) {
   test_support::ScriptedServer server;
   const DriverProcess driver("/late", server.port(), {"_stream_on_start:=false", ownTf("/late")});
   test_support::ScriptedPeer robot = server.accept();
-  robot.agreeToVersion2("F J T S E");
-  version2_frames::Frame request;
-  while ((request = robot.readRequest()).header.kind != version2::REQUEST_TELEMETRY) {
-  }
-  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  robot.agreeToTelemetry("F J T S E");
   unsigned frame = 0xFFFFFFFE;
   const auto tell = [&](const std::vector<version2::TelemetryEntry>& entries) {
     robot.send(version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(++frame, entries)));

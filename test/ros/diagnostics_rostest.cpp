@@ -313,11 +313,7 @@ TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSendsAndOfAnOlderServer) {
   DriverProcess driver("/strange", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
   TopicListener<DiagnosticArray> diagnostics("/diagnostics");
   test_support::ScriptedPeer robot = server.accept();
-  robot.agreeToVersion2("F J T S");
-  version2_frames::Frame request;
-  while ((request = robot.readRequest()).header.kind != protocol::version2::REQUEST_TELEMETRY) {
-  }
-  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  robot.agreeToTelemetry("F J T S");
   ASSERT_TRUE(diagnostics.waitForNext());
   const auto has_said = [&diagnostics](const std::string& text) {
     return diagnostics.waitFor([&text](const DiagnosticArray& array) {

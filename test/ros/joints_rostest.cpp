@@ -93,11 +93,7 @@ TEST(JointStates, HaveNoSpeedFromOneConnectionToTheNext) {
   const test_support::DriverProcess driver("/two_robots", server.port(), {"_stream_on_start:=false"});
   for (const unsigned connection : {0U, 1U}) {
     test_support::ScriptedPeer robot = server.accept();
-    robot.agreeToVersion2("F J T");
-    version2_frames::Frame request;
-    while ((request = robot.readRequest()).header.kind != protocol::version2::REQUEST_TELEMETRY) {
-    }
-    robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+    robot.agreeToTelemetry("F J T");
     const auto pan = version2_frames::makeTelemetry(1000 + 125 * connection, {{'J', 2, 500000 * int(connection)}});
     const auto is_there = [&](const JointState& state) { return state.position.at(0) == 0.5 * connection; };
     JointState::ConstPtr first;

@@ -113,11 +113,7 @@ TEST(Walk, AFallOfARobotThatReportsNoPostureMakesTheOdometryUncertain) {
   TopicListener<Odometry> odom("/no_posture/odom");
   const test_support::DriverProcess driver("/no_posture", server.port(), quickWith("/no_posture"));
   test_support::ScriptedPeer robot = server.accept();
-  robot.agreeToVersion2("F J T S E");
-  version2_frames::Frame request;
-  while ((request = robot.readRequest()).header.kind != version2::REQUEST_TELEMETRY) {
-  }
-  robot.send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
+  robot.agreeToTelemetry("F J T S E");
   unsigned frame = 0xFFFFFF00;
   const auto is_told = [&](const std::function<bool(double)>& is_so) {
     for (int i = 0; i < 300; ++i) {  // again, until the driver knows its first subscriber
