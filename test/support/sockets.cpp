@@ -33,8 +33,8 @@ void setOption(int socket, int level, int name, int value) {
   check(::setsockopt(socket, level, name, &value, sizeof value) == 0, "setsockopt");
 }
 
-// The kernel gives ports from 32768 on to whoever asks for any. One of those may just have been a ROS node's, and the
-// master goes on sending its news there.
+// The kernel picks free ports from 32768 up. A ROS node that was killed may have had such a port, and the master goes
+// on sending messages there.
 std::uint16_t portThatNoNodeHasHad() {
   static std::mt19937 random(std::random_device{}());
   return std::uniform_int_distribution<std::uint16_t>(20000, 32767)(random);
@@ -60,13 +60,15 @@ void check(bool good, const std::string& what) {
 
 void bindSocket(const FileDescriptor& socket, const std::string& address, int port) {
   sockaddr_in parsed = parse(address, port);
-  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
+  // A port that another test keeps is not free, although nothing listens there.
+  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, port != 0 ? 1 : 0);
   bool bound = port != 0 && bindOnce(socket, parsed);
   for (int attempt = 0; port == 0 && !bound && attempt < 100; ++attempt) {
     parsed.sin_port = htons(portThatNoNodeHasHad());
     bound = bindOnce(socket, parsed);
   }
   check(bound, address + ":" + std::to_string(port));
+  setOption(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
 }
 
 FileDescriptor bindTo(const std::string& address, int port) {
