@@ -293,7 +293,7 @@ class Session {
         }
       }
       const auto left = (client_.terms.not_after - now_) / milliseconds(1);
-      if (left <= 1000) {  // otherwise it is of the real clock
+      if (left >= 0 && left <= 1000) {  // otherwise it is of the real clock
         const std::uint64_t number = client_.terms.number;
         text +=
             " for #" + (number == 0 ? "none" : std::to_string(number - first_id_)) + " until " + std::to_string(left);
@@ -341,7 +341,7 @@ class Session {
     return properties.lowest + part * (properties.highest - properties.lowest);
   }
 
-  SteadyTime now_{std::chrono::seconds(1000)};
+  SteadyTime now_{std::chrono::hours(100000)};  // later than the real clock, however long the computer has run
   SteadyTime began_ = now_;
   JointTable table_{"ERS-7", 3.0};
   MeasuredJoints measured_{table_};
