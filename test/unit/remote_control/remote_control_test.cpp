@@ -1341,6 +1341,9 @@ TEST_F(JointSliderTest, CommandsItsJointAndWaitsUntilItHasArrived) {
   slider_.measure(0.99);
   slider_.measure(0.7);
   EXPECT_EQ(slider_.slider()->value(), 700) << "it has been there, and somebody else has moved it";
+  slider_.slider()->setValue(100);
+  slider_.measure(0.4);
+  EXPECT_EQ(slider_.slider()->value(), 100) << "it is on its way back";
 }
 
 TEST_F(JointSliderTest, FollowsAJointThatDoesNotArriveAfterSomeTime) {
