@@ -226,6 +226,15 @@ TEST_F(SoundTest, AtEightKilohertzHighTonesDoNotComeBackAsLowOnes) {
   }
 }
 
+TEST_F(SoundTest, AtEightKilohertzTheChannelsStayApart) {
+  robot_.sound = [](size_t) { return OSoundSampleStereo16{1000, -400}; };
+  listen(2, 8000);
+  pass(10);
+  ASSERT_THAT(heard_, SizeIs(2));
+  EXPECT_NEAR(heard_[0].back(), 1000, 10);
+  EXPECT_NEAR(heard_[1].back(), -400, 10);
+}
+
 // The filter overshoots where the sound changes.
 TEST_F(SoundTest, AtEightKilohertzTheLoudestSoundKeepsItsSign) {
   robot_.sound = [](size_t i) {

@@ -354,6 +354,8 @@ TEST_F(WalkGuardTest, ElsewhereItKnowsNothingThatIsInTheWay) {
     EXPECT_NE(objection(kForward), "");
     guard_.Forget();
     EXPECT_EQ(objection(kForward), "");
+    walk(kForward, 0.9);
+    EXPECT_EQ(objection(kForward), "") << "3 cm before the place of the edge";
   }
 }
 

@@ -54,9 +54,10 @@ TEST(ObjectConfigurationTest, IgnoresCaseLikeTheStick) {
 
 TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
   const std::string text =
-      "/MS/OPEN-R/MW/OBJS/ALL.BIN\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/SEVEN.BIN\n[ ERS-210 ]\n/MS/OPEN-R/MW/OBJS/OLD.BIN\n";
-  EXPECT_THAT(objects(text, "ERS-7"), ElementsAre("ALL.BIN", "SEVEN.BIN"));
-  EXPECT_THAT(objects(text, "ERS-210"), ElementsAre("ALL.BIN", "OLD.BIN"));
+      "/MS/OPEN-R/MW/OBJS/ALL.BIN\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/SEVEN.BIN\n/MS/OPEN-R/MW/OBJS/BOTH.BIN\n"
+      "[ ERS-210 ]\n/MS/OPEN-R/MW/OBJS/BOTH.BIN\n";
+  EXPECT_THAT(objects(text, "ERS-7"), ElementsAre("ALL.BIN", "SEVEN.BIN", "BOTH.BIN"));
+  EXPECT_THAT(objects(text, "ERS-210"), ElementsAre("ALL.BIN", "BOTH.BIN"));
 }
 
 TEST(ObjectConfigurationTest, NamesFileAndLineOfAMalformedLine) {
