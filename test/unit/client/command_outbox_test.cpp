@@ -160,7 +160,7 @@ TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
   EXPECT_TRUE(outbox.steering) << "the head is free";
   CommandOutbox newer;
-  newer.command({milliseconds(100), {{43, 0.3}}, {at(1000), 4}});  // the last joint of the legs
+  newer.command({milliseconds(100), {{1, 0.3}, {43, 0.3}}, {at(1000), 4}});  // the head and the last joint of the legs
   outbox.append(newer);
   EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;", takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);

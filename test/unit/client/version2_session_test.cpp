@@ -231,10 +231,17 @@ TEST_F(Version2SessionTest, FramesAreReadHoweverTheirBytesAreSplit) {
 }
 
 TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {
-  receive(makePicture(0, 1));
+  for (const unsigned stops : {1u, 2u}) {
+    for (const bool on : {true, false}) {
+      wish_.streaming = on;
+      request();
+      receive(makeFrame('w', frame_.header.request_number, frame_.payload));
+    }
+    receive(makePicture(0, stops));
+    EXPECT_EQ(stops, counters_.unexpected_pictures);
+    live(milliseconds(1100));
+  }
   EXPECT_TRUE(pictures_.empty());
-  EXPECT_EQ(1u, counters_.unexpected_pictures);
-  live(milliseconds(1100));
   EXPECT_THAT(faultOf(makePicture(0, 2)), HasSubstr("it goes on sending pictures"));
 }
 
