@@ -62,10 +62,15 @@ TEST_F(Parse, RefusesWhatNoCommandHas) {
         Words{"upload"}, Words{"upload", "a", "b", "c"}, Words{"walk", "a", "b", "c", "d"}}) {
     EXPECT_THROW(parse(words), aibo_client::InvalidArgumentException) << ::testing::PrintToString(words);
   }
-  try {
-    parse({"upload"});
-  } catch (const aibo_client::InvalidArgumentException& error) {
-    EXPECT_STREQ(error.what(), "usage: aibo upload FILE [NAME] (`aibo help upload` has examples)");
+  for (const auto& [words, reason] :
+       {std::pair{Words{"upload"}, "usage: aibo upload FILE [NAME] (`aibo help upload` has examples)"},
+        {Words{"joints", "--duration", "1"},
+         "unrecognised option '--duration' (`aibo help` lists commands and options)"}}) {
+    try {
+      parse(words);
+    } catch (const aibo_client::InvalidArgumentException& error) {
+      EXPECT_STREQ(error.what(), reason);
+    }
   }
 }
 
