@@ -15,6 +15,32 @@ say() {
   printf '\n== %s\n' "$*"
 }
 
+# show_progress WHAT LOG: reads the output of Ninja or apt-get, writes it to LOG, and shows how far it is: on a terminal
+# in one line that counts, elsewhere in a line every ten seconds.
+show_progress() {
+  local line count=0 all=0 begin=$SECONDS next=$((SECONDS + 10))
+  while IFS= read -r line; do
+    printf '%s\n' "$line" >&3
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      count=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+    elif [[ $line =~ ^[0-9]+\ upgraded,\ ([0-9]+)\ newly\ installed ]]; then
+      all=$((3 * BASH_REMATCH[1]))
+    elif [[ $line =~ ^(Get:|Unpacking |Setting up ) ]]; then
+      ((count += count < all))
+    else
+      continue
+    fi
+    if [ -t 1 ]; then
+      printf '\r%s: %d of %d steps' "$1" "$count" "$all"
+    elif ((SECONDS >= next)); then
+      printf '%s: %d of %d steps\n' "$1" "$count" "$all"
+      next=$((SECONDS + 10))
+    fi
+  done 3> "$2"
+  [ ! -t 1 ] || printf '\r\033[K'
+  printf '%s: %d steps in %d s\n' "$1" "$count" $((SECONDS - begin))
+}
+
 # use_sanitizer NAME: switches to the build folder of this sanitizer (cmake/sanitizers.cmake). rosrun looks for programs
 # everywhere in the project but in build/, so all builds but the usual one are there.
 use_sanitizer() {

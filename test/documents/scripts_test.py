@@ -22,12 +22,12 @@ REFUSED = {
     'try_release --packages trixie': 'give a release and a folder', 'try_release trixie /usr': '/usr exists'}
 
 STARTED = {
-    'soak --orders --seed 3 --sanitize thread': ['build tests soak', '--sanitize thread all aibo_soak'],
-    'fuzz --runs 2 hello picture': ['build tests fuzz', '--sanitize fuzz fuzz_hello fuzz_picture'],
-    'sanitize thread -R x': ['build tests gamepad rviz wlan physics', '--sanitize thread all tests'],
-    'faults --only hostile-driver': ['build tests', 'fault_rostest'],
-    'test -R x': ['build tests gamepad rviz wlan physics', 'all tests'],
-    'faults --only loss': ['build tests', 'aibo_fault_campaign']}
+    'soak --orders --seed 3 --sanitize thread': ['build tests soak', '--tests --sanitize thread all aibo_soak'],
+    'fuzz --runs 2 hello picture': ['build tests fuzz', '--tests --sanitize fuzz fuzz_hello fuzz_picture'],
+    'sanitize thread -R x': ['build tests gamepad rviz wlan physics', '--tests --sanitize thread all tests'],
+    'faults --only hostile-driver': ['build tests', '--tests fault_rostest'],
+    'test -R x': ['build tests gamepad rviz wlan physics', '--tests all tests'],
+    'faults --only loss': ['build tests', '--tests aibo_fault_campaign']}
 
 
 class ScriptsTest(unittest.TestCase):
