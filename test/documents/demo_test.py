@@ -30,10 +30,10 @@ PLAYS = {
     'build': '',
     # roslaunch is a master, prints what its nodes say, and ends at Ctrl-C.
     'roslaunch': '''
+signal.signal(signal.SIGINT, lambda *_: ((home / 'interrupted').touch(), sys.exit(0)))
 print('a node says something', flush=True)
 master = [word[7:] for word in sys.argv if word.startswith('--port=')]
 listener = socket.create_server(('127.0.0.1', int(master[0]))) if master else None
-signal.signal(signal.SIGINT, lambda *_: ((home / 'interrupted').touch(), sys.exit(0)))
 while True:
     signal.pause()
 ''',
@@ -104,13 +104,13 @@ class StepsTest(unittest.TestCase):
             (self.home / name).mkdir(parents=True)
         for name in ('demo', 'lib.sh'):
             shutil.copy(SCRIPTS / name, self.home / 'scripts')
-        # Each wait of the script is noted under the name of its function. Those for a display and for a picture on it
-        # count their tries, so they can be short.
+        # Each wait of the script is noted under the name of its function. The one for a picture on the display counts
+        # its tries, so it can be short.
         (self.home / '.build/devel/setup.bash').write_text(
             f'PATH={self.home}/bin:$PATH\n'
             'sleep() {\n'
             f'  echo "${{FUNCNAME[1]}}" >> {self.home}/waits\n'
-            '  [[ ${FUNCNAME[1]} != @(start_display|save_screenshot) ]] || set -- 0.01\n'
+            '  [[ ${FUNCNAME[1]} != save_screenshot ]] || set -- 0.01\n'
             '  command sleep "$@"\n'
             '}\n')
         for name, play in PLAYS.items():
@@ -222,11 +222,12 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(len(self.started('import')[0]), 2)
 
     def test_says_why_there_is_no_screenshot(self):
-        self.play('Xvfb', "print('no fonts', file=sys.stderr)\nsignal.pause()")
+        self.play('Xvfb', "sys.exit('no fonts')")
         self.assertIn('did not start: no fonts', self.demo('--screenshot', 'shot.png', status=1))
         self.play('Xvfb', PLAYS['Xvfb'])
         self.assertIn('Does its folder exist', self.demo('--screenshot', '/nowhere/shot.png', status=1))
         self.play('roslaunch', "if times > 1:\n  sys.exit('no rviz')\n" + PLAYS['roslaunch'])
+        self.play('convert', "print(3000)")
         (self.home / 'log').unlink()
         errors = self.demo('--screenshot', 'shot.png', status=1)
         self.assertIn('no rviz\n', errors)
