@@ -1,8 +1,6 @@
 // The driver's node under faults of the robot, the network, the ROS master and its users.
 
 #include <aibo_driver/Connection.h>
-#include <aibo_driver/Ears.h>
-#include <aibo_driver/Leds.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/UploadMotion.h>
@@ -17,8 +15,6 @@
 #include <signal.h>
 #include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
-#include <std_srvs/SetBool.h>
-#include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
 #include <atomic>
@@ -33,12 +29,10 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
-#include "robot_model/robot_model.h"
 #include "support/good_calibration.h"
 #include "support/memory_stick.h"
 #include "support/picture_server.h"
@@ -386,94 +380,6 @@ TEST_F(Faults, SubscribersHearANodeThatIsKilledAndStartedAgain) {
   }
   pictures.clear();
   EXPECT_FALSE(pictures.waitForCount(3).empty());
-}
-
-void expectWithinLimits(const robot_model::RobotModel& model, const sensor_msgs::JointState& message) {
-  for (int i = 0; i < model.number_of_joints; ++i) {
-    const robot_model::Joint& joint = model.joints[i];
-    const double position = test_support::positionOf(message, joint.name).value_or(0);
-    EXPECT_GE(position, joint.lowest / 1e6 - JointListener::kTolerance) << joint.name;
-    EXPECT_LE(position, joint.highest / 1e6 + JointListener::kTolerance) << joint.name;
-  }
-}
-
-/// Publishes on all command topics of a driver, some of it nonsense.
-class CommandFlood {
- public:
-  explicit CommandFlood(const std::string& name_space, const robot_model::RobotModel& model) : topics_(name_space) {
-    for (int i = 0; i < model.number_of_joints; ++i) {
-      joints_.name.emplace_back(model.joints[i].name);
-      const std::string topic = joints_.name.back() + "_position_controller/command";
-      controllers_.push_back(topics_.advertise<std_msgs::Float64>(topic, 10));
-    }
-  }
-
-  /// Publishes one message on each topic.
-  void publish(int round) {
-    const bool nonsense = round % 50 == 0;
-    joints_.position.assign(joints_.name.size(), nonsense ? std::numeric_limits<double>::quiet_NaN() : value());
-    command_.publish(joints_);
-    for (const ros::Publisher& controller : controllers_) {
-      std_msgs::Float64 position;
-      position.data = round % 70 == 0 ? std::numeric_limits<double>::infinity() : value();
-      controller.publish(position);
-    }
-    trajectory_msgs::JointTrajectory path;
-    path.joint_names = joints_.name;
-    path.points.resize(static_cast<std::size_t>(round % 3));
-    for (auto& point : path.points) {
-      point.positions = joints_.position;
-      point.time_from_start = ros::Duration(value());
-    }
-    trajectory_.publish(path);
-    aibo_driver::Leds light;
-    light.names = {"all", "face_1", round % 30 == 0 ? "" : "back"};
-    light.intensities.assign(light.names.size(), static_cast<float>(value()));
-    light.mode = static_cast<std::uint8_t>(round % 3);
-    leds_.publish(light);
-    aibo_driver::Ears flick;
-    flick.left = round % 2 == 0;
-    flick.right = round % 3 == 0;
-    ears_.publish(flick);
-  }
-
- private:
-  double value() { return std::uniform_real_distribution<double>(-2, 2)(random_); }
-
-  ros::NodeHandle topics_;
-  ros::Publisher command_ = topics_.advertise<sensor_msgs::JointState>("joint_command", 10);
-  ros::Publisher trajectory_ = topics_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 10);
-  ros::Publisher leds_ = topics_.advertise<aibo_driver::Leds>("leds", 10);
-  ros::Publisher ears_ = topics_.advertise<aibo_driver::Ears>("ears", 10);
-  std::vector<ros::Publisher> controllers_;
-  sensor_msgs::JointState joints_;
-  std::minstd_rand random_{1};
-};
-
-TEST(FaultsOfUsers, AThousandCommandsASecondOnEveryTopic) {
-  const SimulatedRobot robot;
-  CompressedListener pictures("/commands/camera/image_raw/compressed");
-  JointListener measured("/commands");
-  DriverProcess driver("/commands", robot.port());
-  ASSERT_FALSE(pictures.waitForCount(1).empty());
-  const robot_model::RobotModel& model = *robot_model::findRobotModel("ERS-7");
-  CommandFlood flood("/commands", model);
-  pictures.clear();
-  auto next = steady_clock::now();
-  for (int round = 0; round < 2000; ++round) {
-    flood.publish(round);
-    std::this_thread::sleep_until(next += milliseconds(1));
-  }
-  EXPECT_TRUE(pictures.waitForNext()) << "no picture after the commands";
-  std_srvs::SetBool::Request request;
-  std_srvs::SetBool::Response response;
-  request.data = 1;
-  EXPECT_TRUE(ros::service::call("/commands/motors", request, response));
-  EXPECT_TRUE(response.success) << response.message;
-  for (const auto& message : measured.messages().waitForCount(1)) {
-    expectWithinLimits(model, *message);
-  }
-  EXPECT_TRUE(driver.isRunning());
 }
 
 template <typename Service>
