@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "support/raw_client.h"
+#include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
@@ -16,8 +17,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
-
-constexpr milliseconds kPatience{20000};
 
 class FaultProxyTest : public testing::Test {
  protected:
@@ -30,7 +29,7 @@ class FaultProxyTest : public testing::Test {
   /// What the client receives when the server sends this.
   Bytes receivedOf(const Bytes& sent, std::size_t size) {
     server_end_.send(sent);
-    return client_.read(size, kPatience);
+    return client_.read(size, kSafetyNet);
   }
 
   ScriptedServer server_;
@@ -67,7 +66,7 @@ TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
     expected.insert(expected.end(), changed.begin(), changed.end());
     server_end_.send(reply_);
   }
-  EXPECT_EQ(client_.read(expected.size(), kPatience), expected);
+  EXPECT_EQ(client_.read(expected.size(), kSafetyNet), expected);
 }
 
 TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
@@ -80,7 +79,7 @@ TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
 TEST_F(FaultProxyTest, ResetsBothSides) {
   proxy_.add({Action::kReset, Place::kByte, 5});
   EXPECT_THAT(receivedOf(reply_, reply_.size()).size(), testing::Le(5u));
-  EXPECT_FALSE(client_.send("W\x55") && client_.receive(kPatience)->empty() && client_.send("W\x55"));
+  EXPECT_FALSE(client_.send("W\x55") && client_.receive(kSafetyNet)->empty() && client_.send("W\x55"));
 }
 
 TEST_F(FaultProxyTest, AHalfCloseLeavesTheOtherDirectionOpen) {
@@ -95,7 +94,7 @@ TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
   EXPECT_EQ(receivedOf(reply_, 5).size(), 5u);
   EXPECT_FALSE(client_.receive(milliseconds(100)).has_value());
   proxy_.heal();
-  EXPECT_TRUE(client_.receive(kPatience)->empty());
+  EXPECT_TRUE(client_.receive(kSafetyNet)->empty());
 }
 
 TEST_F(FaultProxyTest, ASlowWayDelaysBytesAndLosesNone) {
@@ -116,12 +115,12 @@ TEST_F(FaultProxyTest, APauseDelaysWhatTheServerSends) {
   server_end_.send(reply_);
   EXPECT_FALSE(client_.receive(milliseconds(50)).has_value());
   proxy_.setConditions({});
-  EXPECT_EQ(client_.read(reply_.size(), kPatience), reply_);
+  EXPECT_EQ(client_.read(reply_.size(), kSafetyNet), reply_);
 }
 
 TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
   proxy_.setWelcome(Welcome::kClose);
-  EXPECT_TRUE(RawClient(proxy_.port()).receive(kPatience)->empty());
+  EXPECT_TRUE(RawClient(proxy_.port()).receive(kSafetyNet)->empty());
   proxy_.setWelcome(Welcome::kSilence);
   EXPECT_FALSE(RawClient(proxy_.port()).receive(milliseconds(50)).has_value());
   proxy_.setWelcome(Welcome::kRefuse);
@@ -129,7 +128,7 @@ TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
   proxy_.setWelcome(Welcome::kServe);
   RawClient served(proxy_.port());
   server_.accept().send(reply_);
-  EXPECT_EQ(served.read(reply_.size(), kPatience), reply_);
+  EXPECT_EQ(served.read(reply_.size(), kSafetyNet), reply_);
 }
 
 }  // namespace

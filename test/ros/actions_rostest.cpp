@@ -52,7 +52,7 @@ class PlayUser : public JointUser {
  public:
   explicit PlayUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
       : JointUser(name_space, kQuick, robot_options), client(name_space + "/play_motion") {
-    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
   static PlayGoal::Goal nod(int repetitions) {
@@ -70,7 +70,7 @@ class FollowUser : public JointUser {
   explicit FollowUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
       : JointUser(name_space, kQuick, robot_options, AIBO_DRIVER_NODE_WITH_ALL),
         client(name_space + "/follow_joint_trajectory") {
-    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+    EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
   static FollowJointTrajectoryGoal goal(const Posture& posture, double seconds) {
@@ -159,7 +159,7 @@ TEST(Actions, FollowEachGoalToItsEndAndAGoalThatWasCancelledSucceedsIfItIsDoneAl
   aibo_driver::node::FollowedAction<PlayMotionAction> action(handle, way);
   thread.start();
   PlayGoal::Client client("/followed/do");
-  ASSERT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+  ASSERT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   for (const auto& [end, alone, cancelled] : {std::tuple(End::State::kSucceeded, State::SUCCEEDED, State::SUCCEEDED),
                                               std::tuple(End::State::kCanceled, State::PREEMPTED, State::PREEMPTED),
                                               std::tuple(End::State::kAborted, State::ABORTED, State::PREEMPTED)}) {

@@ -37,6 +37,7 @@ using sensor_msgs::CameraInfo;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::goodCalibration;
+using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::RecordingProxy;
 using test_support::SimulatedRobot;
@@ -245,7 +246,7 @@ class CalibrationUser {
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = info;
     const std::string service = name_space_ + "/camera/set_camera_info";
-    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(60)));
     EXPECT_TRUE(ros::service::call(service, call));
     return call.response;
   }
@@ -259,8 +260,6 @@ class CalibrationUser {
   std::unique_ptr<DriverProcess> driver_;
 };
 
-constexpr std::chrono::seconds kTimeToLog{30};
-
 TEST(Calibration, IsTheNominalOneUntilOneIsStoredAndTheLogSaysWhich) {
   CalibrationUser user("/calibration");
   const CameraInfo nominal = user.next();
@@ -268,17 +267,17 @@ TEST(Calibration, IsTheNominalOneUntilOneIsStoredAndTheLogSaysWhich) {
   EXPECT_EQ(nominal.height, 160u);
   EXPECT_NEAR(nominal.K[0], 191.9, 0.1);
   EXPECT_NEAR(nominal.P[0], 191.9, 0.1);
-  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal calibration", kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("camera_info holds the nominal calibration", kSafetyNet));
 
   const auto answer = user.set(goodCalibration());
   EXPECT_TRUE(answer.success) << answer.status_message;
   EXPECT_THAT(answer.status_message, HasSubstr(user.file()));
-  EXPECT_NO_THROW(user.driver().waitForOutput("208x160 is stored in " + user.file(), kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("208x160 is stored in " + user.file(), kSafetyNet));
   EXPECT_EQ(user.next().K, goodCalibration().K);
 
   user.restart();
   EXPECT_EQ(user.next().K, goodCalibration().K);
-  EXPECT_NO_THROW(user.driver().waitForOutput("calibration is that in " + user.file(), kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("calibration is that in " + user.file(), kSafetyNet));
 }
 
 TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
@@ -289,7 +288,7 @@ TEST(Calibration, OfAnotherSizeIsScaledIfItFitsAndElseRefused) {
   const auto refused = user.set(info);
   EXPECT_FALSE(refused.success);
   EXPECT_THAT(refused.status_message, HasSubstr("for pictures of 200x160, but the robot sends 208x160"));
-  EXPECT_NO_THROW(user.driver().waitForOutput("WARN.*set_camera_info was refused. .*pictures of 200x160", kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("WARN.*set_camera_info was refused. .*pictures of 200x160", kSafetyNet));
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1) << "the nominal one stays";
   info.width = 832;
   info.height = 640;
@@ -326,7 +325,7 @@ TEST(Calibration, InAFileThatDoesNotFitThePicturesIsNotPublished) {
   EXPECT_EQ(info.width, 208u);
   EXPECT_NEAR(info.K[0], 191.9, 0.1);
   const std::string misfit = "is for pictures of 200x160, but the robot sends 208x160";
-  EXPECT_NO_THROW(user.driver().waitForOutput(misfit, kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput(misfit, kSafetyNet));
   for (int i = 0; i < 3; ++i) {
     user.next();
   }
@@ -342,7 +341,7 @@ TEST(Calibration, InAFileThatIsDamagedIsNotPublished) {
   std::ofstream(user.file()) << text;
   user.restart();
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1);
-  EXPECT_NO_THROW(user.driver().waitForOutput("is left out: the distortion model is not", kTimeToLog));
+  EXPECT_NO_THROW(user.driver().waitForOutput("is left out: the distortion model is not", kSafetyNet));
 }
 
 TEST(Calibration, ThatCannotBeStoredIsNotUsed) {
@@ -363,7 +362,7 @@ TEST(Calibration, OfTwoRobotsIsInTwoFilesAlsoIfTheyAreNotThere) {
     call.request.camera_info = goodCalibration();
     call.request.camera_info.K[0] = name_space == "/one" ? 190.0 : 200.0;
     const std::string service = name_space + "/camera/set_camera_info";
-    ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+    ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(60)));
     ASSERT_TRUE(ros::service::call(service, call));
     EXPECT_TRUE(call.response.success) << call.response.status_message;
   }
@@ -382,11 +381,11 @@ TEST(Calibration, MustFitThePicturesThatComeWhetherAnybodyListensOrNot) {
   call.request.camera_info.width = 320;
   call.request.camera_info.height = 240;
   const std::string service = "/unheard/camera/set_camera_info";
-  ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(30)));
+  ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(60)));
   ASSERT_TRUE(ros::service::call(service, call));
   EXPECT_TRUE(call.response.success) << "nobody knows yet what the robot sends";
   robot.restart();
-  EXPECT_NO_THROW(driver.waitForOutput("WARN.*is for pictures of 320x240, but the robot sends 208x160", kTimeToLog));
+  EXPECT_NO_THROW(driver.waitForOutput("WARN.*is for pictures of 320x240, but the robot sends 208x160", kSafetyNet));
   ASSERT_TRUE(ros::service::call(service, call));
   EXPECT_FALSE(call.response.success);
   EXPECT_THAT(call.response.status_message, HasSubstr("the robot sends 208x160"));

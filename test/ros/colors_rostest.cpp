@@ -51,7 +51,7 @@ LoadColorTable::Response load(const std::string& name_space, int channel, const 
   call.request.file = file;
   call.request.table = table;
   const std::string service = name_space + "/load_color_table";
-  EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(20)) && ros::service::call(service, call));
+  EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(60)) && ros::service::call(service, call));
   return call.response;
 }
 

@@ -249,7 +249,7 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   EXPECT_EQ(playback.waitForExit(std::chrono::milliseconds(1500)), std::nullopt) << "nobody watches yet";
   std_srvs::SetBool pause;
   pause.request.data = 1;
-  ASSERT_TRUE(ros::service::waitForService("/other/aibo_playback/pause_playback", ros::Duration(30)));
+  ASSERT_TRUE(ros::service::waitForService("/other/aibo_playback/pause_playback", ros::Duration(60)));
   ASSERT_TRUE(ros::service::call("/other/aibo_playback/pause_playback", pause));
   EXPECT_FALSE(pause.response.success) << "it does not play yet";
   pause.request.data = 0;
@@ -275,7 +275,7 @@ TEST_F(PlaybackTest, PausesAndRepeats) {
   TopicListener<nav_msgs::Odometry> odom("/again/odom");
   TopicListener<Connection> connection("/again/connection");
   Process playback(command(recordAWalk(1), "/again", {"_loop:=true", "_rate:=2"}));
-  ASSERT_TRUE(ros::service::waitForService("/again/aibo_playback/pause_playback", ros::Duration(30)));
+  ASSERT_TRUE(ros::service::waitForService("/again/aibo_playback/pause_playback", ros::Duration(60)));
   for (std::size_t round = 1; round <= 2; ++round) {
     odom.waitForCount(15 * round);
     std_srvs::SetBool call;

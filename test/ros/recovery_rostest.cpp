@@ -31,9 +31,6 @@ using ::testing::Not;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
-// From the return of the robot to the first picture.
-constexpr std::chrono::seconds kRecoveryLimit{3};
-
 TopicListener<Connection>::ConstPtr waitForState(TopicListener<Connection>& connection, std::uint8_t state) {
   return connection.waitFor([state](const Connection& message) { return message.state == state; });
 }

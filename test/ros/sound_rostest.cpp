@@ -57,7 +57,7 @@ class SoundUser {
                     std::vector<std::string>{"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1",
                                              "_frame_prefix:=rex"},
                     std::map<std::string, std::string>{{"PATH", "/nonexistent"}}, AIBO_DRIVER_NODE_WITH_ALL);
-    EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(30)));
+    EXPECT_TRUE(ros::service::waitForService(name_space + "/play_sound", ros::Duration(60)));
     TopicListener<Connection> connection(name_space + "/connection");
     EXPECT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
   }
@@ -277,7 +277,7 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   writeSoundFile(user.path("short.wav"), tone(1600));
   writeSoundFile(user.path("long.wav"), tone(16000 * 60));
   actionlib::SimpleActionClient<PlaySoundAction> client("/plays_goals/play_sound");
-  ASSERT_TRUE(client.waitForServer(ros::Duration(30)));
+  ASSERT_TRUE(client.waitForServer(ros::Duration(60)));
   const auto begin = [&](actionlib::SimpleActionClient<PlaySoundAction>& player, const std::string& file) {
     PlaySoundGoal goal;
     goal.file = user.path(file);
@@ -292,7 +292,7 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
     if (cancel) {
       client.cancelGoal();
     }
-    EXPECT_TRUE(client.waitForResult(ros::Duration(30)));
+    EXPECT_TRUE(client.waitForResult(ros::Duration(60)));
     return client.getState();
   };
   EXPECT_EQ(result_of("short.wav", false), actionlib::SimpleClientGoalState::SUCCEEDED);
@@ -301,10 +301,10 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   begin(client, "long.wav");
   writeSoundFile(user.path("second.wav"), tone(16000));
   actionlib::SimpleActionClient<PlaySoundAction> other("/plays_goals/play_sound");
-  ASSERT_TRUE(other.waitForServer(ros::Duration(30)));
+  ASSERT_TRUE(other.waitForServer(ros::Duration(60)));
   begin(other, "second.wav");
   client.cancelGoal();  // at once: the driver need not have seen that this sound has ended
-  EXPECT_TRUE(other.waitForResult(ros::Duration(30)));
+  EXPECT_TRUE(other.waitForResult(ros::Duration(60)));
   EXPECT_EQ(other.getState(), actionlib::SimpleClientGoalState::SUCCEEDED) << "only its own sound is cancelled";
   PlaySoundGoal both;
   both.file = user.path("short.wav");
@@ -313,7 +313,7 @@ TEST(PlaySoundActionTest, SucceedsAtTheEndIsCancelledAndSucceedsAgain) {
   speech.text = "hello";
   for (const auto& [goal, complaint] :
        {std::pair(PlaySoundGoal(), "give a file or a text"), {both, "give a file or a text"}, {speech, "espeak-ng"}}) {
-    client.sendGoalAndWait(goal, ros::Duration(30));
+    client.sendGoalAndWait(goal, ros::Duration(60));
     EXPECT_EQ(client.getState(), actionlib::SimpleClientGoalState::REJECTED);
     EXPECT_THAT(client.getResult()->message, HasSubstr(complaint));
   }

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "support/safety_net.h"
 #include "support/sockets.h"
 #include "support/test_pictures.h"
 
@@ -18,8 +19,6 @@ using std::chrono::milliseconds;
 
 namespace test_support {
 namespace {
-
-constexpr milliseconds kPatience{20000};
 
 bool readableWithin(int descriptor, milliseconds time) {
   pollfd polled = {descriptor, POLLIN, 0};
@@ -31,7 +30,7 @@ bool readableWithin(int descriptor, milliseconds time) {
 }  // namespace
 
 protocol::BasicGetCommand ScriptedPeer::readCommand() {
-  const auto command = readCommandWithin(kPatience);
+  const auto command = readCommandWithin(kSafetyNet);
   if (!command) {
     throw std::runtime_error("the client has sent no command");
   }
@@ -53,7 +52,7 @@ std::optional<protocol::BasicGetCommand> ScriptedPeer::readCommandWithin(millise
 ScriptedPeer::Bytes ScriptedPeer::read(std::size_t size) {
   Bytes bytes;
   while (bytes.size() < size) {
-    if (!readableWithin(socket_.get(), kPatience)) {
+    if (!readableWithin(socket_.get(), kSafetyNet)) {
       throw std::runtime_error("the client has sent nothing");
     }
     Bytes part(size - bytes.size());
@@ -74,7 +73,7 @@ version2_frames::Frame ScriptedPeer::readFrame() {
 }
 
 version2_frames::Frame ScriptedPeer::readRequest() {
-  const auto end = std::chrono::steady_clock::now() + kPatience;
+  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
   while (std::chrono::steady_clock::now() < end) {
     version2_frames::Frame frame = readFrame();
     if (frame.header.kind != protocol::version2::REQUEST_HELLO) {
@@ -127,7 +126,7 @@ void ScriptedPeer::reset() {
 void ScriptedPeer::waitUntilClosed() {
   char ignored[256];
   do {
-    if (!readableWithin(socket_.get(), kPatience)) {
+    if (!readableWithin(socket_.get(), kSafetyNet)) {
       throw std::runtime_error("the client has not closed the connection");
     }
   } while (::recv(socket_.get(), ignored, sizeof ignored, 0) > 0);
@@ -165,7 +164,7 @@ void ScriptedServer::vanish() {
 }
 
 ScriptedPeer ScriptedServer::accept() {
-  if (!readableWithin(socket_.get(), kPatience)) {
+  if (!readableWithin(socket_.get(), kSafetyNet)) {
     throw std::runtime_error("no client has come");
   }
   FileDescriptor socket(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));

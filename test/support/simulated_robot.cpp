@@ -1,16 +1,11 @@
 #include "support/simulated_robot.h"
 
-#include <chrono>
 #include <regex>
 
 #include "support/raw_client.h"
+#include "support/safety_net.h"
 
 namespace test_support {
-namespace {
-
-constexpr std::chrono::seconds kPatience{30};
-
-}  // namespace
 
 void SimulatedRobot::start(int port) {
   std::vector<std::string> command = launcher_;
@@ -18,7 +13,8 @@ void SimulatedRobot::start(int port) {
   command.insert(command.end(), options_.begin(), options_.end());
   kept_port_.close();
   process_ = std::make_unique<Process>(command);
-  const auto ports = process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)", kPatience);
+  const auto ports =
+      process_->waitForOutput("Console on [0-9.]+:([0-9]+)\n.*listening on [0-9.]+:([0-9]+)", kSafetyNet);
   console_port_ = std::stoi(ports.at(1));
   port_ = std::stoi(ports.at(2));
 }
@@ -31,7 +27,7 @@ std::string SimulatedRobot::type(const std::string& line) const {
   std::string heard;
   std::smatch answer;
   while (!std::regex_search(heard, answer, whole_answer)) {
-    const auto part = console.receive(kPatience);
+    const auto part = console.receive(kSafetyNet);
     if (!part || part->empty()) {
       break;
     }

@@ -16,7 +16,7 @@ from pathlib import Path
 
 RULES = Path(__file__).resolve().parents[2] / "config" / "wlan" / "aibo.nft"
 SKIPPED = 77
-TIMEOUT = 10  # only a failing test waits this long
+TIMEOUT = 60  # only a failing test waits this long
 CLONE_NEWNET = 0x40000000
 LIBC = ctypes.CDLL(None, use_errno=True)
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
+#include "support/safety_net.h"
 
 namespace fault_bench {
 
@@ -20,7 +21,7 @@ using Random = std::mt19937;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
 /// How long a trial waits for what has to happen.
-constexpr std::chrono::seconds kPatience{20};
+constexpr std::chrono::seconds kPatience = kSafetyNet;
 
 /// The result of one trial.
 struct Outcome {

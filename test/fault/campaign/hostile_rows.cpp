@@ -26,8 +26,6 @@ using std::chrono::steady_clock;
 namespace fault_bench {
 namespace {
 
-constexpr milliseconds kHostilePatience{20000};
-
 // Long enough for thousands of messages.
 constexpr milliseconds kAttackTime{300};
 
@@ -51,7 +49,7 @@ class HonestClient {
     std::unique_lock<std::mutex> lock(mutex_);
     const std::uint64_t pictures = pictures_;
     const std::uint64_t joints = joints_;
-    return changed_.wait_for(lock, kHostilePatience, [&] { return pictures_ > pictures + 1 && joints_ > joints + 1; });
+    return changed_.wait_for(lock, kPatience, [&] { return pictures_ > pictures + 1 && joints_ > joints + 1; });
   }
 
   aibo_client::ClientStatistics statistics() const { return client_.statistics(); }

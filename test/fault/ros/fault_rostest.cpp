@@ -86,11 +86,9 @@ using ::testing::Not;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
-constexpr milliseconds kPatience{30000};
-
 template <typename Condition>
 bool eventually(const Condition& condition) {
-  const auto end = steady_clock::now() + kPatience;
+  const auto end = steady_clock::now() + kSafetyNet;
   while (!condition()) {
     if (steady_clock::now() > end) {
       return false;
@@ -105,7 +103,7 @@ void expectEndsSoon(DriverProcess* driver) {
   const milliseconds limit = wantsWholeCampaign() ? milliseconds(1000) : milliseconds(20000);
   const auto begin = steady_clock::now();
   driver->signal(SIGINT);
-  EXPECT_EQ(driver->waitForExit(kPatience).value_or(-1), 0) << driver->output();
+  EXPECT_EQ(driver->waitForExit(kSafetyNet).value_or(-1), 0) << driver->output();
   EXPECT_LE(steady_clock::now() - begin, limit);
 }
 
@@ -242,7 +240,7 @@ TEST_F(Faults, CtrlCEndsTheNodeInTheMiddleOfAPicture) {
   DriverProcess driver("/middle", proxy_.port(), {test_support::kByTcp, "_read_timeout:=30"});
   ASSERT_FALSE(pictures.waitForCount(1).empty());
   proxy_.add({Action::kSilence, Place::kPicture, 1000});
-  ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
+  ASSERT_TRUE(proxy_.waitForFaults(1, kSafetyNet));
   expectEndsSoon(&driver);
 }
 
@@ -269,7 +267,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   master.setConditions(silence);
   driver.signal(SIGINT);
   driver.waitForOutput("without signing off", kSafetyNet);
-  EXPECT_EQ(driver.waitForExit(kPatience).value_or(-1), EXIT_FAILURE);
+  EXPECT_EQ(driver.waitForExit(kSafetyNet).value_or(-1), EXIT_FAILURE);
 
   master.setConditions({});
   test_support::ScriptedServer server;
@@ -279,7 +277,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   next.signal(SIGINT);
   robot.waitUntilClosed();
   next.signal(SIGINT);
-  EXPECT_EQ(next.waitForExit(kPatience).value_or(-1), 128 + SIGINT) << "a second Ctrl-C ends it at once";
+  EXPECT_EQ(next.waitForExit(kSafetyNet).value_or(-1), 128 + SIGINT) << "a second Ctrl-C ends it at once";
 }
 
 TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
@@ -296,7 +294,7 @@ TEST_F(Faults, PicturesGoOnWhileServicesWaitAndCtrlCEndsTheNode) {
   // The node may end without answering.
   const auto plays = std::async(std::launch::async, [&] { ros::service::call("/waiting/play_motion", play); });
   const auto uploads = std::async(std::launch::async, [&] { ros::service::call("/waiting/upload_motion", upload); });
-  ASSERT_TRUE(proxy_.waitForFaults(1, kPatience));
+  ASSERT_TRUE(proxy_.waitForFaults(1, kSafetyNet));
   pictures.clear();
   EXPECT_FALSE(pictures.waitForCount(100).empty());
   for (const auto* waiting : {&plays, &uploads}) {
@@ -518,7 +516,7 @@ class Master {
       throw;
     }
     if (!first.empty()) {
-      EXPECT_EQ(Process(first, environment()).waitForExit(kPatience), 0);
+      EXPECT_EQ(Process(first, environment()).waitForExit(kSafetyNet), 0);
     }
     FaultProxy::Options options;
     options.target_port = port_;
@@ -536,7 +534,7 @@ class Master {
   void stop() {
     if (process_) {
       process_->signal(SIGINT);
-      process_->waitForExit(kPatience);
+      process_->waitForExit(kSafetyNet);
       process_.reset();
     }
     proxy_.reset();
@@ -598,7 +596,7 @@ class FaultsOfMaster : public Faults {
     RateMeter early(master_, topic);
     early.expectMessages();
     Process change({"rosparam", "set", name_space + "/aibo_driver/changed", "after_the_start"}, master_.environment());
-    EXPECT_EQ(change.waitForExit(kPatience), 0);
+    EXPECT_EQ(change.waitForExit(kSafetyNet), 0);
     for (int question = 0; question < 2; ++question) {  // the driver remembers its parameters after each
       ASSERT_TRUE(master_.waitForQuestion("getSystemState"));
     }
@@ -636,7 +634,7 @@ class FaultsOfMaster : public Faults {
     expectAnswer({"rosparam", "get", name_space + "/aibo_driver/changed"}, "by_another");
     master_.stop();
     process.signal(SIGINT);
-    EXPECT_EQ(process.waitForExit(kPatience).value_or(-1), 0) << "it does not end without a master";
+    EXPECT_EQ(process.waitForExit(kSafetyNet).value_or(-1), 0) << "it does not end without a master";
   }
 
  private:

@@ -89,14 +89,14 @@ class HostileNode : public testing::Test {
 
   void SetUp() override {
     ASSERT_TRUE(joints_.waitForNext());
-    ASSERT_TRUE(stop_.waitForExistence(ros::Duration(20)));
+    ASSERT_TRUE(stop_.waitForExistence(ros::Duration(60)));
     before_ = Resources::of(std::to_string(driver_.pid()));
   }
 
   template <typename Message>
   ros::Publisher publisher(const std::string& topic) {
     ros::Publisher publisher = node_.advertise<Message>(topic, 1);
-    const auto end = steady_clock::now() + std::chrono::seconds(20);
+    const auto end = steady_clock::now() + kSafetyNet;
     while (publisher.getNumSubscribers() == 0 && steady_clock::now() < end) {
       std::this_thread::sleep_for(milliseconds(10));
     }
@@ -164,7 +164,7 @@ class HostileNode : public testing::Test {
   std::function<void()> caller(const std::string& name) {
     constexpr bool kPersistent = true;  // faster
     ros::ServiceClient service = node_.serviceClient<Service>(name, kPersistent);
-    EXPECT_TRUE(service.waitForExistence(ros::Duration(20))) << name;
+    EXPECT_TRUE(service.waitForExistence(ros::Duration(60))) << name;
     return [service]() mutable {
       Service call;
       service.call(call);
@@ -266,7 +266,7 @@ TEST_F(HostileNode, ThatLightsAMillionUnknownLeds) {
 
 TEST_F(HostileNode, ThatChangesSettingsAsFastAsItCan) {
   ros::ServiceClient set = node_.serviceClient<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", true);
-  ASSERT_TRUE(set.waitForExistence(ros::Duration(20)));
+  ASSERT_TRUE(set.waitForExistence(ros::Duration(60)));
   attack([&] {
     dynamic_reconfigure::Reconfigure change;
     dynamic_reconfigure::StrParameter transport;
@@ -455,7 +455,7 @@ TEST_F(HostileNode, ThatListensAndGoesAsOftenAsItCan) {
 
 TEST_F(HostileNode, ThatCallsServicesWithTextsOfItsOwn) {
   ros::ServiceClient upload = node_.serviceClient<aibo_driver::UploadMotion>("upload_motion", true);
-  ASSERT_TRUE(upload.waitForExistence(ros::Duration(20)));
+  ASSERT_TRUE(upload.waitForExistence(ros::Duration(60)));
   attack([&] {
     aibo_driver::UploadMotion request;
     request.request.name = names_.next();

@@ -11,10 +11,9 @@
 #include <string>
 #include <vector>
 
-namespace test_support {
+#include "support/safety_net.h"
 
-/// A safety net for messages that come within milliseconds. Only a failing test waits this long.
-constexpr std::chrono::seconds kSafetyNet{30};
+namespace test_support {
 
 /// Subscribes to a topic, keeps all messages, and lets tests wait for them.
 template <typename Message>

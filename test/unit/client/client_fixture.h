@@ -12,6 +12,7 @@
 #include "aibo_client/exceptions.h"
 #include "aibo_client/rcserver_client.h"
 #include "recorder.h"
+#include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
@@ -76,7 +77,7 @@ class ClientFixture : public testing::Test {
   /// @return false if it did not within a generous time
   template <typename Condition>
   static bool eventually(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
     while (!condition()) {
       if (std::chrono::steady_clock::now() > end) {
         return false;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "support/safety_net.h"
 
 /// Keeps what a client reports through its callbacks, and waits for it. Must outlive the client.
 class Recorder {
@@ -111,7 +112,7 @@ class Recorder {
   template <typename Condition>
   bool waitFor(const Condition& condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, std::chrono::seconds(20), condition);
+    return changed_.wait_for(lock, test_support::kSafetyNet, condition);
   }
 
   long countLog(const std::string& text) const {

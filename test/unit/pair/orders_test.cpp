@@ -12,11 +12,13 @@
 #include "aibo_client/rcserver_client.h"
 #include "support/memory_stick.h"
 #include "support/proxy/recording_proxy.h"
+#include "support/safety_net.h"
 #include "support/simulated_robot.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
+using test_support::kSafetyNet;
 using test_support::MemoryStick;
 using test_support::SimulatedRobot;
 using testing::ElementsAre;
@@ -24,7 +26,6 @@ using testing::HasSubstr;
 
 namespace {
 
-constexpr seconds kPatience{20};
 constexpr int kHeadPan = 2;
 
 /// A client, and what it has told.
@@ -48,7 +49,7 @@ class User {
   template <typename Condition>
   bool await(const Condition& condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, kPatience, condition);
+    return changed_.wait_for(lock, kSafetyNet, condition);
   }
 
   bool awaitRefusal() {
@@ -237,10 +238,10 @@ TEST(PairOfVersion2Test, AMotionThatWaitsBehindAnotherForTheMemoryStickIsTooOld)
   test_support::RecordingProxy proxy(robot.port());
   User user(proxy.port());
   user.connect();
-  std::thread other([&user] { user.client().listMotions(kPatience); });
-  EXPECT_TRUE(proxy.waitForRequest("N", kPatience)) << "the list is asked for first";
+  std::thread other([&user] { user.client().listMotions(kSafetyNet); });
+  EXPECT_TRUE(proxy.waitForRequest("N", kSafetyNet)) << "the list is asked for first";
   try {
-    user.client().playMotion("NOD.MTN", 1, kPatience);
+    user.client().playMotion("NOD.MTN", 1, kSafetyNet);
     ADD_FAILURE() << "it has waited";
   } catch (const CommandException& error) {
     EXPECT_THAT(error.what(), HasSubstr("too old"));
@@ -254,9 +255,9 @@ TEST(PairOfVersion2Test, AFullMemoryStickTakesNoPictureUntilItIsEmptied) {
   User user(robot);
   user.connect();
   EXPECT_EQ(robot.type("stick full"), "ok: stick full\n");
-  EXPECT_THROW(user.client().takePictureOnRobot(85, kPatience), CommandException);
+  EXPECT_THROW(user.client().takePictureOnRobot(85, kSafetyNet), CommandException);
   EXPECT_EQ(robot.type("stick ready"), "ok: stick ready\n");
-  EXPECT_EQ(user.client().takePictureOnRobot(85, kPatience), "AIBO0001.JPG");
+  EXPECT_EQ(user.client().takePictureOnRobot(85, kSafetyNet), "AIBO0001.JPG");
 }
 
 // Steps of a trajectory wait for answers. A velocity does not, and would go before them.

@@ -17,18 +17,18 @@
 #include "sound/recording.h"
 #include "sound/sound_file.h"
 #include "support/memory_stick.h"
+#include "support/safety_net.h"
 #include "support/simulated_robot.h"
 
 using namespace aibo_client;
 using std::chrono::seconds;
+using test_support::kSafetyNet;
 using test_support::MemoryStick;
 using test_support::SimulatedRobot;
 
 namespace {
 
 using Samples = std::vector<std::int16_t>;
-
-constexpr seconds kPatience{30};
 
 /// No sample of it is 0.
 Samples ramp(std::size_t size) {
@@ -89,7 +89,7 @@ class SoundPairTest : public testing::Test {
   template <typename Condition>
   bool await(const Condition& condition) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, kPatience, condition);
+    return changed_.wait_for(lock, kSafetyNet, condition);
   }
 
   /// Writes a WAV file, mono.

@@ -25,19 +25,19 @@
 #include "simulator/ers7/simulated_ers7.h"
 #include "support/memory_stick.h"
 #include "support/process.h"
+#include "support/safety_net.h"
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
 
 namespace {
 
+using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TemporaryFolder;
 using test_support::TestClient;
 using ::testing::HasSubstr;
 using Strings = std::vector<std::string>;
-
-constexpr std::chrono::seconds kPatience{30};
 
 /// Requests of version 1; it is the name of the motion that is only on the stick of command().
 const std::string kOnePicture = "FU";
@@ -59,7 +59,7 @@ Strings command(const Strings& options = {}, const std::string& port = "0", cons
 }
 
 std::string restOfLine(Process& robot, const std::string& text) {
-  return robot.waitForOutput(text + "(.+)\n", kPatience).at(1);
+  return robot.waitForOutput(text + "(.+)\n", kSafetyNet).at(1);
 }
 
 /// Waits until it listens.
@@ -81,7 +81,7 @@ bool isReachable(const std::string& address, const std::string& port) {
 /// What one robot prints until it ends, and how it ends.
 std::pair<int, std::string> endOf(const Strings& arguments) {
   Process robot(arguments);
-  const auto status = robot.waitForExit(kPatience);
+  const auto status = robot.waitForExit(kSafetyNet);
   return {status.value_or(-1), robot.output()};
 }
 
@@ -116,7 +116,7 @@ TEST(AiboRCServer, TellsEachPortThatIsNotTheRobotsOwnAndStopsWhenItIsTold) {
     EXPECT_EQ(portOf(robot, address), free[2]);
     EXPECT_TRUE(isReachable(address, free[3]));
     robot.signal(signal);
-    EXPECT_EQ(robot.waitForExit(kPatience), 0);
+    EXPECT_EQ(robot.waitForExit(kSafetyNet), 0);
     const std::string here = " of this computer\n";
     EXPECT_EQ(robot.output(),
               "RCServer: any address may connect\nRCServer: waiting for a client on port 54321\n"
@@ -140,7 +140,7 @@ TEST(AiboRCServer, FindsItsMemoryStickByItself) {
   Process robot({AIBO_RCSERVER, "--no-console", "--port", "0"});
   const std::string port = portOf(robot);
   robot.signal(SIGTERM);
-  EXPECT_EQ(robot.waitForExit(kPatience), 0);
+  EXPECT_EQ(robot.waitForExit(kSafetyNet), 0);
   EXPECT_EQ(robot.output(),
             "RCServer: any address may connect\nRCServer: waiting for a client on port 54321\n"
             "Port 54321 of the robot is port " +
@@ -160,14 +160,14 @@ TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
   Process ers7(options);
   restOfLine(ers7, "^Console on 127.0.0.1:");
   ers7.signal(SIGTERM);
-  ers7.waitForExit(kPatience);
+  ers7.waitForExit(kSafetyNet);
   EXPECT_THAT(ers7.output(), testing::MatchesRegex("Console on 127.0.0.1:[0-9]+\nStopped\n"));
 
   Strings other_options = options;
   other_options.insert(other_options.end(), {"--battery-minutes", "0.02", "--robot", "ERS-210"});
   Process ers210(other_options);
   portOf(ers210);
-  EXPECT_EQ(ers210.waitForExit(kPatience), 0);
+  EXPECT_EQ(ers210.waitForExit(kSafetyNet), 0);
   EXPECT_THAT(ers210.output(),
               testing::EndsWith("RCServer: the battery is low: the robot lies down and shuts down\n"
                                 "ERROR RCServer: RCServer: the robot does not lie down: this kind of robot has "

@@ -12,6 +12,7 @@
 
 #include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
+#include "support/safety_net.h"
 
 namespace {
 
@@ -70,7 +71,7 @@ class PowerTest : public FakeRobotFixture {
 
   // The machine may be off already, and the end of the connection still under way.
   static bool endsFor(TestClient& client) {
-    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    const auto limit = std::chrono::steady_clock::now() + test_support::kSafetyNet;
     while (!client.ended() && std::chrono::steady_clock::now() < limit) {
       std::this_thread::yield();
     }

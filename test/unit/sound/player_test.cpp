@@ -14,6 +14,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "support/fake_client.h"
+#include "support/safety_net.h"
 
 using namespace aibo_driver::sound;
 using aibo_client::EndedHow;
@@ -51,7 +52,7 @@ class Robot : public test_support::FakeClient {
 
   void waitForLast() {
     std::unique_lock<std::mutex> lock(mutex_);
-    EXPECT_TRUE(changed_.wait_for(lock, std::chrono::seconds(20), [this] { return has_last_; }));
+    EXPECT_TRUE(changed_.wait_for(lock, test_support::kSafetyNet, [this] { return has_last_; }));
   }
 
  private:
@@ -148,7 +149,7 @@ TEST_F(PlayerTest, ASoundGoesOnIfTheNextOneIsRefused) {
 
     std::vector<std::int16_t> read(std::size_t most) override {
       if (++pieces_ == 3) {
-        refused_.wait_for(std::chrono::seconds(20));
+        refused_.wait_for(test_support::kSafetyNet);
       }
       return Ramp::read(most);
     }

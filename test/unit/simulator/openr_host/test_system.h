@@ -16,6 +16,7 @@
 
 #include "fake_robot.h"
 #include "simulator/openr_host/objects/system.h"
+#include "support/safety_net.h"
 
 namespace openr_host {
 
@@ -134,7 +135,7 @@ class TestSystem {
   /// Handles messages and sockets until `done` returns true.
   /// @param limit in case of an error
   /// @return false if the limit was reached
-  bool runUntil(const std::function<bool()>& done, std::chrono::seconds limit = std::chrono::seconds(20)) {
+  bool runUntil(const std::function<bool()>& done, std::chrono::seconds limit = test_support::kSafetyNet) {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (!done()) {
       if (std::chrono::steady_clock::now() > end) {
