@@ -18,10 +18,10 @@ struct Trial {
   std::string title;
   RadioOptions radio;
   std::chrono::milliseconds length{15000};
-  /// After an outage, the next picture must come within this time; 0 = no outage.
+  /// After an outage, the next picture must come within this time, unless the computer is busy.
   std::chrono::milliseconds recovery_mark{0};
   aibo_client::PictureTransport transport = aibo_client::PictureTransport::kTcp;
-  bool on_busy_computer = false;         ///< which may hold the client up, so that pictures grow stale
+  bool on_busy_computer = false;         ///< which may hold anybody up: what that can cause is no violation
   std::chrono::milliseconds max_age{0};  ///< of a picture; 0 = any. Pictures must not be older for more than a second
   bool is_adaptive = false;              ///< quality and rate are adapted to keep max_age
 };
