@@ -92,7 +92,7 @@ TEST_P(StopTest, HoldsASlowCommandAtOnce) {
 
 TEST_P(StopTest, HoldsACommandThatHasJustBeenSent) {
   JointUser user(nameSpace("just_sent"), kFast, options());
-  user.publish("joint_command", commandAtSpeed("head_pan", 1.0, 0.5));
+  user.publish("joint_command", commandAtSpeed("head_pan", 1.0, 0.1));
   std::this_thread::sleep_for(std::chrono::milliseconds(20));
   const auto answer = user.call<Trigger>("stop");
   EXPECT_TRUE(answer.success) << answer.message;

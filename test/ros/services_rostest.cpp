@@ -42,7 +42,7 @@ TEST(TakePicture, WithoutAStreamAnswersAPictureThatWasTakenAfterTheCall) {
 }
 
 TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
-  DriverUser user("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=4", "_read_timeout:=60"});
+  DriverUser user("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=10", "_read_timeout:=60"});
   user.proxy.setMute(true);
   auto waiting = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
   ASSERT_TRUE(user.proxy.waitForRequest("F", kSafetyNet));
