@@ -69,8 +69,8 @@ class GoalUser : public JointUser {
         take_posture(name_space + "/take_posture"),
         odom(name_space + "/odom"),
         state(name_space + "/motion_state") {
-    EXPECT_TRUE(go_to.waitForActionServerToStart(ros::Duration(30)));
-    EXPECT_TRUE(take_posture.waitForActionServerToStart(ros::Duration(30)));
+    EXPECT_TRUE(go_to.waitForActionServerToStart(ros::Duration(60)));
+    EXPECT_TRUE(take_posture.waitForActionServerToStart(ros::Duration(60)));
   }
 
   bool isAt(double x, double y, double yaw) {
@@ -201,7 +201,7 @@ TEST(Goal, ABrokenConnectionEndsItForGood) {
   EXPECT_EQ(there.result()->end, EndedMovement::LOST);
   EXPECT_TRUE(user.stateSays(there.result()));
   Going again(user.go_to, goalAt(0.1, 0, 0, "rex/base_link"));
-  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED) << again.result()->message;
 }
 
 TEST(TakePosture, EndsWhenTheRobotHasTakenIt) {
