@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "support/ros/goal_watch.h"
+#include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
 #include "support/ros/motion_states.h"
 
