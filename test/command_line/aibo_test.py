@@ -69,6 +69,12 @@ class SimulatedRobot:
             answer = next(line for line in lines if line[:2] == ["ok:", command.split()[0]])
         return " ".join(answer[len(command.split()) + 1:])
 
+    def wait_for_change(self, question, process):
+        """Asks at the console until the answer is another one, while the process runs."""
+        before = self.ask(question)
+        while self.ask(question) == before:
+            assert process.poll() is None
+
     def end(self):
         self.process.kill()
         self.process.wait()
@@ -398,8 +404,7 @@ class OnBothVersions:
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
         with start("move", "tail_pan=40deg", "head_pan=80deg", "--speed", "5deg/s", port=witness.port) as move:
-            with self.assertRaises(subprocess.TimeoutExpired):  # 16 s of movement
-                move.wait(4)
+            self.robot.wait_for_change("joint head_pan", move)  # 16 s of movement
             move.send_signal(signal.SIGINT)
             self.assertEqual(move.wait(60), 130)
             move.communicate()
@@ -428,7 +433,7 @@ class Version1(OnBothVersions, TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.robot = SimulatedRobot("--protocol-version", "1")
+        cls.robot = SimulatedRobot("--protocol-version", "1", console=True)
 
     def test_says_what_such_a_server_cannot_do(self):
         for words in (["motions"], ["stand"], ["sit"], ["rest"], ["walk", "forward=5cm/s"], ["motors", "on"],
@@ -474,7 +479,7 @@ class Version2(OnBothVersions, TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.robot = SimulatedRobot()
+        cls.robot = SimulatedRobot(console=True)
 
     def test_plays_a_motion_to_its_end(self):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
@@ -503,8 +508,7 @@ class Version2(OnBothVersions, TestCase):
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
         with start("walk", "forward=2cm/s", "--seconds", "60", port=witness.port) as walk:
-            with self.assertRaises(subprocess.TimeoutExpired):
-                walk.wait(3)
+            self.robot.wait_for_change("where", walk)
             walk.send_signal(signal.SIGINT)
             self.assertEqual((walk.wait(60), walk.communicate()[1]), (130, b"aibo: the walk was interrupted\n"))
         self.assertEqual([kind for kind, _, _ in witness.take("S", "I")[-2:]], ["S", "I"], "it holds")
@@ -636,12 +640,10 @@ class Asked(TestCase):
         self.assertEqual(self.said, "NOD.MTN was played to its end.\n")
         for speed in ("5deg/s", "1146deg/s"):
             self.assertIn("5.8deg/s", self.aibo("play", "nod", "--speed", speed, status=WRONG_USAGE).errors)
-        begin = self.robot.ask("joint tail_pan")
         witness = Witness(self.robot.port)
         self.addCleanup(witness.end)
         with start("play", "wag", "--times", "300", port=witness.port) as play:
-            while self.robot.ask("joint tail_pan") == begin:
-                self.assertIsNone(play.poll())
+            self.robot.wait_for_change("joint tail_pan", play)
             play.send_signal(signal.SIGTERM)
             self.assertEqual(play.wait(60), 128 + signal.SIGTERM)
             self.assertEqual(play.communicate()[1], b"aibo: interrupted\n")
@@ -996,10 +998,9 @@ class Lost(TestCase):
                          "^head_pan is at (39|40)")
 
     def test_a_movement_fails(self):
-        robot = SimulatedRobot()
+        robot = SimulatedRobot(console=True)
         with start("move", "head_pan=80deg", "--speed", "2deg/s", port=robot.port) as move:
-            with self.assertRaises(subprocess.TimeoutExpired):
-                move.wait(3)
+            robot.wait_for_change("joint head_pan", move)
             robot.end()
             self.assertEqual(move.wait(60), UNREACHABLE)
             self.assertIn(b"closed the connection", move.communicate()[1])
