@@ -35,6 +35,7 @@
 #include <vector>
 
 #include "node/body/body_pose.h"
+#include "protocol/walk_requests.h"
 #include "robot_model/robot_model.h"
 #include "support/memory_stick.h"
 #include "support/ros/driver_user.h"
