@@ -592,6 +592,9 @@ void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId>
     client_.hold(joints, kTimeout);
     return;
   } catch (const CommandException&) {
+    if (client_.status().robot.hasCapability("I")) {
+      throw;  // it can hold, but refuses to
+    }
     const Lock lock(mutex_);
     send(plan_.holdingTargets(clock_(), only), milliseconds(0), {});
     motions_too = motions_too && motions_connection_ == connections();

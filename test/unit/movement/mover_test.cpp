@@ -603,6 +603,16 @@ TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
   EXPECT_EQ(endOf(lost), EndedHow::kLost) << "its first step cannot be sent";
 }
 
+TEST_F(MoverTest, ARobotThatCanHoldButRefusesToIsNotSentPositions) {
+  const auto commanded = command("head_pan", 0.5);
+  told();
+  client_.meanwhile = [] { throw aibo_client::CommandException("it is busy."); };
+  EXPECT_EQ(problem<aibo_client::CommandException>([this] { mover_.stop(order("/panel")); }), "it is busy.");
+  EXPECT_THAT(told(), ElementsAre("hold"));
+  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown);
+  EXPECT_EQ(reasonOf(commanded), "/panel called stop, but it is busy");
+}
+
 TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
   const auto played = mover_.play(order(), "NOD.MTN", 1);
   const auto done = mover_.play(order(), "WAG.MTN", 1);
