@@ -353,8 +353,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
 
 void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement movement) {
   Record* record = findWalk();
-  const bool steers_on = record != nullptr && !record->steered && record->movement.source == order.source;
-  if (record != nullptr && !steers_on && (record->steered || !streams_.goesOn(record->movement.source, clock_()))) {
+  if (record != nullptr && (record->steered || !streams_.goesOn(record->movement.source, clock_()))) {
     end(record->id, EndedHow::kReplaced, order.source + " steers now");
     record = nullptr;
   }
