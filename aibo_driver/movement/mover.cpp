@@ -332,7 +332,8 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
     std::string overruled_by = streams_.receive(order, velocity.isZero());
     if (velocity.isZero()) {
       const Record* const walk = findWalk();
-      letGo(walk != nullptr && walk->steered ? order.source + " sent a velocity of 0" : "");
+      const bool is_own = walk == nullptr || (!walk->steered && walk->movement.source == order.source);
+      letGo(is_own ? "" : order.source + " sent a velocity of 0");
       return;
     }
     std::string reason = gate_.refusal(order, clock_());
@@ -369,6 +370,19 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
   is_told_to_walk_ = true;
   if (record == nullptr) {
     begin(std::move(movement));
+    record = &records_.back();
+  }
+  noteRival(record, order.source);
+}
+
+// The robot starts and stops, and nobody who looks at one of the two nodes can see why.
+void Mover::noteRival(Record* walk, const std::string& node) {
+  const SteadyTime now = clock_();
+  const std::string rival = streams_.rivalOf(node, now);
+  walk->rival = rival.empty() || walk->movement.source == node ? rival : node;
+  if (!rival.empty() && now - std::exchange(contradicted_, now) > kRepeatedWithin) {
+    news_.warnings.push_back(node + " and " + rival + " both send cmd_vel and contradict each other, also if one of " +
+                             "them sends zeros: let only one of them send.");
   }
 }
 
@@ -747,7 +761,7 @@ Mover::State Mover::state() const {
   State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy(), gate_.overruled()};
   const SteadyTime now = clock_();
   for (const Record& record : records_) {
-    state.movements.push_back(record.movement);
+    state.movements.push_back(whole(record));
     const std::vector<std::string> joints = plan_.jointsOf(record.id);
     if (!joints.empty()) {
       state.movements.back().joints = joints;
@@ -755,6 +769,13 @@ Mover::State Mover::state() const {
     }
   }
   return state;
+}
+
+// With all nodes that it is from.
+Movement Mover::whole(const Record& record) {
+  Movement movement = record.movement;
+  movement.source += record.rival.empty() ? "" : ", " + record.rival;
+  return movement;
 }
 
 Mover::Begun Mover::begin(Movement movement) {
@@ -846,7 +867,7 @@ void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
   const auto record =
       std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
   if (record != records_.end()) {
-    const EndedMovement ended = endOf(record->movement, how, reason);
+    const EndedMovement ended = endOf(whole(*record), how, reason);
     record->promise.set_value(ended);
     records_.erase(record);
     note(ended);

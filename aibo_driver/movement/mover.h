@@ -122,7 +122,8 @@ class Mover {
   Begun takePosture(const Order& order, aibo_client::Posture posture);
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
-  /// velocity of 0 is sent only to a robot that walks, so a robot that sits goes on sitting.
+  /// velocity of 0 is sent only to a robot that walks, so a robot that sits goes on sitting. If two nodes contradict
+  /// each other, both are named as the walk's source, and in a warning.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
   /// Begins a walk to a goal. It ends whatever moves the robot's legs, and another walk. A node that steers meanwhile
@@ -215,6 +216,7 @@ class Mover {
     bool has_begun = false;                       ///< for a walk: the robot has accepted one of its velocities
     std::optional<SteadyTime> steered;            ///< for a walk to a goal: when walkOn() was last called
     std::string stop_reason;                      ///< for a walk: why it was stopped here without an order
+    std::string rival;                            ///< for a walk: another node that steers against its own
     std::map<std::string, std::string> troubles;  ///< joints that did not follow the latest command, and in which way
   };
 
@@ -240,8 +242,10 @@ class Mover {
   void halt(const std::vector<MovementId>& movements, const std::string& reason, const Tell& tell_robot);
   void tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
+  void noteRival(Record* walk, const std::string& node);
   void letGo(const std::string& reason);
   void steerOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
+  static Movement whole(const Record& record);
   Begun begin(Movement movement);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);
@@ -289,6 +293,7 @@ class Mover {
   aibo_client::MotorsAndPosture robot_;
   int halts_ = 0;                         ///< calls that are telling the robot to halt now
   std::string halt_reason_;               ///< the reason for the latest halt
+  SteadyTime contradicted_;               ///< when two nodes last contradicted each other
   bool is_told_to_walk_ = false;          ///< the last velocity that was sent is not 0
   std::uint64_t connection_ = 0;          ///< the connection over which all present movements were begun
   std::uint64_t motions_connection_ = 0;  ///< the connection over which a motion was played that may still be playing

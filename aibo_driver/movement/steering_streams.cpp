@@ -1,5 +1,7 @@
 #include "movement/steering_streams.h"
 
+#include <utility>
+
 namespace aibo_driver::movement {
 
 std::string SteeringStreams::receive(const Order& order, bool is_zero) {
@@ -9,11 +11,27 @@ std::string SteeringStreams::receive(const Order& order, bool is_zero) {
   }
   if (is_zero) {
     streams_.erase(order.source);
+    interruptOthers(order.source);
     return "";
   }
   Stream& stream = streams_[order.source];
   stream.last = order.received;
+  if (!stream.interrupted_by.empty()) {
+    stream.rival = std::exchange(stream.interrupted_by, "");
+    stream.rivalled = order.received;
+  }
+  if (stream.overruled_by.empty()) {
+    interruptOthers(order.source);
+  }
   return stream.overruled_by;
+}
+
+void SteeringStreams::interruptOthers(const std::string& node) {
+  for (auto& [other, stream] : streams_) {
+    if (other != node) {
+      stream.interrupted_by = node;
+    }
+  }
 }
 
 void SteeringStreams::overrule(const std::string& what) {
@@ -27,6 +45,11 @@ void SteeringStreams::overrule(const std::string& node, const std::string& what)
   if (stream != streams_.end()) {
     stream->second.overruled_by = what;
   }
+}
+
+std::string SteeringStreams::rivalOf(const std::string& node, SteadyTime now) const {
+  const auto stream = streams_.find(node);
+  return stream != streams_.end() && now - stream->second.rivalled < kPause ? stream->second.rival : "";
 }
 
 bool SteeringStreams::goesOn(const std::string& node, SteadyTime now) const {

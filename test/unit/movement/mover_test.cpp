@@ -25,6 +25,7 @@ using aibo_client::TimeoutException;
 namespace {
 
 using std::chrono::milliseconds;
+using ::testing::AllOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
@@ -1330,6 +1331,43 @@ TEST_F(MoverTest, AWalkWhoseNodeHasLetGoIsDoneThoughNothingComesAfterwards) {
   mover_.stopWalking("no cmd_vel came for 0.5 s");
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_EQ(ends_.back().how, EndedHow::kDone);
+}
+
+TEST_F(MoverTest, TwoNodesThatSteerAgainstEachOtherAreBothNamed) {
+  for (const double other : {0.0, -0.1}) {
+    now_ += std::chrono::seconds(1);
+    warnings_.clear();
+    for (int i = 0; i < 40; ++i) {
+      now_ += milliseconds(50);
+      steer(0.1, "/walker");
+      now_ += milliseconds(50);
+      steer(other, "/panel");
+    }
+    ASSERT_THAT(mover_.state().movements, SizeIs(1)) << other;
+    EXPECT_EQ(mover_.state().movements[0].source, "/walker, /panel") << other;
+    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("/walker"), HasSubstr("/panel"), HasSubstr("contradict"))));
+    mover_.steered(kAhead, client_.steering_order);
+    mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+    EXPECT_EQ(ends_.back().movement.source, "/walker, /panel") << other;
+    if (other == 0) {
+      EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
+      EXPECT_EQ(ends_.back().reason, "/panel sent a velocity of 0");
+    }
+  }
+}
+
+TEST_F(MoverTest, ANodeThatStopsAWalkOrTakesItOverContradictsNobody) {
+  walk();
+  steer(0, "/panel");
+  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(ends_.back().reason, "/panel sent a velocity of 0");
+  EXPECT_EQ(ends_.back().movement.source, "/teleop");
+  now_ += milliseconds(500);
+  walk();
+  steer(0.1, "/navigation");
+  steer(0.1, "/navigation");
+  EXPECT_EQ(mover_.state().movements.at(0).source, "/teleop");
+  EXPECT_THAT(warnings_, IsEmpty());
 }
 
 TEST_F(MoverTest, AWalkThatFallsWhileItIsBeingStoppedHasFallen) {
