@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "text/number.h"
+
 namespace aibo_driver::movement {
 namespace {
 
@@ -12,6 +14,9 @@ constexpr std::chrono::milliseconds kMargin{500};
 
 // A joint that is this near to its target has followed it. It will not jump to its next target.
 constexpr double kNear = 0.1;  // rad
+
+// Programs round a limit of 88 degrees to 1.536.
+constexpr double kRounding = 0.001;  // rad
 
 // On the wire a speed is a small whole number, so there is a lowest speed.
 constexpr double kLowestSpeed = 0.001;  // rad/s
@@ -46,21 +51,27 @@ std::vector<std::string> JointCommandFilter::filter(const std::vector<std::strin
   if (!mismatch.empty()) {
     return {mismatch};
   }
-  std::vector<std::string> refusals;
+  std::vector<std::string> remarks;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const double velocity = velocities.empty() ? 0 : velocities[i];
     const std::optional<std::size_t> index = table_.findByName(names[i]);
     if (!index) {
-      refusals.push_back("The " + table_.design() + " has no joint '" + names[i] + "'.");
+      remarks.push_back("The " + table_.design() + " has no joint '" + names[i] + "'.");
     } else if (!std::isfinite(positions[i])) {
-      refusals.push_back("The position commanded for " + names[i] + " is not a finite number.");
+      remarks.push_back("The position commanded for " + names[i] + " is not a finite number.");
     } else if (!std::isfinite(velocity)) {
-      refusals.push_back("The velocity commanded for " + names[i] + " is not a finite number.");
+      remarks.push_back("The velocity commanded for " + names[i] + " is not a finite number.");
     } else {
-      (*targets)[table_[*index].id] = targetFor(*index, positions[i], velocity, now);
+      const JointProperties& joint = table_[*index];
+      (*targets)[joint.id] = targetFor(*index, positions[i], velocity, now);
+      if (positions[i] < joint.lowest - kRounding || positions[i] > joint.highest + kRounding) {
+        remarks.push_back("The position commanded for " + names[i] + " is beyond its limits, " +
+                          text::decimal(joint.lowest, 3) + " to " + text::decimal(joint.highest, 3) +
+                          " rad: it goes as far as it can.");
+      }
     }
   }
-  return refusals;
+  return remarks;
 }
 
 void JointCommandFilter::startApproach() {

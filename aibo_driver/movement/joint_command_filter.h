@@ -41,7 +41,7 @@ class JointCommandFilter {
   /// @param positions rad, one for each name
   /// @param velocities rad/s, one for each name, or empty; the sign does not matter, and 0 means that none is given
   /// @param[in,out] targets gets a target with a speed for each joint that may move, in place of an earlier one
-  /// @return what was left out and why, in one sentence for each joint, without numbers that vary
+  /// @return what was left out or clamped, and why, in one sentence for each joint, without numbers that vary
   std::vector<std::string> filter(const std::vector<std::string>& names, const std::vector<double>& positions,
                                   const std::vector<double>& velocities, SteadyTime now, JointTargets* targets);
 

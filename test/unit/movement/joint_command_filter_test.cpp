@@ -32,14 +32,14 @@ struct Command {
 
 struct Filtered {
   JointTargets targets;
-  std::vector<std::string> refusals;
+  std::vector<std::string> remarks;
 };
 
 class JointCommandFilterTest : public ::testing::Test {
  protected:
   Filtered filter(const Command& command) {
     Filtered result;
-    result.refusals = filter_.filter(command.names, command.positions, command.velocities, now_, &result.targets);
+    result.remarks = filter_.filter(command.names, command.positions, command.velocities, now_, &result.targets);
     return result;
   }
 
@@ -96,23 +96,33 @@ TEST_F(JointCommandFilterTest, ClampsPositionsToTheLimits) {
   EXPECT_NEAR(target({{"head_pan"}, {-1e300}, {}}).position, -1.53589, 1e-5);
 }
 
+TEST_F(JointCommandFilterTest, SaysWhichJointCannotGoWhereItIsCommanded) {
+  for (const double position : {40.0, -1.54, 1e300}) {
+    EXPECT_THAT(filter({{"mouth", "head_pan"}, {-0.5, position}, {}}).remarks,
+                ElementsAre("The position commanded for head_pan is beyond its limits, -1.536 to 1.536 rad: it goes as "
+                            "far as it can."))
+        << position;
+  }
+  EXPECT_THAT(filter({{"head_pan"}, {1.536}, {}}).remarks, IsEmpty()) << "88 degrees; somebody has rounded them";
+}
+
 TEST_F(JointCommandFilterTest, LeavesOutWhatIsNotAFiniteNumberAndCarriesOutTheRest) {
   const Filtered result = filter({{"head_pan", "mouth", "neck_tilt"}, {kNan, -0.5, kInfinity}, {}});
   ASSERT_THAT(result.targets, SizeIs(1));
   EXPECT_DOUBLE_EQ(result.targets.begin()->second.position, -0.5);
-  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan"), HasSubstr("neck_tilt")));
+  EXPECT_THAT(result.remarks, ElementsAre(HasSubstr("head_pan"), HasSubstr("neck_tilt")));
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutAJointWhoseVelocityIsNotAFiniteNumber) {
   const Filtered result = filter({{"head_pan"}, {0.5}, {kNan}});
   EXPECT_THAT(result.targets, IsEmpty());
-  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("head_pan")));
+  EXPECT_THAT(result.remarks, ElementsAre(HasSubstr("head_pan")));
 }
 
 TEST_F(JointCommandFilterTest, LeavesOutUnknownNames) {
   const Filtered result = filter({{"left_ear", "head_pan", ""}, {0, 0.5, 0}, {}});
   EXPECT_THAT(result.targets, SizeIs(1));
-  EXPECT_THAT(result.refusals, ElementsAre(HasSubstr("'left_ear'"), HasSubstr("''")));
+  EXPECT_THAT(result.remarks, ElementsAre(HasSubstr("'left_ear'"), HasSubstr("''")));
 }
 
 TEST_F(JointCommandFilterTest, RefusesArraysThatDoNotFitTogether) {
@@ -121,7 +131,7 @@ TEST_F(JointCommandFilterTest, RefusesArraysThatDoNotFitTogether) {
         Command{{"head_pan"}, {0.5}, {1, 1}}, Command{}}) {
     const Filtered result = filter(command);
     EXPECT_THAT(result.targets, IsEmpty());
-    EXPECT_THAT(result.refusals, SizeIs(1));
+    EXPECT_THAT(result.remarks, SizeIs(1));
   }
 }
 
