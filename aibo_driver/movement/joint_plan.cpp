@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
@@ -99,6 +100,7 @@ void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime n
 double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
                       SteadyTime now, milliseconds oldest) {
   Job job{id, request, arrival, start, oldest, std::nullopt};
+  checkWaiting(job, now);
   // This also refuses at once a request that could otherwise be refused only later.
   const double stretch = plan(job, now).stretch();
   takeFromWaiting(job);
@@ -305,6 +307,34 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
           " s are allowed. Does joint_states still come?");
     }
   }
+}
+
+// What the newer trajectory would take from those that wait does not count.
+void JointPlan::checkWaiting(const Job& newer, SteadyTime now) const {
+  if (newer.start <= now) {
+    return;
+  }
+  std::set<MovementId> waiting;
+  std::map<std::string, std::size_t> waiting_for;
+  for (const Job& job : jobs_) {
+    const bool has_begun = job.run && job.run->clock.at(now) >= 0;
+    for (const std::string& joint : has_begun ? std::vector<std::string>() : job.names()) {
+      if (job.run || job.start < newer.start || !newer.placeOf(joint)) {
+        waiting.insert(job.id);
+        ++waiting_for[joint];
+      }
+    }
+  }
+  const auto check = [](std::size_t number, std::size_t most, const std::string& whose) {
+    if (number >= most) {
+      throw aibo_client::InvalidArgumentException(std::to_string(most) + " trajectories" + whose +
+                                                  " wait for their time already, and no more may wait");
+    }
+  };
+  for (const std::string& joint : newer.request.joints) {
+    check(waiting_for[joint], kMostWaitingForJoint, " of " + joint);
+  }
+  check(waiting.size(), kMostWaiting, "");
 }
 
 // A newer trajectory takes its joints from those that would begin later.

@@ -50,6 +50,9 @@ struct JointStep {
 /// takes over its joints at its start time, from the position and velocity planned for that time. Joints that it does
 /// not name go on as before. Until its start time, everything goes on as before.
 ///
+/// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. One
+/// that begins at once does not wait, so it is never one too many.
+///
 /// A command ends the trajectories that name one of its joints. If only some joints of another command or trajectory
 /// are replaced, its other joints go on.
 ///
@@ -66,6 +69,8 @@ class JointPlan {
  public:
   static constexpr std::chrono::milliseconds kPeriod{32};
   static constexpr std::chrono::milliseconds kLookahead{96};
+  static constexpr std::size_t kMostWaiting = 32;
+  static constexpr std::size_t kMostWaitingForJoint = 2;
 
   /// How a movement of the plan has ended.
   struct End {
@@ -186,6 +191,7 @@ class JointPlan {
   const Job* find(MovementId trajectory) const;
   Trajectory plan(const Job& job, SteadyTime now) const;
   void checkFresh(const Job& job, SteadyTime now) const;
+  void checkWaiting(const Job& newer, SteadyTime now) const;
   void takeFromWaiting(const Job& newer);
   void endTrajectoriesThatMove(std::size_t joint);
   void replaceCommand(std::size_t joint, const std::string& reason);

@@ -237,7 +237,7 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
   const Begun begun = change([&] {
     checkConnection();
     Movement movement{Kind::kMotion, name, order.source, {}, std::nullopt};
-    const std::string reason = gate_.refusal(order, clock_());
+    const std::string reason = refusalOf(order, movement, false);
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
@@ -262,7 +262,7 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
   const Begun begun = change([&] {
     checkConnection();
     Movement movement{Kind::kPosture, nameOf(posture), order.source, {}, std::nullopt};
-    const std::string reason = gate_.refusal(order, clock_(), posture == Posture::kRest);
+    const std::string reason = refusalOf(order, movement, posture == Posture::kRest);
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
@@ -281,6 +281,16 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
     return std::string();
   };
   return askRobot(begun, ask, [&] { client_.hold({}, kTimeout); });
+}
+
+// Why the robot may not be asked to move by itself.
+std::string Mover::refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const {
+  const std::string reason = gate_.refusal(order, clock_(), may_act_while_stopped);
+  const auto is_alike = [&movement](const Movement& other) { return other.kind == movement.kind; };
+  if (!reason.empty() || idsOf(is_alike).size() < kMostOfAKind) {
+    return reason;
+  }
+  return std::to_string(kMostOfAKind) + " others of its kind have not ended yet, and no more may begin";
 }
 
 Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std::string>& names,

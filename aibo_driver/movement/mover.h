@@ -51,6 +51,9 @@ class Mover {
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
   /// How many ends are remembered.
   static constexpr std::size_t kEndsRemembered = 64;
+  /// How many motions, and how many postures, may go on or wait for the robot's word about their end. JointPlan limits
+  /// the number of trajectories.
+  static constexpr std::size_t kMostOfAKind = 32;
 
   /// The result of an order.
   struct Begun {
@@ -235,6 +238,7 @@ class Mover {
   template <typename Work>
   auto change(const Work& work);
   void tell();
+  std::string refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const;
   template <typename Ask, typename Undo>
   Begun askRobot(Begun begun, const Ask& ask, const Undo& undo);
   std::vector<MovementId> overruleAll(const Order& by, const std::string& reason);

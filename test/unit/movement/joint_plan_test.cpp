@@ -262,6 +262,41 @@ TEST_F(JointPlanTest, AnEarlierStartReplacesWhatWaits) {
   EXPECT_TRUE(plan_.empty());
 }
 
+TEST_F(JointPlanTest, AtMostTwoTrajectoriesOfAJointWait) {
+  const auto head = [this](double start) { return refusal(pan({{1, {0}, {}}}), start, 0); };
+  for (const double soon : {0.0, 50.0}) {  // those that are sent ahead already count, too
+    EXPECT_EQ(head(soon + 0.05), "accepted");
+    EXPECT_EQ(head(soon + 0.06), "accepted");
+    EXPECT_EQ(head(soon + 0.07), "2 trajectories of head_pan wait for their time already, and no more may wait");
+    EXPECT_THAT(refusal(both(0, -0.2, 1), soon + 0.07, 0), HasSubstr("of head_pan wait"));
+    EXPECT_EQ(refusal({{"mouth"}, {{1, {-0.2}, {}}}}, soon + 0.07, 0), "accepted");
+    EXPECT_EQ(head(0), "accepted") << "what begins at once does not wait";
+  }
+  EXPECT_EQ(head(60), "accepted");
+  EXPECT_EQ(head(70), "accepted");
+  EXPECT_EQ(head(65), "accepted") << "it replaces the one at 70";
+  EXPECT_THAT(head(70), HasSubstr("of head_pan wait"));
+}
+
+TEST_F(JointPlanTest, AtMost32TrajectoriesWait) {
+  aibo_client::Telemetry telemetry;
+  telemetry.arrival = at(0);
+  for (const JointProperties& joint : table_.joints()) {
+    telemetry.joints.push_back({joint.id, joint.lowest});
+  }
+  measured_.update(telemetry);
+  const auto wait = [this](std::size_t joint, double start) {
+    return refusal({{table_[joint].name}, {{1, {table_[joint].lowest}, {}}}}, start, 0);
+  };
+  for (std::size_t i = 0; i < 32; ++i) {
+    EXPECT_EQ(wait(i / 2, 10 + static_cast<double>(i)), "accepted");
+  }
+  EXPECT_EQ(wait(17, 50), "32 trajectories wait for their time already, and no more may wait");
+  EXPECT_EQ(wait(17, 0), "accepted") << "what begins at once does not wait";
+  EXPECT_EQ(wait(0, 5), "accepted") << "it replaces two";
+  EXPECT_EQ(wait(17, 50), "accepted");
+}
+
 TEST_F(JointPlanTest, AnEarlierStartTakesNeighbouringJoints) {
   const auto three = add({{"mouth", "head_pan", "tail_pan"}, {{1, {-0.2, 0.5, 0.1}, {}}}}, 20, 0);
   add(both(0.5, -0.2, 1), 19, 0);

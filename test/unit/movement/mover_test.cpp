@@ -478,6 +478,18 @@ TEST_F(MoverTest, RemembersTheLatestEnds) {
   EXPECT_THAT(mover_.state().ended, SizeIs(Mover::kEndsRemembered));
 }
 
+TEST_F(MoverTest, AtMost32MotionsAndPosturesWaitForTheirEnds) {
+  for (std::size_t i = 0; i < Mover::kMostOfAKind; ++i) {
+    play("NOD.MTN");
+    mover_.takePosture(order(), Posture::kStand);
+  }
+  EXPECT_THAT(ends_, IsEmpty());
+  EXPECT_EQ(reasonOf(play("WAG.MTN")), "32 others of its kind have not ended yet, and no more may begin");
+  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kStand)), EndedHow::kRefused);
+  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
+  EXPECT_EQ(play("WAG.MTN").ended(), nullptr);
+}
+
 // ---- Stop and release
 
 TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
