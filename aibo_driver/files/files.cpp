@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <strings.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +16,7 @@
 #include <system_error>
 
 #include "client/file_descriptor.h"
+#include "host_files/regular_file.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
 #include "text/plain_text.h"
@@ -28,8 +28,6 @@ using aibo_client::FileDescriptor;
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kNotRegular = "it is not a regular file";  // reading anything else could block
 
 /// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
@@ -198,41 +196,20 @@ FileDescriptor openToRead(const std::string& path) {
     failToRead(path, "there is no such file on " + thisComputer() +
                          " (working directory: " + fs::current_path(error).string() + ")");
   }
-  if (!fs::is_regular_file(path, error)) {
-    failToRead(path, kNotRegular);
+  try {
+    return FileDescriptor(host_files::openRegularFile(path));
+  } catch (const host_files::Unreadable& why) {
+    failToRead(path, why.what());
   }
-  // If the path has become a pipe meanwhile, opening it must not wait for a writer.
-  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
-  struct stat properties {};
-  if (!file.valid() || ::fstat(file.get(), &properties) != 0) {
-    failToRead(path, std::strerror(errno));
-  }
-  if (!S_ISREG(properties.st_mode)) {
-    failToRead(path, kNotRegular);
-  }
-  return file;
 }
 
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {
   const FileDescriptor file = openToRead(path);
-  struct stat properties {};
-  if (::fstat(file.get(), &properties) != 0) {
-    failToRead(path, std::strerror(errno));
+  try {
+    return host_files::readRegularFile(file.get(), longest);
+  } catch (const host_files::Unreadable& why) {
+    failToRead(path, why.what());
   }
-  const auto size = static_cast<std::size_t>(properties.st_size);
-  if (size > longest) {
-    failToRead(path, "it has more than the " + std::to_string(longest) + " bytes allowed");
-  }
-  // Files of the kernel have no size. They may block their readers, and end at a different place each time.
-  std::vector<std::uint8_t> bytes(size);
-  std::size_t read = 0;
-  for (ssize_t count = 1; count > 0 && read < size; read += static_cast<std::size_t>(std::max<ssize_t>(count, 0))) {
-    count = ::read(file.get(), bytes.data() + read, size - read);
-  }
-  if (read < size) {
-    failToRead(path, "fewer bytes than its size can be read");
-  }
-  return bytes;
 }
 
 std::vector<std::uint8_t> loadMotion(const std::string& path) {

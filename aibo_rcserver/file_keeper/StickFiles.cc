@@ -118,7 +118,7 @@ FileResult::Outcome StickFiles::Read(FileKind kind, const FileName& name, unsign
   if (!Find(kind, name, path)) {
     return FileResult::MISSING;
   }
-  FILE* const file = fopen(path, "rb");
+  FILE* const file = host_.open_to_read(path);
   if (file == NULL) {
     return FileResult::FAILED;
   }

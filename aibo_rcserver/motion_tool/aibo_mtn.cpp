@@ -4,12 +4,12 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "host_files/regular_file.h"
 #include "motion_tool/archive.h"
 #include "motion_tool/motion_tool.h"
 
@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kFailed = 1;
 constexpr int kWrongUsage = 2;
+constexpr std::size_t kLongestFile = 64U << 20U;  // bytes
 
 const char kUsage[] =
     "usage: aibo_mtn TEXT MOTION.MTN                      make a motion file from its text form\n"
@@ -25,12 +26,12 @@ const char kUsage[] =
     "       aibo_mtn [--force] --unpack ARCHIVE.ODA DIR   write them to a folder; --force overwrites files there\n";
 
 std::string readFile(const std::string& name) {
-  std::ifstream file(name, std::ios::binary);
-  std::string content((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  if (!file) {
-    throw std::runtime_error(name + " cannot be read");
+  try {
+    const std::vector<unsigned char> content = host_files::readRegularFile(name, kLongestFile);
+    return {content.begin(), content.end()};
+  } catch (const host_files::Unreadable& why) {
+    throw std::runtime_error(name + " cannot be read: " + why.what());
   }
-  return content;
 }
 
 void writeFile(const std::string& name, const std::string& content) {
@@ -73,10 +74,7 @@ std::string eachLineAfter(const std::string& prefix, const std::string& text) {
 }
 
 void make(const std::string& source, const std::string& target) {
-  std::ifstream text(source);
-  if (!text) {
-    throw std::runtime_error(source + " cannot be read");
-  }
+  std::istringstream text(readFile(source));
   std::string bytes;
   try {
     bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));

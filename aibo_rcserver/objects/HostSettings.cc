@@ -1,13 +1,19 @@
 #include "objects/HostSettings.h"
 
-#include <stdio.h>
 #include <string.h>
 
 namespace {
 
+FILE* OpenToRead(const char* path) {
+  return fopen(path, "rb");
+}
+
 HostSettings host_settings;
 
 }  // namespace
+
+HostSettings::HostSettings()
+    : newest_version(protocol::version2::VERSION), memory_stick("/MS"), room(NULL), open_to_read(OpenToRead) {}
 
 void setHostSettings(const HostSettings& settings) {
   host_settings = settings;

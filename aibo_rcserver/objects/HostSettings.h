@@ -4,18 +4,22 @@
 #define AIBO_RCSERVER_OBJECTS_HOST_SETTINGS_H
 
 #include <stddef.h>
+#include <stdio.h>
 
 #include "protocol/version2.h"
 
 /// The defaults are the robot's.
 struct HostSettings {
-  HostSettings() : newest_version(protocol::version2::VERSION), memory_stick("/MS"), room(NULL) {}
+  HostSettings();
 
   int newest_version;        ///< newest protocol version that clients may ask for: 1 or 2
   const char* memory_stick;  ///< the folder with the memory stick's content; has to outlive the server
   /// Bytes that still fit onto a simulated stick; has to outlive the server. NULL on the robot, whose file system
   /// knows.
   const size_t* room;
+  /// Opens a file on the stick for reading in binary mode; NULL if that is not possible. A simulator must not wait for
+  /// what is no file.
+  FILE* (*open_to_read)(const char* path);
 };
 
 /// Changes what hostSettings() returns. Only a simulator calls it, before it constructs the objects.

@@ -10,13 +10,13 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host_files/regular_file.h"
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
@@ -155,10 +155,19 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
+/// On a robot's memory stick there are neither pipes nor devices.
+FILE* openToRead(const char* path) {
+  try {
+    return fdopen(host_files::openRegularFile(path), "rb");
+  } catch (const host_files::Unreadable&) {
+    return nullptr;
+  }
+}
+
 // RCServer need not be on the memory stick.
 bool runsRCServer(const std::string& memory_stick, const std::string& design) {
   const std::string path = openr_host::findOnMemoryStick(memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG").string();
-  std::ifstream file(path);
+  std::istringstream file = openr_host::openConfiguration(path);
   const auto objects = openr_host::readObjectConfiguration(file, path, design);
   return std::any_of(objects.begin(), objects.end(),
                      [](const openr_host::ObjectFile& object) { return object.name == kRCServerFile; });
@@ -268,6 +277,7 @@ void run(const Options& options) {
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
   host.room = robot.stick().room();
+  host.open_to_read = openToRead;
   setHostSettings(host);
   stopOnSignal(machine);
   machine.boot();

@@ -80,6 +80,15 @@ class FleetFileTest(unittest.TestCase):
         with self.assertRaisesRegex(fleet.Problem, 'No such file.*absolute path'):
             fleet.load('/no/such/file.yaml')
 
+    def test_only_a_regular_file_is_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            pipe = folder + '/robots.yaml'
+            os.mkfifo(pipe)
+            for path in (pipe, folder, '/dev/zero'):
+                with self.assertRaisesRegex(fleet.Problem, 'it is not a regular file', msg=path):
+                    fleet.load(path)
+        self.assert_refused('#' * 1000001, 'or has more than 1000000 bytes')
+
     def test_what_is_no_name_and_no_value_is_refused(self):
         self.assert_refused('robots: {a: {host: h, 1: x, ~: y}}', "has the setting '1'")
         self.assert_refused('robots: {a: {host: h, ? [b] : x}}', 'it is not YAML')

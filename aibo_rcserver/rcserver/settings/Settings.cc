@@ -251,12 +251,12 @@ Settings readSettingsFile(const HostSettings& host) {
   Settings settings;
   char path[MAX_PATH_SIZE];
   char name[64];
-  FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? fopen(path, "rb") : NULL;
+  FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? host.open_to_read(path) : NULL;
   if (file != NULL) {
     OnConsole problems;
     readSettings(file, &settings, problems);
     fclose(file);
-  } else if (FindInFolder(host, IsSettingsFile, name)) {  // fopen() cannot tell whether the file exists
+  } else if (FindInFolder(host, IsSettingsFile, name)) {  // opening it cannot tell whether the file exists
     MakeSafe(&settings);
     OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
   } else {

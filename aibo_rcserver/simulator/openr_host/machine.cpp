@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -20,14 +19,6 @@ namespace {
 
 /// Sockets have a turn after this many rounds, even if objects never stop sending each other messages.
 constexpr int kMostRounds = 16;
-
-std::ifstream openConfiguration(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) {
-    throw BootError(path + ": cannot be read");
-  }
-  return file;
-}
 
 std::string namesOf(const std::map<std::string, ObjectDescription>& catalog) {
   std::string names;
@@ -112,7 +103,7 @@ void Machine::createObjects() {
   audio_comm_ = static_cast<VirtualRobotAudioComm*>(&system_->create(VirtualRobotAudioComm::describe(robot_)));
 
   const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG");
-  std::ifstream file = openConfiguration(path);
+  std::istringstream file = openConfiguration(path);
   const auto object_files = readObjectConfiguration(file, path, robot_.design());
   if (object_files.empty()) {
     throw BootError(path + ": there is no object for " + robot_.design());
@@ -153,7 +144,7 @@ std::vector<ServiceConnection> Machine::readConnections() const {
     return {};
   }
   const std::string path = findOnMemoryStick(options_.memory_stick, name);
-  std::ifstream file = openConfiguration(path);
+  std::istringstream file = openConfiguration(path);
   return readConnectionConfiguration(file, path, robot_.design(), system_->serviceNames());
 }
 

@@ -92,6 +92,8 @@ TEST_F(LoadFileTest, SaysWhyItFails) {
   EXPECT_THAT(loadRefusal("a/missing"), EndsWith("(working directory: " + fs::current_path().string() + ")"));
   EXPECT_THAT(loadRefusal(folder_.string()), HasSubstr("not a regular file"));
   EXPECT_THAT(loadRefusal("/dev/zero"), HasSubstr("not a regular file"));
+  ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  EXPECT_THAT(loadRefusal((folder_ / "pipe").string()), HasSubstr("not a regular file"));
   EXPECT_THAT(loadRefusal("~/nod.mtn"), HasSubstr("'~' is not expanded"));
   EXPECT_THAT(loadRefusal(""), HasSubstr("no such file"));
 }

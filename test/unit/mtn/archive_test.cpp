@@ -1,6 +1,7 @@
 #include "motion_tool/archive.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -281,8 +282,13 @@ TEST_F(AiboMtnTest, saysThatItDoesNotCheckTheMotionOfAnUnknownRobot) {
 }
 
 TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
-  EXPECT_EQ(run("/nowhere.mtn"), "aibo_mtn: /nowhere.mtn cannot be read\n1");
-  EXPECT_EQ(run("/nowhere.txt x.mtn"), "aibo_mtn: /nowhere.txt cannot be read\n1");
+  EXPECT_EQ(run("/nowhere.mtn"), "aibo_mtn: /nowhere.mtn cannot be read: No such file or directory\n1");
+  EXPECT_EQ(run("/nowhere.txt x.mtn"), "aibo_mtn: /nowhere.txt cannot be read: No such file or directory\n1");
+  const std::string pipe = (root_ / "pipe").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& file : {pipe, pipe + " x.mtn", root_.string(), std::string("/dev/zero")}) {
+    EXPECT_THAT(run(file), HasSubstr(" cannot be read: it is not a regular file\n1"));
+  }
   std::ofstream(root_ / "x.mtn") << "OMTN";
   EXPECT_THAT(run((root_ / "x.mtn").string()), HasSubstr("x.mtn is not a motion file: it ends before section 0\n1"));
   std::ofstream(root_ / "x.txt") << "robot ERS-7\nat 0 no_such_joint 0\nat x\n";

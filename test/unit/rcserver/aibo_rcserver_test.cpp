@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
@@ -134,6 +135,18 @@ TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
     EXPECT_EQ(isReachable("127.0.0.2", portOf(robot, address)), reachable);
     EXPECT_EQ(isReachable("127.0.0.2", console_port), reachable);
   }
+}
+
+// On Linux, opening a pipe waits for somebody who writes into it.
+TEST(AiboRCServer, GoesOnIfAMotionOnItsMemoryStickIsAPipe) {
+  const Strings arguments = command();
+  const std::filesystem::path stick = arguments[4].substr(arguments[4].find('=') + 1);
+  ASSERT_EQ(::mkfifo((stick / "OPEN-R/MW/DATA/P/PIPE.MTN").c_str(), 0600), 0);
+  Process robot(arguments);
+  const std::string port = portOf(robot);
+  const std::string play_pipe = std::string("P\0PIPE.MTN", 10) + std::string(4, '\0') + std::string("\1\0\0\0", 4);
+  EXPECT_EQ(letterOfAnswer(port, play_pipe), 'e');
+  EXPECT_EQ(letterOfAnswer(port, kOnePicture), 'f');
 }
 
 TEST(AiboRCServer, FindsItsMemoryStickByItself) {

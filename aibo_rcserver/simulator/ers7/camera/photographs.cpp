@@ -6,12 +6,12 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "host_files/regular_file.h"
 
 namespace simulated_ers7 {
 namespace {
@@ -20,6 +20,7 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr double kMostPixels = 100e6;
 constexpr int kBytesPerPixel = 3;
+constexpr auto kLongestFile = static_cast<std::size_t>(kMostPixels * kBytesPerPixel) + 1000;  ///< a PPM with its header
 
 // libjpeg-turbo 2.0 of Ubuntu 20.04 cannot limit scans.
 #ifdef TJFLAG_LIMITSCANS
@@ -49,12 +50,11 @@ std::string lowerCaseEnding(const std::filesystem::path& file) {
 }
 
 Bytes readFile(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  Bytes content{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  if (!stream.is_open() || stream.bad()) {
-    throw BadContent("it cannot be read");
+  try {
+    return host_files::readRegularFile(file.string(), kLongestFile);
+  } catch (const host_files::Unreadable& why) {
+    throw BadContent(std::string("it cannot be read: ") + why.what());
   }
-  return content;
 }
 
 void checkSize(double width, double height) {

@@ -1,14 +1,16 @@
 #include "simulator/ers7/sound/wav_file.h"
 
 #include <cstring>
-#include <iterator>
+
+#include "host_files/regular_file.h"
 
 namespace simulated_ers7 {
 namespace {
 
 constexpr std::uint32_t kRate = 16000;
 constexpr std::size_t kHeaderSize = 44;
-constexpr std::uint32_t kEndless = 0x7ffff000;  ///< the size of the samples, if it is not known
+constexpr std::size_t kLongestFile = 100'000'000;  ///< bytes; 26 minutes in stereo
+constexpr std::uint32_t kEndless = 0x7ffff000;     ///< the size of the samples, if it is not known
 
 /// The beginning of a chunk "fmt ".
 struct Format {
@@ -34,6 +36,15 @@ Value valueAt(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
+std::string readFile(const std::string& path) {
+  try {
+    const std::vector<unsigned char> bytes = host_files::readRegularFile(path, kLongestFile);
+    return {bytes.begin(), bytes.end()};
+  } catch (const host_files::Unreadable& why) {
+    throw SoundError(path + ": cannot be read: " + why.what());
+  }
+}
+
 /// The content of a chunk, truncated if the file is; empty if there is no such chunk.
 std::string chunk(const std::string& bytes, const std::string& name) {
   for (std::size_t offset = 12; offset + 8 <= bytes.size();) {
@@ -49,11 +60,7 @@ std::string chunk(const std::string& bytes, const std::string& name) {
 }  // namespace
 
 std::vector<OSoundSampleStereo16> readWav(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw SoundError(path + ": cannot be read");
-  }
-  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::string bytes = readFile(path);
   const std::string format_chunk = chunk(bytes, "fmt ");
   if (bytes.compare(0, 4, "RIFF") != 0 || format_chunk.size() < sizeof(Format)) {
     throw SoundError(path + ": is not a WAV file");

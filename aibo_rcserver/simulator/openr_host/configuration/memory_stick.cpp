@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cctype>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
+
+#include "host_files/regular_file.h"
 
 namespace openr_host {
 namespace {
@@ -137,6 +138,16 @@ bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& nam
     return true;
   } catch (const std::runtime_error&) {
     return false;
+  }
+}
+
+std::istringstream openConfiguration(const std::string& path) {
+  constexpr std::size_t kLongest = 1'000'000;  // bytes
+  try {
+    const std::vector<unsigned char> text = host_files::readRegularFile(path, kLongest);
+    return std::istringstream(std::string(text.begin(), text.end()));
+  } catch (const host_files::Unreadable& why) {
+    throw std::runtime_error(path + ": cannot be read: " + why.what());
   }
 }
 

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <istream>
 #include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,10 @@ std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, con
 
 /// True if findOnMemoryStick() would find it.
 bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
+
+/// The text of a configuration file.
+/// @throw std::runtime_error it is no regular file, too long, or cannot be read; the text names it
+std::istringstream openConfiguration(const std::string& path);
 
 /// A line of OBJECT.CFG.
 struct ObjectFile {

@@ -1,10 +1,9 @@
 #include "simulator/openr_host/objects/object_memory.h"
 
-#include <fstream>
-#include <iterator>
 #include <new>
 #include <utility>
 
+#include "host_files/regular_file.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
 
 namespace openr_host {
@@ -78,14 +77,15 @@ bool VectorMemory::destroy(MemoryRegionID id, ODataType type) {
 
 OStatus DesignData::find(const std::string& keyword, ODesignDataID* id, byte** data, size_t* size) {
   const std::string database = findOnMemoryStick(memory_stick_, "OPEN-R/MW/CONF/DESIGNDB.CFG");
-  std::ifstream text(database);
+  std::istringstream text = openConfiguration(database);
   const auto files = readDesignDatabase(text, database, design_);
   const auto found = files.find(keyword);
   if (found == files.end() || !isOnMemoryStick(memory_stick_, found->second)) {
     return oNOT_FOUND;
   }
-  std::ifstream file(findOnMemoryStick(memory_stick_, found->second), std::ios::binary);
-  std::vector<byte> content(std::istreambuf_iterator<char>(file), {});
+  constexpr std::size_t kSizeOfStick = 16U << 20U;  // bytes
+  std::vector<byte> content =
+      host_files::readRegularFile(findOnMemoryStick(memory_stick_, found->second), kSizeOfStick);
   if (content.empty()) {
     return oDESIGNDATA_SIZE_ZERO;
   }

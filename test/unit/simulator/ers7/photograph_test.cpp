@@ -2,6 +2,7 @@
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 #include <turbojpeg.h>
 
 #include <filesystem>
@@ -188,6 +189,9 @@ TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
     const auto file = write(name, content);
     EXPECT_THAT(errorOf([&file] { readPhotograph(file); }), AllOf(HasSubstr(file.string()), HasSubstr("folder")));
   }
+  const auto pipe = folder_ / "pipe.jpg";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_THAT(errorOf([&pipe] { readPhotograph(pipe); }), HasSubstr("it is not a regular file"));
 }
 
 TEST_F(PhotographTest, AHugeJpegIsRefusedBeforeItTakesMemory) {

@@ -187,6 +187,11 @@ TEST_F(SimulatedSoundTest, AFileThatCannotBeHeardIsNamedWithTheRemedy) {
   const test_support::TemporaryFolder folder;
   const std::string path = folder.path("other.wav").string();
   EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("other.wav: cannot be read"));
+  const std::string pipe = folder.path("pipe.wav").string();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& other : {pipe, folder.path().string(), std::string("/dev/zero")}) {
+    EXPECT_THAT(obeyConsole(robot_, "hear " + other).value(), HasSubstr("it is not a regular file"));
+  }
   for (const char* text : {"no sound", "RIFF1234WAVEdata1234"}) {
     std::ofstream(path) << text;
     EXPECT_THAT(obeyConsole(robot_, "hear " + path).value(), HasSubstr("is not a WAV file"));

@@ -1,0 +1,66 @@
+#include "host_files/regular_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+namespace host_files {
+namespace {
+
+struct Closer {
+  int descriptor;
+  ~Closer() { ::close(descriptor); }
+};
+
+}  // namespace
+
+int openRegularFile(const std::string& path) {
+  struct stat properties {};
+  if (::stat(path.c_str(), &properties) != 0) {
+    throw Unreadable(std::strerror(errno));
+  }
+  if (!S_ISREG(properties.st_mode)) {  // merely opening a device can have an effect
+    throw Unreadable("it is not a regular file");
+  }
+  // If the path has become a pipe meanwhile, opening it must not wait for a writer.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
+  if (descriptor < 0) {
+    throw Unreadable(std::strerror(errno));
+  }
+  if (::fstat(descriptor, &properties) != 0 || !S_ISREG(properties.st_mode)) {
+    ::close(descriptor);
+    throw Unreadable("it is not a regular file");
+  }
+  return descriptor;
+}
+
+std::vector<unsigned char> readRegularFile(int descriptor, std::size_t longest) {
+  struct stat properties {};
+  if (::fstat(descriptor, &properties) != 0) {
+    throw Unreadable(std::strerror(errno));
+  }
+  const auto size = static_cast<std::size_t>(properties.st_size);
+  if (size > longest) {
+    throw Unreadable("it has more than the " + std::to_string(longest) + " bytes allowed");
+  }
+  // Files of the kernel have no size. They may block their readers, and end at a different place each time.
+  std::vector<unsigned char> bytes(size);
+  std::size_t read = 0;
+  for (ssize_t count = 1; count > 0 && read < size; read += static_cast<std::size_t>(count > 0 ? count : 0)) {
+    count = ::read(descriptor, bytes.data() + read, size - read);
+  }
+  if (read < size) {
+    throw Unreadable("fewer bytes than its size can be read");
+  }
+  return bytes;
+}
+
+std::vector<unsigned char> readRegularFile(const std::string& path, std::size_t longest) {
+  const Closer file{openRegularFile(path)};
+  return readRegularFile(file.descriptor, longest);
+}
+
+}  // namespace host_files
