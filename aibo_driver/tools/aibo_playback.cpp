@@ -1,6 +1,7 @@
 // Plays a recording as if the driver ran now: messages get the stamps of now, and the driver's part of tf is made
 // again. So a recording can be repeated, and rviz shows it like a robot. The topic `connection` says that it is a
-// recording, and where it is.
+// recording, and where it is. Nothing that a robot obeys is published, and all topics, also tf and diagnostics, are in
+// the namespace of the playback. So a robot that runs meanwhile neither moves nor looks like the recorded one.
 
 #include <aibo_driver/Connection.h>
 #include <ros/ros.h>
@@ -102,10 +103,9 @@ class Playback {
   void advertiseTopics() {
     constexpr bool kLatched = true;
     connection_ = handle_.advertise<Connection>("connection", 1, kLatched);
-    tf_ = handle_.advertise<tf2_msgs::TFMessage>("/tf", kQueueSize);
+    tf_ = handle_.advertise<tf2_msgs::TFMessage>("tf", kQueueSize);
     for (const rosbag::ConnectionInfo* info : recording_.messages().getConnections()) {
-      const std::string& from = recording_.nameSpace() + "/";
-      const std::string name = info->topic.rfind(from, 0) == 0 ? info->topic.substr(from.size()) : info->topic;
+      const std::string& name = recording_.topics().at(info->topic);
       if (name != "connection") {
         ros::AdvertiseOptions options(name, kQueueSize, info->md5sum, info->datatype, info->msg_def);
         options.latch = isLatched(*info->header);
@@ -273,7 +273,7 @@ class Playback {
   const bool loops_;
   const ros::Time start_;
   bool& failed_;
-  const aibo_driver::node::OnlyDriver only_driver_;  // a driver would obey recorded commands
+  const aibo_driver::node::OnlyDriver only_driver_;  // the window could not tell which of the two it shows
   BodyFrames frames_;
   ros::SteadyTime watched_by_;  ///< when it begins
   State state_ = State::kWaiting;
@@ -294,7 +294,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "aibo_playback");
   bool failed = false;
   const int status = aibo_driver::node::runNode("playback", [&failed] {
-    return std::make_shared<Playback>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
+    return std::make_shared<Playback>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "playback/aibo"),
                                       ros::NodeHandle("~"), failed);
   });
   return failed ? EXIT_FAILURE : status;

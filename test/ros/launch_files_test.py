@@ -108,9 +108,11 @@ class LaunchFilesTest(unittest.TestCase):
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
-            'playback.launch': {**model, '/use_sim_time': False, **{'/aibo/aibo_playback/' + name: value for name, value in (
-                ('bag', '/tmp/a.bag'), ('recorded_ns', ''), ('frame_prefix', ''), ('loop', False), ('rate', 1.0),
-                ('start', 0.0), ('wait', 30.0))}},
+            'playback.launch': {'/use_sim_time': False, **{'/playback/aibo/' + name: value for name, value in (
+                ('robot_state_publisher/tf_prefix', ''), ('aibo_lights/frame_prefix', ''),
+                ('aibo_playback/bag', '/tmp/a.bag'), ('aibo_playback/recorded_ns', ''),
+                ('aibo_playback/frame_prefix', ''), ('aibo_playback/loop', False), ('aibo_playback/rate', 1.0),
+                ('aibo_playback/start', 0.0), ('aibo_playback/wait', 30.0))}},
             'record.launch': {},
             'teleop.launch': {'/aibo/aibo_teleop_keyboard/' + name: speed for name, speed in
                               (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
@@ -127,7 +129,9 @@ class LaunchFilesTest(unittest.TestCase):
         demo = {**driver, '/aibo_rcserver': '--port 54321 --console-port 59000', '/aibo/aibo_room': '',
                 '/aibo/aibo_look_around': ''}
         rviz = {'/aibo/rviz': 'aibo'}
-        playback = {**model, '/aibo/aibo_playback': '', '/aibo/camera/aibo_image_decoder': '', **rviz}
+        playback = {'/playback/aibo/' + name: arguments for name, arguments in (
+            ('aibo_playback', ''), ('camera/aibo_image_decoder', ''), ('robot_state_publisher', ''),
+            ('aibo_lights', ''), ('rviz', 'playback/aibo'))}
 
         left = {'ns': 'left', 'frame_prefix': 'port'}
 
@@ -152,7 +156,8 @@ class LaunchFilesTest(unittest.TestCase):
             ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
             ('fleet.launch', {'robots': "/Anna's b.yaml"}, {'/aibo_fleet': r"'/Anna'\''s b.yaml'"}),
             ('fleet.launch', {'robots': '/a.yaml', 'rviz': True}, {'/aibo_fleet': "'/a.yaml' --rviz"}),
-            ('playback.launch', {'bag': '/tmp/a.bag', **left}, {**of_left(playback), '/left/rviz': 'left:port'}),
+            ('playback.launch', {'bag': '/tmp/a.bag', **left}, {
+                **of_left(playback), '/playback/left/rviz': 'playback/left:port'}),
             ('playback.launch', {'bag': '/tmp/a.bag', 'rviz': False}, without(playback, 'rviz')),
             ('teleop.launch', {}, {'/aibo/aibo_teleop_keyboard': ''}),
             ('view.launch', {**left, 'fixed_frame': 'map'},
@@ -208,9 +213,10 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_reader='none'))), ['/aibo/aibo_teleop_joy'])
 
     def test_the_model_has_the_frame_prefix(self):
-        for name, required in (('aibo.launch', {}), ('model.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'})):
+        for name, ns, required in (('aibo.launch', '/left', {}), ('model.launch', '/left', {}),
+                                   ('playback.launch', '/playback/left', {'bag': '/tmp/a.bag'})):
             config = resolve(name, ns='left', frame_prefix='port/side', **required)
-            self.assertEqual(parameters(config)['/left/robot_state_publisher/tf_prefix'], 'port/side', name)
+            self.assertEqual(parameters(config)[ns + '/robot_state_publisher/tf_prefix'], 'port/side', name)
 
     def test_what_needs_the_frames_has_their_prefix(self):
         config = resolve('aibo.launch', ns='left', frame_prefix='port/side')
@@ -224,33 +230,52 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertIn('/aibo/robot_state_publisher', nodes(resolve('aibo.launch')))
 
     def test_a_recording_has_what_the_driver_publishes(self):
-        record = nodes(resolve('record.launch', diagnostics=False, sound=True))['/aibo/record'].args.split()[1:]
-        self.assertNotIn('/aibo/microphone', nodes(resolve('record.launch'))['/aibo/record'].args.split())
+        self.assertNotIn('/aibo/microphone', recorded())
         left_out = {'camera/image_raw', 'color_mask', 'audio', '/tf', '/diagnostics'}
         not_of_the_driver = {'cmd_vel', 'room', 'room/ball'}
-        self.assertEqual(set(record), {'/aibo/' + topic for topic in documented_topics() - left_out | not_of_the_driver})
+        self.assertEqual(set(recorded(diagnostics=False, sound=True)),
+                         {'/aibo/' + topic for topic in documented_topics() - left_out | not_of_the_driver})
+
+    def test_a_recording_has_no_name_that_a_robot_knows(self):
+        for topic, name in recorded(ns='team/right', sound=True).items():
+            self.assertEqual(name, '/recorded' + topic)
+
+    def test_playback_has_frames_of_its_own(self):
+        for name, node in nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')).items():
+            self.assertEqual(dict(node.remap_args),
+                             {topic: '/playback/left' + topic for topic in ('/tf', '/tf_static')}, name)
 
     def test_playback_has_the_recorded_namespace(self):
         for given in ('team/right', '/team/right'):
             other = {'bag': '/tmp/a b.bag', 'frame_prefix': 'port/side', 'loop': True, 'rate': 2.5, 'start': 7.5}
             config = resolve('playback.launch', ns='left', recorded_ns=given, rviz=False, **other)
-            self.assertEqual(driver_parameters(config, '/left/aibo_playback'),
+            self.assertEqual(driver_parameters(config, '/playback/left/aibo_playback'),
                              {**other, 'recorded_ns': '/team/right', 'wait': 2.0})
 
     def test_playback_can_be_heard(self):
-        self.assertNotIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))
-        self.assertIn('/left/aibo_hear', nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag', sound=True)))
+        hear = '/playback/left/aibo_hear'
+        self.assertNotIn(hear, nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')))
+        self.assertIn(hear, nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag', sound=True)))
 
     def test_recording_playback_and_view_of_two_robots_stay_apart(self):
         for name, required in (('record.launch', {}), ('playback.launch', {'bag': '/tmp/a.bag'}), ('view.launch', {})):
             left = nodes(resolve(name, ns='left', **required))
             right = nodes(resolve(name, ns='team/right', **required))
             self.assertFalse(set(left) & set(right), name)
-            self.assertTrue(all(node.startswith('/left/') for node in left), (name, list(left)))
+            own = '/playback/left/' if name == 'playback.launch' else '/left/'
+            self.assertTrue(all(node.startswith(own) for node in left), (name, list(left)))
         record = nodes(resolve('record.launch', ns='team/right', diagnostics=False))['/team/right/record'].args.split()
         self.assertRegex(record[0], r"^--output-prefix='.*/team_right'$")
-        self.assertTrue(all(topic.startswith('/team/right/') for topic in record[1:]), record)
-        self.assertIn('/diagnostics', nodes(resolve('record.launch'))['/aibo/record'].args.split())
+        self.assertTrue(all(topic.startswith('/team/right/') for topic in recorded(ns='team/right', diagnostics=False)))
+        self.assertIn('/diagnostics', recorded())
+
+
+def recorded(**arguments):
+    """For each topic that is recorded, its name in the bag."""
+    words = nodes(resolve('record.launch', **arguments))['/%s/record' % arguments.get('ns', 'aibo')].args.split()[1:]
+    topics = {name: topic for name, _, topic in (word.partition(':=') for word in words) if topic}
+    assert set(topics) == {word for word in words if ':=' not in word}
+    return {topic: name for name, topic in topics.items()}
 
 
 def flat(prefix, values):

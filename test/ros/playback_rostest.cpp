@@ -1,6 +1,7 @@
 // Recordings, played again by aibo_playback.
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
@@ -22,11 +23,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "support/process.h"
+#include "support/ros/joint_messages.h"
+#include "support/ros/joint_user.h"
 #include "support/ros/topic_listener.h"
 #include "support/temporary_folder.h"
 #include "tools/playback/body_frames.h"
@@ -35,6 +39,9 @@
 namespace {
 
 using aibo_driver::Connection;
+using aibo_driver::EndedMovement;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using test_support::kSafetyNet;
 using test_support::Process;
@@ -80,6 +87,16 @@ class WalkBag {
       write("camera/image_raw/compressed", headed<sensor_msgs::CompressedImage>("camera_optical_frame"));
       write("camera/camera_info", headed<sensor_msgs::CameraInfo>("camera_optical_frame"));
       write("cmd_vel", geometry_msgs::Twist());
+    }
+  }
+
+  /// Orders to a robot in another namespace.
+  void order(const std::string& other, double seconds) {
+    for (double end = time_ + seconds; time_ < end; time_ += kPeriod) {
+      geometry_msgs::Twist ahead;
+      ahead.linear.x = 0.1;
+      write(other + "cmd_vel", ahead);
+      write(other + "joint_command", test_support::command({{"head_pan", 1}}));
     }
   }
 
@@ -191,7 +208,7 @@ TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
   TopicListener<sensor_msgs::CompressedImage> pictures("/walks/camera/image_raw/compressed");
   TopicListener<sensor_msgs::CameraInfo> infos("/walks/camera/camera_info");
   TopicListener<nav_msgs::Odometry> odom("/walks/odom");
-  TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  TopicListener<tf2_msgs::TFMessage> tf("/walks/tf");
   TopicListener<Connection> connection("/walks/connection");
   Process playback(command(recordAWalk(), "/walks", {}));
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
@@ -243,7 +260,7 @@ TEST_F(PlaybackTest, BeginsLaterAndInAnotherNamespace) {
   }
   TopicListener<nav_msgs::Odometry> odom("/other/odom");
   TopicListener<RobotState> state("/other/robot_state");
-  TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  TopicListener<tf2_msgs::TFMessage> tf("/other/tf");
   const std::string bag = path("left.bag");
   Process playback(command(bag, "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=3600"}));
   EXPECT_EQ(playback.waitForExit(std::chrono::milliseconds(1500)), std::nullopt) << "nobody watches yet";
@@ -335,7 +352,7 @@ TEST_F(PlaybackTest, ARoundKnowsNothingOfTheLastOne) {
     bag.connect(Connection::CONNECTING, "it wakes up");
     bag.walk(0.2);
   }
-  TopicListener<tf2_msgs::TFMessage> tf("/tf");
+  TopicListener<tf2_msgs::TFMessage> tf("/rounds/tf");
   TopicListener<Connection> connection("/rounds/connection");
   const Process playback(command(path("odometry_comes_later.bag"), "/rounds", {"_loop:=true", "_wait:=0"}));
   const auto frames = tf.waitForCount(25);
@@ -513,6 +530,76 @@ TEST_F(PlaybackTest, AMessageThatIsCutOffIsDamage) {
   }
   EXPECT_THAT(complaintAbout(path("later.bag"), {"_wait:=0", "_rate:=50"}),
               HasSubstr("later.bag is damaged at 1:01 of 1:02: Buffer"));
+}
+
+/// A live robot. A bag is played beside it.
+class AliveUser : public test_support::JointUser {
+ public:
+  explicit AliveUser(const std::string& name_space)
+      : JointUser(name_space), odom(name_space + "/odom"), motion(name_space + "/motion_state") {}
+
+  /// All that has moved the robot. The driver takes orders in their sequence, so the last of them is one of ours.
+  std::set<std::string> movedBy() {
+    motion.clear();
+    publish("joint_command", test_support::command({{"tail_pan", 0.1}}));
+    std::set<std::string> sources;
+    EXPECT_TRUE(motion.waitFor([&sources](const MotionState& state) {
+      for (const Movement& each : state.movements) {
+        sources.insert(each.source);
+      }
+      for (const EndedMovement& each : state.ended) {
+        sources.insert(each.movement.source);
+      }
+      return !state.ended.empty() && state.ended.back().movement.joints == std::vector<std::string>{"tail_pan"};
+    }));
+    return sources;
+  }
+
+  TopicListener<nav_msgs::Odometry> odom;
+  TopicListener<MotionState> motion;
+};
+
+TEST_F(PlaybackTest, MovesNoRobotWhateverNamesAreInTheBag) {
+  AliveUser user("/alive");
+  {
+    WalkBag bag(path("trap.bag"), "/aibo");
+    bag.connect();
+    bag.order("/alive/", 2);
+  }
+  Process playback(command(path("trap.bag"), "/show", {}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
+  EXPECT_EQ(user.movedBy(), std::set<std::string>{ros::this_node::getName()});
+}
+
+TEST_F(PlaybackTest, RosbagMovesNoRobotWithWhatRecordLaunchHasRecorded) {
+  AliveUser user("/lives");
+  Process record({"roslaunch", RECORD_LAUNCH, "ns:=lives", "prefix:=" + path("walk")});
+  const ros::Publisher& steering = user.publisherOf<geometry_msgs::Twist>("cmd_vel");
+  for (const ros::Time end = ros::Time::now() + ros::Duration(60);
+       steering.getNumSubscribers() < 2 && ros::Time::now() < end;) {
+    ros::WallDuration(0.01).sleep();
+  }
+  user.steer(0.1);
+  EXPECT_TRUE(user.odom.waitFor([](const nav_msgs::Odometry& each) { return each.pose.pose.position.x > 0.05; }));
+  user.letGo();
+  record.signal(SIGINT);
+  ASSERT_TRUE(record.waitForExit(kSafetyNet)) << record.output();
+  std::filesystem::rename(*std::filesystem::directory_iterator(path("")), path("walk.bag"));
+
+  rosbag::Bag bag(path("walk.bag"));
+  const auto playable = aibo_driver::tools::Recording(path("walk.bag"), "").topics();
+  std::set<std::string> inputs;
+  for (const rosbag::ConnectionInfo* connection : rosbag::View(bag).getConnections()) {
+    EXPECT_EQ(connection->topic.rfind("/recorded/", 0), 0U) << connection->topic;
+    if (playable.count(connection->topic) == 0) {
+      inputs.insert(connection->topic);
+    }
+  }
+  EXPECT_EQ(inputs, std::set<std::string>{"/recorded/lives/cmd_vel"});
+
+  EXPECT_EQ(user.movedBy(), std::set<std::string>{ros::this_node::getName()});
+  EXPECT_EQ(Process({"rosbag", "play", "--quiet", path("walk.bag")}).waitForExit(kSafetyNet), EXIT_SUCCESS);
+  EXPECT_EQ(user.movedBy(), std::set<std::string>{ros::this_node::getName()});
 }
 
 TEST_F(PlaybackTest, IsNotPlayedWhereADriverRuns) {

@@ -14,6 +14,15 @@ namespace {
 // A namespace with one of these has a robot.
 constexpr std::array<const char*, 3> kSignsOfARobot{"/connection", "/joint_states", "/camera/image_raw/compressed"};
 
+// What drivers and aibo_room publish, apart from tf.
+constexpr std::array<const char*, 25> kOutputs{
+    "audio",        "battery",     "camera/camera_info", "camera/image_raw", "camera/image_raw/compressed",
+    "camera/state", "color_mask",  "color_regions",      "connection",       "imu/data_raw",
+    "joint_states", "led_states",  "link_quality",       "microphone",       "motion_state",
+    "odom",         "range/chest", "range/far",          "range/head",       "range/near",
+    "robot_state",  "room",        "room/ball",          "streaming",        "touch",
+};
+
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
@@ -97,12 +106,15 @@ void Recording::choose(const std::string& recorded_namespace) {
                              ". Choose one, such as recorded_ns:=" + robots.begin()->substr(1) + ".");
   }
   name_space_ = recorded_namespace.empty() ? *robots.begin() : recorded_namespace;
-  const bool has_jpegs = topics.count(name_space_ + "/camera/image_raw/compressed") > 0;
-  messages_ = std::make_unique<rosbag::View>(bag_, [this, has_jpegs](const rosbag::ConnectionInfo* connection) {
-    const std::string& topic = connection->topic;
-    return topic == "/diagnostics" ||
-           (topic.rfind(name_space_ + "/", 0) == 0 && !(has_jpegs && topic == name_space_ + "/camera/image_raw"));
-  });
+  for (const char* name : kOutputs) {
+    topics_[name_space_ + "/" + name] = name;
+  }
+  if (topics.count(name_space_ + "/camera/image_raw/compressed") > 0) {
+    topics_.erase(name_space_ + "/camera/image_raw");
+  }
+  topics_["/recorded/diagnostics"] = topics_["/diagnostics"] = "diagnostics";
+  messages_ = std::make_unique<rosbag::View>(
+      bag_, [this](const rosbag::ConnectionInfo* connection) { return topics_.count(connection->topic) > 0; });
 }
 
 void Recording::findFramePrefix() {

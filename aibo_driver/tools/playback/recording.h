@@ -8,14 +8,16 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace aibo_driver::tools {
 
-/// What a bag holds of one robot: the topics in its namespace, and /diagnostics. Left out are tf, which is made again
-/// from the measurements, and decoded pictures, if the robot's JPEGs are there.
+/// What a bag holds of one robot: the topics that a driver publishes, and those of the simulated robot's room. Left out
+/// are what a driver obeys, such as cmd_vel; tf, which is made again from the measurements; and decoded pictures, if
+/// the robot's JPEGs are there.
 class Recording {
  public:
   /// @param path a bag of record.launch, or another one with the driver's topics
@@ -26,7 +28,7 @@ class Recording {
   /// The name of the file, without its folder.
   const std::string& name() const { return name_; }
 
-  /// The robot's namespace in the bag, such as "/aibo".
+  /// The robot's namespace in the bag, such as "/recorded/aibo".
   const std::string& nameSpace() const { return name_space_; }
 
   /// What the driver put before all frames of tf: empty, or with a / at its end.
@@ -35,7 +37,11 @@ class Recording {
   ros::Time begin() const { return begin_; }
   ros::Duration length() const { return length_; }
 
-  /// The messages, in the order of their times.
+  /// The topics in the bag and, for each of them, its name without a namespace, such as "joint_states". These names are
+  /// ours: a bag from a stranger cannot choose others.
+  const std::map<std::string, std::string>& topics() const { return topics_; }
+
+  /// The messages of these topics, in the order of their times.
   rosbag::View& messages() { return *messages_; }
 
  private:
@@ -45,6 +51,7 @@ class Recording {
   rosbag::Bag bag_;
   std::string name_;
   std::string name_space_;
+  std::map<std::string, std::string> topics_;
   std::string frame_prefix_;
   ros::Time begin_;
   ros::Duration length_;
