@@ -80,7 +80,7 @@ class BallFollower {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "ball_follower");
+  aibo_driver::node::init(argc, argv, "ball_follower");
   return aibo_driver::node::runNode("ball follower", [] {
     return std::make_shared<BallFollower>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                           ros::NodeHandle("~"));

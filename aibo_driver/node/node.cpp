@@ -3,27 +3,77 @@
 #include <netdb.h>
 #include <ros/callback_queue.h>
 #include <ros/console.h>
+#include <ros/console_backend.h>
 #include <ros/exceptions.h>
 #include <ros/init.h>
 #include <ros/network.h>
+#include <ros/rosout_appender.h>
 #include <ros/this_node.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
+#include <xmlrpcpp/XmlRpcUtil.h>
 
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <mutex>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "node/master_watch.h"
 #include "node/parameter_value.h"
+#include "text/log_lines.h"
 
 namespace aibo_driver::node {
 namespace {
+
+void (*print_to_terminal)(void*, ros::console::Level, const char*, const char*, const char*, int) = nullptr;
+
+std::mutex rosout_mutex;
+ros::ROSOutAppender* rosout_appender = nullptr;  // guarded by rosout_mutex
+
+/// Publishes on /rosout what is logged, as roscpp would, but plainly.
+class Rosout {
+ public:
+  Rosout() { exchange(&appender_); }
+  ~Rosout() { exchange(nullptr); }
+  Rosout(const Rosout&) = delete;
+  Rosout& operator=(const Rosout&) = delete;
+
+ private:
+  static void exchange(ros::ROSOutAppender* appender) {
+    const std::lock_guard<std::mutex> lock(rosout_mutex);
+    rosout_appender = appender;
+  }
+
+  ros::ROSOutAppender appender_;
+};
+
+/// Takes the place of what prints each line of rosconsole to the terminal. All that this process logs comes here, also
+/// what roscpp logs about strangers.
+void logPlainly(void* event, ros::console::Level level, const char* text, const char* file, const char* function,
+                int line) {
+  static auto* const lines = new text::LogLines;  // until the last line
+  if (const std::optional<std::string> plain = lines->admit(file == nullptr ? "" : file, line, text)) {
+    print_to_terminal(event, level, plain->c_str(), file, function, line);
+    const std::lock_guard<std::mutex> lock(rosout_mutex);
+    if (rosout_appender != nullptr) {
+      rosout_appender->log(level, plain->c_str(), file, function, line);
+    }
+  }
+}
+
+/// What XML-RPC would print to stderr.
+class XmlRpcErrors : public XmlRpc::XmlRpcErrorHandler {
+ public:
+  void error(const char* text) override { ROS_WARN_STREAM(text); }
+} xml_rpc_errors;
 
 // In seconds. A master that answers needs less than 1 s. roslaunch kills a node after 15 s.
 constexpr unsigned kTimeToUnregister = 10;
@@ -131,7 +181,7 @@ bool readFlag(const ros::NodeHandle& parameters, const std::string& name) {
 
 void init(int& argc, char** argv, const std::string& name, std::uint32_t options) {
   try {
-    ros::init(argc, argv, name, options);
+    ros::init(argc, argv, name, options | ros::init_options::NoRosout);
   } catch (const ros::InvalidNameException& error) {
     std::fprintf(stderr,
                  "%s cannot start: %s NAME:=VALUE gives a topic another name; a parameter has an underscore, as in "
@@ -139,10 +189,14 @@ void init(int& argc, char** argv, const std::string& name, std::uint32_t options
                  name.c_str(), error.what());
     std::exit(EXIT_FAILURE);
   }
+  ros::console::initialize();
+  print_to_terminal = std::exchange(ros::console::backend::function_print, logPlainly);
+  XmlRpc::XmlRpcErrorHandler::setErrorHandler(&xml_rpc_errors);
 }
 
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
   const ros::NodeHandle handle = startWithSlack();  // outlives the try block, because logging ends with the last handle
+  const Rosout rosout;
   endOnInterrupt();
   warnOfWrongAddress();
   try {

@@ -28,8 +28,11 @@ double readNumber(const ros::NodeHandle& parameters, const std::string& name, do
 /// @throw std::runtime_error the parameter is something else, such as 1 or a text; the message names it
 bool readFlag(const ros::NodeHandle& parameters, const std::string& name);
 
-/// Calls ros::init(). If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of
-/// a parameter, this says so and ends the process with EXIT_FAILURE. roscpp itself would abort it.
+/// Calls ros::init(). From then on, each line that this process logs, also by roscpp itself, is plain, and a flood of
+/// lines is limited (text/log_lines.h), in the terminal as in /rosout. Only nodes of runNode() have /rosout.
+///
+/// If roscpp cannot make a name of an argument, such as host:=192.168.1.20 without the underscore of a parameter, this
+/// says so and ends the process with EXIT_FAILURE. roscpp itself would abort it.
 /// @param options ros::InitOption
 void init(int& argc, char** argv, const std::string& name, std::uint32_t options = 0);
 

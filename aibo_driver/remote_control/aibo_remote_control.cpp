@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "node/node.h"
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
 
@@ -34,7 +35,7 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext& /*context*/, co
 int main(int argc, char** argv) {
   using namespace aibo_driver::remote_control;
   constexpr int kLookForCtrlC = 100;  // ms
-  ros::init(argc, argv, "aibo_remote_control", ros::init_options::AnonymousName);
+  aibo_driver::node::init(argc, argv, "aibo_remote_control", ros::init_options::AnonymousName);
   const QtMessageHandler usual_handler = qInstallMessageHandler(endWithoutDisplay);
   QApplication application(argc, argv);
   qInstallMessageHandler(usual_handler);

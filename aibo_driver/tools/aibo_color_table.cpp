@@ -16,6 +16,7 @@
 #include "files/files.h"
 #include "node/camera/color_table_file.h"
 #include "node/camera/jpeg_decoder.h"
+#include "node/node.h"
 #include "tools/color_table/table_maker.h"
 
 namespace {
@@ -58,7 +59,7 @@ BgrImage bgrOf(const sensor_msgs::Image& image) {
 }
 
 BgrImage pictureOfTopic(const std::string& topic, int argc, char** argv) {
-  ros::init(argc, argv, "aibo_color_table", ros::init_options::AnonymousName);
+  aibo_driver::node::init(argc, argv, "aibo_color_table", ros::init_options::AnonymousName);
   if (!ros::master::check()) {
     throw InvalidArgumentException("there is no ROS master; is the driver running? --file takes a JPEG instead");
   }

@@ -131,7 +131,7 @@ class Playback {
       } else if (state_ == State::kEnded) {
         ros::requestShutdown();
       }
-    } catch (const ros::Exception& error) {  // those of rosbag, and those of messages that are too short
+    } catch (const std::runtime_error& error) {  // of rosbag, of messages that are too short, of impossible times
       ROS_FATAL_STREAM(recording_.name() << " is damaged at " << position() << ": " << error.what()
                                          << ". What follows is lost.");
       failed_ = true;
@@ -291,7 +291,7 @@ class Playback {
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "aibo_playback");
+  aibo_driver::node::init(argc, argv, "aibo_playback");
   bool failed = false;
   const int status = aibo_driver::node::runNode("playback", [&failed] {
     return std::make_shared<Playback>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "playback/aibo"),

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <variant>
 
 #include "node/node.h"
@@ -155,14 +156,14 @@ class Room {
   // The ball's place depends on the time since the robot was switched on.
   void receiveState(const aibo_driver::CameraState::ConstPtr& state) {
     if (state->frame_number > 0) {
-      switched_on_ = state->header.stamp - ros::Duration(state->frame_number * kSecondsPerFrame);
+      switched_on_ = state->header.stamp.toSec() - state->frame_number * kSecondsPerFrame;
     }
   }
 
   // The next connection may be to a robot that was switched on at another time.
   void receiveConnection(const aibo_driver::Connection::ConstPtr& connection) {
-    if (connection->state != aibo_driver::Connection::CONNECTED && !switched_on_.isZero()) {
-      switched_on_ = ros::Time();
+    if (connection->state != aibo_driver::Connection::CONNECTED && switched_on_) {
+      switched_on_.reset();
       Marker ball = emptyMarker(0);
       ball.action = Marker::DELETE;
       ball_.publish(ball);
@@ -170,10 +171,10 @@ class Room {
   }
 
   void publishBall() {
-    if (switched_on_.isZero() || ball_.getNumSubscribers() == 0) {
+    if (!switched_on_ || ball_.getNumSubscribers() == 0) {
       return;
     }
-    scene_.setTime((ros::Time::now() - switched_on_).toSec());
+    scene_.setTime(ros::Time::now().toSec() - *switched_on_);
     for (const Body& body : scene_.bodies()) {
       if (body.parts().front().surface == simulated_ers7::Surface::kBall) {
         Marker ball = partMarker(body, body.parts().front(), emptyMarker(0));
@@ -184,7 +185,7 @@ class Room {
   }
 
   simulated_ers7::Scene scene_;
-  ros::Time switched_on_;
+  std::optional<double> switched_on_;  ///< in seconds; any stamp can be there, so it can be before 0
   ros::Publisher room_;
   ros::Publisher ball_;
   ros::Subscriber state_;

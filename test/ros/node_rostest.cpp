@@ -1,11 +1,14 @@
 // The nodes and nodelets as a user starts them.
 
+#include <aibo_driver/Connection.h>
 #include <gmock/gmock.h>
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
 #include <ros/master.h>
+#include <ros/network.h>
 #include <ros/ros.h>
 #include <ros/this_node.h>
+#include <rosgraph_msgs/Log.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
 #include <signal.h>
@@ -14,17 +17,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <regex>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "node/xmlrpc_peer.h"
 #include "support/proxy/recording_proxy.h"
+#include "support/raw_client.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
@@ -113,6 +120,61 @@ TEST(Node, HasWhatItsDocumentLists) {
                  [&known](const std::string& name) { return known.count("/document/" + name) == 0; });
   } while (!missing.empty() && std::chrono::steady_clock::now() < end);
   EXPECT_THAT(missing, IsEmpty());
+}
+
+/// Where a node takes connections for its topics.
+int topicPortOf(const std::string& node, const std::string& topic) {
+  using aibo_driver::node::XmlRpcPeer;
+  std::string host;
+  std::uint32_t port = 0;
+  auto uri = XmlRpcPeer::master().call("lookupNode", {node});
+  if (!uri || !ros::network::splitURI(*uri, host, port)) {
+    throw std::runtime_error("the master does not know " + node);
+  }
+  XmlRpc::XmlRpcValue protocols;
+  protocols[0][0] = "TCPROS";
+  auto answer = XmlRpcPeer(host, port).call("requestTopic", {topic, protocols});
+  return answer ? static_cast<int>((*answer)[2]) : 0;
+}
+
+/// A header of TCPROS: each field and the whole begin with their sizes.
+std::string header(const std::vector<std::string>& fields) {
+  const auto sized = [](const std::string& bytes) {
+    const auto size = static_cast<std::uint32_t>(bytes.size());
+    return std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes;
+  };
+  std::string all;
+  for (const std::string& field : fields) {
+    all += sized(field);
+  }
+  return sized(all);
+}
+
+TEST(Log, OfStrangersIsPlainAndShort) {
+  TopicListener<rosgraph_msgs::Log> rosout("/rosout");
+  DriverProcess driver("/logs", 1);
+  ASSERT_TRUE(TopicListener<aibo_driver::Connection>("/logs/connection").waitForNext());
+  const int port = topicPortOf("/logs/aibo_driver", "/logs/connection");
+  const std::string wrong = header({"callerid=/me", "topic=/logs/connection", "type=aibo_driver/Connection",
+                                    "md5sum=\x1b[2J\n[FATAL] forged" + std::string(20'000, 'x')});
+  for (int i = 0; i < 3000; ++i) {
+    test_support::RawClient stranger(port);
+    stranger.send(wrong);
+    while (const auto bytes = stranger.receive(kSafetyNet)) {
+      if (bytes->empty()) {
+        break;  // the driver has closed the connection
+      }
+    }
+  }
+  driver.waitForOutput("datatype/md5sum \\[.*\\?\\[2J\\?\\[FATAL\\] forged", kSafetyNet);
+  EXPECT_LT(driver.output().size(), 1'000'000U) << "60 MB came";
+  EXPECT_THAT(driver.output(), Not(HasSubstr("\x1b[2J")));
+  std::size_t said = 0;
+  for (const auto& each : rosout.waitForCount(0)) {
+    said += each->name == "/logs/aibo_driver" ? each->msg.size() : 0;
+    EXPECT_THAT(each->msg, Not(HasSubstr("\x1b")));
+  }
+  EXPECT_LT(said, 1'000'000U);
 }
 
 TEST(LookAround, StartedBareCommandsTheDriverUnderAibo) {

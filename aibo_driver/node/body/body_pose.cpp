@@ -19,7 +19,7 @@ std::string legJointName(std::size_t leg, std::size_t joint) {
 
 void BodyPose::accelerate(const geometry_msgs::Vector3& acceleration, const ros::Time& stamp) {
   const Eigen::Vector3d now(acceleration.x, acceleration.y, acceleration.z);
-  const double passed = std::max(0.0, (stamp - last_acceleration_).toSec());
+  const double passed = std::max(0.0, stamp.toSec() - last_acceleration_.toSec());
   const double share = acceleration_ ? -std::expm1(-passed / kSmoothing) : 1;
   acceleration_ = acceleration_.value_or(now) + share * (now - acceleration_.value_or(now));
   last_acceleration_ = stamp;

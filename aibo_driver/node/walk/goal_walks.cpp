@@ -74,7 +74,7 @@ GoalWalks::Walk GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const m
 // In the frame odom.
 PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const {
   PlanePose pose = poseIn(goal.pose);
-  const double age = goal.header.stamp.isZero() ? 0 : (ros::Time::now() - goal.header.stamp).toSec();
+  const double age = goal.header.stamp.isZero() ? 0 : ros::Time::now().toSec() - goal.header.stamp.toSec();
   if (age > kOldestStamp) {
     throw InvalidArgumentException(format("too old: its stamp was %.1f s ago, and 0.5 s are allowed", age));
   }

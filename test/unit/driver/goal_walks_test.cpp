@@ -148,6 +148,8 @@ TEST_F(GoalWalksTest, AsFarAsIsAllowedItWalks) {
   EXPECT_EQ(begin(farthest).begun().ended(), nullptr);
   farthest.header.stamp = ros::Time::now() + ros::Duration(5);
   EXPECT_EQ(begin(farthest).begun().ended(), nullptr) << "the clock of its sender is ahead";
+  farthest.header.stamp = ros::TIME_MAX;
+  EXPECT_EQ(begin(farthest).begun().ended(), nullptr);
 }
 
 TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
