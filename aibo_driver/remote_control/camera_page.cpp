@@ -21,7 +21,8 @@ CameraPage::CameraPage(Robot& robot, QWidget* parent)
       folder_(defaultFolder()),
       thumbnail_(new QPushButton(this)),
       path_(new QLabel(this)),
-      folder_button_(new QPushButton("Folder...", this)) {
+      folder_button_(new QPushButton("Folder...", this)),
+      settings_(new SettingsForm(this)) {
   thumbnail_->setObjectName("thumbnail");
   thumbnail_->setIconSize(kThumbnail);
   thumbnail_->setFixedSize(kThumbnail + QSize(8, 8));
@@ -29,22 +30,21 @@ CameraPage::CameraPage(Robot& robot, QWidget* parent)
   path_->setObjectName("path");
   folder_button_->setObjectName("folder");
   path_->setWordWrap(true);
+  path_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // names of folders may be long
   path_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  auto* grid = new QGridLayout(this);
+  auto* grid = new QGridLayout(makeContent());
   grid->addWidget(thumbnail_, 0, 0, 2, 1);
   grid->addWidget(path_, 0, 1);
   grid->addWidget(folder_button_, 1, 1, Qt::AlignLeft);
   grid->setColumnStretch(1, 1);
-  auto* form = new SettingsForm(this);
-  settings_ = makeScrollArea(form);
   grid->addWidget(settings_, 2, 0, 1, 2);
-  grid->setRowStretch(2, 1);
+  grid->setRowStretch(3, 1);
   setFolder(folder_);
   connect(thumbnail_, &QPushButton::clicked, this, [this] { Q_EMIT opened(taken_); });
   connect(folder_button_, &QPushButton::clicked, this, &CameraPage::chooseFolder);
-  connect(form, &SettingsForm::changed, &robot, &Robot::changeSetting);
-  connect(&robot, &Robot::settingsDescribed, form, &SettingsForm::describe);
-  connect(&robot, &Robot::settingsChanged, form, &SettingsForm::showValues);
+  connect(settings_, &SettingsForm::changed, &robot, &Robot::changeSetting);
+  connect(&robot, &Robot::settingsDescribed, settings_, &SettingsForm::describe);
+  connect(&robot, &Robot::settingsChanged, settings_, &SettingsForm::showValues);
   connect(&robot, &Robot::pictureTaken, this, &CameraPage::showTaken);
 }
 

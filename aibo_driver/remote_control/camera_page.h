@@ -45,8 +45,8 @@ class CameraPage : public Page {
   QPushButton* thumbnail_;
   QLabel* path_;
   QPushButton* folder_button_;
+  SettingsForm* settings_;
   QPointer<QFileDialog> dialog_;  ///< the dialog to choose a folder; null when it is closed
-  QWidget* settings_;
 };
 
 }  // namespace aibo_driver::remote_control

@@ -42,21 +42,20 @@ ConnectionBar::ConnectionBar(QWidget* parent)
     : QWidget(parent),
       chooser_(new QComboBox(this)),
       lamp_(new QLabel(QString::fromUtf8("\u25CF"), this)),
-      text_(new QLabel(this)),
+      text_(new ElidedLabel(this)),
       battery_(new QLabel(this)),
-      link_(new QLabel(this)) {
+      link_(new ElidedLabel(this)) {
   chooser_->setObjectName("driver");
   chooser_->setToolTip("The drivers that are running, by namespace");
-  chooser_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  constexpr int kShownLength = 10;  // characters; its list shows long names in full
+  chooser_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  chooser_->setMinimumContentsLength(kShownLength);
   new IgnoreWheel(chooser_);
   text_->setObjectName("connection");
-  text_->setWordWrap(true);
-  text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // names of files may be long
   battery_->setObjectName("battery");
   link_->setObjectName("link");
   link_->setAlignment(Qt::AlignRight);
-  link_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // figures change all the time,
-  battery_->setFixedWidth(fontMetrics().horizontalAdvance("Battery 100 %, 25 \u00B0C "));  // and must move nothing
+  battery_->setFixedWidth(fontMetrics().horizontalAdvance("Battery 100 %, 25 \u00B0C "));
   link_->setToolTip("Pictures a second; how old they are when they are published; the share that did not come");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
@@ -80,7 +79,7 @@ void ConnectionBar::showConnection(const RobotConnection& connection) {
   current_ = connection.name_space;
   fillChooser();
   lamp_->setStyleSheet("color: " + colourOf(connection.state));
-  text_->setText(titleOf(connection));
+  text_->showText(titleOf(connection));
   if (!connection.hasRobot()) {
     battery_->clear();
     link_->clear();

@@ -6,11 +6,13 @@
 #include <QLabel>
 #include <QWidget>
 
+#include "remote_control/elided_label.h"
 #include "remote_control/robot.h"
 
 namespace aibo_driver::remote_control {
 
-/// Shows which driver is used, whether its robot is connected, the robot's battery, and how well pictures come.
+/// Shows which driver is used, whether its robot is connected, the robot's battery, and how well pictures come. Its
+/// size is always the same.
 class ConnectionBar : public QWidget {
   Q_OBJECT
 
@@ -31,9 +33,9 @@ class ConnectionBar : public QWidget {
 
   QComboBox* chooser_;
   QLabel* lamp_;
-  QLabel* text_;
+  ElidedLabel* text_;
   QLabel* battery_;
-  QLabel* link_;
+  ElidedLabel* link_;
   QStringList found_;
   QStringList entries_;
   QString current_;

@@ -27,10 +27,8 @@ Place placeOf(const QString& joint) {
 
 }  // namespace
 
-JointsPage::JointsPage(QWidget* parent) : Page(parent), box_(need(Needs::kMotors, makeScrollArea(new QWidget))) {
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(box_);
+JointsPage::JointsPage(QWidget* parent) : Page(parent) {
+  need(Needs::kMotors, this);
   makeSliders("ERS-7");
 }
 
@@ -48,9 +46,7 @@ void JointsPage::connectionChanged(const RobotConnection& connection) {
 void JointsPage::makeSliders(const QString& design) {
   design_ = design;
   sliders_.clear();
-  auto* inside = new QWidget;
-  box_->setWidget(inside);               // this replaces the previous widget
-  inside->setAutoFillBackground(false);  // it shows the page's background
+  QWidget* const inside = makeContent();
   auto* grid = new QGridLayout(inside);
   grid->setContentsMargins(2, 2, 2, 2);
   std::map<QString, QVBoxLayout*> groups;

@@ -28,7 +28,6 @@ class JointsPage : public Page {
   void makeSliders(const QString& design);
 
   QString design_;
-  QScrollArea* const box_;  ///< contains the sliders
   std::map<QString, JointSlider*> sliders_;
 };
 

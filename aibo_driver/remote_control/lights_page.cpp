@@ -37,7 +37,7 @@ LightsPage::LightsPage(Robot& robot, QWidget* parent)
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel("Intensity", this));
   row->addWidget(intensity_);
-  auto* layout = new QVBoxLayout(makeScrolledContent());
+  auto* layout = new QVBoxLayout(makeContent());
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addLayout(row);
   layout->addWidget(makeFace());

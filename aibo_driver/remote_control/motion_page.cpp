@@ -10,7 +10,7 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
       list_(new QListWidget(this)),
       name_(new QLineEdit(this)),
       repetitions_(new QSpinBox(this)),
-      movement_(new QLabel(this)) {
+      movement_(new ElidedLabel(this)) {
   list_->setObjectName("motions");
   list_->setToolTip("The motions on the robot's memory stick. A double click plays one.");
   name_->setObjectName("motion_name");
@@ -20,8 +20,7 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   repetitions_->setSpecialValueText("once");
   repetitions_->setSuffix(" times");
   movement_->setObjectName("movement");
-  movement_->setWordWrap(true);
-  auto* grid = new QGridLayout(this);
+  auto* grid = new QGridLayout(makeContent());
   grid->addWidget(need(Needs::kVersion2, list_), 0, 0, 5, 1);
   grid->addWidget(need(Needs::kConnection, name_), 0, 1);
   grid->addWidget(need(Needs::kConnection, repetitions_), 1, 1);
@@ -43,7 +42,7 @@ MotionPage::MotionPage(Robot& robot, QWidget* parent)
   connect(name_, &QLineEdit::returnPressed, this, [this] { play(); });
   connect(&robot, &Robot::motionsListed, this, &MotionPage::showMotions);
   connect(&robot, &Robot::movementChanged, this,
-          [this](const QString& text) { movement_->setText(text.isEmpty() ? QString() : "Now: " + text); });
+          [this](const QString& text) { movement_->showText(text.isEmpty() ? QString() : "Now: " + text); });
 }
 
 void MotionPage::play() {

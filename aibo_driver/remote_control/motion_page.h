@@ -2,11 +2,11 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_MOTION_PAGE_H
 #define AIBO_DRIVER_REMOTE_CONTROL_MOTION_PAGE_H
 
-#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSpinBox>
 
+#include "remote_control/elided_label.h"
 #include "remote_control/page.h"
 
 namespace aibo_driver::remote_control {
@@ -28,7 +28,7 @@ class MotionPage : public Page {
   QListWidget* list_;
   QLineEdit* name_;
   QSpinBox* repetitions_;
-  QLabel* movement_;
+  ElidedLabel* movement_;
   QString listed_for_;  ///< the connection for which the motions were requested
 };
 

@@ -12,7 +12,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
     : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)), movement_(new ElidedLabel(this)) {
   need(Needs::kFeet, drive_pad_);
   need(Needs::kMotors, head_pad_);
-  auto* grid = new QGridLayout(this);
+  auto* grid = new QGridLayout(makeContent());
   grid->addWidget(new QLabel("Walk: while the mouse is held", this), 0, 0, Qt::AlignHCenter);
   grid->addWidget(new QLabel("Head", this), 0, 1, Qt::AlignHCenter);
   grid->addWidget(drive_pad_, 1, 0);
@@ -36,6 +36,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   movement_->setObjectName("who_moves");
   grid->addWidget(movement_, 2, 0, 1, 2);
   grid->addLayout(buttons, 3, 0, 1, 2);
+  setMinimumHeight(widget()->minimumSizeHint().height());  // nobody should have to scroll to a pad
   connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
   connect(head_pad_, &HeadPad::pointed, &robot, &Robot::moveJoints);
   connect(&robot, &Robot::jointsMeasured, this, [this](const JointPositions& positions) {
@@ -44,7 +45,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
     }
   });
   connect(&robot, &Robot::movementChanged, this, [this](const QString& text) {
-    movement_->setText(text.section(';', 0, 0));  // without what has ended
+    movement_->showText(text.section(';', 0, 0));  // without what has ended
     movement_->setToolTip(text);
   });
 }

@@ -23,7 +23,7 @@ class MovePage : public Page {
 
   DrivePad* drive_pad_;
   HeadPad* head_pad_;
-  QLabel* movement_;
+  ElidedLabel* movement_;
 };
 
 }  // namespace aibo_driver::remote_control

@@ -4,7 +4,6 @@
 
 #include <QPushButton>
 #include <QScrollArea>
-#include <QVBoxLayout>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -14,12 +13,18 @@
 
 namespace aibo_driver::remote_control {
 
-/// A part of the window. Each of its widgets can be used while the robot can do what the widget is for.
-class Page : public QWidget {
+/// A part of the window. Each of its widgets can be used while the robot can do what the widget is for. It scrolls if
+/// it needs more room than it has, so nothing on it changes the size of anything else.
+class Page : public QScrollArea {
   Q_OBJECT
 
  public:
-  using QWidget::QWidget;
+  explicit Page(QWidget* parent = nullptr) : QScrollArea(parent) {
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+    viewport()->setAutoFillBackground(false);
+  }
 
   Q_SIGNAL void visibilityChanged();
 
@@ -44,23 +49,11 @@ class Page : public QWidget {
     return widget;
   }
 
-  /// Makes an area for something that may need more room than the page has.
-  QScrollArea* makeScrollArea(QWidget* content) {
-    auto* area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidget(content);
-    content->setAutoFillBackground(false);  // it shows the page's background
-    area->viewport()->setAutoFillBackground(false);
-    return area;
-  }
-
-  /// Makes a widget for everything on the page. It scrolls if it needs more room.
-  QWidget* makeScrolledContent() {
+  /// Makes a widget for everything on the page. It replaces the previous one.
+  QWidget* makeContent() {
     auto* content = new QWidget;
-    auto* whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(makeScrollArea(content));
+    setWidget(content);
+    content->setAutoFillBackground(false);  // it shows the window's background
     return content;
   }
 
@@ -74,11 +67,11 @@ class Page : public QWidget {
 
  private:
   void showEvent(QShowEvent* event) override {
-    QWidget::showEvent(event);
+    QScrollArea::showEvent(event);
     Q_EMIT visibilityChanged();
   }
   void hideEvent(QHideEvent* event) override {
-    QWidget::hideEvent(event);
+    QScrollArea::hideEvent(event);
     Q_EMIT visibilityChanged();
   }
   virtual void connectionChanged(const RobotConnection&) {}

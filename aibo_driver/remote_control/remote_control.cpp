@@ -86,16 +86,17 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   status_->setObjectName("status");
   status_->setWordWrap(true);
   status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // A long answer must not move the buttons.
   status_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2);
+  status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   status_->setText("Nothing has been asked of the robot yet.");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addLayout(makeTopRow());
+  layout->addWidget(status_);
   layout->addWidget(connection_bar_);
   layout->addWidget(picture_, 1);
-  layout->addLayout(makeButtons());
   layout->addWidget(makePages(), 1);
-  layout->addWidget(status_);
   connectSignals();
   keepSpaceBar();
   RobotConnection unknown;
@@ -109,7 +110,17 @@ RemoteControl::~RemoteControl() {
   hide();
 }
 
-QLayout* RemoteControl::makeButtons() {
+QLayout* RemoteControl::makeTopRow() {
+  stop_button_ = new QPushButton(this);
+  stop_button_->setObjectName("stop");
+  stop_button_->setFixedSize(fontMetrics().horizontalAdvance("Release") + 60, 2 * fontMetrics().lineSpacing() + 8);
+  showStopButton();
+  commanded_ = new ElidedLabel(this, Qt::ElideMiddle);  // the names of a fleet differ at their ends
+  commanded_->setObjectName("commanded");
+  commanded_->setStyleSheet("font-weight: bold");
+  commanded_->setMinimumWidth(fontMetrics().horizontalAdvance("/aibo_left"));
+  condition_text_ = new ElidedLabel(this);
+  condition_text_->setObjectName("condition");
   take_button_ = new QPushButton("Take picture", this);
   take_button_->setObjectName("take_picture");
   take_button_->setToolTip("Takes a fresh picture and saves it in the folder of the page Camera");
@@ -117,21 +128,15 @@ QLayout* RemoteControl::makeButtons() {
   stream_button_->setObjectName("stream");
   stream_button_->setText("Start stream");  // the longer of its two texts
   stream_button_->setMinimumWidth(stream_button_->sizeHint().width());
-  stop_button_ = new QPushButton(this);
-  stop_button_->setObjectName("stop");
-  stop_button_->setFixedWidth(fontMetrics().horizontalAdvance("Release") + 60);  // the width for either text
-  showStopButton();
-  condition_text_ = new QLabel(this);
-  condition_text_->setObjectName("condition");
-  condition_text_->setWordWrap(true);
-  condition_text_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  condition_text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // names of nodes may be long,
-  condition_text_->setFixedHeight(2 * fontMetrics().lineSpacing());          // and must not move the buttons
+  auto* texts = new QVBoxLayout;
+  texts->setSpacing(0);
+  texts->addWidget(commanded_);
+  texts->addWidget(condition_text_);
   auto* row = new QHBoxLayout;
+  row->addWidget(stop_button_);
+  row->addLayout(texts, 1);
   row->addWidget(take_button_);
   row->addWidget(stream_button_);
-  row->addWidget(condition_text_, 1);
-  row->addWidget(stop_button_);
   return row;
 }
 
@@ -241,6 +246,7 @@ void RemoteControl::useDriver(const QString& name_space) {
 void RemoteControl::showConnection(const RobotConnection& connection) {
   connection_ = connection;
   connection_bar_->showConnection(connection);
+  commanded_->showText(connection.name_space);
   for (QPushButton* button : {take_button_, stream_button_}) {
     allow(button, whyNot(Needs::kConnection, connection, condition_));
   }
@@ -251,8 +257,7 @@ void RemoteControl::showConnection(const RobotConnection& connection) {
 void RemoteControl::showCondition(const RobotCondition& condition) {
   condition_ = condition;
   const QString text = connection_.hasDriver() ? describe(condition) : QString();
-  condition_text_->setText(text);
-  condition_text_->setToolTip(text);
+  condition_text_->showText(text);
   for (Page* page : pages_) {
     page->setState(connection_, condition);
   }

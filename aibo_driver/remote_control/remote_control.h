@@ -10,13 +10,17 @@
 
 #include "remote_control/camera_page.h"
 #include "remote_control/connection_bar.h"
+#include "remote_control/elided_label.h"
 #include "remote_control/page.h"
 #include "remote_control/picture_view.h"
 
 namespace aibo_driver::remote_control {
 
-/// The whole window: the connection, the live picture, buttons, pages and a line with the last answer. It shows only
-/// what the robot reports, never what was clicked.
+/// The whole window: STOP, the last answer, the connection, the live picture and the pages. It shows only what the
+/// robot reports, never what was clicked.
+///
+/// Whoever moves the mouse to STOP must meet it, whatever happens meanwhile. So STOP is in the top left corner, and
+/// nothing above the pages changes its size.
 class RemoteControl : public QWidget {
   Q_OBJECT
 
@@ -38,7 +42,7 @@ class RemoteControl : public QWidget {
  private:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void keepSpaceBar();
-  QLayout* makeButtons();
+  QLayout* makeTopRow();
   QWidget* makePages();
   void connectSignals();
   void showConnection(const RobotConnection& connection);
@@ -63,10 +67,11 @@ class RemoteControl : public QWidget {
   ConnectionBar* connection_bar_;
   PictureView* picture_;
   CameraPage* camera_page_;
+  QPushButton* stop_button_ = nullptr;
+  ElidedLabel* commanded_ = nullptr;  ///< the driver that all buttons command
+  ElidedLabel* condition_text_ = nullptr;
   QPushButton* take_button_ = nullptr;
   QPushButton* stream_button_ = nullptr;
-  QLabel* condition_text_ = nullptr;
-  QPushButton* stop_button_ = nullptr;
   QLabel* status_;
   std::vector<Page*> pages_;
 };

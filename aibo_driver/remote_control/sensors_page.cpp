@@ -49,7 +49,7 @@ SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   auto* ranges = new QGroupBox("Range finders", this);
   distances_ = new QGridLayout(ranges);
   distances_->setContentsMargins(4, 4, 4, 4);
-  auto* layout = new QVBoxLayout(makeScrolledContent());
+  auto* layout = new QVBoxLayout(makeContent());
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addWidget(touch);
   layout->addWidget(ranges);

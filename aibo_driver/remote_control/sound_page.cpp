@@ -24,7 +24,7 @@ SoundPage::SoundPage(Robot& robot, QWidget* parent)
       listen_(new QCheckBox("Listen", this)),
       level_(new QProgressBar(this)),
       text_(new QLineEdit(this)) {
-  auto* layout = new QVBoxLayout(makeScrolledContent());
+  auto* layout = new QVBoxLayout(makeContent());
   layout->setContentsMargins(6, 4, 6, 4);
   layout->addWidget(makeMicrophones());
   layout->addWidget(makeSpeech());

@@ -33,9 +33,12 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
+#include <functional>
 #include <memory>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include "movement/joint_table.h"
 #include "remote_control/axis_pad.h"
@@ -201,10 +204,6 @@ TEST_F(RemoteControlTest, APlaybackIsShownAndCommandsNothing) {
   QTest::keyClick(&window_, Qt::Key_Space);
   EXPECT_TRUE(textOf("status").endsWith("stop: not now: " + where));
   EXPECT_EQ(robot_.take(), QStringList());
-  const int width = window_.minimumSizeHint().width();
-  robot_.disconnectIt(State::kPlayback, "playback of " + QString(300, 'a') + ".bag, 0:12 of 1:30");
-  EXPECT_EQ(window_.minimumSizeHint().width(), width);
-  EXPECT_GT(find<QLabel>("connection")->heightForWidth(200), find<QLabel>("connection")->heightForWidth(9000));
   robot_.connectIt();
   EXPECT_EQ(click("stop"), QStringList("stop"));
 }
@@ -240,12 +239,9 @@ TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASeco
   EXPECT_EQ(click("stop"), QStringList("stop"));
   RobotCondition condition;
   condition.is_stopped = true;
-  condition.stopped_by = "/gamepad_" + QString(100, '1');
-  const int width = window_.minimumSizeHint().width();
+  condition.stopped_by = "/gamepad";
   Q_EMIT robot_.conditionChanged(condition);
   EXPECT_EQ(find<QPushButton>("stop")->text(), "Release");
-  window_.layout()->activate();
-  EXPECT_EQ(window_.minimumSizeHint().width(), width) << "a long name does not move the button";
   EXPECT_TRUE(looks("#1565c0", "Lets the robot move again"));
   EXPECT_EQ(click("stop"), QStringList("stop"));
   EXPECT_TRUE(QTest::qWaitFor([this, &condition] {
@@ -706,29 +702,93 @@ TEST_F(RemoteControlTest, EachPageFitsOnASmallScreen) {
     open(page);
     EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
     EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
-    const auto widgets = find<QWidget>(page)->findChildren<QWidget*>();
-    for (QWidget* one : widgets) {
-      for (QWidget* other : widgets) {
-        EXPECT_FALSE(one < other && one->parent() == other->parent() && one->isVisible() && other->isVisible() &&
-                     one->geometry().intersects(other->geometry()))
-            << page << ": " << one->objectName().toStdString() << " covers " << other->objectName().toStdString();
-      }
-    }
   }
   window_.resize(window_.minimumSizeHint());
   const auto* tabs = find<QTabWidget>("")->tabBar();
   EXPECT_LE(tabs->sizeHint().width(), tabs->width()) << "some titles are hidden";
 }
 
-TEST_F(RemoteControlTest, FiguresDoNotChangeItsWidth) {
-  robot_.connectIt();
-  const int width = window_.minimumSizeHint().width();
-  Q_EMIT robot_.batteryMeasured(1, 25);
-  Q_EMIT robot_.linkMeasured({12.3, 0.004, 0});
-  EXPECT_EQ(window_.minimumSizeHint().width(), width);
-  Q_EMIT robot_.linkMeasured({12345.6, 999.999, 0.123});
-  Q_EMIT robot_.streamingChanged(true);
-  EXPECT_EQ(window_.minimumSizeHint().width(), width);
+const QString kLongWord(300, 'x');
+const QString kLongText = QString("why it did not work and what to check ").repeated(20);
+
+/// What can happen to the window while somebody moves the mouse to STOP.
+const std::vector<std::pair<const char*, std::function<void(FakeRobot&)>>> kHappenings = {
+    {"it is connected", [](FakeRobot& robot) { robot.connectIt(); }},
+    {"figures",
+     [](FakeRobot& robot) {
+       Q_EMIT robot.batteryMeasured(0.1, 12345);
+       Q_EMIT robot.linkMeasured({12345.6, 999.999, 0.123});
+       Q_EMIT robot.streamingChanged(true);
+       Q_EMIT robot.pictureArrived(QImage(416, 320, QImage::Format_RGB32));
+       Q_EMIT robot.distanceMeasured({"near", 0.25, 0.5});
+     }},
+    {"long names",
+     [](FakeRobot& robot) {
+       RobotConnection connection;
+       connection.state = State::kConnected;
+       connection.name_space = connection.robot = connection.address = connection.text = "/" + kLongWord;
+       connection.protocol_version = 2;
+       Q_EMIT robot.connectionChanged(connection);
+       Q_EMIT robot.driversFound({"/" + kLongWord, "/" + kLongText});
+       Q_EMIT robot.motionsListed({kLongWord, kLongText});
+       Q_EMIT robot.pictureTaken(QImage(416, 320, QImage::Format_RGB32), "/" + kLongWord);
+       Q_EMIT robot.settingsDescribed({{kLongWord, kLongWord, Setting::Kind::kChoice, 0, 0, {{kLongWord, 1}}}});
+       Q_EMIT robot.distanceMeasured({kLongWord, 0.25, 0.5});
+     }},
+    {"a movement", [](FakeRobot& robot) { Q_EMIT robot.movementChanged("moved by /" + kLongWord + kLongText, true); }},
+    {"a refusal", [](FakeRobot& robot) { Q_EMIT robot.answered(false, kLongText); }},
+    {"a refusal in one word", [](FakeRobot& robot) { Q_EMIT robot.answered(false, kLongWord); }},
+    {"it is stopped",
+     [](FakeRobot& robot) {
+       RobotCondition condition;
+       condition.is_stopped = true;
+       condition.stopped_by = "/" + kLongWord;
+       Q_EMIT robot.conditionChanged(condition);
+     }},
+    {"it is released", [](FakeRobot& robot) { Q_EMIT robot.conditionChanged({}); }},
+    {"the robot is silent", [](FakeRobot& robot) { robot.disconnectIt(State::kDisconnected, kLongText); }},
+    {"the driver is gone", [](FakeRobot& robot) { robot.disconnectIt(State::kNoDriver, kLongText); }},
+    {"the master is gone", [](FakeRobot& robot) { robot.disconnectIt(State::kNoMaster, kLongWord); }},
+    {"a playback", [](FakeRobot& robot) { robot.disconnectIt(State::kPlayback, kLongWord); }},
+    {"a robot of version 1", [](FakeRobot& robot) { robot.connectIt(1); }},
+    {"another kind of robot", [](FakeRobot& robot) { robot.connectIt(2, "ERS-210"); }},
+    {"a kind that nobody knows", [](FakeRobot& robot) { robot.connectIt(2, "R2D2"); }}};
+
+// With the usual and with a doubled font, as on a screen of high resolution.
+TEST(RemoteControlLayout, StopAndTheTabsStayInTheirPlacesWhateverHappens) {
+  const QFont usual = QApplication::font();
+  for (const int factor : {1, 2}) {
+    QFont font = usual;
+    font.setPointSizeF(factor * usual.pointSizeF());
+    QApplication::setFont(font);
+    for (const QSize& size : {QSize(0, 0), QSize(420, 600), QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+      FakeRobot robot;
+      RemoteControl window(robot);
+      window.resize(size);
+      window.show();
+      auto* tabs = window.findChild<QTabWidget*>();
+      const auto places = [&] {
+        for (int round = 0; round < 4; ++round) {
+          QCoreApplication::processEvents();
+        }
+        const auto place = [&window](const QWidget* widget) {
+          return QRect(widget->mapTo(&window, QPoint()), widget->size());
+        };
+        return QVector<QRect>{window.rect(), place(window.findChild<QWidget*>("stop")), place(tabs->tabBar()),
+                              place(window.findChild<QWidget*>("status"))};
+      };
+      const QVector<QRect> before = places();
+      EXPECT_EQ(before[0] & before[1], before[1]) << "all of STOP can be seen";
+      for (const auto& [name, happen] : kHappenings) {
+        happen(robot);
+        for (int page = 0; page < tabs->count(); ++page) {
+          tabs->setCurrentIndex(page);
+          ASSERT_EQ(places(), before) << name << " on page " << page << " of " << size.width() << ", font x" << factor;
+        }
+      }
+    }
+  }
+  QApplication::setFont(usual);
 }
 
 TEST_F(RemoteControlTest, OnlyWhatIsVisibleIsAskedFor) {
@@ -791,9 +851,7 @@ TEST_F(RemoteControlTest, TheMovePageSaysWhoMovesTheRobot) {
   open("Move");
   EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
   EXPECT_TRUE(find<QLabel>("who_moves")->toolTip().endsWith("last ended: posture stand, done"));
-  const int width = window_.minimumSizeHint().width();
   Q_EMIT robot_.movementChanged("moved by /" + QString(300, 'a') + " (walk)", false);
-  EXPECT_EQ(window_.minimumSizeHint().width(), width);
   EXPECT_TRUE(find<QLabel>("who_moves")->toolTip().endsWith("aaa (walk)")) << "all of it";
   const QStringList shown = textsOn(find<QWidget>("who_moves")).keys();
   EXPECT_TRUE(shown.join("").startsWith("moved by /aaa"));
@@ -821,6 +879,7 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   Q_EMIT robot_.batteryMeasured(0.82, 31.4);
   Q_EMIT robot_.linkMeasured({29.96, 0.012, 0.034});
   EXPECT_EQ(textOf("connection"), "ERS-7 at robot:54321, connected (version 2)");
+  EXPECT_EQ(textOf("commanded"), "/aibo") << "beside STOP";
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
   EXPECT_EQ(find<QLabel>("battery")->styleSheet(), "");
