@@ -38,18 +38,13 @@ std::string objectError(const std::string& text) {
   return problemOf([&] { objects(text); });
 }
 
-TEST(ObjectConfigurationTest, ReadsOneObjectPerLine) {
-  EXPECT_THAT(objects("/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n"),
-              ElementsAre("A.BIN", "RCSERVER.BIN"));
-}
-
-TEST(ObjectConfigurationTest, SkipsCommentsEmptyLinesSpaceAndWindowsLineEnds) {
-  EXPECT_THAT(objects("# all\r\n\r\n  /MS/OPEN-R/MW/OBJS/A.BIN  # this one\r\n#/MS/OPEN-R/MW/OBJS/B.BIN\r\n"),
-              ElementsAre("A.BIN"));
-}
-
-TEST(ObjectConfigurationTest, IgnoresCaseLikeTheStick) {
-  EXPECT_THAT(objects("/ms/open-r/mw/objs/rcserver.bin"), ElementsAre("RCSERVER.BIN"));
+TEST(ObjectConfigurationTest, HasOneObjectALineHoweverItIsWritten) {
+  for (const char* text :
+       {"/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/RCSERVER.BIN\n",
+        "# all\r\n\r\n  /MS/OPEN-R/MW/OBJS/A.BIN  # this\r\n#/MS/X\r\n/MS/OPEN-R/MW/OBJS/RCSERVER.BIN",
+        "/ms/open-r/mw/objs/a.bin\n/MS/Open-R/mw/OBJS/RcServer.bin"}) {
+    EXPECT_THAT(objects(text), ElementsAre("A.BIN", "RCSERVER.BIN")) << text;
+  }
 }
 
 TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
@@ -63,9 +58,9 @@ TEST(ObjectConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
 TEST(ObjectConfigurationTest, NamesFileAndLineOfAMalformedLine) {
   EXPECT_THAT(objectError("# one\n\n[ERS-7]\n/MS/OPEN-R/MW/OBJS/A.BIN\nRCSERVER.BIN\n"),
               AllOf(StartsWith("OBJECT.CFG:5: "), HasSubstr("'RCSERVER.BIN'")));
-  EXPECT_THAT(objectError("/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN"), StartsWith("OBJECT.CFG:1: "));
-  for (const char* broken : {"[ERS-7", "[ERS-7] x", "[", "]", "/MS/OPEN-R/MW/OBJS/.BIN", "/MS/OPEN-R/MW/OBJS/A.TXT",
-                             "/MS/OPEN-R/MW/OBJS/../A.BIN", "/MS/OPEN-R/MW/CONF/A.BIN", "/MS/OPEN-R/MW/OBJS/A B.BIN"}) {
+  for (const char* broken : {"[ERS-7", "[ERS-7] x", "]", "/MS/OPEN-R/MW/OBJS/.BIN", "/MS/OPEN-R/MW/OBJS/A.TXT",
+                             "/MS/OPEN-R/MW/OBJS/LONGERNAME.BIN", "/MS/OPEN-R/MW/OBJS/../A.BIN",
+                             "/MS/OPEN-R/MW/CONF/A.BIN", "/MS/OPEN-R/MW/OBJS/A B.BIN"}) {
     EXPECT_THAT(objectError(broken), StartsWith("OBJECT.CFG:1: ")) << broken;
   }
 }
@@ -100,40 +95,23 @@ TEST(ConnectionConfigurationTest, ReadsSubjectAndObserverWithAnyWhiteSpaceBetwee
   EXPECT_TRUE(connections("").empty());
 }
 
-TEST(ConnectionConfigurationTest, LinesAfterAModelAreForThatModelOnly) {
-  EXPECT_THAT(connections("[ERS-210]\nRobot.Old.Picture.S Server.Image.Picture.O\n[ERS-7]\n"
-                          "Robot.Image.Picture.S Server.Image.Picture.O\n"),
-              ElementsAre("Robot.Image.Picture.S Server.Image.Picture.O"));
-}
-
-TEST(ConnectionConfigurationTest, NamesFileAndLineOfAnUnknownService) {
-  EXPECT_THAT(
-      connectionError("\nRobot.Image.Picture.S Server.Imago.Picture.O"),
-      AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("Server.Imago.Picture.O"), HasSubstr("Server.Image.Picture.O")));
-  for (const char* broken : {"Robot.Image", "Robot.Image.Picture.X", "Robot..Picture.S", "Robot.Image.Picture.S.",
-                             "Robot.I-mage.Picture.S"}) {
-    EXPECT_THAT(connectionError(broken), StartsWith("CONNECT.CFG:1: expected a service")) << broken;
+TEST(ConnectionConfigurationTest, NamesFileAndLineOfAWrongLineAndWhatIsWrong) {
+  const std::string good = "Robot.Image.Picture.S Server.Image.Picture.O\n";
+  const std::pair<std::string, std::string> rows[] = {
+      {good + "Robot.Image.Picture.S Server.Imago.Picture.O", "CONNECT.CFG:2: .*Server.Imago.Picture.O"},
+      {"\nRobot.Sensor.Value.S\nServer.Image.Picture.O", "CONNECT.CFG:3: .*data types differ"},
+      {"Robot.Image.Picture.S\n" + good, "CONNECT.CFG:1: .*no observer"},
+      {"\n\nRobot.Image.Picture.S", "CONNECT.CFG:3: .*no observer"},
+      {"Server.Image.Picture.O Robot.Image.Picture.S", "CONNECT.CFG:1: .*no subject"},
+      {good + "\nRobot.Image.Picture.S\nServer.Image.Picture.O\n", "CONNECT.CFG:3: .*second time"},
+      {"Robot.Image", "CONNECT.CFG:1: expected a service"},
+      {"Robot.Image.Picture.X", "CONNECT.CFG:1: expected a service"},
+      {"Robot..Picture.S", "CONNECT.CFG:1: expected a service"},
+      {"Robot.I-mage.Picture.S", "CONNECT.CFG:1: expected a service"},
+  };
+  for (const auto& [text, problem] : rows) {
+    EXPECT_THAT(connectionError(text), testing::ContainsRegex(problem)) << text;
   }
-}
-
-TEST(ConnectionConfigurationTest, RefusesToConnectDifferentTypesOfData) {
-  EXPECT_THAT(connectionError("Robot.Sensor.Value.S\nServer.Image.Picture.O"),
-              AllOf(StartsWith("CONNECT.CFG:2: "), HasSubstr("data types differ: Robot.Sensor.Value.S and Server.")));
-}
-
-TEST(ConnectionConfigurationTest, RefusesAConnectionWithOnlyOneEnd) {
-  EXPECT_THAT(connectionError("Robot.Image.Picture.S\nRobot.Image.Picture.S Server.Image.Picture.O"),
-              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("no observer")));
-  EXPECT_THAT(connectionError("Server.Image.Picture.O Robot.Image.Picture.S"),
-              AllOf(StartsWith("CONNECT.CFG:1: "), HasSubstr("no subject")));
-  EXPECT_THAT(connectionError("\n\nRobot.Image.Picture.S"),
-              AllOf(StartsWith("CONNECT.CFG:3: "), HasSubstr("no observer")));
-}
-
-TEST(ConnectionConfigurationTest, RefusesTheSameConnectionTwice) {
-  EXPECT_THAT(connectionError("Robot.Image.Picture.S Server.Image.Picture.O\n\n"
-                              "Robot.Image.Picture.S\nServer.Image.Picture.O\n"),
-              AllOf(StartsWith("CONNECT.CFG:3: "), HasSubstr("second time")));
 }
 
 std::map<std::string, std::string> designFiles(const std::string& text) {

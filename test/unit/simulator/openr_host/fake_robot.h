@@ -29,7 +29,6 @@ class FakeRobot : public VirtualRobot {
   }
 
   std::set<longword> frames_with_image;
-  std::vector<longword> frames_seen;
   std::vector<longword> frames_captured;
   int sound_frames = 0;                                             ///< calls of passSound()
   std::vector<std::string> calls;                                   ///< "passFrame 3", "setMotorPower 1" ...
@@ -37,9 +36,7 @@ class FakeRobot : public VirtualRobot {
   OStatus joint_status = oSUCCESS;                                  ///< result of all calls for joints and sensors
 
   OPowerStatus power_status;
-  OSpeakerSoundType sound_type = ospksndMONO16K16B;  ///< of the speaker, primitive 30
-  std::map<longword, std::vector<sword>> played;     ///< by frame
-  OPrimitiveID led = 0;                              ///< this one of the joints is an LED instead
+  std::map<longword, std::vector<sword>> played;  ///< by frame
 
   RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }
@@ -48,20 +45,13 @@ class FakeRobot : public VirtualRobot {
 
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
     *id = 42;
-    return std::string(locator) == "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1" ? oSUCCESS : oNOT_FOUND;
+    return record(std::string("openPrimitive ") + locator, {});
   }
+  OStatus closePrimitive(OPrimitiveID id) override { return record("closePrimitive", {id}); }
 
-  OStatus closePrimitive(OPrimitiveID id) override { return id == 42 ? oSUCCESS : oINVALID_PRIMITIVE_ID; }
-
-  OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t param_size, void* /*result*/,
-                           size_t /*result_size*/) override {
-    if (id != 42) {
-      return oINVALID_PRIMITIVE_ID;
-    }
-    return request == oprmreqCAM_SET_GAIN && param_size == sizeof(OPrimitiveControl_CameraParam) &&
-                   static_cast<OPrimitiveControl_CameraParam*>(param)->camparam == ocamparamGAIN_HIGH
-               ? oSUCCESS
-               : oINVALID_ARG;
+  OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* /*param*/, size_t param_size,
+                           void* /*result*/, size_t /*result_size*/) override {
+    return record("controlPrimitive", {id, static_cast<longword>(request), static_cast<longword>(param_size)});
   }
 
   OStatus setJointGain(OPrimitiveID id, word pg, word ig, word dg, word ps, word is, word ds) override {
@@ -82,27 +72,16 @@ class FakeRobot : public VirtualRobot {
     return record("getPowerStatus", {});
   }
 
-  OStatus getMemoryStickStatus(OMemoryStickStatus* status) override {
-    *status = omemorystickWRITABLE;
-    return record("getMemoryStickStatus", {});
-  }
-
-  OStatus getJointValue(OPrimitiveID id, OJointValue* value) override {
-    value->value = 1000;
-    return record("getJointValue", {id});
-  }
-
-  OStatus getSensorValue(OPrimitiveID id, OSensorValue* value) override {
-    value->value = 2000;
-    return record("getSensorValue", {id});
-  }
+  OStatus getMemoryStickStatus(OMemoryStickStatus* /*status*/) override { return record("getMemoryStickStatus", {}); }
+  OStatus getJointValue(OPrimitiveID id, OJointValue* /*value*/) override { return record("getJointValue", {id}); }
+  OStatus getSensorValue(OPrimitiveID id, OSensorValue* /*value*/) override { return record("getSensorValue", {id}); }
 
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
-    return id >= 1 && id <= 20 && type == (id == led ? odataLED_COMMAND2 : odataJOINT_COMMAND2);
+    return id >= 1 && id <= 20 && type == odataJOINT_COMMAND2;
   }
 
   std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID id) const override {
-    return id == 30 ? std::make_optional(sound_type) : std::nullopt;
+    return id == 30 ? std::make_optional<OSpeakerSoundType>(ospksndMONO16K16B) : std::nullopt;
   }
 
   /// The microphones hear the number of the sample, the right one its negative.
@@ -147,7 +126,6 @@ class FakeRobot : public VirtualRobot {
 
   bool cameraImageDue(longword frame) override {
     record("cameraImageDue", {frame});
-    frames_seen.push_back(frame);
     return frames_with_image.count(frame) != 0;
   }
 

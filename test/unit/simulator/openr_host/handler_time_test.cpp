@@ -72,23 +72,6 @@ TEST_F(HandlerTimeTest, MessagesOfAHandlerLeaveWhenItHasFinished) {
   EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
 }
 
-TEST_F(HandlerTimeTest, ABusyObjectHoldsUpNoMessageOfOthers) {
-  int answers = 0;
-  camera_.on_answer = [&](ANTENVMSG) { ++answers; };
-  camera_.on_ready = [this](const OReadyEvent&) {
-    antEnvCreateSharedBufferMsg message(1);
-    message.Send(antStackRef("IPStack"), camera_.id(), TestObject::kSecond, sizeof(message));
-  };
-  test_.as(encoder_, [&] { encoder_.observer().AssertReady(camera_.subjectId()); });
-  test_.as(camera_, [&] {
-    camera_.subject().SetData("image", 5);
-    camera_.subject().NotifyObservers();
-  });
-  test_.run();
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0)));
-  EXPECT_EQ(answers, 1) << "posted before the encoder's work";
-}
-
 // What the camera's pixels take, and what the object only waits for, is no work of the object.
 TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
   const auto work = [](milliseconds time) {
@@ -119,58 +102,6 @@ TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
   EXPECT_LT(charged, milliseconds(40));
 }
 
-TEST_F(HandlerTimeTest, AnObjectKeepsItsDataUntilItHasFinished) {
-  auto* region = new RCRegion(4);
-  encoder_.on_notify = [](const ONotifyEvent&) {};  // no message follows
-  test_.as(camera_, [&] {
-    camera_.subject().SetData(region);
-    camera_.subject().NotifyObservers();
-  });
-  test_.run();
-  passTo(milliseconds(19));
-  test_.system.handleMessages();
-  EXPECT_EQ(region->NumberOfReference(), 2);
-  passTo(milliseconds(20));
-  test_.system.handleMessages();
-  EXPECT_EQ(region->NumberOfReference(), 1);
-  region->RemoveReference();
-}
-
-// The encoder keeps the processor from objects of lower classes.
-TEST(HandlerTime, AnObjectComputesUnlessItsDescriptionSaysThatItWaits) {
-  for (const bool waits : {false, true}) {
-    TestSystem test;
-    std::chrono::nanoseconds now{0};
-    test.system.modelTime(
-        [](const std::string& object, Entry entry, std::chrono::nanoseconds) {
-          return milliseconds(object == "Upper" && entry == Entry::kNotify ? 20 : 0);
-        },
-        [&] { return now; });
-    TestObject& camera = test.add("Camera");
-    ObjectDescription description = TestObject::describe("Upper");
-    if (waits) {
-      description.waits = true;
-    }
-    auto& upper = static_cast<TestObject&>(test.system.create(description));
-    TestObject& lower = test.add("Lower", 112);
-    int handled = 0;
-    lower.on_notify = [&](const ONotifyEvent&) { ++handled; };
-    test.boot({{"Camera", "Upper"}, {"Camera", "Lower"}});
-    test.as(upper, [&] { upper.observer().AssertReady(); });
-    test.as(lower, [&] { lower.observer().AssertReady(); });
-    test.run();
-    test.as(camera, [&] {
-      camera.subject().SetData("image", 5);
-      camera.subject().NotifyObservers();
-    });
-    test.run();
-    EXPECT_EQ(handled, waits ? 1 : 0);
-    now = milliseconds(20);
-    test.run();
-    EXPECT_EQ(handled, 1);
-  }
-}
-
 TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {
   takeImageAt(milliseconds(0));
   takeImageAt(milliseconds(8));
@@ -181,27 +112,6 @@ TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {
   passTo(milliseconds(40));
   EXPECT_THAT(received_, ElementsAre(milliseconds(20), milliseconds(40)));
   EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "one image was kept, not two";
-}
-
-TEST_F(HandlerTimeTest, MessagesForABusyObjectKeepTheirOrder) {
-  std::vector<OID> senders;
-  encoder_.on_notify = [&](const ONotifyEvent& event) { senders.push_back(event.SenderID().oid); };
-  takeImageAt(milliseconds(0));
-  test_.as(encoder_, [&] { encoder_.observer().AssertReady(camera_.subjectId()); });
-  test_.run();
-  takeImageAt(milliseconds(8));
-  server_.on_notify = [&](const ONotifyEvent&) {
-    server_.subject().SetData("settings", 8);
-    server_.subject().NotifyObservers();
-  };
-  test_.as(encoder_, [&] {
-    encoder_.subject().SetData("jpeg", 4);
-    encoder_.subject().NotifyObservers();
-  });
-  passTo(milliseconds(16));
-  passTo(milliseconds(20));
-  passTo(milliseconds(40));
-  EXPECT_THAT(senders, ElementsAre(camera_.id(), camera_.id(), server_.id()));
 }
 
 }  // namespace

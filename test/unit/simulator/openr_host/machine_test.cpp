@@ -1,16 +1,18 @@
-// A machine that boots a memory stick with an object written for the robot.
+// A machine that boots the objects of a memory stick: docs/simulated_robot.md, docs/architecture.md.
 #include "simulator/openr_host/machine.h"
 
+#include <EndpointTypes.h>
+#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENRAPI.h>
-#include <dirent.h>
+#include <OPENR/OSyslog.h>
+#include <TCPEndpointMsg.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <set>
+#include <filesystem>
 #include <sstream>
 #include <thread>
 
-#include "EchoServer_stub.h"
 #include "fake_robot.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
@@ -22,12 +24,81 @@ namespace {
 using test_support::TestClient;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::Not;
 
 constexpr std::uint16_t kEchoPort = 7000;
 const char kObjects[] = "/MS/OPEN-R/MW/OBJS/ECHO.BIN\n";
-const char kConnections[] =
-    "OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S\nEchoServer.Image.OFbkImageVectorData.O\n";
+const char kConnections[] = "OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S\nEcho.In.OFbkImageVectorData.O\n";
+constexpr int kSize = 4096;
+
+/// Prints a line for every camera image, and sends back what a client sends to its port. At the words "off" and "again"
+/// it shuts the robot down, the second time to boot it again.
+class Echo : public TestObject {
+ public:
+  static ObjectDescription describe() {
+    ObjectDescription description = TestObject::describe("Echo");
+    description.observers[kEntry].service = "Echo.In.OFbkImageVectorData.O";
+    description.create = [] { return std::make_unique<Echo>(); };
+    return description;
+  }
+
+  OStatus DoStart(const OSystemEvent& /*event*/) override {
+    char design[orobotdesignNAME_MAX + 1];
+    OPENR::GetRobotDesign(design);
+    OSYSPRINT(("Echo on %s\n", design));
+    on_notify = [this](const ONotifyEvent& event) { see(event); };
+    on_answer = [this](ANTENVMSG message) { goOn(*antEnvMsg::Receive(message)); };
+    antEnvCreateSharedBufferMsg message(kSize);
+    message.Call(stack_, sizeof(message));
+    data_ = static_cast<byte*>(message.buffer.GetAddress());
+    listen();
+    observer().AssertReady();
+    return oSUCCESS;
+  }
+
+  OStatus DoDestroy(const OSystemEvent& event) override {
+    OSYSPRINT(("Echo has gone\n"));
+    return TestObject::DoDestroy(event);
+  }
+
+ private:
+  template <typename Message>
+  void send(Message message) {
+    message.Send(stack_, id(), kEntry, sizeof(message));
+  }
+  void listen() {
+    antEnvCreateEndpointMsg message(EndpointType_TCP, kSize);
+    message.Call(stack_, sizeof(message));
+    endpoint_ = message.moduleRef;
+    send(TCPEndpointListenMsg(endpoint_, IP_ADDR_ANY, kEchoPort));
+  }
+  void goOn(const antEnvMsg& answer) {
+    if (answer.operation == antOperation_TCPClose) {
+      listen();
+    } else if (static_cast<const TCPEndpointBaseMsg&>(answer).error != TCP_SUCCESS) {
+      send(TCPEndpointCloseMsg(endpoint_));
+    } else if (answer.operation == antOperation_TCPReceive) {
+      const int size = static_cast<const TCPEndpointReceiveMsg&>(answer).sizeMin;
+      const std::string text(data_, data_ + size);
+      if (text == "off" || text == "again") {
+        OPENR::Shutdown(text == "off" ? OBootCondition(obcbPAUSE_SW)
+                                      : OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE));
+      }
+      send(TCPEndpointSendMsg(endpoint_, data_, size));
+    } else {
+      send(TCPEndpointReceiveMsg(endpoint_, data_, 1, kSize));
+    }
+  }
+  void see(const ONotifyEvent& event) {
+    void* const base = event.RCData(0)->Base();
+    auto* const image = static_cast<OFbkImageVectorData*>(base);
+    OSYSPRINT(("image %d\n", image->GetData(ofbkimageLAYER_H)[0]));
+    observer().AssertReady();
+  }
+
+  const antStackRef stack_{"IPStack"};
+  antModuleRef endpoint_;
+  byte* data_ = nullptr;
+};
 
 /// Records which of its life cycle functions are called, and can fail in one of them.
 class LifeRecorder : public OObject {
@@ -51,41 +122,6 @@ class LifeRecorder : public OObject {
   const std::string failure_;
 };
 
-/// Shuts the robot down when it starts, each time with the next of `conditions`; afterwards never again.
-class Shutter : public OObject {
- public:
-  explicit Shutter(std::vector<OBootCondition>& conditions) : conditions_(conditions) {}
-
-  OStatus DoStart(const OSystemEvent& /*event*/) override {
-    if (!conditions_.empty()) {
-      const OBootCondition condition = conditions_.front();
-      conditions_.erase(conditions_.begin());
-      status = OPENR::Shutdown(condition);
-    }
-    return oSUCCESS;
-  }
-
-  static OStatus status;  ///< of the last call
-
- private:
-  std::vector<OBootCondition>& conditions_;
-};
-
-OStatus Shutter::status = oSUCCESS;
-
-/// A clock with frames of 80 s, so that no frame begins during a test.
-class SlowClock : public Clock {
- public:
-  std::chrono::nanoseconds now() const override { return (std::chrono::steady_clock::now() - begin_) / kSlowness; }
-  std::optional<std::chrono::steady_clock::time_point> timeOf(std::chrono::nanoseconds since_begin) const override {
-    return begin_ + since_begin * kSlowness;
-  }
-
- private:
-  static constexpr int kSlowness = 10000;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-};
-
 /// Five frames pass each time somebody wants to wait for one, and no time in reality.
 class HastyClock : public Clock {
  public:
@@ -105,46 +141,21 @@ class HastyClock : public Clock {
 class MachineTest : public testing::Test {
  protected:
   MachineTest() {
-    stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", kObjects);
+    writeObjects(kObjects);
     stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", kConnections);
     options_.memory_stick = stick_.path().string();
     options_.ports = {{kConsolePort, 0}, {kEchoPort, 0}};
-    options_.catalog = {{"ECHO.BIN", describeEchoServer()}, {"SPARE.BIN", TestObject::describe("Spare")}};
+    options_.catalog = {{"ECHO.BIN", Echo::describe()}, {"SPARE.BIN", TestObject::describe("Spare")}};
     options_.console = &console_;
   }
 
-  ObjectDescription recorder(const std::string& name, const std::string& failure = "") {
-    ObjectDescription description;
-    description.name = name;
-    description.create = [this, name, failure] { return std::make_unique<LifeRecorder>(name, calls_, failure); };
-    return description;
-  }
-
-  /// Boots the echo server and an object that shuts the robot down with these conditions, one after the other.
-  Machine& bootAndShutDown(const std::vector<OBootCondition>& conditions) {
-    stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", std::string(kObjects) + "/MS/OPEN-R/MW/OBJS/SHUTTER.BIN\n");
-    conditions_ = conditions;
-    ObjectDescription& shutter = options_.catalog["SHUTTER.BIN"];
-    shutter.name = "Shutter";
-    shutter.create = [this] { return std::make_unique<Shutter>(conditions_); };
-    return boot();
-  }
+  void writeObjects(const std::string& text) const { stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", text); }
 
   Machine& boot() {
     machine_.emplace(options_, clock_, robot_);
     machine_->boot();
     return *machine_;
   }
-
-  /// Boots a robot whose time hurries, and says for which three frames it waited first.
-  std::vector<longword> firstFramesWaitedFor() {
-    HastyClock clock;
-    Machine machine(options_, clock, robot_);
-    machine.boot();
-    machine.runUntil([&] { return clock.waited_for.size() > 3; });
-    return {clock.waited_for.begin(), clock.waited_for.begin() + 3};
-  }
-
   std::string bootError() {
     try {
       boot();
@@ -154,156 +165,85 @@ class MachineTest : public testing::Test {
     }
     return "no error";
   }
-
-  void stepTo(longword frame) {
-    while (clock_.frame() < frame) {
-      clock_.step();
-      machine_->runPending();
+  /// What happens to two objects, of which the second fails in a function.
+  std::vector<std::string> livesIfOneFailsIn(const std::string& failure) {
+    writeObjects("/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/B.BIN\n");
+    stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "");
+    std::vector<std::string> calls;
+    for (const std::string name : {"A", "B"}) {
+      ObjectDescription& description = options_.catalog[name + ".BIN"];
+      description.name = name;
+      description.create = [&calls, name, failure] {
+        return std::make_unique<LifeRecorder>(name, calls, name == "B" ? failure : "");
+      };
     }
+    EXPECT_THAT(bootError(), HasSubstr(failure.empty() ? "no error" : "object B: " + failure + "() returned 2"));
+    machine_.reset();
+    return calls;
+  }
+  bool echoes(Machine& machine, const std::string& text) {
+    TestClient client(machine.hostPort(kEchoPort));
+    client.send(text);
+    return machine.runUntil([&] { return client.received() == text; });
+  }
+  /// A client asks the object to shut the robot down.
+  void ask(Machine& machine, const std::string& word) {
+    TestClient client(machine.hostPort(kEchoPort));
+    client.send(word);
+    EXPECT_TRUE(machine.runUntil([&] { return client.ended(); }) || !machine.isOn());
   }
 
   test_support::TemporaryFolder stick_;
   std::ostringstream console_;
   SteppedClock clock_;
   FakeRobot robot_;
-  std::vector<std::string> calls_;
-  std::vector<OBootCondition> conditions_;
   MachineOptions options_;
   std::optional<Machine> machine_;
 };
 
-TEST_F(MachineTest, BootsAnObjectOfTheStickAndServesItsClientsOneAfterTheOther) {
+TEST_F(MachineTest, BootsAnObjectOfTheStickWhichServesItsClientsOneAfterTheOther) {
   Machine& machine = boot();
-  EXPECT_THAT(console_.str(), HasSubstr("EchoServer on ERS-7\n"));
+  EXPECT_THAT(console_.str(), HasSubstr("Echo on ERS-7\n"));
   for (const std::string text : {"first", "second", "third"}) {
-    TestClient client(machine.hostPort(kEchoPort));
-    client.send(text);
-    ASSERT_TRUE(machine.runUntil([&] { return client.received() == text; }));
+    EXPECT_TRUE(echoes(machine, text)) << text;
   }
-  machine.shutdown();
-  EXPECT_THAT(console_.str(), HasSubstr("EchoServer has gone\n"));
 }
 
-TEST_F(MachineTest, MessagesForABusyObjectAreHandledWhenItHasFinishedEvenIfNoFrameBegins) {
-  options_.handler_time = [](const std::string&, Entry, std::chrono::nanoseconds) {
-    return std::chrono::microseconds(5);
-  };
-  SlowClock clock;
-  Machine machine(options_, clock, robot_);
-  machine.boot();
-  TestClient client(machine.hostPort(kEchoPort));
-  client.send("first");
-  EXPECT_TRUE(machine.runUntil([&] { return client.received() == "first"; }));
-}
-
-TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
-  robot_.frames_with_image = {6};
-  EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));
-}
-
-TEST_F(MachineTest, NoFrameIsSleptThroughWhileAnObjectListens) {
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/LISTENER.BIN\n");
-  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG",
-               "OVirtualRobotAudioComm.Mic.OSoundVectorData.S Listener.In.OSoundVectorData.O\n");
-  ObjectDescription& listener = options_.catalog["LISTENER.BIN"] = TestObject::describe("Listener");
-  listener.observers[TestObject::kSecond].service = "Listener.In.OSoundVectorData.O";
-  listener.observers[TestObject::kSecond].connect = [](OObject& object, const OConnectEvent& /*event*/) {
-    static_cast<TestObject&>(object).observer().AssertReady();
-  };
-  EXPECT_THAT(firstFramesWaitedFor(), ElementsAre(0, 6, 11));
-}
-
-TEST_F(MachineTest, WhatIsTypedActsOnTheRobotAfterTheFramesThatHavePassed) {
-  HastyClock clock;
-  std::optional<Machine> machine;
-  std::string last_call;
-  std::string expected;
-  options_.on_console_line = [&](const std::string& /*line*/) {
-    last_call = robot_.calls.back();
-    expected = "cameraImageDue " + std::to_string(clock.frame());
-    machine->stop();
-    return "";
-  };
-  machine.emplace(options_, clock, robot_);
-  machine->boot();
-  TestClient telnet(machine->hostPort(kConsolePort));
-  telnet.send("press head_touch\n");
-  machine->run();
-  EXPECT_EQ(last_call, expected);
-}
-
-TEST_F(MachineTest, AsksForAnImageOncePerFrameAndDeliversThoseThatAreDue) {
-  boot();
-  robot_.frames_with_image = {4, 8, 13};
-  stepTo(13);
-  EXPECT_THAT(robot_.frames_seen, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13));
-  EXPECT_THAT(robot_.frames_captured, ElementsAre(4, 8, 13));
-  EXPECT_THAT(console_.str(), HasSubstr("image 4\nimage 8\nimage 13\n"));
-  EXPECT_EQ(robot_.image()->NumberOfReference(), 1);
-}
-
-TEST_F(MachineTest, AfterADelayTheBodyGetsTheMissedFramesAndTheCameraLeavesThemOut) {
-  boot();
-  machine_->runPending();
-  clock_.step(100);
-  machine_->runPending();
-  EXPECT_THAT(robot_.frames_seen, ElementsAre(0, 100));
-  EXPECT_EQ(std::count_if(robot_.calls.begin(), robot_.calls.end(),
-                          [](const std::string& call) { return call.rfind("passFrame", 0) == 0; }),
-            101);
-}
-
-TEST_F(MachineTest, NoImageIsCapturedWhenNoObserverIsConnected) {
-  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "# nothing\n");
-  boot();
-  robot_.frames_with_image = {1, 2};
-  stepTo(3);
-  EXPECT_THAT(robot_.frames_seen, ElementsAre(1, 2, 3));
-  EXPECT_THAT(robot_.frames_captured, testing::IsEmpty());
+TEST_F(MachineTest, WithoutConnectCfgObjectsBootUnconnectedAndTheConsoleSaysSo) {
+  std::filesystem::remove(stick_.path("OPEN-R/MW/CONF/CONNECT.CFG"));
+  EXPECT_TRUE(echoes(boot(), "text"));
+  EXPECT_THAT(console_.str(), HasSubstr("There is no OPEN-R/MW/CONF/CONNECT.CFG"));
 }
 
 TEST_F(MachineTest, AllObjectsReachOneStageOfLifeBeforeAnyReachesTheNext) {
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/B.BIN\n");
-  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "");
-  options_.catalog = {{"B.BIN", recorder("B")}, {"A.BIN", recorder("A")}};
-  boot().shutdown();
-  EXPECT_THAT(calls_, ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop", "B DoStop",
-                                  "A DoDestroy", "B DoDestroy"));
+  EXPECT_THAT(livesIfOneFailsIn(""), ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop",
+                                                 "B DoStop", "A DoDestroy", "B DoDestroy"));
 }
 
-TEST_F(MachineTest, AnObjectThatFailsToInitialiseEndsTheBootAndTheOthersAreDestroyed) {
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/B.BIN\n");
-  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "");
-  options_.catalog = {{"A.BIN", recorder("A")}, {"B.BIN", recorder("B", "DoInit")}};
-  EXPECT_THAT(bootError(), AllOf(HasSubstr("object B: DoInit() returned 2")));
-  EXPECT_THAT(calls_, ElementsAre("A DoInit", "B DoInit", "A DoDestroy"));
+TEST_F(MachineTest, AnObjectThatFailsToInitialiseEndsTheBoot) {
+  EXPECT_THAT(livesIfOneFailsIn("DoInit"), ElementsAre("A DoInit", "B DoInit", "A DoDestroy"));
 }
 
-TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBootAndTheOthersAreStopped) {
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/B.BIN\n");
-  stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "");
-  options_.catalog = {{"A.BIN", recorder("A")}, {"B.BIN", recorder("B", "DoStart")}};
-  EXPECT_THAT(bootError(), HasSubstr("object B: DoStart()"));
-  EXPECT_THAT(calls_,
+TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBoot) {
+  EXPECT_THAT(livesIfOneFailsIn("DoStart"),
               ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop", "A DoDestroy", "B DoDestroy"));
 }
 
 TEST_F(MachineTest, BootErrorsNameStickFileAndLine) {
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "# objects\n" + std::string(kObjects) + "/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
-  EXPECT_THAT(bootError(), testing::EndsWith("OBJECT.CFG:3: OTHER.BIN is neither on the memory stick nor an object of "
-                                             "this program, which has ECHO.BIN, SPARE.BIN"));
+  writeObjects("# objects\n" + std::string(kObjects) + "/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
+  EXPECT_THAT(bootError(), AllOf(HasSubstr("OBJECT.CFG:3: OTHER.BIN is neither"), HasSubstr("ECHO.BIN, SPARE.BIN")));
   stick_.write("OPEN-R/MW/OBJS/OTHER.BIN", "for the robot");
   EXPECT_THAT(bootError(), AllOf(HasSubstr("OTHER.BIN: cannot be loaded"), HasSubstr("scripts/openr_object")));
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "[ERS-210]\n/MS/OPEN-R/MW/OBJS/ECHO.BIN\n");
+  writeObjects("[ERS-210]\n" + std::string(kObjects));
   EXPECT_THAT(bootError(), HasSubstr("no object for ERS-7"));
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", kObjects);
+  writeObjects(kObjects);
   stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "A.B.C.S D.E.C.O\n");
   EXPECT_THAT(bootError(), AllOf(HasSubstr("CONNECT.CFG:1: "), HasSubstr("A.B.C.S")));
   options_.memory_stick = (stick_.path() / "absent").string();
   EXPECT_THAT(bootError(), HasSubstr("absent"));
 }
 
-TEST_F(MachineTest, APortInUseIsNamedWithARemedy) {
+TEST_F(MachineTest, AnAddressOrPortThatCannotBeUsedIsNamedWithARemedy) {
   TcpListener other_program("127.0.0.1", 0);
   const std::string port = std::to_string(other_program.port());
   options_.ports[kEchoPort] = other_program.port();
@@ -311,118 +251,67 @@ TEST_F(MachineTest, APortInUseIsNamedWithARemedy) {
   options_.ports = {{kConsolePort, other_program.port()}};
   EXPECT_THAT(bootError(), AllOf(HasSubstr("port " + port), HasSubstr("--console-port")));
   options_.ports = {{kConsolePort, 0}};
-  options_.bind_address = "203.0.113.1";
-  EXPECT_THAT(bootError(), AllOf(HasSubstr("on 203.0.113.1 cannot be used: "), HasSubstr("--bind")))
-      << "an address for documents, of no computer";
+  options_.bind_address = "203.0.113.1";  // an address for documents, of no computer
+  EXPECT_THAT(bootError(), AllOf(HasSubstr("on 203.0.113.1 cannot be used: "), HasSubstr("--bind")));
   options_.bind_address = "here";
   EXPECT_THAT(bootError(), AllOf(HasSubstr("'here'"), HasSubstr("--bind")));
 }
 
-TEST_F(MachineTest, ClosesEveryDescriptorAndBootsAgain) {
-  const auto open_descriptors = [] {
-    int count = 0;
-    DIR* folder = opendir("/proc/self/fd");
-    while (readdir(folder) != nullptr) {
-      ++count;
-    }
-    closedir(folder);
-    return count;
-  };
+TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
+  robot_.frames_with_image = {6};
+  HastyClock clock;
+  Machine machine(options_, clock, robot_);
+  machine.boot();
+  machine.runUntil([&] { return clock.waited_for.size() > 2; });
+  EXPECT_EQ(clock.waited_for[0], 0U);
+  EXPECT_EQ(clock.waited_for[1], 6U);
+  EXPECT_EQ(clock.waited_for[2], 11U);
+}
+
+TEST_F(MachineTest, DeliversTheImagesThatAreDue) {
   Machine& machine = boot();
-  machine.shutdown();
-  const int before = open_descriptors();
-  for (int round = 0; round < 10; ++round) {
-    machine.boot();
-    TestClient client(machine.hostPort(kEchoPort));
-    client.send("x");
-    ASSERT_TRUE(machine.runUntil([&] { return client.received() == "x"; }));
-    machine.shutdown();
+  robot_.frames_with_image = {4, 8, 13};
+  while (clock_.frame() < 13) {
+    clock_.step();
+    machine.runPending();
   }
-  EXPECT_EQ(open_descriptors(), before);
+  EXPECT_THAT(robot_.frames_captured, ElementsAre(4, 8, 13));
+  EXPECT_THAT(console_.str(), HasSubstr("image 4\nimage 8\nimage 13\n"));
+  EXPECT_EQ(robot_.image()->NumberOfReference(), 1);
 }
 
 TEST_F(MachineTest, AnObjectCanShutTheRobotDownAndTheConsoleSaysSo) {
-  Machine& machine = bootAndShutDown({OBootCondition(obcbPAUSE_SW)});
-  EXPECT_TRUE(machine.isOn());
-  TestClient listener(machine.hostPort(kConsolePort));
-  machine.run();
+  Machine& machine = boot();
+  ask(machine, "off");
   EXPECT_FALSE(machine.isOn());
-  EXPECT_THAT(console_.str(), HasSubstr("The robot shuts down\nEchoServer has gone\n"));
+  EXPECT_THAT(console_.str(), HasSubstr("The robot shuts down\nEcho has gone\n"));
   EXPECT_EQ(robot_.calls.back(), "switchOff");
-  EXPECT_THROW(machine.runPending(), std::logic_error);
-  EXPECT_FALSE(machine.runUntil([] { return false; }));
+  machine.run();  // returns at once
 }
 
 TEST_F(MachineTest, ARebootedMachineServesOnTheSamePortsWithNewObjects) {
-  const OBootCondition at_once(obcbBOOT_TIMER, 0, obcbttRELATIVE);
-  Machine& machine = bootAndShutDown({at_once, at_once});
+  Machine& machine = boot();
   const std::uint16_t port = machine.hostPort(kEchoPort);
-  TestClient before(port);
-  machine.runPending();
-  EXPECT_TRUE(before.isAtEnd());
-
+  ask(machine, "again");
   EXPECT_TRUE(machine.isOn());
   EXPECT_EQ(machine.hostPort(kEchoPort), port);
-  TestClient after(port);
-  after.send("again");
-  EXPECT_TRUE(machine.runUntil([&] { return after.received() == "again"; }));
-  const std::string reboot = "The robot boots again\nEchoServer has gone\nEchoServer on ERS-7\n";
-  EXPECT_EQ(console_.str(), "EchoServer on ERS-7\n" + reboot + reboot);
-  EXPECT_EQ(std::count(robot_.calls.begin(), robot_.calls.end(), "switchOff"), 2);
-}
-
-TEST_F(MachineTest, ARebootedMachineCallsTheSameFunctions) {
-  std::set<std::string> called;
-  options_.on_console_line = [&](const std::string& line) {
-    called.insert(line);
-    return "";
-  };
-  options_.handler_time = [&](const std::string& object, Entry, std::chrono::nanoseconds) {
-    if (object == "EchoServer") {
-      called.insert("time");
-    }
-    return std::chrono::nanoseconds(0);
-  };
-  options_.on_camera_image = [&] { called.insert("image"); };
-  options_.on_send = [&](const void*, std::size_t) { called.insert("send"); };
-  Machine& machine = bootAndShutDown({OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE)});
-  machine.runPending();
-  called.clear();
-  TestClient client(machine.hostPort(kEchoPort));
-  client.send("again");
-  TestClient telnet(machine.hostPort(kConsolePort));
-  telnet.send("press\n");
-  robot_.frames_with_image = {1};
-  stepTo(1);
-  EXPECT_TRUE(machine.runUntil([&] { return called.size() == 4; }));
-  EXPECT_THAT(called, ElementsAre("image", "press", "send", "time"));
+  EXPECT_TRUE(echoes(machine, "text"));
+  EXPECT_EQ(console_.str(), "Echo on ERS-7\nThe robot boots again\nEcho has gone\nEcho on ERS-7\n");
+  EXPECT_EQ(std::count(robot_.calls.begin(), robot_.calls.end(), "switchOff"), 1);
 }
 
 TEST_F(MachineTest, AMachineThatCannotBootAgainIsOffAndSaysWhy) {
-  Machine& machine = bootAndShutDown({OBootCondition(obcbBOOT_TIMER, 0, obcbttRELATIVE)});
-  stick_.write("OPEN-R/MW/CONF/OBJECT.CFG", "/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
-  EXPECT_THROW(machine.run(), BootError);
+  Machine& machine = boot();
+  writeObjects("/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
+  EXPECT_THROW(ask(machine, "again"), BootError);
   EXPECT_FALSE(machine.isOn());
-}
-
-TEST_F(MachineTest, ALaterTimeToBootAgainIsRefusedAndTheMachineStaysOn) {
-  for (const auto& condition : {OBootCondition(obcbBOOT_TIMER, 60, obcbttRELATIVE),
-                                OBootCondition(obcbBOOT_TIMER | obcbPAUSE_SW, 0, obcbttABSOLUTE)}) {
-    bootAndShutDown({condition}).runPending();
-    EXPECT_EQ(Shutter::status, oINVALID_ARG);
-    EXPECT_TRUE(machine_->isOn());
-  }
 }
 
 TEST_F(MachineTest, RunFollowsTheWallClockUntilItIsStoppedFromAnotherThread) {
   WallClock clock;
-  for (longword frame = 0; frame < 100000; ++frame) {
-    robot_.frames_with_image.insert(frame);
-  }
   Machine machine(options_, clock, robot_);
   machine.boot();
   std::thread other([&] {
-    // The echo shows that the machine is running.
     TestClient client(machine.hostPort(kEchoPort));
     client.send("x");
     while (client.received() != "x") {
@@ -432,8 +321,7 @@ TEST_F(MachineTest, RunFollowsTheWallClockUntilItIsStoppedFromAnotherThread) {
   });
   machine.run();
   other.join();
-  EXPECT_FALSE(robot_.frames_seen.empty());
-  EXPECT_TRUE(std::is_sorted(robot_.frames_seen.begin(), robot_.frames_seen.end()));
+  EXPECT_TRUE(machine.isOn());
 }
 
 }  // namespace

@@ -44,12 +44,6 @@ TEST_F(ProcessorTest, ALowerClassWaitsForAHigherOneButNotTheOtherWayRound) {
   EXPECT_FALSE(processor_.nextFinish(milliseconds(65)));
 }
 
-TEST_F(ProcessorTest, ALowerClassDoesNotStartWhileAHigherOneRuns) {
-  processor_.run(kServer, milliseconds(0), milliseconds(5));
-  EXPECT_FALSE(processor_.mayRun(kWorker, milliseconds(4)));
-  EXPECT_TRUE(processor_.mayRun(kWorker, milliseconds(5)));
-}
-
 TEST_F(ProcessorTest, ObjectsOfOneClassShareTheProcessor) {
   processor_.run(kServer, milliseconds(0), milliseconds(8));
   EXPECT_FALSE(processor_.mayRun(kNeighbour, milliseconds(4)));

@@ -10,7 +10,6 @@ namespace openr_host {
 namespace {
 
 using testing::HasSubstr;
-using testing::StartsWith;
 
 /// Every setting once, in the form of the OPEN-R SDK Programmer's Guide, 2.3.
 const char kSample[] =
@@ -67,48 +66,30 @@ TEST(StubConfigurationTest, SkipsOtherLines) {
   EXPECT_EQ(stub.observers.at(0).name.text(), "Walker.Dummy.DoNotConnect.O");
 }
 
-// Programmer's Guide, 2.3: "usually the core class name", so another is allowed, too.
-TEST(StubConfigurationTest, AServiceMayBeginWithAnyName) {
-  const StubConfiguration stub = parse(replaced(kSample, "SampleObject.Func3", "OtherName.Func3"));
-  EXPECT_EQ(stub.observers.at(1).name.text(), "OtherName.Func3.Data.O");
-}
-
-TEST(StubConfigurationTest, AServiceIsOneLineAsForTheRobotsGenerator) {
-  EXPECT_THAT(errorOf(replaced(kSample, "Connect (), Notify ()", "Connect ()\n, Notify ()")),
-              AllOf(StartsWith("stub.cfg:6: "), HasSubstr("on this line")));
-  EXPECT_THAT(errorOf(replaced(kSample, "SendCont()", "SendCont ()")), StartsWith("stub.cfg:9: expected a function"));
-}
-
-TEST(StubConfigurationTest, RefusesNumbersThatDoNotMatchTheServices) {
-  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOObserver : 2", "NumOfOObserver : 3")),
-              AllOf(StartsWith("stub.cfg:3: NumOfOObserver is 3"), HasSubstr("there are 2 services")));
-  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 2")), StartsWith("stub.cfg:2: "));
-}
-
-TEST(StubConfigurationTest, SuggestsADummyIfThereIsNoSubject) {
-  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : 0")),
-              AllOf(StartsWith("stub.cfg:2: "), HasSubstr("\"SampleObject.Dummy.DoNotConnect.S\", null, null")));
-}
-
-TEST(StubConfigurationTest, NamesFileAndLineOfAMalformedSetting) {
-  EXPECT_THAT(errorOf(replaced(kSample, "Notify ()", "Notify")), StartsWith("stub.cfg:6: expected a function"));
-  EXPECT_THAT(errorOf(replaced(kSample, "Func2.int.O", "Func2.O")), StartsWith("stub.cfg:6: expected a service name"));
-  EXPECT_THAT(errorOf(replaced(kSample, "int.O\"", "int.O")), StartsWith("stub.cfg:6: expected a service name"));
-  EXPECT_THAT(errorOf(replaced(kSample, "NumOfOSubject : 1", "NumOfOSubject : one")), StartsWith("stub.cfg:2: "));
-  EXPECT_THAT(errorOf("ObjectName :"), AllOf(StartsWith("stub.cfg:1: "), HasSubstr("found nothing")));
-  EXPECT_THAT(errorOf(""), HasSubstr("no line ObjectName"));
-  EXPECT_THAT(errorOf("ObjectName : A\nNumOfOSubject : 1\nService : \"A.B.C.S\", null, null\n"),
-              HasSubstr("no line NumOfOObserver"));
-}
-
-TEST(StubConfigurationTest, RefusesANameTwice) {
-  EXPECT_THAT(errorOf(replaced(kSample, "Func3", "Func2")), AllOf(StartsWith("stub.cfg:7: "), HasSubstr("Func2")));
-  EXPECT_THAT(errorOf(std::string(kSample) + "Service : \"SampleObject.Func2.int.O\", null, null\n"),
-              StartsWith("stub.cfg:10: a second service Func2"))
-      << "with another between them";
-  EXPECT_THAT(errorOf(replaced(kSample, "SendCont", "UpdatePowerStatus")), StartsWith("stub.cfg:9: "));
-  EXPECT_THAT(errorOf(std::string("ObjectName : A\n") + kSample), StartsWith("stub.cfg:2: a second ObjectName"));
-  EXPECT_THAT(errorOf(std::string(kSample) + "NumOfOSubject : 1\n"), StartsWith("stub.cfg:10: a second NumOfOSubject"));
+TEST(StubConfigurationTest, NamesFileAndLineOfWhatIsWrong) {
+  const std::string sample = kSample;
+  const std::pair<std::string, std::string> rows[] = {
+      {replaced(sample, "Connect (), Notify ()", "Connect ()\n, Notify ()"), "stub.cfg:6: .*on this line"},
+      {replaced(sample, "SendCont()", "SendCont ()"), "stub.cfg:9: expected a function"},
+      {replaced(sample, "NumOfOObserver : 2", "NumOfOObserver : 3"), "stub.cfg:3: NumOfOObserver is 3.*are 2 services"},
+      {replaced(sample, "NumOfOSubject : 1", "NumOfOSubject : 2"), "stub.cfg:2: "},
+      {replaced(sample, "NumOfOSubject : 1", "NumOfOSubject : 0"),
+       "stub.cfg:2: .*\"SampleObject.Dummy.DoNotConnect.S\""},
+      {replaced(sample, "Notify ()", "Notify"), "stub.cfg:6: expected a function"},
+      {replaced(sample, "Func2.int.O", "Func2.O"), "stub.cfg:6: expected a service name"},
+      {replaced(sample, "int.O\"", "int.O"), "stub.cfg:6: expected a service name"},
+      {replaced(sample, "NumOfOSubject : 1", "NumOfOSubject : one"), "stub.cfg:2: "},
+      {"ObjectName :", "stub.cfg:1: .*found nothing"},
+      {"", "no line ObjectName"},
+      {"ObjectName : A\nNumOfOSubject : 1\nService : \"A.B.C.S\", null, null\n", "no line NumOfOObserver"},
+      {replaced(sample, "Func3", "Func2"), "stub.cfg:7: .*Func2"},
+      {replaced(sample, "SendCont", "UpdatePowerStatus"), "stub.cfg:9: "},
+      {"ObjectName : A\n" + sample, "stub.cfg:2: a second ObjectName"},
+      {sample + "NumOfOSubject : 1\n", "stub.cfg:10: a second NumOfOSubject"},
+  };
+  for (const auto& [text, problem] : rows) {
+    EXPECT_THAT(errorOf(text), testing::ContainsRegex(problem));
+  }
 }
 
 TEST(StubWriterTest, DefHasNumbersAndIndexes) {

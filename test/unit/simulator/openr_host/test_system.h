@@ -20,19 +20,15 @@
 
 namespace openr_host {
 
-/// An object with the subject "NAME.Out.Data.S", the observer "NAME.In.Data.O" and an entry for answers. Before each of
-/// them, it has another one that must not be called. Tests set what it does.
+/// An object with the subject "NAME.Out.Data.S", the observer "NAME.In.Data.O" and an entry for answers. Tests set what
+/// it does.
 class TestObject : public OObject {
  public:
-  static constexpr Selector kSecond = 1;
+  static constexpr Selector kEntry = 0;
 
   static ObjectDescription describe(const std::string& name) {
     ObjectDescription description;
     description.name = name;
-    description.subjects.push_back({name + ".Unused.Data.S", unexpected<OControlEvent>, unexpected<OReadyEvent>});
-    description.observers.push_back({name + ".Unused.Data.O", unexpected<OConnectEvent>, unexpected<ONotifyEvent>});
-    description.extra_entries.push_back(
-        [](OObject& /*object*/, ANTENVMSG /*message*/) { ADD_FAILURE() << "the entry before the chosen one"; });
     description.subjects.push_back(
         {name + ".Out.Data.S",
          [](OObject& object, const OControlEvent& event) { static_cast<TestObject&>(object).on_control(event); },
@@ -56,22 +52,16 @@ class TestObject : public OObject {
   OSubject& subject() { return *subject_; }
   OObserver& observer() { return *observer_; }
   OID id() const { return myOID_; }
-  SubjectID subjectId() const { return {myOID_, kSecond}; }
-  ObserverID observerId() const { return {myOID_, kSecond}; }
+  SubjectID subjectId() const { return {myOID_, kEntry}; }
+  ObserverID observerId() const { return {myOID_, kEntry}; }
 
   OStatus DoInit(const OSystemEvent& /*event*/) override {
     subject_ = std::make_unique<OSubject>();
-    subject_->Register(myOID_, kSecond);
+    subject_->Register(myOID_, kEntry);
     observer_ = std::make_unique<OObserver>();
-    observer_->Register(myOID_, kSecond);
+    observer_->Register(myOID_, kEntry);
     return oSUCCESS;
   }
-
-  OStatus DoStart(const OSystemEvent& /*event*/) override {
-    is_started_ = true;
-    return oSUCCESS;
-  }
-  bool isStarted() const { return is_started_; }
 
   OStatus DoDestroy(const OSystemEvent& /*event*/) override {
     subject_.reset();
@@ -80,14 +70,8 @@ class TestObject : public OObject {
   }
 
  private:
-  template <typename Event>
-  static void unexpected(OObject& /*object*/, const Event& /*event*/) {
-    ADD_FAILURE() << "the service before the connected one";
-  }
-
   std::unique_ptr<OSubject> subject_;
   std::unique_ptr<OObserver> observer_;
-  bool is_started_ = false;
 };
 
 /// A system of test objects, which the test runs.
