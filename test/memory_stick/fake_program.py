@@ -14,7 +14,7 @@ CTORS_AT, DTORS_AT, GOT_AT = DATA_AT + 0x10, DATA_AT + 0x20, DATA_AT + 0x30
 BSS_AT = GOT_AT + 0x10
 GP = GOT_AT + 0x7ff0
 
-R_MIPS_32, R_MIPS_26, R_MIPS_HI16, R_MIPS_LO16 = 2, 4, 5, 6
+R_MIPS_32, R_MIPS_HI16, R_MIPS_LO16 = 2, 5, 6
 
 
 def set_gp(function, gp=GP):
