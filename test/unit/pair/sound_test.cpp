@@ -68,7 +68,6 @@ class SoundPairTest : public testing::Test {
                                          [](std::int16_t a, std::int16_t b) { return std::max(a, b); });
       });
     };
-    callbacks.on_refused = [this](const Refusal& refusal) { change([&] { refusal_ = refusal.reason; }); };
     callbacks.on_sound_ended = [this](const SoundEnd& end) {
       player_->ended(end);
       change([&] { ends_.push_back(end); });
@@ -106,7 +105,6 @@ class SoundPairTest : public testing::Test {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool is_connected_ = false;
-  std::string refusal_;
   std::vector<HeardSound> heard_;
   std::int16_t loudest_heard_ = 0;
   std::vector<SoundEnd> ends_;
@@ -172,33 +170,6 @@ TEST_F(SoundPairTest, TheRobotPlaysAFileBitByBit) {
   Samples played(bytes.size() / sizeof(std::int16_t));
   std::memcpy(played.data(), bytes.data(), played.size() * sizeof(std::int16_t));
   EXPECT_NE(played.end(), std::search(played.begin(), played.end(), file.begin(), file.end()));
-}
-
-TEST_F(SoundPairTest, ASoundIsStopped) {
-  write("long.wav", ramp(16000 * 60));
-  start({});
-  const auto playback = player_->play(aibo_driver::sound::openSoundFile(path("long.wav")));
-  player_->stop(playback);
-  ASSERT_TRUE(await([this] { return !ends_.empty(); }));
-  EXPECT_EQ(EndedHow::kStopped, playback->end()->how);
-  EXPECT_EQ(2, client_->setVolume(2, seconds(10)));
-}
-
-TEST_F(SoundPairTest, ASoundEndsWithItsConnection) {
-  write("long.wav", ramp(16000 * 60));
-  start({});
-  const auto playback = player_->play(aibo_driver::sound::openSoundFile(path("long.wav")));
-  robot_.reset();
-  ASSERT_TRUE(await([this] { return !ends_.empty(); }));
-  EXPECT_EQ(EndedHow::kLost, playback->end()->how);
-}
-
-TEST_F(SoundPairTest, WithoutALineInTheSettingsNothingIsHeard) {
-  stick_.write("OPEN-R/MW/CONF/RCSERVER.CFG", "");
-  start({});
-  client_->setMicrophone({true, 2, 16000});
-  ASSERT_TRUE(await([this] { return !refusal_.empty(); }));
-  EXPECT_THAT(refusal_, testing::HasSubstr("ALLOW_MICROPHONE"));
 }
 
 }  // namespace
