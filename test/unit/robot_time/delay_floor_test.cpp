@@ -25,23 +25,6 @@ TEST(DelayFloor, FollowsTheDriftBelowTheDelays) {
   EXPECT_NEAR(floor.at(30), 0.005 + 100e-6 * 30, 1e-9);
 }
 
-TEST(DelayFloor, CountsMessagesOutOfOrderLikeOthers) {
-  DelayFloor floor;
-  floor.add(10, 0.030);
-  floor.add(12, 0.030);
-  floor.add(11, 0.010);
-  EXPECT_NEAR(floor.at(11), 0.010, 1e-9);
-}
-
-TEST(DelayFloor, LiesBelowALateSecondAlsoAtFirst) {
-  DelayFloor floor;
-  floor.add(10, 0.010);
-  floor.add(11, 0.030);
-  floor.add(12, 0.010);
-  EXPECT_DOUBLE_EQ(floor.drift(), 0);
-  EXPECT_NEAR(floor.at(11), 0.010, 1e-9);
-}
-
 TEST(DelayFloor, DoesNotExceedTheDriftOfRealClocks) {
   DelayFloor floor;
   floor.add(0, 0.050);

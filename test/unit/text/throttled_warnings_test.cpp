@@ -17,20 +17,13 @@ class ThrottledWarningsTest : public testing::Test {
   ThrottledWarnings warnings_{[this](const std::string& text) { logged_.push_back(text); }, [this] { return now_; }};
 };
 
-TEST_F(ThrottledWarningsTest, LogsTheSameOnceInAWhileWhateverNumbersAreInIt) {
+TEST_F(ThrottledWarningsTest, TheSameIsLoggedOnceWhateverNumbersAreInIt) {
   for (int i = 0; i < 1000; ++i) {
     warnings_.warn("LED face_1 cannot shine with intensity " + std::to_string(i * 1.5) + ", which is not 0..1.");
     warnings_.warn("LED face_2 cannot shine with intensity -" + std::to_string(i) + ", which is not 0..1.");
   }
   EXPECT_THAT(logged_, ElementsAre("LED face_1 cannot shine with intensity 0.000000, which is not 0..1.",
                                    "LED face_2 cannot shine with intensity -0, which is not 0..1."));
-  warnings_.warn("No joint is named 'knee'.");
-  now_ += ThrottledWarnings::kRepetitionPeriod - std::chrono::seconds(1);
-  warnings_.warn("A newer one.");
-  now_ += std::chrono::seconds(1);
-  warnings_.warn("LED face_1 cannot shine with intensity 2, which is not 0..1.");
-  warnings_.warn("No joint is named 'knee'.");
-  EXPECT_THAT(logged_, SizeIs(6));
 }
 
 TEST_F(ThrottledWarningsTest, WhatIsRepeatedAllTheTimeIsLoggedOnceInEachPeriod) {
