@@ -100,11 +100,6 @@ TEST_F(PlayerTest, TheEndOfASoundIsSaidInWords) {
   }
 }
 
-TEST_F(PlayerTest, AWholeSoundOfOnePieceIsItsLast) {
-  player_.play(std::make_unique<Ramp>(kMostSamplesAtOnce));
-  EXPECT_THAT(robot_.told, testing::ElementsAre("samples 2048 last"));
-}
-
 TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
   robot_.room_for_samples = 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -112,18 +107,6 @@ TEST_F(PlayerTest, NoMoreIsSentThanTheRobotHasRoomFor) {
   robot_.waitForLast();
   // Until then, the robot has played what was sent.
   EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - begin);
-}
-
-TEST_F(PlayerTest, TheNewestAnswerSaysHowMuchRoomThereIs) {
-  std::chrono::steady_clock::time_point full;
-  robot_.on_samples = [this, &full, told = robot_.on_samples](bool is_last) {
-    robot_.room_for_samples = robot_.played.size() > kMostSamplesAtOnce ? 0 : 16384;
-    full = is_last ? full : std::chrono::steady_clock::now();
-    told(is_last);
-  };
-  player_.play(std::make_unique<Ramp>(3 * kMostSamplesAtOnce));
-  robot_.waitForLast();
-  EXPECT_LE(std::chrono::milliseconds(128), std::chrono::steady_clock::now() - full);
 }
 
 TEST_F(PlayerTest, ASoundThatEndsBeforeItIsKnownHasEnded) {
@@ -141,32 +124,6 @@ TEST_F(PlayerTest, ANewSoundReplacesTheOneThatPlays) {
   EXPECT_FALSE(second->end());
 }
 
-// The third piece of the sound is there only when the robot has refused the next one.
-TEST_F(PlayerTest, ASoundGoesOnIfTheNextOneIsRefused) {
-  class Waiting : public Ramp {
-   public:
-    explicit Waiting(std::future<void> refused) : Ramp(3 * kMostSamplesAtOnce), refused_(std::move(refused)) {}
-
-    std::vector<std::int16_t> read(std::size_t most) override {
-      if (++pieces_ == 3) {
-        refused_.wait_for(test_support::kSafetyNet);
-      }
-      return Ramp::read(most);
-    }
-
-   private:
-    std::future<void> refused_;
-    int pieces_ = 0;
-  };
-  std::promise<void> refused;
-  player_.play(std::make_unique<Waiting>(refused.get_future()));
-  robot_.problem = "the robot plays no sounds";
-  EXPECT_THROW(player_.play(std::make_unique<Ramp>(5)), aibo_client::NetworkException);
-  robot_.problem.clear();
-  refused.set_value();
-  robot_.waitForLast();
-}
-
 TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
   player_.stop();
   EXPECT_TRUE(robot_.told.empty()) << "nothing has played yet";
@@ -180,16 +137,6 @@ TEST_F(PlayerTest, StoppingASoundThatHasEndedOrWasReplacedStopsNoOther) {
   player_.ended({42, EndedHow::kStopped, 0, 0, 0});
   player_.stop();
   EXPECT_TRUE(robot_.told.empty());
-}
-
-TEST_F(PlayerTest, EndsOfOtherSoundsDoNotPileUp) {
-  for (std::uint64_t sound = 42; sound < 140; ++sound) {
-    player_.ended({sound, EndedHow::kDone, 3, 0, 0});
-  }
-  robot_.room_for_samples = 0;
-  for (std::uint64_t sound = 1; sound < 50; ++sound) {
-    EXPECT_FALSE(player_.play(std::make_unique<Ramp>(5))->end()) << sound;
-  }
 }
 
 TEST_F(PlayerTest, WhyNoMoreSamplesWereSentIsInTheEnd) {
