@@ -11,12 +11,6 @@ using ::testing::FloatEq;
 
 class ReporterTest : public ::testing::Test {
  protected:
-  // There was a joystick before, which was pulled out while it was held.
-  ReporterTest() {
-    after(milliseconds(0), State{{0.7F, -1}, {0, 1, 1}});
-    after(milliseconds(7), std::nullopt);
-  }
-
   std::optional<State> after(milliseconds time, const std::optional<State>& state) {
     now_ += time;
     return reporter_.report(state, now_);

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <array>
 #include <cmath>
 #include <set>
 #include <tuple>
@@ -74,25 +73,6 @@ TEST(LightMarkers, AreBrighterWithMoreIntensityAndDifferentInModeB) {
   EXPECT_EQ(shining(lights).at(0).color.g, bright.color.g) << "it is in mode A again";
 }
 
-TEST(LightMarkers, HaveTheirColors) {
-  const std::tuple<const char*, int, std::array<float, 3>> colors[] = {
-      {"mode_red", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}},
-      {"mode_green", LedStates::MODE_A, {0.2F, 1.0F, 0.3F}},
-      {"mode_blue", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}},
-      {"head_color", LedStates::MODE_B, {1.0F, 0.6F, 0.1F}},
-      {"face_1", LedStates::MODE_A, {1.0F, 1.0F, 0.95F}},
-      {"face_1", LedStates::MODE_B, {1.0F, 0.35F, 0.75F}},
-      {"back_front_color", LedStates::MODE_A, {0.2F, 0.5F, 1.0F}},
-      {"back_middle_color", LedStates::MODE_A, {1.0F, 0.6F, 0.1F}},
-      {"back_rear_color", LedStates::MODE_A, {1.0F, 0.1F, 0.1F}}};
-  for (const auto& [name, mode, color] : colors) {
-    LightMarkers lights("");
-    lights.setLeds(states(name, 0.5F, mode));
-    const auto shown = shining(lights).at(0).color;
-    EXPECT_EQ((std::array<float, 3>{shown.r, shown.g, shown.b}), color) << name << ", mode " << mode;
-  }
-}
-
 TEST(LightMarkers, AreOffWhileItIsUnknownWhetherTheyShine) {
   LightMarkers lights("");
   lights.setLeds(states("face_1", 1.0F));
@@ -104,57 +84,6 @@ TEST(LightMarkers, AreOffWhileItIsUnknownWhetherTheyShine) {
   two.modes.push_back(LedStates::MODE_A);
   EXPECT_TRUE(lights.setLeds(two));
   EXPECT_EQ(shining(lights).size(), 2u);
-}
-
-TEST(LightMarkers, AreWhereTheModelHasThemAndTheFaceIsSymmetric) {
-  LightMarkers lights("");
-  Touch touch;
-  touch.back_front = 1;
-  lights.setTouch(touch);
-  const Marker pad = shining(lights).at(0);
-  EXPECT_EQ(pad.type, Marker::CUBE);
-  EXPECT_EQ(pad.pose.position.x, 0.030);
-  EXPECT_EQ(pad.pose.position.y, 0);
-  EXPECT_EQ(pad.pose.position.z, 0.0450);
-  EXPECT_EQ(pad.scale.x, 0.032);
-  EXPECT_EQ(pad.scale.y, 0.028);
-  EXPECT_EQ(pad.scale.z, 0.006);
-  EXPECT_FLOAT_EQ(pad.color.a, 0.7F) << "the model shines through";
-  lights.setTouch(Touch());
-  for (const auto& [strip, x] : {std::pair("back_front_", 0.030), {"back_middle_", -0.004}, {"back_rear_", -0.038}}) {
-    for (const char* color : {"color", "white"}) {
-      lights.setLeds(states(std::string(strip) + color, 1));
-      const Marker led = shining(lights).at(0);
-      EXPECT_LT(std::abs(led.pose.position.x - x), pad.scale.x / 2) << strip << color << " is on its pad";
-      EXPECT_GT(led.pose.position.z + led.scale.z / 2, pad.pose.position.z + pad.scale.z / 2) << strip << color;
-      lights.setLeds(states(std::string(strip) + color, 0));
-    }
-  }
-  touch = Touch();
-  touch.paw_left_front = touch.paw_left_hind = touch.paw_right_front = touch.paw_right_hind = 1;
-  lights.setTouch(touch);
-  EXPECT_EQ(shining(lights).size(), 4u);
-  for (const Marker& paw : shining(lights)) {
-    EXPECT_EQ(std::vector({paw.scale.x, paw.scale.y, paw.scale.z}), std::vector(3, 0.032)) << paw.header.frame_id;
-  }
-  lights.setTouch(Touch());
-  const auto place = [&lights](int number) {
-    const std::string name = "face_" + std::to_string(number);
-    lights.setLeds(states(name, 1));
-    const auto position = shining(lights).at(0).pose.position;
-    lights.setLeds(states(name, 0));
-    return position;
-  };
-  for (int number = 1; number < 15; number += number == 9 ? 4 : 2) {  // all but the two in the middle are in pairs
-    const double from_middle = std::hypot(place(number).x - 0.031, place(number).y - 0.005, place(number).z - 0.009);
-    EXPECT_NEAR(from_middle, 0.0355, 1e-9) << number << " is on one of two balls, one at each side";
-    EXPECT_DOUBLE_EQ(place(number).y, -place(number + 1).y);
-    EXPECT_DOUBLE_EQ(place(number).x, place(number + 1).x);
-    EXPECT_DOUBLE_EQ(place(number).z, place(number + 1).z);
-  }
-  EXPECT_DOUBLE_EQ(place(12).y, 0);
-  EXPECT_GT(place(11).z, place(12).z);
-  EXPECT_GT(place(12).x, place(11).x) << "it is the front of a ball";
 }
 
 TEST(LightMarkers, SayWhenNothingHasChanged) {
@@ -192,16 +121,6 @@ TEST(LightMarkers, ShowEachSensorThatIsTouchedOnItsLink) {
     EXPECT_EQ(shining(lights)[0].header.frame_id, std::string("left/") + link);
     EXPECT_EQ(shining(lights)[0].pose.position.x, x) << link;
   }
-  lights.setTouch(Touch());
-  Touch touch;
-  touch.paw_right_hind = 1;
-  lights.setTouch(touch);
-  ASSERT_EQ(shining(lights).size(), 1u);
-  EXPECT_EQ(shining(lights)[0].header.frame_id, "left/right_hind_foot_link");
-  touch.paw_left_front = touch.paw_left_hind = touch.paw_right_front = touch.chin = touch.head = 1;
-  touch.back_front = touch.back_middle = touch.back_rear = 1;
-  lights.setTouch(touch);
-  EXPECT_EQ(shining(lights).size(), 9u);
   EXPECT_TRUE(lights.setTouch(Touch()));
   EXPECT_TRUE(shining(lights).empty());
 }

@@ -9,13 +9,6 @@ using std::chrono::milliseconds;
 
 class HeadSteeringTest : public ::testing::Test {
  protected:
-  // It has steered before, up to where the head was held.
-  HeadSteeringTest() {
-    head_.measured({1.2, 0.6});
-    steer(1, -1);
-    head_.steer(std::nullopt, now_);
-  }
-
   std::optional<HeadPosition> steer(double pan, double tilt, milliseconds after = milliseconds(50)) {
     now_ += after;
     return head_.steer(HeadVelocity{pan, tilt}, now_);

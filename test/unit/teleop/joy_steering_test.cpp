@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -15,7 +16,7 @@ using ::testing::HasSubstr;
 enum Axis { kLeft, kNothing, kTurn, kTilt, kNothingElse, kForward, kPan };
 enum Button { kWag, kDeadMan, kPicture, kRelease, kNod, kStop, kStand, kRest };
 
-// Nothing is where it usually is, and no two values are the same.
+// Nothing is where it usually is.
 JoyMapping mapping() {
   return {kDeadMan,
           kForward,
@@ -48,16 +49,6 @@ std::string describe(const JoyOrders& orders) {
 
 class JoySteeringTest : public ::testing::Test {
  protected:
-  // It has been used before, with a joystick that was then replaced by one with other parts.
-  JoySteeringTest() {
-    axes_.assign(7, 1.0F);
-    press({kDeadMan});
-    press({kWag, kDeadMan, kPicture, kRelease, kNod, kStop, kStand, kRest});
-    joy_.read({1, 1}, {1, 1});
-    axes_ = {0.1F, 1, -0.05F, 0.15F, -1, -0.1F, -0.15F};  // a hand trembles, and what has no meaning is deflected
-    press({});
-  }
-
   std::string steer(bool pressed, float forward, float left = 0, float turn = 0) {
     axes_[kForward] = forward;
     axes_[kLeft] = left;
@@ -73,7 +64,8 @@ class JoySteeringTest : public ::testing::Test {
     return describe(joy_.read(axes_, buttons));
   }
 
-  std::vector<float> axes_;
+  // A hand trembles, and what has no meaning is deflected.
+  std::vector<float> axes_ = {0.1F, 1, -0.05F, 0.15F, -1, -0.1F, -0.15F};
   JoySteering joy_{mapping()};
 };
 
@@ -160,22 +152,24 @@ TEST_F(JoySteeringTest, OnlyStopsWithAJoystickThatHasOtherParts) {
 }
 
 TEST(JoyMappingTest, NamesNoPartThatTheJoystickDoesNotHave) {
-  for (int JoyMapping::*axis : {&JoyMapping::forward_axis, &JoyMapping::turn_axis, &JoyMapping::left_axis,
-                                &JoyMapping::pan_axis, &JoyMapping::tilt_axis}) {
+  using Change = std::function<void(JoyMapping&)>;
+  const std::pair<Change, const char*> rows[] = {
+      {[](JoyMapping& wrong) { wrong.forward_axis = 7; }, "axis 7"},
+      {[](JoyMapping& wrong) { wrong.turn_axis = 7; }, "axis 7"},
+      {[](JoyMapping& wrong) { wrong.left_axis = 7; }, "axis 7"},
+      {[](JoyMapping& wrong) { wrong.pan_axis = 7; }, "axis 7"},
+      {[](JoyMapping& wrong) { wrong.tilt_axis = 7; }, "axis 7"},
+      {[](JoyMapping& wrong) { wrong.dead_man_button = 8; }, "button 8"},
+      {[](JoyMapping& wrong) { wrong.stop_button = 8; }, "button 8"},
+      {[](JoyMapping& wrong) { wrong.release_button = 8; }, "button 8"},
+      {[](JoyMapping& wrong) { wrong.picture_button = 8; }, "button 8"},
+      {[](JoyMapping& wrong) { wrong.motions["NOD"] = 8; }, "button 8"},
+      {[](JoyMapping& wrong) { wrong.postures["stand"] = 8; }, "button 8"},
+  };
+  for (const auto& [change, named] : rows) {
     JoyMapping wrong = mapping();
-    wrong.*axis = 7;
-    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 7 and button 7"));
-  }
-  for (int JoyMapping::*button : {&JoyMapping::dead_man_button, &JoyMapping::stop_button, &JoyMapping::release_button,
-                                  &JoyMapping::picture_button}) {
-    JoyMapping wrong = mapping();
-    wrong.*button = 8;
-    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 6 and button 8"));
-  }
-  for (std::map<std::string, int> JoyMapping::*buttons : {&JoyMapping::motions, &JoyMapping::postures}) {
-    JoyMapping wrong = mapping();
-    wrong.*buttons = {{"first", 0}, {"second", 8}, {"third", 1}};
-    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr("its mapping names axis 6 and button 8"));
+    change(wrong);
+    EXPECT_THAT(JoySteering(wrong).problem(7, 8), HasSubstr(named));
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <tuple>
+
 namespace teleop {
 namespace {
 
@@ -9,12 +11,6 @@ using std::chrono::milliseconds;
 
 class KeySteeringTest : public ::testing::Test {
  protected:
-  // It has gone before, and was stopped.
-  KeySteeringTest() {
-    keys_.press('M', now_ - milliseconds(300));
-    keys_.press('5', now_ - milliseconds(200));
-  }
-
   void expect(char key, double forward, double left, double turn) {
     keys_.press(key, now_);
     const aibo_client::WalkVelocity velocity = keys_.velocity(now_);
@@ -35,32 +31,16 @@ class KeySteeringTest : public ::testing::Test {
 };
 
 TEST_F(KeySteeringTest, GoesWhereTheKeyIsSeenFromK) {
-  expect('i', 0.2, 0, 0);
-  expect('u', 0.2, 0, 0.7);
-  expect('o', 0.2, 0, -0.7);
-  expect('j', 0, 0, 0.7);
-  expect('l', 0, 0, -0.7);
-  expect('m', -0.2, 0, -0.7);
-  expect(',', -0.2, 0, 0);
-  expect('.', -0.2, 0, 0.7);
-}
-
-TEST_F(KeySteeringTest, GoesAlsoByTheArrowKeys) {
-  expect(kArrowUp, 0.2, 0, 0);
-  expect(kArrowDown, -0.2, 0, 0);
-  expect(kArrowLeft, 0, 0, 0.7);
-  expect(kArrowRight, 0, 0, -0.7);
-}
-
-TEST_F(KeySteeringTest, GoesSidewaysWithCapitals) {
-  expect('J', 0, 0.05, 0);
-  expect('L', 0, -0.05, 0);
-  expect('I', 0.2, 0, 0);
-  expect('U', 0.2, 0.05, 0);
-  expect('O', 0.2, -0.05, 0);
-  expect('M', -0.2, 0.05, 0);
-  expect('<', -0.2, 0, 0);
-  expect('>', -0.2, -0.05, 0);
+  const std::tuple<char, double, double, double> rows[] = {
+      {'i', 0.2, 0, 0},      {'u', 0.2, 0, 0.7},       {'o', 0.2, 0, -0.7},     {'j', 0, 0, 0.7},
+      {'l', 0, 0, -0.7},     {'m', -0.2, 0, -0.7},     {',', -0.2, 0, 0},       {'.', -0.2, 0, 0.7},
+      {kArrowUp, 0.2, 0, 0}, {kArrowDown, -0.2, 0, 0}, {kArrowLeft, 0, 0, 0.7}, {kArrowRight, 0, 0, -0.7},
+      {'J', 0, 0.05, 0},     {'L', 0, -0.05, 0},       {'I', 0.2, 0, 0},        {'U', 0.2, 0.05, 0},
+      {'O', 0.2, -0.05, 0},  {'M', -0.2, 0.05, 0},     {'<', -0.2, 0, 0},       {'>', -0.2, -0.05, 0},
+  };
+  for (const auto& [key, forward, left, turn] : rows) {
+    expect(key, forward, left, turn);
+  }
 }
 
 TEST_F(KeySteeringTest, StopsByEveryOtherKey) {
