@@ -32,6 +32,11 @@ void decodeAs(const Bytes& bytes) {
   require(version2::decode(again.data(), again.size(), &payload) == nullptr, "an encoded payload is accepted");
 }
 
+template <typename... Payloads>
+void decodeAsEach(const Bytes& bytes) {
+  (decodeAs<Payloads>(bytes), ...);
+}
+
 void decodeList(version2::ReadFileName read, const Bytes& bytes) {
   version2::FileList list;
   if (version2::decodeFileList(read, bytes.data(), bytes.size(), &list) == nullptr) {
@@ -100,38 +105,12 @@ void decodeEndMessage(const Bytes& payload) {
 }
 
 void decodeAsEverything(const Bytes& payload) {
-  decodeAs<version2::PictureRequest>(payload);
-  decodeAs<version2::StreamSettings>(payload);
-  decodeAs<version2::JointTargets>(payload);
-  decodeAs<version2::SpeedLimits>(payload);
-  decodeAs<version2::TelemetryPeriod>(payload);
-  decodeAs<version2::Telemetry>(payload);
-  decodeAs<version2::MotorState>(payload);
-  decodeAs<version2::MotorsAndPosture>(payload);
-  decodeAs<version2::JointIds>(payload);
-  decodeAs<version2::LedValues>(payload);
-  decodeAs<version2::EarPositions>(payload);
-  decodeAs<version2::ColorSettings>(payload);
-  decodeAs<version2::ColorTable>(payload);
-  decodeAs<version2::MicrophoneSettings>(payload);
-  decodeAs<version2::HeardSound>(payload);
-  decodeAs<version2::PlayedSound>(payload);
-  decodeAs<version2::SpeakerRoom>(payload);
-  decodeAs<version2::SoundEnd>(payload);
-  decodeAs<version2::Volume>(payload);
-  decodeAs<version2::DatagramPort>(payload);
-  decodeAs<version2::Acknowledgement>(payload);
-  decodeAs<version2::LossReport>(payload);
-  decodeAs<version2::DatagramOrder>(payload);
-  decodeAs<version2::DatagramStatus>(payload);
-  decodeAs<version2::TestDatagram>(payload);
-  decodeAs<version2::Velocity>(payload);
-  decodeAs<version2::MotionUpload>(payload);
-  decodeAs<version2::MotionToDelete>(payload);
-  decodeAs<version2::MotionOrder>(payload);
-  decodeAs<version2::MotionChanges>(payload);
-  decodeAs<version2::StickPicture>(payload);
-  decodeAs<version2::FetchedPicture>(payload);
+  using namespace version2;
+  decodeAsEach<PictureRequest, StreamSettings, JointTargets, SpeedLimits, TelemetryPeriod, Telemetry, MotorState,
+               MotorsAndPosture, JointIds, LedValues, EarPositions, ColorSettings, ColorTable, MicrophoneSettings,
+               HeardSound, PlayedSound, SpeakerRoom, SoundEnd, Volume, DatagramPort, Acknowledgement, LossReport,
+               DatagramOrder, DatagramStatus, TestDatagram, Velocity, MotionUpload, MotionToDelete, MotionOrder,
+               MotionChanges, StickPicture, FetchedPicture>(payload);
   decodeList(protocol::readMotionName, payload);
   decodeList(protocol::readPictureName, payload);
   decodePicture(payload);
