@@ -140,16 +140,5 @@ TEST_F(SensorsTest, InitiallyTheWlanSwitchIsOnAndTouchSensorsReportAlmostNothing
   }
 }
 
-TEST_F(SensorsTest, TheLastFourReadingsAreKept) {
-  passFrames(4);
-  sensors_.press("chin", true);
-  passFrames(2);
-  const auto& readings = sensors_.readings(indexOf("chin"));
-  EXPECT_EQ(readings[0].value, 0);
-  EXPECT_EQ(readings[1].value, 0);
-  EXPECT_EQ(readings[2].value, 1);
-  EXPECT_EQ(readings[3].value, 1);
-}
-
 }  // namespace
 }  // namespace simulated_ers7

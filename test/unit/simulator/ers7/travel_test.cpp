@@ -126,57 +126,6 @@ TEST_F(TravelTest, ARobotThatStandsStaysWhereItIs) {
   EXPECT_TRUE(travel_.acceleration().isZero(1e-9));
 }
 
-// 30 s are enough for the last tiny movement to end.
-TEST_F(TravelTest, ARobotThatHasLongStoodStillMovesLikeAnyOther) {
-  Travel other{kStanding, {}};
-  pass(kStanding, 30);
-  travel_.lift(true);
-  other.lift(true);
-  for (int frame = 0; frame < 125; ++frame) {
-    pass(kStanding);
-    other.passFrame(kStanding, {}, scene_);
-  }
-  EXPECT_GT(travel_.stance().body.translation().z(), 0.3);
-  EXPECT_TRUE(travel_.stance().body.isApprox(other.stance().body, 1e-9));
-  pass(kStanding, 30);
-  travel_.lift(false);
-  pass(kStanding, 30);
-  EXPECT_NEAR(travel_.stance().body.translation().z(), kHeight, 1e-6);
-  travel_.lie(Side::kLeft);
-  pass(kStanding, 1.5);
-  EXPECT_NEAR((travel_.stance().body.linear() * Vector3d(0, 1, 0)).z(), -1, 1e-6);
-  travel_.lie(Side::kFeet);
-  pass(kStanding, 30);
-  trot({0.1, 0, 0}, 2);
-  EXPECT_GT(travel_.place().x, 0.15);
-  pass(kStanding, 30);
-  EXPECT_TRUE(travel_.acceleration().isZero(1e-9)) << "it does not stay what it was";
-}
-
-TEST_F(TravelTest, EachJointMovesARobotThatHasLongStoodStillOrLainStill) {
-  const auto moves = [this](const Legs& legs, const HeadAngles& head) {
-    Travel robot = travel_;
-    robot.passFrame(legs, head, scene_);
-    return !robot.stance().body.isApprox(travel_.stance().body, 1e-9) ||
-           robot.stance().paw_down != travel_.stance().paw_down;
-  };
-  pass(kStanding, 30);
-  for (std::size_t i = 0; i < kLegs; ++i) {
-    for (double LegAngles::*const joint : {&LegAngles::rotator, &LegAngles::elevator, &LegAngles::knee}) {
-      Legs legs = kStanding;
-      legs[i].*joint += 0.1;
-      EXPECT_TRUE(moves(legs, {})) << "leg " << i;
-    }
-  }
-  travel_.lie(Side::kBack);  // on its head
-  pass(kStanding, 30);
-  for (double HeadAngles::*const joint : {&HeadAngles::neck_tilt, &HeadAngles::head_tilt}) {
-    HeadAngles head;
-    head.*joint += 0.1;
-    EXPECT_TRUE(moves(kStanding, head));
-  }
-}
-
 TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
   const Velocity velocities[] = {{0.10, 0, 0}, {-0.08, 0, 0}, {0, 0.05, 0}, {0, -0.05, 0}, {0, 0, 0.8}, {0, 0, -0.8}};
   for (const Velocity& velocity : velocities) {
@@ -188,16 +137,6 @@ TEST_F(TravelTest, ATrotGoesWhereItsFeetPushItUpright) {
     EXPECT_NEAR(place.yaw, 4 * velocity.turn, 0.1) << velocity.forward << " " << velocity.left;
     EXPECT_LT(most_tilt_, 0.06) << "radian";
   }
-}
-
-TEST_F(TravelTest, AnArcEndsWhereItsRadiusAndLengthSay) {
-  const Velocity velocity = {0.08, 0, 0.4};
-  trot(velocity, 4);
-  const double radius = velocity.forward / velocity.turn;
-  const double yaw = travel_.place().yaw;
-  EXPECT_NEAR(yaw, 1.6, 0.1);
-  EXPECT_NEAR(travel_.place().x, radius * std::sin(yaw), 0.02);
-  EXPECT_NEAR(travel_.place().y, radius * (1 - std::cos(yaw)), 0.02);
 }
 
 TEST_F(TravelTest, FrictionLimitsHowFastItSpeedsUp) {
@@ -224,50 +163,12 @@ TEST_F(TravelTest, FeetThatPullAgainstEachOtherSlip) {
   EXPECT_NEAR(travel_.place().y, 0, 0.003);
 }
 
-TEST_F(TravelTest, ASingleFootThatPullsSlipsWhileTheOthersHold) {
-  for (int frame = 1; frame <= 40; ++frame) {
-    pass(reaching([&](Leg leg) {
-      return carriedBack(leg, {leg == robot_model::LEFT_FRONT_LEG ? 0.1 : 0.0}, frame * kFrameSeconds);
-    }));
-  }
-  EXPECT_NEAR(travel_.place().x, 0, 0.002) << "the foot went 0.032 m";
-  EXPECT_NEAR(travel_.place().yaw, 0, 0.02);
-}
-
-TEST_F(TravelTest, LegsInTheAirCarryItNowhere) {
-  trot({0.1, 0, 0}, 0.5);
-  const double before = travel_.place().x;
-  travel_.lift(true);
-  pass(kStanding, 1);
-  trot({0.1, 0, 0}, 2);
-  EXPECT_EQ(travel_.place().x, before);
-}
-
 TEST_F(TravelTest, ALiftedPawDoesNotTipTheRobotOver) {
   Legs legs = kStanding;
   legs[robot_model::LEFT_HIND_LEG] = reaching(robot_model::LEFT_HIND_LEG, Vector3d(0, 0, 0.04));
   pass(legs, 10);
   EXPECT_LT(tiltOf(travel_.stance()), 0.001);
   EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{true, false, true, true}));
-}
-
-TEST_F(TravelTest, ItComesToRestInTheStanceOfItsLegs) {
-  std::uint64_t random = 1;
-  const auto angle = [&random](double lowest, double highest) {
-    random = random * 6364136223846793005u + 1442695040888963407u;
-    return (lowest + (highest - lowest) * static_cast<double>(random >> 40) / (1 << 24)) * M_PI / 180;
-  };
-  for (int posture = 0; posture < 30; ++posture) {
-    Legs legs;
-    for (LegAngles& leg : legs) {
-      leg = {angle(-60, 60), angle(0, 60), angle(-20, 100)};
-    }
-    pass(legs, 45);
-    const Stance rest = standOn(legs);
-    ASSERT_NEAR(travel_.stance().body.translation().z(), rest.body.translation().z(), 1e-3) << "posture " << posture;
-    ASSERT_LT((travel_.stance().body.linear().row(2) - rest.body.linear().row(2)).norm(), 0.01)
-        << "posture " << posture;
-  }
 }
 
 TEST_F(TravelTest, AWallStopsIt) {
@@ -280,15 +181,11 @@ TEST_F(TravelTest, AWallStopsIt) {
   EXPECT_DOUBLE_EQ(travel_.stance().body.translation().x(), travel_.place().x);
 }
 
-TEST_F(TravelTest, WhereverItGoesItsCameraStaysInTheRoom) {
-  for (int round = 0; round < 6; ++round) {
-    trot({0, 0, 0.8}, 2);
-    for (int step = 0; step < 15; ++step) {
-      trot({0.15, 0, 0}, 1);
-      const Vector3d nose = travel_.stance().body * headInBody({}) * Vector3d(0.1, 0, 0);
-      ASSERT_GT(scene_.clearance(nose), 0) << nose.transpose();
-    }
-  }
+TEST_F(TravelTest, TheBallStopsIt) {
+  trot({0.15, 0, 0}, 20);
+  EXPECT_NEAR(scene_.clearance(travel_.stance().body * Vector3d(0.06, 0, 0)), 0.09, 0.002);
+  trot({-0.1, 0, 0}, 5);
+  EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
 }
 
 TEST_F(TravelTest, AHeadThatTurnsTowardsAWallPushesTheRobotAway) {
@@ -304,37 +201,6 @@ TEST_F(TravelTest, AHeadThatTurnsTowardsAWallPushesTheRobotAway) {
   EXPECT_LT(travel_.place().y, before - 0.003);
   const Vector3d face = travel_.stance().body * headInBody(head) * Vector3d(0.03, 0, 0);
   EXPECT_NEAR(scene_.clearance(face), 0.075, 0.002);
-}
-
-TEST_F(TravelTest, ABodyOfTheSceneStopsIt) {
-  trot({0.15, 0, 0}, 20);  // the ball is ahead
-  EXPECT_NEAR(scene_.clearance(travel_.stance().body * Vector3d(0.06, 0, 0)), 0.09, 0.002);
-  trot({-0.1, 0, 0}, 5);
-  EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
-  EXPECT_FALSE(travel_.isStopped());
-}
-
-TEST_F(TravelTest, AFootComesBackFromBeyondTheEdgeOfATable) {
-  const Scene scene(true);
-  Travel travel(kStanding, {}, kTableHeight);
-  double passed = 0;
-  for (; passed < 20 && !travel.isOverEdge(); passed += kFrameSeconds) {
-    travel.passFrame(trotting({0.1, 0, 0}, passed), {}, scene);
-  }
-  ASSERT_TRUE(travel.isOverEdge());
-  const Legs kneeling = reaching([](Leg leg) { return Vector3d(0, 0, robot_model::isFront(leg) ? 0.05 : 0); });
-  for (const bool is_lifted : {true, false}) {
-    travel.lift(is_lifted);
-    for (int frame = 0; frame < 250; ++frame) {
-      travel.passFrame(is_lifted && frame > 60 ? kneeling : kStanding, {}, scene);
-      ASSERT_FALSE(travel.hasFallenOff()) << "out of the hand";
-    }
-  }
-  for (const double end = passed + 3; passed < end; passed += kFrameSeconds) {
-    travel.passFrame(trotting({-0.1, 0, 0}, passed), {}, scene);
-  }
-  EXPECT_FALSE(travel.isOverEdge());
-  EXPECT_FALSE(travel.hasFallenOff());
 }
 
 TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
@@ -363,12 +229,6 @@ TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
   }
   EXPECT_LT(travel.stance().body.translation().z(), 0.2) << "it lies on the floor";
   EXPECT_LT(travel.stance().body.linear()(2, 1), -0.9) << "on its left side";
-  travel.lie(Side::kFeet);
-  for (double passed = 0; passed < 1; passed += kFrameSeconds) {
-    travel.passFrame(kStanding, {}, scene);
-  }
-  EXPECT_FALSE(travel.isOverEdge()) << "the floor has no edge";
-  EXPECT_EQ(travel.stance().paw_down, (std::array<bool, kLegs>{true, true, true, true}));
 }
 
 TEST_F(TravelTest, SpeedingUpIsFeltAsAnAccelerationAhead) {
@@ -417,11 +277,6 @@ TEST_F(TravelTest, ItLiesOnEachSideAndIsPutBackOnItsFeet) {
     EXPECT_GT(body.translation().z(), 0.05);
     EXPECT_GT((body * headInBody({}) * Vector3d(0.081, 0, -0.0146)).z(), 0.01) << "the camera";
     EXPECT_EQ(travel_.stance().paw_down, (std::array<bool, kLegs>{}));
-    travel_.lift(true);
-    pass(kStanding, 1);
-    travel_.lift(false);
-    pass(kStanding, 1);
-    EXPECT_NEAR((travel_.stance().body.linear() * below).z(), -1, 1e-6) << "it is set down as it lay";
   }
   travel_.lie(Side::kFeet);
   pass(kStanding, 1);
