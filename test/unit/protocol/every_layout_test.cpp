@@ -4,16 +4,12 @@
 #include <cctype>
 #include <climits>
 #include <functional>
-#include <iterator>
 #include <map>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "layouts.h"
-#include "protocol/big_endian.h"
-#include "protocol/frame_reader.h"
-#include "protocol/hello.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/sound_requests.h"
@@ -331,63 +327,6 @@ TEST(Payloads, AreRefusedForTheRightReason) {
 
 TEST(Payloads, TurnSmallLettersOfNamesIntoCapitals) {
   EXPECT_STREQ(decoded<MotionToDelete>(bytesOf("wag.mtn")).name, "WAG.MTN");
-}
-
-// Gives a payload to every decoder. A sanitizer finds reads beyond its end.
-void decodeAsEverything(const Bytes& payload) {
-  for (const Layout& layout : kLayouts) {
-    layout.decode(payload);
-  }
-  Hello hello;
-  decodeHello(payload.data(), payload.size(), &hello);
-}
-
-// Gives bytes to a reader in random pieces, and every frame to every decoder. Returns the number of frames.
-int receiveInPieces(const Bytes& bytes, RandomBytes& random, FrameReader& reader) {
-  int frames = 0;
-  for (size_t used = 0; used < bytes.size();) {
-    const Bytes piece(bytes.begin() + static_cast<std::ptrdiff_t>(used),
-                      bytes.begin() + static_cast<std::ptrdiff_t>(used + random.upTo(bytes.size() - used)));
-    size_t taken = 0;
-    const FrameReader::Result result = reader.append(piece.data(), piece.size(), &taken);
-    EXPECT_LE(taken, piece.size());
-    EXPECT_TRUE(taken > 0 || piece.empty());
-    used += taken;
-    if (result == FrameReader::FRAME_COMPLETE) {
-      ++frames;
-      decodeAsEverything(Bytes(reader.payload(), reader.payload() + reader.header().payload_size));
-    } else if (result == FrameReader::FRAME_TOO_LARGE) {
-      reader.reset();
-    }
-  }
-  return frames;
-}
-
-// Random bytes, or a damaged payload.
-Bytes randomPayload(RandomBytes& random) {
-  const size_t layout = random.upTo(2 * std::size(kLayouts));
-  if (layout < std::size(kLayouts)) {
-    return random.damaged(kLayouts[layout].payload);
-  }
-  return layout == std::size(kLayouts) ? random.damaged(bytesOf(kHello)) : random.bytes(random.upTo(100));
-}
-
-TEST(Version2, SurvivesAMillionRandomBytes) {
-  RandomBytes random(2026);
-  Bytes buffer(300);
-  FrameReader reader(buffer.data(), buffer.size());
-  int frames = 0;
-  for (size_t received = 0; received < 1000000;) {
-    const Bytes payload = randomPayload(random);
-    Bytes header = random.bytes(FRAME_HEADER_SIZE);
-    // Hardly any random header announces a payload that fits, so most headers get the right size.
-    if (random.upTo(9) > 0) {
-      encodeBigEndian32(static_cast<unsigned>(payload.size()), header.data() + 4);
-    }
-    frames += receiveInPieces(header + payload, random, reader);
-    received += header.size() + payload.size();
-  }
-  EXPECT_GT(frames, 10000);
 }
 
 }  // namespace

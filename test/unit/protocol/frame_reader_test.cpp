@@ -12,7 +12,6 @@ namespace version2 {
 namespace {
 
 using ::testing::ElementsAreArray;
-using ::testing::IsEmpty;
 
 struct Frame {
   FrameHeader header;
@@ -59,26 +58,6 @@ class FrameReaderTest : public ::testing::Test {
   FrameReader reader_{buffer_.data(), buffer_.size()};
 };
 
-TEST_F(FrameReaderTest, FindsAFrameWithoutPayload) {
-  EXPECT_THAT(receive(hex("48 00 00 07 00 00 00 00")), ElementsAreArray({frameOf('H', 0, 7, {})}));
-}
-
-TEST_F(FrameReaderTest, FindsAFrameWithPayload) {
-  EXPECT_THAT(receive(hex("57 55 01 02 00 00 00 04 01 00 00 01")),
-              ElementsAreArray({frameOf('W', 85, 0x0102, hex("01 00 00 01"))}));
-}
-
-TEST_F(FrameReaderTest, FindsFramesByteByByte) {
-  const Frame frame = frameOf('t', 1, 0, hex("01 02 03"));
-  const Bytes bytes = encode(frame);
-  for (int round = 0; round < 3; ++round) {
-    for (size_t i = 0; i + 1 < bytes.size(); ++i) {
-      EXPECT_THAT(receive({bytes[i]}), IsEmpty());
-    }
-    EXPECT_THAT(receive({bytes.back()}), ElementsAreArray({frame}));
-  }
-}
-
 TEST_F(FrameReaderTest, KnowsWhetherItIsBetweenFrames) {
   EXPECT_TRUE(reader_.isBetweenFrames());
   receive(hex("57"));
@@ -91,60 +70,12 @@ TEST_F(FrameReaderTest, KnowsWhetherItIsBetweenFrames) {
   EXPECT_FALSE(reader_.isBetweenFrames());
 }
 
-TEST_F(FrameReaderTest, TakesNoMoreThanOneFrameAtATime) {
-  const Bytes bytes = encode(frameOf('J', 0, 1, hex("01 02"))) + encode(frameOf('H', 0, 2, {}));
-  size_t taken = 0;
-  EXPECT_EQ(reader_.append(bytes.data(), bytes.size(), &taken), FrameReader::FRAME_COMPLETE);
-  EXPECT_EQ(taken, 10U);
-  EXPECT_EQ(reader_.append(bytes.data() + taken, bytes.size() - taken, &taken), FrameReader::FRAME_COMPLETE);
-  EXPECT_EQ(taken, 8U);
-  EXPECT_EQ(reader_.header().kind, 'H');
-}
-
-TEST_F(FrameReaderTest, TakesAPayloadThatJustFits) {
-  const Frame frame = frameOf('U', 0, 1, Bytes(kCapacity, 0x5a));
-  EXPECT_THAT(receive(encode(frame)), ElementsAreArray({frame}));
-}
-
-TEST_F(FrameReaderTest, RefusesALargerPayloadAtItsHeader) {
-  const Bytes header = encode({{'U', 0, 1, kCapacity + 1}, {}});
-  EXPECT_THAT(receive(firstOf(header, FRAME_HEADER_SIZE - 1)), IsEmpty());
-  size_t taken = 0;
-  EXPECT_EQ(reader_.append(&header.back(), 1, &taken), FrameReader::FRAME_TOO_LARGE);
-  EXPECT_EQ(reader_.header().payload_size, kCapacity + 1);
-}
-
 TEST_F(FrameReaderTest, RefusesFourGibibytesWithoutTouchingMemory) {
   const Bytes bytes = hex("66 00 00 00 ff ff ff ff") + Bytes(kCapacity + 1, 0x11);
   size_t taken = 0;
   EXPECT_EQ(reader_.append(bytes.data(), bytes.size(), &taken), FrameReader::FRAME_TOO_LARGE);
   EXPECT_EQ(taken, bytes.size());
   EXPECT_THAT(buffer_, ::testing::Each(0));
-}
-
-TEST_F(FrameReaderTest, FindsNothingMoreAfterAFrameTooLargeUntilItIsReset) {
-  const Bytes too_large = hex("66 00 00 00 00 01 00 00");
-  const Bytes hello = encode(frameOf('H', 0, 1, {}));
-  size_t taken = 0;
-  reader_.append(too_large.data(), too_large.size(), &taken);
-  EXPECT_EQ(reader_.append(hello.data(), hello.size(), &taken), FrameReader::FRAME_TOO_LARGE);
-  EXPECT_EQ(taken, hello.size());
-  reader_.reset();
-  EXPECT_THAT(receive(hello), ElementsAreArray({frameOf('H', 0, 1, {})}));
-}
-
-TEST_F(FrameReaderTest, ForgetsAHalfFrameWhenItIsReset) {
-  receive(hex("57 55 01 02 00 00 00 04 01"));
-  reader_.reset();
-  EXPECT_TRUE(reader_.isBetweenFrames());
-  const Frame next = frameOf('W', 85, 7, hex("01 02 03"));
-  EXPECT_THAT(receive(encode(next)), ElementsAreArray({next}));
-}
-
-TEST_F(FrameReaderTest, AcceptsZeroBytes) {
-  size_t taken = 1;
-  EXPECT_EQ(reader_.append(nullptr, 0, &taken), FrameReader::FRAME_INCOMPLETE);
-  EXPECT_EQ(taken, 0U);
 }
 
 TEST_F(FrameReaderTest, FindsTheSameFramesHoweverTheBytesAreSplitOrJoined) {

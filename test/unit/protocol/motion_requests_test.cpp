@@ -39,19 +39,6 @@ const char* problemOfList(const Bytes& bytes, FileList* list) {
   return decodeFileList(readMotionName, bytes.data(), bytes.size(), list);
 }
 
-TEST(MotionList, IsNamesWithANewlineBetween) {
-  EXPECT_EQ(encodedList(listOf(0)), Bytes());
-  EXPECT_EQ(encodedList(listOf(1)), bytesOf("MOVE1000.MTN"));
-  EXPECT_EQ(encodedList(listOf(2)), bytesOf("MOVE1000.MTN\nMOVE1001.MTN"));
-  FileList list = listOf(3);
-  ASSERT_THAT(problemOfList(bytesOf("NOD.MTN\nWAG.MTN"), &list), IsNull());
-  ASSERT_EQ(list.count, 2U);
-  EXPECT_STREQ(list.names[0], "NOD.MTN");
-  EXPECT_STREQ(list.names[1], "WAG.MTN");
-  ASSERT_THAT(problemOfList({}, &list), IsNull());
-  EXPECT_EQ(list.count, 0U);
-}
-
 TEST(MotionList, HoldsAtMost256Names) {
   const Bytes most = encodedList(listOf(MAX_LISTED_FILES));
   EXPECT_EQ(most.size(), MAX_FILE_LIST_SIZE);

@@ -63,19 +63,6 @@ TEST(Opening, RecognisesOtherProtocolsByTheFirstByte) {
   }
 }
 
-TEST(Opening, VerdictStays) {
-  Opening opening;
-  EXPECT_EQ(add(opening, "X\2"), Opening::CLIENT);
-  EXPECT_EQ(add(opening, "GET / HTTP/1.1\r\n"), Opening::CLIENT);
-  Opening browser;
-  add(browser, "PUT ");
-  EXPECT_EQ(add(browser, "X\2"), Opening::STRANGER);
-}
-
-TEST(Opening, NothingIsUnclear) {
-  EXPECT_EQ(verdictOn(""), Opening::UNCLEAR);
-}
-
 // Every request with every identifier, alone and twice; those that name a file, with the names that come closest to a
 // method.
 TEST(Opening, NoRequestOfVersion1IsMistaken) {

@@ -37,16 +37,6 @@ TEST(Version1, PictureHeaderIsRefusedWhenLetterOrSizeIsImpossible) {
   }
 }
 
-TEST(Version1, LargestPictureIsAccepted) {
-  std::array<unsigned char, PICTURE_HEADER_SIZE> bytes{};
-  encodePictureHeader(0x12345678, bytes.data());
-  EXPECT_THAT(bytes, ElementsAre('f', 0x12, 0x34, 0x56, 0x78));
-  encodePictureHeader(MAX_PICTURE_SIZE, bytes.data());
-  size_t size = 0;
-  EXPECT_TRUE(decodePictureHeader(bytes.data(), &size));
-  EXPECT_EQ(size, MAX_PICTURE_SIZE);
-}
-
 TEST(Version1, ValueIsLittleEndianAndSigned) {
   std::array<unsigned char, VALUE_REPLY_SIZE> bytes{};
   encodeValueReply({'j', 11, -2}, bytes.data());
