@@ -39,13 +39,6 @@ void forWholeRange(Leg leg, Function function) {
   }
 }
 
-TEST(LegsTest, NamesTheJointsOfTheTable) {
-  EXPECT_STREQ(jointOf(LEFT_FRONT_LEG, 0).name, "left_front_rotator");
-  EXPECT_STREQ(jointOf(LEFT_HIND_LEG, 1).name, "left_hind_elevator");
-  EXPECT_STREQ(jointOf(RIGHT_FRONT_LEG, 2).name, "right_front_knee");
-  EXPECT_STREQ(jointOf(RIGHT_HIND_LEG, 0).name, "right_hind_rotator");
-}
-
 TEST(LegsTest, FindsFeetAtTheEndsOfTheLinks) {
   // By hand from Tekkotsu's table: 65 + 9 - 5.03, 62.5 + 4.7, -69.5 - 65.24; the hind shank is 13.529 ahead.
   EXPECT_LT(distance(findFoot(LEFT_FRONT_LEG, {0, 0, 0}), {0.06897, 0.0672, -0.13474}), 1e-9);
@@ -102,11 +95,6 @@ TEST(LegsTest, FoldTowardsAFootTooNear) {
   EXPECT_GT(angles.knee, 122 * kDegree);
   EXPECT_FALSE(findLegAngles(LEFT_FRONT_LEG, {0.065, 0.3, 0}, &angles)) << "only aside";
   EXPECT_TRUE(std::isfinite(angles.rotator) && std::isfinite(angles.elevator) && std::isfinite(angles.knee));
-}
-
-TEST(LegsTest, MirrorsTheCornersOfTheBelly) {
-  EXPECT_LT(distance(findBellyCorner(LEFT_FRONT_LEG), {0.085, 0.035, -0.032}), 1e-9);
-  EXPECT_LT(distance(findBellyCorner(RIGHT_HIND_LEG), {-0.085, -0.035, -0.032}), 1e-9);
 }
 
 }  // namespace

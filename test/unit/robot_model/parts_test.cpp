@@ -92,14 +92,6 @@ TEST(Sensors, ShareNoIdentifierWithAJoint) {
   }
 }
 
-TEST(Sensors, AreNotFoundIfTheyDoNotExist) {
-  EXPECT_EQ(findSensorByIdentifier(model("ERS-7"), 0), NO_SENSOR);
-  EXPECT_EQ(findSensorByIdentifier(model("ERS-7"), 93), NO_SENSOR);
-  EXPECT_EQ(findSensorByName(model("ERS-7"), "back"), NO_SENSOR);
-  EXPECT_EQ(findSensorByLocator(model("ERS-7"), "PRM:/r6/s1-Sensor:s1"), NO_SENSOR);
-  EXPECT_EQ(findSensorByLocator(model("ERS-7"), ""), NO_SENSOR);
-}
-
 // Touch sensors have Sony's levels; a switch is only on or off.
 TEST(Sensors, ArePressedWithHysteresis) {
   struct Levels {
@@ -119,18 +111,6 @@ TEST(Sensors, ArePressedWithHysteresis) {
     EXPECT_TRUE(isPressed(sensor, levels.on, false));
     EXPECT_TRUE(isPressed(sensor, levels.off, true));
     EXPECT_FALSE(isPressed(sensor, levels.off - 0.5, true));
-  }
-}
-
-TEST(Sensors, ThatMeasureAreNeverPressed) {
-  const double huge = std::numeric_limits<double>::max();
-  for (const char* design : kDesigns) {
-    for (int i = 0; i < model(design).number_of_sensors; ++i) {
-      const Sensor& sensor = model(design).sensors[i];
-      const bool can_be_pressed = sensor.kind == SENSOR_TOUCH || sensor.kind == SENSOR_SWITCH;
-      EXPECT_EQ(isPressed(sensor, huge, false), can_be_pressed) << sensor.name;
-      EXPECT_EQ(isPressed(sensor, huge, true), can_be_pressed) << sensor.name;
-    }
   }
 }
 
@@ -190,13 +170,6 @@ TEST(Leds, OfTheErs210) {
                          {"mode", 7, "PRM:/r1/c1/c2/c3/l7-LED2:l7", LED2, LED_ON_HEAD},
                          {"tail_blue", 8, "PRM:/r6/l1-LED2:l1", LED2, LED_ON_TAIL},
                          {"tail_orange", 9, "PRM:/r6/l2-LED2:l2", LED2, LED_ON_TAIL}});
-}
-
-TEST(Leds, AreNotFoundIfTheyDoNotExist) {
-  EXPECT_EQ(findLedByIdentifier(model("ERS-7"), 0), NO_LED);
-  EXPECT_EQ(findLedByIdentifier(model("ERS-7"), 27), NO_LED);
-  EXPECT_EQ(findLedByName(model("ERS-7"), "face_15"), NO_LED);
-  EXPECT_EQ(findLedByLocator(model("ERS-7"), "PRM:/r6/l1-LED2:l1"), NO_LED);
 }
 
 void expectEar(const std::string& design, int identifier, const char* name, const char* locator, EarKind kind) {

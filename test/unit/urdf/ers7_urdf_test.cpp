@@ -116,40 +116,6 @@ TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingIsParallelToAnAxis) {
   expectPose("tail_pan_link", {{"tail_tilt", right_angle}, {"tail_pan", right_angle}}, {-102, 0, 33}, -up_, left_);
 }
 
-// Angles of 30 and 60 degrees, like those of a robot that stands and looks aside.
-TEST_F(Ers7Urdf, InAnEverydayPostureTheLinksAreAsInTheSketch) {
-  const double half = 0.5;                 // sin 30
-  const double long_side = 0.86602540378;  // cos 30
-
-  // Neck 30 to the front: it points along (half, 0, long_side), its front along (long_side, 0, -half). Pan 30 to the
-  // left: the head's front is long_side of the neck's and half of left: (0.75, 0.5, -0.433013).
-  //   x: 67.5 + 80 * half      + 81.06 * 0.75     - 14.6 * half      = 160.995
-  //   y:                         81.06 * 0.5                         =  40.53
-  //   z: 19.5 + 80 * long_side - 81.06 * 0.433013 - 14.6 * long_side =  41.0380
-  expectPose("camera_optical_frame", {{"neck_tilt", -30 * kDegree}, {"head_pan", 30 * kDegree}},
-             {160.995, 40.53, 41.0380}, {half * long_side, -long_side, -half * half}, {0.75, 0.5, -half * long_side});
-
-  // Leg 30 to the back: it points along (-half, -long_side) in x and z, its front along (long_side, -half).
-  //   knee: x 65 - 69.5 * half + 9 * long_side = 38.0442; z -69.5 * long_side - 9 * half = -64.6888
-  // Knee bent by 60: the shank points 30 to the front, (half, -long_side), its front along (long_side, half).
-  //   foot: x 38.0442 + 65.2404 * half - 5.0300 * long_side = 66.3083; z -64.6888 - 65.2404 * long_side - 5.0300 * half
-  expectPose("left_front_foot_link", {{"left_front_rotator", -30 * kDegree}, {"left_front_knee", 60 * kDegree}},
-             {66.3083, 67.2, -123.7036}, {long_side, 0, half}, {-half, 0, long_side});
-
-  // The hind leg the other way round. It points 30 to the front, along (half, -long_side), its front along (long_side,
-  // half); the knee is 9 behind.
-  //   knee: x -65 + 69.5 * half - 9 * long_side = -38.0442; z -69.5 * long_side - 9 * half = -64.6888
-  // Knee bent by 60: the shank points 30 to the back, (-half, -long_side), its front along (long_side, -half).
-  //   foot: x -38.0442 - 66.2803 * half + 13.5294 * long_side = -59.4675
-  //         z -64.6888 - 66.2803 * long_side - 13.5294 * half = -128.8539
-  expectPose("right_hind_foot_link", {{"right_hind_rotator", 30 * kDegree}, {"right_hind_knee", 60 * kDegree}},
-             {-59.4675, -67.2, -128.8539}, {long_side, 0, -half}, {half, 0, long_side});
-
-  // Tail 30 to the front: it points along (half, 0, long_side). Pan 30: long_side of that and half of left.
-  expectPose("tail_pan_link", {{"tail_tilt", 30 * kDegree}, {"tail_pan", 30 * kDegree}}, {-102, 0, 33},
-             {long_side, 0, -half}, {half * long_side, half, 0.75});
-}
-
 TEST_F(Ers7Urdf, OpensTheMouthDownwards) {
   // The chin, 30 ahead of the mouth's joint, which is (40, 0, -17.5) from the head joints at (67.5, 0, 99.5).
   const Vector3d chin = urdf_.linkPose("mouth_link", {{"mouth", -30 * kDegree}}) * Vector3d(0.030, 0, 0);
@@ -216,25 +182,6 @@ TEST_F(Ers7Urdf, HasInertiasThatABodyCanHave) {
       EXPECT_LE(moments[2], 1.001 * (moments[0] + moments[1])) << name;  // the file's numbers are rounded
     }
   }
-}
-
-TEST_F(Ers7Urdf, HasTheSameMassesOnBothSides) {
-  const Eigen::DiagonalMatrix<double, 3> mirror(1, -1, 1);
-  int pairs = 0;
-  for (const auto& [name, left] : urdf_.model().links_) {
-    if (name.rfind("left_", 0) != 0 || !left->inertial) {
-      continue;
-    }
-    const urdf::LinkConstSharedPtr right = urdf_.model().getLink("right_" + name.substr(5));
-    ASSERT_TRUE(right && right->inertial) << name;
-    EXPECT_EQ(left->inertial->mass, right->inertial->mass) << name;
-    const urdf::Vector3& at = left->inertial->origin.position;
-    const urdf::Vector3& mirrored = right->inertial->origin.position;
-    EXPECT_EQ(Vector3d(at.x, at.y, at.z), Vector3d(mirrored.x, -mirrored.y, mirrored.z)) << name;
-    EXPECT_EQ(inertiaOf(*left->inertial), mirror * inertiaOf(*right->inertial) * mirror) << name;
-    ++pairs;
-  }
-  EXPECT_EQ(pairs, 2 * 3 + 1);  // two legs of three parts, and an ear
 }
 
 // Its feet are what it stands on, and its belly what it lies on, as in the simulated robot.
@@ -327,32 +274,6 @@ TEST_F(RandomPostures, HaveTheFeetWhereTheLegsOfTheRobotModelHaveThem) {
           leg, {posture.at(name + "_rotator"), posture.at(name + "_elevator"), posture.at(name + "_knee")});
       const Vector3d expected = urdf_.linkPose(name + "_foot_link", posture).translation();
       ASSERT_LT((Vector3d(foot.x, foot.y, foot.z) - expected).norm(), kPrecision) << name;
-    }
-  }
-}
-
-TEST_F(RandomPostures, OfLeftLegsAreMirroredByRightLegs) {
-  for (int i = 0; i < 1000; ++i) {
-    Posture posture = next();
-    for (const std::string end : {"front", "hind"}) {
-      for (const char* joint : {"_rotator", "_elevator", "_knee"}) {
-        posture["right_" + end + joint] = posture["left_" + end + joint];
-      }
-      const Vector3d left = urdf_.linkPose("left_" + end + "_foot_link", posture).translation();
-      const Vector3d right = urdf_.linkPose("right_" + end + "_foot_link", posture).translation();
-      ASSERT_LT((right - Vector3d(left.x(), -left.y(), left.z())).norm(), kPrecision);
-    }
-  }
-}
-
-TEST_F(RandomPostures, MoveEveryLinkBeyondAJoint) {
-  const Posture posture = next();
-  for (const auto& joint : urdf_.model().joints_) {
-    if (joint.second->type == urdf::Joint::REVOLUTE) {
-      Posture moved = posture;
-      moved[joint.first] += 0.1;
-      const std::string& link = joint.second->child_link_name;
-      EXPECT_FALSE(urdf_.linkPose(link, moved).isApprox(urdf_.linkPose(link, posture), 0.01)) << joint.first;
     }
   }
 }
