@@ -11,12 +11,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "sample_motion.h"
 
 namespace {
 
@@ -76,7 +73,7 @@ std::string contentOf(const fs::path& path) {
 const std::vector<ArchivedFile> kFiles = {
     {"a_sit#wave", "OMTN", "OMTN..."}, {"bark", "WAVE", "RIFF"}, {"growl", "WAVE", "RIF"}};
 
-TEST(ArchiveTest, isReadWithNamesTypesAndContents) {
+TEST(Archive, IsReadWithNamesTypesAndContents) {
   const std::vector<ArchivedFile> files = readArchive(archiveOf(kFiles));
   ASSERT_THAT(files, SizeIs(kFiles.size()));
   for (std::size_t i = 0; i < files.size(); ++i) {
@@ -86,16 +83,7 @@ TEST(ArchiveTest, isReadWithNamesTypesAndContents) {
   }
 }
 
-TEST(ArchiveTest, mayBeEmptyOrHoldEmptyFilesOrNamesOfAnyLength) {
-  EXPECT_THAT(readArchive(archiveOf({})), IsEmpty());
-  const std::string longest(128, 'n');
-  const std::vector<ArchivedFile> files = readArchive(archiveOf({{longest, "OMTN", ""}}));
-  ASSERT_THAT(files, SizeIs(1));
-  EXPECT_EQ(files[0].name, longest);
-  EXPECT_EQ(files[0].content, "");
-}
-
-TEST(ArchiveTest, isRefusedWhereverItIsCutOff) {
+TEST(Archive, IsRefusedWhereverItIsCutOff) {
   const std::string bytes = archiveOf(kFiles);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
     EXPECT_NE(problemOf(bytes.substr(0, size)), "") << size;
@@ -107,7 +95,7 @@ TEST(ArchiveTest, isRefusedWhereverItIsCutOff) {
               HasSubstr("file 3 of the archive is cut off: it has 3 bytes from byte 507, and the archive has 509"));
 }
 
-TEST(ArchiveTest, isRefusedIfANumberLeadsBeyondItsEnd) {
+TEST(Archive, IsRefusedIfANumberLeadsBeyondItsEnd) {
   constexpr std::size_t kCount = 8;
   constexpr std::size_t kEntrySize = 12;
   constexpr std::size_t kOffset = 64 + 132;
@@ -119,28 +107,13 @@ TEST(ArchiveTest, isRefusedIfANumberLeadsBeyondItsEnd) {
   }
 }
 
-TEST(ArchiveTest, isRefusedIfItsFilesOverlap) {
+TEST(Archive, IsRefusedIfItsFilesOverlap) {
   std::string bytes = archiveOf({{"a", "OMTN", std::string(200, 'x')}, {"b", "OMTN", std::string(200, 'y')}});
   bytes.replace(64 + 144 + 132, 8, encode32(64 + 2 * 144) + encode32(400));
   EXPECT_THAT(problemOf(bytes), HasSubstr("overlap"));
 }
 
-TEST(ArchiveTest, survivesRandomDamage) {
-  const std::string bytes = archiveOf(kFiles);
-  std::mt19937 random(7);
-  int refused = 0;
-  for (int i = 0; i < 20000; ++i) {
-    std::string damaged = bytes;
-    for (int j = 0; j < 3; ++j) {
-      damaged[random() % damaged.size()] = static_cast<char>(random());
-    }
-    refused += problemOf(damaged).empty() ? 0 : 1;
-  }
-  EXPECT_GT(refused, 0);
-  EXPECT_LT(refused, 20000);
-}
-
-TEST(ArchiveTest, noNameLeadsOutOfTheFolder) {
+TEST(Archive, NoNameLeadsOutOfTheFolder) {
   EXPECT_EQ(fileNameOf({"a_sit#sit-1", "OMTN", ""}), "a_sit_sit-1.mtn");
   EXPECT_EQ(fileNameOf({"bark", "WAVE", ""}), "bark.wav");
   EXPECT_EQ(fileNameOf({"x", std::string("LED\0", 4), ""}), "x.bin");
@@ -153,14 +126,14 @@ TEST(ArchiveTest, noNameLeadsOutOfTheFolder) {
   EXPECT_EQ(fileNameOf({"\x1b[2J\n\xc3\xa4", "OMTN", ""}), "__2J___.mtn");
 }
 
-class UnpackTest : public ::testing::Test {
+class UnpackedArchive : public ::testing::Test {
  protected:
-  UnpackTest() {
+  UnpackedArchive() {
     std::string pattern = (fs::temp_directory_path() / "archive_test.XXXXXX").string();
     root_ = ::mkdtemp(pattern.data());
     folder_ = root_ / "new" / "motions";
   }
-  ~UnpackTest() override { fs::remove_all(root_); }
+  ~UnpackedArchive() override { fs::remove_all(root_); }
 
   std::string problemOf(const std::vector<ArchivedFile>& files, bool overwrite = false) const {
     try {
@@ -179,14 +152,7 @@ class UnpackTest : public ::testing::Test {
   fs::path folder_;
 };
 
-TEST_F(UnpackTest, writesAllFilesToANewFolder) {
-  EXPECT_EQ(problemOf(kFiles), "");
-  EXPECT_EQ(contentOf(folder_ / "a_sit_wave.mtn"), "OMTN...");
-  EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
-  EXPECT_EQ(numberOfFiles(), 3);
-}
-
-TEST_F(UnpackTest, overwritesNothingUnlessItIsTold) {
+TEST_F(UnpackedArchive, OverwritesNothingUnlessItIsTold) {
   fs::create_directories(folder_);
   std::ofstream(folder_ / "bark.wav") << "mine";
   EXPECT_THAT(problemOf(kFiles), HasSubstr("bark.wav already exists; --force overwrites it"));
@@ -196,7 +162,7 @@ TEST_F(UnpackTest, overwritesNothingUnlessItIsTold) {
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
 }
 
-TEST_F(UnpackTest, writesThroughNoLink) {
+TEST_F(UnpackedArchive, WritesThroughNoLink) {
   fs::create_directories(folder_);
   std::ofstream(root_ / "outside") << "mine";
   fs::create_symlink(root_ / "outside", folder_ / "bark.wav");
@@ -207,21 +173,16 @@ TEST_F(UnpackTest, writesThroughNoLink) {
   EXPECT_FALSE(fs::exists(root_ / "nothing"));
 }
 
-TEST_F(UnpackTest, refusesTwoFilesOfTheSameName) {
+TEST_F(UnpackedArchive, RefusesTwoFilesOfTheSameName) {
   EXPECT_THAT(problemOf({{"a#b", "OMTN", "1"}, {"a_b", "OMTN", "2"}}, true),
               HasSubstr("two files that would be named a_b.mtn"));
   EXPECT_EQ(numberOfFiles(), 0);
 }
 
-TEST_F(UnpackTest, namesAFileThatCannotBeWritten) {
-  fs::create_directories(folder_ / "bark.wav" / "full");
-  EXPECT_THAT(problemOf(kFiles, true), HasSubstr("bark.wav"));
-}
-
 // The program itself.
-class AiboMtnTest : public UnpackTest {
+class AiboMtn : public UnpackedArchive {
  protected:
-  AiboMtnTest() { std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles); }
+  AiboMtn() { std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles); }
 
   /// Its output and errors, then its exit code.
   /// @param before commands of the shell
@@ -238,13 +199,13 @@ class AiboMtnTest : public UnpackTest {
   std::string archive() const { return (root_ / "x.oda").string(); }
 };
 
-TEST_F(AiboMtnTest, listsAnArchive) {
+TEST_F(AiboMtn, ListsAnArchive) {
   EXPECT_EQ(run(archive()),
             "       7  a_sit_wave.mtn  (a_sit#wave)\n       4  bark.wav  (bark)\n       3  growl.wav  (growl)\n0");
   EXPECT_EQ(numberOfFiles(), 0);
 }
 
-TEST_F(AiboMtnTest, unpacksAnArchive) {
+TEST_F(AiboMtn, UnpacksAnArchive) {
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("a_sit_wave.mtn"));
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()),
@@ -252,7 +213,7 @@ TEST_F(AiboMtnTest, unpacksAnArchive) {
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("growl.wav  (growl)\n0"));
 }
 
-TEST_F(AiboMtnTest, makesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
+TEST_F(AiboMtn, MakesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
   const std::string text = (root_ / "x.txt").string();
   const std::string file = (root_ / "x.mtn").string();
   const std::string clipped =
@@ -265,23 +226,7 @@ TEST_F(AiboMtnTest, makesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently)
   EXPECT_THAT(run(text + " /nowhere/x.mtn"), HasSubstr("/nowhere/x.mtn cannot be written\n1"));
 }
 
-TEST_F(AiboMtnTest, saysThatAFileDoesNotFitOntoTheDisk) {
-  for (const size_t size : {7, 100000}) {
-    std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf({{"a", "WAVE", std::string(size, 'x')}});
-    EXPECT_THAT(run("--unpack --force " + archive() + " " + folder_.string(), "trap '' XFSZ; ulimit -f 0; "),
-                HasSubstr("a.wav cannot be written\n1"));
-  }
-}
-
-TEST_F(AiboMtnTest, saysThatItDoesNotCheckTheMotionOfAnUnknownRobot) {
-  motion_tool::KeyFrameMotion motion = sampleMotion();
-  motion.design = "OTHER";
-  std::ofstream(root_ / "x.mtn", std::ios::binary) << motion_tool::encodeMtn(motion);
-  EXPECT_THAT(run((root_ / "x.mtn").string()),
-              HasSubstr("aibo_mtn: not checked: there is no robot with the design \"OTHER\"\n0"));
-}
-
-TEST_F(AiboMtnTest, saysWhatIsWrongAndFails) {
+TEST_F(AiboMtn, SaysWhatIsWrongAndFails) {
   EXPECT_EQ(run("/nowhere.mtn"), "aibo_mtn: /nowhere.mtn cannot be read: No such file or directory\n1");
   EXPECT_EQ(run("/nowhere.txt x.mtn"), "aibo_mtn: /nowhere.txt cannot be read: No such file or directory\n1");
   const std::string pipe = (root_ / "pipe").string();

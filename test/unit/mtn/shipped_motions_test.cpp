@@ -12,7 +12,7 @@ namespace {
 
 using ::testing::IsEmpty;
 
-class ShippedMotionsTest : public ::testing::TestWithParam<const char*> {
+class ShippedMotions : public ::testing::TestWithParam<const char*> {
  protected:
   std::string file() const {
     std::ifstream stream(MOTIONS "/" + std::string(GetParam()) + ".MTN", std::ios::binary);
@@ -20,19 +20,19 @@ class ShippedMotionsTest : public ::testing::TestWithParam<const char*> {
   }
 };
 
-TEST_P(ShippedMotionsTest, isMadeFromItsSource) {
+TEST_P(ShippedMotions, IsMadeFromItsSource) {
   std::ifstream source(MOTION_SOURCES "/" + std::string(GetParam()) + ".txt");
   EXPECT_EQ(file(), motion_tool::encodeMtn(motion_tool::parseTextForm(source))) << "make it again: docs/motions.md";
 }
 
-TEST_P(ShippedMotionsTest, canBeDoneByAnErs7) {
+TEST_P(ShippedMotions, CanBeDoneByAnErs7) {
   const std::string bytes = file();
   mtn::Motion motion;
   ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
   EXPECT_THAT(motion_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), IsEmpty());
 }
 
-TEST_P(ShippedMotionsTest, endsWhereItBegan) {
+TEST_P(ShippedMotions, EndsWhereItBegan) {
   const std::string bytes = file();
   mtn::Motion motion;
   ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
@@ -41,6 +41,6 @@ TEST_P(ShippedMotionsTest, endsWhereItBegan) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotionsTest, ::testing::Values("LIE", "NOD", "WAG", "SIT"));
+INSTANTIATE_TEST_SUITE_P(Motions, ShippedMotions, ::testing::Values("LIE", "NOD", "WAG", "SIT"));
 
 }  // namespace

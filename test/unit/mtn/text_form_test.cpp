@@ -34,7 +34,7 @@ std::string print(const std::string& bytes) {
   return motion_tool::printTextForm(motion);
 }
 
-TEST(TextFormTest, isParsed) {
+TEST(TextForm, IsParsed) {
   const KeyFrameMotion motion = parse(
       "# a comment\r\n"
       "name  HELLO WORLD \r\n"
@@ -59,13 +59,13 @@ TEST(TextFormTest, isParsed) {
   EXPECT_EQ(motion.key_frames[2].positions, motion.key_frames[1].positions);
 }
 
-TEST(TextFormTest, knowsTheJointsOfAnErs210) {
+TEST(TextForm, KnowsTheJointsOfAnErs210) {
   const KeyFrameMotion motion = parse("robot ERS-210\nat 0 head_roll 5 tail_tilt 1\n");
   EXPECT_EQ(motion.design, "DRX-910");
   EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3-Joint2:j3", "PRM:/r6/c2-Joint2:j2"));
 }
 
-TEST(TextFormTest, namesTheEarsAndTheirStates) {
+TEST(TextForm, NamesTheEarsAndTheirStates) {
   const std::string text = "robot ERS-7\nat 0 left_ear 0 right_ear -1\nat 16 left_ear 1000000\n";
   const KeyFrameMotion motion = parse(text);
   EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3/e5-Joint4:15", "PRM:/r1/c1/c2/c3/e6-Joint4:16"));
@@ -81,7 +81,7 @@ TEST(TextFormTest, namesTheEarsAndTheirStates) {
   }
 }
 
-TEST(TextFormTest, survivesTheRoundTrip) {
+TEST(TextForm, SurvivesTheRoundTrip) {
   KeyFrameMotion motion = sampleMotion();
   motion.key_frames[1].positions = {1234567, -7654};
   const std::string bytes = motion_tool::encodeMtn(motion);
@@ -91,7 +91,7 @@ TEST(TextFormTest, survivesTheRoundTrip) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
-TEST(TextFormTest, namesAnUnknownJointByItsLocator) {
+TEST(TextForm, NamesAnUnknownJointByItsLocator) {
   KeyFrameMotion motion = sampleMotion();
   motion.design = "DRX-900";
   const std::string bytes = motion_tool::encodeMtn(motion);
@@ -101,13 +101,13 @@ TEST(TextFormTest, namesAnUnknownJointByItsLocator) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
-TEST(TextFormTest, printsNoControlCharacters) {
+TEST(TextForm, PrintsNoControlCharacters) {
   KeyFrameMotion motion = sampleMotion();
   motion.name = "#\x1b[2J\n#";
   EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("name ??[2J??\n"));
 }
 
-TEST(TextFormTest, namesTheLineOfAMistake) {
+TEST(TextForm, NamesTheLineOfAMistake) {
   EXPECT_THAT(problemOf(""), HasSubstr("no key frame"));
   EXPECT_THAT(problemOf("robot ERS-7\nhead_pan 1\n"), HasSubstr("line 2: \"head_pan\" comes before the first \"at\""));
   EXPECT_THAT(problemOf("at 0 head_pan 1\n"), HasSubstr("line 1: which robot?"));
@@ -133,13 +133,13 @@ TEST(TextFormTest, namesTheLineOfAMistake) {
   EXPECT_THAT(problemOf("frame 0\n" + begin + "at 160\n"), HasSubstr("a frame of 0 ms"));
 }
 
-TEST(TextFormTest, aLineForATerminalHasNothingThatATerminalObeys) {
+TEST(TextForm, ALineForATerminalHasNothingThatATerminalObeys) {
   EXPECT_EQ(motion_tool::forTerminal("Gr\xc3\xbc\xc3\x9f.mtn is cut off"), "Gr\xc3\xbc\xc3\x9f.mtn is cut off");
   EXPECT_EQ(motion_tool::forTerminal("DRX\x1b]0;title\x07"), "DRX?]0;title?");
   EXPECT_EQ(motion_tool::forTerminal("\xe2\x80\xae"), "???");
 }
 
-TEST(TextFormTest, namesAllMistakesAtOnce) {
+TEST(TextForm, NamesAllMistakesAtOnce) {
   EXPECT_EQ(problemOf("robot ERS-7\nat 0 head_pan 1 left_wing 2 mouth -5\nat 20 head_pan x mouth -400\n  mouth -10\n"
                       "at soon\nat 33\n"),
             "line 2: an ERS-7 has no joint \"left_wing\"\n"
