@@ -1,8 +1,10 @@
+// When a robot counts as fallen or carried: docs/protocol.md, "Walking and postures".
 #include "rcserver/walk/FallWatch.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -11,121 +13,81 @@ using ::testing::HasSubstr;
 constexpr double kGravity = 9.80665;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-class FallWatchTest : public ::testing::Test {
- protected:
-  static FallWatch::Reading rolledBy(double degrees, bool paws = true) {
-    return {
-        0, kGravity * std::sin(degrees * kDegree), kGravity * std::cos(degrees * kDegree), {paws, paws, paws, paws}};
-  }
-  static FallWatch::Reading pitchedBy(double degrees) {
-    return {kGravity * std::sin(degrees * kDegree), 0, kGravity * std::cos(degrees * kDegree), {}};
-  }
+FallWatch::Reading rolledBy(double degrees, bool paws = true) {
+  return {0, kGravity * std::sin(degrees * kDegree), kGravity * std::cos(degrees * kDegree), {paws, paws, paws, paws}};
+}
 
-  // A report every 4 frames.
-  void look(const FallWatch::Reading& reading, unsigned frames, bool stands = true) {
-    for (unsigned passed = 0; passed < frames; passed += 4) {
-      frame_ += 4;
-      watch_.Look(reading, stands, frame_);
-    }
-  }
+FallWatch::Reading pitchedBy(double degrees) {
+  return {kGravity * std::sin(degrees * kDegree), 0, kGravity * std::cos(degrees * kDegree), {}};
+}
 
-  FallWatch watch_;
-  unsigned frame_ = 0xffffff00u;  // it begins again at 0 on the way
+struct Felt {
+  FallWatch::Reading reading;
+  unsigned frames;
+  bool stands = true;
 };
 
-TEST_F(FallWatchTest, ARobotThatSitsOrStandsOnASlopeIsUpright) {
-  look(pitchedBy(25), 500);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-  look(rolledBy(-55), 500);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-  EXPECT_EQ(FallWatch::Words(watch_.Now()), nullptr);
+// A report every 4 frames. Returns the last frame.
+unsigned feel(FallWatch& watch, const std::vector<Felt>& all, int times = 1) {
+  unsigned frame = 0;
+  for (int i = 0; i < times; ++i) {
+    for (const Felt& felt : all) {
+      for (unsigned passed = 0; passed < felt.frames; passed += 4) {
+        frame += 4;
+        watch.Look(felt.reading, felt.stands, frame);
+      }
+    }
+  }
+  return frame;
 }
 
-TEST_F(FallWatchTest, FindsTheRobotOnEitherSideOrOnItsNose) {
-  for (const FallWatch::Reading& reading : {rolledBy(80), pitchedBy(-80), pitchedBy(65), rolledBy(-80)}) {
-    look(reading, 80);
-    EXPECT_EQ(watch_.Now(), reading.left < 0 ? FallWatch::ON_LEFT_SIDE : FallWatch::ON_RIGHT_SIDE);
-    EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr(reading.left < 0 ? "left side" : "right side"));
-    look(rolledBy(0), 80);
-    EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
+  const FallWatch::Reading two_paws = {0, 0, kGravity, {false, false, true, true}};
+  const struct {
+    const char* what;
+    std::vector<Felt> felt;
+    int times;
+    FallWatch::Verdict verdict;
+  } rows[] = {
+      {"it sits", {{pitchedBy(25), 500}}, 1, FallWatch::UPRIGHT},
+      {"it stands on a slope", {{rolledBy(-55), 500}}, 1, FallWatch::UPRIGHT},
+      {"on its left side", {{rolledBy(-80), 80}}, 1, FallWatch::ON_LEFT_SIDE},
+      {"on its right side", {{rolledBy(80), 80}}, 1, FallWatch::ON_RIGHT_SIDE},
+      {"on its nose", {{pitchedBy(-80), 80}}, 1, FallWatch::ON_RIGHT_SIDE},
+      {"on its tail", {{pitchedBy(65), 80}}, 1, FallWatch::ON_RIGHT_SIDE},
+      {"on its back", {{rolledBy(170), 80}}, 1, FallWatch::UPSIDE_DOWN},
+      {"on its back and its legs", {{rolledBy(140), 80}}, 1, FallWatch::ON_RIGHT_SIDE},
+      {"upright again", {{rolledBy(80), 80}, {rolledBy(0), 80}}, 1, FallWatch::UPRIGHT},
+      {"knocked twice", {{rolledBy(90), FallWatch::PATIENCE - 4}, {rolledBy(0), 20}}, 2, FallWatch::UPRIGHT},
+      {"it lies, and its legs shake it", {{rolledBy(100), 4}, {rolledBy(45), 4}}, 10, FallWatch::ON_RIGHT_SIDE},
+      {"it tumbles", {{rolledBy(90), 20}, {rolledBy(180), 20}}, 4, FallWatch::UPSIDE_DOWN},
+      {"no accelerometer", {{{0.5, -1, -0.5, {true, true, true, true}}, 500}}, 1, FallWatch::UPRIGHT},
+      {"lifted", {{rolledBy(0), 20}, {rolledBy(0, false), 60}}, 1, FallWatch::CARRIED},
+      {"set down", {{rolledBy(0), 20}, {rolledBy(0, false), 60}, {rolledBy(0), 60}}, 1, FallWatch::UPRIGHT},
+      {"it walks", {{rolledBy(0), 4}, {rolledBy(0, false), FallWatch::PATIENCE - 4}}, 10, FallWatch::UPRIGHT},
+      {"hung up before its paws have touched anything", {{rolledBy(0, false), 500}}, 1, FallWatch::UPRIGHT},
+      {"on its shanks", {{two_paws, 100}, {rolledBy(0, false), 500}}, 1, FallWatch::UPRIGHT},
+      {"on its belly", {{rolledBy(0), 20}, {rolledBy(0, false), 500, false}}, 1, FallWatch::UPRIGHT},
+  };
+  for (const auto& row : rows) {
+    FallWatch watch;
+    feel(watch, row.felt, row.times);
+    EXPECT_EQ(watch.Now(), row.verdict) << row.what;
   }
 }
 
-TEST_F(FallWatchTest, FindsTheRobotUpsideDown) {
-  look(rolledBy(170), 80);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
-  EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("on its back"));
-  look(rolledBy(140), 80);
-  EXPECT_EQ(watch_.Now(), FallWatch::ON_RIGHT_SIDE) << "it leans on its legs";
+TEST(FallWatch, CountsTheTimeSinceTheFallAlsoOfARobotThatTumbles) {
+  FallWatch watch;
+  const unsigned frame = feel(watch, {{rolledBy(90), 20}, {rolledBy(180), 20}}, 4);
+  EXPECT_GE(watch.Duration(frame), 148U);
 }
 
-TEST_F(FallWatchTest, AKnockIsNoFall) {
-  look(rolledBy(90), FallWatch::PATIENCE - 4);
-  look(rolledBy(0), 20);
-  look(rolledBy(90), FallWatch::PATIENCE - 4);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, ARobotThatLiesAndShakesHasFallen) {
-  for (int shake = 0; shake < 10; ++shake) {
-    look(rolledBy(100), 4);
-    look(rolledBy(45), 4);
-  }
-  EXPECT_EQ(watch_.Now(), FallWatch::ON_RIGHT_SIDE);
-}
-
-TEST_F(FallWatchTest, ARobotThatTumblesFallsOnce) {
-  for (int turn = 0; turn < 8; ++turn) {
-    look(rolledBy(turn % 2 == 0 ? 90 : 180), 20);
-  }
-  EXPECT_EQ(watch_.Now(), FallWatch::UPSIDE_DOWN);
-  EXPECT_GE(watch_.Duration(frame_), 148u);
-}
-
-TEST_F(FallWatchTest, CountsFromTheFirstReadings) {
-  look(rolledBy(90), 200);
-  EXPECT_EQ(watch_.Duration(frame_), 192u) << "the mean is that of a robot without an accelerometer at first";
-}
-
-TEST_F(FallWatchTest, AnAccelerometerThatMeasuresNothingSaysNothing) {
-  look({0.5, -1, -0.5, {true, true, true, true}}, 500);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, ARobotWithoutFloorUnderItsPawsIsCarriedUntilItStandsAgain) {
-  look(rolledBy(0), 20);
-  look(rolledBy(0, false), 60);
-  EXPECT_EQ(watch_.Now(), FallWatch::CARRIED);
-  EXPECT_THAT(FallWatch::Words(watch_.Now()), HasSubstr("carried"));
-  look(rolledBy(0), 60);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, PawsThatLoseTheFloorForOneStepAreWalking) {
-  for (int step = 0; step < 10; ++step) {
-    look(rolledBy(0), 4);
-    look(rolledBy(0, false), FallWatch::PATIENCE - 4);
-  }
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, PawsThatHaveNeverTouchedAnythingSayNothing) {
-  look(rolledBy(0, false), 500);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, ARobotOnItsShanksIsNotCarried) {
-  FallWatch::Reading reading = rolledBy(0);
-  reading.paws[0] = reading.paws[1] = false;
-  look(reading, 100);
-  look(rolledBy(0, false), 500);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
-}
-
-TEST_F(FallWatchTest, ARobotThatLiesOnItsBellyNeedsNoPaws) {
-  look(rolledBy(0), 20);
-  look(rolledBy(0, false), 500, false);
-  EXPECT_EQ(watch_.Now(), FallWatch::UPRIGHT);
+TEST(FallWatch, SaysHowTheRobotLies) {
+  EXPECT_EQ(FallWatch::Words(FallWatch::UPRIGHT), nullptr);
+  EXPECT_THAT(FallWatch::Words(FallWatch::ON_LEFT_SIDE), HasSubstr("on its left side"));
+  EXPECT_THAT(FallWatch::Words(FallWatch::ON_RIGHT_SIDE), HasSubstr("on its right side"));
+  EXPECT_THAT(FallWatch::Words(FallWatch::UPSIDE_DOWN), HasSubstr("on its back"));
+  EXPECT_THAT(FallWatch::Words(FallWatch::CARRIED), HasSubstr("carried"));
 }
 
 }  // namespace
