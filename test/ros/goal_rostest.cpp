@@ -12,7 +12,10 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -33,6 +36,7 @@ using nav_msgs::Odometry;
 using std_srvs::Trigger;
 using test_support::GoalWatch;
 using test_support::JointUser;
+using test_support::kSafetyNet;
 using test_support::lastEnd;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
@@ -93,9 +97,43 @@ class GoalUser : public JointUser {
     return state.waitFor(is_it) != nullptr;
   }
 
-  bool walksTowards(double x) {
-    odom.clear();
-    return odom.waitFor([x](const Odometry& each) { return each.pose.pose.position.x > x; }) != nullptr;
+  // True if driver or robot has given a walk up because this computer held one of them up for half a second. They have
+  // to, so a test that wants something else gives the goal again.
+  static bool wasHeldUp(const Going& going) {
+    const auto result = going.result();
+    static const std::string kReasons[] = {"held up", "not said where it is for 0.5 s", "not steered for 500 ms"};
+    return result && std::any_of(std::begin(kReasons), std::end(kReasons), [&result](const std::string& reason) {
+             return result->message.find(reason) != std::string::npos;
+           });
+  }
+
+  // Gives a goal that is ahead, and waits until the robot walks. Null if it does not.
+  std::unique_ptr<Going> setOff(const Going::Goal& goal) {
+    const auto walks = [](const Odometry& each) { return each.pose.pose.position.x > 0.1; };
+    auto going = std::make_unique<Going>(go_to, goal);
+    for (int second = 0; second < kSafetyNet.count(); ++second) {
+      if (odom.waitFor(walks, std::chrono::seconds(1))) {
+        return going;
+      }
+      if (wasHeldUp(*going)) {
+        going = std::make_unique<Going>(go_to, goal);
+      }
+    }
+    ADD_FAILURE() << (going->result() ? going->result()->message : "it does not walk");
+    return nullptr;
+  }
+
+  // Whether the robot comes to a goal.
+  bool goes(const Going::Goal& goal) {
+    for (int attempt = 0; attempt < 5; ++attempt) {
+      Going going(go_to, goal);
+      const State::StateEnum end = going.waitForEnd();
+      if (!wasHeldUp(going)) {
+        EXPECT_EQ(end, State::SUCCEEDED) << (going.result() ? going.result()->message : "it does not end");
+        return end == State::SUCCEEDED;
+      }
+    }
+    return false;
   }
 
   Going::Client go_to;
@@ -121,26 +159,26 @@ TEST(Goal, TheRobotGoesToItAndToTheNext) {
 
 TEST(Goal, CancellingStopsTheRobotForTheReasonThatTheResultHas) {
   GoalUser user("/cancels");
-  Going there(user.go_to, goalAt(2, 0, 1));
-  ASSERT_TRUE(user.walksTowards(0.1));
-  const auto feedback = there.waitForFeedback();
+  const auto there = user.setOff(goalAt(2, 0, 1));
+  ASSERT_TRUE(there);
+  const auto feedback = there->waitForFeedback();
   ASSERT_TRUE(feedback);
   EXPECT_GT(feedback->distance, 1.2);
   EXPECT_NEAR(feedback->turn, 1, 0.2);
-  there.cancel();
-  EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
-  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
-  EXPECT_THAT(there.result()->message, HasSubstr("cancelled the goal"));
-  EXPECT_TRUE(user.stateSays(there.result()));
+  there->cancel();
+  EXPECT_EQ(there->waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::STOPPED);
+  EXPECT_THAT(there->result()->message, HasSubstr("cancelled the goal"));
+  EXPECT_TRUE(user.stateSays(there->result()));
 }
 
 TEST(Goal, ANewGoalOnTheTopicReplacesTheOneOfTheAction) {
   GoalUser user("/replaces");
-  Going there(user.go_to, goalAt(2));
-  ASSERT_TRUE(user.walksTowards(0.1));
+  const auto there = user.setOff(goalAt(2));
+  ASSERT_TRUE(there);
   user.publish("goal", poseAt(2));
-  EXPECT_EQ(there.waitForEnd(), State::PREEMPTED);
-  EXPECT_EQ(there.result()->end, EndedMovement::REPLACED);
+  EXPECT_EQ(there->waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::REPLACED);
   user.publish("goal", poseAt(0.6));  // replaces the one before it, too
   EXPECT_TRUE(user.state.waitFor([](const MotionState& each) {
     return !each.movements.empty() && each.movements[0].name.find("x 0.60") != std::string::npos;
@@ -152,18 +190,17 @@ TEST(Goal, ANewGoalOnTheTopicReplacesTheOneOfTheAction) {
 
 TEST(Goal, StopEndsItAndNothingResumesIt) {
   GoalUser user("/stops");
-  Going there(user.go_to, goalAt(2));
-  ASSERT_TRUE(user.walksTowards(0.1));
+  const auto there = user.setOff(goalAt(2));
+  ASSERT_TRUE(there);
   ASSERT_TRUE(user.call<Trigger>("stop").success);
-  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
-  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
-  EXPECT_TRUE(user.stateSays(there.result()));
+  EXPECT_EQ(there->waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::STOPPED);
+  EXPECT_TRUE(user.stateSays(there->result()));
   Going refused(user.go_to, goalAt(2));
   EXPECT_EQ(refused.waitForEnd(), State::REJECTED);
   EXPECT_THAT(refused.result()->message, HasSubstr("call release"));
   ASSERT_TRUE(user.call<Trigger>("release").success);
-  Going again(user.go_to, goalAt(0.1, 0, 0, "/rex/base_footprint"));
-  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED) << "it goes to the new goal, not to the old one";
+  EXPECT_TRUE(user.goes(goalAt(0.1, 0, 0, "/rex/base_footprint"))) << "it goes to the new goal, not to the old one";
 }
 
 TEST(Goal, AnEdgeEndsItWithTheRobotsReason) {
@@ -173,21 +210,20 @@ TEST(Goal, AnEdgeEndsItWithTheRobotsReason) {
   EXPECT_EQ(there.result()->end, EndedMovement::REFUSED);
   EXPECT_THAT(there.result()->message, HasSubstr("the floor ends ahead"));
   EXPECT_TRUE(user.stateSays(there.result()));
-  Going back(user.go_to, goalAt(0.4));
-  EXPECT_EQ(back.waitForEnd(), State::SUCCEEDED) << "it turns and goes back";
+  EXPECT_TRUE(user.goes(goalAt(0.4))) << "it turns and goes back";
 }
 
 TEST(Goal, ARobotThatDoesNotSayWhereItIsStops) {
   GoalUser user("/unknown_place");
-  Going there(user.go_to, goalAt(2));
-  ASSERT_TRUE(user.walksTowards(0.1));
+  const auto there = user.setOff(goalAt(2));
+  ASSERT_TRUE(there);
   dynamic_reconfigure::Reconfigure::Request silence;
   silence.config.doubles.resize(1);
   silence.config.doubles[0].name = "telemetry_rate";
   user.call<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", silence);
-  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
-  EXPECT_EQ(there.result()->end, EndedMovement::STOPPED);
-  EXPECT_EQ(there.result()->message, "the robot has not said where it is for 0.5 s");
+  EXPECT_EQ(there->waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::STOPPED);
+  EXPECT_EQ(there->result()->message, "the robot has not said where it is for 0.5 s");
   Going refused(user.go_to, goalAt(2));
   EXPECT_EQ(refused.waitForEnd(), State::REJECTED);
   EXPECT_THAT(refused.result()->message, HasSubstr("there is no odometry"));
@@ -195,14 +231,13 @@ TEST(Goal, ARobotThatDoesNotSayWhereItIsStops) {
 
 TEST(Goal, ABrokenConnectionEndsItForGood) {
   GoalUser user("/breaks");
-  Going there(user.go_to, goalAt(2));
-  ASSERT_TRUE(user.walksTowards(0.1));
+  const auto there = user.setOff(goalAt(2));
+  ASSERT_TRUE(there);
   user.reconnect();
-  EXPECT_EQ(there.waitForEnd(), State::ABORTED);
-  EXPECT_EQ(there.result()->end, EndedMovement::LOST);
-  EXPECT_TRUE(user.stateSays(there.result()));
-  Going again(user.go_to, goalAt(0.1, 0, 0, "rex/base_link"));
-  EXPECT_EQ(again.waitForEnd(), State::SUCCEEDED) << again.result()->message;
+  EXPECT_EQ(there->waitForEnd(), State::ABORTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::LOST);
+  EXPECT_TRUE(user.stateSays(there->result()));
+  EXPECT_TRUE(user.goes(goalAt(0.1, 0, 0, "rex/base_link")));
 }
 
 TEST(TakePosture, EndsWhenTheRobotHasTakenIt) {

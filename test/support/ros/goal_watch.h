@@ -48,7 +48,8 @@ class GoalWatch {
     return over_ ? end_ : actionlib::TerminalState::LOST;
   }
 
-  ResultPtr result() {
+  /// Null before the end.
+  ResultPtr result() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return result_;
   }
@@ -86,7 +87,7 @@ class GoalWatch {
     changed_.notify_all();
   }
 
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool over_ = false;
   actionlib::TerminalState::StateEnum end_ = actionlib::TerminalState::LOST;
