@@ -166,9 +166,10 @@ TEST(Log, OfStrangersIsPlainAndShort) {
       }
     }
   }
-  driver.waitForOutput("datatype/md5sum \\[.*\\?\\[2J\\?\\[FATAL\\] forged", kSafetyNet);
-  EXPECT_LT(driver.output().size(), 1'000'000U) << "60 MB came";
-  EXPECT_THAT(driver.output(), Not(HasSubstr("\x1b[2J")));
+  const std::string printed = driver.output();
+  ASSERT_LT(printed.size(), 1'000'000U);
+  EXPECT_EQ(printed.find("\x1b[2J"), std::string::npos);
+  EXPECT_NE(printed.find("?[2J?[FATAL] forged"), std::string::npos);
   std::size_t said = 0;
   for (const auto& each : rosout.waitForCount(0)) {
     said += each->name == "/logs/aibo_driver" ? each->msg.size() : 0;
