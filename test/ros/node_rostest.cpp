@@ -138,7 +138,7 @@ int topicPortOf(const std::string& node, const std::string& topic) {
 }
 
 /// A header of TCPROS: each field and the whole begin with their sizes.
-std::string header(const std::vector<std::string>& fields) {
+std::string tcprosHeader(const std::vector<std::string>& fields) {
   const auto sized = [](const std::string& bytes) {
     const auto size = static_cast<std::uint32_t>(bytes.size());
     return std::string(reinterpret_cast<const char*>(&size), sizeof size) + bytes;
@@ -155,8 +155,8 @@ TEST(Log, OfStrangersIsPlainAndShort) {
   DriverProcess driver("/logs", 1);
   ASSERT_TRUE(TopicListener<aibo_driver::Connection>("/logs/connection").waitForNext());
   const int port = topicPortOf("/logs/aibo_driver", "/logs/connection");
-  const std::string wrong = header({"callerid=/me", "topic=/logs/connection", "type=aibo_driver/Connection",
-                                    "md5sum=\x1b[2J\n[FATAL] forged" + std::string(20'000, 'x')});
+  const std::string wrong = tcprosHeader({"callerid=/me", "topic=/logs/connection", "type=aibo_driver/Connection",
+                                          "md5sum=\x1b[2J\n[FATAL] forged" + std::string(20'000, 'x')});
   for (int i = 0; i < 3000; ++i) {
     test_support::RawClient stranger(port);
     stranger.send(wrong);
