@@ -26,7 +26,8 @@ using Services = std::vector<ros::AdvertiseServiceOptions>;
 /// stop, release and motors. They must wait for no other service.
 Services stopServices(movement::Mover& mover);
 
-/// play_motion. The name of a motion is enough: see files::motionFileName(). A call waits until the robot has begun.
+/// play_motion and stop_motion. The name of a motion is enough: see files::motionFileName(). A call waits until the
+/// robot has begun or stopped.
 Services motionServices(movement::Mover& mover);
 
 /// stand, sit and rest. Each call waits until the robot has taken the posture, at most 30 s. A newer posture ends an

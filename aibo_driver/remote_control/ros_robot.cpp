@@ -4,6 +4,7 @@
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/PlaySound.h>
 #include <aibo_driver/Say.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/names.h>
@@ -389,9 +390,7 @@ void RosRobot::playMotion(const QString& name, int repetitions) {
 }
 
 void RosRobot::stopMotions() {
-  PlayMotion::Request arguments;
-  arguments.stop = 1;
-  call<PlayMotion>("stop motions", "play_motion", arguments);
+  call<StopMotion>("stop motions", "stop_motion", {});
 }
 
 void RosRobot::changeSetting(const QString& name, const QVariant& value) {

@@ -10,6 +10,7 @@
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/ListPictures.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePictureOnRobot.h>
 #include <aibo_driver/Touch.h>
 #include <aibo_driver/UploadMotion.h>
@@ -56,6 +57,7 @@ using aibo_driver::LedStates;
 using aibo_driver::ListMotions;
 using aibo_driver::ListPictures;
 using aibo_driver::PlayMotion;
+using aibo_driver::StopMotion;
 using aibo_driver::TakePictureOnRobot;
 using aibo_driver::Touch;
 using aibo_driver::UploadMotion;
@@ -89,12 +91,17 @@ class BodyUser : public DriverUser {
   explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
       : DriverUser(name_space, {"_stream_on_start:=false", ownTf(name_space)}, robot_options) {}
 
-  PlayMotion::Response play(const std::string& name, int repetitions, bool stop = false) {
+  PlayMotion::Response play(const std::string& name, int repetitions) {
     PlayMotion::Request request;
     request.name = name;
     request.repetitions = static_cast<std::uint16_t>(repetitions);
-    request.stop = stop;
     return call<PlayMotion>("play_motion", request);
+  }
+
+  StopMotion::Response stopMotion(const std::string& name) {
+    StopMotion::Request request;
+    request.name = name;
+    return call<StopMotion>("stop_motion", request);
   }
 };
 
@@ -353,7 +360,7 @@ TEST(PlayMotionService, PlaysEachMotionOfTheRobotAndStopsIt) {
     const auto played = user.play(name, 100);
     EXPECT_TRUE(played.success) << played.message;
     EXPECT_TRUE(moves(joints)) << name;
-    const auto stopped = user.play(name, 0, true);
+    const auto stopped = user.stopMotion(name);
     EXPECT_TRUE(stopped.success) << stopped.message;
     EXPECT_TRUE(joints.messages().waitFor([](const sensor_msgs::JointState& message) {
       return std::all_of(message.velocity.begin(), message.velocity.end(),
@@ -374,7 +381,7 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   JointListener joints("/upload");
   EXPECT_TRUE(user.play("mine", 5).success);
   EXPECT_TRUE(moves(joints));
-  EXPECT_TRUE(user.play("", 0, true).success);
+  EXPECT_TRUE(user.stopMotion("").success);
   DeleteMotion::Request request;
   request.name = "mine";
   const auto deleted = user.call<DeleteMotion>("delete_motion", request);

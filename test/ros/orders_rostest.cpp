@@ -4,6 +4,7 @@
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/RobotState.h>
+#include <aibo_driver/StopMotion.h>
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
@@ -340,10 +341,10 @@ TEST(Orders, AMotionThatMayOrMayNotPlayIsSaidToUntilItIsKnown) {
   EXPECT_EQ(user.waitForEnd(Movement::MOTION, EndedMovement::REFUSED).movement.name, "FLY.MTN");
 }
 
-TEST(Orders, AMotionIsStoppedByZeroRepetitions) {
-  OrderUser user("/zero_times");
+TEST(Orders, AMotionIsStoppedByStopMotion) {
+  OrderUser user("/stop_motion");
   ASSERT_TRUE(user.play("nod", 100).success);
-  const auto answer = user.play("nod", 0);
+  const auto answer = user.call<aibo_driver::StopMotion>("stop_motion");
   EXPECT_TRUE(answer.success) << answer.message;
   EXPECT_EQ(user.waitForEnd(Movement::MOTION, EndedMovement::STOPPED).how, EndedMovement::STOPPED);
 }

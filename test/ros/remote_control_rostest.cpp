@@ -13,6 +13,7 @@
 #include <aibo_driver/RobotState.h>
 #include <aibo_driver/Say.h>
 #include <aibo_driver/Sound.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/Touch.h>
 #include <dynamic_reconfigure/Config.h>
@@ -814,8 +815,10 @@ TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) 
   serve<aibo_driver::Say>("say", [](const auto& request) { return "say " + QString::fromStdString(request.text); });
   serve<aibo_driver::PlaySound>("play_sound", [](const auto& request) { return QString(request.stop ? "hush" : "?"); });
   serve<PlayMotion>("play_motion", [](const PlayMotion::Request& request) {
-    return QString("%1 %2 %3").arg(request.name.c_str()).arg(request.repetitions).arg(request.stop);
+    return QString("%1 %2").arg(request.name.c_str()).arg(request.repetitions);
   });
+  serve<aibo_driver::StopMotion>("stop_motion",
+                                 [](const auto& request) { return "end " + QString(request.name.c_str()); });
   robot_.takePosture("rest");
   expectAsked("rest", "yes, rest: well");
   robot_.setMotors(true);
@@ -827,9 +830,9 @@ TEST_F(ToldTest, ServicesGetWhatTheWindowWantsAndTheirAnswersAreToldInItsWords) 
   robot_.stopSound();
   expectAsked("hush", "yes, stop sound: well");
   robot_.playMotion("NOD.MTN", 3);
-  expectAsked("NOD.MTN 3 0", "yes, play NOD.MTN: well");
+  expectAsked("NOD.MTN 3", "yes, play NOD.MTN: well");
   robot_.stopMotions();
-  expectAsked(" 0 1", "yes, stop motions: well");
+  expectAsked("end ", "yes, stop motions: well");
   may_ = false;
   robot_.setMotors(false);
   expectAsked("motors off", "no, motors off: never");

@@ -5,6 +5,7 @@
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <aibo_driver/UploadMotion.h>
 #include <ros/service.h>
@@ -193,10 +194,9 @@ void Workload::askForPower(Random& random, Expected /*expected*/) {
 
 // A motion that is playing cannot be played again before it is stopped.
 void Workload::stopMotion(Random& /*random*/, Expected expected) {
-  aibo_driver::PlayMotion motion;
+  aibo_driver::StopMotion motion;
   motion.request.name = kPlayed;
-  motion.request.stop = true;
-  call("play_motion", motion, kOfBody, expected);
+  call("stop_motion", motion, kOfBody, expected);
 }
 
 void Workload::playMotion(Random& random, Expected expected) {

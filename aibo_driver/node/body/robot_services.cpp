@@ -1,10 +1,12 @@
 #include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/UploadMotion.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
@@ -47,14 +49,9 @@ std::string nameOf(const UploadMotion::Request& request) {
 
 std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
   const std::string name = motionFileName(call->request.name);
-  const unsigned repetitions = call->request.repetitions;
-  if (call->request.stop || repetitions == 0) {
-    call->failure = "Nothing was stopped";
-    mover->stopMotion(call->order, name);
-    return (name.empty() ? "All motions" : name) + " stopped: the joints hold where they are.";
-  }
+  const int repetitions = std::max<int>(1, call->request.repetitions);
   checkName(name);
-  const movement::Mover::Begun begun = mover->play(call->order, name, static_cast<int>(repetitions));
+  const movement::Mover::Begun begun = mover->play(call->order, name, repetitions);
   const movement::EndedMovement* const end = begun.ended();
   if (end != nullptr && end->how != EndedHow::kDone && end->how != EndedHow::kUnknown) {
     throw aibo_client::CommandException(text::sentence(end->reason));
@@ -97,7 +94,15 @@ Services stopServices(movement::Mover& mover) {
 
 Services motionServices(movement::Mover& mover) {
   return {
-      service<PlayMotion>("play_motion", "Nothing was played", [&mover](auto& call) { return play(&mover, &call); })};
+      service<PlayMotion>("play_motion", "Nothing was played", [&mover](auto& call) { return play(&mover, &call); }),
+      service<StopMotion>("stop_motion", "Nothing was stopped",
+                          [&mover](auto& call) {
+                            const std::string name = motionFileName(call.request.name);
+                            mover.stopMotion(call.order, name);
+                            return (name.empty() ? "No motion plays" : name + " does not play") +
+                                   " now: the joints hold where they are.";
+                          }),
+  };
 }
 
 Services robotServices(aibo_client::RcServerClient& client) {

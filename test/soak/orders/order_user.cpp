@@ -3,6 +3,7 @@
 #include <actionlib/client/simple_action_client.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/PlayMotionAction.h>
+#include <aibo_driver/StopMotion.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -194,10 +195,12 @@ class User {
 
   // Without a name all motions end.
   void play(const std::string& motion) {
+    if (motion.empty()) {
+      call<aibo_driver::StopMotion>("stop_motion");
+      return;
+    }
     aibo_driver::PlayMotion service;
     service.request.name = motion;
-    service.request.repetitions = 1;
-    service.request.stop = static_cast<std::uint8_t>(motion.empty());
     call("play_motion", service);
   }
 

@@ -1,6 +1,7 @@
 #include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/StopMotion.h>
 #include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
 #include <std_srvs/SetBool.h>
@@ -45,12 +46,17 @@ class RobotServicesTest : public ::testing::Test {
     return callService<std_srvs::SetBool>(services_, "motors", request);
   }
 
-  PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 1, bool stop = false) {
+  PlayMotion::Response play(const std::string& name, std::uint16_t repetitions = 1) {
     PlayMotion::Request request;
     request.name = name;
     request.repetitions = repetitions;
-    request.stop = static_cast<std::uint8_t>(stop);
     return callService<PlayMotion>(services_, "play_motion", request);
+  }
+
+  StopMotion::Response stopMotion(const std::string& name) {
+    StopMotion::Request request;
+    request.name = name;
+    return callService<StopMotion>(services_, "stop_motion", request);
   }
 
   UploadMotion::Response upload(const std::string& name, const std::string& file, std::vector<std::uint8_t> data) {
@@ -139,6 +145,7 @@ TEST_F(RobotServicesTest, FindTheSameFileForAllWaysToWriteItsName) {
 
 TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
   EXPECT_EQ(play("nod", 1).message, "NOD.MTN has begun and plays once.");
+  EXPECT_EQ(play("nod", 0).message, "NOD.MTN has begun and plays once.") << "a call that leaves it out";
   EXPECT_EQ(play("nod", 3).message, "NOD.MTN has begun and plays 3 times.");
   EXPECT_EQ(lastTold(), "play NOD.MTN 3");
 }
@@ -168,11 +175,9 @@ TEST_F(RobotServicesTest, SayWhatTheRobotPlaysDifferently) {
 }
 
 TEST_F(RobotServicesTest, StopOneMotionOrAll) {
-  EXPECT_EQ(play("nod", 0).message, "NOD.MTN stopped: the joints hold where they are.");
+  EXPECT_EQ(stopMotion("nod").message, "NOD.MTN does not play now: the joints hold where they are.");
   EXPECT_EQ(lastTold(), "stop NOD.MTN");
-  EXPECT_EQ(play("wag", 1, true).message, "WAG.MTN stopped: the joints hold where they are.");
-  EXPECT_EQ(lastTold(), "stop WAG.MTN");
-  EXPECT_EQ(play("", 0, true).message, "All motions stopped: the joints hold where they are.");
+  EXPECT_EQ(stopMotion("").message, "No motion plays now: the joints hold where they are.");
   EXPECT_EQ(lastTold(), "stop ");
 }
 
@@ -229,7 +234,7 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "Nothing was deleted: there is no robot");
   EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.");
-  EXPECT_EQ(play("nod", 0, true).message, "Nothing was stopped: there is no robot");
+  EXPECT_EQ(stopMotion("nod").message, "Nothing was stopped: there is no robot");
   EXPECT_EQ(play("nod").message, "Nothing was played: there is no robot.") << "a call has no past";
   EXPECT_EQ(call("shut_down").message, "The robot does not shut down: there is no robot");
   EXPECT_EQ(call("reboot").message, "The robot does not reboot: there is no robot");
