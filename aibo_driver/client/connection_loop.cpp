@@ -303,6 +303,7 @@ void ConnectionLoop::reportSession() {
 void ConnectionLoop::onReady() {
   backoff_.reset();
   logged_faults_.clear();
+  went_off_.clear();
   notifier_.log(LogLevel::kInfo, "Connected to " + address_ + ".");
   updateStatus([this](ConnectionStatus& status) {
     status.state = ConnectionState::kConnected;
@@ -315,7 +316,13 @@ void ConnectionLoop::onReady() {
 }
 
 void ConnectionLoop::onFault(const Fault& cause) {
-  const Fault fault = wasTurnedAway(cause) ? Fault::turnedAway(address_) : cause;
+  if (connection_ && !connection_->goes_off.empty()) {
+    went_off_ = connection_->goes_off;
+  }
+  Fault fault = wasTurnedAway(cause) ? Fault::turnedAway(address_) : cause;
+  if (!went_off_.empty()) {
+    fault = fault.sinceRobotWentOff(went_off_);
+  }
   const bool silent = fault.kind() == FaultKind::kSilent;
   counters_.stalls += silent ? 1 : 0;
   counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;

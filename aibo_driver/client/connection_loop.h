@@ -140,6 +140,7 @@ class ConnectionLoop {
   TimePoint next_attempt_;
   ReconnectBackoff backoff_;
   std::set<FaultKind> logged_faults_;  // faults since the last connection that worked
+  std::string went_off_;               // why the robot went off, in its words, unless it has answered since
   std::array<std::uint8_t, 64 * 1024> buffer_;
 };
 

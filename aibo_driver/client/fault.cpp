@@ -7,6 +7,11 @@ namespace aibo_client {
 Fault::Fault(FaultKind kind, const std::string& reason, std::string advice)
     : NetworkException(reason, kind), advice_(std::move(advice)) {}
 
+Fault Fault::sinceRobotWentOff(const std::string& said) const {
+  return Fault(kind(), "the robot said: " + said + "; since then, " + what(),
+               "Switch it on again, with a charged battery. If it is on: " + advice_);
+}
+
 Fault Fault::nameNotFound(const std::string& host, const std::string& detail) {
   return Fault(FaultKind::kNameNotFound, "the name '" + host + "' cannot be looked up: " + detail,
                "Check the robot's name, or give its IP address instead.");

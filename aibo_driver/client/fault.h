@@ -18,6 +18,10 @@ class Fault : public NetworkException {
   /// What the user should check: one or two sentences.
   const std::string& advice() const { return advice_; }
 
+  /// The same fault of a robot that had said why it goes off.
+  /// @param said what it said
+  Fault sinceRobotWentOff(const std::string& said) const;
+
   // `address` is "host:port"; `detail` is the message of the operating system or of the parser.
   static Fault nameNotFound(const std::string& host, const std::string& detail);
   static Fault refused(const std::string& address);

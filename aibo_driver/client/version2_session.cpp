@@ -940,6 +940,7 @@ void Version2Session::onReport(const Payload& payload) {
     reports_.erase(reports_.begin());
   }
   connection_.robot_message = report.text;
+  connection_.goes_off = message.code == version2::CODE_POWER ? report.text : connection_.goes_off;
   connection_.context.warn("reports: " + report.text);
 }
 

@@ -2,9 +2,11 @@
 
 #include <std_msgs/Bool.h>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "node/camera/camera_options.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::node {
 
@@ -13,6 +15,9 @@ using aibo_client::ConnectionState;
 using aibo_client::ConnectionStatus;
 
 namespace {
+
+// The robot may have chosen a part of the reason.
+constexpr std::size_t kLongestReason = 1000;  // bytes
 
 std::uint8_t stateConstant(ConnectionState state) {
   switch (state) {
@@ -45,7 +50,7 @@ std::string describeConnection(const ConnectionStatus& status, const ClientOptio
       break;
   }
   if (!status.reason.empty()) {
-    text += ": " + status.reason;
+    text += ": " + text::plainLine(status.reason, kLongestReason);
   }
   if (!status.advice.empty()) {
     text += " (" + status.advice + ")";
@@ -75,7 +80,7 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
     message.transport = nameOf(status.transport);
     message.transport_reason = transportReason(status);
   }
-  message.reason = status.reason;
+  message.reason = text::plainLine(status.reason, kLongestReason);
   message.advice = status.advice;
   if (last_ && *last_ == message) {
     // The message does not contain what has changed. A robot could change it endlessly.

@@ -76,12 +76,15 @@ void ConnectionBar::showDrivers(const QStringList& name_spaces) {
 }
 
 void ConnectionBar::showConnection(const RobotConnection& connection) {
-  current_ = connection.name_space;
+  const bool is_other = connection.name_space != std::exchange(current_, connection.name_space);
   fillChooser();
   lamp_->setStyleSheet("color: " + colourOf(connection.state));
   text_->showText(titleOf(connection));
-  if (!connection.hasRobot()) {
+  if (is_other) {
     battery_->clear();
+  }
+  battery_->setEnabled(connection.hasRobot());  // else it is the last one, which may say why the robot is gone
+  if (!connection.hasRobot()) {
     link_->clear();
   }
 }

@@ -4,6 +4,7 @@
 #include <diagnostic_updater/DiagnosticStatusWrapper.h>
 
 #include <string>
+#include <utility>
 
 #include "node/body/sensor_messages.h"
 #include "text/number.h"
@@ -52,30 +53,35 @@ void warnOfTemperature(double temperature, DiagnosticStatusWrapper& status) {
 
 void PowerStatus::update(const aibo_client::Telemetry& telemetry) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (std::exchange(is_over_, false)) {
+    charge_.reset();
+    temperature_.reset();
+  }
   updateFrom(telemetry, model_, "battery", &charge_);
   updateFrom(telemetry, model_, "temperature", &temperature_);
 }
 
-void PowerStatus::clear() {
+void PowerStatus::connectionLost() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  charge_.reset();
-  temperature_.reset();
+  is_over_ = true;
 }
 
 void PowerStatus::report(bool asked, DiagnosticStatusWrapper& status) const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::string last = charge_ ? "battery at " + rounded(100 * *charge_, "%") : "";
   if (!asked) {
-    status.summary(DiagnosticStatus::OK, "idle: the robot is not connected, or telemetry_rate is 0");
+    status.summary(DiagnosticStatus::OK, "idle: the robot is not connected, or telemetry_rate is 0" +
+                                             (last.empty() ? "" : "; last measured: " + last));
     return;
   }
-  if (!charge_) {
+  if (!charge_ || is_over_) {
     status.summary(DiagnosticStatus::WARN, "the robot does not report its battery: does its RCServer support sensors?");
   } else {
-    status.summary(DiagnosticStatus::OK, "battery at " + rounded(100 * *charge_, "%"));
+    status.summary(DiagnosticStatus::OK, last);
     status.addf("charge, %", "%.0f", 100 * *charge_);
     warnOfCharge(*charge_, status);
   }
-  if (temperature_) {
+  if (temperature_ && !is_over_) {
     status.addf("temperature, degrees Celsius", "%.1f", *temperature_);
     warnOfTemperature(*temperature_, status);
   }

@@ -31,8 +31,8 @@ class PowerStatus {
 
   void update(const aibo_client::Telemetry& telemetry);
 
-  /// Forgets everything. Call this when the connection is lost.
-  void clear();
+  /// Call this when the connection is lost. What was measured stays as the last state until the next measurement.
+  void connectionLost();
 
   /// @param asked whether the robot is connected and was asked for telemetry; only then is silence a fault
   void report(bool asked, diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -40,6 +40,7 @@ class PowerStatus {
  private:
   const robot_model::RobotModel& model_;
   mutable std::mutex mutex_;
+  bool is_over_ = false;  ///< true if the values are of a connection that was lost
   std::optional<double> charge_;
   std::optional<double> temperature_;
 };

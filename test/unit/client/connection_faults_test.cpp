@@ -63,6 +63,37 @@ TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
   EXPECT_GE(client_.statistics().failed_attempts, 1u);
 }
 
+TEST_F(ConnectionFaultsTest, WhatARobotSaidBeforeItWentOffStaysUntilItAnswersAgain) {
+  client_.start();
+  const auto connect = [this] {
+    ScriptedPeer peer = server_.accept();
+    peer.agreeToVersion2();
+    EXPECT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
+    return peer;
+  };
+  ScriptedPeer peer = connect();
+  peer.send(version2_frames::makeFrame('e', 0, version2_frames::makeError(4, "the battery is low")));
+  peer.close();
+  const auto says = [this](const std::string& fault) {
+    const std::string address = "127.0.0.1:" + std::to_string(server_.port());
+    const std::string reason = "the robot said: the battery is low; since then, " + address + " " + fault;
+    return eventually([&] { return client_.status().reason == reason; });
+  };
+  EXPECT_TRUE(says("closed the connection")) << client_.status().reason;
+  EXPECT_EQ(client_.status().fault, FaultKind::kClosed);
+  server_.accept().close();
+  EXPECT_TRUE(says("closed the connection as soon as it was made")) << client_.status().reason;
+  EXPECT_THAT(client_.status().advice, testing::StartsWith("Switch it on again, with a charged battery."));
+  server_.vanish();
+  EXPECT_TRUE(says("refused the connection")) << client_.status().reason;
+  server_.listen();
+  ScriptedPeer again = connect();
+  EXPECT_EQ(client_.status().reason, "");
+  again.close();
+  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kClosed; }));
+  EXPECT_THAT(client_.status().reason, testing::Not(testing::HasSubstr("battery")));
+}
+
 TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
   client_.start();
   for (int i = 0; i < 5; ++i) {

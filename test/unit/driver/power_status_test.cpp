@@ -97,11 +97,13 @@ TEST(PowerStatus, OfASilentRobotIsAFaultOnlyIfItWasAsked) {
   EXPECT_THAT(reportOf(power, !kAsked).message, HasSubstr("idle"));
 }
 
-TEST(PowerStatus, IsForgottenWithTheConnection) {
+TEST(PowerStatus, OfALostConnectionIsTheLastOneUntilTheNextMeasurement) {
   PowerStatus power(*robot_model::findRobotModel("ERS-7"));
   power.update(telling({{kBattery, 0.05}, {kTemperature, 70}}));
-  power.clear();
-  EXPECT_EQ(reportOf(power).level, DiagnosticStatus::WARN);
+  power.connectionLost();
+  EXPECT_THAT(reportOf(power, !kAsked).message, HasSubstr("last measured: battery at 5 %"));
+  EXPECT_EQ(reportOf(power, !kAsked).level, DiagnosticStatus::OK);
+  EXPECT_THAT(reportOf(power).message, HasSubstr("does not report its battery")) << "the next robot has not, yet";
   power.update(telling({{kBattery, 0.9}}));
   EXPECT_EQ(reportOf(power).level, DiagnosticStatus::OK) << "the next robot has not told its temperature yet";
 }

@@ -900,9 +900,17 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 10 ms old, 0 % lost");
   robot_.disconnectIt(State::kNoDriver, "the driver in /aibo does not answer");
   Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
-  Q_EMIT robot_.batteryMeasured(0.9, 31.4);
-  EXPECT_EQ(textOf("battery"), "");
   EXPECT_EQ(textOf("link"), "");
+}
+
+TEST_F(RemoteControlTest, TheLastReadingOfTheBatteryStaysWhileTheRobotIsGone) {
+  robot_.connectIt();
+  Q_EMIT robot_.batteryMeasured(0.03, 31.4);
+  robot_.disconnectIt(State::kDisconnected, "the robot said: the battery is low");
+  EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 3 %, 31 \u00B0C"));
+  EXPECT_FALSE(find<QLabel>("battery")->isEnabled());
+  robot_.connectIt();
+  EXPECT_TRUE(find<QLabel>("battery")->isEnabled());
 }
 
 TEST_F(RemoteControlTest, ALampTellsTheKindOfConnection) {
@@ -1249,7 +1257,7 @@ TEST_F(RemoteControlTest, ADriverThatHasSpokenHasSettingsAndAConditionBeforeItHa
     EXPECT_EQ(quality->isEnabled(), has_driver) << int(state);
     EXPECT_EQ(textOf("condition"), has_driver ? "stopped by /anna" : "") << int(state);
     EXPECT_EQ(find<QAbstractButton>("stop")->text(), has_driver ? "Release" : "STOP") << int(state);
-    EXPECT_EQ(textOf("battery").isEmpty(), !has_robot) << int(state);
+    EXPECT_EQ(find<QLabel>("battery")->isEnabled(), has_robot) << int(state);
     Q_EMIT robot_.linkMeasured({30, 0.01, 0});
     EXPECT_EQ(textOf("link").isEmpty(), !has_robot) << int(state);
     EXPECT_EQ(find<QWidget>("who_moves")->isHidden(), !has_robot) << int(state);

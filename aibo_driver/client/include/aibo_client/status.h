@@ -22,8 +22,10 @@ enum class ConnectionState {
 /// The state of the connection to the robot.
 struct ConnectionStatus {
   ConnectionState state = ConnectionState::kDisconnected;
-  int protocol_version = 0;            ///< 1 or 2 once connected; 0 otherwise
-  std::string reason;                  ///< why the last connection or attempt ended; empty when all is well
+  int protocol_version = 0;  ///< 1 or 2 once connected; 0 otherwise
+  /// Why the last connection or attempt ended; empty when all is well. If the robot had said why it goes off, that
+  /// comes first until the robot answers again.
+  std::string reason;
   std::string advice;                  ///< what the user should check; empty when all is well
   FaultKind fault = FaultKind::kNone;  ///< the same reason as `reason`, for programs; kNone when all is well
   RobotInfo robot;                     ///< the introduction of a version 2 server once connected; otherwise empty
