@@ -32,6 +32,9 @@ constexpr milliseconds kRepeatedWithin{500};
 
 constexpr const char* kConnectionLost = "the connection to the robot was lost; the movement will not be resumed";
 
+// Also the robot says it, of its own client: this driver.
+constexpr const char* kLetGoFirst = "; let go first";
+
 bool isEndOf(const Movement& movement, const aibo_client::MotionEnd& end) {
   switch (movement.kind) {
     case Kind::kMotion:
@@ -351,7 +354,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
       streams_.overrule(order.source, "the robot was stopped");
     }
     if (reason.empty() && !overruled_by.empty()) {
-      reason = overruled_by + "; let go first: send a velocity of 0, or none for 0.5 s";
+      reason = overruled_by + kLetGoFirst + ": 0, or nothing for 0.5 s";
     }
     Movement movement{Kind::kWalk, "", order.source, {}, std::nullopt};
     if (reason.empty()) {
@@ -699,7 +702,7 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
         end(record->id, how, refusal.reason);
       }
       if (refusal.cause != RefusalCause::kTooOld) {
-        streams_.overrule(refusal.reason);
+        streams_.overrule(refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
       }
     }
   });

@@ -77,7 +77,7 @@ const int NO_PAW = -1;
 const char NO_FLOOR[] = "the floor ends ahead: turn, or walk back";
 const char OBSTACLE[] = "something is in the way ahead: turn, or walk back";
 const char KNOWN_EDGE[] = "the floor ends there";
-const char UNSEEN[] = "no sensor looks there: it walks back and sideways only over ground that it has just walked over";
+const char UNSEEN[] = "it cannot see there: it walks back and sideways only where it has just walked";
 const char* const PAWS_WITHOUT_FLOOR[NUMBER_OF_LEGS] = {"the left front paw finds no floor: go back the way it came",
                                                         "the left hind paw finds no floor: go back the way it came",
                                                         "the right front paw finds no floor: go back the way it came",

@@ -1147,7 +1147,7 @@ TEST_F(MoverTest, AStreamOfVelocitiesThatWasStoppedMovesTheRobotOnlyAfterItsNode
   mover_.release(order("/panel"));
   steerOn(0.1);
   EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
-  EXPECT_EQ(ends_.back().reason, "the robot was stopped; let go first: send a velocity of 0, or none for 0.5 s");
+  EXPECT_EQ(ends_.back().reason, "the robot was stopped; let go first: 0, or nothing for 0.5 s");
   EXPECT_THAT(ends_, SizeIs(3)) << "the walk was stopped, and the stream was refused for two reasons";
   steer(0);
   steer(0.1);
@@ -1173,7 +1173,7 @@ TEST_F(MoverTest, AStreamThatWasStoppedForAMomentHasToLetGo) {
   told();
   steerOn(0.1);
   EXPECT_THAT(told(), IsEmpty());
-  EXPECT_EQ(ends_.back().reason, "/panel called stop; let go first: send a velocity of 0, or none for 0.5 s");
+  EXPECT_EQ(ends_.back().reason, "/panel called stop; let go first: 0, or nothing for 0.5 s");
 }
 
 TEST_F(MoverTest, AStreamThatGoesOnOverAReconnectHasToLetGo) {
@@ -1186,7 +1186,7 @@ TEST_F(MoverTest, AStreamThatGoesOnOverAReconnectHasToLetGo) {
   mover_.connected();
   steerOn(0.1);
   EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
-  EXPECT_EQ(ends_.back().reason, "the connection is a new one; let go first: send a velocity of 0, or none for 0.5 s");
+  EXPECT_EQ(ends_.back().reason, "the connection is a new one; let go first: 0, or nothing for 0.5 s");
   steer(0);
   steer(0.1);
   EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
@@ -1234,7 +1234,11 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
          mover_.robotChanged({MotorState::kOff, PostureNow::kStanding});
        }},
       {"the robot is hot", [this] {
-         mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the robot is hot", 0});
+         mover_.refused({RefusedRequest::kWalk,
+                         RefusalCause::kRobot,
+                         {},
+                         "the robot is hot; let go first: send zero velocities",
+                         0});
        }}};
   for (const auto& [reason, overrule] : overrules) {
     walk();
@@ -1243,7 +1247,7 @@ TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
     told();
     steerOn(0.1);
     EXPECT_THAT(told(), IsEmpty()) << reason;
-    EXPECT_EQ(ends_.back().reason, std::string(reason) + "; let go first: send a velocity of 0, or none for 0.5 s");
+    EXPECT_EQ(ends_.back().reason, std::string(reason) + "; let go first: 0, or nothing for 0.5 s");
     mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
     now_ += milliseconds(500);
     measure(0);

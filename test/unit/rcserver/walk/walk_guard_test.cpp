@@ -174,9 +174,9 @@ TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
   look(onFloor());
   EXPECT_EQ(objection(kLeft), "") << "a little is allowed";
   walk(kLeft, 1);
-  EXPECT_THAT(objection(kLeft), HasSubstr("no sensor looks there"));
-  EXPECT_THAT(objection({0.1, 0.06, 0}), HasSubstr("no sensor looks there"));
-  EXPECT_THAT(objection({-0.1, 0, 0}), HasSubstr("no sensor looks there"));
+  EXPECT_THAT(objection(kLeft), HasSubstr("it cannot see there"));
+  EXPECT_THAT(objection({0.1, 0.06, 0}), HasSubstr("it cannot see there"));
+  EXPECT_THAT(objection({-0.1, 0, 0}), HasSubstr("it cannot see there"));
   EXPECT_EQ(objection({0, -0.06, 0}), "") << "back to where it was";
   guard_.Forget();
   walk(kForward, 3);
@@ -184,17 +184,17 @@ TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
   walk(kBack, 3);
   EXPECT_EQ(objection(kBack), "") << "half of the way";
   walk(kBack, 4);
-  EXPECT_THAT(objection(kBack), HasSubstr("no sensor looks there")) << "it is where it began";
+  EXPECT_THAT(objection(kBack), HasSubstr("it cannot see there")) << "it is where it began";
 }
 
 TEST_F(WalkGuardTest, ItStopsFourCentimetresBeyondTheGroundThatItRemembers) {
-  EXPECT_NEAR(wayUntil("no sensor looks there", kLeft), 0.04, 0.004);
+  EXPECT_NEAR(wayUntil("it cannot see there", kLeft), 0.04, 0.004);
   guard_.Forget();
   walk(kForward, 5);
-  EXPECT_NEAR(wayUntil("no sensor looks there", kBack), 0.5 + 0.04, 0.005);
+  EXPECT_NEAR(wayUntil("it cannot see there", kBack), 0.5 + 0.04, 0.005);
   guard_.Forget();
   walk(kForward, 30);
-  EXPECT_NEAR(wayUntil("no sensor looks there", kBack), 48 * 0.0224 + 0.04, 0.03) << "a pose every 7 reports";
+  EXPECT_NEAR(wayUntil("it cannot see there", kBack), 48 * 0.0224 + 0.04, 0.03) << "a pose every 7 reports";
 }
 
 TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
@@ -236,7 +236,7 @@ TEST_F(WalkGuardTest, ElsewhereItKnowsNoGround) {
   guard_.Forget();
   walk(kTurn, 3.14);
   walk(right, 1.5);
-  EXPECT_THAT(objection(right), HasSubstr("no sensor looks there"));
+  EXPECT_THAT(objection(right), HasSubstr("it cannot see there"));
 }
 
 TEST_F(WalkGuardTest, ElsewhereItKnowsNothingThatIsInTheWay) {
