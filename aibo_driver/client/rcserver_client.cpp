@@ -152,10 +152,10 @@ RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks
 
 RcServerClient::RcServerClient(const ClientOptions& options, Callbacks callbacks,
                                std::unique_ptr<TcpTransport> transport)
-    : steering_bits_(options.guard_walks ? version2::STEER_GUARDED : 0),
-      motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
+    : motion_bits_(options.leave_out_missing_joints ? version2::LEAVE_OUT_MISSING_JOINTS : 0) {
   checkClientOptions(options);
   loop_ = std::make_unique<ConnectionLoop>(options, std::move(callbacks), std::move(transport));
+  guardWalks(options.guard_walks);
 }
 
 RcServerClient::~RcServerClient() {
@@ -291,6 +291,10 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
     requireRequest(loop_->address(), shared.status, version2::REQUEST_STEER, kToWalk);
     shared.commands.steer({velocity, terms, steering_bits_});
   });
+}
+
+void RcServerClient::guardWalks(bool on) {
+  loop_->change([&](Shared&) { steering_bits_ = on ? version2::STEER_GUARDED : 0; });
 }
 
 void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {

@@ -382,9 +382,6 @@ void AiboDriver::updateConnection(const aibo_client::ConnectionStatus& status) {
     design_warnings_.warn("The robot says that it is an " + status.robot.design + ", but the parameter robot is " +
                           parameters_.robot + ": commands are refused. Set the parameter, and start the driver again.");
   }
-  if (parameters_.client.guard_walks && status.robot.hasCapability("S") && !status.robot.hasCapability("guard")) {
-    design_warnings_.warn("This robot's RCServer does not stop a walk before edges and walls. A newer one does.");
-  }
 }
 
 }  // namespace aibo_driver::node

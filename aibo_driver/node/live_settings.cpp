@@ -86,13 +86,14 @@ void LiveSettings::apply(AiboDriverConfig& config) {
   config.telemetry_rate = telemetryRateOf(telemetry_period_);
   client_.setTelemetryPeriod(telemetry_period_);
   joint_table_.setSpeedScale(config.speed_scale);
+  client_.guardWalks(config.guard);
   in_force_ = config;
   std::ostringstream text;
   text << "Settings in force: jpeg_quality " << config.jpeg_quality << " of 1..100, resolution " << config.resolution
        << ", frame_rate " << config.frame_rate << " of 2..30, transport " << config.transport << ", adaptive "
        << (config.adaptive ? "on" : "off") << ", max_picture_age " << config.max_picture_age
        << " of 0.05..2, telemetry_rate " << config.telemetry_rate << " of 0..31.25, speed_scale " << config.speed_scale
-       << " of 0.1..1.";
+       << " of 0.1..1, guard " << (config.guard ? "on" : "off") << ".";
   in_force_log_.say(text.str());
 }
 

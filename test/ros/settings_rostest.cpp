@@ -4,9 +4,11 @@
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
+#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -36,6 +38,7 @@ namespace {
 using aibo_driver::CameraState;
 using aibo_driver::Connection;
 using aibo_driver::LinkQuality;
+using aibo_driver::RobotState;
 using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
@@ -239,6 +242,28 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectory) {
   EXPECT_TRUE(states.waitFor([&begun](const auto& state) {
     return !state.movements.empty() && state.movements[0].end > begun->movements[0].end + ros::Duration(1);
   })) << "its end is said to be later";
+}
+
+TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
+  TopicListener<RobotState> states("/settings_guard/robot_state");
+  TopicListener<aibo_driver::MotionState> motions("/settings_guard/motion_state");
+  SettingsUser user("/settings_guard", {"_guard:=true", kPatient});
+  TopicPublishers topics("/settings_guard");
+  ASSERT_TRUE(states.waitFor([](const auto& state) { return state.posture == RobotState::STANDING; }));
+  geometry_msgs::Twist back;
+  back.linear.x = -0.1;
+  topics.publish("cmd_vel", back);
+  ASSERT_TRUE(motions.waitFor([](const auto& motion) {
+    return !motion.ended.empty() && motion.ended.back().reason.find("it cannot see there") != std::string::npos;
+  }));
+  Config config;
+  config.bools.resize(1);
+  config.bools[0].name = "guard";
+  config.bools[0].value = 0;
+  user.set(config);
+  topics.publish("cmd_vel", geometry_msgs::Twist());  // lets go
+  topics.publish("cmd_vel", back);
+  EXPECT_TRUE(states.waitFor([](const auto& state) { return state.posture == RobotState::WALKING; }));
 }
 
 TEST(Settings, ResolutionAndRateChangeTheRunningStream) {

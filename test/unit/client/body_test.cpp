@@ -113,7 +113,7 @@ TEST_F(BodyTest, JointsThatTheRobotDoesNotHaveAreLeftOutIfItIsAnOption) {
   calls.get();
 }
 
-TEST_F(BodyTest, WalksAreGuardedUnlessAnOptionSaysOtherwise) {
+TEST_F(BodyTest, WalksAreGuardedUnlessTheUserSaysOtherwise) {
   for (const bool is_guarded : {true, false}) {
     ClientOptions options = optionsFor(server_);
     EXPECT_TRUE(options.guard_walks);
@@ -124,7 +124,12 @@ TEST_F(BodyTest, WalksAreGuardedUnlessAnOptionSaysOtherwise) {
     peer.agreeToVersion2("S");
     ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
     client.steer({0.1, 0, 0});
-    EXPECT_EQ(is_guarded ? protocol::version2::STEER_GUARDED : 0, peer.readRequest().header.id);
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(is_guarded ? protocol::version2::STEER_GUARDED : 0, request.header.id);
+    peer.send(makeFrame('s', request.header.request_number, {0, 100, 0, 0, 0, 0, 0, 0}));
+    client.guardWalks(!is_guarded);
+    client.steer({0.1, 0, 0});
+    EXPECT_EQ(is_guarded ? 0 : protocol::version2::STEER_GUARDED, peer.readRequest().header.id) << "from then on";
   }
 }
 

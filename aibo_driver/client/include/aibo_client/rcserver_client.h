@@ -244,6 +244,10 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
+  /// Changes ClientOptions::guard_walks. It counts from the next call of steer(), also for a walk that goes on. Any
+  /// thread may call it.
+  void guardWalks(bool on);
+
   /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
   /// begun. A MotionEnd with the posture's name says when and how it has ended: "stand", "sit" or "rest". If a call has
   /// not been sent when hold() is called or its terms end, it ends with a CommandException.
@@ -431,9 +435,9 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
  private:
-  const int steering_bits_;  // bits of the id in requests to walk (protocol/walk_requests.h)
-  const int motion_bits_;    // bits of the id in requests about motions (protocol/motion_requests.h)
+  const int motion_bits_;  // bits of the id in requests about motions (protocol/motion_requests.h)
   std::unique_ptr<ConnectionLoop> loop_;
+  int steering_bits_ = 0;  // bits of the id in requests to walk (protocol/walk_requests.h); only within loop_->change()
 };
 
 }  // namespace aibo_client
