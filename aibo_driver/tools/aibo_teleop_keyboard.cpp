@@ -1,5 +1,6 @@
 // Makes the robot walk as the user presses keys in a terminal.
 
+#include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -111,6 +112,40 @@ class StopNotice {
   ros::Subscriber states_;
 };
 
+/// Tells the user once why the robot does not walk as the keys say.
+class RefusalNotice {
+ public:
+  explicit RefusalNotice(ros::NodeHandle handle) {
+    movements_ = handle.subscribe("motion_state", 10, &RefusalNotice::receive, this);
+  }
+
+ private:
+  using EndedMovement = aibo_driver::EndedMovement;
+
+  // While the key is held down, the same reason comes again, with the advice to let go.
+  void receive(const aibo_driver::MotionState::ConstPtr& state) {
+    const auto is_ours = [](const EndedMovement& each) {
+      return each.movement.source == ros::this_node::getName() && each.movement.kind == aibo_driver::Movement::WALK;
+    };
+    const auto newest = std::find_if(state->ended.rbegin(), state->ended.rend(), is_ours);
+    const bool is_orderly = newest == state->ended.rend() || newest->how == EndedMovement::DONE ||
+                            newest->how == EndedMovement::STOPPED || newest->how == EndedMovement::REPLACED;
+    const std::string reason = is_orderly ? "" : aibo_driver::text::plainLine(newest->reason);
+    if (!told_.empty() && reason.rfind(told_, 0) == 0) {
+      return;
+    }
+    told_ = reason;
+    if (std::exchange(has_listened_, true) && !reason.empty()) {  // what ended before is no news
+      std::printf("The robot does not walk: %s.\n", reason.c_str());
+      std::fflush(stdout);
+    }
+  }
+
+  bool has_listened_ = false;
+  std::string told_;  ///< the reason for the last end; empty after an orderly end
+  ros::Subscriber movements_;
+};
+
 /// @throw std::runtime_error the terminal cannot be used
 void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_notice) {
   teleop::Terminal terminal(STDIN_FILENO);
@@ -160,6 +195,7 @@ int main(int argc, char** argv) {
     KeySteering keys = readKeys(ros::NodeHandle("~"));
     const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     StopNotice stop_notice(handle);
+    const RefusalNotice refusal_notice(handle);
     steer(&keys, publisher, &stop_notice);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
