@@ -180,7 +180,9 @@ void DriverTopics::complain(const std::vector<EndedMovement>& ended) {
   for (const EndedMovement& each : endedBetween(before.value_or(ended), ended)) {
     const QString complaint = complaintAbout(each);
     if (each.movement.source == ros::this_node::getName() && !complaint.isEmpty()) {
-      post_([complaint](Robot& robot) { Q_EMIT robot.answered(false, complaint); });
+      post_([complaint, is_refused = each.how == EndedMovement::REFUSED](Robot& robot) {
+        is_refused ? Q_EMIT robot.hinted(complaint) : Q_EMIT robot.answered(false, complaint);
+      });
     }
   }
 }

@@ -4,12 +4,14 @@
 #include <QHBoxLayout>
 #include <QLabel>
 
-#include "remote_control/elided_label.h"
-
 namespace aibo_driver::remote_control {
 
 MovePage::MovePage(Robot& robot, QWidget* parent)
-    : Page(parent), drive_pad_(new DrivePad(this)), head_pad_(new HeadPad(this)), movement_(new ElidedLabel(this)) {
+    : Page(parent),
+      drive_pad_(new DrivePad(this)),
+      head_pad_(new HeadPad(this)),
+      movement_(new ElidedLabel(this)),
+      guard_(new QCheckBox("Guard", this)) {
   need(Needs::kFeet, drive_pad_);
   need(Needs::kMotors, head_pad_);
   auto* grid = new QGridLayout(makeContent());
@@ -34,7 +36,16 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
                                 "The joints can be moved by hand. A robot that stands falls!",
                                 [&robot] { robot.setMotors(false); }));
   movement_->setObjectName("who_moves");
-  grid->addWidget(movement_, 2, 0, 1, 2);
+  guard_->setObjectName("guard_walks");
+  guard_->setToolTip(
+      "Walks end before edges and walls. Backward and sideways, where it cannot see, the robot walks only where it has "
+      "just walked.");
+  guard_->setFixedHeight(movement_->minimumHeight());
+  guard_->hide();  // until the driver has told whether it is on
+  auto* who_moves = new QHBoxLayout;
+  who_moves->addWidget(movement_, 1);
+  who_moves->addWidget(need(Needs::kVersion2, guard_));
+  grid->addLayout(who_moves, 2, 0, 1, 2);
   grid->addLayout(buttons, 3, 0, 1, 2);
   setMinimumHeight(widget()->minimumSizeHint().height());  // nobody should have to scroll to a pad
   connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
@@ -43,6 +54,14 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
     if (hasRobot()) {
       head_pad_->showPositions(positions);
     }
+  });
+  connect(guard_, &QCheckBox::clicked, &robot, [this, &robot](bool on) {
+    guard_->setChecked(!on);  // it shows what the driver reports
+    robot.changeSetting("guard", on);
+  });
+  connect(&robot, &Robot::settingsChanged, this, [this](const SettingValues& values) {
+    guard_->setVisible(values.contains("guard"));
+    guard_->setChecked(values.value("guard").toBool());
   });
   connect(&robot, &Robot::movementChanged, this, [this](const QString& text) {
     movement_->showText(text.section(';', 0, 0));  // without what has ended

@@ -2,9 +2,10 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_MOVE_PAGE_H
 #define AIBO_DRIVER_REMOTE_CONTROL_MOVE_PAGE_H
 
-#include <QLabel>
+#include <QCheckBox>
 
 #include "remote_control/drive_pad.h"
+#include "remote_control/elided_label.h"
 #include "remote_control/head_pad.h"
 #include "remote_control/page.h"
 
@@ -24,6 +25,7 @@ class MovePage : public Page {
   DrivePad* drive_pad_;
   HeadPad* head_pad_;
   ElidedLabel* movement_;
+  QCheckBox* guard_;
 };
 
 }  // namespace aibo_driver::remote_control

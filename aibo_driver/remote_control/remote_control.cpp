@@ -197,6 +197,7 @@ void RemoteControl::connectSignals() {
   connect(&robot_, &Robot::conditionChanged, this, &RemoteControl::showCondition);
   connect(&robot_, &Robot::streamingChanged, this, &RemoteControl::showStreaming);
   connect(&robot_, &Robot::pictureArrived, picture_, &PictureView::showPicture);
+  connect(&robot_, &Robot::hinted, this, [this](const QString& text) { showAnswer(true, text); });
   connect(&robot_, &Robot::answered, this, &RemoteControl::showAnswer);
 }
 
@@ -327,11 +328,11 @@ void RemoteControl::showWhyNoPicture() {
   }
 }
 
-void RemoteControl::showAnswer(bool success, const QString& text) {
+void RemoteControl::showAnswer(bool is_fine, const QString& text) {
   const QString shown = text.left(kLongestAnswer);
   status_->setText(QTime::currentTime().toString("HH:mm:ss ") + shown);
   status_->setToolTip(shown);
-  status_->setStyleSheet(success ? "" : "color: #e53935");
+  status_->setStyleSheet(is_fine ? "" : "color: #e53935");
 }
 
 }  // namespace aibo_driver::remote_control

@@ -55,7 +55,7 @@ class RemoteControl : public QWidget {
   void showStreaming(bool on);
   void askForWhatIsVisible();
   void showWhyNoPicture();
-  void showAnswer(bool success, const QString& text);
+  void showAnswer(bool is_fine, const QString& text);
 
   Robot& robot_;
   QString driver_;  ///< as the user has chosen it

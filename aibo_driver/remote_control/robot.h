@@ -187,6 +187,10 @@ class Robot : public QObject {
   void heard(double level);
   void ledsChanged(const aibo_driver::remote_control::LedIntensities& intensities);
 
+  /// Emitted when the robot refuses something that this window moves, such as a walk over an edge. Nothing is broken.
+  /// @param text what it refuses, and why
+  void hinted(const QString& text);
+
   /// Emitted when a call has ended or was refused, or when something that this window moves did not arrive.
   /// @param text what was asked, and its result
   void answered(bool success, const QString& text);

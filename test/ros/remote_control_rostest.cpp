@@ -399,6 +399,7 @@ class ToldTest : public ::testing::Test {
     QObject::connect(&robot_, &RosRobot::motionsListed, [this](const auto& names) { note("has " + names.join(",")); });
     QObject::connect(&robot_, &RosRobot::answered,
                      [this](bool success, const QString& text) { note((success ? "yes, " : "no, ") + text); });
+    QObject::connect(&robot_, &RosRobot::hinted, [this](const QString& text) { note("hint, " + text); });
     QObject::connect(&robot_, &RosRobot::driversFound, [this](const auto& drivers) { found_ = drivers; });
     connect("connected");
     QObject::connect(&heartbeat_, &QTimer::timeout,
@@ -626,7 +627,7 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   MotionState state;
   state.text = "walks";
   const auto end = [&state](const std::string& source, const std::string& reason,
-                            std::uint8_t how = EndedMovement::REFUSED) {
+                            std::uint8_t how = EndedMovement::FELL) {
     EndedMovement& ended = state.ended.emplace_back();
     ended.movement.kind = Movement::WALK;
     ended.movement.source = source;
@@ -639,11 +640,13 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   end("/anna", "of anna");
   end(ros::this_node::getName(), "", EndedMovement::DONE);
   end(ros::this_node::getName(), "it fell");
+  end(ros::this_node::getName(), "the floor ends ahead", EndedMovement::REFUSED);
   state.movements.resize(2);
   state.movements[1].kind = Movement::MOTION;
   tell("motion_state", state);
   EXPECT_TRUE(hears("walks, plays"));
   EXPECT_TRUE(hears("no, walk: it fell"));
+  EXPECT_TRUE(hears("hint, walk: the floor ends ahead")) << "a robot that refuses is not broken";
   EXPECT_EQ(notes_.filter("no, ").size(), 1) << notes_.join("; ").toStdString();
 
   robot_.useDriver("/told_too");
@@ -665,7 +668,7 @@ TEST_F(ToldTest, TheFirstMovementOfADriverThatFailsIsAComplaint) {
   EndedMovement& ended = state.ended.emplace_back();
   ended.movement.kind = Movement::WALK;
   ended.movement.source = ros::this_node::getName();
-  ended.how = EndedMovement::REFUSED;
+  ended.how = EndedMovement::FELL;
   ended.reason = "it fell";
   tell("motion_state", state);
   EXPECT_TRUE(hears("no, walk: it fell"));

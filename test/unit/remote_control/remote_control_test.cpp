@@ -871,6 +871,11 @@ TEST_F(RemoteControlTest, TheStatusRepeatsAnAnswer) {
   EXPECT_TRUE(find<QLabel>("status")->styleSheet().contains("color"));
   Q_EMIT robot_.answered(true, "stand: the robot stands");
   EXPECT_EQ(find<QLabel>("status")->styleSheet(), "") << "it has succeeded";
+  Q_EMIT robot_.answered(false, "stand: the robot fell");
+  Q_EMIT robot_.hinted("walk: the floor ends ahead");
+  EXPECT_TRUE(textOf("status").endsWith("walk: the floor ends ahead"));
+  EXPECT_EQ(find<QLabel>("status")->styleSheet(), "") << "nothing is broken";
+  Q_EMIT robot_.answered(true, "stand: the robot stands");
   EXPECT_EQ(find<QLabel>("status")->toolTip(), "stand: the robot stands");
 }
 
@@ -1233,6 +1238,18 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForce) {
   Q_EMIT robot_.settingsDescribed({{"gain", "", Setting::Kind::kChoice, 0, 0, {{"low", 1}, {"mid", 2}}}});
   Q_EMIT robot_.settingsChanged({{"jpeg_quality", 50}, {"gain", 1}});
   EXPECT_EQ(find<QComboBox>("gain")->currentText(), "low") << "another driver has fewer settings";
+}
+
+TEST_F(RemoteControlTest, ThePageMoveSwitchesTheGuardAndShowsWhatTheDriverReports) {
+  robot_.connectIt();
+  auto* guard = find<QCheckBox>("guard_walks");
+  EXPECT_FALSE(guard->isVisible()) << "nobody knows";
+  Q_EMIT robot_.settingsChanged({{"guard", true}});
+  EXPECT_TRUE(guard->isVisible() && guard->isChecked());
+  EXPECT_EQ(click("guard_walks"), QStringList("guard false"));
+  EXPECT_TRUE(guard->isChecked());
+  Q_EMIT robot_.settingsChanged({{"guard", false}});
+  EXPECT_FALSE(guard->isChecked());
 }
 
 TEST_F(RemoteControlTest, ADriverThatHasSpokenHasSettingsAndAConditionBeforeItHasItsRobot) {
