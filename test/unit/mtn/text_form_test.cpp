@@ -59,12 +59,6 @@ TEST(TextForm, IsParsed) {
   EXPECT_EQ(motion.key_frames[2].positions, motion.key_frames[1].positions);
 }
 
-TEST(TextForm, KnowsTheJointsOfAnErs210) {
-  const KeyFrameMotion motion = parse("robot ERS-210\nat 0 head_roll 5 tail_tilt 1\n");
-  EXPECT_EQ(motion.design, "DRX-910");
-  EXPECT_THAT(motion.locators, ElementsAre("PRM:/r1/c1/c2/c3-Joint2:j3", "PRM:/r6/c2-Joint2:j2"));
-}
-
 TEST(TextForm, NamesTheEarsAndTheirStates) {
   const std::string text = "robot ERS-7\nat 0 left_ear 0 right_ear -1\nat 16 left_ear 1000000\n";
   const KeyFrameMotion motion = parse(text);
@@ -88,16 +82,6 @@ TEST(TextForm, SurvivesTheRoundTrip) {
   const std::string text = print(bytes);
   EXPECT_THAT(text, HasSubstr("robot ERS-7\n"));
   EXPECT_THAT(text, HasSubstr("head_pan 70.73548\n"));
-  EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
-}
-
-TEST(TextForm, NamesAnUnknownJointByItsLocator) {
-  KeyFrameMotion motion = sampleMotion();
-  motion.design = "DRX-900";
-  const std::string bytes = motion_tool::encodeMtn(motion);
-  const std::string text = print(bytes);
-  EXPECT_THAT(text, HasSubstr("robot DRX-900\n"));
-  EXPECT_THAT(text, HasSubstr("PRM:/r1/c1/c2-Joint2:12 0\n"));
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
