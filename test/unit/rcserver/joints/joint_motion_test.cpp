@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <random>
 #include <vector>
 
@@ -59,143 +60,55 @@ int fewestFramesBySearch(int step, int distance, int step_limit, int acceleratio
   return -1;
 }
 
-TEST(JointMotion, StandsWhereItIsPlaced) {
-  JointMotion motion = standingAt(-1234, 100, 10);
-  EXPECT_EQ(motion.FramesLeft(), 0);
-  advance(motion);
-  EXPECT_EQ(motion.Position(), -1234);
-  EXPECT_EQ(motion.Step(), 0);
-}
+struct Row {
+  const char* what;
+  int step_limit;
+  int acceleration;
+  int target;
+  int frames;  // that pass before the order
+  std::function<void(JointMotion&)> order;
+  std::vector<int> steps;  // until it stands
+};
 
-// Wherever a motion before it was interrupted, and whatever was left of it.
-TEST(JointMotion, MovesTheSameWayAsOneThatNeverMoved) {
-  for (int frames = 1; frames < 60; ++frames) {
-    SCOPED_TRACE(frames);
-    JointMotion used = standingAt(0, 100, 7);
-    used.Aim(1003);
-    used.Delay(71);
-    advance(used, frames);
-    used.Place(50);
-    EXPECT_EQ(used.Step(), 0);
-    EXPECT_EQ(used.WantedStep(), 0);
-    JointMotion fresh = standingAt(50, 100, 7);
-    for (JointMotion* motion : {&used, &fresh}) {
-      motion->Aim(-754);
-      motion->Delay(59);
-    }
-    EXPECT_EQ(stepsOf(used), stepsOf(fresh));
+TEST(JointMotion, ChangesItsSpeedByItsAccelerationAtMost) {
+  const Row rows[] = {
+      {"speeds up, cruises and brakes", 30, 10, 150, 0, [](JointMotion&) {}, {10, 20, 30, 30, 30, 20, 10}},
+      {"reverses", 30, 10, 960, 5, [](JointMotion& m) { m.Aim(0); }, {20, 10, 0, -10, -20, -30, -30, -30, -20, -10}},
+      {"returns to where it cannot stop", 30, 10, 960, 3, [](JointMotion& m) { m.Aim(70); }, {20, 10, 0, -10, -10}},
+      {"stops", 35, 10, 1170, 4, [](JointMotion& m) { m.Stop(1); }, {25, 15, 5}},
+      {"stops faster than its low acceleration", 35, 1, 10000, 40, [](JointMotion& m) { m.Stop(10); }, {25, 15, 5}},
+      {"brakes to a lower limit",
+       30,
+       10,
+       150,
+       3,
+       [](JointMotion& m) { m.LimitStep(5); },
+       {20, 10, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5}},
+      {"takes a lower acceleration when it stands",
+       30,
+       10,
+       150,
+       3,
+       [](JointMotion& m) { m.LimitAcceleration(1); },
+       {30, 30, 20, 10}},
+      {"takes a higher acceleration at the next target",
+       30,
+       1,
+       960,
+       1,
+       [](JointMotion& m) {
+         m.LimitAcceleration(10);
+         m.Aim(147);
+       },
+       {11, 21, 28, 28, 28, 20, 10}},
+  };
+  for (const Row& row : rows) {
+    JointMotion motion = standingAt(0, row.step_limit, row.acceleration);
+    motion.Aim(row.target);
+    advance(motion, row.frames);
+    row.order(motion);
+    EXPECT_EQ(stepsOf(motion), row.steps) << row.what;
   }
-}
-
-TEST(JointMotion, SpeedsUpCruisesAndBrakes) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(150);
-  EXPECT_EQ(motion.FramesLeft(), 7);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(10, 20, 30, 30, 30, 20, 10));
-  EXPECT_EQ(motion.Position(), 150);
-}
-
-TEST(JointMotion, ReversesWithoutAJump) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(960);
-  advance(motion, 5);
-  ASSERT_EQ(motion.Position(), 120);
-  motion.Aim(0);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(20, 10, 0, -10, -20, -30, -30, -30, -20, -10));
-  EXPECT_EQ(motion.Position(), 0);
-}
-
-TEST(JointMotion, ReturnsToATargetThatIsTooNearToStopAt) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(960);
-  advance(motion, 3);
-  ASSERT_EQ(motion.Position(), 60);
-  motion.Aim(70);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(20, 10, 0, -10, -10));
-  EXPECT_EQ(motion.Position(), 70);
-}
-
-TEST(JointMotion, StopsAsFastAsItsAccelerationAllows) {
-  JointMotion motion = standingAt(0, 35, 10);
-  motion.Aim(1170);
-  advance(motion, 4);
-  ASSERT_EQ(motion.Step(), 35);
-  motion.Stop(1);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
-}
-
-TEST(JointMotion, StopsFasterIfItsAccelerationIsLowAndThenKeepsToItAgain) {
-  JointMotion motion = standingAt(0, 35, 1);
-  motion.Aim(10000);
-  advance(motion, 40);
-  ASSERT_EQ(motion.Step(), 35);
-  motion.Stop(10);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(25, 15, 5));
-  advance(motion);
-  motion.Aim(motion.Position() + 3);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(1, 1, 1));
-}
-
-TEST(JointMotion, SpreadsASlowMotionEvenlyOverItsTime) {
-  JointMotion motion = standingAt(0, 1000, 100);
-  motion.Aim(500);
-  motion.Delay(5000);
-  for (int frame = 1; frame <= 5000; ++frame) {
-    advance(motion);
-    ASSERT_NEAR(motion.Position(), frame * 0.1, 2) << "frame " << frame;
-  }
-  EXPECT_EQ(motion.Position(), 500);
-}
-
-TEST(JointMotion, BrakesToALowerSpeedLimit) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(300);
-  advance(motion, 4);
-  ASSERT_EQ(motion.Step(), 30);
-  motion.LimitStep(5);
-  advance(motion);
-  EXPECT_EQ(motion.Step(), 20);
-  advance(motion);
-  EXPECT_EQ(motion.Step(), 10);
-  advance(motion);
-  EXPECT_EQ(motion.Step(), 5);
-  stepsOf(motion);
-  EXPECT_EQ(motion.Position(), 300);
-}
-
-TEST(JointMotion, AppliesALowerAccelerationWhenItStands) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(150);
-  advance(motion, 3);
-  motion.LimitAcceleration(1);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(30, 30, 20, 10));
-  advance(motion);
-  motion.Aim(154);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(1, 2, 1));
-}
-
-TEST(JointMotion, TakesAHigherAccelerationAtTheNextTarget) {
-  JointMotion motion = standingAt(0, 30, 1);
-  motion.Aim(960);
-  advance(motion);
-  ASSERT_EQ(motion.Step(), 1);
-  motion.LimitAcceleration(10);
-  motion.Aim(147);
-  EXPECT_THAT(stepsOf(motion), ElementsAre(11, 21, 28, 28, 28, 20, 10));
-}
-
-TEST(JointMotion, GivesThePositionsThatItPassesWhileItBrakes) {
-  JointMotion motion = standingAt(0, 30, 10);
-  motion.Aim(-960);
-  advance(motion, 3);
-  ASSERT_EQ(motion.Position(), -60);
-  EXPECT_EQ(motion.BrakingSpan().low, -90);
-  EXPECT_EQ(motion.BrakingSpan().high, -60);
-  EXPECT_EQ(motion.BrakingStep(), -20);
-  EXPECT_EQ(motion.SpanAfter(-20).low, -90);
-  EXPECT_EQ(motion.SpanAfter(-20).high, -80);
-  EXPECT_EQ(motion.SpanAfter(-30).low, -120);
-  EXPECT_EQ(motion.SpanAfter(-30).high, -90);
 }
 
 TEST(JointMotion, ArrivesInTheFewestFramesPossible) {

@@ -11,8 +11,6 @@
 
 namespace {
 
-using ::testing::Each;
-
 constexpr int kFramesPerSecond = 125;
 
 const robot_model::RobotModel& ers7() {
@@ -33,12 +31,6 @@ std::vector<int> allJoints() {
     joints.push_back(i);
   }
   return joints;
-}
-
-bool isLeader(int joint) {
-  const robot_model::Coupling* const couplings = ers7().couplings;
-  return std::any_of(couplings, couplings + ers7().number_of_couplings,
-                     [joint](const robot_model::Coupling& coupling) { return coupling.leader == joint; });
 }
 
 bool isFollower(int joint) {
@@ -370,176 +362,31 @@ TEST(MotionPlanner, LetsJointsWithADurationArriveTogether) {
   }
 }
 
-TEST(MotionPlanner, StretchesADurationThatIsTooShortForOneOfTheJoints) {
-  MotionPlanner planner(ers7());
-  planner.SetSpeedLimit(joint("tail_pan"), 500000);
-  std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("tail_pan"), 500000}};
-  setTargets(planner, targets, 8);
-  const int frames = planner.FramesLeft(joint("tail_pan"));
-  EXPECT_NEAR(frames, 1.0 * kFramesPerSecond, 2);
-  run(planner, frames - 1);
-  EXPECT_NE(planner.Position(joint("head_pan")), 1000000);
-  EXPECT_NE(planner.Position(joint("tail_pan")), 500000);
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(joint("head_pan")), 1000000);
-  EXPECT_EQ(planner.Position(joint("tail_pan")), 500000);
-}
-
-TEST(MotionPlanner, MovesEveryJointAsFastAsItCanWithoutADuration) {
-  MotionPlanner planner(ers7());
-  std::vector<JointTarget> targets = {{joint("head_pan"), 1000000}, {joint("neck_tilt"), -1000000}};
-  setTargets(planner, targets, 0);
-  EXPECT_LT(planner.FramesLeft(joint("head_pan")), planner.FramesLeft(joint("neck_tilt")));
-}
-
-TEST(MotionPlanner, LetsJointsArriveTogetherWhateverWasCommandedBefore) {
-  MotionPlanner planner(ers7());
-  RandomClient client(3);
-  for (int i = 0; i < 500; ++i) {
-    resetLimits(planner);
-    for (int command = 0; command < 5; ++command) {
-      client.command(planner);
-      run(planner, client.between(0, 10));
+TEST(MotionPlanner, FitsCoupledTargetsToEachOther) {
+  struct Row {
+    std::vector<std::pair<const char*, double>> wanted;  // in degrees, commanded together
+    const char* follower;
+    double accepted;
+  };
+  const Row rows[] = {
+      {{{"left_front_rotator", -60}, {"left_front_elevator", -10}}, "left_front_elevator", -2},
+      {{{"left_front_elevator", -10}, {"left_front_rotator", 100}}, "left_front_elevator", -2},
+      {{{"right_hind_elevator", -10}, {"right_hind_rotator", 10}}, "right_hind_elevator", -10},
+      {{{"head_tilt", -15}}, "head_tilt", -5},
+      {{{"head_tilt", -15}, {"neck_tilt", -50}}, "head_tilt", 5},
+      {{{"head_tilt", -15}, {"mouth", -50}}, "head_tilt", 5},
+  };
+  for (const Row& row : rows) {
+    MotionPlanner together(ers7());
+    MotionPlanner one_after_the_other(ers7());
+    for (const auto& [name, degrees] : row.wanted) {
+      together.Aim(joint(name), microradians(degrees));
+      setTarget(one_after_the_other, joint(name), microradians(degrees));
     }
-    std::vector<JointTarget> targets = client.targets();
-    const int duration = client.between(1, 1000);
-    setTargets(planner, targets, duration);
-    std::vector<int> joints;
-    for (const JointTarget& target : targets) {
-      if (!isLeader(target.joint) && !isFollower(target.joint)) {
-        joints.push_back(target.joint);
-      }
-    }
-    if (!joints.empty() && i % 2 == 0) {
-      planner.SetAccelerationLimit(joints[0], planner.AccelerationLimit(joints[0]) / 4);
-      ASSERT_THAT(framesLeftOf(planner, joints), Each(planner.FramesLeft(joints[0])));
-    }
-    for (int frame = 1; !joints.empty() && planner.FramesLeft(joints[0]) > 0; ++frame) {
-      planner.NextFrame();
-      if (frame == 20) {
-        planner.SetSpeedLimit(joints[0], planner.SpeedLimit(joints[0]) / 2);
-      }
-      const int frames_left = planner.FramesLeft(joints[0]);
-      ASSERT_THAT(framesLeftOf(planner, joints), Each(frames_left));
-      ASSERT_GE((frame + frames_left) * 8, duration);
-    }
-    for (const int joint : joints) {
-      ASSERT_EQ(planner.Position(joint), planner.Target(joint));
-    }
+    together.Go(0);
+    EXPECT_EQ(together.Target(joint(row.follower)), microradians(row.accepted)) << row.follower;
+    EXPECT_EQ(one_after_the_other.Target(joint(row.follower)), microradians(row.accepted)) << row.follower;
   }
-}
-
-TEST(MotionPlanner, StopsWithinTheBrakingDistance) {
-  MotionPlanner planner(ers7());
-  RandomClient client(4);
-  for (int i = 0; i < 500; ++i) {
-    std::vector<JointTarget> targets = client.targetsForAll();
-    setTargets(planner, targets, 0);
-    run(planner, client.between(0, 40));
-    const std::vector<int> from = postureOf(planner);
-    std::vector<double> speeds;
-    for (const int joint : allJoints()) {
-      speeds.push_back(planner.Speed(joint));
-    }
-    planner.HoldAll();
-    // From the highest speed that takes 12.5 frames.
-    ASSERT_LE(runUntilAllHaveArrived(planner), 13);
-    for (const int joint : allJoints()) {
-      const auto index = static_cast<size_t>(joint);
-      const double unit = kFramesPerSecond * kFramesPerSecond;
-      const double acceleration = std::floor(planner.AccelerationLimit(joint) / unit) * unit;
-      const double distance = planner.Position(joint) - from[index];
-      ASSERT_LE(std::abs(distance), speeds[index] * speeds[index] / (2 * acceleration)) << ers7().joints[joint].name;
-    }
-  }
-}
-
-TEST(MotionPlanner, StopsOneJointAndLetsTheOthersGo) {
-  MotionPlanner planner(ers7());
-  const int pan = joint("head_pan");
-  const int tail = joint("tail_pan");
-  setTarget(planner, pan, 1000000);
-  setTarget(planner, tail, 500000);
-  run(planner, 5);
-  planner.Hold(pan);
-  runUntilAllHaveArrived(planner);
-  EXPECT_LT(planner.Position(pan), 500000);
-  EXPECT_EQ(planner.Position(tail), 500000);
-}
-
-TEST(MotionPlanner, StopsOneJointOfAnArrivalInCommonAtOnce) {
-  MotionPlanner planner(ers7());
-  const int pan = joint("head_pan");
-  const int tail = joint("tail_pan");
-  std::vector<JointTarget> targets = {{pan, 1000000}, {tail, 500000}};
-  setTargets(planner, targets, 4000);
-  run(planner, 250);
-  const int held_at = planner.Position(pan);
-  planner.Hold(pan);
-  run(planner, 25);
-  EXPECT_EQ(planner.FramesLeft(pan), 0) << "it does not wait for the tail";
-  EXPECT_LT(planner.Position(pan), held_at + 50000);
-  run(planner, 225);
-  EXPECT_EQ(planner.Position(tail), 500000) << "in its 4 s";
-}
-
-TEST(MotionPlanner, AcceptsTheJointsOfACommandInAnyOrder) {
-  RandomClient client(6);
-  for (int i = 0; i < 200; ++i) {
-    std::vector<JointTarget> targets = client.targets();
-    std::vector<JointTarget> reversed(targets.rbegin(), targets.rend());
-    const int duration = client.between(0, 500);
-    MotionPlanner planner(ers7());
-    MotionPlanner other(ers7());
-    std::vector<JointTarget> before = client.targets();
-    setTargets(planner, before, 0);
-    setTargets(other, before, 0);
-    setTargets(planner, targets, duration);
-    setTargets(other, reversed, duration);
-    ASSERT_EQ(targetsOf(planner), targetsOf(other));
-    run(planner, 30);
-    run(other, 30);
-    ASSERT_EQ(postureOf(planner), postureOf(other));
-  }
-}
-
-TEST(MotionPlanner, TakesTheLastOfTwoPositionsForOneJoint) {
-  MotionPlanner planner(ers7());
-  std::vector<JointTarget> targets = {{joint("head_pan"), 1000}, {joint("head_pan"), 2000}};
-  setTargets(planner, targets, 0);
-  EXPECT_EQ(planner.Target(joint("head_pan")), 2000);
-  EXPECT_EQ(targets[0].position, 2000);
-  EXPECT_EQ(targets[1].position, 2000);
-}
-
-TEST(MotionPlanner, TakesASetOfTargetsThatFitTogetherAsItIs) {
-  MotionPlanner planner(ers7());
-  std::vector<JointTarget> targets = {{joint("left_front_elevator"), microradians(-10)},
-                                      {joint("left_front_rotator"), microradians(100)},
-                                      {joint("right_hind_elevator"), microradians(-10)},
-                                      {joint("right_hind_rotator"), microradians(10)}};
-  setTargets(planner, targets, 0);
-  EXPECT_EQ(targets[0].position, microradians(-2));
-  EXPECT_EQ(targets[1].position, microradians(100));
-  EXPECT_EQ(targets[2].position, microradians(-10));
-  EXPECT_EQ(targets[3].position, microradians(10));
-}
-
-TEST(MotionPlanner, ClampsTheElevatorToItsLimitForTheRotatorsTarget) {
-  MotionPlanner planner(ers7());
-  setTarget(planner, joint("left_front_rotator"), microradians(-60));
-  EXPECT_EQ(setTarget(planner, joint("left_front_elevator"), microradians(-10)), microradians(-2));
-}
-
-TEST(MotionPlanner, ClampsTheHeadTiltToItsLimitForNeckAndMouth) {
-  MotionPlanner planner(ers7());
-  EXPECT_EQ(setTarget(planner, joint("head_tilt"), microradians(-15)), microradians(-5));
-  setTarget(planner, joint("neck_tilt"), microradians(-50));
-  EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
-  setTarget(planner, joint("neck_tilt"), 0);
-  EXPECT_EQ(setTarget(planner, joint("head_tilt"), microradians(-15)), microradians(-5));
-  setTarget(planner, joint("mouth"), microradians(-50));
-  EXPECT_EQ(planner.Target(joint("head_tilt")), microradians(5));
 }
 
 // The rotator moves to where the slow elevator is not yet high enough.
@@ -560,73 +407,6 @@ TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   EXPECT_EQ(planner.Position(elevator), microradians(-2));
 }
 
-TEST(MotionPlanner, LetsAWaitingJointMoveAsFarAsItCan) {
-  MotionPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  setTarget(planner, elevator, microradians(-10));
-  runUntilAllHaveArrived(planner);
-  planner.SetSpeedLimit(elevator, 125);
-  setTarget(planner, rotator, microradians(100));
-  run(planner, 50);
-  EXPECT_EQ(planner.Position(rotator), microradians(20));
-  EXPECT_EQ(planner.Speed(rotator), 0);
-}
-
-TEST(MotionPlanner, LetsAWaitingJointMoveDownAsFarAsItCan) {
-  MotionPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  std::vector<JointTarget> targets = {{rotator, microradians(-100)}, {elevator, microradians(20)}};
-  setTargets(planner, targets, 0);
-  runUntilAllHaveArrived(planner);
-  planner.SetSpeedLimit(rotator, 125);
-  targets = {{rotator, 0}, {elevator, microradians(-10)}};
-  setTargets(planner, targets, 0);
-  run(planner, 50);
-  EXPECT_EQ(planner.Position(elevator), microradians(-1));
-  EXPECT_EQ(planner.Speed(elevator), 0);
-}
-
-TEST(MotionPlanner, LowersTheElevatorOnlyAsTheRotatorMakesRoom) {
-  MotionPlanner planner(ers7());
-  const int rotator = joint("right_hind_rotator");
-  const int elevator = joint("right_hind_elevator");
-  setTarget(planner, rotator, microradians(-100));
-  runUntilAllHaveArrived(planner);
-  ASSERT_EQ(planner.Position(elevator), 0);
-  planner.SetSpeedLimit(rotator, microradians(50));
-  std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
-  setTargets(planner, targets, 0);
-  run(planner, kFramesPerSecond / 2);
-  EXPECT_EQ(planner.Position(elevator), 0);
-  runUntilAllHaveArrived(planner);
-  EXPECT_EQ(planner.Position(rotator), 0);
-  EXPECT_EQ(planner.Position(elevator), microradians(-10));
-}
-
-TEST(MotionPlanner, DelaysNoJointForOneThatHasToWaitForAnother) {
-  MotionPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  const int tail = joint("tail_pan");
-  setTarget(planner, elevator, microradians(-10));
-  runUntilAllHaveArrived(planner);
-  std::vector<JointTarget> targets = {{rotator, microradians(50)}, {tail, 500000}};
-  setTargets(planner, targets, 4000);
-  ASSERT_EQ(planner.Target(elevator), microradians(-5));
-  run(planner, 499);
-  EXPECT_NE(planner.Position(elevator), microradians(-5));
-  EXPECT_NE(planner.Position(tail), 500000);
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(elevator), microradians(-5));
-  EXPECT_EQ(planner.Position(tail), 500000);
-  // It may go beyond 45 degrees only now.
-  EXPECT_LE(planner.Position(rotator), microradians(46));
-  EXPECT_LE(runUntilAllHaveArrived(planner), 20);
-  EXPECT_EQ(planner.Position(rotator), microradians(50));
-}
-
 TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   MotionPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
@@ -640,33 +420,6 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
     EXPECT_LE(runUntilAllHaveArrived(planner), 13);
     EXPECT_LT(planner.Position(rotator), microradians(40));
   }
-}
-
-TEST(MotionPlanner, StopsAMouthThatOpensTowardsAHeldHead) {
-  MotionPlanner planner(ers7());
-  setTarget(planner, joint("head_tilt"), microradians(-5));
-  runUntilAllHaveArrived(planner);
-  setTarget(planner, joint("mouth"), microradians(-50));
-  run(planner, 1);
-  planner.Hold(joint("head_tilt"));
-  EXPECT_LE(runUntilAllHaveArrived(planner), 13);
-  EXPECT_GT(planner.Position(joint("mouth")), microradians(-31));
-}
-
-TEST(MotionPlanner, DoesNotLowerAnElevatorOntoAHeldRotator) {
-  MotionPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  setTarget(planner, rotator, microradians(-100));
-  runUntilAllHaveArrived(planner);
-  std::vector<JointTarget> targets = {{rotator, 0}, {elevator, microradians(-10)}};
-  setTargets(planner, targets, 0);
-  run(planner, 5);
-  planner.Hold(rotator);
-  runUntilAllHaveArrived(planner);
-  EXPECT_LT(planner.Position(rotator), microradians(-76));
-  EXPECT_EQ(planner.Position(elevator), microradians(-1));
-  EXPECT_EQ(planner.Target(elevator), microradians(-1));
 }
 
 TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
@@ -741,21 +494,6 @@ TEST(MotionPlanner, FollowsATargetThatMovesWithoutLag) {
   }
 }
 
-// Why there is Follow().
-TEST(MotionPlanner, LagsBehindATargetThatMovesIfItHasToBeAbleToStopThere) {
-  MotionPlanner planner(ers7());
-  const int knee = joint("left_front_knee");
-  setTarget(planner, knee, swing(0));
-  runUntilAllHaveArrived(planner);
-  int farthest = 0;
-  for (int frame = 1; frame < 100; ++frame) {
-    setTarget(planner, knee, swing(frame));
-    planner.NextFrame();
-    farthest = std::max(farthest, std::abs(planner.Position(knee) - swing(frame)));
-  }
-  EXPECT_GT(farthest, microradians(5));
-}
-
 TEST(MotionPlanner, NeverExceedsALimitWhateverItFollows) {
   MotionPlanner planner(ers7());
   RandomClient client(3);
@@ -775,46 +513,6 @@ TEST(MotionPlanner, NeverExceedsALimitWhateverItFollows) {
       inspector.nextFrame(follows);
     }
   }
-}
-
-TEST(MotionPlanner, StopsAtTheLastTargetWhenThereAreNoMoreToFollow) {
-  MotionPlanner planner(ers7());
-  const int knee = joint("left_front_knee");
-  for (int frame = 1; frame < 20; ++frame) {
-    planner.Aim(knee, frame * 35000);
-    planner.Follow();
-    planner.NextFrame();
-  }
-  EXPECT_GT(planner.Speed(knee), 4000000);
-  EXPECT_LT(runUntilAllHaveArrived(planner), 60);
-  EXPECT_EQ(planner.Position(knee), 19 * 35000);
-}
-
-TEST(MotionPlanner, MovesAJointThatHasFollowedWithItsOwnAccelerationAgain) {
-  MotionPlanner planner(ers7());
-  const int knee = joint("left_front_knee");
-  planner.Aim(knee, 35000);
-  planner.Follow();
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(knee), MotionPlanner::FOLLOWING * 52796210 / 15625);
-  planner.Hold(knee);
-  planner.NextFrame();
-  const int before = planner.Position(knee);
-  setTarget(planner, joint("tail_pan"), 100000);
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(knee), before) << "another joint was commanded";
-  setTarget(planner, knee, microradians(90));
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(knee) - before, 52796210 / 15625);
-}
-
-TEST(MotionPlanner, ServesARobotWithoutCouplings) {
-  const robot_model::RobotModel& ers210 = *robot_model::findRobotModel("ERS-210");
-  MotionPlanner planner(ers210);
-  const int roll = findJointByName(ers210, "head_roll");
-  EXPECT_EQ(setTarget(planner, roll, microradians(-40)), microradians(-29));
-  run(planner, 100);
-  EXPECT_EQ(planner.Position(roll), microradians(-29));
 }
 
 }  // namespace
