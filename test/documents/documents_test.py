@@ -47,8 +47,8 @@ class SecurityTest(unittest.TestCase):
 
     def test_a_test_that_does_not_exist_is_found(self):
         self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
-        self.assertIn("no test", problem(("settings_test.cpp", "EndLines")))
-        self.assertIsNone(problem(("settings_test.cpp", "EndLinesAndComments")))
+        self.assertIn("no test", problem(("settings_test.cpp", "AreReadHowever")))
+        self.assertIsNone(problem(("settings_test.cpp", "AreReadHoweverTheFileWasWritten")))
 
 
 def links_in(text):
