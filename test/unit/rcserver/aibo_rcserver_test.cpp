@@ -149,17 +149,6 @@ TEST(AiboRCServer, GoesOnIfAMotionOnItsMemoryStickIsAPipe) {
   EXPECT_EQ(letterOfAnswer(port, kOnePicture), 'f');
 }
 
-TEST(AiboRCServer, FindsItsMemoryStickByItself) {
-  Process robot({AIBO_RCSERVER, "--no-console", "--port", "0"});
-  const std::string port = portOf(robot);
-  robot.signal(SIGTERM);
-  EXPECT_EQ(robot.waitForExit(kSafetyNet), 0);
-  EXPECT_EQ(robot.output(),
-            "RCServer: any address may connect\nRCServer: waiting for a client on port 54321\n"
-            "Port 54321 of the robot is port " +
-                port + " of this computer\nRCServer listening on 127.0.0.1:" + port + "\nStopped\n");
-}
-
 // On this memory stick, RCServer is for an ERS-210. A simulated ERS-7 does not load it, so it has no port for clients.
 TEST(AiboRCServer, IsTheModelAndHasTheBatteryThatItIsTold) {
   const test_support::MemoryStick stick;
@@ -202,76 +191,6 @@ TEST(AiboRCServer, LogsThePicturesThatItServesAndContinuesWhenNobodyReadsItsOutp
   long long taken_at = 0;  // nanoseconds since 1970
   EXPECT_TRUE(log >> taken_at);
   EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
-}
-
-using SentPicture = std::pair<protocol::version2::ImageHeader, std::vector<std::uint8_t>>;
-
-/// The next picture for a client of version 2, in a quality that is not the usual one.
-std::optional<SentPicture> nextPicture(TestClient& client, char number) {
-  using namespace protocol::version2;
-  client.send({'F', 90, 0, number, 0, 0, 0, 1, 0});
-  std::optional<test_support::Frame> picture;
-  for (int i = 0; i < 3000 && !(picture = client.nextFrame()); ++i) {
-    ::poll(nullptr, 0, 10);
-  }
-  ImageHeader image = {};
-  if (!picture || picture->header.kind != 'f' ||
-      decode(picture->payload.data(), IMAGE_HEADER_SIZE, &image) != nullptr) {
-    return std::nullopt;
-  }
-  return SentPicture(image, {picture->payload.begin() + IMAGE_HEADER_SIZE, picture->payload.end()});
-}
-
-// A picture depends on its frame, the seed and the ground on which the robot stands.
-TEST(AiboRCServer, HasTheSeedAndTheTableThatItIsTold) {
-  simulated_ers7::SimulatedErs7::Options options;
-  options.seed = 18446744073709551614U;
-  options.on_table = true;
-  Process robot(command({"--on-table", "--seed", std::to_string(options.seed)}));
-  TestClient client(numberOf(portOf(robot)));
-  client.send("X\2");
-  EXPECT_EQ(nextLetter(client), 'x');
-  const auto picture = nextPicture(client, 7);
-  ASSERT_TRUE(picture);
-  simulated_ers7::SimulatedErs7 twin(options);
-  for (longword frame = 0; frame <= picture->first.frame_number; ++frame) {
-    twin.passFrame(frame, {});
-  }
-  void* const base = twin.captureImage(picture->first.frame_number)->Base();
-  auto* const vector = static_cast<OFbkImageVectorData*>(base);
-  const auto plane = [vector](OFbkImageBand band) {
-    return OFbkImage(vector->GetInfo(ofbkimageLAYER_H), vector->GetData(ofbkimageLAYER_H), band).Pointer();
-  };
-  const CameraImage image = {plane(ofbkimageBAND_Y), plane(ofbkimageBAND_Cr), plane(ofbkimageBAND_Cb), 208, 160,
-                             std::size_t{6} * 208};
-  std::vector<std::uint8_t> jpeg(JpegEncoder::WorstCaseSize(image.width, image.height));
-  jpeg.resize(std::make_unique<JpegEncoder>()->Encode(image, 90, jpeg.data(), jpeg.size()));
-  EXPECT_TRUE(picture->second == jpeg) << "in frame " << picture->first.frame_number;
-}
-
-// The same photograph is always the same JPEG.
-TEST(AiboRCServer, ShowsEachPhotographAsLongAsItIsTold) {
-  constexpr double kSeconds = 0.09;
-  const TemporaryFolder folder;
-  for (const char grey : {'A', 'K', 'z'}) {
-    folder.write("some photographs/" + std::string(1, grey) + ".ppm", "P6 1 1 255\n" + std::string(3, grey));
-  }
-  Process robot(
-      command({"--images", folder.path("some photographs"), "--seconds-per-image", std::to_string(kSeconds)}));
-  TestClient client(numberOf(portOf(robot)));
-  client.send("X\2");
-  EXPECT_EQ(nextLetter(client), 'x');
-  std::map<int, std::vector<std::uint8_t>> seen;
-  for (char number = 1; seen.size() < 3 && number < 100; ++number) {
-    const auto picture = nextPicture(client, number);
-    ASSERT_TRUE(picture);
-    const auto& [image, jpeg] = *picture;
-    const int turn = static_cast<int>(image.frame_number * 0.008 / kSeconds) % 3;
-    EXPECT_EQ(seen.emplace(turn, jpeg).first->second, jpeg) << "in frame " << image.frame_number;
-  }
-  EXPECT_NE(seen[0], seen[1]);
-  EXPECT_NE(seen[1], seen[2]);
-  EXPECT_NE(seen[2], seen[0]);
 }
 
 TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
@@ -342,15 +261,6 @@ TEST(AiboRCServer, SaysWhatItCannotUse) {
   for (const auto& [arguments, message] : missing) {
     EXPECT_EQ(endOf(arguments), std::pair(1, "aibo_rcserver: " + message + "\n"));
   }
-}
-
-TEST(AiboRCServer, AcceptsTheLargestValuesAndExplainsItsOptions) {
-  const auto [status, output] =
-      endOf(command({"--help", "--encode-time", "10000", "--stick-time", "60000", "--processor-slowdown", "1000",
-                     "--hears-itself", "1", "--map-port", "65535=65535", "--seed", "18446744073709551615"},
-                    "65535", "65535"));
-  EXPECT_EQ(status, 0);
-  EXPECT_THAT(output, HasSubstr("--processor-slowdown"));
 }
 
 }  // namespace

@@ -142,45 +142,6 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(second.width, 4);
 }
 
-TEST(ColorCounterTest, EachImageIsCountedAnew) {
-  ColorRegions regions{};
-  for (const unsigned size : {4U, 2U}) {
-    std::vector<byte> pixels = emptyPlane();
-    draw(10, 20, size, size - 1, 0, &pixels);
-    draw(11, 20 + size - 1, 1, 1, 0, &pixels);  // narrower at its end
-    countColors({pixels.data(), kWidth, kHeight, kWidth}, 1, &regions);
-    ASSERT_EQ(regions.count, 1);
-    EXPECT_EQ(regions.regions[0].width, size);
-    EXPECT_EQ(regions.regions[0].height, size);
-  }
-}
-
-TEST_F(ColorsTest, ThePlaneComesOnDemand) {
-  load(tableOf(0));
-  draw(10, 20, 4, 2, 0, &robot_.color_plane);
-  draw(90, 70, 14, 9, 3, &robot_.color_plane);
-  switchOn(1, true);
-  EXPECT_EQ(nextImage().plane, robot_.color_plane);
-}
-
-TEST_F(ColorsTest, TheLastRowHasTagsInsteadOfColours) {
-  load(tableOf(0));
-  draw(0, kHeight - 1, 16, 1, 0, &robot_.color_plane);
-  switchOn(1, true);
-  const Colors colors = nextImage();
-  EXPECT_EQ(colors.regions.regions[0].pixels, 0U);
-  EXPECT_EQ(colors.plane, emptyPlane());
-}
-
-TEST_F(ColorsTest, NoiseIsSentWhole) {
-  load(tableOf(0));
-  for (size_t i = 0; i + kWidth < robot_.color_plane.size(); ++i) {
-    robot_.color_plane[i] = static_cast<byte>(i * 37 + i / 7);
-  }
-  switchOn(1, true);
-  EXPECT_EQ(nextImage().plane, robot_.color_plane);
-}
-
 TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {
   load(tableOf(0));
   switchOn(3);
@@ -195,40 +156,6 @@ TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {
   EXPECT_THAT(pushed(), IsEmpty());
 }
 
-TEST_F(ColorsTest, AClientThatReadsLateGetsTheNewest) {
-  disconnect();
-  connectVersion2(2048);
-  load(tableOf(0));
-  for (size_t i = 0; i + kWidth < robot_.color_plane.size(); ++i) {
-    robot_.color_plane[i] = static_cast<byte>(i * 37 + i / 7);  // so large that the connection soon takes no more
-  }
-  switchOn(1, true);
-  for (int i = 0; i < 100; ++i) {
-    takeImage();
-    if (i % 30 == 0) {
-      send(frame('H', 0, 7));  // so that the server does not take it for dead
-    }
-  }
-  const unsigned last = robot_.lastImage();
-  std::vector<unsigned> images;
-  ASSERT_TRUE(machine_->runUntil([&] {
-    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
-      if (next->header.kind == COLORS_PUSH) {
-        images.push_back(protocol::decodeBigEndian32(next->payload.data()));
-      }
-    }
-    return !images.empty() && images.back() >= last;
-  }));
-  EXPECT_LT(images.size(), 60U) << "what could not be sent was dropped";
-}
-
-TEST_F(ColorsTest, NewSettingsHoldFromTheNextImageOn) {
-  switchOn(100);
-  nextImage();
-  switchOn(100, true);
-  EXPECT_TRUE(nextImage().regions.has_plane);
-}
-
 TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
   for (const std::string& change : {frame('Z', COLORS_OFF, 2), frame('Z', COLORS_TABLE, 2, bytesOf(tableOf(0)))}) {
     connectBehindAPicture();
@@ -241,14 +168,6 @@ TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
     }
     EXPECT_THAT(pushed(), IsEmpty());
   }
-}
-
-TEST_F(ColorsTest, WhatAClientDidNotReadIsNotForTheNext) {
-  connectBehindAPicture();
-  send(frame('Z', COLORS_ON, 1, colorSettings(1)));
-  takeImage();
-  reconnect();
-  EXPECT_THAT(pushed(), IsEmpty());
 }
 
 TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
@@ -278,42 +197,6 @@ TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
   EXPECT_THAT(pushed(), IsEmpty());
   switchOn();
   EXPECT_EQ(nextImage().regions.count, 0);
-  load(tableOf(2));
-  robot_.refuses_color_tables = true;
-  for (const int loaded : {1, 0}) {
-    reconnect();
-    switchOn();
-    EXPECT_EQ(nextImage().regions.count, loaded) << "as the camera has them";
-    robot_.refuses_color_tables = false;
-  }
-}
-
-TEST_F(ColorsTest, ACameraThatNobodyGivesATableIsLeftAlone) {
-  switchOn();
-  reconnect();
-  EXPECT_THAT(robot_.color_tables, IsEmpty());
-}
-
-TEST_F(ColorsTest, NonsenseIsRefusedAndNothingIsLoaded) {
-  expectRefusal(answerTo('Z', 3), CODE_REFUSED, "the id is not");
-  expectRefusal(answerTo('Z', COLORS_ON, "abc"), CODE_REFUSED, "size");
-  expectRefusal(answerTo('Z', COLORS_ON, colorSettings(0)), CODE_REFUSED, "interval is 0");
-  expectRefusal(answerTo('Z', COLORS_OFF, "a"), CODE_REFUSED, "bad request");
-  expectRefusal(answerTo('Z', COLORS_TABLE, "abc"), CODE_REFUSED, "size");
-  ColorTable table = tableOf(0);
-  table.segments[7] = {200, 100, 0, 255};
-  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(table)), CODE_REFUSED, "minimum above its maximum");
-  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(tableOf(7))), CODE_REFUSED, "no channel 7");
-  EXPECT_THAT(robot_.color_tables, IsEmpty());
-}
-
-TEST_F(ColorsTest, ARefusalByTheCameraIsToldAndOnTheConsole) {
-  robot_.refuses_color_tables = true;
-  expectRefusal(answerTo('Z', COLORS_TABLE, bytesOf(tableOf(0))), CODE_REFUSED, "does not take this table");
-  EXPECT_THAT(console_.str(), HasSubstr("does not take a table of its colour detection"));
-  robot_.refuses_color_tables = false;
-  switchOn();
-  EXPECT_EQ(nextImage().regions.count, 0);
 }
 
 TEST_F(ColorsTest, ACameraWithoutThePlaneIsReportedOnce) {
@@ -325,18 +208,6 @@ TEST_F(ColorsTest, ACameraWithoutThePlaneIsReportedOnce) {
   expectRefusal(*report, CODE_NOT_SUPPORTED, "no plane");
   takeImage();
   EXPECT_FALSE(client_->nextFrame());
-}
-
-TEST_F(ColorsTest, AnErs210HasEightChannelsAndItsOwnSize) {
-  // The counting does not depend on the robot.
-  std::vector<byte> pixels(88 * 72, 0x80);
-  ColorRegions regions{};
-  countColors({pixels.data(), 88, 72, 88}, 0xff, &regions);
-  ASSERT_EQ(regions.count, 8);
-  EXPECT_EQ(regions.regions[0].pixels, 0U);
-  EXPECT_EQ(regions.regions[7].pixels, 88U * 71);
-  EXPECT_EQ(regions.regions[7].x, 64 * 87 / 2);
-  EXPECT_EQ(regions.regions[7].y, 64 * 35);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 /// @file fake_robot.h
-/// A robot whose camera images can be told apart. No two of its joints, sensors and numbers are alike.
+/// A robot whose camera images, joints and sensors can be told apart.
 #ifndef TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 #define TEST_UNIT_RCSERVER_FAKE_ROBOT_H
 
@@ -18,7 +18,6 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
-#include "simulator/openr_host/objects/filled_on_read.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 /// Takes an image every four frames, beginning with frame 4, in the layers H, M and L, and C if the test
@@ -28,13 +27,11 @@
 /// Begins upright, in an allowed posture. In each frame, a joint with gains moves to the position it was last commanded
 /// to, unless it is jammed. Joints report their positions, but those with gains are a little off, each by its own
 /// error. Sensors report the values that the test has set. LEDs and ears keep their last commands.
-///
-/// The images are numbered so that their 16-bit number soon begins again.
 class FakeRobot : public openr_host::VirtualRobot {
  public:
   static constexpr longword kFramesPerImage = 4;
   static constexpr longword kFirstFrame = 100000;  ///< in which tests begin
-  static constexpr longword kFirstImage = 65520;   ///< its image
+  static constexpr longword kFirstImage = 100;     ///< its image
   static constexpr size_t kWidth = 208;
   static constexpr size_t kHeight = 160;
   static constexpr size_t kMostBands = 6;
@@ -46,7 +43,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool jammed = false;
     bool refuses_gain = false;   ///< EnableJointGain fails
     bool refuses_gains = false;  ///< SetJointGain fails
-    bool keeps_gain = false;     ///< DisableJointGain fails
     bool is_mute = false;        ///< GetJointValue fails
     std::optional<int> duty{};   ///< that it reports; otherwise it is full unless the joint is at its reference
     int duty_at_rest = 0;
@@ -74,8 +70,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   explicit FakeRobot(const char* robot_design = "ERS-7")
       : model(*robot_model::findRobotModel(robot_design)),
         region_(new RCRegion(sizeof(OFbkImageVectorData) + kLayers * sizeof(OFbkImageInfo) +
-                             2 * kMostBands * kWidth * kHeight)),
-        pixels_(std::in_place, region_->Base(), region_->Size()) {
+                             2 * kMostBands * kWidth * kHeight)) {
     std::vector<int> posture(joints.size(), 0);
     for (size_t i = 0; i < joints.size(); ++i) {
       const int number = static_cast<int>(i) + 1;
@@ -106,7 +101,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     }
   }
   ~FakeRobot() override {
-    pixels_.reset();
     region_->RemoveReference();
     sensors_->RemoveReference();
   }
@@ -122,7 +116,7 @@ class FakeRobot : public openr_host::VirtualRobot {
   /// From now on images are noise, which makes the largest pictures.
   void showNoise() { noise_ = true; }
 
-  std::string design() const override { return design_name; }
+  std::string design() const override { return model.design; }
   OStatus openPrimitive(const char* locator, OPrimitiveID* id) override {
     if (locator == missing_locator) {
       return oNOT_FOUND;
@@ -164,7 +158,7 @@ class FakeRobot : public openr_host::VirtualRobot {
       speaker_requests[request] = value;
       return oSUCCESS;
     }
-    if (id != kCamera || refuses_camera_settings || request == refused_camera_request) {
+    if (id != kCamera || refuses_camera_settings) {
       return oINVALID_PRIMITIVE_ID;
     }
     camera_requests.emplace_back(request, value);
@@ -190,9 +184,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus disableJointGain(OPrimitiveID id) override {
-    if (at(id).keeps_gain) {
-      return oFAIL;
-    }
     at(id).gain = false;
     at(id).gains = {};
     return oSUCCESS;
@@ -222,9 +213,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus setCdtVectorData(const OCdtVectorData& tables) override {
-    if (refuses_color_tables) {
-      return oFAIL;
-    }
     for (longword i = 0; i < tables.vectorInfo.numData; ++i) {
       color_tables[tables.info[i].channel] =
           std::vector<longword>(tables.info[i].table, tables.info[i].table + ocdtMAX_Y_SEGMENT);
@@ -313,7 +301,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   }
 
   const robot_model::RobotModel& model;
-  std::string design_name = model.design;  ///< for OPEN-R
   std::vector<FakeJoint> joints = std::vector<FakeJoint>(static_cast<size_t>(model.number_of_joints));
   std::vector<int> sensor_values = std::vector<int>(static_cast<size_t>(model.number_of_sensors));
   std::vector<FakeLed> leds = std::vector<FakeLed>(static_cast<size_t>(model.number_of_leds));
@@ -324,15 +311,8 @@ class FakeRobot : public openr_host::VirtualRobot {
   int times_switched_off = 0;
   bool powered = false;
   bool refuses_power = false;
-  longword image_lag = 0;  ///< frames by which the frame number of an image is too low
-  byte cr = 128;           ///< of images
-  byte cb = 128;
-  bool counts_images = true;                    ///< in the field counter; false: it does not change
   std::optional<std::array<byte, 3>> detail{};  ///< of images, in LH, HL and HH; without it there are no such bands
-  int images_read = 0;                          ///< of those taken, the number whose pixels were read
   bool refuses_camera_settings = false;
-  std::optional<OPrimitiveRequest> refused_camera_request{};
-  bool refuses_color_tables = false;
   bool refuses_power_status = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
   std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
@@ -361,7 +341,6 @@ class FakeRobot : public openr_host::VirtualRobot {
       offset += vector->GetInfo(layer)->dataSize;
     }
     drawColorPlane(offset, *vector);
-    pixels_->fillBy([this] { ++images_read; });
     return region_;
   }
 
@@ -440,7 +419,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     OFbkImageInfo* info = vector.GetInfo(layer);
     const size_t bands = detail ? kMostBands : 3;
     info->type = detail ? odataFBK_YCrCb_HPF : odataFBK_YCrCb;
-    info->frameNumber = frame - image_lag;
+    info->frameNumber = frame;
     info->dataOffset = offset;
     info->dataSize = static_cast<longword>(bands * width * height);
     info->width = static_cast<longword>(width);
@@ -449,8 +428,7 @@ class FakeRobot : public openr_host::VirtualRobot {
     for (size_t row = 0; row < height; ++row) {
       byte* const bytes = pixels + bands * width * row;
       std::fill_n(bytes, width, static_cast<byte>(brightness(image_)));
-      std::fill_n(bytes + width, width, cr);
-      std::fill_n(bytes + 2 * width, width, cb);
+      std::fill_n(bytes + width, 2 * width, byte{128});
       for (size_t band = 3; band < bands; ++band) {
         std::fill_n(bytes + band * width, width, (*detail)[band - 3]);
       }
@@ -459,13 +437,11 @@ class FakeRobot : public openr_host::VirtualRobot {
       std::generate_n(pixels, bands * width * height, [this] { return static_cast<byte>(random_() & 0xff); });
     }
     byte* tag = pixels + bands * width * (height - 1);
-    const longword count = counts_images ? image_ : 0;
-    tag[0] = static_cast<byte>(count & 0xff);
-    tag[1] = static_cast<byte>(count >> 8);
+    tag[0] = static_cast<byte>(image_ & 0xff);
+    tag[1] = static_cast<byte>(image_ >> 8);
   }
 
   RCRegion* region_;
-  std::optional<openr_host::FilledOnRead> pixels_;
   RCRegion* sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) +
                                     kMostEntries * (sizeof(OSensorFrameInfo) + sizeof(OSensorFrameData)));
   unsigned image_ = 0;

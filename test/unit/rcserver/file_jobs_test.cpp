@@ -145,19 +145,6 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStop) {
   }
 }
 
-TEST_F(FileJobsTest, AMotionIsStoppedWhileTheFileOfAnotherIsRead) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
-  finishJobs();
-  answers();
-  file_keeper_.slowDown();
-  live();
-  send(frame('P', 0, 2, playPayload("NOD.MTN", 1)) + frame('P', 0, 3, playPayload("WAG.MTN", 0)));
-  passFrames(40);
-  EXPECT_FALSE(moves("tail_pan"));
-  finishJobs();
-  EXPECT_THAT(answers(), Contains("p2")) << "the other one begins";
-}
-
 TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
   answerTo('E', protocol::version2::POSTURE_REST);
   send(frame('P', 0, 2, playPayload("WAG.MTN", 1)));
@@ -166,21 +153,6 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
   answers();
   finishJobs();
   EXPECT_THAT(answers(), ElementsAre("e2 the motors are off; switch them on first"));
-}
-
-TEST_F(FileJobsTest, AMotionDoesNotMoveAJointThatWasHeldWhileItsFileWasRead) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)) + frame('I', 1, 2, "\2"));
-  send(frame('P', 0, 6, playPayload("NOD.MTN", 0)));
-  EXPECT_THAT(answers(), ElementsAre("i2", "p6"));
-  finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p1")) << "it does not move the head, and is not the one that was stopped";
-  send(frame('P', 0, 3, playPayload("WAG.MTN", 0)));
-  answers();
-  file_keeper_.slowDown();
-  send(frame('P', 0, 4, playPayload("WAG.MTN", 1000)) + frame('I', 1, 5, "\63"));
-  EXPECT_THAT(answers(), ElementsAre("i5"));
-  finishJobs();
-  EXPECT_THAT(answers(), ElementsAre(HasSubstr("e4 tail_pan was commanded while the file of WAG.MTN was being read")));
 }
 
 TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
@@ -202,68 +174,6 @@ TEST_F(FileJobsTest, UploadIsCompletedThoughItsClientHasGone) {
   EXPECT_FALSE(hasFile("NEW.MTN"));
   finishJobs();
   EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
-}
-
-// 256 names of 12 letters make the longest answer.
-TEST_F(FileJobsTest, LongestAnswerFindsRoomWhileOthersWait) {
-  for (int i = 0; i < 256; ++i) {
-    stick_.write("OPEN-R/MW/DATA/P/DANCE" + std::to_string(100 + i) + ".MTN", "");
-  }
-  disconnect();
-  connectVersion2(4096);
-  stallBehind(frame('N', 0, 1));
-  ASSERT_TRUE(file_keeper_.hasJob());
-  finishJobs();
-  int limits = 0;
-  std::string list;
-  while (limits < 4096 || list.empty()) {
-    const std::optional<Frame> next = nextFrame();
-    ASSERT_TRUE(next);
-    if (next->header.kind == 'n') {
-      list = textOf(*next);
-    } else {
-      ASSERT_EQ(next->header.kind, 'v') << "after " << limits;
-      ++limits;
-    }
-  }
-  EXPECT_EQ(std::count(list.begin(), list.end(), '\n'), 255);
-}
-
-TEST_F(FileJobsTest, AnswersOfVersion1KeepTheOrderOfTheRequests) {
-  disconnect();
-  client_ = connectServed();
-  client_->send(fileRequest('P', "WAG.MTN", 1) + request('?', 0) + request('X', 3));
-  machine_->runPending();
-  ASSERT_TRUE(file_keeper_.hasJob());
-  passFrames(100);
-  EXPECT_FALSE(client_->next());
-  finishJobs();
-  for (const char letter : {'p', 'e', 'e'}) {
-    EXPECT_EQ(awaitLetter(*client_), letter);
-  }
-}
-
-TEST_F(FileJobsTest, AMemoryStickThatDoesNotAnswerDoesNotSilenceTheClient) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  for (int i = 0; i < 10; ++i) {
-    passFrames(100);
-    send(frame('H', 0, 10 + i));
-    EXPECT_THAT(answers(), ElementsAre("h" + std::to_string(10 + i)));
-  }
-}
-
-TEST_F(FileJobsTest, NextClientOfVersion1IsServedAfterTheLastOnesFileJob) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
-  disconnect();
-  client_ = connect();
-  send(fileRequest('D', "NOD.MTN", 0));
-  passFrames(1260);  // it is silent for 10 s, so the next one may take its place
-  const auto silent = std::exchange(client_, connect());
-  send(kRefused);
-  finishJobs();
-  EXPECT_TRUE(await(*client_));
-  EXPECT_FALSE(moves("tail_pan"));
-  EXPECT_TRUE(hasFile("NOD.MTN")) << "what waited for the memory stick is gone with its client";
 }
 
 // ---------------------------------------------------------------------------------------------- missing objects

@@ -120,32 +120,13 @@ TEST_F(JpegEncoderTest, MakesABaselineJpegOf208x160WithHalvedChroma) {
   EXPECT_EQ(decoded.height, 160);
   EXPECT_EQ(decoded.subsampling, TJSAMP_420);
   EXPECT_EQ(decoded.colorspace, TJCS_YCbCr);
+  EXPECT_GT(psnr(scene.image(), decoded), 33.0);
+  EXPECT_GT(jpeg.size(), 3000U);
+  EXPECT_LT(jpeg.size(), 7000U);
   const std::string text(jpeg.begin(), jpeg.end());
   EXPECT_EQ(text.substr(0, 3), "\xff\xd8\xff");
   EXPECT_EQ(text.substr(text.size() - 2), "\xff\xd9");
   EXPECT_NE(text.find(std::string("\xff\xc0\x00\x11\x08", 5)), std::string::npos) << "no SOF0: not baseline";
-}
-
-TEST_F(JpegEncoderTest, PictureAtQuality85LooksLikeItsSourceAndHasTheReportsSize) {
-  const CameraImageFixture scene = CameraImageFixture::scene();
-  const std::vector<uint8_t> jpeg = encode(scene.image(), 85);
-  EXPECT_GT(psnr(scene.image(), decode(jpeg)), 33.0);
-  EXPECT_GT(jpeg.size(), 3000U);
-  EXPECT_LT(jpeg.size(), 7000U);
-}
-
-TEST_F(JpegEncoderTest, HigherQualityMeansMoreBytesAndABetterPicture) {
-  const CameraImageFixture scene = CameraImageFixture::scene();
-  size_t last_size = 0;
-  double last_psnr = 0;
-  for (const int quality : {5, 25, 50, 75, 85, 95, 100}) {
-    const std::vector<uint8_t> jpeg = encode(scene.image(), quality);
-    const double now = psnr(scene.image(), decode(jpeg));
-    EXPECT_GT(jpeg.size(), last_size) << "quality " << quality;
-    EXPECT_GT(now, last_psnr) << "quality " << quality;
-    last_size = jpeg.size();
-    last_psnr = now;
-  }
 }
 
 TEST_F(JpegEncoderTest, PicturesAreWithinATenthOfADecibelOfTheAccurateTransform) {
@@ -156,28 +137,6 @@ TEST_F(JpegEncoderTest, PicturesAreWithinATenthOfADecibelOfTheAccurateTransform)
       EXPECT_GT(psnr(scene.image(), decode(encode(scene.image(), quality))), accurate - 0.1)
           << "quality " << quality << ", scene " << seed;
     }
-  }
-}
-
-TEST_F(JpegEncoderTest, EveryQualityFrom0To100MakesAPicture) {
-  const CameraImageFixture scene = CameraImageFixture::scene();
-  for (int quality = 0; quality <= 100; ++quality) {
-    EXPECT_EQ(decode(encode(scene.image(), quality)).width, 208) << "quality " << quality;
-  }
-}
-
-TEST_F(JpegEncoderTest, PictureDoesNotDependOnTheOneBefore) {
-  const CameraImageFixture scene = CameraImageFixture::scene();
-  const std::vector<uint8_t> first = encode(scene.image(), 85);
-  for (const int quality : {10, 100}) {
-    encode(scene.image(), quality);
-    EXPECT_EQ(encode(scene.image(), 85), first);
-  }
-  for (const auto& [width, height] : {std::pair(104U, 80U), std::pair(104U, 160U), std::pair(208U, 80U)}) {
-    const Decoded other = decode(encode(CameraImageFixture::scene(width, height, 2).image(), 85));
-    EXPECT_EQ(other.width, width);
-    EXPECT_EQ(other.height, height);
-    EXPECT_EQ(encode(scene.image(), 85), first);
   }
 }
 
@@ -192,56 +151,12 @@ TEST_F(JpegEncoderTest, RedIsRedAndBlueIsBlue) {
   EXPECT_GT(blue.at(100, 80)[2], 245);
 }
 
-TEST_F(JpegEncoderTest, APlainPictureOfAnyWidthIsPlainToItsEdges) {
-  for (const size_t width : {44U, 52U, 88U, 104U, 176U, 208U}) {
-    const Decoded decoded = decode(encode(CameraImageFixture::plain({40, 90, 200}, width, 60).image(), 50));
-    for (size_t i = 0; i < decoded.rgb.size(); ++i) {
-      ASSERT_NEAR(decoded.rgb[i], decoded.rgb[i % 3], 1) << width;
-    }
-  }
-}
-
-TEST_F(JpegEncoderTest, EachPartOfThePictureShowsThatPartOfTheImage) {
-  const CameraImageFixture quadrants(208, 160, [](size_t x, size_t y) {
-    return Pixel{static_cast<uint8_t>(x < 104 ? 60 : 200), static_cast<uint8_t>(y < 80 ? 90 : 160), 128};
-  });
-  EXPECT_GT(psnr(quadrants.image(), decode(encode(quadrants.image(), 90))), 35.0);
-}
-
-TEST_F(JpegEncoderTest, PictureDoesNotDependOnTheSkipBetweenRows) {
-  const CameraImageFixture scene = CameraImageFixture::scene();
-  const CameraImage interleaved = scene.image();
-  const size_t size = interleaved.width * interleaved.height;
-  std::vector<uint8_t> planes(3 * size);
-  for (size_t y = 0; y < interleaved.height; ++y) {
-    for (size_t x = 0; x < interleaved.width; ++x) {
-      const size_t to = y * interleaved.width + x;
-      const size_t from = y * interleaved.stride + x;
-      planes[to] = interleaved.y[from];
-      planes[size + to] = interleaved.cr[from];
-      planes[2 * size + to] = interleaved.cb[from];
-    }
-  }
-  const CameraImage packed{planes.data(), planes.data() + size, planes.data() + 2 * size, 208, 160, 208};
-  EXPECT_EQ(encode(packed, 85), encode(interleaved, 85));
-}
-
 TEST_F(JpegEncoderTest, TagIsReplacedInThePictureAndUntouchedInTheImage) {
   CameraImageFixture tagged = CameraImageFixture::plain({100, 128, 128});
   tagged.setTag(255, 0xffff);
   const std::vector<uint8_t> before = tagged.bytes();
   EXPECT_EQ(encode(tagged.image(), 85), encode(CameraImageFixture::plain({100, 128, 128}).image(), 85));
   EXPECT_EQ(tagged.bytes(), before);
-}
-
-TEST_F(JpegEncoderTest, NothingButTheTagIsReplaced) {
-  const CameraImageFixture edge(208, 160, [](size_t x, size_t y) {
-    return Pixel{static_cast<uint8_t>(y == 159 && x >= CameraImage::TAG_SIZE ? 240 : 20), 128, 128};
-  });
-  const Decoded decoded = decode(encode(edge.image(), 100));
-  EXPECT_GT(decoded.at(static_cast<int>(CameraImage::TAG_SIZE), 159)[1], 200);
-  EXPECT_GT(decoded.at(207, 159)[1], 200);
-  EXPECT_LT(decoded.at(static_cast<int>(CameraImage::TAG_SIZE), 158)[1], 60);
 }
 
 struct Size {
@@ -280,23 +195,8 @@ TEST_F(JpegEncoderTest, NoiseAtQuality100FitsIntoTheWorstCaseSize) {
   std::mt19937 random(7);
   std::uniform_int_distribution<int> level(0, 255);
   const auto any = [&] { return static_cast<uint8_t>(level(random)); };
-  const auto black_or_white = [&] { return static_cast<uint8_t>(level(random) < 128 ? 0 : 255); };
   const CameraImageFixture noise(208, 160, [&](size_t, size_t) { return Pixel{any(), any(), any()}; });
-  const CameraImageFixture binary(208, 160, [&](size_t, size_t) {
-    return Pixel{black_or_white(), black_or_white(), black_or_white()};
-  });
-  // Squares of two by two pixels: noise that survives the halving of chroma.
-  std::vector<Pixel> squares(104 * 80);
-  for (Pixel& square : squares) {
-    square = {0, black_or_white(), black_or_white()};
-  }
-  const CameraImageFixture coarse(208, 160, [&](size_t x, size_t y) {
-    const Pixel& square = squares[y / 2 * 104 + x / 2];
-    return Pixel{black_or_white(), square.cb, square.cr};
-  });
   EXPECT_GT(encode(noise.image(), 100).size(), 64U * 1024U) << "the report's buffer would have been enough";
-  EXPECT_GT(encode(binary.image(), 100).size(), 64U * 1024U);
-  EXPECT_GT(encode(coarse.image(), 100).size(), 64U * 1024U);
 }
 
 TEST_F(JpegEncoderTest, FailsWithAReasonWhenTheBufferIsTooSmallAndWorksAgainAfterwards) {
@@ -340,20 +240,6 @@ TEST_F(JpegEncoderTest, DoubleResolutionIsThePictureThatSonysSampleReconstructs)
     ASSERT_FALSE(jpeg.empty()) << encoder_.LastError();
     EXPECT_EQ(decode(jpeg).width, static_cast<int>(2 * width));
     EXPECT_EQ(decode(jpeg).rgb, decode(encodeAccurately(reconstructed(scene).image(), 95)).rgb) << width;
-  }
-}
-
-TEST_F(JpegEncoderTest, DoubleResolutionShowsStripesThatTheLayerCannotShow) {
-  CameraImageFixture stripes = CameraImageFixture::plain({128, 128, 128});
-  stripes.setDetail([](size_t band, size_t, size_t) { return static_cast<uint8_t>(band == 4 ? 228 : 128); });
-  std::vector<uint8_t> jpeg(JpegEncoder::WorstCaseSize(416, 320));
-  jpeg.resize(encoder_.EncodeDouble(stripes.image(), stripes.detail(), 95, jpeg.data(), jpeg.size()));
-  const Decoded decoded = decode(jpeg);
-  ASSERT_EQ(decoded.width, 416);
-  ASSERT_EQ(decoded.height, 320);
-  for (const int y : {0, 101, 319}) {
-    EXPECT_NEAR(decoded.at(100, y)[1], 28, 6) << "left";
-    EXPECT_NEAR(decoded.at(101, y)[1], 228, 6) << "right";
   }
 }
 

@@ -71,20 +71,6 @@ class PicturesTest : public Version2Fixture {
   }
 };
 
-// The simulated camera draws only what is read.
-TEST_F(PicturesTest, OnlyImagesThatBecomePicturesAreRead) {
-  takeImage();
-  EXPECT_EQ(robot_.images_read, 0);
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  takeImage();
-  EXPECT_EQ(pictures().size(), 2U);
-  EXPECT_EQ(robot_.images_read, 2);
-  answerTo('W', 85, kStreamOff);
-  takeImage();
-  EXPECT_EQ(robot_.images_read, 2);
-}
-
 // Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
 // does.
 TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
@@ -116,18 +102,6 @@ TEST_F(PicturesTest, NewestImageDuringEncodingIsTheNextPicture) {
   expectPictureOfImage(next[0], robot_.lastImage());
 }
 
-TEST_F(PicturesTest, WaitingImageIsTheNextPictureEvenIfNoOtherImageComes) {
-  ASSERT_TRUE(startsStreamWithSlowEncoder());
-  const unsigned first = robot_.lastImage();
-  takeImage();
-  encoder_.speedUp();
-  encoder_.obey();
-  const std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 2U);
-  expectPictureOfImage(made[0], first);
-  expectPictureOfImage(made[1], first + 1);
-}
-
 // Level2 Reference Guide, chapter 1: an object handles one message at a time. So RCServer must not wait for the
 // encoder.
 TEST_F(PicturesTest, JointsMoveAndRequestsAreAnsweredWhileTheEncoderWorks) {
@@ -155,46 +129,6 @@ TEST_F(PicturesTest, PictureInTheMakingIsDroppedWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
-TEST_F(PicturesTest, WaitingImageIsDroppedWithItsClient) {
-  encoder_.slowDown();
-  send(frame('F', 85, 7, kLayerHigh) + frame('F', 85, 8, kLayerHigh));
-  takeImage();
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
-  reconnect();
-  encoder_.speedUp();
-  takeImage();
-  takeImage();
-  EXPECT_TRUE(pictures().empty());
-}
-
-TEST_F(PicturesTest, EveryThirdImageIsCountedFromTheOneSent) {
-  encoder_.slowDown();
-  answerTo('W', 85, std::string("\1\0\0\3", 4));
-  for (int i = 0; i < 6; ++i) {
-    takeImage();
-  }
-  encoder_.speedUp();
-  takeImage();
-  std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 2U);
-  EXPECT_EQ(imageCount(made[1]), robot_.lastImage());
-  takeImage();
-  takeImage();
-  EXPECT_TRUE(pictures().empty());
-  takeImage();
-  EXPECT_EQ(pictures().size(), 1U);
-}
-
-TEST_F(PicturesTest, NoPictureOfTheStreamFollowsTheAnswerThatStopsIt) {
-  ASSERT_TRUE(startsStreamWithSlowEncoder());
-  answerTo('W', 85, kStreamOff);
-  encoder_.speedUp();
-  takeImage();
-  takeImage();
-  EXPECT_TRUE(pictures().empty());
-}
-
 TEST_F(PicturesTest, NoPictureOfTheOldQualityOrLayerFollowsTheAnswerThatChangesIt) {
   for (const auto& [quality, layer] :
        {std::make_pair(20, protocol::version2::LAYER_HIGH), std::make_pair(85, protocol::version2::LAYER_MIDDLE)}) {
@@ -211,34 +145,6 @@ TEST_F(PicturesTest, NoPictureOfTheOldQualityOrLayerFollowsTheAnswerThatChangesI
     }
     reconnect();
   }
-}
-
-TEST_F(PicturesTest, PictureInTheMakingIsStillOwedAfterTheStreamStops) {
-  encoder_.slowDown();
-  answerTo('W', 85, kStreamOn);
-  send(frame('F', 20, 1001, kLayerHigh));
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
-  const unsigned image = robot_.lastImage();
-  answerTo('W', 85, kStreamOff);
-  encoder_.speedUp();
-  takeImage();
-  const std::vector<Frame> owed = pictures();
-  ASSERT_EQ(owed.size(), 1U);
-  EXPECT_EQ(owed[0].header.request_number, 1001);
-  expectPictureOfImage(owed[0], image);
-}
-
-TEST_F(PicturesTest, PictureOfTheStreamInTheMakingDoesNotAnswerARequestThatCameMeanwhile) {
-  ASSERT_TRUE(startsStreamWithSlowEncoder());
-  send(frame('F', 85, 1001, kLayerHigh));
-  takeImage();
-  encoder_.speedUp();
-  encoder_.obey();
-  const std::vector<Frame> made = pictures();
-  ASSERT_EQ(made.size(), 2U);
-  EXPECT_EQ(made[0].header.request_number, 0);
-  EXPECT_EQ(made[1].header.request_number, 1001);
 }
 
 TEST_F(PicturesTest, FailureOfTheEncoderIsReportedAndTheClientDropped) {
@@ -262,43 +168,6 @@ TEST_F(PicturesTest, FailureOfTheEncoderIsReportedAndTheClientDropped) {
   EXPECT_EQ(pictures().size(), 1U);
 }
 
-TEST_F(PicturesTest, ConsoleCountsTheImagesThatTheEncoderMissed) {
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  encoder_.slowDown();
-  takeImage();
-  takeImage();
-  encoder_.speedUp();
-  takeImage();
-  takeImage();
-  EXPECT_EQ(pictures().size(), 4U);
-  answerTo('W', 85, kStreamOff);
-  EXPECT_THAT(console_.str(), HasSubstr("stream off after 4 pictures, 1 camera images left out\n"));
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  answerTo('W', 85, kStreamOff);
-  EXPECT_THAT(console_.str(), HasSubstr("stream off after 1 pictures, 0 camera images left out\n"));
-}
-
-TEST_F(PicturesTest, EachStreamIsCountedByItself) {
-  for (int i = 0; i < 2; ++i) {
-    answerTo('W', 85, kStreamOn);
-    takeImage();
-    takeImage();
-    EXPECT_EQ(pictures().size(), 2U);
-    answerTo('W', 85, kStreamOff);
-    takeImage();
-  }
-  EXPECT_THAT(console_.str(), Not(HasSubstr("stream off after 4")));
-}
-
-TEST_F(PicturesTest, ConsoleNamesNoStreamOfAClientThatHasGone) {
-  answerTo('W', 85, kStreamOn);
-  takeImage();
-  reconnect();
-  EXPECT_THAT(console_.str(), Not(HasSubstr("stream off")));
-}
-
 // The camera counts its images in 16 bits.
 TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
   disconnect();
@@ -315,47 +184,6 @@ TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
   EXPECT_GT(robot_.lastImage(), 65536U);
 }
 
-// --------------------------------------------------------------------------------------------- a busy connection
-
-// A client that asks for more than it reads, so that a message is being sent until it reads on.
-class StalledClientTest : public PicturesTest {
- protected:
-  void SetUp() override {
-    PicturesTest::SetUp();
-    disconnect();
-    connectVersion2(4096);
-  }
-};
-
-TEST_F(StalledClientTest, DelayedOwedPictureShowsTheNewestImage) {
-  stallBehind(frame('F', 85, 1001, kLayerHigh));
-  for (int i = 0; i < 10; ++i) {
-    takeImage();
-  }
-  const std::vector<Frame> owed = pictures();
-  ASSERT_EQ(owed.size(), 1U);
-  EXPECT_EQ(owed[0].header.request_number, 1001);
-  expectPictureOfImage(owed[0], robot_.lastImage());
-  takeImage();
-  EXPECT_TRUE(pictures().empty());
-}
-
-TEST_F(StalledClientTest, DelayedPictureIsDroppedWithItsClient) {
-  stallBehind(frame('F', 85, 1001, kLayerHigh));
-  takeImage();
-  client_->reset();
-  machine_->runPending();
-  connectVersion2();
-  passFrames(2);
-  EXPECT_TRUE(pictures().empty());
-  send(frame('F', 20, 8, kLayerHigh));
-  takeImage();
-  const std::vector<Frame> own = pictures();
-  ASSERT_EQ(own.size(), 1U);
-  EXPECT_EQ(own[0].header.request_number, 8);
-  expectPictureOfImage(own[0], robot_.lastImage());
-}
-
 // -------------------------------------------------------------------------------------------------------- parts
 
 // Internet Protocol Version4, 1.3: an endpoint's pool should be slightly larger than the largest packet.
@@ -370,34 +198,6 @@ TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
   EXPECT_EQ(brightnessOf({picture->payload.begin() + 16, picture->payload.end()}).width, 208);
   EXPECT_THAT(sends_, Each(Le(8192U)));
   EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
-}
-
-// The picture log and the radio campaign recognise pictures in the data that is passed to the IPStack.
-TEST_F(PicturesTest, SentPicturesAreAssembledFromTheirParts) {
-  robot_.showNoise();
-  for (const int quality : {100, 1}) {
-    begun_pictures_ = 0;
-    answerTo('H', 0);
-    EXPECT_FALSE(sent_pictures_.isComplete());
-    send(frame('F', quality, 7, kLayerHigh));
-    takeImage();
-    const std::optional<Frame> picture = nextFrame();
-    ASSERT_TRUE(picture);
-    EXPECT_EQ(begun_pictures_, 1);
-    ASSERT_TRUE(sent_pictures_.isComplete());
-    EXPECT_EQ(sent_pictures_.jpeg(), std::string(picture->payload.begin() + 16, picture->payload.end()));
-  }
-}
-
-TEST_F(PicturesTest, SentPicturesOfVersion1AreFound) {
-  disconnect();
-  client_ = connectServed();
-  ask(*client_, request('F', 85));
-  takeImage();
-  const std::optional<Reply> reply = await(*client_);
-  ASSERT_TRUE(reply);
-  ASSERT_TRUE(sent_pictures_.isComplete());
-  EXPECT_EQ(sent_pictures_.jpeg(), std::string(reply->jpeg.begin(), reply->jpeg.end()));
 }
 
 TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
@@ -431,39 +231,6 @@ TEST_F(UnreadPictureTest, PictureIsFinishedAndTheNextOneIsTheNewest) {
   ASSERT_TRUE(under_way);
   EXPECT_EQ(imageCount(*under_way), first);
   takeImage();
-  const std::optional<Frame> next = nextPicture();
-  ASSERT_TRUE(next);
-  EXPECT_EQ(imageCount(*next), robot_.lastImage());
-}
-
-// The server has two connections, so the one that was cut off serves the next client or the next but one.
-TEST_F(UnreadPictureTest, ClientsAfterAPictureThatWasCutOffGetTheirs) {
-  send(frame('F', 100, 5, kLayerHigh));
-  takeImage();
-  client_->reset();
-  machine_->runPending();
-  for (int i = 0; i < 2; ++i) {
-    client_ = connect();
-    send(request('F', 20));
-    takeImage();
-    EXPECT_EQ(awaitLetter(*client_), protocol::REPLY_PICTURE) << i;
-    disconnect();
-  }
-}
-
-TEST_F(UnreadPictureTest, WaitingImageIsEncodedWhenThePictureIsFinished) {
-  encoder_.slowDown();
-  send(frame('W', 100, 5, kStreamOn));
-  takeImage();
-  const unsigned first = robot_.lastImage();
-  takeImage();
-  encoder_.speedUp();
-  for (int i = 0; i < 10; ++i) {
-    takeImage();
-  }
-  const std::optional<Frame> unread = nextPicture();
-  ASSERT_TRUE(unread);
-  EXPECT_EQ(imageCount(*unread), first);
   const std::optional<Frame> next = nextPicture();
   ASSERT_TRUE(next);
   EXPECT_EQ(imageCount(*next), robot_.lastImage());

@@ -16,7 +16,6 @@
 
 #include "fake_robot.h"
 #include "objects/HostSettings.h"
-#include "protocol/color_requests.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "rcserver/settings/Settings.h"
@@ -142,9 +141,6 @@ class RCServerFixture : public ::testing::Test {
         original(object, message);
       };
     }
-    if (refused_entry_) {
-      options.catalog.at("RCSERVER.BIN").extra_entries.at(*refused_entry_) = nullptr;
-    }
     encoder_.intercept(options.catalog.at("ENCODER.BIN"));
     file_keeper_.intercept(options.catalog.at("FILES.BIN"));
     options.on_camera_image = [this] {
@@ -211,8 +207,6 @@ class RCServerFixture : public ::testing::Test {
 
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
-  std::optional<size_t>
-      refused_entry_;  ///< in stub.cfg: the IPStack refuses requests that it would answer to this entry
   std::optional<size_t> failing_entry_;  ///< 0 to 2, in stub.cfg: the IPStack answers to it with this failure
   TCPEndpointError failure_ = TCP_FAIL;
   SlowObject encoder_;
@@ -228,60 +222,22 @@ class RCServerFixture : public ::testing::Test {
 /// An RCServer on a FakeRobot, with a memory stick of its own, and one client.
 class FakeRobotFixture : public RCServerFixture {
  protected:
+  using RCServerFixture::ask;
+
   FakeRobotFixture() { host_.memory_stick = stick_.path().c_str(); }
 
-  /// Boots the robot, and waits until its joints and sensors have been measured. Another client has been there.
+  /// Boots the robot, and waits until its joints and sensors have been measured.
   void start() {
     machine_.reset();
     console_.str("");
     boot(robot_);
     passFrames(kUntilMeasured);
-    if (machine_->isOn()) {
-      passAnotherClient();
-    }
   }
 
   /// @param settings content of RCSERVER.CFG
   void startWith(const std::string& settings) {
     stick_.write(SETTINGS_FILE, settings);
     start();
-  }
-
-  /// A client wants much, and is torn away while it says something.
-  void passAnotherClient() {
-    const auto told = console_.str();
-    const auto leds = robot_.leds;
-    const auto camera_requests = robot_.camera_requests;
-    const int images_read = robot_.images_read;
-    const auto other = connect(0, "127.0.0.2");
-    other->send(request('S', 1, 0) + request('S', 94, 0) + request('X', 2));
-    machine_->runPending();
-    std::optional<Reply> reply = other->next();
-    while (reply && reply->letter == 's') {
-      reply = other->next();
-    }
-    if (reply && protocol::version2::agreesToVersion2(reply->value)) {
-      using namespace protocol::version2;
-      other->send(frame('V', 0, 1, payloadOf(SpeedLimits{2, {{1, 300000}, {2, 400000}}})) +
-                  frame('T', TELEMETRY_WITH_DUTY | TELEMETRY_WITH_WALK, 2, payloadOf(TelemetryPeriod{8})) +
-                  frame('W', 33, 3, payloadOf(StreamSettings{true, LAYER_LOW, 3})) + frame('O', 0, 4) +
-                  frame('L', 0, 5, payloadOf(LedValues{2, {{2, 9, LED_MODE_A}, {9, 99, LED_MODE_B}}})) +
-                  frame('G', SETTING_GAIN, 6, "\3") + frame('Z', COLORS_ON, 7, payloadOf(ColorSettings{5, true})) +
-                  frame('F', 44, 8, payloadOf(PictureRequest{LAYER_MIDDLE})));
-      passFrames(2 * FakeRobot::kFramesPerImage);
-      other->send(frame('H', 0, 9) + frame('J', 0, 10, "a part").substr(0, 11));
-      machine_->runPending();
-    }
-    other->reset();
-    machine_->runPending();
-    passFrames(kUntilMeasured);
-    robot_.leds = leds;
-    robot_.camera_requests = camera_requests;
-    robot_.images_read = images_read;
-    sends_.clear();
-    begun_pictures_ = 0;
-    console_.str("");
-    console_ << told;
   }
 
   void takeImage() { passFrames(FakeRobot::kFramesPerImage); }
@@ -341,16 +297,6 @@ class FakeRobotFixture : public RCServerFixture {
     }
   }
 
-  /// Sends a request, and after it more requests than there is room for answers, so that the server has to wait until
-  /// the client reads.
-  void stallBehind(const std::string& request) {
-    std::string bytes = request;
-    for (int i = 0; i < 4096; ++i) {
-      bytes += frame('V', 0, 7);
-    }
-    sendAll(bytes);
-  }
-
   /// A client of version 2 that does not read a large picture yet, so that everything else waits.
   void connectBehindAPicture() {
     disconnect();
@@ -395,6 +341,23 @@ class FakeRobotFixture : public RCServerFixture {
     }
   }
 
+  /// Sends a request of version 2 and passes time until it has been answered. Messages that are pushed meanwhile are
+  /// skipped.
+  Frame ask(char kind, int id, const std::string& payload = {}) {
+    const int number = ++last_number_;
+    sendAll(frame(kind, id, number, payload));
+    for (int frames = 0; frames < 100; ++frames) {
+      while (const std::optional<Frame> next = client_->nextFrame()) {
+        if (next->header.request_number == number) {
+          return *next;
+        }
+      }
+      passFrames(1);
+    }
+    ADD_FAILURE() << "no answer to " << kind;
+    return {};
+  }
+
   /// A client of version 2 that was silent says something, so that what it sends next cannot have waited.
   void live() {
     FakeRobotFixture::answerTo('H', 0);
@@ -412,7 +375,7 @@ class FakeRobotFixture : public RCServerFixture {
   test_support::MemoryStick stick_;
   FakeRobot robot_;
   std::unique_ptr<TestClient> client_;
-  int last_number_ = 0xa0f0;  ///< of a request of version 2
+  int last_number_ = 0;  ///< of a request of version 2
 };
 
 /// The client speaks version 2.

@@ -118,7 +118,8 @@ TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
   for (const std::string& bytes :
        {request('X', 3), request('J', 0), request('J', 9) + "ab", request('S', 10), request('V', 0), request('A', 60),
         request('L', 27, 1), request('K', 0, 2), request('K', 3, 1), request('S', 0, 1), request('Q', 0) + "ab",
-        request('R', 0) + "ab", request('f', 85),
+        request('R', 0) + "ab", request('f', 85), request('J', 5), request('J', 255, 1), request('V', 14),
+        request('V', 1, 0), request('V', 1, -1), request('A', 1, -32768), request('S', 91), request('S', 66, 2),
         // of version 2 alone
         request('B', 0), request('E', 1), request('G', 1), request('H', 0), request('I', 0), request('M', 85),
         request('N', 0), request('O', 1), request('T', 0), request('Z', 0)}) {
@@ -130,33 +131,6 @@ TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
     EXPECT_EQ(reply->value.value, protocol::ERROR_REFUSED) << bytes;
     machine_->runPending();
     EXPECT_FALSE(client->next()) << "a second answer to " << bytes;
-  }
-}
-
-TEST_F(RCServerTest, ContentOfARefusedUploadIsNotTakenForRequests) {
-  auto client = connectServed();
-  const std::string header = std::string("U\0WALK.MTN\0\0\0\0", 14) + std::string("\2\0\1\0", 4);
-  std::string content;
-  while (content.size() < 2 * 512 + 1) {
-    content += "W";
-  }
-  client->send(header + content);
-  EXPECT_EQ(awaitLetter(*client), 'e');
-  expectNoPictureOfNextImage(*client);
-}
-
-TEST_F(RCServerTest, ErrorsAreNotLostWhileAPictureIsUnderWay) {
-  auto client = connectServed();
-  ask(*client, request('W', 85));
-  for (int i = 0; i < 50; ++i) {
-    takeImage();
-    client->send(request('?', i));
-  }
-  int errors = 0;
-  while (errors < 50) {
-    const std::optional<Reply> reply = await(*client);
-    ASSERT_TRUE(reply);
-    errors += reply->letter == protocol::REPLY_ERROR ? 1 : 0;
   }
 }
 
@@ -183,7 +157,7 @@ TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply
 TEST_F(RCServerTest, SecondClientIsTurnedAwayAndTheFirstIsNotDisturbed) {
   auto first = connectServed();
   ask(*first, request('W', 85));
-  for (int round = 0; round < 20; ++round) {
+  for (int round = 0; round < 2; ++round) {
     expectPictureOfNextImage(*first, 85);
     auto second = connect();
     second->send(request('F', 85));
@@ -206,13 +180,6 @@ TEST_F(RCServerTest, ClientSilentForTenSecondsIsReplacedByTheNext) {
   expectNewClientIsServed();
   EXPECT_TRUE(awaitEnd(*first));
   EXPECT_THAT(console_.str(), HasSubstr("it was silent and another client came"));
-}
-
-TEST_F(RCServerTest, ClientThatIsSilentButAloneStays) {
-  auto client = connectServed();
-  takeImages(3 * kImagesUntilSilent);
-  ask(*client, request('F', 85));
-  expectPictureOfNextImage(*client, 85);
 }
 
 TEST_F(RCServerTest, ClientThatOnlyReadsItsStreamIsNotSilent) {
@@ -241,31 +208,6 @@ TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
 
 // --------------------------------------------------------------------------------------------------- slow clients
 
-TEST_F(RCServerTest, SlowClientGetsTheNewestPicturesAndMissesOthers) {
-  robot_.showNoise();
-  auto client = connect(4096);
-  client->send(request('W', 100));
-  takeImages(20);  // the kernel waits only 2 s for a client that does not read
-  size_t late = 0;
-  while (machine_->runPending(), client->next()) {
-    ++late;
-  }
-  EXPECT_LE(late, 5U);
-  takeImage();
-  EXPECT_TRUE(await(*client)) << "the stream does not go on";
-}
-
-TEST_F(RCServerTest, CameraThatDoesNotCountItsImagesCanStreamThem) {
-  robot_.counts_images = false;
-  auto client = connectServed();
-  ask(*client, request('W', 85));
-  expectPictureOfNextImage(*client, 85);
-  expectPictureOfNextImage(*client, 85);
-  ask(*client, request('W', 85));
-  expectNoPictureOfNextImage(*client);
-  EXPECT_THAT(console_.str(), HasSubstr("stream off after 2 pictures, 0 camera images left out\n"));
-}
-
 TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
   auto client = connect(0, "127.1.2.3");
@@ -288,12 +230,15 @@ TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
   client->close();
   machine_->runPending();
   EXPECT_THAT(console_.str(), HasSubstr("is gone: it closed the connection\n"));
+}
+
+TEST_F(RCServerTest, ConsoleSaysWhyAClientIsGone) {
   const std::pair<TCPEndpointError, std::string> reasons[] = {{TCP_CONNECTION_RESET, "it reset the connection"},
                                                               {TCP_CONNECTION_TIMEOUT, "it cannot be reached"},
                                                               {TCP_FAIL, "the IPStack failed"}};
   for (const size_t entry : {1, 2}) {
     for (const auto& [error, reason] : reasons) {
-      client = connectServed();
+      auto client = connectServed();
       console_.str("");
       failing_entry_ = entry;
       failure_ = error;

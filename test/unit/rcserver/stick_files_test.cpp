@@ -10,17 +10,15 @@
 
 #include "motion_bytes.h"
 #include "support/memory_stick.h"
-#include "support/resources.h"
 
 namespace {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
-using ::testing::UnorderedElementsAre;
 
-class StickFilesTest : public ::testing::Test {
+class FilesOnTheStick : public ::testing::Test {
  protected:
-  StickFilesTest() {
+  FilesOnTheStick() {
     host_.memory_stick = stick_.path().c_str();
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directory(folder_);
@@ -67,35 +65,7 @@ class StickFilesTest : public ::testing::Test {
   StickFiles files_{host_};
 };
 
-TEST_F(StickFilesTest, storesReadsAndDeletes) {
-  EXPECT_TRUE(store("HOP.MTN", "content"));
-  std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
-  EXPECT_EQ(content, "content");
-  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
-  EXPECT_THAT(inFolder(), IsEmpty());
-}
-
-TEST_F(StickFilesTest, anUploadReplacesAnExistingFile) {
-  EXPECT_TRUE(store("HOP.MTN", "old"));
-  EXPECT_TRUE(store("HOP.MTN", "new one"));
-  std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
-  EXPECT_EQ(content, "new one");
-  EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
-}
-
-// On a computer, an empty folder is what rename() does not replace. On the robot it may be any file.
-TEST_F(StickFilesTest, anUploadReplacesWhatCannotBeReplacedByRenaming) {
-  std::filesystem::create_directory(folder_ / "HOP.MTN");
-  EXPECT_TRUE(store("HOP.MTN", "new"));
-  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
-  std::filesystem::create_directories(folder_ / "FULL.MTN" / "inside");
-  EXPECT_FALSE(store("FULL.MTN", "new"));
-  EXPECT_THAT(inFolder(), UnorderedElementsAre("HOP.MTN", "FULL.MTN")) << "nothing is left of the upload";
-}
-
-TEST_F(StickFilesTest, anUploadFollowsNoLink) {
+TEST_F(FilesOnTheStick, AnUploadFollowsNoLink) {
   stick_.write("elsewhere", "precious");
   for (const char* name : {"UPLOAD.TMP", "HOP.MTN"}) {
     std::filesystem::create_symlink(stick_.path("elsewhere"), folder_ / name);
@@ -106,7 +76,7 @@ TEST_F(StickFilesTest, anUploadFollowsNoLink) {
   EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "HOP.MTN"));
 }
 
-TEST_F(StickFilesTest, findsAFileInUpperOrLowerCase) {
+TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
@@ -117,14 +87,14 @@ TEST_F(StickFilesTest, findsAFileInUpperOrLowerCase) {
   EXPECT_THAT(inFolder(), IsEmpty());
 }
 
-TEST_F(StickFilesTest, listsOnlyMotionsSortedByName) {
+TEST_F(FilesOnTheStick, ListsOnlyMotionsSortedByName) {
   for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
     stick_.write(std::string(DATA_FOLDER) + "/" + name, "");
   }
   EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
 }
 
-TEST_F(StickFilesTest, reportsMissingFiles) {
+TEST_F(FilesOnTheStick, ReportsMissingFiles) {
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
   EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::MISSING);
@@ -134,7 +104,7 @@ TEST_F(StickFilesTest, reportsMissingFiles) {
   EXPECT_FALSE(store("HOP.MTN", "content"));
 }
 
-TEST_F(StickFilesTest, reportsWhatIsTooLargeOrNotAFile) {
+TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));
   EXPECT_EQ(read("HOP.MTN", &content, 6), FileResult::DONE);
@@ -145,21 +115,8 @@ TEST_F(StickFilesTest, reportsWhatIsTooLargeOrNotAFile) {
   EXPECT_EQ(read("LINK.MTN", &content), FileResult::FAILED);
 }
 
-TEST_F(StickFilesTest, leavesNoFileOpen) {
-  const test_support::Resources before = test_support::Resources::of();
-  std::string content;
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_TRUE(store("HOP.MTN", "123456"));
-    EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
-    EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
-    EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
-    EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
-  }
-  EXPECT_EQ(test_support::Resources::of().descriptors, before.descriptors);
-}
-
 // A limit on the size of files acts like a full memory stick: writing fails halfway.
-TEST_F(StickFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
+TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);
@@ -172,18 +129,6 @@ TEST_F(StickFilesTest, aFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_FALSE(is_stored);
   EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
   EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
-}
-
-TEST(PathOnMemoryStick, IsRefusedIfItDoesNotFit) {
-  const std::string stick(1000, 's');
-  const std::string longest(MAX_PATH_SIZE - stick.size() - 2, 'n');
-  HostSettings host;
-  host.memory_stick = stick.c_str();
-  char path[MAX_PATH_SIZE] = "untouched";
-  EXPECT_FALSE(pathOnMemoryStick(host, (longest + "n").c_str(), path));
-  EXPECT_STREQ(path, "untouched");
-  EXPECT_TRUE(pathOnMemoryStick(host, longest.c_str(), path));
-  EXPECT_EQ(path, stick + "/" + longest);
 }
 
 }  // namespace

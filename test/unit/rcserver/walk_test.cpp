@@ -123,39 +123,6 @@ TEST_F(WalkTest, HelloHasItsLimits) {
   EXPECT_DOUBLE_EQ(hello.walk.turn, gait.highest.turn);
 }
 
-TEST_F(WalkTest, SteeringIsAnsweredByTheVelocityInForce) {
-  const GaitParameters gait;
-  const auto inForce = [this](int forward, int left, int turn) {
-    const Frame answer = answerTo('S', 0, steering(forward, left, turn));
-    protocol::version2::Velocity velocity = {};
-    EXPECT_EQ(answer.header.kind, 's');
-    EXPECT_EQ(decode(answer.payload.data(), answer.payload.size(), &velocity), nullptr);
-    const auto whole = [](double value) { return static_cast<int>(std::lround(value * 1000)); };
-    return std::vector<int>{whole(velocity.forward), whole(velocity.left), whole(velocity.turn)};
-  };
-  const int forward = static_cast<int>(std::lround(gait.highest.forward * 1000));
-  const int left = static_cast<int>(std::lround(gait.highest.left * 1000));
-  EXPECT_THAT(inForce(0, 0, 0), ElementsAre(0, 0, 0));
-  EXPECT_THAT(inForce(50, -5, 100), ElementsAre(50, -5, 100));
-  EXPECT_THAT(inForce(32767, 0, 0), ElementsAre(std::lround(gait.fastest * 1000), 0, 0));
-  EXPECT_THAT(inForce(0, -32768, 0), ElementsAre(0, -left, 0));
-  EXPECT_THAT(inForce(forward, left, 0), ElementsAre(forward / 2, left / 2, 0)) << "they share the legs' speed";
-}
-
-TEST_F(WalkTest, PutsItsFeetToTheSideToWhichItLeans) {
-  std::vector<double> ahead;
-  const std::vector<int>& path = robot_.joint("left_front_rotator").path;
-  for (const int left : {-600000, 600000}) {
-    robot_.sensor("acceleration_front_back") = left;  // its nose is up, and then down
-    robot_.sensor("acceleration_right_left") = -left;
-    walk();
-    ahead.push_back(std::accumulate(path.end() - 100, path.end(), 0.0) / 100);
-    const int outward = robot_.joint("left_front_elevator").position - robot_.joint("right_front_elevator").position;
-    EXPECT_GT(left > 0 ? outward : -outward, 150000);
-  }
-  EXPECT_GT(ahead[1], ahead[0] + 50000);
-}
-
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK | TELEMETRY_WITH_DUTY, std::string("\0\4", 2)).header.id, 3);
   pass(20);
@@ -174,13 +141,6 @@ TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_NE(walkInTelemetry()[WALK_PHASE], phase);
 }
 
-TEST_F(WalkTest, TelemetryOfAnOldClientIsAsBefore) {
-  answerTo('T', 0, std::string("\0\4", 2));
-  walk();
-  EXPECT_THAT(walkInTelemetry(), IsEmpty());
-  EXPECT_GT(telemetry_.count, 18);
-}
-
 TEST_F(WalkTest, EndsInTheStandWhenTheClientSteersSoOrNotAtAll) {
   walk();
   send(frame('S', 0, 1, steering(0)));
@@ -194,49 +154,6 @@ TEST_F(WalkTest, EndsInTheStandWhenTheClientSteersSoOrNotAtAll) {
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: it was not steered for 500 ms"));
 }
 
-TEST_F(WalkTest, MotionsOfTheLegsReplaceItAndAreReplaced) {
-  walk();
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
-  steer(100, 100);
-  EXPECT_THAT(ends_, IsEmpty()) << "of the tail";
-  send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
-  steer(100, 50);
-  EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator"));
-  EXPECT_THAT(errors_, Contains(HasSubstr("a motion moves left_front_rotator; let go first"))) << "the motion goes on";
-  pass(70);
-  EXPECT_EQ(ends_.size(), 1u);
-  walk();
-  EXPECT_THAT(ends_, Contains("1 1 SIT.MTN: the robot was told to walk or to take a posture"));
-  file_keeper_.slowDown();
-  send(frame('P', 0, 1, playPayload("SIT.MTN", 1)));
-  ends_.clear();
-  steer(100, 50);
-  file_keeper_.speedUp();
-  pass(20);
-  EXPECT_THAT(ends_, ElementsAre("2 1 walk: a motion moves left_front_rotator")) << "steering on is no new command";
-}
-
-TEST_F(WalkTest, ASpeedLimitThatIsTooLowEndsItAndIsNoFaultOfAJoint) {
-  walk();
-  answerTo(
-      'V', 0,
-      payloadOf(SpeedLimits{
-          1,
-          {{robot_.model.joints[robot_model::findJointByName(robot_.model, "right_hind_knee")].identifier, 3000000}}}));
-  pass(2 * kFramesASecond);
-  EXPECT_THAT(ends_, ElementsAre("2 3 walk: the speed limit of right_hind_knee is too low for walking"));
-  EXPECT_THAT(errors_, IsEmpty());
-}
-
-TEST_F(WalkTest, AMotionTellsThatItTookLongerBecauseTheServerWasHeldUp) {
-  answerTo('P', 0, playPayload("NOD.MTN", 1));
-  pass(20);
-  clock_.step(100);
-  pass(10 * kFramesASecond);
-  ASSERT_EQ(ends_.size(), 1U);
-  EXPECT_THAT(ends_[0], HasSubstr("1 0 NOD.MTN: the robot's program was held up, so it took "));
-}
-
 TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
   for (const Posture posture : {POSTURE_STAND, POSTURE_SIT}) {
     answerTo('E', POSTURE_REST);
@@ -248,17 +165,6 @@ TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
     EXPECT_FALSE(isLimp());
     EXPECT_EQ(ends_.back(), std::string("3 0 ") + postureName(posture) + ": ");
   }
-}
-
-// The rest levels the head. What moves it already ends, what is asked for later counts.
-TEST_F(WalkTest, AMotionOfTheHeadDoesNotDefeatTheLevellingOfARest) {
-  answerTo('P', 0, playPayload("NOD.MTN", 1000));
-  pass(20);
-  answerTo('E', POSTURE_REST);
-  pass(6 * kFramesASecond);
-  EXPECT_THAT(ends_, Contains("1 1 NOD.MTN: the robot was told to walk or to take a posture"));
-  EXPECT_EQ(robot_.joint("head_tilt").position, 0);
-  EXPECT_EQ(robot_.joint("neck_tilt").position, -174533);
 }
 
 TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
@@ -277,33 +183,6 @@ TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
   const size_t count = states_.size();
   pass(kFramesASecond);
   EXPECT_EQ(states_.size(), count) << "nothing changes";
-}
-
-// Everything waits behind a picture that the client does not read.
-TEST_F(WalkTest, AFallThatItHasNoRoomToTellIsToldLater) {
-  disconnect();
-  robot_.showNoise();
-  connectVersion2(4096);
-  answerTo('O', 0);
-  answerTo('E', POSTURE_STAND);
-  pass(2 * kFramesASecond);
-  EXPECT_THAT(states_, ElementsAre("on " + std::to_string(POSTURE_STAND)));
-  send(frame('F', 100, 999, kLayerHigh));
-  takeImage();
-  for (int i = 0; i < 300; ++i) {
-    send(frame('V', 0, 7));
-  }
-  robot_.layOnSide();
-  passFrames(3 * kFramesASecond);
-  EXPECT_TRUE(isLimp());
-  const auto is_told = [this] {
-    collect();
-    return !errors_.empty();
-  };
-  EXPECT_TRUE(machine_->runUntil(is_told, std::chrono::seconds(5)));
-  pass(20);
-  EXPECT_THAT(errors_, ElementsAre("the robot has fallen: its motors are off, so that its legs are limp"));
-  EXPECT_EQ(states_.back(), "off " + std::to_string(POSTURE_FALLEN));
 }
 
 // While a process is stopped, or the radio is out, what the client sends waits. Nobody wants it any more afterwards.
@@ -367,13 +246,6 @@ TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   EXPECT_EQ(answerTo('S', 0, steering(0)).header.kind, 's') << "there is nothing to stop";
 }
 
-TEST_F(WalkTest, BadRequestsAreRefused) {
-  expectRefusal(answerTo('S', 0, "abc"), CODE_REFUSED, "bad request");
-  expectRefusal(answerTo('E', 0), CODE_REFUSED, "bad request: the id is not one of the postures");
-  expectRefusal(answerTo('E', 4), CODE_REFUSED, "bad request");
-  expectRefusal(answerTo('E', 1, "a"), CODE_REFUSED, "bad request");
-}
-
 TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   walk();
   robot_.layOnSide();
@@ -388,39 +260,6 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   pass(20);
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its right side: its motors go off"));
-}
-
-TEST_F(WalkTest, ARobotThatIsLiftedStops) {
-  robot_.sensor("acceleration_up_down") = -9806650;
-  const char* const paws[] = {"paw_left_front", "paw_left_hind", "paw_right_hind"};
-  std::for_each(std::begin(paws), std::end(paws), [this](const char* paw) { robot_.sensor(paw) = 1; });
-  walk();
-  EXPECT_THAT(ends_, IsEmpty());
-  std::for_each(std::begin(paws), std::end(paws), [this](const char* paw) { robot_.sensor(paw) = 0; });
-  steer(100, 80);
-  ASSERT_FALSE(ends_.empty());
-  EXPECT_THAT(ends_.front(), HasSubstr("2 4 walk: the robot is carried"));
-  EXPECT_FALSE(isLimp());
-}
-
-TEST_F(WalkTest, AGuardedOneSaysWhichPawFindsNoFloor) {
-  for (const std::string paw : {"left front", "left hind", "right front", "right hind"}) {
-    SetUp();
-    robot_.sensor("acceleration_up_down") = -9806650;
-    const auto sensorOf = [](std::string words) { return "paw_" + words.replace(words.find(' '), 1, "_"); };
-    for (const char* other : {"left front", "left hind", "right front", "right hind"}) {
-      robot_.sensor(sensorOf(other)) = 1;
-    }
-    ends_.clear();
-    for (unsigned passed = 0; passed < 8 * kFramesASecond && ends_.empty(); passed += 12) {
-      if (passed > 6 * kFramesASecond) {
-        robot_.sensor(sensorOf(paw)) = 0;
-      }
-      send(frame('S', STEER_GUARDED, 900, steering(100)));
-      pass(12);
-    }
-    EXPECT_THAT(ends_, ElementsAre("2 3 walk: the " + paw + " paw finds no floor: go back the way it came"));
-  }
 }
 
 TEST_F(WalkTest, AGuardedOneStopsBeforeWhatTheHeadLooksAt) {
