@@ -13,7 +13,6 @@
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
-#include <xmlrpcpp/XmlRpcUtil.h>
 
 #include <chrono>
 #include <cstdio>
@@ -68,12 +67,6 @@ void logPlainly(void* event, ros::console::Level level, const char* text, const 
     }
   }
 }
-
-/// What XML-RPC would print to stderr.
-class XmlRpcErrors : public XmlRpc::XmlRpcErrorHandler {
- public:
-  void error(const char* text) override { ROS_WARN_STREAM(text); }
-} xml_rpc_errors;
 
 // In seconds. A master that answers needs less than 1 s. roslaunch kills a node after 15 s.
 constexpr unsigned kTimeToUnregister = 10;
@@ -191,7 +184,6 @@ void init(int& argc, char** argv, const std::string& name, std::uint32_t options
   }
   ros::console::initialize();
   print_to_terminal = std::exchange(ros::console::backend::function_print, logPlainly);
-  XmlRpc::XmlRpcErrorHandler::setErrorHandler(&xml_rpc_errors);
 }
 
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
