@@ -71,9 +71,9 @@ class SimulatedRobot:
 
     def wait_for_change(self, question, process):
         """Asks at the console until the answer is another one, while the process runs."""
-        before = self.ask(question)
+        before, limit = self.ask(question), time.monotonic() + 60
         while self.ask(question) == before:
-            assert process.poll() is None
+            assert process.poll() is None and time.monotonic() < limit
 
     def end(self):
         self.process.kill()
