@@ -301,6 +301,11 @@ Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std:
   return change([&] { return refuse({kind, "", order.source, known(names), std::nullopt}, reasonOf(reason)); });
 }
 
+std::string Mover::refusal(const Order& order) const {
+  const Lock lock(mutex_);
+  return gate_.refusal(order, clock_());
+}
+
 // Waits for the robot's answer to a request that begins something. If everything is stopped meanwhile, the new movement
 // is stopped, too.
 template <typename Ask, typename Undo>

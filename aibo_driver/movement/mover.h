@@ -143,6 +143,10 @@ class Mover {
   Begun refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
                const std::string& reason);
 
+  /// Why an order that the mover does not carry out itself, such as to flick an ear, must not act now. The text is
+  /// empty if it may act.
+  std::string refusal(const Order& order) const;
+
   /// @}
   /// @name Ends
   /// @{

@@ -136,7 +136,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       walk_(parameters_.walk, client_, mover_),
       goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
       goal_(goal_walks_),
-      expression_(model_, client_),
+      expression_(model_, client_, mover_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
                     microphone_, player_}),
@@ -204,7 +204,7 @@ void AiboDriver::advertiseServices() {
   advertise(stop_threads_.handle(), stopServices(mover_));
   advertise(motion_thread_.handle(), motionServices(mover_));
   advertise(posture_threads_.handle(), postureServices(mover_));
-  advertise(body_thread_.handle(), robotServices(client_));
+  advertise(body_thread_.handle(), robotServices(client_, mover_));
   advertise(body_thread_.handle(), stickPictureServices(parameters_, client_, wished_quality));
   advertise(sound_thread_.handle(), soundServices(client_, player_));
   advertise(picture_threads_.handle(),

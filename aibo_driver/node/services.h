@@ -36,7 +36,8 @@ Services postureServices(movement::Mover& mover);
 
 /// list_motions, upload_motion, delete_motion, shut_down and reboot. They wait for the robot's memory stick or its
 /// power supply, at most 15 s.
-Services robotServices(aibo_client::RcServerClient& client);
+/// @param mover says whether the robot may be switched off, which lets a standing robot fall
+Services robotServices(aibo_client::RcServerClient& client, const movement::Mover& mover);
 
 /// take_picture_on_robot, list_pictures, fetch_picture and delete_picture: pictures on the robot's memory stick. The
 /// name of a picture is enough: see files::pictureFileName(). Each call waits at most 15 s.

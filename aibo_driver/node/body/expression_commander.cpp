@@ -10,6 +10,7 @@
 #include "movement/joint_targets.h"
 #include "movement/movement.h"
 #include "node/bounded_message.h"
+#include "node/orders.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -110,8 +111,9 @@ void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
         }
       };
   leds_ = topics.subscribe<BoundedLeds>("leds", kExpressionQueueSize, receive_leds);
-  const boost::function<void(const Ears::ConstPtr&)> receive_ears = [this](const Ears::ConstPtr& message) {
-    receiveEars(*message);
+  using EarsEvent = ros::MessageEvent<Ears const>;
+  const boost::function<void(const EarsEvent&)> receive_ears = [this](const EarsEvent& event) {
+    receiveEars(*event.getMessage(), orderOf(event));
   };
   ears_ = topics.subscribe<Ears>("ears", kExpressionQueueSize, receive_ears);
 }
@@ -126,8 +128,14 @@ void ExpressionCommander::receiveLeds(const Leds& message) {
   }
 }
 
-void ExpressionCommander::receiveEars(const Ears& message) {
-  send("ears", [this, &message] { client_.commandEars(message.left != 0, message.right != 0); });
+void ExpressionCommander::receiveEars(const Ears& message, const movement::Order& order) {
+  send("ears", [&] {
+    const std::string refusal = mover_.refusal(order);
+    if (!refusal.empty()) {
+      throw aibo_client::CommandException(refusal);
+    }
+    client_.commandEars(message.left != 0, message.right != 0);
+  });
 }
 
 void ExpressionCommander::send(const std::string& what, const std::function<void()>& command) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "movement/mover.h"
 #include "robot_model/robot_model.h"
 #include "text/plain_text.h"
 #include "text/throttled_warnings.h"
@@ -29,27 +30,30 @@ struct LedOrders {
 /// refused if its arrays do not fit together, or if there is no such mode.
 LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
-/// Sends commands from the topics leds and ears to the robot. Commands that come without a connection are lost.
+/// Sends commands from the topics leds and ears to the robot. Commands that come without a connection are lost. So are
+/// those to the ears that the mover refuses.
 ///
 /// Only one thread at a time may use it.
 class ExpressionCommander {
  public:
-  /// @param model, client must outlive the commander
-  ExpressionCommander(const robot_model::RobotModel& model, aibo_client::RcServerClient& client)
-      : model_(model), client_(client) {}
+  /// @param model, client, mover must outlive the commander
+  ExpressionCommander(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
+                      const movement::Mover& mover)
+      : model_(model), client_(client), mover_(mover) {}
 
   /// @param handle whose callback queue one thread serves
   void subscribe(const ros::NodeHandle& handle);
 
   /// Logs what could not be sent.
   void receiveLeds(const Leds& message);
-  void receiveEars(const Ears& message);
+  void receiveEars(const Ears& message, const movement::Order& order);
 
  private:
   void send(const std::string& what, const std::function<void()>& command);
 
   const robot_model::RobotModel& model_;
   aibo_client::RcServerClient& client_;
+  const movement::Mover& mover_;
   text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("expression", text); }};
   ros::Subscriber leds_;
   ros::Subscriber ears_;

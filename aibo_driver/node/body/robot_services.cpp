@@ -64,6 +64,13 @@ std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
          (begun.remark.empty() ? "." : ": " + begun.remark + ".");
 }
 
+void requireLeave(const movement::Mover& mover, const movement::Order& order) {
+  const std::string refusal = mover.refusal(order);
+  if (!refusal.empty()) {
+    throw aibo_client::CommandException(refusal + ".");
+  }
+}
+
 }  // namespace
 
 Services stopServices(movement::Mover& mover) {
@@ -105,7 +112,7 @@ Services motionServices(movement::Mover& mover) {
   };
 }
 
-Services robotServices(aibo_client::RcServerClient& client) {
+Services robotServices(aibo_client::RcServerClient& client, const movement::Mover& mover) {
   return {
       service<ListMotions>("list_motions", "The motions could not be listed",
                            [&client](auto& call) {
@@ -127,12 +134,14 @@ Services robotServices(aibo_client::RcServerClient& client) {
                               return name + " was deleted from the robot.";
                             }),
       service<std_srvs::Trigger>("shut_down", "The robot does not shut down",
-                                 [&client](auto&) {
+                                 [&client, &mover](auto& call) {
+                                   requireLeave(mover, call.order);
                                    client.shutDownRobot(kPowerTimeout);
                                    return "The robot shuts down. The driver connects again when it is switched on.";
                                  }),
       service<std_srvs::Trigger>("reboot", "The robot does not reboot",
-                                 [&client](auto&) {
+                                 [&client, &mover](auto& call) {
+                                   requireLeave(mover, call.order);
                                    client.rebootRobot(kPowerTimeout);
                                    return "The robot reboots. The driver connects again as soon as it answers.";
                                  }),

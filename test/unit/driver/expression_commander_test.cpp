@@ -2,12 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "movement/movement.h"
+#include "movement/mover.h"
 #include "support/fake_client.h"
 #include "support/ros/log_listener.h"
 
@@ -122,16 +123,32 @@ class ExpressionCommanderTest : public ::testing::Test {
     return message;
   }
 
+  static movement::Order order() { return {"/user", std::chrono::steady_clock::now()}; }
+
   test_support::FakeClient client_;
-  ExpressionCommander commander_{ledRobot(), client_};
+  movement::JointTable table_{"ERS-7", 3.0};
+  movement::MeasuredJoints measured_{table_};
+  movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
+  ExpressionCommander commander_{ledRobot(), client_, mover_};
 };
 
 TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
   commander_.receiveLeds(face(1.0F));
   Ears ears;
   ears.right = 1;
-  commander_.receiveEars(ears);
+  commander_.receiveEars(ears, order());
   EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255", "ears 01"));
+}
+
+TEST_F(ExpressionCommanderTest, FlicksNoEarOfAStoppedRobot) {
+  const test_support::LogListener& log = test_support::listenToLog();
+  mover_.stop({"/somebody", std::chrono::steady_clock::now()});
+  client_.told.clear();
+  commander_.receiveEars(Ears(), order());
+  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(log.texts, ElementsAre("A command to the ears was dropped: stopped by /somebody; call release"));
+  commander_.receiveLeds(face(1.0F));
+  EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255")) << "they move nothing";
 }
 
 TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {
@@ -144,7 +161,7 @@ TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {
 TEST_F(ExpressionCommanderTest, SendsNothingToARobotOfAnotherDesign) {
   client_.present.robot.design = "ERS-210";
   commander_.receiveLeds(face(1.0F));
-  commander_.receiveEars(Ears());
+  commander_.receiveEars(Ears(), order());
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
@@ -152,7 +169,7 @@ TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSentAndSaysWhy) {
   const test_support::LogListener& log = test_support::listenToLog();
   client_.problem = "not connected";
   commander_.receiveLeds(face(1.0F));
-  commander_.receiveEars(Ears());
+  commander_.receiveEars(Ears(), order());
   client_.problem.clear();
   EXPECT_THAT(client_.told, IsEmpty());
   EXPECT_THAT(log.texts, ElementsAre(HasSubstr("'third_eye'"), "A command to the LEDs was dropped: not connected",

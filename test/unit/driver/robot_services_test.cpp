@@ -35,7 +35,7 @@ class RobotServicesTest : public ::testing::Test {
  protected:
   RobotServicesTest() {
     mover_.connected();
-    for (const Services& each : {stopServices(mover_), motionServices(mover_), robotServices(client_)}) {
+    for (const Services& each : {stopServices(mover_), motionServices(mover_), robotServices(client_, mover_)}) {
       services_.insert(services_.end(), each.begin(), each.end());
     }
   }
@@ -105,6 +105,14 @@ TEST_F(RobotServicesTest, StopUntilRelease) {
   EXPECT_EQ(call("release").message, "The robot may be moved again.");
   EXPECT_TRUE(setMotors(true).success);
   EXPECT_TRUE(play("nod").success);
+}
+
+TEST_F(RobotServicesTest, NeitherShutDownNorRebootAStoppedRobotWhichMightFall) {
+  call("stop");
+  client_.told.clear();
+  EXPECT_EQ(call("shut_down").message, "The robot does not shut down: stopped by /user; call release.");
+  EXPECT_EQ(call("reboot").message, "The robot does not reboot: stopped by /user; call release.");
+  EXPECT_THAT(client_.told, IsEmpty());
 }
 
 TEST_F(RobotServicesTest, StopWithoutARobot) {
