@@ -53,4 +53,12 @@ bool XmlRpcPeer::isEnding() const {
   return has_ended || ros::isShuttingDown();
 }
 
+bool isAdvertised(const std::string& service, const std::shared_future<void>& ended) {
+  try {
+    return XmlRpcPeer::master(ended).call("lookupService", {service}).has_value();
+  } catch (const NoAnswer&) {
+    return false;
+  }
+}
+
 }  // namespace aibo_driver::node

@@ -41,6 +41,13 @@ class XmlRpcPeer {
   const std::shared_future<void> ended_;
 };
 
+/// Whether the ROS master knows a service. Unlike roscpp's own search, it waits for the master for 2 s at most. Any
+/// thread may call it.
+/// @param service with its namespace
+/// @param ended as for XmlRpcPeer
+/// @return false if the master does not answer, too
+bool isAdvertised(const std::string& service, const std::shared_future<void>& ended = {});
+
 }  // namespace aibo_driver::node
 
 #endif  // AIBO_DRIVER_NODE_XMLRPC_PEER_H

@@ -46,7 +46,7 @@ void AxisPad::choose(const QPointF& position) {
   Q_EMIT moved(chosen_);
 }
 
-void AxisPad::release() {
+void AxisPad::letGo() {
   if (held_) {
     held_ = false;
     update();
@@ -58,7 +58,7 @@ bool AxisPad::event(QEvent* event) {
   const bool ends = event->type() == QEvent::Hide || event->type() == QEvent::WindowDeactivate ||
                     (event->type() == QEvent::EnabledChange && !isEnabled());
   if (ends) {
-    release();
+    letGo();
   }
   return QWidget::event(event);
 }
@@ -79,7 +79,7 @@ void AxisPad::mouseMoveEvent(QMouseEvent* event) {
 
 void AxisPad::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() == button_) {
-    release();
+    letGo();
   }
 }
 

@@ -31,6 +31,9 @@ class AxisPad : public QWidget {
 
   bool isHeld() const { return held_; }
 
+  /// Does what the release of the mouse button does.
+  void letGo();
+
   /// The place that was chosen last.
   QPointF chosen() const { return chosen_; }
 
@@ -52,7 +55,6 @@ class AxisPad : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void choose(const QPointF& position);
-  void release();
   QRectF area() const;
   QPointF positionOf(const QPointF& place) const;
 

@@ -10,10 +10,10 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-QString colourOf(RobotConnection::State state) {
-  switch (state) {
+QString colourOf(const RobotConnection& connection) {
+  switch (connection.state) {
     case RobotConnection::State::kConnected:
-      return "#4caf50";
+      return connection.master_answers ? "#4caf50" : "#ffb300";
     case RobotConnection::State::kConnecting:
     case RobotConnection::State::kWaiting:
       return "#ffb300";
@@ -33,7 +33,7 @@ QString titleOf(const RobotConnection& connection) {
   }
   const QString robot = connection.robot.isEmpty() ? QString("robot") : connection.robot;
   return robot + " at " + connection.address + ", connected (version " + QString::number(connection.protocol_version) +
-         ")";
+         ")" + (connection.master_answers ? "" : "; the ROS master does not answer");
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void ConnectionBar::showDrivers(const QStringList& name_spaces) {
 void ConnectionBar::showConnection(const RobotConnection& connection) {
   const bool is_other = connection.name_space != std::exchange(current_, connection.name_space);
   fillChooser();
-  lamp_->setStyleSheet("color: " + colourOf(connection.state));
+  lamp_->setStyleSheet("color: " + colourOf(connection));
   text_->showText(titleOf(connection));
   if (is_other) {
     battery_->clear();

@@ -2,11 +2,11 @@
 
 #include <aibo_driver/Connection.h>
 #include <dynamic_reconfigure/Config.h>
-#include <ros/master.h>
-#include <ros/this_node.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
+
+#include "node/xmlrpc_peer.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -19,16 +19,6 @@ const std::string kOwnSetting = "/telemetry_rate";  // nothing else has a settin
 
 bool endsWith(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-std::optional<XmlRpcValue> call(const char* method, XmlRpcValue arguments) {
-  XmlRpcValue response;
-  XmlRpcValue payload;
-  constexpr bool kWaitForMaster = false;
-  arguments[0] = ros::this_node::getName();
-  return ros::master::execute(method, arguments, response, payload, kWaitForMaster)
-             ? std::optional<XmlRpcValue>(payload)
-             : std::nullopt;
 }
 
 bool hasType(const MasterState& state, const std::string& topic, const std::string& type) {
@@ -45,12 +35,19 @@ bool shareANode(const std::vector<std::string>& some, const std::vector<std::str
 }  // namespace
 
 std::optional<MasterState> askMaster() {
-  XmlRpcValue any_subgraph;
-  any_subgraph[1] = "";
-  std::optional<XmlRpcValue> topics = call("getPublishedTopics", any_subgraph);
-  std::optional<XmlRpcValue> system = topics ? call("getSystemState", XmlRpcValue()) : std::nullopt;
-  std::optional<XmlRpcValue> parameters = system ? call("getParamNames", XmlRpcValue()) : std::nullopt;
-  if (!parameters) {
+  const auto master = node::XmlRpcPeer::master();
+  std::optional<XmlRpcValue> topics;
+  std::optional<XmlRpcValue> system;
+  std::optional<XmlRpcValue> parameters;
+  try {
+    constexpr const char* kAnySubgraph = "";
+    topics = master.call("getPublishedTopics", {kAnySubgraph});
+    system = master.call("getSystemState", {});
+    parameters = master.call("getParamNames", {});
+  } catch (const node::NoAnswer&) {
+    return std::nullopt;
+  }
+  if (!topics || !system || !parameters) {
     return std::nullopt;
   }
   MasterState state;

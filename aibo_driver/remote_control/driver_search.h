@@ -17,7 +17,7 @@ struct MasterState {
   std::set<std::string> parameters;
 };
 
-/// Asks the ROS master. It waits for an answer, but not for a master that is not there.
+/// Asks the ROS master. It waits for each of three answers for 2 s at most.
 /// @return empty if the master does not answer
 std::optional<MasterState> askMaster();
 

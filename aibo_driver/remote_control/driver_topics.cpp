@@ -125,7 +125,7 @@ void DriverTopics::subscribeIn(ros::NodeHandle& handle, const std::string& topic
 
 DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
                            const std::function<void()>& connection_changed)
-    : handle_(handle), measurements_handle_(handle), post_(post) {
+    : handle_(handle), measurements_handle_(handle), post_(post), stop_client_(handle) {
   measurements_handle_.setCallbackQueue(&measurements_);
   leds_ = handle_.advertise<Leds>("leds", 30);
   ears_ = handle_.advertise<Ears>("ears", 1);

@@ -15,6 +15,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "remote_control/axis_pad.h"
 #include "remote_control/joints_page.h"
 #include "remote_control/lights_page.h"
 #include "remote_control/motion_page.h"
@@ -239,7 +240,14 @@ void RemoteControl::askForWhatIsVisible() {
   robot_.show(Part::kMicrophones, findChild<SoundPage*>()->listens());
 }
 
+void RemoteControl::letGoOfPads() {
+  for (AxisPad* pad : findChildren<AxisPad*>()) {
+    pad->letGo();
+  }
+}
+
 void RemoteControl::useDriver(const QString& name_space) {
+  letGoOfPads();
   driver_ = name_space;
   robot_.useDriver(name_space);
 }
@@ -300,6 +308,7 @@ void RemoteControl::stop() {
   if (connection_.isPlayback()) {
     showAnswer(false, "stop: not now: " + connection_.text);
   } else {
+    letGoOfPads();
     robot_.stop();
   }
 }

@@ -51,6 +51,7 @@ class RemoteControl : public QWidget {
   void pressStopButton();
   void stop();
   bool isStopped() const;
+  void letGoOfPads();
   void lookAt(const QPointF& place);
   void showStreaming(bool on);
   void askForWhatIsVisible();

@@ -33,11 +33,12 @@ struct RobotConnection {
   };
 
   State state = State::kNoDriver;
-  QString name_space;        ///< such as "/aibo"; empty if none was chosen and none was found
-  QString robot;             ///< the robot's design, such as "ERS-7"; empty while unknown
-  QString address;           ///< host:port; empty while unknown
-  int protocol_version = 0;  ///< 0 while not connected
-  QString text;              ///< all of this in one line, for people
+  QString name_space;          ///< such as "/aibo"; empty if none was chosen and none was found
+  QString robot;               ///< the robot's design, such as "ERS-7"; empty while unknown
+  QString address;             ///< host:port; empty while unknown
+  int protocol_version = 0;    ///< 0 while not connected
+  bool master_answers = true;  ///< without the ROS master, no more programs find each other; those that have go on
+  QString text;                ///< all of this in one line, for people
 
   bool hasDriver() const { return state != State::kNoMaster && state != State::kNoDriver && state != State::kWaiting; }
   bool isConnected() const { return state == State::kConnected; }

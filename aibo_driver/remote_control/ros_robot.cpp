@@ -28,6 +28,8 @@
 namespace aibo_driver::remote_control {
 namespace {
 
+constexpr const char* kNoMasterText = "the ROS master does not answer: is roscore running?";
+
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
 constexpr std::chrono::milliseconds kJointsPeriod{100};
 constexpr std::chrono::milliseconds kSensorsPeriod{250};  // nobody can read figures that change more often
@@ -62,6 +64,10 @@ RobotConnection::State toState(std::uint8_t state) {
 QString noDriverText(const QString& name_space) {
   return name_space.isEmpty() ? QString("no driver is running: start one with roslaunch aibo_driver aibo.launch")
                               : "the driver in " + name_space + " does not answer: is it running?";
+}
+
+QString noAnswerText(const std::string& service) {
+  return "no answer from the service " + fromRos(service) + ": are the driver and the ROS master running?";
 }
 
 }  // namespace
@@ -117,6 +123,9 @@ void RosRobot::manageTopics() {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_until(lock, next_search, [this, &wishes] { return connection_changed_ || !(wishes_ == wishes); });
     connection_changed_ = false;
+    if (!(wishes_ == wishes)) {
+      next_search = {};  // roscpp would wait for a master that has fallen silent meanwhile
+    }
     wishes = wishes_;
   }
 }
@@ -218,15 +227,15 @@ RobotConnection RosRobot::connectionNow() const {
   }
   if (!topics_ || !topics_->isHeard() || !message) {
     now.state = master_answers_ ? RobotConnection::State::kNoDriver : RobotConnection::State::kNoMaster;
-    now.text =
-        master_answers_ ? noDriverText(now.name_space) : QString("the ROS master does not answer: is roscore running?");
+    now.text = master_answers_ ? noDriverText(now.name_space) : QString(kNoMasterText);
     return now;
   }
   now.state = toState(message->state);
   now.robot = fromRos(message->robot);
   now.address = fromRos(aibo_client::addressText(message->host, message->port));
   now.protocol_version = message->protocol_version;
-  now.text = fromRos(message->text);
+  now.master_answers = master_answers_;
+  now.text = fromRos(message->text) + (master_answers_ ? QString() : QString("; ") + kNoMasterText);
   return now;
 }
 
@@ -287,7 +296,7 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
   const std::string name = ros::names::resolve(connection_.name_space.toStdString(), service);
   const auto done = [this, request, name, also](const Response* response) {
     if (response == nullptr) {
-      answer(false, request + ": no answer from the service " + fromRos(name) + ": is the driver running?");
+      answer(false, request + ": " + noAnswerText(name));
     } else if constexpr (std::is_same_v<Service, dynamic_reconfigure::Reconfigure>) {
       also(*response);
     } else {
@@ -335,7 +344,16 @@ void RosRobot::takeMeasurements() {
 }
 
 void RosRobot::stop() {
-  call<std_srvs::Trigger>("stop", "stop", {});
+  const auto used = topics();
+  if (!used) {
+    answer(false, "stop: " + connection_.text);
+    return;
+  }
+  node::StopClient& client = used->stopClient();
+  client.stop([this, service = client.service()](const node::StopClient::Response* response) {
+    answer(response != nullptr && response->success != 0,
+           "stop: " + (response != nullptr ? fromRos(response->message) : noAnswerText(service)));
+  });
 }
 
 void RosRobot::release() {

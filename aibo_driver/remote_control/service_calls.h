@@ -11,6 +11,8 @@
 #include <string>
 #include <thread>
 
+#include "node/xmlrpc_peer.h"
+
 namespace aibo_driver::remote_control {
 
 /// Calls services without waiting for them. Each call has a thread of its own, so that no call waits for another one.
@@ -34,10 +36,12 @@ class ServiceCalls {
   bool start(const std::string& name, const typename Service::Request& request,
              const std::function<void(const typename Service::Response*)>& done) {
     return run(name, [this, name, request, done](Call& call) {
-      // Another thread can end only a connection that persists.
-      constexpr bool kPersistent = true;
       typename Service::Response response;
-      ros::ServiceClient client = handle_.serviceClient<Service>(name, kPersistent);
+      ros::ServiceClient client;
+      if (node::isAdvertised(name)) {       // otherwise roscpp would wait for a master that hangs
+        constexpr bool kPersistent = true;  // another thread can end only such a connection
+        client = handle_.serviceClient<Service>(name, kPersistent);
+      }
       const bool answered = publishClient(call, client) && client.call(request, response);
       if (!isEnding()) {
         done(answered ? &response : nullptr);

@@ -23,6 +23,7 @@
 
 #include "node/node.h"
 #include "node/parameter_value.h"
+#include "node/stop_client.h"
 #include "text/plain_text.h"
 #include "tools/teleop/head_steering.h"
 #include "tools/teleop/joy_steering.h"
@@ -136,7 +137,7 @@ class JoyTeleop {
     }
     const JoyOrders orders = steering_.read(joystick->axes, {joystick->buttons.begin(), joystick->buttons.end()});
     if (orders.stop) {
-      stop_.call<Trigger>("stop", {});
+      stop_.stop([this](const Trigger::Response* response) { teleop::logAnswer(stop_.service(), response); });
     }
     if (orders.walk) {
       walk(*orders.walk);
@@ -220,8 +221,8 @@ class JoyTeleop {
   std::optional<double> pan_;
   std::optional<double> tilt_;
   std::string stopped_by_;  ///< empty while the robot may move
-  teleop::ServiceCaller stop_;
-  teleop::ServiceCaller release_;  ///< apart from stop, which must not wait for a release
+  aibo_driver::node::StopClient stop_;
+  teleop::ServiceCaller release_;
   teleop::ServiceCaller pictures_;
   teleop::ServiceCaller movements_;
   ros::Publisher velocities_;

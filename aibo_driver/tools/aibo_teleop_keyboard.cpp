@@ -20,6 +20,7 @@
 #include <utility>
 
 #include "node/node.h"
+#include "node/stop_client.h"
 #include "text/plain_text.h"
 #include "tools/teleop/key_steering.h"
 #include "tools/teleop/service_caller.h"
@@ -29,6 +30,7 @@ namespace {
 
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
+using std_srvs::Trigger;
 using teleop::KeySteering;
 
 // This is well below the 0.5 s after which the robot stops.
@@ -75,23 +77,27 @@ void printSpeeds(const teleop::Speeds& speeds) {
   std::fflush(stdout);
 }
 
-/// Tells the user when somebody has stopped the robot. A key releases it.
-class StopNotice {
+/// Tells the user when somebody has stopped the robot. One key stops it, and another one releases it.
+class StopKeys {
  public:
-  explicit StopNotice(ros::NodeHandle handle) : release_(handle) {
-    states_ = handle.subscribe("robot_state", 1, &StopNotice::receive, this);
+  explicit StopKeys(ros::NodeHandle handle) : stop_(handle), release_(handle) {
+    states_ = handle.subscribe("robot_state", 1, &StopKeys::receive, this);
   }
 
-  /// @return false if it is another key, or if there is nothing to release
+  /// @return true if the key was to release the robot; every other key has something to do with steering, too
   bool press(char key) {
+    if (key == kStop) {
+      stop_.stop([this](const Trigger::Response* response) { teleop::logAnswer(stop_.service(), response); });
+    }
     if (key != kRelease || stopped_by_.empty()) {
       return false;
     }
-    release_.call<std_srvs::Trigger>("release", {});
+    release_.call<Trigger>("release", {});
     return true;
   }
 
  private:
+  static constexpr char kStop = 'S';
   static constexpr char kRelease = 'R';
 
   void receive(const aibo_driver::RobotState::ConstPtr& state) {
@@ -108,6 +114,7 @@ class StopNotice {
   }
 
   std::string stopped_by_;  ///< empty while the robot may move
+  aibo_driver::node::StopClient stop_;
   teleop::ServiceCaller release_;
   ros::Subscriber states_;
 };
@@ -147,7 +154,7 @@ class RefusalNotice {
 };
 
 /// @throw std::runtime_error the terminal cannot be used
-void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_notice) {
+void steer(KeySteering* keys, const ros::Publisher& publisher, StopKeys* stop_keys) {
   teleop::Terminal terminal(STDIN_FILENO);
   std::printf("\n%s\n", KeySteering::help());
   printSpeeds(keys->speeds());
@@ -158,7 +165,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, StopNotice* stop_
     const auto wait = std::max(milliseconds(0), std::chrono::ceil<milliseconds>(next - steady_clock::now()));
     bool is_steered = false;
     if (const std::optional<char> key = terminal.readKey(std::min(wait, kPeriod))) {
-      const bool is_release = stop_notice->press(*key);
+      const bool is_release = stop_keys->press(*key);
       const bool changes_speed = !is_release && keys->press(*key, steady_clock::now());
       if (changes_speed) {
         printSpeeds(keys->speeds());
@@ -194,9 +201,9 @@ int main(int argc, char** argv) {
   try {
     KeySteering keys = readKeys(ros::NodeHandle("~"));
     const ros::Publisher publisher = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-    StopNotice stop_notice(handle);
+    StopKeys stop_keys(handle);
     const RefusalNotice refusal_notice(handle);
-    steer(&keys, publisher, &stop_notice);
+    steer(&keys, publisher, &stop_keys);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return EXIT_FAILURE;

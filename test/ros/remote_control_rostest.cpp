@@ -66,6 +66,7 @@
 #include <utility>
 #include <vector>
 
+#include "node/xmlrpc_peer.h"
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"
 #include "remote_control/remote_control.h"
@@ -272,6 +273,44 @@ TEST_F(RemoteControlRosTest, ChangesASetting) {
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QSpinBox>("jpeg_quality")->value() == 85; }));
   user_.find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_TRUE(user_.waitForText("status", "jpeg_quality is 60")) << user_.textOf("status").toStdString();
+TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDead) {
+  const int pid = *aibo_driver::node::XmlRpcPeer::master().call("getPid", {});
+  const std::pair<std::function<void()>, std::function<void()>> troubles[] = {
+      {[pid] { ::kill(pid, SIGSTOP); }, [pid] { ::kill(pid, SIGCONT); }},
+      {[] {
+         master->setWelcome(test_support::Welcome::kReset);
+         master->endConnections(test_support::Action::kClose);
+       },
+       [] { master->heal(); }}};
+  int stops = 0;
+  QObject::connect(&user_.robot, &RosRobot::answered, &user_.window, [&stops](bool success, const QString& text) {
+    stops += int(success && text.startsWith("stop: The robot holds"));
+  });
+  user_.open("Motions");
+  ASSERT_TRUE(user_.waitForText("movement", "Now: "));
+  user_.open("Move");
+  auto* pad = user_.find<AxisPad>("drive_pad");
+  for (const auto& [begin, end] : troubles) {
+    QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
+    EXPECT_TRUE(user_.waitForText("condition", "walks"));
+    begin();
+    stops = 0;
+    for (int press = 1; press <= 3; ++press) {
+      user_.robot.stop();
+      EXPECT_TRUE(user_.waitFor([&] { return stops == press; })) << user_.textOf("status").toStdString();
+    }
+    EXPECT_TRUE(user_.waitForText("condition", "stopped by " + QString::fromStdString(ros::this_node::getName())));
+    EXPECT_FALSE(pad->isHeld());
+    EXPECT_TRUE(user_.waitForText("connection", "connected (version 2); the ROS master does not answer"));
+    end();
+    QTest::mouseRelease(pad, Qt::LeftButton);
+    EXPECT_TRUE(user_.waitFor([&] {
+      user_.robot.release();
+      return pad->isEnabled();
+    }));
+  }
+}
+
 }
 
 TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMeanwhile) {

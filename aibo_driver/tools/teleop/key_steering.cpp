@@ -17,7 +17,7 @@ const char* KeySteering::help() {
          "J and L walk sideways; U O M > walk diagonally (capitals).\n"
          "q / z: all speeds up or down by 10 %    w / x: of walking    e / c: of turning\n"
          "The space bar and every other key stop. Ctrl-C ends.\n"
-         "R (capital) lets the robot move again after the service stop.\n";
+         "S (capital) stops everything that moves, until R (capital).\n";
 }
 
 bool KeySteering::press(char key, TimePoint now) {

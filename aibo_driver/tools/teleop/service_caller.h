@@ -11,12 +11,26 @@
 #include <future>
 #include <string>
 
+#include "node/xmlrpc_peer.h"
 #include "text/plain_text.h"
 
 namespace teleop {
 
-/// Calls one service at a time in a thread of its own, so that steering goes on and a stop waits for nothing. The
-/// answers go to the log.
+/// Logs the answer of a service.
+/// @param response null if there was none
+template <typename Response>
+void logAnswer(const std::string& service, const Response* response) {
+  constexpr std::size_t kLongestMessage = 1000;  // bytes
+  if (response == nullptr) {
+    ROS_WARN_STREAM("The service " << service << " cannot be called: do the driver and the ROS master run?");
+  } else if (response->success) {
+    ROS_INFO_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
+  } else {
+    ROS_WARN_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
+  }
+}
+
+/// Calls one service at a time in a thread of its own, so that steering goes on. The answers go to the log.
 class ServiceCaller {
  public:
   explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
@@ -31,19 +45,13 @@ class ServiceCaller {
     call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {
       typename Service::Response response;
       typename Service::Request copy = request;
-      if (!ros::service::call(service, copy, response)) {
-        ROS_WARN_STREAM("The service " << service << " cannot be called: does the driver run?");
-      } else if (response.success) {
-        ROS_INFO_STREAM(service << ": " << aibo_driver::text::plainLine(response.message, kLongestMessage));
-      } else {
-        ROS_WARN_STREAM(service << ": " << aibo_driver::text::plainLine(response.message, kLongestMessage));
-      }
+      // Without the first condition, roscpp would wait for a master that hangs.
+      const bool answered = aibo_driver::node::isAdvertised(service) && ros::service::call(service, copy, response);
+      logAnswer(service, answered ? &response : nullptr);
     });
   }
 
  private:
-  static constexpr std::size_t kLongestMessage = 1000;  // bytes
-
   const ros::NodeHandle handle_;
   std::future<void> call_;
 };

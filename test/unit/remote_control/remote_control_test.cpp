@@ -485,6 +485,31 @@ TEST_F(RemoteControlTest, ThePadWalksWhileItIsHeldAndStopsOnce) {
   EXPECT_EQ(robot_.take(), QStringList()) << "then it is silent, also under the mouse";
 }
 
+TEST_F(RemoteControlTest, StopAndAnotherDriverLetGoOfThePads) {
+  robot_.connectIt();
+  auto* pad = find<AxisPad>("drive_pad");
+  const auto hold_until = [&](const std::function<void()>& happen) {
+    QTest::mousePress(pad, Qt::LeftButton, {}, placeOn(pad, 0, 1));
+    robot_.take();
+    happen();
+    EXPECT_FALSE(pad->isHeld());
+    QTest::mouseRelease(pad, Qt::LeftButton);
+    return robot_.take();
+  };
+  EXPECT_EQ(hold_until([this] { QTest::keyClick(&window_, Qt::Key_Space); }),
+            QStringList({"walk 0.00 0.00 0.00", "stop"}));
+  EXPECT_EQ(hold_until([this] { window_.useDriver("/bert"); }), QStringList({"walk 0.00 0.00 0.00", "use /bert"}));
+}
+
+TEST_F(RemoteControlTest, ShowsThatTheMasterDoesNotAnswerThoughTheDriverDoes) {
+  RobotConnection connection;
+  connection.state = State::kConnected;
+  connection.master_answers = false;
+  Q_EMIT robot_.connectionChanged(connection);
+  EXPECT_TRUE(textOf("connection").contains("the ROS master does not answer"));
+  EXPECT_TRUE(find<QWidget>("drive_pad")->isEnabled());
+}
+
 TEST_F(RemoteControlTest, EachSideOfThePadHasItsDirectionAndTheMiddleIsStill) {
   robot_.connectIt();
   auto* pad = find<AxisPad>("drive_pad");
