@@ -382,6 +382,11 @@ bool DriverTopics::isHeard() const {
   return last_heard_ != steady_clock::time_point() && steady_clock::now() - last_heard_ < kHeardFor;
 }
 
+bool DriverTopics::wasHeard() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return last_heard_ != steady_clock::time_point();
+}
+
 void DriverTopics::publishLeds(const QStringList& names, double intensity) const {
   Leds message;
   for (const QString& name : names) {

@@ -61,6 +61,9 @@ class DriverTopics {
   /// Whether the driver was heard in the last seconds. The driver sends something once a second.
   bool isHeard() const;
 
+  /// Whether the driver was ever heard.
+  bool wasHeard() const;
+
   std::string settingsOwner() const { return settings_owner_; }
 
   void publishLeds(const QStringList& names, double intensity) const;

@@ -130,10 +130,10 @@ void RosRobot::manageTopics() {
   }
 }
 
-// The master may know drivers that do not run any more. So a driver that is not heard is given up, and the next is
-// tried.
+// The master may know drivers that do not run any more. So a driver that is never heard is given up, and the next is
+// tried. A driver that was heard stays, because whoever presses STOP means the robot that the window has shown.
 std::string RosRobot::findDriver() const {
-  if (topics_ && (topics_->areNew() || topics_->isHeard())) {
+  if (topics_ && (topics_->areNew() || topics_->wasHeard())) {
     return name_space_;
   }
   return driverAfter(name_space_, found_drivers_);

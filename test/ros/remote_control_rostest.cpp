@@ -668,6 +668,19 @@ TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
   const auto end = [&state](const std::string& source, const std::string& reason,
                             std::uint8_t how = EndedMovement::FELL) {
     EndedMovement& ended = state.ended.emplace_back();
+TEST_F(ToldTest, ADriverThatFallsSilentStaysThoughThereIsAnother) {
+  const ros::Publisher other = ros::NodeHandle("/told_next").advertise<Connection>("connection", 1, true);
+  other.publish(Connection());
+  EXPECT_TRUE(QTest::qWaitFor([this] { return found_.contains("/told_next"); }, kTimeout));
+  robot_.useDriver("");
+  heartbeat_.stop();
+  EXPECT_TRUE(hears("connection the driver in /told does not answer: is it running?"));
+  robot_.stop();
+  EXPECT_TRUE(hears("no, stop: no answer from the service /told/stop: are the driver and the ROS master running?"));
+  connect("it speaks again");
+  EXPECT_TRUE(hears("connection it speaks again"));
+}
+
     ended.movement.kind = Movement::WALK;
     ended.movement.source = source;
     ended.how = how;
