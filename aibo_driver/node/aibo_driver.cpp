@@ -1,7 +1,9 @@
 #include "node/aibo_driver.h"
 
 #include <ros/console.h>
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "node/camera/camera_options.h"
@@ -33,6 +35,17 @@ constexpr double kReportPeriod = 1.0;  // s
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
 void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
+// Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
+// Systems begin with a limit of 1024, and let a process raise it.
+void raiseDescriptorLimit() {
+  constexpr rlim_t kEnough = 65536;  // no address has so many ports to connect from
+  rlimit limit = {};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < kEnough) {
+    limit.rlim_cur = std::min(limit.rlim_max, kEnough);
+    ::setrlimit(RLIMIT_NOFILE, &limit);
+  }
+}
+
   text::FirstThree names;
   for (const std::string& name : parameters.unknown) {
     names.add(name_prefix + "/" + name);
@@ -149,6 +162,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
                                     })) {
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
+  raiseDescriptorLimit();
   }
   warnOfUnknown(parameters_, private_handle.getNamespace());
   mover_.setListener(makeListener());
