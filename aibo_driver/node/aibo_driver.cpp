@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "aibo_client/exceptions.h"
 #include "node/camera/camera_options.h"
 #include "node/camera/link_quality.h"
 #include "node/node.h"
@@ -34,7 +35,6 @@ constexpr double kReportPeriod = 1.0;  // s
 
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
-void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
 // Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
 // Systems begin with a limit of 1024, and let a process raise it.
 void raiseDescriptorLimit() {
@@ -46,6 +46,7 @@ void raiseDescriptorLimit() {
   }
 }
 
+void warnOfUnknown(const DriverParameters& parameters, const std::string& name_prefix) {
   text::FirstThree names;
   for (const std::string& name : parameters.unknown) {
     names.add(name_prefix + "/" + name);
@@ -144,7 +145,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
                     [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
       mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
              [this] { return settings_.telemetryPeriod() > 0; }),
-      motion_state_(handle_, mover_),
+      stop_memory_(handle_),
+      motion_state_(handle_, mover_, stop_memory_),
       joints_(joint_table_, mover_),
       walk_(parameters_.walk, client_, mover_),
       goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
@@ -160,12 +162,13 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
                                       report();
                                       reportChangedParameters(name_space);
                                     })) {
+  raiseDescriptorLimit();
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
-  raiseDescriptorLimit();
   }
   warnOfUnknown(parameters_, private_handle.getNamespace());
   mover_.setListener(makeListener());
+  stayStopped();
   warnOfMissingModel(parameters_.robot);
   joints_.subscribe(joint_thread_.handle());
   walk_.subscribe(joint_thread_.handle());
@@ -269,6 +272,21 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   };
   callbacks.log = logForClient;
   return callbacks;
+}
+
+// The robot holds by itself while there is no driver.
+void AiboDriver::stayStopped() {
+  const std::optional<std::string>& node = stop_memory_.left();
+  if (!node) {
+    return;
+  }
+  ROS_WARN_STREAM("The robot stays stopped: " << *node << " has stopped it, and the last driver has ended since. Call "
+                                              << handle_.resolveName("release") << " to let it move.");
+  try {
+    mover_.stop({*node, std::chrono::steady_clock::now()});
+  } catch (const aibo_client::Exception&) {
+    // There is no connection yet, but from now on no order moves the robot.
+  }
 }
 
 // The robot is told by a thread that may wait for its answer.

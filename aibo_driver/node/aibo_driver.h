@@ -41,6 +41,7 @@
 #include "node/robot_stamper.h"
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
+#include "node/stop_memory.h"
 #include "node/walk/get_up.h"
 #include "node/walk/goal_topic.h"
 #include "node/walk/goal_walks.h"
@@ -89,6 +90,7 @@ class AiboDriver {
   void advertiseServices();
   void advertise(ros::NodeHandle handle, Services services);
   void startActions();
+  void stayStopped();
   void letItGetUp(const std::string& source);
   void refused(const aibo_client::Refusal& refusal);
   movement::Mover::Listener makeListener();
@@ -145,6 +147,7 @@ class AiboDriver {
   ColorTableService color_tables_;
   text::ThrottledWarnings movement_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
   movement::Mover mover_;
+  StopMemory stop_memory_;
   MotionStatePublisher motion_state_;
   JointCommander joints_;
   WalkCommander walk_;

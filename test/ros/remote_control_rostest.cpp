@@ -167,6 +167,12 @@ class RemoteControlRosTest : public ::testing::Test {
     EXPECT_TRUE(user_.waitForConnection()) << user_.textOf("connection").toStdString();
   }
 
+  // The next test's robot is not stopped.
+  ~RemoteControlRosTest() override {
+    driver_.reset();
+    ros::param::del("/remote/stopped_by");
+  }
+
   SimulatedRobot simulated_;
   std::unique_ptr<DriverProcess> driver_;
   User user_;

@@ -124,8 +124,9 @@ RobotState toMessage(const movement::Mover::State& state) {
   return message;
 }
 
-MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover)
-    : mover_(mover) {
+MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover,
+                                           StopMemory& stop_memory)
+    : mover_(mover), stop_memory_(stop_memory) {
   constexpr bool kLatched = true;
   ros::NodeHandle topics(handle);
   publisher_ = topics.advertise<MotionState>("motion_state", 10, kLatched);
@@ -152,6 +153,7 @@ void MotionStatePublisher::publish() {
   for (const MotionState& message : messages) {
     publisher_.publish(message);
   }
+  stop_memory_.remember(state.stopped_by);
   RobotState robot = toMessage(state);
   robot.header = last_robot_.header;
   if (robot != last_robot_) {

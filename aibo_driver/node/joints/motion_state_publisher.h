@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "movement/mover.h"
+#include "node/stop_memory.h"
 
 namespace aibo_driver::node {
 
@@ -34,11 +35,11 @@ std::vector<MotionState> toMessages(const movement::Mover::State& state, std::si
 /// Makes a message, without a stamp, of what the robot can do now.
 RobotState toMessage(const movement::Mover::State& state);
 
-/// Publishes the topics motion_state and robot_state.
+/// Publishes the topics motion_state and robot_state, and remembers who has stopped the robot.
 class MotionStatePublisher {
  public:
-  /// @param mover must outlive the publisher
-  MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover);
+  /// @param mover, stop_memory must outlive the publisher
+  MotionStatePublisher(const ros::NodeHandle& handle, const movement::Mover& mover, StopMemory& stop_memory);
 
   /// Publishes what moves the robot and what it can do, if that has changed. If more movements have ended since the
   /// last call than fit into one message, it publishes several messages. Any thread may call it.
@@ -46,6 +47,7 @@ class MotionStatePublisher {
 
  private:
   const movement::Mover& mover_;
+  StopMemory& stop_memory_;
   std::mutex mutex_;
   MotionState last_;
   std::size_t ends_ = 0;  ///< how many ends have been published

@@ -1,0 +1,246 @@
+// A stop depends on nobody else: neither on the ROS master, nor on free descriptors, nor on the life of the driver.
+
+#include <aibo_driver/RobotState.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <ros/network.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <future>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "node/stop_client.h"
+#include "node/xmlrpc_peer.h"
+#include "support/process.h"
+#include "support/resources.h"
+#include "support/ros/driver_process.h"
+#include "support/ros/topic_listener.h"
+#include "support/ros/topic_publishers.h"
+#include "support/simulated_robot.h"
+#include "support/sockets.h"
+
+namespace {
+
+using aibo_driver::RobotState;
+using aibo_driver::node::StopClient;
+using std::chrono::steady_clock;
+using std_srvs::Trigger;
+using test_support::DriverProcess;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::Resources;
+using test_support::SimulatedRobot;
+using test_support::TopicListener;
+using ::testing::HasSubstr;
+
+bool becomesTrue(const std::function<bool()>& condition) {
+  const auto end = steady_clock::now() + kSafetyNet;
+  while (!condition() && steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return condition();
+}
+
+/// Keys for a program that reads them from a terminal.
+class Keys {
+ public:
+  Keys() { can_type_ = ::openpty(&keys_, &terminal_, name_, nullptr, nullptr) == 0; }
+  ~Keys() {
+    ::close(keys_);
+    ::close(terminal_);
+  }
+
+  Keys(const Keys&) = delete;
+  Keys& operator=(const Keys&) = delete;
+
+  bool canType() const { return can_type_; }
+  std::string terminal() const { return name_; }
+  void type(char key) const { EXPECT_EQ(::write(keys_, &key, 1), 1); }
+
+ private:
+  bool can_type_ = false;
+  int keys_ = -1;
+  int terminal_ = -1;
+  char name_[64] = {};
+};
+
+TEST(Stop, NeedsNoMaster) {
+  const Keys keys;
+  if (!keys.canType()) {
+    GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
+  }
+  const std::string port = std::to_string(test_support::portOf(test_support::bindTo("127.0.0.1", 0)));
+  const std::map<std::string, std::string> environment{{"ROS_MASTER_URI", "http://127.0.0.1:" + port}};
+  Process master({"rosmaster", "--core", "-p", port});
+  const SimulatedRobot robot;
+  DriverProcess driver("/alone", robot.port(), {}, environment);
+  driver.waitForOutput("onnected to", kSafetyNet);
+  const auto call = [&](const std::string& service) {
+    Process caller({"rosservice", "call", "--wait", "/alone/" + service}, environment);
+    caller.waitForOutput("success: True", kSafetyNet);
+  };
+  call("stand");
+  Process state({"rostopic", "echo", "/alone/robot_state"}, environment);
+  Process keyboard({"/bin/sh", "-c",
+                    std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.terminal()},
+                   environment);
+  keyboard.waitForOutput("speeds: ", kSafetyNet);
+  // Its first key may come before the driver listens.
+  EXPECT_TRUE(becomesTrue([&] {
+    keys.type('i');
+    return state.output().find("posture: 4") != std::string::npos;
+  })) << "it does not walk";
+
+  const auto press_stop = [&] {
+    const std::size_t before = keyboard.output().size();
+    keys.type('S');
+    return becomesTrue(
+        [&] { return keyboard.output().find("/alone/stop: The robot holds", before) != std::string::npos; });
+  };
+
+  master.signal(SIGSTOP);
+  EXPECT_TRUE(press_stop()) << keyboard.output();
+  state.waitForOutput("posture: 1\nstopped: True\nstopped_by: \"/alone/aibo_teleop_keyboard\"", kSafetyNet);
+  EXPECT_TRUE(press_stop()) << "a second time: " << keyboard.output();
+  master.kill();
+  EXPECT_TRUE(press_stop()) << "without a master: " << keyboard.output();
+}
+
+/// A driver, and a client that has a connection to its service `stop`.
+class FloodedStop : public ::testing::Test {
+ protected:
+  /// @param limit the driver's limit of descriptors, as options of the shell's ulimit
+  void start(const std::string& limit) {
+    driver_ = std::make_unique<Process>(std::vector<std::string>{
+        "/bin/sh", "-c",
+        "ulimit " + limit + "; exec " + AIBO_DRIVER_NODE + " __ns:=/flooded _port:=" + std::to_string(robot_.port())});
+    ASSERT_TRUE(ros::service::waitForService("/flooded/stop", ros::Duration(kSafetyNet.count())));
+    ASSERT_TRUE(becomesTrue([this] { return stops(); }));
+  }
+
+  /// Opens connections over which nothing is ever said, until the driver has so many more descriptors.
+  void fill(std::size_t connections) {
+    const auto uri = aibo_driver::node::XmlRpcPeer::master().call("lookupService", {"/flooded/stop"});
+    std::string host;
+    std::uint32_t port = 0;
+    ASSERT_TRUE(uri && ros::network::splitURI(*uri, host, port));
+    const std::string pid = std::to_string(driver_->pid());
+    const std::size_t enough = std::min<std::size_t>(Resources::of(pid).descriptors + connections, kFew);
+    for (std::size_t i = 0; i < connections; ++i) {
+      silent_.push_back(test_support::beginConnecting("127.0.0.1", static_cast<int>(port)));
+    }
+    ASSERT_TRUE(becomesTrue([&] { return Resources::of(pid).descriptors >= enough; }))
+        << Resources::of(pid).descriptors << " of " << enough;
+  }
+
+  bool stops() {
+    std::promise<bool> stopped;
+    client_.stop([&stopped](const Trigger::Response* response) {
+      stopped.set_value(response != nullptr && response->success != 0);
+    });
+    return stopped.get_future().get();
+  }
+
+  static constexpr std::size_t kFew = 256;
+
+  SimulatedRobot robot_;
+  std::unique_ptr<Process> driver_;
+  StopClient client_{ros::NodeHandle("/flooded")};
+  std::vector<aibo_client::FileDescriptor> silent_;
+};
+
+TEST_F(FloodedStop, NeedsNoDescriptor) {
+  start("-n " + std::to_string(kFew));
+  fill(kFew + 50);
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_TRUE(stops()) << i;
+  }
+}
+
+TEST_F(FloodedStop, CanBeCalledByEverybodyUpToTheSystemsLimitOfDescriptors) {
+  start("-Sn " + std::to_string(kFew));
+  fill(kFew + 50);
+  Trigger call;
+  EXPECT_TRUE(ros::service::call("/flooded/stop", call));
+  EXPECT_NE(call.response.success, 0);
+}
+
+class OutlivedStop : public ::testing::Test {
+ protected:
+  void SetUp() override { restart(); }
+
+  void restart() {
+    driver_.reset();
+    states_.clear();
+    driver_ = std::make_unique<DriverProcess>("/outlived", robot_.port());
+  }
+
+  RobotState::ConstPtr waitFor(bool is_stopped) {
+    return states_.waitFor([is_stopped](const RobotState& state) {
+      return (state.stopped != 0) == is_stopped && state.motors == RobotState::ON;
+    });
+  }
+
+  void expectStopped() {
+    const auto state = waitFor(true);
+    ASSERT_TRUE(state);
+    EXPECT_EQ(state->stopped_by, ros::this_node::getName());
+    sensor_msgs::JointState command;
+    command.name = {"head_pan"};
+    command.position = {0.5};
+    const std::string refusal = "head_pan is refused: stopped by " + ros::this_node::getName() + "; call release";
+    EXPECT_TRUE(becomesTrue([&] {  // the first command may go to the driver before
+      commands_.publish("joint_command", command);
+      return driver_->output().find(refusal) != std::string::npos;
+    })) << driver_->output();
+  }
+
+  static void call(const std::string& service) {
+    Trigger call;
+    ASSERT_TRUE(ros::service::waitForService("/outlived/" + service, ros::Duration(kSafetyNet.count())));
+    EXPECT_TRUE(ros::service::call("/outlived/" + service, call));
+    EXPECT_NE(call.response.success, 0) << call.response.message;
+  }
+
+  static bool remembers() { return ros::param::has("/outlived/stopped_by"); }
+
+  const SimulatedRobot robot_;
+  TopicListener<RobotState> states_{"/outlived/robot_state"};
+  test_support::TopicPublishers commands_{"/outlived"};
+  std::unique_ptr<DriverProcess> driver_;
+};
+
+TEST_F(OutlivedStop, LastsAlsoInTheNextDriverUntilRelease) {
+  ASSERT_TRUE(waitFor(false));
+  call("stop");
+  EXPECT_TRUE(becomesTrue(remembers));
+  driver_->kill();
+  restart();
+  driver_->waitForOutput("The robot stays stopped: .* has stopped it", kSafetyNet);
+  expectStopped();
+  driver_->signal(SIGINT);
+  EXPECT_EQ(driver_->waitForExit(kSafetyNet), 0);
+  restart();
+  expectStopped();
+  call("release");
+  EXPECT_TRUE(becomesTrue([] { return !remembers(); }));
+  driver_->kill();
+  restart();
+  EXPECT_TRUE(waitFor(false));
+  EXPECT_THAT(driver_->output(), ::testing::Not(HasSubstr("stays stopped")));
+}
+
+}  // namespace
