@@ -399,8 +399,8 @@ void Mover::noteRival(Record* walk, const std::string& node) {
   const std::string rival = streams_.rivalOf(node, now);
   walk->rival = rival.empty() || walk->movement.source == node ? rival : node;
   if (!rival.empty() && now - std::exchange(contradicted_, now) > kRepeatedWithin) {
-    news_.warnings.push_back(node + " and " + rival + " both send cmd_vel and contradict each other, also if one of " +
-                             "them sends zeros: let only one of them send.");
+    news_.warnings.push_back(node + " and " + rival + " both send cmd_vel and contradict each other. The newest " +
+                             "velocity counts, also a zero. Let only one of them send.");
   }
 }
 
