@@ -15,7 +15,7 @@ namespace aibo_driver::node {
 /// An action server that keeps few goals, whatever other nodes send. actionlib keeps each goal for 5 s after its end,
 /// begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and names a
 /// goal that never came. It publishes all that it keeps at each change. One cancel with a time in the future would end
-/// all later goals.
+/// all later goals. What a goal asked for is not kept after its end.
 template <typename Action>
 class BoundedActionServer : public actionlib::ActionServer<Action> {
  public:
@@ -50,6 +50,11 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
     this->last_cancel_ = std::min(this->last_cancel_, ros::Time::now());
     const auto has_ended = [](const auto& goal) { return goal.handle_tracker_.expired(); };
     auto& goals = this->status_list_;
+    for (auto& goal : goals) {
+      if (has_ended(goal)) {
+        goal.goal_.reset();
+      }
+    }
     goals.remove_if([&](const auto& goal) { return has_ended(goal) && goal.status_.goal_id.id.size() > kLongestId; });
     auto ended = static_cast<std::size_t>(std::count_if(goals.begin(), goals.end(), has_ended));
     goals.remove_if([&](const auto& goal) { return has_ended(goal) && ended > kMostEnded && ended-- > 0; });

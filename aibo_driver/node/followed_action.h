@@ -4,10 +4,12 @@
 #define AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
 
 #include <ros/console.h>
+#include <ros/serialization.h>
 #include <ros/steady_timer.h>
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -69,11 +71,16 @@ struct ActionWay {
   std::function<std::pair<ResultOf<Spec>, std::string>(const std::exception&)> refuse;
 };
 
-/// Serves an action. Many goals may go on at a time. A cancelled goal stops what it follows and goes on until that has
-/// ended. Then it ends as canceled, unless it has succeeded.
+/// Serves an action. Up to kMostGoals goals of up to kMostBytesOfGoal may go on at a time; others are rejected. A
+/// cancelled goal stops what it follows and goes on until that has ended. Then it ends as canceled, unless it has
+/// succeeded.
 template <typename Spec>
 class FollowedAction : public Action {
  public:
+  static constexpr std::size_t kMostGoals = 32;
+  /// All joints, thirty points a second, for a hundred seconds.
+  static constexpr std::size_t kMostBytesOfGoal = 1 << 20;
+
   FollowedAction(ros::NodeHandle handle, ActionWay<Spec> way) : way_(std::move(way)) {
     constexpr bool kOneShot = false;
     constexpr bool kAutostart = false;
@@ -97,6 +104,7 @@ class FollowedAction : public Action {
 
   void accept(GoalHandle goal) {
     try {
+      checkSize(*goal.getGoal());
       Followed<Spec> followed = way_.begin(*goal.getGoal(), orderOfGoal(goal.getGoalID().id));
       goal.setAccepted(followed.text);
       going_.push_back({goal, std::move(followed)});
@@ -104,6 +112,18 @@ class FollowedAction : public Action {
     } catch (const std::exception& error) {
       const auto [result, text] = way_.refuse(error);
       goal.setRejected(result, text);
+    }
+  }
+
+  void checkSize(const GoalOf<Spec>& goal) const {
+    if (going_.size() >= kMostGoals) {
+      throw aibo_client::CommandException(std::to_string(kMostGoals) +
+                                          " goals go on already, and no more may. Cancel some of them.");
+    }
+    const std::size_t size = ros::serialization::serializationLength(goal);
+    if (size > kMostBytesOfGoal) {
+      throw aibo_client::InvalidArgumentException("it has " + std::to_string(size) + " bytes, and at most " +
+                                                  std::to_string(kMostBytesOfGoal) + " bytes are allowed");
     }
   }
 

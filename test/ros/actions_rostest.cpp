@@ -13,6 +13,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <list>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -183,6 +184,41 @@ TEST(Actions, FollowEachGoalToItsEndAndAGoalThatWasCancelledSucceedsIfItIsDoneAl
   EXPECT_EQ(first.waitForEnd(), State::ABORTED);
   over = 2;
   EXPECT_EQ(second.waitForEnd(), State::ABORTED);
+  thread.stop();
+}
+
+TEST(Actions, RejectGoalsThatAreTooManyOrTooLong) {
+  using Action = aibo_driver::node::FollowedAction<PlayMotionAction>;
+  ros::CallbackQueue queue;
+  ros::NodeHandle handle("/bounded");
+  handle.setCallbackQueue(&queue);
+  ros::AsyncSpinner thread(1, &queue);
+  aibo_driver::node::ActionWay<PlayMotionAction> way;
+  way.name = "do";
+  way.begin = [](const auto&, const auto&) {
+    const auto go_on = [](const auto& publish) {
+      publish({});
+      return std::optional<aibo_driver::node::GoalEnd<PlayMotionAction>>();
+    };
+    return aibo_driver::node::Followed<PlayMotionAction>{"", [](const auto&) {}, go_on};
+  };
+  way.refuse = aibo_driver::node::refuseWith<PlayMotionAction>("Nothing was done");
+  Action action(handle, way);
+  thread.start();
+  PlayGoal::Client client("/bounded/do");
+  ASSERT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));
+  PlayGoal::Goal long_name;
+  long_name.name.assign(Action::kMostBytesOfGoal, 'x');
+  PlayGoal too_long(client, long_name);
+  ASSERT_EQ(too_long.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(too_long.result()->message, HasSubstr("at most 1048576 bytes are allowed"));
+  std::list<PlayGoal> goals;
+  for (std::size_t i = 0; i < Action::kMostGoals; ++i) {
+    EXPECT_TRUE(goals.emplace_back(client, PlayUser::nod(1)).waitForFeedback()) << i;
+  }
+  PlayGoal too_many(client, PlayUser::nod(1));
+  ASSERT_EQ(too_many.waitForEnd(), State::REJECTED);
+  EXPECT_THAT(too_many.result()->message, HasSubstr("Nothing was done: 32 goals go on already"));
   thread.stop();
 }
 
