@@ -35,16 +35,12 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext& /*context*/, co
   std::_Exit(EXIT_FAILURE);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// Shows the window until it is closed, or until Ctrl-C.
+/// @return the exit status
+int showWindow(QApplication* application) {
   using namespace aibo_driver::remote_control;
   constexpr int kLookForCtrlC = 100;  // ms
   constexpr int kQuickStart = 500;    // ms
-  aibo_driver::node::init(argc, argv, "aibo_remote_control", ros::init_options::AnonymousName);
-  const QtMessageHandler usual_handler = qInstallMessageHandler(endWithoutDisplay);
-  QApplication application(argc, argv);
-  qInstallMessageHandler(usual_handler);
   std::unique_ptr<RosRobot> robot;
   QMainWindow window;  // ends before the robot
   window.setWindowTitle("Aibo");
@@ -58,7 +54,7 @@ int main(int argc, char** argv) {
   window.setCentralWidget(waiting);
   QTimer::singleShot(kQuickStart, &window, &QWidget::show);
   // ros::start() returns when the master has answered. Nothing can interrupt it if the master hangs.
-  std::thread([&application, &robot, &window] {
+  std::thread([application, &robot, &window] {
     ros::start();
     const auto use_ros = [&robot, &window] {
       if (!ros::ok()) {
@@ -71,12 +67,12 @@ int main(int argc, char** argv) {
       window.setCentralWidget(control);
       window.show();
     };
-    QMetaObject::invokeMethod(&application, use_ros);
+    QMetaObject::invokeMethod(application, use_ros);
   }).detach();
   QTimer timer;
-  QObject::connect(&timer, &QTimer::timeout, &application, [&application] {
+  QObject::connect(&timer, &QTimer::timeout, application, [application] {
     if (ros::isShuttingDown()) {
-      application.quit();
+      application->quit();
     }
   });
   timer.start(kLookForCtrlC);
@@ -84,5 +80,17 @@ int main(int argc, char** argv) {
   if (!robot) {
     std::_Exit(status);  // the thread may still wait
   }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  aibo_driver::node::init(argc, argv, "aibo_remote_control", ros::init_options::AnonymousName);
+  const QtMessageHandler usual_handler = qInstallMessageHandler(endWithoutDisplay);
+  QApplication application(argc, argv);
+  qInstallMessageHandler(usual_handler);
+  const int status = showWindow(&application);
+  ros::shutdown();  // also waits until that of Ctrl-C has ended
   return status;
 }

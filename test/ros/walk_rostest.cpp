@@ -461,17 +461,17 @@ TEST(KeyboardTeleop, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
   if (!keyboard.isOpen()) {
     GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
   }
-  aibo_driver::MotionState state;
+  MotionState state;
   const auto end = [&state](const char* source, const char* reason) {
-    aibo_driver::EndedMovement& ended = state.ended.emplace_back();
-    ended.movement.kind = aibo_driver::Movement::WALK;
+    EndedMovement& ended = state.ended.emplace_back();
+    ended.movement.kind = Movement::WALK;
     ended.movement.source = source;
-    ended.how = aibo_driver::EndedMovement::REFUSED;
+    ended.how = EndedMovement::REFUSED;
     ended.reason = reason;
   };
   Process teleop(keyboard.start(std::string(AIBO_TELEOP_KEYBOARD) + " __ns:=/refused __name:=keys"));
   teleop.waitForOutput("speeds", kSafetyNet);
-  test_support::TopicPublishers driver("/refused");
+  TopicPublishers driver("/refused");
   end("/refused/keys", "before it listened");
   driver.publish("motion_state", state);
   for (const char* reason : {"the floor ends ahead", "the floor ends ahead; let go first", "it fell"}) {
@@ -480,7 +480,7 @@ TEST(KeyboardTeleop, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
     driver.publish("motion_state", state);
   }
   teleop.waitForOutput("does not walk: the floor ends ahead.\n(.|\n)*does not walk: it fell\\.", kSafetyNet);
-  EXPECT_THAT(teleop.output(), Not(ContainsRegex("before|another|let go")));
+  EXPECT_THAT(teleop.output(), ::testing::Not(::testing::ContainsRegex("before|another|let go")));
 }
 
 TEST(KeyboardTeleop, EndsWithTheTerminal) {
