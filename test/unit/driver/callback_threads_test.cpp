@@ -63,24 +63,6 @@ TEST_F(CallbackThreadsTest, AnExceptionOfACallbackDoesNotEndTheProcess) {
   EXPECT_GE(receivedAt(), before) << "no callback runs any more";
 }
 
-TEST_F(CallbackThreadsTest, NothingOfAnOwnerThatHasGoneIsCalled) {
-  std::vector<int> called;
-  for (const int owner : {1, 2, 1}) {
-    queue_.addCallback(boost::make_shared<Callback>([&called, owner] { called.push_back(owner); }), owner);
-  }
-  queue_.removeByID(1);
-  queue_.callAvailable();
-  EXPECT_EQ(called, std::vector<int>{2});
-}
-
-TEST(ReceiptClock, StopsAlsoIfItHasNotStarted) {
-  ReceiptClock clock;
-  clock.stop();
-  ReceiptClock started;
-  started.start();
-  started.stop();
-}
-
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   ReceiptClock clock;
   const TimePoint begin = TimePoint() + std::chrono::hours(2);

@@ -65,17 +65,6 @@ TEST(ParseLeds, FindsGroupsOfLeds) {
   }
 }
 
-TEST(ParseLeds, TakesOneIntensityForAllNames) {
-  EXPECT_THAT(intensitiesOf(ordersOf({"face_1", "face_2"}, {0.0F})), ElementsAre(Pair("face_1", 0), Pair("face_2", 0)));
-}
-
-TEST(ParseLeds, TakesTheLaterOfTwoForTheSameLed) {
-  const auto intensities = intensitiesOf(ordersOf({"face", "face_1"}, {0.0F, 1.0F}));
-  EXPECT_THAT(intensities, SizeIs(14));
-  EXPECT_EQ(intensities.at("face_1"), 255);
-  EXPECT_EQ(intensities.at("face_2"), 0);
-}
-
 TEST(ParseLeds, PassesTheModeOn) {
   EXPECT_EQ(ordersOf({"face_1"}, {1.0F}).commands.at(0).mode, aibo_client::LedMode::kA);
   EXPECT_EQ(ordersOf({"face_1"}, {1.0F}, Leds::MODE_B).commands.at(0).mode, aibo_client::LedMode::kB);

@@ -62,13 +62,6 @@ TEST_F(GetUpTest, ItStandsUpAgainAfterTheNextFall) {
   EXPECT_EQ(orders_, 2);
 }
 
-TEST_F(GetUpTest, TheRobotMayTellOfItsPostureBeforeTheEnd) {
-  update({MotorState::kOn, PostureNow::kFallen});
-  end(EndedHow::kFell);
-  goSoft();
-  EXPECT_EQ(orders_, 1);
-}
-
 TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
   update({MotorState::kOn, PostureNow::kWalking});
   end(EndedHow::kFell);
@@ -111,14 +104,6 @@ TEST_F(GetUpTest, ARobotWhoseMotorsAUserSwitchedOffSinceTheFallWaits) {
   fall();
   goSoft();
   EXPECT_EQ(orders_, 1) << "the order was about the fall before";
-}
-
-TEST_F(GetUpTest, OtherMovementsDoNotKeepItDown) {
-  fall();
-  end(EndedHow::kDone, Movement::Kind::kLookAt);
-  end(EndedHow::kRefused);  // somebody goes on to steer
-  goSoft();
-  EXPECT_EQ(orders_, 1);
 }
 
 }  // namespace

@@ -79,23 +79,6 @@ TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryWithoutPointsIsHeld
   EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "hold"));
 }
 
-TEST_F(JointCommanderTest, ATrajectoryWithoutPointsThatCannotBeSentEndsNothingElse) {
-  const test_support::LogListener& log = test_support::listenToLog();
-  client_.problem = "not connected";
-  EXPECT_NO_THROW(commander_.receive(trajectory_msgs::JointTrajectory(), order()));
-  EXPECT_THAT(log.texts, ElementsAre("The joints were not held: not connected"));
-  client_.problem.clear();
-  command({{"head_pan", 0.5}});
-  EXPECT_EQ(mover_.state().movements.size(), 1u);
-}
-
-TEST_F(JointCommanderTest, ARefusedTrajectoryIsNotSent) {
-  trajectory_msgs::JointTrajectory message;
-  message.points.resize(1);
-  commander_.receive(message, order());
-  EXPECT_THAT(client_.told, IsEmpty());
-}
-
 TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   trajectory_msgs::JointTrajectory message;
   message.header.stamp = ros::Time::now() - ros::Duration(10);
@@ -114,16 +97,6 @@ TEST_F(JointCommanderTest, APositionThatCameBeforeAMessageIsSentBeforeIt) {
   commander_.receivePosition("head_pan", 0.5, order());
   command({{"head_pan", 1.0}});
   EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "J 2:1.00 in 0"));
-}
-
-TEST_F(JointCommanderTest, APositionIsNotAsOldAsTheOneBefore) {
-  commander_.receivePosition("head_pan", 0.4, {"/user", std::chrono::steady_clock::now() - std::chrono::seconds(10)});
-  commander_.receivePosition("head_tilt", 0.3, order());  // sent together with the one before
-  command({{"mouth", -0.5}});
-  commander_.receivePosition("head_pan", 0.5, order());
-  command({{"mouth", -0.4}});
-  EXPECT_THAT(client_.told, Contains("J 2:0.50 in 0"));
-  EXPECT_THAT(client_.told, Not(Contains(HasSubstr(":0.40")))) << "it has waited for too long";
 }
 
 TEST_F(JointCommanderTest, PositionsOfTwoNodesAreTwoMovements) {
@@ -152,30 +125,6 @@ TEST_F(JointCommanderTest, ATrajectoryBeginsAtItsStamp) {
   commander_.receive(message, order());
   EXPECT_EQ(mover_.state().movements.back().kind, movement::Movement::Kind::kTrajectory);
   EXPECT_THAT(client_.told, IsEmpty());
-}
-
-TEST_F(JointCommanderTest, ACommandMayHaveItsOwnSpeed) {
-  arriveAt(0.0);
-  sensor_msgs::JointState message;
-  message.name = {"head_pan"};
-  message.position = {0.5};
-  message.velocity = {0.25};
-  commander_.receive(message, order());
-  EXPECT_THAT(client_.told, ElementsAre("V 2:0.25", "J 2:0.50 in 0"));
-}
-
-TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryDoesNotReplaceIt) {
-  arriveAt(0.0);
-  commander_.receivePosition("head_pan", 0.5, order());
-  trajectory_msgs::JointTrajectory message;
-  message.joint_names = {"head_pan"};
-  message.points.resize(1);
-  message.points[0].positions = {1.0};
-  message.points[0].time_from_start = ros::Duration(2);
-  commander_.receive(message, order());
-  EXPECT_EQ(client_.told.at(0), "J 2:0.50 in 0");
-  ASSERT_EQ(mover_.state().movements.size(), 1u);
-  EXPECT_EQ(mover_.state().movements[0].kind, movement::Movement::Kind::kTrajectory);
 }
 
 TEST_F(JointCommanderTest, KnowsACommandOfLookAt) {

@@ -67,12 +67,6 @@ TEST(MotionStateMessage, NothingIsSaidToEndInThePast) {
   EXPECT_EQ(messageOf(state).movements.at(0).end, kNow);
 }
 
-TEST(MotionStateMessage, CanBeMadeAtTheEndOfTime) {
-  movement::Mover::State state;
-  state.movements = {{Kind::kTrajectory, "", "/planner", {"head_pan"}, kSteadyNow + std::chrono::seconds(2)}};
-  EXPECT_EQ(toMessage(state, kSteadyNow, ros::TIME_MAX).movements.at(0).end, ros::TIME_MAX);
-}
-
 TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
   movement::Mover::State state;
   state.ended = {{{Kind::kMotion, "NOD.MTN", "", {}, {}}, EndedHow::kDone, ""}};

@@ -73,23 +73,6 @@ TEST(ScaleCalibration, FitsPicturesOfAMultipleOrAFractionOfTheSize) {
   }
 }
 
-TEST(ScaleCalibration, ScalesTheBaselineOfAPairOfCameras) {
-  CameraInfo info = nominalCalibration("ERS-7", 208, 160);
-  info.P[3] = -20;
-  info.P[7] = 3;
-  const auto scaled = scaleCalibration(info, 416, 320);
-  ASSERT_TRUE(scaled);
-  EXPECT_DOUBLE_EQ(scaled->P[3], -40);
-  EXPECT_DOUBLE_EQ(scaled->P[7], 6);
-}
-
-TEST(ScaleCalibration, LeavesAProjectionOfZerosAsItIs) {
-  const auto scaled = scaleCalibration(test_support::goodCalibration(), 104, 80);
-  ASSERT_TRUE(scaled);
-  EXPECT_DOUBLE_EQ(scaled->K[0], 95.0);
-  EXPECT_THAT(scaled->P, Each(DoubleEq(0)));
-}
-
 TEST(ScaleCalibration, DoesNotFitPicturesOfAnotherShapeOrNoWholeFactor) {
   const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
   EXPECT_FALSE(scaleCalibration(info, 176, 144));

@@ -142,15 +142,6 @@ TEST_F(RobotServicesTest, SayThatTheMotorsDidNotSwitch) {
   EXPECT_THAT(off.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still on")));
 }
 
-TEST_F(RobotServicesTest, FindTheSameFileForAllWaysToWriteItsName) {
-  for (const std::string name : {"nod", "Nod.mtn", "NOD.MTN"}) {
-    EXPECT_TRUE(play(name).success);
-    EXPECT_EQ(lastTold(), "play NOD.MTN 1");
-  }
-  play("nod.txt");
-  EXPECT_EQ(lastTold(), "play NOD.TXT 1") << "for the robot to refuse";
-}
-
 TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
   EXPECT_EQ(play("nod", 1).message, "NOD.MTN has begun and plays once.");
   EXPECT_EQ(play("nod", 0).message, "NOD.MTN has begun and plays once.") << "a call that leaves it out";

@@ -98,10 +98,6 @@ TEST_F(RangeFinderTest, IsInfiniteOutOfRange) {
   EXPECT_EQ(rangeAt(0.9), kFloatInfinity);
 }
 
-TEST_F(RangeFinderTest, IsEmptyIfTheSensorWasNotRead) {
-  EXPECT_FALSE(RangeFinder(sensorOf("range_near")).read(telemetryWith({{"range_far", 0.7}})));
-}
-
 class AccelerometerTest : public ::testing::Test {
  protected:
   Accelerometer accelerometer_{sensorOf("acceleration_front_back"), sensorOf("acceleration_right_left"),

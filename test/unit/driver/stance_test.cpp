@@ -92,17 +92,6 @@ TEST(StanceTest, WhicheverFootIsLiftedTheRobotStandsOnTheOthers) {
   }
 }
 
-// Two legs across are longer, and it rocks between the other two.
-TEST(StanceTest, OfTwoWaysToStandItTakesTheOneThatIsNearerToTheAccelerometer) {
-  Legs legs = kStanding;
-  legs[robot_model::LEFT_HIND_LEG].knee += 12 * kDegree;
-  legs[robot_model::RIGHT_FRONT_LEG].knee += 12 * kDegree;
-  const Stance behind = estimateStance(legs, accelerationAt(-4 * kDegree, -4 * kDegree));
-  EXPECT_THAT(behind.foot_on_floor, ElementsAre(true, true, false, true));
-  const Stance ahead = estimateStance(legs, accelerationAt(4 * kDegree, 4 * kDegree));
-  EXPECT_THAT(ahead.foot_on_floor, ElementsAre(true, false, true, true));
-}
-
 TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   const LegAngles spread = {0, 88 * kDegree, 0};
   const Stance stance = estimateStance(legsAt(spread, spread), kLevel);

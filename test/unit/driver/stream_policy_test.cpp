@@ -32,15 +32,6 @@ TEST_F(StreamPolicyTest, DoesNotStreamFromTheStartWhenNotWanted) {
   EXPECT_EQ(streaming_, true);
 }
 
-TEST_F(StreamPolicyTest, RemembersWhatWasWantedBeforeTheStart) {
-  StreamPolicy policy(false, false);
-  policy.setWanted(true);
-  policy.subscribersChanged();
-  EXPECT_FALSE(streaming_.has_value());
-  start(policy);
-  EXPECT_EQ(streaming_, true);
-}
-
 TEST_F(StreamPolicyTest, TogglingReturnsWhatIsWantedNow) {
   StreamPolicy policy(true, false);
   start(policy);

@@ -85,12 +85,6 @@ TEST_F(StreamServicesTest, AnswerAPicture) {
   EXPECT_THAT(client_.told, ElementsAre("picture 77", "picture 100"));
 }
 
-TEST_F(StreamServicesTest, WaitForAPictureForTheTimeoutOfTheParameters) {
-  parameters_.take_picture_timeout = std::chrono::milliseconds(4500);
-  takePicture(0);
-  EXPECT_EQ(client_.timeout, std::chrono::milliseconds(4500));
-}
-
 TEST_F(StreamServicesTest, SayThatAPictureOfTheStreamHasItsQuality) {
   client_.stream_quality = 85;
   EXPECT_THAT(takePicture(85).message, HasSubstr("at quality 85, from the running stream."));

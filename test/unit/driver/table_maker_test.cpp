@@ -96,17 +96,6 @@ TEST(TableMaker, BlackWhiteAndFullColorsHaveTablesToo) {
   }
 }
 
-TEST(TableMaker, AFewOtherPixelsDoNotMatter) {
-  for (int kind = 0; kind < 6; ++kind) {
-    node::BgrImage picture = pinkSquare();
-    for (const int x : {33, 40, 50}) {  // one of a hundred
-      paintOther(&picture, x, 15, kind);
-    }
-    EXPECT_EQ(makeTable(picture, kRegion, "pink", 2).segments, makeTable(pinkSquare(), kRegion, "pink", 2).segments)
-        << kind;
-  }
-}
-
 TEST(TableMaker, SaysWhatIsWrongWithARegion) {
   EXPECT_EQ(refusalOf({85, 12, 20, 15}), "the region 85,12,20,15 is not within the picture, which has 104x80 pixels");
   for (const Region& region : {Region{31, 66, 20, 15}, Region{-1, 12, 20, 15}, Region{31, -1, 20, 15},

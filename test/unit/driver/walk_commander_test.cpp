@@ -108,16 +108,6 @@ TEST_F(WalkCommanderTest, SendsAVelocityWithinTheLimits) {
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.01 0.04 -0.05"));
 }
 
-TEST_F(WalkCommanderTest, LetsTheLegsMoveAsFastAsTheyCan) {
-  command(0.1);
-  ASSERT_THAT(client_.told, SizeIs(13));
-  EXPECT_THAT(client_.told.front(), StartsWith("V 11:4.8"));
-  EXPECT_EQ(client_.told.back(), "steer 0.08 0.00 0.00");
-  client_.told.clear();
-  command(0.1);
-  EXPECT_THAT(client_.told, SizeIs(1)) << "it has the limits";
-}
-
 TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
   for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     command(value);
@@ -129,15 +119,6 @@ TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
     EXPECT_EQ(last().reason, "it has a value that is NaN or infinite. Without a good message the robot stops");
   }
   EXPECT_THAT(client_.told, IsEmpty());
-}
-
-TEST_F(WalkCommanderTest, SendsZeroOnlyToARobotThatWalks) {
-  command(0);
-  EXPECT_THAT(client_.told, IsEmpty()) << "one that sits goes on sitting";
-  command(0.1);
-  toldToWalk();
-  command(0);
-  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
 }
 
 TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
@@ -154,25 +135,6 @@ TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
   command(0);
   mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
   EXPECT_EQ(last().how, EndedHow::kDone) << "that is over";
-}
-
-TEST_F(WalkCommanderTest, EndsWithTheConnectionAndDoesNotGoOnOverTheNext) {
-  walk(0.1);
-  mover_.disconnected();
-  EXPECT_THAT(kindsMoving(), IsEmpty());
-  EXPECT_EQ(last().how, EndedHow::kLost);
-  ++client_.connections;
-  commander_.runOut();
-  command(0);
-  EXPECT_THAT(client_.told, IsEmpty());
-}
-
-TEST_F(WalkCommanderTest, KeepsNothingWithoutAConnection) {
-  client_.problem = "there is no robot";
-  command(0.1);
-  client_.problem.clear();
-  commander_.runOut();
-  EXPECT_THAT(toldToWalk(), IsEmpty());
 }
 
 TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
@@ -208,22 +170,6 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not sit: there is no robot.");
   EXPECT_THAT(kindsMoving(), IsEmpty());
-}
-
-TEST_F(WalkCommanderTest, ReplacesAPostureByANewerOne) {
-  std::promise<void> sits;
-  client_.meanwhile = [&] { sits.set_value(); };
-  std_srvs::Trigger::Response first;
-  std::thread older([&] { first = take("sit"); });
-  sits.get_future().wait();
-  client_.meanwhile = [this] {
-    mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "sit", "the posture stand was asked for"});
-    mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
-  };
-  EXPECT_TRUE(take("stand").success);
-  older.join();
-  EXPECT_FALSE(first.success);
-  EXPECT_EQ(first.message, "The robot does not sit: the posture stand was asked for.");
 }
 
 }  // namespace

@@ -49,20 +49,6 @@ TEST(WalkSettings, LeaveTheLimitsToARobotThatDoesNotSayThem) {
   expectNear(velocityToSend({0.3, 0.3, 2}, {}, {}), {0.3, 0.3, 2});
 }
 
-TEST(WalkSettings, CorrectWhatIsSentAsWhatTheRobotSays) {
-  WalkSettings settings;
-  settings.scale = 0.9;
-  settings.turn_scale = 1.1;
-  settings.direction = 0.2;
-  const WalkVelocity wanted{0.05, 0.01, 0.3};
-  const WalkVelocity sent = velocityToSend(wanted, settings, kRobot);
-  EXPECT_GT(sent.forward, wanted.forward);
-  EXPECT_LT(sent.left, wanted.left) << "it drifts to the left by itself";
-  EXPECT_LT(sent.turn, wanted.turn);
-  expectNear(realVelocity(sent, settings), wanted);
-  EXPECT_GT(realVelocity({0.1, 0, 0}, settings).left, 0);
-}
-
 TEST(WalkSettings, CorrectEachAxis) {
   WalkSettings settings;
   settings.scale = 0.9;

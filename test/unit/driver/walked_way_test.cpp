@@ -118,15 +118,6 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce
   EXPECT_DOUBLE_EQ(uncertainty(), std::sqrt(2));
 }
 
-TEST_F(WalkedWayTest, IsUnknownWithoutARobotThatSaysHowItWalks) {
-  aibo_client::Telemetry telemetry;
-  telemetry.frame_number = 4;
-  EXPECT_FALSE(way_.update(telemetry));
-  telemetry.frame_number.reset();
-  telemetry.walk.emplace();
-  EXPECT_FALSE(way_.update(telemetry));
-}
-
 TEST_F(WalkedWayTest, BecomesAMessage) {
   measure({0, 0, 0.5});
   measure({0, 0, 0.5}, 250);
