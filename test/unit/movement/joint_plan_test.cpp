@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -140,24 +139,6 @@ TEST_F(JointPlanTest, ANewTrajectoryTakesOverWithThePlannedPositionAndVelocity) 
   EXPECT_NEAR(wanted(second, 1.05), 0.5 + 0.05 * 0.5, 0.01) << "it goes on before it turns";
 }
 
-TEST_F(JointPlanTest, TakesOverWithAVelocityAlsoWithoutVelocitiesInTheRequest) {
-  add(pan({{2, {1}, {}}}), 0, 0);
-  run(0, 1);
-  const auto same = add(pan({{1, {1}, {}}}), 1, 1);
-  EXPECT_NEAR(wanted(same, 1.1), 0.55, 1e-6) << "the rest of the same line";
-  const auto back = add(pan({{1, {0}, {}}}), 1, 1);
-  EXPECT_NEAR(velocity(back, 1), 0.5, 1e-6);
-}
-
-TEST_F(JointPlanTest, EachJointOfATrajectoryIsTakenOverAndHeldByItself) {
-  add(both(0.5, -0.2, 1), 0, 0);
-  run(0, 0.48);
-  EXPECT_NEAR(plan_.holdingTargets(at(0.48)).at(kMouth).position, sent_[kMouth], 1e-9);
-  const auto mouth = add({{"mouth"}, {{1, {-0.2}, {}}}}, 0.5, 0.5);
-  EXPECT_NEAR(wanted(mouth, 0.5), -0.35, 1e-6);
-  EXPECT_NEAR(velocity(mouth, 0.5), 0.3, 1e-6);
-}
-
 TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   const auto old = add(pan({{4, {1}, {}}}), 0, 0);
   const auto later = add(pan({{1, {0}, {0}}}), 2, 0);
@@ -170,17 +151,6 @@ TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   EXPECT_EQ(endOf(old), EndedHow::kReplaced);
   EXPECT_NEAR(wanted(later, 2.016), 0.5 + 0.016 * 0.25, 1e-3);
   EXPECT_NEAR(velocity(later, 2.016), 0.25 - 4 * 0.016, 1e-3) << "a cubic that turns";
-}
-
-TEST_F(JointPlanTest, WhatIsSentShortlyBeforeANewStartIsTheNewOnes) {
-  add(pan({{1, {1}, {}}}), 0, 0);
-  add(pan({{1, {0}, {0}}}), 0.5, 0);
-  double highest = 0;
-  for (double now = 0; now < 1; now += 0.032) {
-    run(now, now);
-    highest = std::max(highest, sent_[kPan]);
-  }
-  EXPECT_LT(highest, 0.5 + 0.08) << "a cubic from 0.5 rad at 1 rad/s back to 0 goes on to 0.574";
 }
 
 TEST_F(JointPlanTest, PassedPointsAreLeftOut) {
@@ -215,18 +185,6 @@ TEST_F(JointPlanTest, ATrajectoryTakesOnlyTheJointsThatItNames) {
   EXPECT_NEAR(sent_[kPan], -0.2, 1e-9);
   EXPECT_NEAR(sent_[kMouth], -0.2, 1e-9);
   EXPECT_EQ(endOf(head), EndedHow::kDone);
-}
-
-TEST_F(JointPlanTest, AJointThatWasTakenFromATrajectoryIsNotGivenBack) {
-  const auto old = add(both(0.5, -0.2, 2), 0, 0);
-  follow(0, 0.192);
-  const auto head = add(pan({{0.2, {0}, {}}}), 0.192, 0.192);
-  follow(0.224, 0.5);
-  EXPECT_EQ(endOf(head), EndedHow::kDone);
-  add({{"mouth"}, {{1, {-0.4}, {}}}}, 0.512, 0.512);
-  EXPECT_EQ(endOf(old), EndedHow::kReplaced) << "it has no joint left";
-  EXPECT_EQ(reasonOf(old), "a newer trajectory moves its joints");
-  EXPECT_NEAR(sent_[kPan], 0, 1e-9);
 }
 
 TEST_F(JointPlanTest, ATrajectoryBeginsWhereAJointIsThatTheOneBeforeDidNotMove) {
@@ -303,36 +261,6 @@ TEST_F(JointPlanTest, AnEarlierStartTakesNeighbouringJoints) {
   EXPECT_THAT(plan_.jointsOf(three), ElementsAre("tail_pan"));
 }
 
-TEST_F(JointPlanTest, WhatWaitsKeepsTheOtherJointsWithTheirVelocities) {
-  const auto later = add({{"head_pan", "mouth"}, {{1, {0.5, -0.4}, {0.3, 0.1}}, {2, {0.5, -0.3}, {0, 0}}}}, 2, 0);
-  EXPECT_FALSE(plan_.endOf(later, at(0))) << "it has not begun";
-  EXPECT_THAT(plan_.identifiersOf(later), IsEmpty());
-  add(pan({{0.5, {0.1}, {}}}), 1, 0);
-  follow(0, 3);
-  EXPECT_THAT(plan_.identifiersOf(later), ElementsAre(kMouth));
-  EXPECT_NEAR(wanted(later, 3), -0.4, 1e-6);
-  EXPECT_NEAR(velocity(later, 3), 0.1, 1e-6);
-  follow(3.032, 4.05);
-  EXPECT_THAT(plan_.wantedBy(later, at(4.1)), IsEmpty()) << "it is over";
-  const auto last = add(pan({{0.5, {0}, {}}}), 4.1, 4.1);
-  for (double now = 4.132; now < 4.7; now += 0.032) {
-    advance(now);
-  }
-  EXPECT_FALSE(endOf(last)) << "it was not measured where it should be";
-  EXPECT_THAT(plan_.wantedBy(last, at(4.7)), IsEmpty()) << "it is over";
-}
-
-// What is sent ahead is the newer one's already.
-TEST_F(JointPlanTest, HoldsAJointOnlyWhereTheNewerTrajectoryHasSentIt) {
-  const auto old = add(both(0.5, -0.2, 2), 0, 0);
-  run(0, 0.9);
-  const auto next = add(pan({{1, {-0.2}, {0}}}), 1, 0.92);
-  EXPECT_THAT(plan_.identifiersOf(old), ElementsAre(kMouth));
-  EXPECT_THAT(plan_.identifiersOf(next), ElementsAre(kPan));
-  EXPECT_EQ(plan_.holdingTargets(at(0.92), old).count(kPan), 0u);
-  EXPECT_NEAR(plan_.holdingTargets(at(0.92)).at(kPan).position, sent_[kPan], 1e-9);
-}
-
 TEST_F(JointPlanTest, SendsNoJointBeyondItsLimit) {
   add(pan({{1, {1.5364}, {}}}), 0, 0);
   run(0, 1);
@@ -372,13 +300,6 @@ TEST_F(JointPlanTest, ATrajectoryBeginsWhereTheJointIsLongAfterACommand) {
   EXPECT_NEAR(wanted(add(pan({{1, {1}, {0}}}), 5, 5), 5), 0.4, 1e-6) << "somebody has moved it by hand";
 }
 
-TEST_F(JointPlanTest, ATrajectoryBeginsAtRestWhereACommandHasArrived) {
-  command({{kPan, {kPan, 0.1, 1.0}}}, 0);
-  const auto fate = add(pan({{1, {1}, {0}}}), 0.15, 0.15);
-  EXPECT_NEAR(wanted(fate, 0.15), 0.1, 1e-6) << "not yet measured there";
-  EXPECT_NEAR(velocity(fate, 0.15), 0, 1e-6);
-}
-
 TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   EXPECT_EQ(refusal(pan({{1, {0.5}, {}}}), 0.25, 0.25), "accepted");
   EXPECT_THAT(refusal(pan({{1, {0.5}, {}}}), 0.75, 0.75),
@@ -388,12 +309,6 @@ TEST_F(JointPlanTest, RefusesATrajectoryOfJointsThatWereNotMeasuredLately) {
   only_pan.joints = {{kPan, 0}};
   measured_.update(only_pan);
   EXPECT_THAT(refusal(both(0.5, -0.2, 1), 0.75, 0.75), HasSubstr("mouth was last measured"));
-}
-
-TEST_F(JointPlanTest, RefusesATrajectoryWithoutPointsWheneverItBegan) {
-  for (const double start : {-1.0, 0.0, 1.0}) {
-    EXPECT_EQ(refusal(pan({}), start, 0), "it has points without joints, or joints without points.");
-  }
 }
 
 TEST_F(JointPlanTest, ATrajectoryThatCannotBeginWhenItsTimeComesSaysWhy) {
@@ -412,17 +327,6 @@ TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
   EXPECT_NEAR(plan_.holdingTargets(at(0.5)).at(kPan).speed, 0.5, 1e-9);
   EXPECT_NEAR(plan_.holdingTargets(at(2)).at(kPan).position, 0.1, 1e-6) << "it may still wait for the link";
   EXPECT_THAT(plan_.holdingTargets(at(4)), IsEmpty());
-}
-
-TEST_F(JointPlanTest, HoldsAJointWhoseCommandIsDoneButMayWaitForTheLink) {
-  const auto commanded = command({{kPan, {kPan, 0.1, 1.0}}}, 0);
-  sent_[kPan] = 0.1;
-  follow(0, 0.3);
-  EXPECT_EQ(endOf(commanded), EndedHow::kDone);
-  command({{kMouth, {kMouth, -0.4, 1.0}}}, 0.4);
-  EXPECT_EQ(plan_.holdingTargets(at(0.5)).count(kPan), 1u);
-  plan_.endAll(EndedHow::kLost, "the connection was lost");
-  EXPECT_THAT(plan_.holdingTargets(at(0.5)), IsEmpty()) << "nothing is on its way any more";
 }
 
 TEST_F(JointPlanTest, AJointWhoseCommandWasStoppedIsNotOnItsWayAnyMore) {
@@ -451,43 +355,6 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   EXPECT_THAT(targets, SizeIs(2));
   EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), SizeIs(1));
   EXPECT_THAT(plan_.identifiersOf(head), ElementsAre(kPan));
-}
-
-TEST_F(JointPlanTest, ForTheEndOfATrajectoryHoldsNoJointThatWasCommanded) {
-  command({{kMouth, {kMouth, -0.1, 0.1}}}, 0);
-  const auto head = add(pan({{1, {1}, {}}}), 0, 0);
-  run(0, 0.32);
-  EXPECT_THAT(plan_.holdingTargets(at(0.34)), SizeIs(2));
-  const JointTargets targets = plan_.holdingTargets(at(0.34), head);
-  EXPECT_THAT(targets, SizeIs(1));
-  EXPECT_EQ(targets.count(kPan), 1u);
-}
-
-TEST_F(JointPlanTest, EndsAll) {
-  const auto running = add(pan({{1, {1}, {}}}), 0, 0);
-  const auto waiting = add(pan({{1, {1}, {}}}), 5, 0);
-  std::vector<MovementId> commanded;
-  for (const int id : {table_.joints().front().id, kMouth, table_.joints().back().id}) {
-    commanded.push_back(command({{id, {id, -0.1, 0.1}}}, 0));
-  }
-  plan_.endAll(EndedHow::kStopped, "stop was called");
-  EXPECT_EQ(endOf(running), EndedHow::kStopped);
-  EXPECT_EQ(endOf(waiting), EndedHow::kStopped);
-  for (const MovementId each : commanded) {
-    EXPECT_EQ(endOf(each), EndedHow::kStopped);
-  }
-  EXPECT_TRUE(plan_.empty());
-  EXPECT_THAT(plan_.advance(at(0.1)), IsEmpty());
-  EXPECT_THAT(plan_.holdingTargets(at(0.1)), IsEmpty());
-}
-
-TEST_F(JointPlanTest, IsNotEmptyWhileAnyJointMoves) {
-  for (const JointProperties& joint : table_.joints()) {
-    const auto commanded = command({{joint.id, {joint.id, joint.highest, 1.0}}}, 0);
-    EXPECT_FALSE(plan_.empty()) << joint.name;
-    plan_.end(commanded, EndedHow::kStopped, "stop was called");
-    EXPECT_TRUE(plan_.empty());
-  }
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {

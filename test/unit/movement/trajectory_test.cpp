@@ -75,12 +75,6 @@ TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
   EXPECT_DOUBLE_EQ(trajectory.sample(3)[1], -0.4);
 }
 
-TEST_F(TrajectoryTest, StandsBeforeItsBeginningAndAfterItsEnd) {
-  const Trajectory trajectory = plan(pan({{1, {0.4}, {}}}));
-  EXPECT_DOUBLE_EQ(trajectory.sample(-5)[1], 0);
-  EXPECT_DOUBLE_EQ(trajectory.sample(100)[1], 0.4);
-}
-
 TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   const Trajectory trajectory = plan(pan({{1, {0.5}, {0.8}}, {2, {1.0}, {0}}}));
   const double step = 1e-5;
@@ -96,29 +90,11 @@ TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).velocities(1)[1], 0) << "it is over";
 }
 
-TEST_F(TrajectoryTest, GoesStraightToAPointWithoutVelocities) {
-  const Trajectory trajectory = plan(pan({{1, {0.5}, {0.8}}, {2, {1.0}, {}}, {3, {0.0}, {0.3}}}));
-  EXPECT_NEAR(trajectory.sample(1.25)[1], 0.625, 1e-12);
-  EXPECT_NEAR(trajectory.sample(2.5)[1], 0.5, 1e-12) << "nor does it know the velocity there";
-}
-
 TEST_F(TrajectoryTest, MovesAllItsJoints) {
   const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}});
   EXPECT_THAT(trajectory.joints(), ::testing::ElementsAre(mouth_, pan_));
   EXPECT_NEAR(trajectory.sample(0.5)[0], -0.6, 1e-12);
   EXPECT_NEAR(trajectory.sample(0.5)[1], 0.2, 1e-12);
-}
-
-TEST_F(TrajectoryTest, EachJointThatMovesAlreadyKeepsItsVelocity) {
-  for (const TrajectoryRequest& request : {TrajectoryRequest{{"head_pan", "mouth"}, {{1, {0.4, -0.7}, {}}}},
-                                           TrajectoryRequest{{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}}}) {
-    for (const double velocity : {0.1, -0.1}) {
-      const Trajectory trajectory(request, table_, {{pan_, 0, 0}, {mouth_, -0.5, velocity}}, false);
-      const std::size_t mouth = request.joints[0] == "mouth" ? 0 : 1;
-      EXPECT_NEAR(trajectory.velocities(0)[mouth], velocity, 1e-12);
-      EXPECT_NEAR(trajectory.velocities(0)[1 - mouth], 0.4, 1e-12) << "it goes straight";
-    }
-  }
 }
 
 TEST_F(TrajectoryTest, RefusesUnknownAndRepeatedNames) {
@@ -186,14 +162,6 @@ TEST_F(TrajectoryTest, KeepsScaledSpeeds) {
   table_.setSpeedScale(0.25);
   EXPECT_THAT(refusal(pan({{1.0 / 3, {1}, {}}})), HasSubstr("its limit is 1.500 rad/s"));
   EXPECT_NEAR(plan(pan({{1.0 / 3, {1}, {}}}), true).stretch(), 2, 1e-9);
-}
-
-TEST_F(TrajectoryTest, KeepsTheSpeedThatAJointItselfCanReach) {
-  const JointTable fast{"ERS-7", 100};
-  constexpr double kSpeedOfPan = 10.05746;
-  const std::vector<Trajectory::Start> start = {{pan_, 0}, {neck_, -0.3}};
-  EXPECT_NEAR(Trajectory(pan({{0.1, {1.5}, {}}}), fast, start, true).duration(), 1.5 / kSpeedOfPan, 1e-9);
-  EXPECT_NEAR(Trajectory(pan({{0, {1.5}, {}}}), fast, start, true).duration(), 1.5 / kSpeedOfPan, 1e-9);
 }
 
 TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
