@@ -279,6 +279,8 @@ TEST_F(RemoteControlRosTest, ChangesASetting) {
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QSpinBox>("jpeg_quality")->value() == 85; }));
   user_.find<QSpinBox>("jpeg_quality")->setValue(60);
   EXPECT_TRUE(user_.waitForText("status", "jpeg_quality is 60")) << user_.textOf("status").toStdString();
+}
+
 TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDead) {
   const int pid = *aibo_driver::node::XmlRpcPeer::master().call("getPid", {});
   const std::pair<std::function<void()>, std::function<void()>> troubles[] = {
@@ -315,8 +317,6 @@ TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDea
       return pad->isEnabled();
     }));
   }
-}
-
 }
 
 TEST_F(RemoteControlRosTest, SurvivesARestartOfTheDriverAndSaysWhatIsMissingMeanwhile) {
@@ -668,12 +668,6 @@ TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
                                  ", plays not", "leds", "connection a playback, paused"}));
 }
 
-TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
-  MotionState state;
-  state.text = "walks";
-  const auto end = [&state](const std::string& source, const std::string& reason,
-                            std::uint8_t how = EndedMovement::FELL) {
-    EndedMovement& ended = state.ended.emplace_back();
 TEST_F(ToldTest, ADriverThatFallsSilentStaysThoughThereIsAnother) {
   const ros::Publisher other = ros::NodeHandle("/told_next").advertise<Connection>("connection", 1, true);
   other.publish(Connection());
@@ -687,6 +681,12 @@ TEST_F(ToldTest, ADriverThatFallsSilentStaysThoughThereIsAnother) {
   EXPECT_TRUE(hears("connection it speaks again"));
 }
 
+TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
+  MotionState state;
+  state.text = "walks";
+  const auto end = [&state](const std::string& source, const std::string& reason,
+                            std::uint8_t how = EndedMovement::FELL) {
+    EndedMovement& ended = state.ended.emplace_back();
     ended.movement.kind = Movement::WALK;
     ended.movement.source = source;
     ended.how = how;
