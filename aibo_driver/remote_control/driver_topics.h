@@ -66,12 +66,12 @@ class DriverTopics {
 
   std::string settingsOwner() const { return settings_owner_; }
 
-  void publishLeds(const QStringList& names, double intensity) const;
-  void publishEars(bool left, bool right) const;
-  void publishJoints(const JointPositions& positions) const;
   /// Stops the robot, also while the ROS master does not answer.
   node::StopClient& stopClient() { return stop_client_; }
 
+  void publishLeds(const QStringList& names, double intensity) const;
+  void publishEars(bool left, bool right) const;
+  void publishJoints(const JointPositions& positions) const;
   void publishVelocity(double forward, double left, double turn) const;
 
   /// @param place a place in the newest picture, 0..1 from left to right and from top to bottom
@@ -107,10 +107,10 @@ class DriverTopics {
   ros::Publisher joint_command_;
   ros::Publisher velocity_;
   ros::Publisher look_at_;
+  node::StopClient stop_client_;
 
   mutable std::mutex mutex_;
   aibo_driver::Connection::ConstPtr connection_;
-  node::StopClient stop_client_;
   std::chrono::steady_clock::time_point last_heard_;
   std::optional<sensor_msgs::CameraInfo> camera_;  ///< the first calibration; it holds for all sizes
   ros::Time picture_stamp_;                        ///< the stamp of the newest picture
