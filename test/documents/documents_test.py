@@ -165,7 +165,7 @@ class ScriptsTest(unittest.TestCase):
         built = []
         for script in filter(Path.is_file, sorted((PROJECT / "scripts").iterdir())):
             text = script.read_text("utf-8").replace("\\\n", " ")
-            for arguments in re.findall(r'"\$project_dir/scripts/build" (?:--sanitize \S+ )?([^$\n]*)', text):
+            for arguments in re.findall(r'"\$project_dir/scripts/build" (?:--sanitize \S+ |--\w+ )*([^$\n]*)', text):
                 built += [(script.name, word) for word in arguments.split() if re.fullmatch(r"\w{2,}", word)]
         self.assertGreater(len(built), 20)
         optional = {"benchmarks", "aibo_walk_bench"}  # need packages that not every system has

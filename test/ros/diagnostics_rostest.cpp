@@ -308,7 +308,7 @@ TEST(JointDiagnostics, AreOkAgainWhenAJointThatWasJammedFollows) {
   EXPECT_EQ(DiagnosticsListener::value(free, "said by the robot"), "");
 }
 
-TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSendsAndOfAnOlderServer) {
+TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSends) {
   test_support::ScriptedServer server;
   DriverProcess driver("/strange", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
   TopicListener<DiagnosticArray> diagnostics("/diagnostics");
@@ -334,7 +334,6 @@ TEST(JointDiagnostics, WarnOfMeasurementsThatNoRobotSendsAndOfAnOlderServer) {
   }));
   diagnostics.clear();
   EXPECT_TRUE(has_said("the robot sends no joint positions")) << "what it sent before was said";
-  driver.waitForOutput("This robot's RCServer does not stop a walk before edges", test_support::kSafetyNet);
 }
 
 TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {

@@ -1,14 +1,11 @@
 """What the launch files set: each argument has to arrive at the driver, and each default has to be the driver's own."""
 import re
-import socket
 import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
-from unittest import mock
 
 import roslaunch.config
-import roslaunch.loader
 import yaml
 
 PROJECT = Path(__file__).resolve().parents[2]
@@ -34,18 +31,8 @@ OTHER_VALUES = {
 }
 
 
-def param_value(*arguments, original=roslaunch.loader.Loader.param_value):
-    """The ports of a demo that is started here may be in use."""
-    return 'free' if 'check_ports.py' in (arguments[-1] or '') else original(*arguments)
-
-
-@mock.patch('roslaunch.loader.Loader.param_value', param_value)
 def resolve(name, **arguments):
     """What roslaunch makes of a launch file, without starting it."""
-    return load(name, **arguments)
-
-
-def load(name, **arguments):
     values = ['%s:=%s' % (key, str(value).lower() if isinstance(value, bool) else value)
               for key, value in arguments.items()]
     return roslaunch.config.load_config_default([(str(LAUNCH / name), values)], port=None, assign_machines=False)
@@ -117,7 +104,7 @@ class LaunchFilesTest(unittest.TestCase):
         expected = {
             'aibo.launch': {**driver, **model, **look_at},
             'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False,
-                            '/aibo/aibo_room/on_table': False, '/aibo_rcserver/ports': 'free'},
+                            '/aibo/aibo_room/on_table': False},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'fleet.launch': {},
             'model.launch': model,
@@ -201,16 +188,6 @@ class LaunchFilesTest(unittest.TestCase):
         config = resolve('demo.launch', simulation=False, go_on_after_stop=True, **other)
         self.assertEqual(driver_parameters(config), {**driver_parameters(resolve('demo.launch')), **other})
         self.assertIs(parameters(config)['/aibo/aibo_look_around/go_on_after_stop'], True)
-
-    def test_demo_starts_nothing_while_another_program_has_a_port(self):
-        with socket.create_server(('127.0.0.1', 0)) as free, socket.create_server(('127.0.0.1', 0)) as other:
-            ports = {'port': free.getsockname()[1], 'console_port': other.getsockname()[1]}
-            free.close()
-            self.assertTrue(load('demo.launch', simulation=False, **ports))
-            with self.assertRaisesRegex(roslaunch.core.RLException, 'check_ports.py'):
-                load('demo.launch', **ports)
-            other.close()
-            self.assertTrue(load('demo.launch', **ports))
 
     def test_demo_guards_walks_unless_it_walks_around_the_ball(self):
         for walk, node in (False, 'aibo_room/on_table'), (True, 'aibo_follow_ball/go_on_after_stop'):

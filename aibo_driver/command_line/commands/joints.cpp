@@ -118,8 +118,13 @@ class Mover {
   }
 
   movement::JointTargets filtered() {
+    std::vector<double> positions = move_.positions;
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const auto& joint = table_[table_.findByName(move_.names[i]).value()];
+      positions[i] = std::clamp(positions[i], joint.lowest, joint.highest);
+    }
     movement::JointTargets targets;
-    for (const std::string& refusal : filter_.filter(move_.names, move_.positions, {}, steady_clock::now(), &targets)) {
+    for (const std::string& refusal : filter_.filter(move_.names, positions, {}, steady_clock::now(), &targets)) {
       throw InvalidArgumentException(refusal);
     }
     for (std::size_t i = 0; i < move_.names.size(); ++i) {

@@ -188,6 +188,7 @@ class HostileNode : public testing::Test {
 
   test_support::MemoryStick stick_{"ALLOW_MICROPHONE=yes\n"};
   SimulatedRobot robot_{{"--memory-stick", stick_.path().string()}};
+  const bool may_move_ = ros::param::del("/victim/stopped_by");  ///< the last test's stop would outlive its driver
   DriverProcess driver_{"/victim", robot_.port(), {}, {}, AIBO_DRIVER_NODE_WITH_ALL};
   ros::NodeHandle node_{"/victim"};
   TopicListener<sensor_msgs::JointState> joints_{"/victim/joint_states"};

@@ -247,7 +247,7 @@ TEST(AiboRCServer, SaysWhatItCannotUse) {
   ::listen(socket.get(), 1);
   const std::string port = std::to_string(test_support::portOf(socket));
   const std::pair<Strings, std::string> missing[] = {
-      {command({"--microphone", "/nowhere.wav"}), "/nowhere.wav: cannot be read"},
+      {command({"--microphone", "/nowhere.wav"}), "/nowhere.wav: cannot be read: No such file or directory"},
       {command({"--speaker", "/nowhere/played.wav"}), "/nowhere/played.wav: cannot be written"},
       {command({"--picture-log", "/nowhere/log"}),
        "cannot open the picture log /nowhere/log: No such file or directory"},
