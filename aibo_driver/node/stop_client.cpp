@@ -7,16 +7,16 @@
 #include <ros/service_manager.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
+#include <chrono>
+
 #include "node/xmlrpc_peer.h"
 
 namespace aibo_driver::node {
 namespace {
 
 using Lock = std::unique_lock<std::mutex>;
-using std::chrono::steady_clock;
 
-// How often the connection is looked after, and how long an answer may take before later calls get a new connection: an
-// old one may lead nowhere, for example after this computer has got another address.
+// How often the connection is looked after.
 constexpr std::chrono::seconds kLookAfter{1};
 
 template <typename Message>
@@ -84,13 +84,12 @@ StopClient::Connection StopClient::connect(const std::string& service) {
 void StopClient::keepConnection() {
   Lock lock(mutex_);
   while (!is_ending_) {
-    const bool waits_long = unanswered_ > 0 && steady_clock::now() - waiting_since_ > kLookAfter;
-    if (waits_long || !isOpen(connection_)) {
+    if (!isOpen(connection_)) {
       is_wanted_ = false;
       lock.unlock();
       const Connection made = isAdvertised(service_, ended_) ? connect(service_) : nullptr;
       lock.lock();
-      connection_ = isOpen(made) ? made : connection_;
+      connection_ = made;
       ++attempts_;
       changed_.notify_all();
     }
@@ -103,9 +102,6 @@ void StopClient::stop(const std::function<void(const Response*)>& done) {
     const Lock lock(mutex_);
     calls_.remove_if(
         [](const Call& call) { return call.end.wait_for(std::chrono::seconds(0)) == std::future_status::ready; });
-    if (unanswered_++ == 0) {
-      waiting_since_ = steady_clock::now();
-    }
     Call& call = calls_.emplace_back();
     call.done = done;
     call.end = std::async(std::launch::async, [this, &call] { run(&call); });
@@ -125,7 +121,6 @@ void StopClient::run(Call* call) {
   }
   {
     const Lock lock(mutex_);
-    --unanswered_;
     if (is_ending_) {
       return;
     }

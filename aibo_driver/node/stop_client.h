@@ -7,7 +7,6 @@
 #include <ros/service_server_link.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -75,11 +74,9 @@ class StopClient {
   bool is_ending_ = false;
   bool is_wanted_ = false;      ///< a call waits for a connection
   std::uint64_t attempts_ = 0;  ///< how many attempts to connect have ended
-  Connection connection_;       ///< the newest; the calls before may use older ones
+  Connection connection_;       ///< null before the first one
   std::list<Call> calls_;
-  int unanswered_ = 0;                                   ///< how many calls wait for their answer
-  std::chrono::steady_clock::time_point waiting_since_;  ///< when the first of them began
-  std::thread keeper_;                                   // last, because it uses all members above
+  std::thread keeper_;  // last, because it uses all members above
 };
 
 }  // namespace aibo_driver::node

@@ -138,7 +138,7 @@ class FloodedStop : public ::testing::Test {
     std::uint32_t port = 0;
     ASSERT_TRUE(uri && ros::network::splitURI(*uri, host, port));
     const std::string pid = std::to_string(driver_->pid());
-    const std::size_t enough = std::min<std::size_t>(Resources::of(pid).descriptors + connections, kFew - kSpare);
+    const std::size_t enough = std::min<std::size_t>(Resources::of(pid).descriptors + connections, kFew - kClosedAgain);
     for (std::size_t i = 0; i < connections; ++i) {
       silent_.push_back(test_support::beginConnecting("127.0.0.1", static_cast<int>(port)));
     }
@@ -155,7 +155,8 @@ class FloodedStop : public ::testing::Test {
   }
 
   static constexpr std::size_t kFew = 256;
-  static constexpr std::size_t kSpare = 20;  ///< some come and go
+  // roscpp accepts no more connections once it has had no descriptor, also if some are closed later.
+  static constexpr std::size_t kClosedAgain = 40;
 
   SimulatedRobot robot_;
   std::unique_ptr<Process> driver_;
