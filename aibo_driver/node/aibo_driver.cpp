@@ -38,7 +38,7 @@ constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 // Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
 // Systems begin with a limit of 1024, and let a process raise it.
 void raiseDescriptorLimit() {
-  constexpr rlim_t kEnough = 65536;  // no address has so many ports to connect from
+  constexpr rlim_t kEnough = 65536;  // one address has fewer ports to connect from
   rlimit limit = {};
   if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < kEnough) {
     limit.rlim_cur = std::min(limit.rlim_max, kEnough);
