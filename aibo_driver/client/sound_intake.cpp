@@ -83,8 +83,8 @@ std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned co
     began_ = arrival;
     frames_ = 0;
   }
-  beyond_frame_ = next_frame_ && skipped == 0 ? beyond_frame_ : 0;
-  const unsigned heard = beyond_frame_ + count;
+  const unsigned already_heard = next_frame_ ? beyond_frame_ : 0;
+  const unsigned heard = (skipped == 0 ? already_heard : 0) + count;
   next_frame_ = frame_number + heard / frameSize();
   beyond_frame_ = heard % frameSize();
   frames_ += heard / frameSize();
@@ -94,7 +94,7 @@ std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned co
     return 0;
   }
   frames_ += static_cast<std::uint64_t>(skipped);
-  return static_cast<std::uint32_t>(skipped) * frameSize();
+  return static_cast<std::uint32_t>(skipped) * frameSize() - already_heard;
 }
 
 // The robot may report the end of a sound only after it has accepted the next one. So the end of a sound that this
