@@ -33,13 +33,6 @@ TEST(CameraValue, IsOneByteOfTheValuesThatSonyGives) {
   }
 }
 
-TEST(CameraValue, IsRefusedWithAnotherIdOrSize) {
-  EXPECT_THAT(decodeValue(0, hex("01")), HasSubstr("id"));
-  EXPECT_THAT(decodeValue(6, hex("01")), HasSubstr("id"));
-  EXPECT_THAT(decodeValue(SETTING_GAIN, hex("01 01")), HasSubstr("size"));
-  EXPECT_THAT(decodeValue(SETTING_GAIN, {}), HasSubstr("size"));
-}
-
 TEST(CameraSettings, BeginAsSonySays) {
   EXPECT_THAT(defaultCameraSettings().values, ElementsAre(3, 2, 2, 0, 0));
   EXPECT_TRUE(defaultCameraSettings().areKnown());

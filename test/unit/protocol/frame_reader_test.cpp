@@ -11,7 +11,6 @@ namespace protocol {
 namespace version2 {
 namespace {
 
-using ::testing::ElementsAreArray;
 
 struct Frame {
   FrameHeader header;
@@ -57,18 +56,6 @@ class FrameReaderTest : public ::testing::Test {
   Bytes buffer_ = Bytes(kCapacity);
   FrameReader reader_{buffer_.data(), buffer_.size()};
 };
-
-TEST_F(FrameReaderTest, KnowsWhetherItIsBetweenFrames) {
-  EXPECT_TRUE(reader_.isBetweenFrames());
-  receive(hex("57"));
-  EXPECT_FALSE(reader_.isBetweenFrames());
-  receive(hex("55 01 02 00 00 00 01"));
-  EXPECT_FALSE(reader_.isBetweenFrames());
-  receive(hex("00"));
-  EXPECT_TRUE(reader_.isBetweenFrames());
-  receive(hex("57"));
-  EXPECT_FALSE(reader_.isBetweenFrames());
-}
 
 TEST_F(FrameReaderTest, RefusesFourGibibytesWithoutTouchingMemory) {
   const Bytes bytes = hex("66 00 00 00 ff ff ff ff") + Bytes(kCapacity + 1, 0x11);

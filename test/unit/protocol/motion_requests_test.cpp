@@ -13,13 +13,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsNull;
 
-TEST(MotionUpload, MayBeAsLargeAsAFrameAllows) {
-  const Bytes content(MAX_MOTION_FILE_SIZE, 0x5a);
-  const Bytes bytes = encoded(MotionUpload{"WALK_FWD.MTN", content.data(), content.size()});
-  EXPECT_EQ(bytes.size(), MAX_PAYLOAD_TOWARDS_ROBOT);
-  EXPECT_EQ(decoded<MotionUpload>(bytes).content_size, MAX_MOTION_FILE_SIZE);
-}
-
 FileList listOf(size_t count) {
   FileList list{};
   list.count = count;

@@ -50,14 +50,6 @@ TEST(Version1, ValueIsLittleEndianAndSigned) {
   }
 }
 
-TEST(Version1, PictureLetterBeginsNoValueReply) {
-  EXPECT_TRUE(isValueReply(REPLY_ERROR));
-  EXPECT_TRUE(isValueReply('j'));
-  EXPECT_FALSE(isValueReply(REPLY_PICTURE));
-  EXPECT_FALSE(isValueReply('J'));
-  EXPECT_FALSE(isValueReply('\0'));
-}
-
 TEST(FileRequest, IsANameAndTwoNumbers) {
   unsigned char bytes[FILE_PAYLOAD_SIZE];
   encodeFileRequest(FileRequest{"NOD.MTN", 0x0102, 0xfffe}, bytes);
@@ -87,13 +79,6 @@ TEST(FileRequest, AnnouncesBlocksOf512BytesAndTheRest) {
   }
   EXPECT_EQ(contentSize(FileRequest{"", 2, 3}), 1027U);
   EXPECT_EQ(contentSize(FileRequest{"", 65535, 65535}), MAX_CONTENT_SIZE);
-}
-
-TEST(Version1, IntensityOfAnLedIsTheLowByte) {
-  EXPECT_EQ(ledIntensity(0), 0);
-  EXPECT_EQ(ledIntensity(255), 255);
-  EXPECT_EQ(ledIntensity(0x1280), 0x80);
-  EXPECT_EQ(ledIntensity(-1), 255);
 }
 
 TEST(Version1, QualityAboveHundredMeansHundred) {

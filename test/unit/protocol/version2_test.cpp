@@ -42,13 +42,6 @@ TEST(FrameHeader, IsEightBytesBigEndian) {
   EXPECT_EQ(header.payload_size, 0xff000002U);
 }
 
-TEST(FrameHeader, NamesTheReplyAfterTheRequest) {
-  EXPECT_EQ(replyKind(REQUEST_PICTURE), PICTURE);
-  EXPECT_EQ(replyKind(REQUEST_TELEMETRY), TELEMETRY_PUSH);
-  EXPECT_EQ(replyKind(REQUEST_HELLO), 'h');
-  EXPECT_EQ(replyKind('Z'), 'z');
-}
-
 TEST(FrameHeader, OfAReplyToAPostureIsNoError) {
   EXPECT_EQ(replyKind(REQUEST_POSTURE), ERROR_MESSAGE);
   EXPECT_FALSE(isError('e', 0));
