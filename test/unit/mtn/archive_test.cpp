@@ -15,6 +15,8 @@
 #include <string>
 #include <vector>
 
+#include "support/temporary_folder.h"
+
 namespace {
 
 using motion_tool::ArchivedFile;
@@ -22,7 +24,6 @@ using motion_tool::fileNameOf;
 using motion_tool::readArchive;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
@@ -128,13 +129,6 @@ TEST(Archive, NoNameLeadsOutOfTheFolder) {
 
 class UnpackedArchive : public ::testing::Test {
  protected:
-  UnpackedArchive() {
-    std::string pattern = (fs::temp_directory_path() / "archive_test.XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-    folder_ = root_ / "new" / "motions";
-  }
-  ~UnpackedArchive() override { fs::remove_all(root_); }
-
   std::string problemOf(const std::vector<ArchivedFile>& files, bool overwrite = false) const {
     try {
       motion_tool::unpack(files, folder_, overwrite);
@@ -148,8 +142,9 @@ class UnpackedArchive : public ::testing::Test {
     return fs::exists(folder_) ? std::distance(fs::directory_iterator(folder_), fs::directory_iterator()) : 0;
   }
 
-  fs::path root_;
-  fs::path folder_;
+  const test_support::TemporaryFolder temporary_;
+  const fs::path root_ = temporary_.path();
+  const fs::path folder_ = root_ / "new" / "motions";
 };
 
 TEST_F(UnpackedArchive, OverwritesNothingUnlessItIsTold) {
