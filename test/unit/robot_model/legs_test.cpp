@@ -89,13 +89,5 @@ TEST(LegsTest, StretchTowardsAFootTooFarAway) {
   }
 }
 
-TEST(LegsTest, FoldTowardsAFootTooNear) {
-  LegAngles angles{};
-  EXPECT_FALSE(findLegAngles(LEFT_HIND_LEG, findShoulder(LEFT_HIND_LEG), &angles));
-  EXPECT_GT(angles.knee, 122 * kDegree);
-  EXPECT_FALSE(findLegAngles(LEFT_FRONT_LEG, {0.065, 0.3, 0}, &angles)) << "only aside";
-  EXPECT_TRUE(std::isfinite(angles.rotator) && std::isfinite(angles.elevator) && std::isfinite(angles.knee));
-}
-
 }  // namespace
 }  // namespace robot_model

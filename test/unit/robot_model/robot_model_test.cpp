@@ -140,20 +140,6 @@ TEST(RobotModel, HasTheNumbersOfTheErs210) {
   }
 }
 
-TEST(RobotModel, GivesEveryJointASensibleRangeAndAcceleration) {
-  for (const char* design : {"ERS-7", "ERS-210"}) {
-    const RobotModel& model = *findRobotModel(design);
-    for (int i = 0; i < model.number_of_joints; ++i) {
-      const Joint& joint = model.joints[i];
-      EXPECT_LT(joint.mechanical_lowest, joint.lowest) << joint.name;
-      EXPECT_LT(joint.lowest, joint.highest) << joint.name;
-      EXPECT_LT(joint.highest, joint.mechanical_highest) << joint.name;
-      // The highest speed is reached after 100 ms.
-      EXPECT_NEAR(defaultAcceleration(joint) * 0.1, joint.highest_speed, 1) << joint.name;
-    }
-  }
-}
-
 struct Step {
   double from;
   double to;
@@ -231,52 +217,6 @@ TEST(CoupledLimits, NeverRestrictMoreBetweenTwoPositionsThanAtOneOfThem) {
       rising = rises;
     }
   }
-}
-
-TEST(CoupledLimits, NeverMakeAFollowerALeader) {
-  for (int i = 0; i < ers7().number_of_couplings; ++i) {
-    for (int j = 0; j < ers7().number_of_couplings; ++j) {
-      EXPECT_NE(ers7().couplings[i].follower, ers7().couplings[j].leader);
-    }
-  }
-}
-
-TEST(ClampPosture, MovesEveryJointIntoItsLimits) {
-  Posture posture;
-  posture.fill(2000000000);
-  clampPosture(ers7(), posture.data());
-  for (int i = 0; i < ers7().number_of_joints; ++i) {
-    EXPECT_EQ(posture[static_cast<size_t>(i)], ers7().joints[i].highest) << ers7().joints[i].name;
-  }
-  posture.fill(-2000000000);
-  clampPosture(ers7(), posture.data());
-  for (int i = 0; i < ers7().number_of_joints; ++i) {
-    EXPECT_THAT(posture[static_cast<size_t>(i)], AllOf(Ge(ers7().joints[i].lowest), Le(ers7().joints[i].highest)))
-        << ers7().joints[i].name;
-  }
-}
-
-TEST(ClampPosture, RaisesFollowersOutOfTheWayOfTheirLeaders) {
-  Posture posture = freePosture();
-  const auto set = [&posture](const char* name, double degrees) {
-    posture[static_cast<size_t>(index(ers7(), name))] = microradians(degrees);
-  };
-  const auto get = [&posture](const char* name) { return posture[static_cast<size_t>(index(ers7(), name))]; };
-  set("left_front_rotator", 500);
-  set("left_front_elevator", -10);
-  set("right_hind_rotator", -72);
-  set("right_hind_elevator", -10);
-  set("right_front_elevator", -10);
-  set("neck_tilt", -60);
-  set("head_tilt", 0);
-  clampPosture(ers7(), posture.data());
-  EXPECT_EQ(get("left_front_rotator"), microradians(130));
-  EXPECT_EQ(get("left_front_elevator"), microradians(-2));
-  EXPECT_EQ(get("right_hind_rotator"), microradians(-72));
-  EXPECT_EQ(get("right_hind_elevator"), 0);
-  EXPECT_EQ(get("right_front_elevator"), microradians(-10));
-  EXPECT_EQ(get("neck_tilt"), microradians(-60));
-  EXPECT_EQ(get("head_tilt"), microradians(5));
 }
 
 TEST(ClampPosture, DoesNotChangeAnAllowedPosture) {
