@@ -23,6 +23,7 @@
 #include "picture_encoder/JpegEncoder.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "rcserver_fixture.h"
 #include "simulator/ers7/simulated_ers7.h"
 #include "support/memory_stick.h"
 #include "support/process.h"
@@ -30,6 +31,7 @@
 #include "support/sockets.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
+#include "support/test_pictures.h"
 
 namespace {
 
@@ -37,7 +39,6 @@ using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TemporaryFolder;
 using test_support::TestClient;
-using ::testing::HasSubstr;
 using Strings = std::vector<std::string>;
 
 /// Requests of version 1; it is the name of the motion that is only on the stick of command().
@@ -191,6 +192,56 @@ TEST(AiboRCServer, LogsThePicturesThatItServesAndContinuesWhenNobodyReadsItsOutp
   long long taken_at = 0;  // nanoseconds since 1970
   EXPECT_TRUE(log >> taken_at);
   EXPECT_LE(std::abs(taken_at / 1000000000 - std::time(nullptr)), 30);
+}
+
+/// What its camera sees.
+class Eye {
+ public:
+  explicit Eye(const Strings& options) : robot_(command(options)) {}
+
+  /// The next picture, if it has come.
+  std::optional<Picture> look() {
+    if (!client_) {
+      client_ = std::make_unique<TestClient>(numberOf(portOf(robot_)));
+      client_->send(request('X', 2) + frame('W', 85, 1, kStreamOn));
+    }
+    has_agreed_ = has_agreed_ || !client_->take(protocol::VALUE_REPLY_SIZE).empty();
+    const std::optional<Frame> next = has_agreed_ ? client_->nextFrame() : std::nullopt;
+    if (!next || next->header.kind != 'f') {
+      ::poll(nullptr, 0, 1);
+      return std::nullopt;
+    }
+    client_->send(frame('H', 0, 2));
+    return pictureIn(*next);
+  }
+
+ private:
+  Process robot_;
+  std::unique_ptr<TestClient> client_;
+  bool has_agreed_ = false;
+};
+
+// The same image shows the same room from the same place, unless one of these options changes it.
+TEST(AiboRCServer, ShowsTheRoomThatItIsTold) {
+  const TemporaryFolder folder;
+  const test_pictures::Bytes photograph = test_pictures::make();
+  folder.write("a.jpg", {photograph.begin(), photograph.end()});
+  const std::pair<Strings, bool> rows[] = {
+      {{"--seed", "1"}, true}, {{"--seed", "2"}, false}, {{"--on-table"}, false}, {{"--images", folder.path()}, false}};
+  for (const auto& [options, is_usual] : rows) {
+    Eye eyes[] = {Eye(Strings()), Eye(options)};
+    std::map<unsigned, std::vector<std::uint8_t>> seen[2];
+    std::optional<bool> is_same;
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    for (int eye = 0; !is_same && std::chrono::steady_clock::now() < end; eye = 1 - eye) {
+      if (const std::optional<Picture> picture = eyes[eye].look()) {
+        const unsigned image = picture->image.image_count;
+        seen[eye][image] = picture->jpeg;
+        is_same = seen[1 - eye].count(image) == 0 ? is_same : seen[0][image] == seen[1][image];
+      }
+    }
+    EXPECT_EQ(is_same, is_usual) << options[0];
+  }
 }
 
 TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {

@@ -13,7 +13,6 @@ namespace {
 
 using namespace protocol::version2;
 using ::testing::Each;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -168,6 +167,23 @@ TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
     }
     EXPECT_THAT(pushed(), IsEmpty());
   }
+}
+
+TEST_F(ColorsTest, AClientThatReadsLateGetsOnlyTheNewest) {
+  connectBehindAPicture();
+  send(frame('Z', COLORS_ON, 1, colorSettings(1)));
+  for (int i = 0; i < 20; ++i) {
+    takeImage();
+  }
+  std::optional<Frame> next = nextFrame();
+  while (next && (next->header.kind != COLORS_PUSH || next->header.request_number != 0)) {
+    next = nextFrame();
+  }
+  ASSERT_TRUE(next);
+  ColorRegions regions{};
+  EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &regions), nullptr);
+  EXPECT_EQ(regions.image_count, robot_.lastImage());
+  EXPECT_THAT(pushed(), IsEmpty());
 }
 
 TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {

@@ -18,7 +18,6 @@ namespace {
 using namespace protocol::version2;
 using test_support::UdpSocket;
 using ::testing::Each;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Le;
 
@@ -61,33 +60,28 @@ class DatagramsTest : public Version2Fixture {
     return parts;
   }
 
-  // All that come within some frames, as the client reads what the robot can send.
-  std::vector<Frame> morePicturesByTcp() {
-    std::vector<Frame> pictures;
-    for (int i = 0; i < 20; ++i) {
-      const std::vector<Frame> some = picturesByTcp();
-      pictures.insert(pictures.end(), some.begin(), some.end());
-      machine_->runPending();
-    }
-    return pictures;
-  }
-
-  // The frames with pictures that have come by TCP; others are skipped.
+  // The frames with pictures that come by TCP, as the client reads what the robot can send; others are skipped.
   std::vector<Frame> picturesByTcp() {
     std::vector<Frame> pictures;
-    machine_->runPending();
-    while (const std::optional<Frame> next = client_->nextFrame()) {
-      if (next->header.kind == 'f') {
-        pictures.push_back(*next);
+    for (int i = 0; i < 20; ++i) {
+      machine_->runPending();
+      while (const std::optional<Frame> next = client_->nextFrame()) {
+        if (next->header.kind == 'f') {
+          pictures.push_back(*next);
+        }
       }
     }
     return pictures;
   }
 
-  static std::vector<uint8_t> lossReport(unsigned picture) {
-    const std::string bytes = payloadOf(LossReport{picture});
+  template <typename Payload>
+  static std::vector<uint8_t> datagramOf(const Payload& payload) {
+    const std::string bytes = payloadOf(payload);
     return {bytes.begin(), bytes.end()};
   }
+
+  static std::vector<uint8_t> lossReport(unsigned picture) { return datagramOf(LossReport{picture}); }
+  static std::vector<uint8_t> acknowledgement(unsigned picture) { return datagramOf(Acknowledgement{picture}); }
 
   static bool hasParity(const std::vector<ReceivedPart>& parts) {
     return std::any_of(parts.begin(), parts.end(), [](const ReceivedPart& part) { return part.header.is_parity; });
@@ -99,11 +93,6 @@ class DatagramsTest : public Version2Fixture {
       jpeg.insert(jpeg.end(), part.bytes.begin(), part.bytes.end());
     }
     return jpeg;
-  }
-
-  static std::vector<uint8_t> acknowledgement(unsigned picture) {
-    const std::string bytes = payloadOf(Acknowledgement{picture});
-    return {bytes.begin(), bytes.end()};
   }
 
   /// Frames until a picture comes.
@@ -274,8 +263,7 @@ class RepeatedDatagramsTest : public DatagramsTest {
   }
 
   void tell(UdpSocket& receiver, unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
-    const std::string bytes = payloadOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing});
-    receiver.reply({bytes.begin(), bytes.end()});
+    receiver.reply(datagramOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing}));
   }
 
   /// The parts of the next picture.
@@ -422,7 +410,7 @@ TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
   const std::vector<ReceivedPart> third = nextPicture(receiver);
   ASSERT_FALSE(third.empty());
   send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
-  const std::vector<Frame> pictures = morePicturesByTcp();
+  const std::vector<Frame> pictures = picturesByTcp();
   ASSERT_EQ(pictures.size(), 2U);
   size_t i = 0;
   for (const std::vector<ReceivedPart>* expected : {&second, &third}) {
@@ -430,9 +418,9 @@ TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
     EXPECT_EQ(std::vector<uint8_t>(payload.begin() + IMAGE_HEADER_SIZE, payload.end()), joined(*expected));
   }
   send(frame('X', 0, 10, orderPayload(0, false, 0, 0)));
-  EXPECT_THAT(morePicturesByTcp(), IsEmpty()) << "they have been sent";
+  EXPECT_THAT(picturesByTcp(), IsEmpty()) << "they have been sent";
   takeImage();
-  EXPECT_EQ(morePicturesByTcp().size(), 1U);
+  EXPECT_EQ(picturesByTcp().size(), 1U);
   EXPECT_THAT(partsAt(receiver), IsEmpty());
 }
 
@@ -443,12 +431,12 @@ TEST_F(RepeatedDatagramsTest, AreForgottenAfter200MillisecondsAndWithTheirClient
   answerTo('W', 85, kStreamOff);
   passFrames(40);
   send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
-  EXPECT_THAT(morePicturesByTcp(), IsEmpty());
+  EXPECT_THAT(picturesByTcp(), IsEmpty());
   orderTo(receiver);
   nextPicture(receiver);
   reconnect();
   send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
-  EXPECT_THAT(morePicturesByTcp(), IsEmpty());
+  EXPECT_THAT(picturesByTcp(), IsEmpty());
 }
 
 }  // namespace

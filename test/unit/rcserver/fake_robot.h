@@ -41,7 +41,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     bool open = false;
     bool gain = false;
     bool jammed = false;
-    bool refuses_gain = false;   ///< EnableJointGain fails
     bool refuses_gains = false;  ///< SetJointGain fails
     bool is_mute = false;        ///< GetJointValue fails
     std::optional<int> duty{};   ///< that it reports; otherwise it is full unless the joint is at its reference
@@ -176,9 +175,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus enableJointGain(OPrimitiveID id) override {
-    if (at(id).refuses_gain) {
-      return oALERT_JOINT_UNCONTROLLABLE;
-    }
     at(id).gain = true;
     at(id).error_when_gain_went_on = at(id).reference - at(id).position;
     return oSUCCESS;

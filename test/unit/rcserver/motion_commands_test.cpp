@@ -85,14 +85,14 @@ TEST_F(MotionsInVersion1, PlaysAMotionFromTheMemoryStick) {
   EXPECT_NEAR(degrees("neck_tilt"), -10, 0.01);
 }
 
-TEST_F(MotionsInVersion1, ReportsMotionsThatCannotBePlayedByErrorCode) {
+TEST_F(MotionsInVersion1, AnswersWhatItCannotPlayByAnErrorCode) {
   start("");
   stick_.write(std::string(kFolder) + "/BAD.MTN", "OMTN and nothing more");
-  EXPECT_EQ(answerTo(fileRequest('P', "MISSING.MTN", 1)), "e0 1");
-  EXPECT_EQ(answerTo(fileRequest('P', "NOD.TXT", 1)), "e0 2");
-  EXPECT_EQ(answerTo(fileRequest('P', "../A.MTN", 1)), "e0 2");
-  EXPECT_EQ(answerTo(fileRequest('P', "", 1)), "e0 2");
-  EXPECT_EQ(answerTo(fileRequest('P', "BAD.MTN", 1)), "e0 0");
+  const std::pair<std::string, std::string> rows[] = {
+      {"MISSING.MTN", "e0 1"}, {"NOD.TXT", "e0 2"}, {"../A.MTN", "e0 2"}, {"", "e0 2"}, {"BAD.MTN", "e0 0"}};
+  for (const auto& [name, error] : rows) {
+    EXPECT_EQ(answerTo(fileRequest('P', name, 1)), error) << name;
+  }
 }
 
 TEST_F(MotionsInVersion1, StopsAMotionWithZeroRepetitions) {
@@ -219,20 +219,6 @@ class MotionsInVersion2 : public StickMotions {
   }
 };
 
-TEST_F(MotionsInVersion2, ListsPlaysAndStops) {
-  startVersion2("");
-  EXPECT_EQ(answerTo(frame('N', "")), "nLIE.MTN\nNOD.MTN\nSIT.MTN\nWAG.MTN");
-  EXPECT_EQ(answerTo(play("nod.mtn", 2)), "p");
-  EXPECT_EQ(answerTo(play("WAG.MTN", 65535)), "p") << "two at once";
-  EXPECT_THAT(answerTo(play("SIT.MTN", 1)), HasSubstr("e0 NOD.MTN is being played and moves neck_tilt, too"));
-  passFrames(300);
-  EXPECT_EQ(answerTo(play("", 0)), "p");
-  EXPECT_EQ(answer(), "ended 1 2 NOD.MTN\nthe client stopped it");
-  EXPECT_EQ(answer(), "ended 1 2 WAG.MTN\nthe client stopped it");
-  live();
-  EXPECT_EQ(answerTo(play("SIT.MTN", 1)), "p");
-}
-
 TEST_F(MotionsInVersion2, TellsWhatIsPlayedDifferentlyIfItIsAsked) {
   startVersion2("");
   stick_.write(
@@ -250,18 +236,6 @@ TEST_F(MotionsInVersion2, TellsWhatIsPlayedDifferentlyIfItIsAsked) {
   live();
   EXPECT_EQ(answerTo(play("FAST.MTN", 1, LEAVE_OUT_MISSING_JOINTS | TELL_CHANGES)), "p" + changes);
   EXPECT_EQ(console_.str().find("FAST.MTN: 1"), console_.str().rfind("FAST.MTN: 1")) << "the console has it once";
-}
-
-TEST_F(MotionsInVersion2, UploadsAndDeletes) {
-  startVersion2("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
-  EXPECT_THAT(answerTo(frame('H', "")), HasSubstr(" P N A S E U D guard\n"));
-  EXPECT_EQ(answerTo(upload("NEW.MTN", motion_)), "u");
-  EXPECT_EQ(fileContent(stick_.path(kFolder) / "NEW.MTN"), motion_);
-  EXPECT_EQ(answerTo(play("NEW.MTN", 1)), "p");
-  EXPECT_EQ(answerTo(frame('D', "NEW.MTN")), "d");
-  EXPECT_THAT(answerTo(frame('D', "NEW.MTN")), HasSubstr("e1 there is no NEW.MTN"));
-  passFrames(kLongestMotion);
-  EXPECT_NEAR(degrees("head_pan"), 30, 0.01) << "it was still played to its end";
 }
 
 TEST_F(MotionsInVersion2, ReportsAMotionThatAFaultyJointStops) {

@@ -50,16 +50,4 @@ inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
   return brightness;
 }
 
-/// Red, green and blue in the middle of a picture.
-inline std::vector<uint8_t> colorOf(const std::vector<uint8_t>& jpeg) {
-  const std::unique_ptr<void, int (*)(tjhandle)> handle(tjInitDecompress(), tjDestroy);
-  const Brightness size = brightnessOf(jpeg);
-  std::vector<uint8_t> pixels(3 * static_cast<size_t>(size.width * size.height));
-  EXPECT_EQ(tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), pixels.data(), size.width, 0, size.height, TJPF_RGB,
-                          TJFLAG_STOPONWARNING),
-            0);
-  const auto middle = pixels.begin() + 3 * (size.height / 2 * size.width + size.width / 2);
-  return {middle, middle + 3};
-}
-
 #endif  // TEST_UNIT_RCSERVER_PICTURE_CHECKS_H

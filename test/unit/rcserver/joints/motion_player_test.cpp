@@ -21,7 +21,6 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
 using ::testing::StrEq;
 
 constexpr int kFrame = robot_model::FRAME_MILLISECONDS;
@@ -260,12 +259,6 @@ TEST_F(EarsInMotions, FlickWhenTheirValuesChange) {
   EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "right_ear")));
 }
 
-TEST_F(EarsInMotions, FlickInEachRepetitionAndOnlyWhereTheFileSays) {
-  const std::string motion = motionBytes("at 0 head_pan 0 left_ear 7\nat 400 left_ear 8\nat 800\n");
-  ASSERT_EQ(play("A.MTN", motion, 3), "");
-  EXPECT_THAT(flicksOf("left_ear"), SizeIs(3));
-}
-
 TEST_F(EarsInMotions, DoNotFlickAfterAStop) {
   ASSERT_EQ(play("A.MTN", motionBytes("frame 8\nat 0 left_ear 0\nat 8 left_ear 1\nat 16 left_ear 0\n")), "");
   passFrames(2);
@@ -326,20 +319,6 @@ TEST_F(StoppedMotion, ItsJointsBrakeAndItsEndIsToldWithItsCause) {
     EXPECT_THAT(ends(), Contains(end));
     EXPECT_EQ(player_->IsPlaying(), other_goes_on);
   }
-}
-
-TEST_F(StoppedMotion, WhatIsNotTakenIsForgottenAfterAWhileTheOldestFirst) {
-  player_->StopAll();
-  ends_.ClientGone();
-  EXPECT_THAT(ends(), ElementsAre()) << "the next client hears nothing of it";
-  for (unsigned i = 0; i < EndLog::MAX_ENDS + 2; ++i) {
-    ASSERT_EQ(play(std::to_string(i) + ".MTN", motionBytes("at 0 mouth -10\n")), "");
-    player_->StopAll();
-  }
-  const std::vector<std::string> kept = ends();
-  ASSERT_EQ(kept.size(), EndLog::MAX_ENDS);
-  EXPECT_EQ(kept.front(), "2.MTN 2 the client stopped it");
-  EXPECT_EQ(kept.back(), std::to_string(EndLog::MAX_ENDS + 1) + ".MTN 2 the client stopped it");
 }
 
 }  // namespace

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -204,37 +203,6 @@ TEST_F(Walk, TellsVelocitiesWhoseSumIsTheWay) {
   EXPECT_NEAR(way + walker().TakeVelocity().forward * frames * 0.008, 0.8, 0.01) << "and slows down";
 }
 
-// What a joint lags behind is what a foot slips. While the velocity changes a lot, a joint may be late for some frames.
-TEST_F(Walk, BringsNoJointNearItsLimitsWhateverIsSteered) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> any(-1, 1);
-  int farthest_lag = 0;
-  int steps = 0;
-  int late_steps = 0;
-  for (int i = 0; i < 600 && !HasFailure(); ++i) {
-    const bool straight = i % 3 == 0;
-    const Velocity velocity = {any(random) * 0.3, straight ? 0 : any(random) * 0.1, straight ? 0 : any(random) * 2};
-    for (int frames = 10 + static_cast<int>((any(random) + 1) * 100); frames > 0; --frames) {
-      const std::vector<int> before = positions();
-      order(i % 10 == 9 ? Velocity{0, 0, 0} : velocity);
-      pass(1);
-      const std::vector<int> now = positions();
-      for (int moved = 0; moved < model.number_of_joints; ++moved) {
-        const auto index = static_cast<std::size_t>(moved);
-        EXPECT_GE(now[index], lowestPosition(model, moved, now.data())) << model.joints[moved].name;
-        EXPECT_LE(now[index], model.joints[moved].highest) << model.joints[moved].name;
-        EXPECT_LE(std::abs(now[index] - before[index]) * kFramesASecond, model.joints[moved].highest_speed);
-        const int lag = walks() && walker().Moves(moved) ? std::abs(joints.Planner().Target(moved) - now[index]) : 0;
-        farthest_lag = std::max(farthest_lag, lag);
-        steps += walks() && walker().Moves(moved) ? 1 : 0;
-        late_steps += lag > kDegree ? 1 : 0;
-      }
-    }
-  }
-  EXPECT_LT(farthest_lag, 4 * kDegree);
-  EXPECT_LT(late_steps, steps / 20000);
-}
-
 TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   steer(kAhead, 300);
   order(kAhead);
@@ -248,15 +216,6 @@ TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
 }
 
-TEST_F(Walk, GoesOnIfItIsSteeredAgainBeforeTheRobotStands) {
-  steer(kAhead);
-  letGo();
-  pass(30);
-  steer(kAhead);
-  EXPECT_TRUE(walks());
-  EXPECT_THAT(ends(), IsEmpty());
-}
-
 TEST_F(Walk, DoesNotBeginWithAVelocityOfZero) {
   play("at 0 left_front_knee 60\nat 800 left_front_knee 80\n");
   letGo();
@@ -264,31 +223,15 @@ TEST_F(Walk, DoesNotBeginWithAVelocityOfZero) {
   EXPECT_TRUE(joints.Motions().IsPlaying()) << "it takes the legs from nobody";
 }
 
-TEST_F(Walk, BeginsWhenTheRobotHasSlowlyRisen) {
+TEST_F(Walk, BeginsWhenTheRobotHasRisen) {
   for (const Posture posture : {POSTURE_SIT, POSTURE_REST}) {
     WalkingRobot robot;
     robot.take(posture);
-    int fastest = 0;
-    for (int i = 0; i < 1000 && !robot.walks(); ++i) {
-      const std::vector<int> before = robot.positions();
-      robot.order(kAhead);
-      EXPECT_EQ(robot.walker().State(), WALK_STATE_GETS_READY);
-      robot.pass(1);
-      for (std::size_t joint = 0; joint < before.size(); ++joint) {
-        fastest = std::max(fastest, std::abs(robot.positions()[joint] - before[joint]) * kFramesASecond);
-      }
-    }
-    EXPECT_TRUE(robot.walks());
-    EXPECT_LT(fastest, 1.2 * Walker::POSTURE_SPEED) << posture;
+    robot.order(kAhead);
+    EXPECT_EQ(robot.walker().State(), WALK_STATE_GETS_READY);
+    robot.steer(kAhead, 1000);
+    EXPECT_TRUE(robot.walks()) << posture;
   }
-}
-
-TEST_F(Walk, DoesNotBeginIfTheClientLetsGoWhileTheRobotRises) {
-  take(POSTURE_REST);
-  order(kAhead);
-  passUntilIdle();
-  EXPECT_TRUE(isIn(POSTURE_STAND));
-  EXPECT_THAT(ends(), ElementsAre("rest: ", "walk: it was not steered for 500 ms"));
 }
 
 // ------------------------------------------------------------------------------------------------------------ its ends
@@ -449,19 +392,10 @@ TEST_F(Walk, TakesTheLegsFromAMotion) {
   }
 }
 
-// While it walks without the guard, nobody looks, and it may turn away from an edge.
-TEST_F(Walk, WithoutTheGuardMindsNoEdgeAndTheGuardKnowsNothingAfterwards) {
+TEST_F(Walk, WithoutTheGuardMindsNoEdge) {
   sees = kEdge;
-  steer(kAhead, 250, true);
-  passUntilIdle();
-  letGo();
-  EXPECT_EQ(order(kAhead, true), "the floor ends ahead: turn, or walk back");
-  letGo();
   steer(kAhead);
   EXPECT_TRUE(walks());
-  letGo();
-  passUntilIdle();
-  EXPECT_EQ(order(kAhead, true), "");
 }
 
 TEST_F(Walk, IsGuardedOnlyWhereTheRobotHasNotBeenMovedSince) {
@@ -471,6 +405,12 @@ TEST_F(Walk, IsGuardedOnlyWhereTheRobotHasNotBeenMovedSince) {
       {"fallen", [](WalkingRobot& robot) { robot.feels = kOnItsSide; }},
       {"held", [](WalkingRobot& robot) { robot.joints.StopAll(); }},
       {"seated", [](WalkingRobot& robot) { robot.take(POSTURE_SIT); }},
+      {"walked without the guard",
+       [](WalkingRobot& robot) {
+         robot.steer(kAhead);
+         robot.letGo();
+         robot.passUntilIdle();
+       }},
   };
   for (const auto& [name, change] : rows) {
     WalkingRobot robot;
@@ -529,6 +469,7 @@ TEST_F(PostureOfARobot, IsToldAlsoWhereItIsNoneOfTheThree) {
   feels = kInTheAir;
   pass(60);
   EXPECT_EQ(now(), POSTURE_CARRIED);
+  EXPECT_THAT(walker().Problem(POSTURE_STAND), HasSubstr("carried"));
   feels = kOnItsSide;
   pass(80);
   EXPECT_EQ(now(), POSTURE_FALLEN);
@@ -586,13 +527,7 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
 
 // ------------------------------------------------------------------------------------------------------------- resting
 
-class Rest : public ::testing::Test, protected WalkingRobot {
- protected:
-  void layDown() {
-    joints.Take(POSTURE_REST);
-    pass(10);  // it levels its head while it lies down
-  }
-};
+class Rest : public ::testing::Test, protected WalkingRobot {};
 
 TEST_F(Rest, LevelsTheHeadAndThenWantsTheMotorsOff) {
   command("neck_tilt", -1200000);
@@ -616,26 +551,22 @@ TEST_F(Rest, LevelsTheHeadAndThenWantsTheMotorsOff) {
 }
 
 TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
-  const std::string names[] = {"neck_tilt", "head_pan", "head_tilt"};
-  for (const std::string& name : names) {
-    const std::string angle = " " + name + (name == "neck_tilt" ? " -20" : " 20");
-    const std::pair<std::string, std::function<void(WalkingRobot&)>> orders[] = {
-        {"command", [&](WalkingRobot& robot) { robot.command(name, (name == "neck_tilt" ? -20 : 20) * kDegree); }},
-        {"motion", [&](WalkingRobot& robot) { robot.play("at 0" + angle + "\nat 80" + angle + "\n"); }},
-        {"hold", [&](WalkingRobot& robot) { robot.joints.Stop(robot.joint(name)); }},
-    };
-    for (const auto& [order, give] : orders) {
-      WalkingRobot robot;
-      robot.command(name, (name == "neck_tilt" ? -20 : 20) * kDegree);
-      robot.pass(100);
-      robot.take(POSTURE_SIT);
-      robot.joints.Take(POSTURE_REST);
-      robot.pass(10);  // it stands up first
-      give(robot);
-      robot.passUntilIdle();
-      EXPECT_NEAR(std::abs(robot.position(name)), 20 * kDegree, 100) << order << " " << name;
-      EXPECT_EQ(robot.position(name == "head_pan" ? "head_tilt" : "head_pan"), 0) << "the others are levelled";
-    }
+  const std::pair<std::string, std::function<void(WalkingRobot&)>> orders[] = {
+      {"command", [](WalkingRobot& robot) { robot.command("head_pan", 20 * kDegree); }},
+      {"motion", [](WalkingRobot& robot) { robot.play("at 0 head_pan 20\nat 80 head_pan 20\n"); }},
+      {"hold", [](WalkingRobot& robot) { robot.joints.Stop(robot.joint("head_pan")); }},
+  };
+  for (const auto& [order, give] : orders) {
+    WalkingRobot robot;
+    robot.command("head_pan", 20 * kDegree);
+    robot.pass(100);
+    robot.take(POSTURE_SIT);
+    robot.joints.Take(POSTURE_REST);
+    robot.pass(10);  // it stands up first
+    give(robot);
+    robot.passUntilIdle();
+    EXPECT_NEAR(robot.position("head_pan"), 20 * kDegree, 100) << order;
+    EXPECT_EQ(robot.position("head_tilt"), 0) << "the others are levelled";
   }
 }
 
@@ -748,18 +679,6 @@ TEST_F(Fall, LeavesLegsAloneThatSomethingElseHasMovedSince) {
   }
 }
 
-TEST_F(Fall, IsNoLift) {
-  steer(kAhead);
-  feels = kInTheAir;
-  pass(400);
-  EXPECT_THAT(ends(), ElementsAre(HasSubstr("walk: the robot is carried")));
-  EXPECT_FALSE(walker().WantsMotorsOff());
-  EXPECT_THAT(walker().Problem(POSTURE_STAND), HasSubstr("carried"));
-  feels = kUpright;
-  pass(60);
-  EXPECT_EQ(walker().Problem(POSTURE_SIT), nullptr) << "on the floor again";
-}
-
 // The physics tells if it gets up from that; this shows what it tries.
 TEST_F(Fall, IsFollowedByAStandOverTheBelly) {
   feels = kOnItsBack;
@@ -788,20 +707,8 @@ TEST_F(Fall, IsFollowedByAStandOverTheBelly) {
 TEST_F(Fall, OfARobotThatCannotGetUpIsGivenUpAfterSixAttempts) {
   layOnSide();
   joints.Take(POSTURE_STAND);
-  int frames_still = 0;
-  int most_still = 0;
-  int frames = 0;
-  for (; walker().IsActive() && frames < 3000; ++frames) {
-    const std::vector<int> before = positions();
-    pass(1);
-    frames_still = positions() == before ? frames_still + 1 : 0;
-    most_still = std::max(most_still, frames_still);
-  }
-  EXPECT_GT(frames, 6 * kFramesASecond);
-  EXPECT_NEAR(most_still, 45, 5) << "after it has rolled over, it lies still";
+  EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
   EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
-  pass(4);
-  EXPECT_TRUE(walker().GoesSoft());
 }
 
 TEST_F(Fall, WhileTheRobotStandsUpMakesItTryAgain) {
@@ -822,13 +729,6 @@ TEST_F(Fall, WhileTheRobotStandsUpMakesItTryAgain) {
   };
   EXPECT_EQ(framesToStand(24), framesToStand(0)) << "a knock";
   EXPECT_GT(framesToStand(80), framesToStand(0) + 100) << "a fall";
-}
-
-TEST(AnErs210, CannotWalk) {
-  JointControl joints(*robot_model::findRobotModel("ERS-210"));
-  EXPECT_FALSE(joints.Walking().CanWalk());
-  joints.NextFrame();
-  EXPECT_FALSE(joints.Walking().Moves(4));
 }
 
 }  // namespace

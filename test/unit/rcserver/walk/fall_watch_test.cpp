@@ -8,8 +8,6 @@
 
 namespace {
 
-using ::testing::HasSubstr;
-
 constexpr double kGravity = 9.80665;
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
@@ -80,14 +78,6 @@ TEST(FallWatch, CountsTheTimeSinceTheFallAlsoOfARobotThatTumbles) {
   FallWatch watch;
   const unsigned frame = feel(watch, {{rolledBy(90), 20}, {rolledBy(180), 20}}, 4);
   EXPECT_GE(watch.Duration(frame), 148U);
-}
-
-TEST(FallWatch, SaysHowTheRobotLies) {
-  EXPECT_EQ(FallWatch::Words(FallWatch::UPRIGHT), nullptr);
-  EXPECT_THAT(FallWatch::Words(FallWatch::ON_LEFT_SIDE), HasSubstr("on its left side"));
-  EXPECT_THAT(FallWatch::Words(FallWatch::ON_RIGHT_SIDE), HasSubstr("on its right side"));
-  EXPECT_THAT(FallWatch::Words(FallWatch::UPSIDE_DOWN), HasSubstr("on its back"));
-  EXPECT_THAT(FallWatch::Words(FallWatch::CARRIED), HasSubstr("carried"));
 }
 
 }  // namespace

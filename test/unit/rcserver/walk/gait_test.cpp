@@ -98,35 +98,6 @@ TEST_F(GaitTest, AlwaysHasADiagonalPairOnTheFloor) {
   }
 }
 
-// A foot that touches down slower or faster than the floor drags or brakes the robot.
-TEST_F(GaitTest, NeitherJumpsNorKinksWhereAFootLiftsOffAndTouchesDown) {
-  constexpr double kStep = 1e-4;
-  const Velocity velocity = gait_.Limited({0.1, 0, 0.2});
-  for (const Leg leg : kLegs) {
-    for (double phase = 0; phase < 1; phase += kStep) {
-      const Point before = foot(leg, phase - kStep, velocity);
-      const Point here = foot(leg, phase, velocity);
-      const Point after = foot(leg, phase + kStep, velocity);
-      const double seconds = kStep * gait_.StepAt(velocity).period;
-      ASSERT_NEAR((after.x - here.x) / seconds, (here.x - before.x) / seconds, 1e-3) << phase;
-      ASSERT_NEAR((after.z - here.z) / seconds, (here.z - before.z) / seconds, 1e-3) << phase;
-    }
-  }
-}
-
-TEST_F(GaitTest, LiftsEachFootAsHighAsItsEffortSays) {
-  for (const double effort : {1.0, 0.4, 0.0}) {
-    for (const Leg leg : kLegs) {
-      double highest = 0;
-      for (double phase = 0; phase < 1; phase += 0.001) {
-        highest = std::max(highest, foot(leg, phase, {0.1, 0, 0}, effort).z);
-      }
-      const StepParameters step = gait_.StepAt({0.1, 0, 0});
-      EXPECT_NEAR(highest, effort * (isFront(leg) ? step.front_lift : step.hind_lift), 1e-4);
-    }
-  }
-}
-
 TEST_F(GaitTest, SharesTheSpeedOfTheLegsAndKeepsTheDirection) {
   const GaitParameters& gait = gait_.Parameters();
   const protocol::version2::WalkLimits& highest = gait.highest;
