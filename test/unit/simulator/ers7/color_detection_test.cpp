@@ -7,7 +7,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using ::testing::Each;
 using ::testing::ElementsAre;
 
 OCdtVectorData tablesOf(OCdtChannel channel) {
@@ -45,21 +44,6 @@ TEST_F(ColorDetectionTest, APixelBelongsToTheRangesOfItsSegment) {
   EXPECT_EQ(pixelOf(15, 200, 150), 0);
   EXPECT_EQ(pixelOf(24, 200, 150), 0);
   EXPECT_THAT(counts_, ElementsAre(0, 0, 0, 4, 0, 0, 0, 0));
-}
-
-TEST_F(ColorDetectionTest, ChannelsAreIndependent) {
-  OCdtVectorData tables = tablesOf(ocdtCHANNEL0);
-  tables.SetNumData(2);
-  tables.GetInfo(0)->Set(0, 200, 100, 200, 100);
-  tables.GetInfo(1)->Init(1, ocdtCHANNEL6);
-  tables.GetInfo(1)->Set(0, 255, 150, 255, 150);
-  ASSERT_EQ(detection_.load(tables), oSUCCESS);
-  EXPECT_EQ(pixelOf(0, 120, 160), ocdtCHANNEL0);
-  EXPECT_EQ(pixelOf(0, 160, 160), ocdtCHANNEL0 | ocdtCHANNEL6);
-  EXPECT_EQ(pixelOf(0, 210, 210), ocdtCHANNEL6);
-  EXPECT_EQ(pixelOf(0, 120, 210), 0) << "Cr of one channel and Cb of another";
-  detection_.clear();
-  EXPECT_FALSE(detection_.isOn());
 }
 
 TEST_F(ColorDetectionTest, AnErs7HasNoChannel7) {

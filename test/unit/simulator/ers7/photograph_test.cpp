@@ -51,17 +51,8 @@ std::string jpeg(int width, int height, const Paint& paint) {
   return encoded;
 }
 
-/// A folder that is gone after the test.
 class PhotographTest : public testing::Test {
  protected:
-  PhotographTest() {
-    std::string name = (std::filesystem::temp_directory_path() / "photograph_test_XXXXXX").string();
-    EXPECT_NE(mkdtemp(&name[0]), nullptr);
-    folder_ = name;
-  }
-
-  ~PhotographTest() override { std::filesystem::remove_all(folder_); }
-
   std::filesystem::path write(const std::string& name, const std::string& content) {
     std::ofstream(folder_ / name, std::ios::binary) << content;
     return folder_ / name;
@@ -76,7 +67,8 @@ class PhotographTest : public testing::Test {
     return "no error";
   }
 
-  std::filesystem::path folder_;
+  const test_support::TemporaryFolder temporary_;
+  const std::filesystem::path folder_ = temporary_.path();
 };
 
 std::size_t at(int x, int y) {
@@ -92,22 +84,19 @@ TEST_F(PhotographTest, APictureOfTheCamerasSizeIsNotChanged) {
   EXPECT_EQ(image.cb[at(5, 7)], 128);
 }
 
-TEST_F(PhotographTest, AWidePictureLosesItsSidesEvenly) {
-  // Twice as wide as the camera's picture, green at both sides, which must be cut off.
-  const auto image = readPhotograph(write("WIDE.PPM", ppm(416, 160, [](int x, int) {
-                                            return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
-                                          })));
-  EXPECT_EQ(image.cr[at(0, 80)], 255);
-  EXPECT_EQ(image.cr[at(103, 80)], 255);
-  EXPECT_EQ(image.cb[at(104, 80)], 255);
-  EXPECT_EQ(image.cb[at(207, 80)], 255);
-}
-
-TEST_F(PhotographTest, ATallPictureLosesTopAndBottomEvenly) {
-  const auto image =
+TEST_F(PhotographTest, AWideOrTallPictureLosesItsEndsEvenly) {
+  // Twice as wide or as high as the camera's picture, green at both ends, which must be cut off.
+  const auto wide = readPhotograph(write("WIDE.PPM", ppm(416, 160, [](int x, int) {
+                                           return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
+                                         })));
+  EXPECT_EQ(wide.cr[at(0, 80)], 255);
+  EXPECT_EQ(wide.cr[at(103, 80)], 255);
+  EXPECT_EQ(wide.cb[at(104, 80)], 255);
+  EXPECT_EQ(wide.cb[at(207, 80)], 255);
+  const auto high =
       readPhotograph(write("high.ppm", ppm(208, 320, [](int, int y) { return y < 80 || y >= 240 ? kGreen : kRed; })));
-  EXPECT_EQ(image.cr[at(100, 0)], 255);
-  EXPECT_EQ(image.cr[at(100, 159)], 255);
+  EXPECT_EQ(high.cr[at(100, 0)], 255);
+  EXPECT_EQ(high.cr[at(100, 159)], 255);
 }
 
 /// The luminance of the sensor, put together by the equations of Sony's sample W3AIBO (JPEGEncoder.cc).

@@ -9,26 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(Scene, RaysEndAtTheWallsAndTheCeiling) {
-  const Scene scene;
-  const Vector3d high(0, 0, 1);
-  const SceneHit ahead = scene.castRay({high, {1, 0, 0}});
-  EXPECT_DOUBLE_EQ(ahead.distance, kHighestCorner[0]);
-  EXPECT_EQ(ahead.surface, Surface::kWall);
-  EXPECT_EQ(ahead.normal, Vector3d(-1, 0, 0));
-  EXPECT_DOUBLE_EQ(scene.castRay({high, {-1, 0, 0}}).distance, -kLowestCorner[0]);
-  EXPECT_DOUBLE_EQ(scene.castRay({high, {0, 1, 0}}).distance, kHighestCorner[1]);
-  EXPECT_EQ(scene.castRay({high, {0, 0, 1}}).surface, Surface::kCeiling);
-}
-
-TEST(Scene, ARayAtTheBallEndsOneRadiusBeforeItsCenter) {
-  Scene scene;
-  scene.setTime(0);
-  const SceneHit hit = scene.castRay({{0, 0, kBallRadius}, {1, 0, 0}});
-  EXPECT_EQ(hit.surface, Surface::kBall);
-  EXPECT_NEAR(hit.distance, kBallX - kBallRadius, 1e-9);
-}
-
 TEST(Scene, ATableHasAnEdgeAndABoard) {
   const Scene scene(true);
   EXPECT_EQ(scene.groundAt({0, 0}), kTableHeight);

@@ -54,22 +54,6 @@ TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   }
 }
 
-TEST(SceneView, InitiallyTheBallAndTheStationAreInThePicture) {
-  Scene scene;
-  const SceneView view(scene, 1);
-  const Eigen::Isometry3d camera = view.camera();
-  bool station_seen = false;
-  for (double y = 0.5; y < kPictureHeight; ++y) {
-    for (double x = 0.5; x < kPictureWidth; ++x) {
-      const Ray ray{camera.translation(), camera.linear() * directionOf({x, y})};
-      station_seen = station_seen || scene.castRay(ray).surface == Surface::kStationPole;
-    }
-  }
-  EXPECT_TRUE(station_seen);
-  const Vector2d ball = placeOf(camera.inverse() * scene.ballCenter());
-  EXPECT_TRUE((ball.array() > 20).all() && ball.x() < kPictureWidth - 20 && ball.y() < kPictureHeight - 20);
-}
-
 TEST(SceneView, OnlyTheSameSeedAndImageGiveTheSamePicture) {
   Scene scene;
   const auto pictureOf = [&](std::uint64_t seed, longword image) {

@@ -22,7 +22,6 @@ namespace {
 
 using openr_host::EffectorCommand;
 using openr_host::EffectorCommands;
-using testing::ElementsAre;
 
 constexpr char kCameraLocator[] = "PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F1";
 constexpr char kWhiteLed[] = "PRM:/r1/c1/c2/c3/l2-LED2:l2";
@@ -88,26 +87,6 @@ EffectorCommand faceCommand(OPrimitiveID id, int intensity) {
 
 // ---- Primitives
 
-TEST_F(SimulatedErs7Test, APrimitiveIsFoundAtItsLocatorOnly) {
-  OPrimitiveID id = 77;
-  EXPECT_EQ(robot_.openPrimitive(kCameraLocator, &id), oSUCCESS);
-  OPrimitiveID other = 77;
-  EXPECT_EQ(robot_.openPrimitive("PRM:/r1/c1/c2/c3/i1-FbkImageSensor:F2", &other), oNOT_FOUND);
-  EXPECT_EQ(robot_.openPrimitive("", &other), oNOT_FOUND);
-  EXPECT_EQ(robot_.openPrimitive(nullptr, &other), oINVALID_ARG);
-  EXPECT_EQ(other, 77U);
-}
-
-TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
-  const OPrimitiveID camera = open(kCameraLocator);
-  EXPECT_EQ(open(kCameraLocator), camera);
-  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
-  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oSUCCESS);
-  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
-  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oINVALID_PRIMITIVE_ID);
-  EXPECT_EQ(robot_.closePrimitive(camera), oINVALID_PRIMITIVE_ID);
-}
-
 TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOthersThanMeantAreRefused) {
   const OPrimitiveID closed = openJoint("head_pan");
   EXPECT_EQ(robot_.closePrimitive(closed), oSUCCESS);
@@ -124,29 +103,6 @@ TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOthersThanMeantAreRefused) {
 }
 
 // ---- Joints
-
-TEST_F(SimulatedErs7Test, All18JointsAreFoundWithinTheirRanges) {
-  std::set<OPrimitiveID> ids;
-  for (int i = 0; i < model_.number_of_joints; ++i) {
-    const OPrimitiveID id = open(joint(i).locator);
-    OJointValue value;
-    EXPECT_EQ(robot_.getJointValue(id, &value), oSUCCESS);
-    EXPECT_GE(value.value, joint(i).lowest) << joint(i).name;
-    EXPECT_LE(value.value, joint(i).highest) << joint(i).name;
-    ids.insert(id);
-  }
-  EXPECT_EQ(ids.size(), 18U);
-}
-
-TEST_F(SimulatedErs7Test, ACommandTakesEffectFromItsFrameOn) {
-  const OPrimitiveID pan = drive("head_pan");
-  pass(1, {jointCommand(pan, 80000)});
-  OJointValue value;
-  EXPECT_EQ(robot_.getJointValue(pan, &value), oSUCCESS);
-  EXPECT_EQ(value.refValue, 80000);
-  pass(60);
-  EXPECT_EQ(positionOf("head_pan"), 80000) << "the last command stays in effect";
-}
 
 TEST_F(SimulatedErs7Test, CommandsForClosedPrimitivesOrOfTheWrongTypeChangeNothing) {
   EffectorCommand led = jointCommand(drive("head_pan"), 100000);
@@ -184,20 +140,6 @@ TEST_F(SimulatedErs7Test, TheCameraAcceptsItsSettingsOnly) {
     EXPECT_EQ(settings(), expected) << request << " " << value;
   }
   EXPECT_EQ(robot_.controlPrimitive(camera, oprmreqCAM_SET_GAIN, nullptr, 4, nullptr, 0), oINVALID_ARG);
-}
-
-TEST_F(SimulatedErs7Test, TablesOfColoursNeedTheOpenCamera) {
-  const auto status = [this](OPrimitiveID id, OCdtChannel channel) {
-    OCdtVectorData tables{};
-    tables.SetNumData(1);
-    tables.GetInfo(0)->Init(id, channel);
-    return robot_.setCdtVectorData(tables);
-  };
-  EXPECT_EQ(status(1, ocdtCHANNEL0), oINVALID_PRIMITIVE_ID);
-  const OPrimitiveID camera = open(kCameraLocator);
-  EXPECT_EQ(status(openJoint("head_pan"), ocdtCHANNEL0), oINVALID_PRIMITIVE_ID);
-  EXPECT_EQ(status(camera, ocdtCHANNEL0), oSUCCESS);
-  EXPECT_EQ(status(camera, ocdtCHANNEL7), oINVALID_ARG);
 }
 
 TEST_F(SimulatedErs7Test, ItsCameraSeesTheRoomFromWhereHeadAndLegsPutIt) {
@@ -259,14 +201,6 @@ TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSenso
   EXPECT_EQ(ids.size(), 34U);
 }
 
-TEST_F(SimulatedErs7Test, ASensorVectorInUseIsNotOverwritten) {
-  RCRegion* const kept = robot_.captureSensors(3);
-  kept->AddReference();
-  EXPECT_NE(robot_.captureSensors(7), kept);
-  kept->RemoveReference();
-  EXPECT_EQ(robot_.captureSensors(11), kept);
-}
-
 TEST_F(SimulatedErs7Test, ButtonsAreReportedWhileTheyArePressed) {
   for (const std::string name : {"chin", "wlan_switch", "head_touch", "back_rear", "back_middle", "back_front"}) {
     const robot_model::Sensor& button = model_.sensors[robot_model::findSensorByName(model_, name.c_str())];
@@ -303,15 +237,6 @@ TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommand) {
     EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
   }
   EXPECT_EQ(robot_.led("face_2").intensity, 0);
-}
-
-TEST_F(SimulatedErs7Test, AnEarIsDrawnWhileItsMagnetIsEnergised) {
-  const OPrimitiveID left = open(kLeftEar);
-  pass(1, {earCommand(left, ojoint4_STATE1)});
-  EXPECT_TRUE(robot_.ear("left_ear").isDrawn());
-  EXPECT_FALSE(robot_.ear("right_ear").isDrawn());
-  pass(1, {earCommand(left, ojoint4_STATE0)});
-  EXPECT_FALSE(robot_.ear("left_ear").isDrawn());
 }
 
 TEST_F(SimulatedErs7Test, AnEarThatIsEnergisedForASecondDoesNothingForFive) {
@@ -411,21 +336,14 @@ TEST_F(SimulatedErs7Test, WhatPeopleHaveDoneWithItOutlastsAReboot) {
 
 // ---- Options
 
-class SimulatedErs7OnATable : public SimulatedErs7Test {
- protected:
-  SimulatedErs7OnATable() : SimulatedErs7Test(options()) {}
-  static SimulatedErs7Options options() {
-    SimulatedErs7Options options;
-    options.on_table = true;
-    return options;
-  }
-};
-
-TEST_F(SimulatedErs7OnATable, StandsOnItsTop) {
-  pass(1);
-  const double height = robot_.travel().stance().body.translation().z();
+TEST(SimulatedErs7OnATable, StandsOnItsTop) {
+  SimulatedErs7Options options;
+  options.on_table = true;
+  SimulatedErs7 robot(options);
+  robot.passFrame(0, {});
+  const double height = robot.travel().stance().body.translation().z();
   EXPECT_NEAR(height, kTableHeight + kStandingHeight, 0.001);
-  EXPECT_NEAR(robot_.scene().castRay({{0, 0, height}, {0, 0, -1}}).distance, height - kTableHeight, 1e-9);
+  EXPECT_NEAR(robot.scene().castRay({{0, 0, height}, {0, 0, -1}}).distance, height - kTableHeight, 1e-9);
 }
 
 // Model Information ERS-210, section 2: its joints, sensors and LEDs.

@@ -72,21 +72,6 @@ TEST_F(SimulatedSoundTest, ItHearsItselfAsLoudAsTheVolumeSays) {
   EXPECT_EQ(heard(), 5000);
 }
 
-TEST_F(SimulatedSoundTest, TheSpeakerTakesTwoKindsOfSound) {
-  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO8K8B);
-  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(ospksndMONO16K16B)), oSUCCESS);
-  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO16K16B);
-  OPrimitiveControl_SpeakerSoundType type(ospksndMONO8K8B);
-  EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, sizeof(type), nullptr, 0),
-            oSUCCESS);
-  EXPECT_EQ(type.type, ospksndMONO16K16B);
-  EXPECT_EQ(robot_.controlPrimitive(speaker_, oprmreqSPEAKER_GET_SOUND_TYPE, &type, 1, nullptr, 0), oINVALID_ARG);
-  EXPECT_EQ(control(oprmreqSPEAKER_SET_SOUND_TYPE, OPrimitiveControl_SpeakerSoundType(4)), oINVALID_ARG) << "stereo";
-  EXPECT_EQ(robot_.soundTypeOf(speaker_), ospksndMONO16K16B);
-  robot_.closePrimitive(speaker_);
-  EXPECT_EQ(robot_.soundTypeOf(speaker_), std::nullopt);
-}
-
 TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   const test_support::TemporaryFolder folder;
   const std::string path = folder.path("played.wav").string();

@@ -29,25 +29,6 @@ TEST(StanceTest, AtRestTheRobotStandsLevelOnAllFourAtItsStandingHeight) {
   EXPECT_EQ(stance.paw_down, (std::array<bool, kLegs>{true, true, true, true}));
 }
 
-TEST(StanceTest, FeetAreAtTheEndsOfTheLegsLinks) {
-  // By hand: 0.065 + 0.009 - 0.00503, 0.0625 + 0.0047, -0.0695 - 0.06524; mirrored on the right.
-  EXPECT_TRUE(footInBody(robot_model::LEFT_FRONT_LEG, {}).isApprox(Eigen::Vector3d(0.06897, 0.0672, -0.13474), 1e-9));
-  EXPECT_TRUE(
-      footInBody(robot_model::RIGHT_HIND_LEG, {}).isApprox(Eigen::Vector3d(-0.060471, -0.0672, -0.13578), 1e-9));
-  LegAngles forward{};
-  forward.rotator = 90 * kOneDegree;
-  EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, forward).x(), 0.065 + 0.13474, 1e-9);
-  LegAngles aside{};
-  aside.elevator = 90 * kOneDegree;
-  EXPECT_NEAR(footInBody(robot_model::RIGHT_FRONT_LEG, aside).y(), -(0.0625 + 0.13474), 1e-9);
-  LegAngles bent{};
-  bent.knee = 90 * kOneDegree;
-  EXPECT_NEAR(footInBody(robot_model::LEFT_FRONT_LEG, bent).x(), 0.065 + 0.009 + 0.06524, 1e-9)
-      << "front legs bend forward";
-  EXPECT_NEAR(footInBody(robot_model::LEFT_HIND_LEG, bent).x(), -0.065 - 0.009 - 0.06628, 1e-9)
-      << "hind legs bend backward";
-}
-
 TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   auto legs = kStraight;
   for (LegAngles& leg : legs) {

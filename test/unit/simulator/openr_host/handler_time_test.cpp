@@ -13,7 +13,6 @@ namespace {
 
 using std::chrono::milliseconds;
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 class HandlerTimeTest : public testing::Test {
  protected:
@@ -61,16 +60,6 @@ class HandlerTimeTest : public testing::Test {
   std::vector<std::chrono::nanoseconds> encoded_;
   std::vector<std::chrono::nanoseconds> received_;
 };
-
-TEST_F(HandlerTimeTest, MessagesOfAHandlerLeaveWhenItHasFinished) {
-  takeImageAt(milliseconds(8));
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(8)));
-  passTo(milliseconds(27));
-  EXPECT_THAT(received_, IsEmpty());
-  EXPECT_EQ(test_.system.nextFinish(), milliseconds(28));
-  passTo(milliseconds(28));
-  EXPECT_THAT(received_, ElementsAre(milliseconds(28)));
-}
 
 // What the camera's pixels take, and what the object only waits for, is no work of the object.
 TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {

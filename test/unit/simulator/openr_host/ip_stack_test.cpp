@@ -215,16 +215,6 @@ TEST_F(IpStackTest, BytesSentBeforeTheClientClosedAreReceivedFirst) {
   EXPECT_EQ(answers_.at(1).error, TCP_CONNECTION_CLOSED);
 }
 
-TEST_F(IpStackTest, AClientThatHasFinishedSendingStillGetsItsReply) {
-  const auto endpoint = connect();
-  client_->finishSending();
-  receive(endpoint, 1, 1);
-  send(endpoint, "reply");
-  ASSERT_TRUE(test_.runUntil([&] { return client_->received() == "reply" && answers_.size() == 2; }));
-  EXPECT_THAT(answers_, testing::UnorderedElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
-                                                      is(antOperation_TCPSend, TCP_SUCCESS)));
-}
-
 TEST_F(IpStackTest, AResetEndsBothTheSendAndTheReceive) {
   const auto endpoint = connect(4096);
   receive(endpoint, 1, 1);
@@ -265,17 +255,6 @@ TEST_F(IpStackTest, ACloseEndsTheReceiveAndLetsTheSendFinish) {
   expectAnswers({is(antOperation_TCPSend, TCP_SUCCESS), is(antOperation_TCPClose, TCP_SUCCESS)});
 }
 
-TEST_F(IpStackTest, ACloseIsAnsweredAtOnceIfTheClientHasClosedBefore) {
-  const auto endpoint = connect();
-  client_->close();
-  receive(endpoint, 100, 100);
-  ASSERT_TRUE(haveAnswers(1));
-  close(endpoint);
-  test_.run();
-  EXPECT_THAT(answers_, testing::ElementsAre(is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED),
-                                             is(antOperation_TCPClose, TCP_SUCCESS)));
-}
-
 // 2.7: "a normal close takes too much time and is aborted by one of the objects".
 TEST_F(IpStackTest, AnAbortEndsACloseThatWaits) {
   const auto endpoint = connect();
@@ -299,23 +278,6 @@ TEST_F(IpStackTest, AClientIsTurnedAwayAtOnceWhileNoEndpointListens) {
   ASSERT_TRUE(test_.runUntil([&] { return newcomer.ended(); }));
   send(endpoint, "still here");
   EXPECT_TRUE(test_.runUntil([&] { return client_->received() == "still here"; }));
-}
-
-TEST_F(IpStackTest, AClientThatArrivesWhileTheObjectIsAboutToListenAgainIsServed) {
-  antModuleRef endpoint = connect();
-  object_.on_answer = [&](ANTENVMSG message) {
-    record(*antEnvMsg::Receive(message));
-    if (answers_.back().operation == antOperation_TCPReceive) {
-      close(endpoint);
-    } else if (answers_.back().operation == antOperation_TCPClose) {
-      listen(createEndpoint());
-    }
-  };
-  receive(endpoint, 1, 1);
-  client_->close();
-  TestClient next(host_port_);
-  expectAnswers({is(antOperation_TCPReceive, TCP_CONNECTION_CLOSED), is(antOperation_TCPClose, TCP_SUCCESS),
-                 is(antOperation_TCPListen, TCP_SUCCESS)});
 }
 
 TEST_F(IpStackTest, ConnectionsSendAtOnceAndNoticeAVanishedClient) {

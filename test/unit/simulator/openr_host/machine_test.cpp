@@ -220,10 +220,6 @@ TEST_F(MachineTest, AllObjectsReachOneStageOfLifeBeforeAnyReachesTheNext) {
                                                  "B DoStop", "A DoDestroy", "B DoDestroy"));
 }
 
-TEST_F(MachineTest, AnObjectThatFailsToInitialiseEndsTheBoot) {
-  EXPECT_THAT(livesIfOneFailsIn("DoInit"), ElementsAre("A DoInit", "B DoInit", "A DoDestroy"));
-}
-
 TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBoot) {
   EXPECT_THAT(livesIfOneFailsIn("DoStart"),
               ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop", "A DoDestroy", "B DoDestroy"));
@@ -298,30 +294,6 @@ TEST_F(MachineTest, ARebootedMachineServesOnTheSamePortsWithNewObjects) {
   EXPECT_TRUE(echoes(machine, "text"));
   EXPECT_EQ(console_.str(), "Echo on ERS-7\nThe robot boots again\nEcho has gone\nEcho on ERS-7\n");
   EXPECT_EQ(std::count(robot_.calls.begin(), robot_.calls.end(), "switchOff"), 1);
-}
-
-TEST_F(MachineTest, AMachineThatCannotBootAgainIsOffAndSaysWhy) {
-  Machine& machine = boot();
-  writeObjects("/MS/OPEN-R/MW/OBJS/OTHER.BIN\n");
-  EXPECT_THROW(ask(machine, "again"), BootError);
-  EXPECT_FALSE(machine.isOn());
-}
-
-TEST_F(MachineTest, RunFollowsTheWallClockUntilItIsStoppedFromAnotherThread) {
-  WallClock clock;
-  Machine machine(options_, clock, robot_);
-  machine.boot();
-  std::thread other([&] {
-    TestClient client(machine.hostPort(kEchoPort));
-    client.send("x");
-    while (client.received() != "x") {
-      std::this_thread::yield();
-    }
-    machine.stop();
-  });
-  machine.run();
-  other.join();
-  EXPECT_TRUE(machine.isOn());
 }
 
 }  // namespace

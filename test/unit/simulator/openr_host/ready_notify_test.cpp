@@ -127,30 +127,5 @@ TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) 
   EXPECT_THAT(states, ElementsAre(true, true, true, false));
 }
 
-TEST_F(ReadyNotifyTest, ARegionIsFreeWhenEveryObserverIsDoneWithIt) {
-  boot();
-  assertReady(receiver_);
-  test_.as(other_receiver_, [&] { other_receiver_.observer().DeassertReady(); });
-  test_.run();
-  auto* region = new RCRegion(4);
-  RCRegion* kept = nullptr;
-  receiver_.on_notify = [&](const ONotifyEvent& event) {
-    EXPECT_EQ(event.RCData(0), region);  // not a copy
-    kept = event.RCData(0);
-    kept->AddReference();
-  };
-  test_.as(sender_, [&] {
-    sender_.subject().SetData(region);
-    EXPECT_GT(region->NumberOfReference(), 1);
-    sender_.subject().NotifyObservers();
-  });
-  EXPECT_GT(region->NumberOfReference(), 1);
-  test_.run();
-  EXPECT_EQ(region->NumberOfReference(), 2);
-  kept->RemoveReference();
-  EXPECT_EQ(region->NumberOfReference(), 1);
-  region->RemoveReference();
-}
-
 }  // namespace
 }  // namespace openr_host

@@ -16,7 +16,6 @@ namespace openr_host {
 namespace {
 
 using testing::AllOf;
-using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -144,15 +143,6 @@ TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirst
   EXPECT_EQ(test_.robot.played[104], numbers(513, 128));
   EXPECT_THAT(test_.robot.played, SizeIs(5));
   EXPECT_FALSE(comm_.isActive());
-}
-
-TEST_F(VirtualRobotAudioCommTest, AVectorMayEndWithinAFrame) {
-  send({makeVector(numbers(1, 100)), makeVector(numbers(101, 100))});
-  pass(2);
-  EXPECT_EQ(test_.robot.played[100], numbers(1, 128));
-  std::vector<sword> rest = numbers(129, 72);
-  rest.resize(128);
-  EXPECT_EQ(test_.robot.played[101], rest) << "then silence";
 }
 
 TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonAndReadyComesInTheNextFrame) {

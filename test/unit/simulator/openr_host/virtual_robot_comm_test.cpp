@@ -18,7 +18,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::Not;
 using testing::Pair;
 
 /// The commands for one joint, frame by frame.
@@ -100,13 +99,6 @@ TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedInOrderOneValuePerFrame) {
                                             Pair(102, ElementsAre(Pair(1, 30), Pair(2, -30)))));
 }
 
-TEST_F(VirtualRobotCommTest, AVectorLastsAsLongAsItsLongestEntry) {
-  send({makeVector({{1, {10}}, {2, {7, 8, 9}}})});
-  pass(5);
-  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10), Pair(2, 7))),
-                                            Pair(101, ElementsAre(Pair(2, 8))), Pair(102, ElementsAre(Pair(2, 9)))));
-}
-
 // Level2 Reference Guide, page 44: READY follows when the output of a vector is complete. All of Sony's motion samples
 // send two vectors in their first notification, and one for each READY.
 TEST_F(VirtualRobotCommTest, ReadyFollowsTheOutputOfEachVectorSoThatTwoAtFirstLeaveNoGap) {
@@ -129,20 +121,6 @@ TEST_F(VirtualRobotCommTest, ReadyFollowsTheOutputOfEachVectorSoThatTwoAtFirstLe
     played.push_back(commands.at(1));
   }
   EXPECT_THAT(played, ElementsAre(1, 2, 3, 4, 5));
-}
-
-TEST_F(VirtualRobotCommTest, ARegionIsFreeAgainWhenItsReadyComes) {
-  const std::vector<RegionReference> vectors = {makeVector({{1, {1, 2}}}), makeVector({{1, {3, 4}}})};
-  send(vectors);
-  std::vector<int> references_when_ready;
-  mover_.on_ready = [&](const OReadyEvent&) { references_when_ready.push_back(vectors[0]->NumberOfReference()); };
-  pass(1);
-  EXPECT_GT(vectors[0]->NumberOfReference(), 1);
-  pass(1);
-  EXPECT_THAT(references_when_ready, ElementsAre(1));
-  EXPECT_GT(vectors[1]->NumberOfReference(), 1);
-  pass(2);
-  EXPECT_EQ(vectors[1]->NumberOfReference(), 1);
 }
 
 TEST_F(VirtualRobotCommTest, MalformedVectorsAreRefusedWithAReasonAndTheNextOneIsPlayed) {
