@@ -49,9 +49,6 @@ class Bench {
   /// From now on, the client steers ten times a second.
   void steer(const Velocity& velocity);
 
-  /// From now on, the client does not steer; the robot stops by itself.
-  void letGo() { steering_ = false; }
-
   /// Asks for a posture.
   void take(protocol::version2::Posture posture);
 
@@ -68,15 +65,9 @@ class Bench {
   /// What the robot said last.
   const Step& step() const { return step_; }
 
-  /// The velocity in force: the last answer to steering.
-  const Velocity& velocityInForce() const { return in_force_; }
-
   /// Ends that the robot has pushed, and texts of its errors, all since the beginning.
   const std::vector<End>& ends() const { return ends_; }
   const std::vector<std::string>& errors() const { return errors_; }
-
-  /// OPEN-R's frames since the beginning.
-  unsigned frames() const { return clock_.frame(); }
 
  private:
   void request(char kind, int id, const std::vector<unsigned char>& payload);
@@ -93,7 +84,6 @@ class Bench {
   unsigned short last_number_ = 0;
   bool steering_ = false;
   Velocity wanted_{};
-  Velocity in_force_{};
   Step step_;
   std::vector<End> ends_;
   std::size_t ends_awaited_ = 0;

@@ -129,11 +129,6 @@ void PhysicalErs7::hold(double height) {
   held_at_ = height;
 }
 
-void PhysicalErs7::letGo() {
-  held_at_ = 0;
-  std::fill_n(state_->xfrc_applied + 6 * body_, 6, 0);
-}
-
 OStatus PhysicalErs7::forServos(OPrimitiveID id, const std::function<OStatus(std::size_t, Servo&)>& action) {
   for (std::size_t i = 0; i < servos_.size(); ++i) {
     const OPrimitiveID primitive = simulated_ers7::jointPrimitive(i);

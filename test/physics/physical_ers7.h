@@ -77,12 +77,8 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   /// A force on the middle of the body until the next call, in newton in the room.
   void push(const Eigen::Vector3d& force);
 
-  /// A hand holds the body at a height over the floor, in metres, and level; or lets go.
+  /// A hand holds the body at a height over the floor, in metres, and level.
   void hold(double height);
-  void letGo();
-
-  /// Sets the battery's charge, 0..1.
-  void setCharge(double charge) { battery_.setCharge(charge); }
 
   /// @name The true state after the last frame
   /// @{

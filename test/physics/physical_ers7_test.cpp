@@ -38,25 +38,6 @@ double acceleration(PhysicalErs7& robot, const char* locator) {
   return value.value * 1e-6;
 }
 
-TEST(PhysicalErs7, StandsOnItsFeetWhileItsMotorsHold) {
-  PhysicalErs7 robot;
-  holdAll(robot);
-  passSeconds(robot, 5);
-  EXPECT_LT(robot.tilt(), 3 * kDegree);
-  EXPECT_NEAR(robot.body().translation().z(), 0.143, 0.006);
-  EXPECT_LT((robot.body().translation().head<2>()).norm(), 0.01);
-  EXPECT_FALSE(robot.bodyTouchesFloor());
-  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
-    EXPECT_TRUE(robot.touchesFloor(static_cast<robot_model::Leg>(leg))) << leg;
-  }
-}
-
-TEST(PhysicalErs7, FoldsItsLegsWithoutPower) {
-  PhysicalErs7 robot;
-  passSeconds(robot, 3);
-  EXPECT_LT(robot.body().translation().z(), 0.1);
-}
-
 // A motor that is slower than its command has full duty, and does not exceed its highest speed without a load.
 TEST(PhysicalErs7, MovesAJointInTheAirAtItsHighestSpeedAtMost) {
   PhysicalErs7 robot;
@@ -122,35 +103,6 @@ TEST(PhysicalErs7, FeelsGravityWithSonysSigns) {
   robot.place({}, Quaterniond(Eigen::AngleAxisd(90 * kDegree, Vector3d::UnitX())));
   passSeconds(robot, 3);
   EXPECT_GT(acceleration(robot, kRightLeft), 0.8 * kGravity);
-}
-
-TEST(PhysicalErs7, HangsInAHandWithItsPawsOffTheFloor) {
-  PhysicalErs7 robot;
-  holdAll(robot);
-  robot.hold(0.25);
-  passSeconds(robot, 3);
-  EXPECT_NEAR(robot.body().translation().z(), 0.25, 0.01);
-  EXPECT_LT(robot.tilt(), 10 * kDegree);
-  for (int leg = 0; leg < robot_model::NUMBER_OF_LEGS; ++leg) {
-    EXPECT_FALSE(robot.touchesFloor(static_cast<robot_model::Leg>(leg))) << leg;
-  }
-  robot.letGo();
-  passSeconds(robot, 1);
-  EXPECT_TRUE(robot.touchesFloor(robot_model::LEFT_FRONT_LEG));
-}
-
-TEST(PhysicalErs7, MovesTheSameToTheLastBitInEveryRun) {
-  Vector3d places[2];
-  for (Vector3d& place : places) {
-    PhysicalErs7 robot;
-    holdAll(robot);
-    robot.push({3, 2, 0});
-    passSeconds(robot, 1);
-    robot.push({0, 0, 0});
-    passSeconds(robot, 1);
-    place = robot.body().translation();
-  }
-  EXPECT_EQ(places[0], places[1]);
 }
 
 }  // namespace

@@ -12,7 +12,6 @@
 namespace {
 
 using physics::Record;
-using physics::Velocity;
 using physics::World;
 using ::testing::IsEmpty;
 
@@ -135,24 +134,6 @@ TEST(Walk, FollowsRandomCommands) {
   for (const double gain : record.gain) {
     EXPECT_NEAR(gain, 1, 0.1);
   }
-}
-
-TEST(Walk, StopsWhereItStandsWithoutSteering) {
-  physics::Bench bench;
-  bench.steer({physics::walkLimits().forward, 0, 0});
-  for (int i = 0; i < 500; ++i) {
-    bench.passFrame();
-  }
-  EXPECT_EQ(bench.step().state, version2::WALK_STATE_WALKS);
-  bench.letGo();
-  const physics::End end = bench.awaitEnd(version2::ENDED_WALK, 3);
-  EXPECT_EQ(end.how, version2::END_STOPPED) << end.reason;
-  const Eigen::Vector3d place = bench.robot().body().translation();
-  for (int i = 0; i < 250; ++i) {
-    bench.passFrame();
-  }
-  EXPECT_LT((bench.robot().body().translation() - place).norm(), 0.01);
-  EXPECT_LT(bench.robot().tilt(), 0.05);
 }
 
 TEST(Walk, IsTheSameInEveryRun) {
