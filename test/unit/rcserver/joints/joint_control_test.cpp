@@ -71,6 +71,7 @@ TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
     JointControl joints(ers7());
     const int pan = findJointByName(ers7(), "head_pan");
     joints.Planner().SetAccelerationLimit(pan, 300000);
+    joints.NextFrame();  // a lower one is in force when the joint stands
     protocol::version2::JointTargets target = {0, 1, {{joints.Identifier(pan), 1000000}}};
     joints.SetTargets(&target);
     while (joints.Planner().Speed(pan) < 300000) {

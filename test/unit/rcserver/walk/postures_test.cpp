@@ -140,6 +140,16 @@ TEST_F(PosturesTest, CountAsTheStandWhileTheFeetAreUnderTheBody) {
   EXPECT_FALSE(postures_.Stands(legs(POSTURE_REST).data()));
   EXPECT_FALSE(postures_.Stands(legs(POSTURE_SIT).data()));
   EXPECT_FALSE(postures_.Stands(on_its_knees_.data()));
+  for (const int leg : {0, 1, 2, 3}) {
+    for (const double lift : {0.01, 0.045}) {
+      Legs lifted = legs(POSTURE_STAND);
+      const Leg which = static_cast<Leg>(leg);
+      Point foot = findFoot(which, lifted[static_cast<std::size_t>(leg)]);
+      foot.z += lift;
+      findLegAngles(which, foot, &lifted[static_cast<std::size_t>(leg)]);
+      EXPECT_EQ(postures_.Stands(lifted.data()), lift < 0.03) << leg << " by " << lift;
+    }
+  }
 }
 
 // On level ground, the robot rests on its lowest points. Legs of both sides are the same here, so a side view will do.

@@ -210,6 +210,21 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
   }
 }
 
+TEST_F(WalkGuardTest, ElsewhereItKnowsNoGround) {
+  const Velocity right = {0, -0.06, 0};
+  walk(kForward, 3);
+  walk({-0.1, 0, 0}, 3);
+  walk(kTurn, 3.14);  // a quarter to the left, so that it has walked to its right
+  walk(right, 1.5);
+  EXPECT_EQ(objection(right), "");
+  guard_.Forget();
+  walk(kForward, 3);
+  guard_.Forget();
+  walk(kTurn, 3.14);
+  walk(right, 1.5);
+  EXPECT_THAT(objection(right), HasSubstr("it cannot see there"));
+}
+
 TEST_F(WalkGuardTest, ElsewhereItKnowsNothingThatIsInTheWay) {
   for (const WalkGuard::Reading& reading : {atEdge(), beforeWall(0.05)}) {
     look(reading);

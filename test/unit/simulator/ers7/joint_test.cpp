@@ -88,6 +88,18 @@ TEST(Joint, DoesNotMoveWithoutGain) {
   EXPECT_EQ(joint.position(), 100000) << "disabling the gain has made it 0";
 }
 
+TEST(Joint, DoesNotMoveWithoutPower) {
+  Joint joint = drivenJoint(jointModel("head_pan"), 0);
+  joint.setPower(false);
+  joint.command(100000);
+  pass(joint, 50);
+  EXPECT_EQ(joint.position(), 0);
+  EXPECT_EQ(reading(joint).pwmDuty, 0);
+  joint.setPower(true);
+  pass(joint, 50);
+  EXPECT_EQ(joint.position(), 100000) << "the gain has an effect again";
+}
+
 TEST(Joint, StaysWhereItIsAtFullDutyWhileJammed) {
   Joint joint = drivenJoint(jointModel("head_pan"), 0);
   joint.jam(true);

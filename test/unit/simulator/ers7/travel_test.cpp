@@ -164,6 +164,28 @@ TEST_F(TravelTest, AWallStopsIt) {
   EXPECT_DOUBLE_EQ(travel_.stance().body.translation().x(), travel_.place().x);
 }
 
+TEST_F(TravelTest, TheBallStopsIt) {
+  trot({0.15, 0, 0}, 20);
+  EXPECT_NEAR(scene_.clearance(travel_.stance().body * Vector3d(0.06, 0, 0)), 0.09, 0.002);
+  trot({-0.1, 0, 0}, 5);
+  EXPECT_LT(travel_.place().x, 0.4) << "it can go away again";
+}
+
+TEST_F(TravelTest, AHeadThatTurnsTowardsAWallPushesTheRobotAway) {
+  trot({0, 0.1, 0}, 25);
+  const double before = travel_.place().y;
+  EXPECT_NEAR(before, kHighestCorner[1] - 0.09, 0.02);
+  EXPECT_DOUBLE_EQ(travel_.stance().body.translation().y(), before);
+  pass(kStanding, 30);
+  HeadAngles head;
+  for (; head.head_pan < 1.5; head.head_pan += 0.01) {
+    travel_.passFrame(kStanding, head, scene_);
+  }
+  EXPECT_LT(travel_.place().y, before - 0.003);
+  const Vector3d face = travel_.stance().body * headInBody(head) * Vector3d(0.03, 0, 0);
+  EXPECT_NEAR(scene_.clearance(face), 0.075, 0.002);
+}
+
 TEST_F(TravelTest, AFootBeyondTheEdgeOfATableDoesNotCarryAndTheRobotFallsOff) {
   const Scene scene(true);
   Travel travel(kStanding, {}, kTableHeight);
