@@ -94,16 +94,6 @@ TEST_F(FilesOnTheStick, ListsOnlyMotionsSortedByName) {
   EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
 }
 
-TEST_F(FilesOnTheStick, ReportsMissingFiles) {
-  std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
-  EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::MISSING);
-  std::filesystem::remove_all(folder_);
-  EXPECT_EQ(read("HOP.MTN", &content), FileResult::MISSING);
-  EXPECT_THAT(listed(), IsEmpty());
-  EXPECT_FALSE(store("HOP.MTN", "content"));
-}
-
 TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));

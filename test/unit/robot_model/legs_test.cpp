@@ -61,22 +61,6 @@ TEST(LegsTest, ReachEveryFootOfTheJointsWholeRange) {
   }
 }
 
-TEST(LegsTest, GiveBackTheAnglesOfABentLegThatIsNotLiftedOverItsShoulder) {
-  for (const Leg leg : kLegs) {
-    const double longest = isFront(leg) ? 12 * kDegree : 19 * kDegree;
-    forWholeRange(leg, [&](const LegAngles& angles) {
-      if (angles.knee < longest || angles.elevator > 80 * kDegree) {
-        return;
-      }
-      LegAngles found{};
-      findLegAngles(leg, findFoot(leg, angles), &found);
-      ASSERT_NEAR(found.rotator, angles.rotator, 1e-6);
-      ASSERT_NEAR(found.elevator, angles.elevator, 1e-6);
-      ASSERT_NEAR(found.knee, angles.knee, 1e-6);
-    });
-  }
-}
-
 TEST(LegsTest, StretchTowardsAFootTooFarAway) {
   for (const Leg leg : kLegs) {
     const Point shoulder = findShoulder(leg);

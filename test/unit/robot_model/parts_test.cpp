@@ -1,7 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <limits>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -81,15 +79,6 @@ TEST(Sensors, OfTheErs210) {
                  {"acceleration_front_back", 61, "PRM:/a1-Sensor:a1", SENSOR_ACCELERATION, -19613300, 19613300},
                  {"acceleration_right_left", 62, "PRM:/a2-Sensor:a2", SENSOR_ACCELERATION, -19613300, 19613300},
                  {"acceleration_up_down", 63, "PRM:/a3-Sensor:a3", SENSOR_ACCELERATION, -19613300, 19613300}});
-}
-
-TEST(Sensors, ShareNoIdentifierWithAJoint) {
-  for (const char* design : kDesigns) {
-    for (int i = 0; i < model(design).number_of_sensors; ++i) {
-      EXPECT_EQ(findJointByIdentifier(model(design), model(design).sensors[i].identifier), NO_JOINT)
-          << design << " " << model(design).sensors[i].name;
-    }
-  }
 }
 
 // Touch sensors have Sony's levels; a switch is only on or off.
@@ -193,30 +182,6 @@ TEST(Ears, AreTwo) {
   EXPECT_EQ(findEarByIdentifier(model("ERS-7"), 3), NO_EAR);
   EXPECT_EQ(findEarByName(model("ERS-7"), "ear"), NO_EAR);
   EXPECT_EQ(findEarByLocator(model("ERS-7"), "PRM:/r1/c1/c2/c3/e1-Joint3:j5"), NO_EAR);
-}
-
-template <typename Part>
-void expectAscendingAndDifferent(const Part* parts, int count, int most) {
-  EXPECT_LE(count, most);
-  std::set<std::string> names;
-  std::set<std::string> locators;
-  for (int i = 0; i < count; ++i) {
-    EXPECT_GT(parts[i].identifier, i == 0 ? 0 : parts[i - 1].identifier) << parts[i].name;
-    EXPECT_TRUE(names.insert(parts[i].name).second) << parts[i].name;
-    if (parts[i].locator != nullptr) {
-      EXPECT_TRUE(locators.insert(parts[i].locator).second) << parts[i].name;
-    }
-  }
-}
-
-TEST(RobotModel, HasUniquePartsInAscendingOrder) {
-  for (const char* design : kDesigns) {
-    SCOPED_TRACE(design);
-    expectAscendingAndDifferent(model(design).joints, model(design).number_of_joints, MAX_JOINTS);
-    expectAscendingAndDifferent(model(design).sensors, model(design).number_of_sensors, MAX_SENSORS);
-    expectAscendingAndDifferent(model(design).leds, model(design).number_of_leds, MAX_LEDS);
-    expectAscendingAndDifferent(model(design).ears, model(design).number_of_ears, MAX_EARS);
-  }
 }
 
 }  // namespace

@@ -264,14 +264,6 @@ class Inspector {
   std::vector<int> accelerations_;  // in force
 };
 
-TEST(MotionPlanner, BeginsInAnAllowedPosture) {
-  MotionPlanner planner(ers7());
-  planner.NextFrame();
-  EXPECT_EQ(planner.Position(joint("neck_tilt")), 0);
-  EXPECT_EQ(planner.Position(joint("mouth")), microradians(-3));
-  EXPECT_EQ(planner.Position(joint("tail_tilt")), microradians(5));
-}
-
 TEST(MotionPlanner, AcceptsPositionsWithinTheLimits) {
   MotionPlanner planner(ers7());
   EXPECT_EQ(setTarget(planner, joint("head_pan"), 100000), 100000);
@@ -408,25 +400,6 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
     EXPECT_LE(runUntilAllHaveArrived(planner), 13);
     EXPECT_LT(planner.Position(rotator), microradians(40));
   }
-}
-
-TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
-  MotionPlanner planner(ers7());
-  RandomClient client(7);
-  std::vector<int> found;
-  for (const int i : allJoints()) {
-    found.push_back(client.position(i));
-  }
-  for (const int i : allJoints()) {
-    planner.SetPosition(i, found[static_cast<size_t>(i)]);
-  }
-  EXPECT_EQ(postureOf(planner), found);
-  EXPECT_EQ(targetsOf(planner), found);
-  run(planner, 10);
-  EXPECT_EQ(postureOf(planner), found);
-  planner.HoldAll();
-  run(planner, 10);
-  EXPECT_EQ(postureOf(planner), found);
 }
 
 // How far a joint is below its lower limit.

@@ -100,28 +100,6 @@ class Echo : public TestObject {
   byte* data_ = nullptr;
 };
 
-/// Records which of its life cycle functions are called, and can fail in one of them.
-class LifeRecorder : public OObject {
- public:
-  LifeRecorder(std::string name, std::vector<std::string>& calls, std::string failure)
-      : name_(std::move(name)), calls_(calls), failure_(std::move(failure)) {}
-
-  OStatus DoInit(const OSystemEvent& /*event*/) override { return called("DoInit"); }
-  OStatus DoStart(const OSystemEvent& /*event*/) override { return called("DoStart"); }
-  OStatus DoStop(const OSystemEvent& /*event*/) override { return called("DoStop"); }
-  OStatus DoDestroy(const OSystemEvent& /*event*/) override { return called("DoDestroy"); }
-
- private:
-  OStatus called(const std::string& function) {
-    calls_.push_back(name_ + " " + function);
-    return function == failure_ ? oFAIL : oSUCCESS;
-  }
-
-  const std::string name_;
-  std::vector<std::string>& calls_;
-  const std::string failure_;
-};
-
 /// Five frames pass each time somebody wants to wait for one, and no time in reality.
 class HastyClock : public Clock {
  public:
@@ -165,22 +143,6 @@ class MachineTest : public testing::Test {
     }
     return "no error";
   }
-  /// What happens to two objects, of which the second fails in a function.
-  std::vector<std::string> livesIfOneFailsIn(const std::string& failure) {
-    writeObjects("/MS/OPEN-R/MW/OBJS/A.BIN\n/MS/OPEN-R/MW/OBJS/B.BIN\n");
-    stick_.write("OPEN-R/MW/CONF/CONNECT.CFG", "");
-    std::vector<std::string> calls;
-    for (const std::string name : {"A", "B"}) {
-      ObjectDescription& description = options_.catalog[name + ".BIN"];
-      description.name = name;
-      description.create = [&calls, name, failure] {
-        return std::make_unique<LifeRecorder>(name, calls, name == "B" ? failure : "");
-      };
-    }
-    EXPECT_THAT(bootError(), HasSubstr(failure.empty() ? "no error" : "object B: " + failure + "() returned 2"));
-    machine_.reset();
-    return calls;
-  }
   bool echoes(Machine& machine, const std::string& text) {
     TestClient client(machine.hostPort(kEchoPort));
     client.send(text);
@@ -213,16 +175,6 @@ TEST_F(MachineTest, WithoutConnectCfgObjectsBootUnconnectedAndTheConsoleSaysSo) 
   std::filesystem::remove(stick_.path("OPEN-R/MW/CONF/CONNECT.CFG"));
   EXPECT_TRUE(echoes(boot(), "text"));
   EXPECT_THAT(console_.str(), HasSubstr("There is no OPEN-R/MW/CONF/CONNECT.CFG"));
-}
-
-TEST_F(MachineTest, AllObjectsReachOneStageOfLifeBeforeAnyReachesTheNext) {
-  EXPECT_THAT(livesIfOneFailsIn(""), ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop",
-                                                 "B DoStop", "A DoDestroy", "B DoDestroy"));
-}
-
-TEST_F(MachineTest, AnObjectThatFailsToStartEndsTheBoot) {
-  EXPECT_THAT(livesIfOneFailsIn("DoStart"),
-              ElementsAre("A DoInit", "B DoInit", "A DoStart", "B DoStart", "A DoStop", "A DoDestroy", "B DoDestroy"));
 }
 
 TEST_F(MachineTest, BootErrorsNameStickFileAndLine) {

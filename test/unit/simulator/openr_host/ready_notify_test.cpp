@@ -27,7 +27,7 @@ class ReadyNotifyTest : public testing::Test {
     };
   }
 
-  void boot() { test_.boot({{"Sender", "Receiver"}, {"Sender", "Other"}, {"Second", "Receiver"}}); }
+  void boot() { test_.boot({{"Sender", "Receiver"}, {"Sender", "Other"}}); }
 
   void assertReady(TestObject& object) {
     test_.as(object, [&] { object.observer().AssertReady(); });
@@ -45,7 +45,6 @@ class ReadyNotifyTest : public testing::Test {
   TestObject& sender_ = test_.add("Sender");
   TestObject& receiver_ = test_.add("Receiver");
   TestObject& other_receiver_ = test_.add("Other");
-  TestObject& second_sender_ = test_.add("Second");
   std::vector<std::string> received_;
   std::vector<std::string> other_received_;
 };
@@ -87,22 +86,6 @@ TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedIncludingKeptData
   EXPECT_THAT(other_received_, ElementsAre("deleted")) << "it was kept for this observer";
   assertReady(receiver_);
   EXPECT_THAT(received_, IsEmpty());
-}
-
-TEST_F(ReadyNotifyTest, DeassertReadyRevokesReadiness) {
-  boot();
-  assertReady(receiver_);
-  assertReady(other_receiver_);
-  test_.as(receiver_, [&] { receiver_.observer().DeassertReady(sender_.subjectId()); });
-  test_.run();
-  notify("data");
-  test_.as(second_sender_, [&] {
-    second_sender_.subject().SetData("more", 4);
-    second_sender_.subject().NotifyObservers();
-  });
-  test_.run();
-  EXPECT_THAT(received_, ElementsAre("more")) << "of the other sender";
-  EXPECT_THAT(other_received_, ElementsAre("data"));
 }
 
 TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) {

@@ -179,22 +179,6 @@ TEST_F(VirtualRobotCommTest, AnEntryThatItsPrimitiveDoesNotTakeIsIgnoredAloneAnd
   EXPECT_THAT(text, HasSubstr("commands ignored: primitive 77 is not open, or takes no commands of type 259\n"));
 }
 
-TEST_F(VirtualRobotCommTest, AnObjectThatSendsMalformedVectorsForeverIsRefusedOncePerFrame) {
-  const RegionReference vector = makeVector({{1, {10}}});
-  vectorIn(vector).GetInfo(0)->frameSize = 0;
-  int left = 100;  // limit in case of an error
-  mover_.on_ready = [&](const OReadyEvent&) {
-    if (--left > 0) {
-      mover_.subject().SetData(vector.get());
-      mover_.subject().NotifyObservers();
-    }
-  };
-  send({vector});
-  pass(4);
-  const std::string text = test_.output.str();
-  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 5);
-}
-
 TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
   std::vector<std::vector<slongword>> received;
   mover_.on_notify = [&](const ONotifyEvent& event) {
