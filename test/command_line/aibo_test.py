@@ -113,9 +113,9 @@ class ScriptedServer:
 
 def says_hello(server, names=b"", flood=None, answers=None, until=None):
     """A server of version 2 with a name, which lists motions of these names, tells its motors and its camera, and
-    refuses everything else. What `flood` makes of a number comes without end. `answers` has, for a kind of request, its replies in turn, each with what is
-    pushed then; the last one comes again and again. None is the usual reply, b"-" is none. The connection ends after
-    requests of the kinds `until`."""
+    refuses everything else. What `flood` makes of a number comes without end. `answers` has, for a kind of request, its
+    replies in turn, each with what is pushed then; the last one comes again and again. None is the usual reply, b"-" is
+    none. The connection ends after requests of the kinds `until`."""
     hello = b"robot=ERS-7\nserver=%s\nframe_number=4294967000\ncapabilities=H F W J V T O I L K G P N %s\nlimits=\n" % (
         server, b" ".join(answers or ()))
 

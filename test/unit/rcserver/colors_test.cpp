@@ -72,11 +72,11 @@ class ColorsTest : public FakeRobotFixture {
   // Everything that has been pushed, which must be colours.
   std::vector<Colors> pushed() {
     std::vector<Colors> all;
-    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
-      EXPECT_EQ(next->header.kind, COLORS_PUSH);
-      EXPECT_EQ(next->header.request_number, 0);
+    for (const Frame& next : arrived()) {
+      EXPECT_EQ(next.header.kind, COLORS_PUSH);
+      EXPECT_EQ(next.header.request_number, 0);
       Colors colors;
-      EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &colors.regions), nullptr);
+      EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &colors.regions), nullptr);
       if (colors.regions.has_plane) {
         colors.plane.resize(kWidth * kHeight);
         EXPECT_EQ(
@@ -175,13 +175,9 @@ TEST_F(ColorsTest, AClientThatReadsLateGetsOnlyTheNewest) {
   for (int i = 0; i < 20; ++i) {
     takeImage();
   }
-  std::optional<Frame> next = nextFrame();
-  while (next && (next->header.kind != COLORS_PUSH || next->header.request_number != 0)) {
-    next = nextFrame();
-  }
-  ASSERT_TRUE(next);
+  const Frame next = nextPush(COLORS_PUSH);
   ColorRegions regions{};
-  EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &regions), nullptr);
+  EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &regions), nullptr);
   EXPECT_EQ(regions.image_count, robot_.lastImage());
   EXPECT_THAT(pushed(), IsEmpty());
 }

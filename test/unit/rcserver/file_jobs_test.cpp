@@ -31,15 +31,9 @@ class FileJobsTest : public FakeRobotFixture {
   // The frames that have arrived: kind and request number, and the text of an error.
   std::vector<std::string> answers() {
     std::vector<std::string> all;
-    machine_->runPending();
-    while (const std::optional<Frame> next = client_->nextFrame()) {
-      if (next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
-        continue;
-      }
-      all.push_back(next->header.kind + std::to_string(next->header.request_number));
-      if (next->header.kind == 'e') {
-        all.back() += " " + std::string(next->payload.begin() + 2, next->payload.end());
-      }
+    for (const Frame& next : arrived()) {
+      all.push_back(next.header.kind + std::to_string(next.header.request_number));
+      all.back() += next.header.kind == 'e' ? " " + textOf(next).substr(2) : "";
     }
     return all;
   }

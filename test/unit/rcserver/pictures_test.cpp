@@ -28,28 +28,7 @@ class PicturesTest : public Version2Fixture {
     return encoder_.hasJob();
   }
 
-  // The frames of one kind that have arrived; others are skipped.
-  std::vector<Frame> framesOf(char kind) {
-    std::vector<Frame> frames;
-    machine_->runPending();
-    while (const std::optional<Frame> next = client_->nextFrame()) {
-      if (next->header.kind == kind) {
-        frames.push_back(*next);
-      }
-      machine_->runPending();
-    }
-    return frames;
-  }
-
-  std::vector<Frame> pictures() { return framesOf('f'); }
-
-  std::optional<Frame> nextPicture() {
-    std::optional<Frame> next = nextFrame();
-    while (next && next->header.kind != 'f') {
-      next = nextFrame();
-    }
-    return next;
-  }
+  std::vector<Frame> pictures() { return arrived('f'); }
 
   static unsigned imageCount(const Frame& picture) { return pictureIn(picture).image.image_count; }
 
@@ -202,13 +181,9 @@ TEST_F(UnreadPictureTest, PictureIsFinishedAndTheNextOneIsTheNewest) {
   for (int i = 0; i < 10; ++i) {
     takeImage();
   }
-  const std::optional<Frame> under_way = nextPicture();
-  ASSERT_TRUE(under_way);
-  EXPECT_EQ(imageCount(*under_way), first);
+  EXPECT_EQ(imageCount(nextPush('f')), first);
   takeImage();
-  const std::optional<Frame> next = nextPicture();
-  ASSERT_TRUE(next);
-  EXPECT_EQ(imageCount(*next), robot_.lastImage());
+  EXPECT_EQ(imageCount(nextPush('f')), robot_.lastImage());
 }
 
 }  // namespace

@@ -306,21 +306,45 @@ class FakeRobotFixture : public RCServerFixture {
     takeImage();
   }
 
-  /// What the robot tells of its motors and its posture is skipped.
+  /// The next frame, if it is here. What the robot tells of its motors and its posture unasked is skipped.
+  std::optional<Frame> frameThatIsHere() {
+    std::optional<Frame> next = client_->nextFrame();
+    while (next && next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH &&
+           next->header.request_number == 0) {
+      next = client_->nextFrame();
+    }
+    return next;
+  }
+
+  /// Waits for a frame.
   std::optional<Frame> nextFrame() {
     std::optional<Frame> next;
-    const auto is_skipped = [&next] {
-      return next && next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH &&
-             next->header.request_number == 0;
-    };
-    EXPECT_TRUE(machine_->runUntil([&] {
-      do {
-        next = client_->nextFrame();
-      } while (is_skipped());
-      return next.has_value() || client_->ended();
-    }));
+    EXPECT_TRUE(machine_->runUntil([&] { return (next = frameThatIsHere()).has_value() || client_->ended(); }));
     machine_->runPending();
     return next;
+  }
+
+  /// The frames that have arrived. @param kind of them; 0: of all kinds
+  std::vector<Frame> arrived(char kind = '\0') {
+    std::vector<Frame> frames;
+    machine_->runPending();
+    while (const std::optional<Frame> next = frameThatIsHere()) {
+      if (kind == '\0' || next->header.kind == kind) {
+        frames.push_back(*next);
+      }
+      machine_->runPending();
+    }
+    return frames;
+  }
+
+  /// Waits for something that is pushed; what comes before it is skipped.
+  Frame nextPush(char kind) {
+    std::optional<Frame> next = nextFrame();
+    while (next && (next->header.kind != kind || next->header.request_number != 0)) {
+      next = nextFrame();
+    }
+    EXPECT_TRUE(next);
+    return next.value_or(Frame{});
   }
 
   /// Sends a request of version 2 that is answered at once. Messages that are pushed meanwhile are skipped.

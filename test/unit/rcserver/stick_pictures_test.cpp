@@ -68,13 +68,13 @@ class StickPicturesTest : public FakeRobotFixture {
     Counts counts;
     for (unsigned i = 0; i < frames; ++i) {
       passFrames(1);
-      while (const std::optional<Frame> next = client_->nextFrame()) {
-        if (next->header.request_number == 0) {
-          EXPECT_EQ(next->header.kind, 'f');
-          pictureIn(*next);
+      for (const Frame& next : arrived()) {
+        if (next.header.request_number == 0) {
+          EXPECT_EQ(next.header.kind, 'f');
+          pictureIn(next);
           ++counts.pictures;
         } else {
-          counts.answers.push_back(next->header.kind + std::to_string(next->header.request_number));
+          counts.answers.push_back(next.header.kind + std::to_string(next.header.request_number));
         }
       }
     }

@@ -38,13 +38,12 @@ class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface
 
   Counts count() {
     Counts counts;
-    machine_->runPending();
-    while (const auto frame = client_->nextFrame()) {
-      counts.pictures += frame->header.kind == 'f' ? 1 : 0;
-      if (frame->header.kind == 'f') {
-        expectPictureOfItsImage(*frame);
+    for (const Frame& frame : arrived()) {
+      counts.pictures += frame.header.kind == 'f' ? 1 : 0;
+      counts.telemetry += frame.header.kind == 't' ? 1 : 0;
+      if (frame.header.kind == 'f') {
+        expectPictureOfItsImage(frame);
       }
-      counts.telemetry += frame->header.kind == 't' ? 1 : 0;
     }
     return counts;
   }

@@ -109,11 +109,11 @@ class Version2Test : public Version2Fixture {
   // Everything that has arrived, which must be telemetry.
   std::vector<Telemetry> telemetry() {
     std::vector<Telemetry> all;
-    for (std::optional<Frame> next = client_->nextFrame(); next; next = client_->nextFrame()) {
-      EXPECT_EQ(next->header.kind, TELEMETRY_PUSH);
-      EXPECT_EQ(next->header.request_number, 0);
+    for (const Frame& next : arrived()) {
+      EXPECT_EQ(next.header.kind, TELEMETRY_PUSH);
+      EXPECT_EQ(next.header.request_number, 0);
       all.emplace_back();
-      EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &all.back()), nullptr);
+      EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &all.back()), nullptr);
     }
     return all;
   }
@@ -356,13 +356,9 @@ TEST_F(Version2Test, ClientThatReadsLateGetsOnlyTheNewestTelemetry) {
   connectBehindAPicture();
   send(frame('T', 0, 1, period(4)));
   passFrames(80);
-  std::optional<Frame> next = nextFrame();
-  while (next && (next->header.kind != TELEMETRY_PUSH || next->header.request_number != 0)) {
-    next = nextFrame();
-  }
-  ASSERT_TRUE(next);
+  const Frame next = nextPush(TELEMETRY_PUSH);
   Telemetry measured = {};
-  EXPECT_EQ(decode(next->payload.data(), next->payload.size(), &measured), nullptr);
+  EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &measured), nullptr);
   EXPECT_NEAR(measured.frame_number, clock_.frame(), 4);
   EXPECT_THAT(telemetry(), IsEmpty());
 }
@@ -469,10 +465,8 @@ TEST_F(Version2Test, AJammedJointIsReportedAndThatItFollowsAgain) {
     answerTo('J', 0, targets({{kTailTiltId, position}}));
     passFrames(4 * JointWatch::PATIENCE);
     pushed.clear();
-    while (const std::optional<Frame> next = client_->nextFrame()) {
-      if (next->header.kind != MOTORS_AND_POSTURE_PUSH) {
-        pushed.push_back(next->header.kind + textOf(*next).substr(next->header.kind == 'e' ? 2 : 0));
-      }
+    for (const Frame& next : arrived()) {
+      pushed.push_back(next.header.kind + textOf(next).substr(next.header.kind == 'e' ? 2 : 0));
     }
   };
   robot_.joint("tail_tilt").jammed = true;
