@@ -19,7 +19,7 @@
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
 
-/// A client and the server it talks to in version 1, over loopback.
+/// A client and the server it talks to, over loopback.
 class ClientFixture : public testing::Test {
  protected:
   static aibo_client::ClientOptions optionsFor(const ScriptedServer& server) {
@@ -31,6 +31,26 @@ class ClientFixture : public testing::Test {
     options.reconnect_wait_min = std::chrono::milliseconds(10);
     options.reconnect_wait_max = std::chrono::milliseconds(50);
     return options;
+  }
+
+  /// The client connects to a server of version 2.
+  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T L K I U P S E") {
+    client_.start();
+    ScriptedPeer peer = server_.accept();
+    peer.agreeToVersion2(capabilities);
+    EXPECT_TRUE(eventually([&] {
+      return client_.status().state == aibo_client::ConnectionState::kConnected &&
+             client_.status().protocol_version == 2;
+    }));
+    return peer;
+  }
+
+  /// The client connects to a server of version 1.
+  ScriptedPeer connectVersion1() {
+    client_.start();
+    ScriptedPeer peer = accept();
+    EXPECT_TRUE(recorder_.waitForState(aibo_client::ConnectionState::kConnected));
+    return peer;
   }
 
   /// Waits for the client to come (back), and answers that the server speaks version 1.

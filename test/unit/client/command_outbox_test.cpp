@@ -49,14 +49,6 @@ TEST(JointCommandsTest, TheLatestTargetOfAJointWinsAndTakesTheOlderOnesPlace) {
   EXPECT_THAT(takeAll(commands), testing::ElementsAre("2:4 in 300", "1:1 in 100", "3:5 in 400"));
 }
 
-TEST(JointCommandsTest, AMillionCommandsLeaveOneOfEachJoint) {
-  JointCommands commands;
-  for (int i = 0; i < 1000000; ++i) {
-    commands.add({milliseconds(0), {{1 + i % 18, i * 1e-6}}});
-  }
-  EXPECT_EQ(18u, takeAll(commands).size());
-}
-
 TEST(JointCommandsTest, OneByOneEachJointHasItsTurnHoweverFastCommandsCome) {
   JointCommands commands;
   std::string taken;
@@ -182,14 +174,6 @@ TEST(LatestByIdTest, TheLatestWinsAndTakesThePlaceOfTheOldest) {
   leds.add({{5, 10}, {6, 20}});
   leds.add({{7, 30}, {5, 40}});
   EXPECT_EQ("5:40 6:20 7:30 ", takeAll(leds));
-}
-
-TEST(LatestByIdTest, NoMoreAreTakenThanThereAre) {
-  LatestById<LedCommand> leds;
-  leds.add({{5, 10}, {6, 20}, {7, 30}});
-  EXPECT_EQ(2u, leds.take(2).size());
-  EXPECT_EQ(1u, leds.take(2).size());
-  EXPECT_TRUE(leds.empty());
 }
 
 }  // namespace

@@ -1,13 +1,10 @@
 #include <dirent.h>
 #include <gmock/gmock.h>
 
-#include <atomic>
 #include <chrono>
-#include <future>
 #include <memory>
-#include <thread>
+#include <optional>
 
-#include "client/tcp_transport.h"
 #include "client_fixture.h"
 
 using namespace aibo_client;
@@ -25,31 +22,7 @@ std::size_t openDescriptors() {
   return count;
 }
 
-class ConnectionFaultsTest : public ClientFixture {
- protected:
-  /// The client drops the connection, says why, comes back, asks for its stream again, and gets it.
-  void expectRecovery(ScriptedPeer* peer, const std::string& reason) {
-    EXPECT_TRUE(recorder_.waitForReason(reason)) << client_.status().reason;
-    peer->waitUntilClosed();
-    const std::size_t pictures = recorder_.pictures().size();
-    ScriptedPeer next = acceptStream();
-    const Bytes jpeg = test_pictures::makeNumbered(4711);
-    sendUntilDelivered(&next, jpeg);
-    ASSERT_TRUE(recorder_.waitForPictures(pictures + 1));
-    EXPECT_EQ(jpeg, recorder_.pictures().back()->jpeg);
-    EXPECT_EQ("", client_.status().reason);
-    EXPECT_EQ("", client_.status().advice);
-  }
-
-  void expectProtocolError(const Bytes& bytes, const std::string& reason) {
-    ScriptedPeer peer = startStream();
-    sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-    peer.send(bytes);
-    expectRecovery(&peer, reason);
-    EXPECT_EQ(1u, client_.statistics().protocol_errors);
-    EXPECT_EQ(2u, client_.statistics().pictures);
-  }
-};
+class ConnectionFaultsTest : public ClientFixture {};
 
 TEST_F(ConnectionFaultsTest, AServerThatAppearsLaterIsFound) {
   server_.vanish();
@@ -94,6 +67,52 @@ TEST_F(ConnectionFaultsTest, WhatARobotSaidBeforeItWentOffStaysUntilItAnswersAga
   EXPECT_THAT(client_.status().reason, testing::Not(testing::HasSubstr("battery")));
 }
 
+TEST_F(ConnectionFaultsTest, AWebServerIsNotTakenForAnRcServer) {
+  ScriptedPeer peer = startStream();
+  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
+  const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
+  peer.send(Bytes(answer.begin(), answer.end()));
+  EXPECT_TRUE(recorder_.waitForReason("does not speak the RCServer's protocol"));
+  peer.waitUntilClosed();
+  EXPECT_EQ(1u, client_.statistics().protocol_errors);
+  EXPECT_EQ(0u, client_.statistics().stalls);
+  ScriptedPeer next = acceptStream();
+  sendUntilDelivered(&next, test_pictures::makeNumbered(2));
+  EXPECT_EQ(test_pictures::makeNumbered(2), recorder_.pictures().back()->jpeg);
+  EXPECT_EQ("", client_.status().reason);
+  EXPECT_EQ("", client_.status().advice);
+}
+
+/// The longest wait is longer than the safety net.
+class BackoffTest : public ConnectionFaultsTest {
+ protected:
+  BackoffTest() {
+    ClientOptions options = optionsFor(server_);
+    options.reconnect_wait_max = std::chrono::seconds(60);
+    patient_.emplace(options, recorder_.callbacks());
+  }
+  bool failTimes(std::uint64_t times) {
+    const std::uint64_t before = patient_->statistics().failed_attempts;
+    return eventually([&] { return patient_->statistics().failed_attempts >= before + times; });
+  }
+
+  std::optional<RcServerClient> patient_;
+};
+
+// If the waits went on growing, seven more attempts would take longer than the safety net.
+TEST_F(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
+  server_.vanish();
+  patient_->start();
+  ASSERT_TRUE(failTimes(7));
+  server_.listen();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2();
+  patient_->waitForConnection(test_support::kSafetyNet);
+  server_.vanish();
+  peer.close();
+  EXPECT_TRUE(failTimes(7));
+}
+
 TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
   client_.start();
   for (int i = 0; i < 5; ++i) {
@@ -107,126 +126,6 @@ TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
   EXPECT_EQ(2, recorder_.logged("No connection to the robot"));
 }
 
-TEST_F(ConnectionFaultsTest, AReasonIsLoggedAgainAfterAConnectionThatWorked) {
-  client_.setStreaming(true);
-  client_.start();
-  for (int connections = 1; connections <= 2; ++connections) {
-    ScriptedPeer peer = acceptStream();
-    sendUntilDelivered(&peer, test_pictures::make());
-    peer.close();
-    EXPECT_TRUE(eventually([&] { return recorder_.logged("closed the connection") == connections; }));
-  }
-}
-
-// What the server sent over the connection before does not count.
-TEST_F(ConnectionFaultsTest, AClientThatWasServedBeforeIsTurnedAwayLikeAnyOther) {
-  ScriptedPeer peer = startStream();
-  sendUntilDelivered(&peer, test_pictures::make());
-  peer.close();
-  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
-  EXPECT_EQ(FaultKind::kClosed, client_.status().fault);
-  server_.accept().close();
-  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
-}
-
-TEST_F(ConnectionFaultsTest, AServerThatClosesAfterItsFirstAnswerHasNotTurnedTheClientAway) {
-  ClientOptions options = optionsFor(server_);
-  options.protocol_version = 1;
-  RcServerClient client(options, recorder_.callbacks());
-  client.start();
-  ScriptedPeer peer = server_.accept();
-  expectCommand(&peer, 'F', 73);
-  peer.sendPicture(test_pictures::make());
-  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-  peer.close();
-  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
-  EXPECT_EQ(FaultKind::kClosed, client.status().fault);
-}
-
-// With the waits of a client that did not reach its robot five times, seven more attempts would take more than 20 s.
-TEST(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
-  ScriptedServer server;
-  Recorder recorder;
-  ClientOptions options;
-  options.port = server.port();
-  options.read_timeout = std::chrono::seconds(10);
-  options.reconnect_wait_min = milliseconds(10);
-  options.reconnect_wait_max = std::chrono::seconds(60);
-  RcServerClient client(options, recorder.callbacks());
-  const auto fail = [&client](std::uint64_t times) {
-    const std::uint64_t before = client.statistics().failed_attempts;
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (client.statistics().failed_attempts < before + times && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(milliseconds(1));
-    }
-    return client.statistics().failed_attempts >= before + times;
-  };
-  server.vanish();
-  client.start();
-  ASSERT_TRUE(fail(5));
-  server.listen();
-  ScriptedPeer peer = server.accept();
-  peer.agreeToVersion2();
-  ASSERT_TRUE(recorder.waitForLog("Connected to"));
-  server.vanish();
-  peer.close();
-  EXPECT_TRUE(fail(7));
-}
-
-// The wait is at least 200 ms. An attempt that gets no answer takes longer than the longest wait.
-TEST(BackoffTest, AnAttemptThatTookLongNeedsNoWaitAfterIt) {
-  using std::chrono::steady_clock;
-  ScriptedServer full(ScriptedServer::Begin::kAbsent);
-  full.listen(0);
-  TcpTransport other;
-  other.connect("127.0.0.1", full.port(), steady_clock::now() + std::chrono::seconds(10));
-  ClientOptions options;
-  options.port = full.port();
-  options.connect_timeout = milliseconds(450);
-  options.reconnect_wait_min = options.reconnect_wait_max = milliseconds(400);
-  std::atomic<int> attempts{0};
-  std::atomic<bool> came_at_once{false};
-  Callbacks callbacks;
-  callbacks.on_status = [&, failed = steady_clock::time_point()](const ConnectionStatus& status) mutable {
-    const steady_clock::time_point now = steady_clock::now();
-    if (status.state == ConnectionState::kConnecting) {
-      came_at_once = came_at_once || now < failed + milliseconds(100);
-      ++attempts;
-    } else {
-      failed = now;
-    }
-  };
-  RcServerClient client(options, callbacks);
-  client.start();
-  while (!came_at_once && attempts <= 10) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  EXPECT_TRUE(came_at_once);
-  EXPECT_EQ(FaultKind::kNoAnswer, client.status().fault);
-  EXPECT_EQ("127.0.0.1:" + std::to_string(full.port()) + " did not answer within 450 ms", client.status().reason);
-}
-
-// After a connection, the wait does not begin with the attempt that made it. A server that turns a
-// client away closes its connection at once; this one is silent for longer.
-TEST(BackoffTest, AConnectionThatLastedIsFollowedByAWaitAndWasNotTurnedAway) {
-  ScriptedServer server;
-  Recorder recorder;
-  ClientOptions options;
-  options.port = server.port();
-  options.read_timeout = std::chrono::seconds(10);
-  options.reconnect_wait_min = options.reconnect_wait_max = milliseconds(400);
-  RcServerClient client(options, recorder.callbacks());
-  client.start();
-  ScriptedPeer peer = server.accept();
-  EXPECT_EQ('X', peer.readCommand().command);
-  std::this_thread::sleep_for(std::chrono::seconds(1));
-  const auto closed = std::chrono::steady_clock::now();
-  peer.close();
-  const ScriptedPeer next = server.accept();
-  EXPECT_GE(std::chrono::steady_clock::now() - closed, milliseconds(200));
-  EXPECT_EQ(FaultKind::kClosed, client.status().fault);
-}
-
 TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
   client_.setStreaming(true);
   client_.start();
@@ -234,6 +133,7 @@ TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherO
     server_.accept().close();
   }
   ASSERT_TRUE(recorder_.waitForReason("closed the connection as soon as it was made"));
+  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
   ScriptedPeer peer = acceptStream();
   sendUntilDelivered(&peer, test_pictures::make());
   EXPECT_EQ(1, recorder_.logged("Is another client connected?"));
@@ -244,8 +144,7 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
   client_.setStreaming(true);
   client_.start();
   const auto size = static_cast<std::ptrdiff_t>(reply.size());
-  for (const std::ptrdiff_t cut : {std::ptrdiff_t{1}, std::ptrdiff_t{2}, std::ptrdiff_t{4}, std::ptrdiff_t{5},
-                                   std::ptrdiff_t{6}, size / 2, size - 1}) {
+  for (const std::ptrdiff_t cut : {std::ptrdiff_t{1}, std::ptrdiff_t{5}, size / 2, size - 1}) {
     for (const bool reset : {false, true}) {
       ScriptedPeer peer = acceptStream();
       peer.send(Bytes(reply.begin(), reply.begin() + cut));
@@ -256,81 +155,32 @@ TEST_F(ConnectionFaultsTest, ACloseOrResetAtAnyPointOfAReplyIsRecoveredFromAndTh
   sendUntilDelivered(client_, [&] { peer.send(reply); });
   EXPECT_EQ(1u, client_.statistics().pictures);
   EXPECT_EQ(0u, client_.statistics().corrupt_pictures);
-  EXPECT_EQ(15u, client_.statistics().connections);
+  EXPECT_EQ(9u, client_.statistics().connections);
 }
 
-TEST_F(ConnectionFaultsTest, OnlyASilentRobotCountsAsAStall) {
-  ClientOptions options = optionsFor(server_);
-  options.read_timeout = milliseconds(300);
-  RcServerClient client(options, recorder_.callbacks());
-  client.setStreaming(true);
-  client.start();
-  acceptStream().close();
-  ASSERT_TRUE(recorder_.waitForReason("closed the connection"));
-  EXPECT_EQ(0u, client.statistics().stalls);
-  EXPECT_EQ(0u, client.statistics().failed_attempts) << "it was made";
-  const ScriptedPeer silent = acceptStream();
-  ASSERT_TRUE(recorder_.waitForReason("sent nothing for 300 ms"));
-  EXPECT_EQ(FaultKind::kSilent, client.status().fault);
-  EXPECT_GE(client.statistics().stalls, 1u);
-  client.setStreaming(false);
-  ScriptedPeer asked = accept();
-  ASSERT_TRUE(recorder_.waitForState(ConnectionState::kConnected));
-  auto call = std::async(std::launch::async, [&] { client.takePicture(30, milliseconds(20000)); });
-  expectCommand(&asked, 'F', 30);
-  EXPECT_THROW(call.get(), TimeoutException);
-  EXPECT_EQ(0u, client.statistics().protocol_errors);
-}
-
-TEST_F(ConnectionFaultsTest, AWebServerIsNotTakenForAnRcServer) {
-  const std::string answer = "HTTP/1.1 400 Bad Request\r\n";
-  expectProtocolError(Bytes(answer.begin(), answer.end()), "does not speak the RCServer's protocol");
-}
-
-TEST_F(ConnectionFaultsTest, AnAnswerToNoRequestIsLoggedAndTheConnectionKept) {
-  ScriptedPeer peer = startStream();
-  peer.send({'j', 1, 0, 0});
-  sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
-  EXPECT_EQ(1u, client_.statistics().connections);
-  EXPECT_EQ(1, recorder_.logged("an answer to no request: 'j'"));
-}
-
-TEST_F(ConnectionFaultsTest, ManyReconnectsLeaveNoDescriptorBehind) {
+TEST_F(ConnectionFaultsTest, LeaveNoDescriptorBehind) {
   client_.setStreaming(true);
   client_.start();
   acceptStream().close();
-  acceptStream().reset();
   std::size_t before = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 30; ++i) {
     ScriptedPeer peer = acceptStream();
     before = before == 0 ? openDescriptors() : before;
     EXPECT_EQ(before, openDescriptors());
-    switch (i % 3) {
-      case 0:
-        peer.close();
-        break;
-      case 1:
-        peer.reset();
-        break;
-      default:
-        peer.send({'?'});
-        peer.waitUntilClosed();
+    if (i % 3 == 0) {
+      peer.close();
+    } else if (i % 3 == 1) {
+      peer.reset();
+    } else {
+      peer.send({'?'});
+      peer.waitUntilClosed();
     }
   }
-}
-
-TEST_F(ConnectionFaultsTest, FailedAttemptsLeaveNoDescriptorBehind) {
   server_.vanish();
-  client_.start();
-  ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= 3; }));
+  const std::uint64_t failed = client_.statistics().failed_attempts;
+  ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= failed + 10; }));
   client_.stop();
-  const std::size_t idle = openDescriptors();
-  for (int round = 0; round < 5; ++round) {
-    RcServerClient client(optionsFor(server_), {});
-    client.start();
-    ASSERT_TRUE(eventually([&] { return client.statistics().failed_attempts >= 5; }));
-  }
-  EXPECT_EQ(idle, openDescriptors());
+  EXPECT_LE(openDescriptors(), before);
 }
 
 }  // namespace

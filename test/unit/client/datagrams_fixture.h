@@ -7,10 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "client/version2_session.h"
-#include "session_fixture.h"
 #include "support/picture_datagrams.h"
-#include "support/version2_frames.h"
+#include "version2_fixture.h"
 
 constexpr int kPort = 40000;
 
@@ -25,42 +23,30 @@ inline test_pictures::Bytes makeJpeg(unsigned seed) {
 }
 
 /// A robot that sends its pictures as datagrams.
-class DatagramsFixture : public SessionFixture {
- protected:
+class DatagramsFixture : public Version2Fixture {
+ public:
   /// @param capabilities the letters of its requests
-  explicit DatagramsFixture(const std::string& capabilities) : capabilities_(capabilities) {}
-
-  aibo_client::Session& session() override { return session_; }
-
-  void SetUp() override {
-    EXPECT_EQ('H', request());
-    receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities_, kFrame)));
-  }
+  explicit DatagramsFixture(const std::string& capabilities) { begin(capabilities); }
 
   /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
   char request() {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
-    if (bytes.empty()) {
+    if (Version2Fixture::request().empty()) {
       return 0;
     }
-    const version2_frames::Frame frame = version2_frames::split(bytes);
-    number_ = frame.header.request_number;
-    payload_ = frame.payload;
-    port_ = frame.header.kind == 'B' ? payload_ : port_;
+    payload_ = frame_.payload;
     protocol::version2::DatagramOrder order = {};
-    if (frame.header.kind == 'X' && decode(payload_.data(), payload_.size(), &order) == nullptr && !order.is_test) {
+    if (frame_.header.kind == 'X' && decode(payload_.data(), payload_.size(), &order) == nullptr && !order.is_test) {
       order_ = order;
       sequence_ = order.first_sequence;
       pictures_before_order_ = picture_;
     }
-    return frame.header.kind;
+    return frame_.header.kind;
   }
 
+  using Version2Fixture::answer;
   void answer() {
     for (char kind = request(); kind != 0; kind = request()) {
-      const char reply = protocol::version2::replyKind(kind);
-      receive(version2_frames::makeFrame(reply, number_,
-                                         kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload_));
+      answer(kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload_);
       asked_ += kind;
     }
   }
@@ -91,16 +77,16 @@ class DatagramsFixture : public SessionFixture {
 
   /// Lets time pass while nothing comes. At its end, TCP has repeated what was lost.
   void beOutOfReach(milliseconds time) {
-    std::vector<int> unanswered;
+    std::vector<Frame> unanswered;
     const TimePoint end = now_ + time;
     while (now_ < end && !HasFatalFailure()) {
       if (request() == 'H') {
-        unanswered.push_back(number_);
+        unanswered.push_back(frame_);
       }
       pass(std::min(end, session_.nextDeadline()) - now_);
     }
-    for (const int number : unanswered) {
-      receive(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities_, kFrame)));
+    for (const Frame& heartbeat : unanswered) {
+      answer(heartbeat, version2_frames::makeHello(capabilities_, kFrame));
     }
   }
 
@@ -146,21 +132,17 @@ class DatagramsFixture : public SessionFixture {
     return found;
   }
 
-  Bytes byTcp(unsigned seed, unsigned frame_number, int number = 0) {
-    return version2_frames::makeFrame('f', number, version2_frames::makePicture(makeJpeg(seed), frame_number));
+  void arriveByTcp(unsigned seed, unsigned frame_number) {
+    push('f', version2_frames::makePicture(makeJpeg(seed), frame_number));
   }
 
-  const std::string capabilities_;
-  int number_ = 0;  // of the request that was sent last
-  Bytes payload_;
-  Bytes port_;                                    // in the last `B`
+  Bytes payload_;                                 // of the request that was sent last
   protocol::version2::DatagramOrder order_ = {};  // the last `X` that was not a test
   unsigned pictures_before_order_ = 0;
   std::string asked_;  // kinds of the requests that were answered
   std::vector<Bytes> jpegs_;
   unsigned picture_ = 0;
   unsigned sequence_ = 0;
-  aibo_client::Version2Session session_{connection_, now_};
 };
 
 #endif  // TEST_UNIT_CLIENT_DATAGRAMS_FIXTURE_H

@@ -33,6 +33,11 @@ class Recorder {
     callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) {
       change([&] { orders_ += "late " + std::to_string(answer.order) + ":" + answer.reason + answer.changes + "; "; });
     };
+    callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) {
+      change([&] {
+        sound_ends_ += std::to_string(end.sound) + (end.how == aibo_client::EndedHow::kLost ? " lost" : " ended");
+      });
+    };
     callbacks.log = [this](aibo_client::LogLevel, const std::string& line) { change([&] { log_.push_back(line); }); };
     return callbacks;
   }
@@ -64,6 +69,11 @@ class Recorder {
 
   bool waitForTelemetry(std::size_t count) {
     return waitFor([this, count] { return telemetry_.size() >= count; });
+  }
+
+  /// Waits until the ends of sounds so far are these, such as "1 lost".
+  bool waitForSoundEnds(const std::string& ends) {
+    return waitFor([&] { return sound_ends_ == ends; });
   }
 
   bool waitForLog(const std::string& text) {
@@ -127,6 +137,7 @@ class Recorder {
   std::vector<bool> streaming_;
   std::vector<aibo_client::Telemetry> telemetry_;
   std::string orders_;
+  std::string sound_ends_;
   std::vector<std::string> log_;
 };
 

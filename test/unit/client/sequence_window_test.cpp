@@ -2,10 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <random>
-#include <vector>
-
 using aibo_client::SequenceWindow;
 using Verdict = aibo_client::SequenceWindow::Verdict;
 
@@ -46,25 +42,6 @@ TEST(SequenceWindowTest, LateOnesAreReorderedAndNotLost) {
   EXPECT_EQ(Verdict::kReordered, window.add(1)) << "too long ago to know";
 }
 
-TEST(SequenceWindowTest, AGapLongerThanTheWindowIsCountedWhole) {
-  SequenceWindow window;
-  window.add(0);
-  window.add(1000);
-  window.add(1001);
-  EXPECT_EQ(937u, window.lost()) << "1 to 937";
-  window.add(2000);
-  window.add(2002);
-  EXPECT_EQ(1939u - 3u, window.lost()) << "0 to 1938, but three of them";
-}
-
-TEST(SequenceWindowTest, LossFromTheBeginningCounts) {
-  SequenceWindow window;
-  for (unsigned i = 10; i < 200; ++i) {
-    window.add(i);
-  }
-  EXPECT_EQ(10u, window.lost());
-}
-
 TEST(SequenceWindowTest, AJumpIsBelievedWhenASecondOneSaysTheSame) {
   SequenceWindow window;
   window.add(0);
@@ -87,31 +64,6 @@ TEST(SequenceWindowTest, ANumberFarAheadIsImpossibleAndChangesNothing) {
   EXPECT_EQ(Verdict::kImpossible, window.add(0xffffffff));
   EXPECT_EQ(Verdict::kNext, window.add(1));
   EXPECT_EQ(0u, window.lost());
-}
-
-TEST(SequenceWindowTest, CountsExactlyWhateverIsLostSwappedAndRepeated) {
-  std::mt19937 random(7);
-  SequenceWindow window;
-  std::vector<unsigned> sent;
-  std::uint64_t lost = 0;
-  for (unsigned i = 0; i < 20000; ++i) {
-    if (random() % 10 == 0 && i < 19900) {
-      ++lost;
-      continue;
-    }
-    sent.push_back(i);
-    if (random() % 20 == 0) {
-      sent.push_back(i);
-    }
-  }
-  for (std::size_t i = 0; i + 12 < sent.size(); i += 12) {
-    std::shuffle(sent.begin() + static_cast<std::ptrdiff_t>(i), sent.begin() + static_cast<std::ptrdiff_t>(i + 12),
-                 random);
-  }
-  for (const unsigned sequence : sent) {
-    EXPECT_NE(Verdict::kImpossible, window.add(sequence));
-  }
-  EXPECT_EQ(lost, window.lost());
 }
 
 }  // namespace

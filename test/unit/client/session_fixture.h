@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "aibo_client/exceptions.h"
 #include "client/connection.h"
-#include "client/fault.h"
 #include "client/session.h"
 #include "support/test_pictures.h"
 
@@ -23,7 +23,7 @@ constexpr char kSilentStream[] = "robot:54321 sent nothing for 500 ms while a pi
 
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
 class SessionFixture : public testing::Test {
- protected:
+ public:
   /// @param is_told_of_refusals else they are logged
   explicit SessionFixture(bool is_told_of_refusals = false)
       : notifier_(record(is_told_of_refusals), [this] { return now_; }) {}
@@ -62,8 +62,8 @@ class SessionFixture : public testing::Test {
   static std::string whyGivenUp(const Act& act) {
     try {
       act();
-    } catch (const aibo_client::Fault& fault) {
-      return fault.what();
+    } catch (const aibo_client::Exception& problem) {
+      return problem.what();
     }
     return "";
   }

@@ -6,12 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "client/fault.h"
-#include "client/version2_session.h"
-#include "newest_client_fixture.h"
+#include "client_fixture.h"
 #include "protocol/sound_requests.h"
-#include "session_fixture.h"
-#include "support/version2_frames.h"
+#include "version2_fixture.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -21,45 +18,21 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
-using version2_frames::Frame;
 
 namespace version2 = protocol::version2;
 
 namespace {
 
-constexpr milliseconds kTimeout{20000};
-
 /// The frame in which the robot begins to listen: the numbers begin again soon.
 constexpr unsigned kHeard = 0xFFFFFFFE;
 
-/// A reply or a push `a`.
-Bytes makeSoundFrame(int id, int number, const Bytes& payload) {
-  Bytes frame = version2_frames::makeFrame('a', number, payload);
-  frame[1] = static_cast<std::uint8_t>(id);
-  return frame;
-}
+const std::vector<std::int16_t> kSixteenMilliseconds(512, 1000);  // two channels
 
-class SoundTest : public SessionFixture {
- protected:
-  SoundTest() : SessionFixture(true) {}
+class SoundTest : public Version2Fixture {
+ public:
+  SoundTest() : Version2Fixture(true) {}
 
-  Session& session() override { return session_; }
-
-  void begin(const std::string& capabilities = "H F W A") {
-    EXPECT_EQ("H 0", request());
-    receive(version2_frames::makeFrame('h', number_, version2_frames::makeHello(capabilities)));
-  }
-
-  /// What the session sends now: kind, id and the beginning of the payload.
-  std::string request() {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
-    if (bytes.empty()) {
-      return "";
-    }
-    const Frame frame = version2_frames::split(bytes);
-    number_ = frame.header.request_number;
-    return version2_frames::textOf(frame, 12);
-  }
+  void begin() { Version2Fixture::begin("H F W A I"); }
 
   /// Has the microphones switched on. The robot does something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
@@ -70,9 +43,15 @@ class SoundTest : public SessionFixture {
   }
 
   void agree(int channels, int rate) {
-    const version2::MicrophoneSettings settings = {true, static_cast<unsigned char>(channels),
-                                                   static_cast<unsigned short>(rate)};
-    receive(makeSoundFrame(1, number_, encoded(settings)));
+    answer(encoded(
+        version2::MicrophoneSettings{true, static_cast<unsigned char>(channels), static_cast<unsigned short>(rate)}));
+  }
+
+  /// A push `a` with this id.
+  void pushSound(int id, const Bytes& payload) {
+    Bytes frame = version2_frames::makeFrame('a', 0, payload);
+    frame[1] = static_cast<std::uint8_t>(id);
+    receive(frame);
   }
 
   /// The robot pushes what it has heard.
@@ -82,24 +61,26 @@ class SoundTest : public SessionFixture {
       protocol::encodeBigEndian16(static_cast<unsigned short>(samples[i]), &bytes[2 * i]);
     }
     const auto count = static_cast<unsigned short>(samples.size() / static_cast<unsigned>(channels));
-    receive(makeSoundFrame(1, 0,
-                           encoded(version2::HeardSound{frame_number, count, static_cast<unsigned char>(channels),
-                                                        bytes.data(), bytes.size()})));
+    pushSound(1, encoded(version2::HeardSound{frame_number, count, static_cast<unsigned char>(channels), bytes.data(),
+                                              bytes.size()}));
+  }
+
+  /// Sends the samples.
+  std::future<Answer> send(const SoundPart& part) {
+    auto answer = add(callToPlaySamples(part, std::vector<std::int16_t>(part.size, 7)), milliseconds(2000));
+    EXPECT_EQ("A 2", request(0));
+    return answer;
   }
 
   /// Sends the samples, which the robot accepts.
   void play(const SoundPart& part) {
-    auto answer = add(callToPlaySamples(part, std::vector<std::int16_t>(part.size, 7)), milliseconds(2000));
-    EXPECT_THAT(request(), testing::StartsWith("A 2 "));
-    receive(makeSoundFrame(2, number_, encoded(version2::SpeakerRoom{version2::SPEAKER_CAPACITY + 1})));
-    ASSERT_TRUE(done(answer));
-    const SoundProgress progress = answer.get().sound;
-    EXPECT_EQ(part.sound, progress.sound);
-    EXPECT_EQ(version2::SPEAKER_CAPACITY, progress.room) << "no robot has more";
+    auto progress = send(part);
+    answer(encoded(version2::SpeakerRoom{version2::SPEAKER_CAPACITY}));
+    EXPECT_EQ(part.sound, progress.get().sound.sound);
   }
 
   void pushEnd(int how, unsigned samples, unsigned gaps = 0, unsigned missing = 0) {
-    receive(makeSoundFrame(2, 0, encoded(version2::SoundEnd{static_cast<unsigned char>(how), samples, gaps, missing})));
+    pushSound(2, encoded(version2::SoundEnd{static_cast<unsigned char>(how), samples, gaps, missing}));
   }
 
   /// The ends so far, such as "1 done, 2 lost".
@@ -113,54 +94,42 @@ class SoundTest : public SessionFixture {
     }
     return text;
   }
-
-  int number_ = 0;  // of the request that was sent last
-  Version2Session session_{connection_, now_};
 };
 
-const std::vector<std::int16_t> kSixteenMilliseconds(512, 1000);  // two channels
+// ---- What the robot hears
 
 TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
   begin();
   EXPECT_EQ("", request()) << "nobody listens";
-  wish_.microphone = {true, 1, 8000};
-  EXPECT_EQ("A 1 1 1 31 64", request());
-  EXPECT_EQ("", request());
-  wish_.microphone.channels = 2;
-  EXPECT_EQ("A 1 1 2 31 64", request());
-  wish_.microphone.on = false;
-  EXPECT_EQ("A 1 0 2 31 64", request());
-  wish_.microphone.channels = 1;
-  EXPECT_EQ("", request());
+  const std::pair<MicrophoneSettings, std::string> rows[] = {
+      {{false, 1, 8000, true}, "A 1 2 1 31 64"},  // for what is played
+      {{true, 1, 8000, true}, "A 1 3 1 31 64"},
+      {{true, 1, 8000, false}, "A 1 1 1 31 64"},
+      {{true, 2, 16000, false}, "A 1 1 2 62 128"},
+      {{false, 2, 16000, false}, "A 1 0 2 62 128"},
+      {{false, 1, 8000, false}, ""},
+  };
+  for (const auto& [wanted, sent] : rows) {
+    wish_.microphone = wanted;
+    EXPECT_EQ(sent, request());
+    EXPECT_EQ("", request());
+  }
 }
 
-TEST_F(SoundTest, TheRobotIsToldThatSoundGoesBeforePicturesEvenIfNobodyListens) {
-  begin();
-  wish_.microphone.before_pictures = true;
-  EXPECT_EQ("A 1 2 2 62 128", request());
-  EXPECT_EQ("", request());
-  wish_.microphone.on = true;
-  EXPECT_EQ("A 1 3 2 62 128", request());
-  wish_.microphone.before_pictures = false;
-  EXPECT_EQ("A 1 1 2 62 128", request());
-}
-
-TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForIt) {
-  begin("H F W");
+TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForItAndTheLogSaysSoOnce) {
+  Version2Fixture::begin("H F W");
   wish_.microphone.on = true;
   EXPECT_EQ("", request());
   EXPECT_EQ("", request());
   EXPECT_EQ(1, logged("for its microphones: nothing is heard"));
 }
 
-TEST_F(SoundTest, ARefusalToListenIsReportedAndTheRequestIsNotRepeated) {
+TEST_F(SoundTest, ARefusalToListenIsToldAndTheRequestIsNotRepeated) {
   begin();
   wish_.microphone.on = true;
   EXPECT_EQ("A 1 1 2 62 128", request());
-  receive(version2_frames::makeFrame('e', number_, version2_frames::makeError(3, "ALLOW_MICROPHONE is not set")));
-  ASSERT_THAT(refusals_, SizeIs(1));
-  EXPECT_EQ(RefusedRequest::kMicrophone, refusals_[0].request);
-  EXPECT_EQ("ALLOW_MICROPHONE is not set", refusals_[0].reason);
+  refuse("ALLOW_MICROPHONE is not set");
+  expectRefusals({{RefusedRequest::kMicrophone, RefusalCause::kRobot, {}, "ALLOW_MICROPHONE is not set", 0}});
   EXPECT_EQ("", request());
 }
 
@@ -178,13 +147,10 @@ TEST_F(SoundTest, WhatTheRobotHearsIsDeliveredWithItsFrame) {
 
 TEST_F(SoundTest, WhatIsMissingBetweenTwoPushesIsCounted) {
   listen();
-  push(kHeard, kSixteenMilliseconds);
-  push(kHeard + 2, kSixteenMilliseconds);
-  push(kHeard + 7, kSixteenMilliseconds);
-  push(kHeard + 9, kSixteenMilliseconds);
   std::vector<unsigned> missing;
-  for (const HeardSound& sound : heard_) {
-    missing.push_back(sound.missing);
+  for (const unsigned frame : {0, 2, 7, 9}) {
+    push(kHeard + frame, kSixteenMilliseconds);
+    missing.push_back(heard_.back().missing);
   }
   EXPECT_THAT(missing, ElementsAre(0, 0, 3 * 128, 0));
   EXPECT_EQ(1U, counters_.sound_gaps);
@@ -209,7 +175,6 @@ TEST_F(SoundTest, PiecesThatAreNoWholeFramesHaveNoGaps) {
   EXPECT_EQ(0U, counters_.sound_gaps);
 }
 
-// The rate of a push is that of the settings, so one from before a change would be misunderstood.
 TEST_F(SoundTest, AfterAGapWithinAFrameTheNextOneIsCountedAsEver) {
   listen(1);
   push(kHeard, std::vector<std::int16_t>(100), 1);
@@ -220,24 +185,7 @@ TEST_F(SoundTest, AfterAGapWithinAFrameTheNextOneIsCountedAsEver) {
   EXPECT_EQ(128U, heard_.at(3).missing);
 }
 
-TEST_F(SoundTest, OfTwoChangesTheAnswerToTheSecondCounts) {
-  begin();
-  wish_.microphone = {true, 1, 16000};
-  EXPECT_EQ("A 1 1 1 62 128", request());
-  const int first = number_;
-  wish_.microphone.samples_per_second = 8000;
-  EXPECT_EQ("A 1 1 1 31 64", request());
-  const int second = std::exchange(number_, first);
-  agree(1, 16000);
-  push(kHeard, std::vector<std::int16_t>(256), 1);
-  EXPECT_THAT(heard_, IsEmpty());
-  number_ = second;
-  agree(1, 8000);
-  push(kHeard + 2, std::vector<std::int16_t>(128), 1);
-  ASSERT_THAT(heard_, SizeIs(1));
-  EXPECT_EQ(8000, heard_[0].samples_per_second);
-}
-
+// The rate of a push is that of the settings, so one from before a change would be misunderstood.
 TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   listen(2);
   wish_.microphone.samples_per_second = 16000;
@@ -250,24 +198,17 @@ TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   EXPECT_EQ(8000, heard_[0].samples_per_second);
 }
 
-TEST_F(SoundTest, AfterAPauseGapsAreCountedAsBefore) {
+TEST_F(SoundTest, NothingIsMissingAfterAPause) {
   listen();
-  for (unsigned i = 0; i < 400; ++i) {
-    push(kHeard + 2 * i, kSixteenMilliseconds);
-    now_ += milliseconds(16);
+  push(kHeard, kSixteenMilliseconds);
+  for (const bool on : {false, true}) {
+    wish_.microphone.on = on;
+    request();
+    answer(encoded(version2::MicrophoneSettings{on, 2, 16000}));
+    live(seconds(10));
   }
-  begin();  // the check of the link
-  wish_.microphone.on = false;
-  request();
-  receive(makeSoundFrame(1, number_, encoded(version2::MicrophoneSettings{false, 2, 16000})));
-  wish_.microphone.on = true;
-  request();
-  agree(2, 16000);
   push(kHeard + 1000, kSixteenMilliseconds);
   EXPECT_EQ(0U, heard_.back().missing) << "nobody has listened";
-  now_ += milliseconds(24);
-  push(kHeard + 1003, kSixteenMilliseconds);
-  EXPECT_EQ(128U, heard_.back().missing);
 }
 
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
@@ -292,22 +233,6 @@ TEST_F(SoundTest, MoreThanTwiceTheSoundThatWasAskedForIsDroppedAndLoggedOnce) {
   EXPECT_EQ(1, logged("more than twice as much sound"));
 }
 
-// Short pieces must not earn the right to send long ones.
-TEST_F(SoundTest, NoMixtureOfPiecesIsMoreThanTwiceTheSoundThatWasAskedFor) {
-  listen(1);
-  const std::vector<std::int16_t> second(16000);
-  std::size_t samples = 0;
-  for (int i = 0; i < 10000; ++i) {
-    push(kHeard, i % 10 == 9 ? second : std::vector<std::int16_t>(1), 1);
-    now_ += std::chrono::microseconds(100);
-  }
-  for (const HeardSound& sound : heard_) {
-    samples += sound.samples.size();
-  }
-  EXPECT_GE(3U * 16000, samples) << "in one second";
-  EXPECT_GE(3U * 125, heard_.size()) << "deliveries";
-}
-
 // Users fill gaps with silence, and a robot can say anything.
 TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
   listen();
@@ -318,76 +243,18 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
     now_ += milliseconds(16);
   }
   EXPECT_GE(22U * 16000, missing) << "in 16 seconds";
-  now_ += seconds(3600);
-  const unsigned frame = heard_.back().frame_number + 2;
-  push(frame, kSixteenMilliseconds);
-  push(frame + 3600 * 125, kSixteenMilliseconds);
-  EXPECT_EQ((3600 * 125 - 2) * 128U, heard_.back().missing) << "an hour without sound";
-  push(frame + 7200 * 125, kSixteenMilliseconds);
-  EXPECT_EQ(0U, heard_.back().missing) << "the same hour";
 }
 
-TEST_F(SoundTest, WhatWasHeardIsNotMissingToo) {
-  listen();
-  for (unsigned i = 0; i < 625; ++i) {
-    push(kHeard + 2 * i, kSixteenMilliseconds);
-    now_ += milliseconds(16);
-  }
-  push(kHeard + 1250 + 1000, kSixteenMilliseconds);
-  EXPECT_EQ(0U, heard_.back().missing) << "18 s of sound cannot come in 10 s";
-}
-
-TEST_F(SoundTest, NothingIsMissingIfAPushComesTwice) {
-  listen();
-  push(kHeard, kSixteenMilliseconds);
-  push(kHeard, kSixteenMilliseconds);
-  EXPECT_EQ(0U, heard_.back().missing);
-}
-
-TEST_F(SoundTest, APushOfMoreThanASecondIsDropped) {
-  listen(1);
-  push(kHeard, std::vector<std::int16_t>(16001), 1);
-  EXPECT_THAT(heard_, IsEmpty());
-}
-
-TEST_F(SoundTest, APushThatContradictsItselfIsNoSound) {
-  listen();
-  Bytes payload = encoded(version2::HeardSound{kHeard, 0, 2, nullptr, 0});
-  payload.push_back(1);
-  EXPECT_THROW(receive(makeSoundFrame(1, 0, payload)), ProtocolException);
-}
-
-TEST_F(SoundTest, SamplesAreSentAtTheirPlaceInTheSound) {
-  begin();
-  auto answer = add(callToPlaySamples({7, 0x01020304, 2, true}, {0x1234, -1}), milliseconds(2000));
-  EXPECT_EQ("A 2 1 2 3 4 1 0 0 0 18 52 255 255", request());
-  receive(makeSoundFrame(2, number_, encoded(version2::SpeakerRoom{8192})));
-  EXPECT_EQ(8192U, answer.get().sound.room);
-}
-
-// As many as a robot plays in half a second. They are sent while the robot answers other requests.
-TEST_F(SoundTest, AnAnswerIsDueAsEverAfterSamples) {
-  begin();
-  for (unsigned i = 0; i < 4; ++i) {
-    play({1, 2048 * i, 2048, false});
-  }
-  pass(milliseconds(250));
-  EXPECT_EQ("H 0", request());
-  for (int i = 0; i < 4; ++i) {
-    pass(milliseconds(i < 3 ? 250 : 249));
-    request();
-  }
-  EXPECT_EQ("robot:54321 did not answer the request 'H' within 1000 ms", whyGivenUpWithin(milliseconds(1)));
-}
+// ---- What the robot plays
 
 TEST_F(SoundTest, AStopGoesBeforeSoundsThatWait) {
-  begin("H F W A I O");
+  begin();
   const auto samples = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));
   const auto stop = askToHold({});
   EXPECT_EQ("I 0", request());
 }
 
-TEST_F(SoundTest, TheEndOfASoundIsReportedWithTheRobotsCounts) {
+TEST_F(SoundTest, TheEndOfASoundIsToldOnceWithTheRobotsCounts) {
   begin();
   play({1, 0, 2048, false});
   play({1, 2048, 1000, true});
@@ -397,7 +264,8 @@ TEST_F(SoundTest, TheEndOfASoundIsReportedWithTheRobotsCounts) {
   EXPECT_EQ(2U, sound_ends_[0].gaps);
   EXPECT_EQ(512U, sound_ends_[0].missing);
   pushEnd(version2::END_DONE, 3048);
-  EXPECT_EQ("1 done", ends()) << "a second time";
+  connection_.sound.connectionLost();
+  EXPECT_EQ("1 done", ends());
 }
 
 // The robot plays silence until it hears that these samples were the last.
@@ -420,87 +288,65 @@ TEST_F(SoundTest, ALateEndOfTheSoundBeforeIsNotTakenForThatOfTheNewOne) {
   EXPECT_EQ("1 replaced", ends());
   pushEnd(version2::END_DONE, 600);
   EXPECT_EQ("1 replaced, 2 done", ends());
-  play({3, 0, 600, false});
-  pushEnd(version2::END_DONE, 600);
-  EXPECT_EQ("1 replaced, 2 done", ends()) << "the new one is as long only so far";
 }
 
-TEST_F(SoundTest, AStoppedSoundEndsAtOnce) {
+TEST_F(SoundTest, AStoppedSoundEndsAtOnceAndDoesNotBeginAgainWithALateAnswer) {
   begin();
   play({1, 0, 500, false});
+  auto late = send({1, 500, 1, false});
+  const Frame late_request = frame_;
   play({0, 0, 0, true});
   EXPECT_EQ("1 stopped", ends());
-  play({2, 0, 500, false});
+  answer(late_request, encoded(version2::SpeakerRoom{100}));
   pushEnd(version2::END_STOPPED, 64);
+  connection_.sound.connectionLost();
   EXPECT_EQ("1 stopped", ends());
-  pushEnd(version2::END_REFUSED, 32500);
-  EXPECT_EQ("1 stopped, 2 refused", ends());
 }
 
-TEST_F(SoundTest, ASoundThatTheRobotHasEndedDoesNotGoOnAndEndsOnce) {
+TEST_F(SoundTest, ASoundThatTheRobotHasEndedDoesNotGoOn) {
   begin();
   play({1, 0, 500, false});
-  const auto answer = add(callToPlaySamples({1, 500, 1, false}, {7}), milliseconds(2000));
-  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
+  const auto more = send({1, 500, 1, false});
   pushEnd(version2::END_REFUSED, 32500);
-  receive(makeSoundFrame(2, number_, encoded(version2::SpeakerRoom{100})));
-  EXPECT_TRUE(done(answer));
+  answer(encoded(version2::SpeakerRoom{100}));
+  EXPECT_TRUE(done(more));
   connection_.sound.connectionLost();
   EXPECT_EQ("1 refused", ends());
 }
 
-TEST_F(SoundTest, AStoppedSoundDoesNotBeginAgainWithALateAnswer) {
-  begin();
-  play({1, 0, 500, false});
-  add(callToPlaySamples({1, 500, 1, false}, {7}), milliseconds(2000));
-  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
-  const int late = number_;
-  play({0, 0, 0, true});
-  receive(makeSoundFrame(2, late, encoded(version2::SpeakerRoom{100})));
-  connection_.sound.connectionLost();
-  EXPECT_EQ("1 stopped", ends());
-}
-
-TEST_F(SoundTest, ALateAnswerForTheSoundBeforeDoesNotEndTheNewOne) {
-  begin();
-  add(callToPlaySamples({1, 0, 1, false}, {7}), milliseconds(2000));
-  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
-  const int late = number_;
-  play({2, 0, 600, true});
-  receive(makeSoundFrame(2, late, encoded(version2::SpeakerRoom{100})));
-  EXPECT_EQ("", ends());
-  pushEnd(version2::END_DONE, 600);
-  EXPECT_EQ("2 done", ends());
-}
-
 TEST_F(SoundTest, ASoundThatTheRobotRefusesHasNotBegunAndHasNoEnd) {
   begin();
-  auto answer = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));
-  EXPECT_THAT(request(), testing::StartsWith("A 2 "));
-  receive(version2_frames::makeFrame('e', number_, version2_frames::makeError(3, "ALLOW_SOUND is no")));
+  auto answer = send({1, 0, 3, false});
+  refuse("ALLOW_SOUND is no");
   EXPECT_THAT(answer.get().problem, HasSubstr("refused to play sound: ALLOW_SOUND is no"));
   connection_.sound.connectionLost();
   EXPECT_EQ("", ends());
 }
 
 /// The client's functions.
-class SoundClientTest : public NewestClientFixture {
+class SoundClientTest : public ClientFixture {
  protected:
   /// Each time, it is a sample more than before; at first, there are three.
   std::future<SoundProgress> play(std::uint64_t sound, bool is_last = false) {
     ++size_;
     return std::async(std::launch::async, [this, sound, is_last] {
-      return client().playSamples(sound, std::vector<std::int16_t>(size_, 7), is_last, kTimeout);
+      return client_.playSamples(sound, std::vector<std::int16_t>(size_, 7), is_last, test_support::kSafetyNet);
     });
   }
 
   /// Accepts samples.
   /// @return position of the first one, from the request
-  static unsigned accept(ScriptedPeer* peer) {
-    const Frame request = peer->readRequest();
+  static unsigned acceptSamples(ScriptedPeer* peer) {
+    const version2_frames::Frame request = peer->readRequest();
     EXPECT_EQ('A', request.header.kind);
-    peer->send(makeSoundFrame(2, request.header.request_number, encoded(version2::SpeakerRoom{5000})));
+    Bytes reply = version2_frames::makeFrame('a', request.header.request_number, encoded(version2::SpeakerRoom{5000}));
+    reply[1] = 2;
+    peer->send(reply);
     return protocol::decodeBigEndian32(request.payload.data());
+  }
+
+  void expectOver(std::uint64_t sound) {
+    EXPECT_THROW(client_.playSamples(sound, {1}, false, test_support::kSafetyNet), CommandException);
   }
 
   std::size_t size_ = 2;
@@ -509,99 +355,39 @@ class SoundClientTest : public NewestClientFixture {
 TEST_F(SoundClientTest, TheClientCountsThePositionOfSamples) {
   ScriptedPeer peer = connectVersion2("F A");
   auto first = play(0);
-  EXPECT_EQ(0U, accept(&peer));
+  EXPECT_EQ(0U, acceptSamples(&peer));
   const SoundProgress progress = first.get();
   EXPECT_EQ(5000U, progress.room);
   for (const bool is_last : {false, true}) {
     auto next = play(progress.sound, is_last);
-    EXPECT_EQ(is_last ? 3U + 4U : 3U, accept(&peer));
+    EXPECT_EQ(is_last ? 3U + 4U : 3U, acceptSamples(&peer));
     EXPECT_EQ(progress.sound, next.get().sound);
   }
-  EXPECT_THROW(client().playSamples(progress.sound, {1}, false, kTimeout), CommandException) << "it had its last part";
+  expectOver(progress.sound);
 }
 
 TEST_F(SoundClientTest, ASoundThatWasReplacedOrStoppedCannotGoOn) {
   ScriptedPeer peer = connectVersion2("F A");
   auto first = play(0);
-  accept(&peer);
+  acceptSamples(&peer);
   auto second = play(0);
-  EXPECT_EQ(0U, accept(&peer));
-  EXPECT_THROW(client().playSamples(first.get().sound, {1}, false, kTimeout), CommandException);
-  auto stop = std::async(std::launch::async, [this] { client().stopSound(kTimeout); });
-  EXPECT_EQ(0U, accept(&peer));
+  EXPECT_EQ(0U, acceptSamples(&peer));
+  expectOver(first.get().sound);
+  auto stop = std::async(std::launch::async, [this] { client_.stopSound(test_support::kSafetyNet); });
+  EXPECT_EQ(0U, acceptSamples(&peer));
   stop.get();
-  EXPECT_THROW(client().playSamples(second.get().sound, {1}, false, kTimeout), CommandException);
-}
-
-TEST_F(SoundClientTest, ASoundDoesNotGoOnOverTheNextConnection) {
-  std::optional<ScriptedPeer> peer(connectVersion2("F A"));
-  auto first = play(0);
-  accept(&*peer);
-  const std::uint64_t sound = first.get().sound;
-  peer.reset();
-  ScriptedPeer next = server_.accept();
-  next.agreeToVersion2("F A");
-  ASSERT_TRUE(eventually([this] {
-    return client().statistics().connections == 3 && client().status().state == ConnectionState::kConnected;
-  }));
-  EXPECT_THROW(client().playSamples(sound, {1}, false, kTimeout), CommandException);
+  expectOver(second.get().sound);
 }
 
 TEST_F(SoundClientTest, ASoundIsLostWithItsConnection) {
-  std::promise<SoundEnd> ended;
-  Callbacks callbacks = recorder_.callbacks();
-  callbacks.on_sound_ended = [&ended](const SoundEnd& end) { ended.set_value(end); };
-  RcServerClient player(optionsFor(server_), callbacks);
-  player.start();
-  std::optional<ScriptedPeer> peer(server_.accept());
-  peer->agreeToVersion2("F A");
-  player.waitForConnection(kTimeout);
-  auto first = std::async(std::launch::async, [&] { return player.playSamples(0, {1, 2, 3}, false, kTimeout); });
-  accept(&*peer);
+  ScriptedPeer peer = connectVersion2("F A");
+  auto first = play(0);
+  acceptSamples(&peer);
   const std::uint64_t sound = first.get().sound;
   peer.reset();
-  std::future<SoundEnd> future = ended.get_future();
-  ASSERT_EQ(std::future_status::ready, future.wait_for(kTimeout));
-  const SoundEnd end = future.get();
-  EXPECT_EQ(EndedHow::kLost, end.how);
-  EXPECT_EQ(sound, end.sound);
-}
-
-TEST_F(SoundClientTest, TheMicrophonesAreAskedForAgainOverTheNextConnection) {
-  std::optional<ScriptedPeer> peer(connectVersion2("F A"));
-  client().setMicrophone({true, 2, 16000});
-  EXPECT_EQ("A 1 1 2 62 128", version2_frames::textOf(peer->readRequest()));
-  peer.reset();
-  ScriptedPeer next = server_.accept();
-  next.agreeToVersion2("F A");
-  EXPECT_EQ("A 1 1 2 62 128", version2_frames::textOf(next.readRequest()));
-}
-
-TEST_F(SoundClientTest, TheRobotSaysWhichVolumeIsInForce) {
-  ScriptedPeer peer = connectVersion2("F A");
-  auto volume = std::async(std::launch::async, [this] { return client().setVolume(kVolumeOfRobot, kTimeout); });
-  const Frame request = peer.readRequest();
-  EXPECT_EQ("A 3 255", version2_frames::textOf(request));
-  peer.send(makeSoundFrame(3, request.header.request_number, {2}));
-  EXPECT_EQ(2, volume.get());
-  auto nonsense = std::async(std::launch::async, [this] { client().setVolume(1, kTimeout); });
-  peer.send(makeSoundFrame(3, peer.readRequest().header.request_number, {255}));
-  EXPECT_THROW(nonsense.get(), NetworkException);
-}
-
-TEST_F(SoundClientTest, ArgumentsThatCannotBeAreRefused) {
-  EXPECT_THROW(client().setMicrophone({true, 3, 16000}), InvalidArgumentException);
-  EXPECT_THROW(client().setMicrophone({true, 2, 44100}), InvalidArgumentException);
-  EXPECT_THROW(client().playSamples(0, {}, true, kTimeout), InvalidArgumentException);
-  EXPECT_THROW(client().playSamples(0, std::vector<std::int16_t>(kMostSamplesAtOnce + 1), true, kTimeout),
-               InvalidArgumentException);
-  EXPECT_THROW(client().setVolume(4, kTimeout), InvalidArgumentException);
-}
-
-TEST_F(SoundClientTest, AVersion1ServerPlaysNothing) {
-  ScriptedPeer peer = connectVersion1();
-  EXPECT_THROW(client().playSamples(0, {1}, true, kTimeout), CommandException);
-  EXPECT_THROW(client().setVolume(1, kTimeout), CommandException);
+  EXPECT_TRUE(recorder_.waitForSoundEnds(std::to_string(sound) + " lost"));
+  const ScriptedPeer next = connectVersion2("F A");
+  expectOver(sound);
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <netinet/in.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,6 +14,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "client/fault.h"
+#include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/udp_socket.h"
 
@@ -31,6 +30,10 @@ namespace {
 
 TimePoint in(milliseconds time) {
   return steady_clock::now() + time;
+}
+
+TimePoint soon() {
+  return in(test_support::kSafetyNet);
 }
 
 template <typename Call>
@@ -49,7 +52,7 @@ FaultKind faultOf(const Call& call) {
 TEST(TcpTransportTest, BytesGoBothWays) {
   ScriptedServer server;
   TcpTransport transport;
-  transport.connect("localhost", server.port(), in(seconds(10)));
+  transport.connect("localhost", server.port(), soon());
   ScriptedPeer peer = server.accept();
   const std::uint8_t request[] = {'F', 85};
   transport.send(request, sizeof request);
@@ -57,7 +60,7 @@ TEST(TcpTransportTest, BytesGoBothWays) {
   std::uint8_t buffer[16];
   EXPECT_EQ(0u, transport.receive(buffer, sizeof buffer));
   peer.send({1, 2, 3});
-  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  ASSERT_TRUE(transport.wait(soon()));
   EXPECT_EQ(3u, transport.receive(buffer, sizeof buffer));
   EXPECT_FALSE(transport.wait(in(milliseconds(1))));
 }
@@ -65,17 +68,16 @@ TEST(TcpTransportTest, BytesGoBothWays) {
 TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
   ScriptedServer absent(ScriptedServer::Begin::kAbsent);
   TcpTransport transport;
-  EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), in(seconds(10))); }));
-  EXPECT_EQ(FaultKind::kNameNotFound,
-            faultOf([&] { transport.connect("no.such.robot.invalid", 54321, in(seconds(20))); }));
-  EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] { transport.connect("255.255.255.255", 54321, in(seconds(10))); }));
+  EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), soon()); }));
+  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("no.such.robot.invalid", 54321, soon()); }));
+  EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] { transport.connect("255.255.255.255", 54321, soon()); }));
 }
 
 TEST(TcpTransportTest, AnAddressThatDoesNotAnswerIsGivenUpAtTheDeadline) {
   ScriptedServer server(ScriptedServer::Begin::kAbsent);
   server.listen(0);
   TcpTransport first;
-  first.connect("127.0.0.1", server.port(), in(seconds(10)));  // fills the backlog: the next one is not answered
+  first.connect("127.0.0.1", server.port(), soon());  // fills the backlog: the next one is not answered
   TcpTransport second;
   EXPECT_EQ(FaultKind::kNoAnswer, faultOf([&] { second.connect("127.0.0.1", server.port(), in(milliseconds(200))); }));
 }
@@ -88,7 +90,7 @@ TEST(TcpTransportTest, TheNextAddressOfANameIsTriedIfTheFirstFails) {
     result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
     return result;
   });
-  transport.connect("robot", 54321, in(seconds(10)));
+  transport.connect("robot", 54321, soon());
   server.accept();
 }
 
@@ -96,48 +98,36 @@ TEST(TcpTransportTest, AnAddressThatDoesNotAnswerLeavesTimeForTheNextOne) {
   ScriptedServer full(ScriptedServer::Begin::kAbsent);
   full.listen(0);
   TcpTransport other;
-  other.connect("127.0.0.1", full.port(), in(seconds(10)));
+  other.connect("127.0.0.1", full.port(), soon());
   ScriptedServer server;
   TcpTransport transport([&](const std::string&, int) {
     NameLookupResult result = resolveWithSystem("127.0.0.1", full.port());
     result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
     return result;
   });
-  int attempts = 0;
-  const auto connects = [&] {
-    try {
-      transport.connect("robot", 54321, in(milliseconds(400)));
-      return true;
-    } catch (const Fault&) {
-      return false;  // on a busy computer, the time may not be enough
-    }
-  };
-  while (attempts < 20 && !connects()) {
-    ++attempts;
-  }
-  EXPECT_LT(attempts, 20);
+  EXPECT_NO_THROW(transport.connect("robot", 54321, in(seconds(4))));
 }
 
 TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   ScriptedServer server;
   TcpTransport transport;
   std::uint8_t buffer[16];
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  transport.connect("127.0.0.1", server.port(), soon());
   server.accept().close();
-  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  ASSERT_TRUE(transport.wait(soon()));
   EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  transport.connect("127.0.0.1", server.port(), soon());
   server.accept().reset();
-  ASSERT_TRUE(transport.wait(in(seconds(10))));
+  ASSERT_TRUE(transport.wait(soon()));
   EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
 }
 
 TEST(TcpTransportTest, WakeUpEndsAWaitEvenIfItCameBefore) {
   TcpTransport transport;
   transport.wakeUp();
-  const TimePoint begin = steady_clock::now();
-  EXPECT_FALSE(transport.wait(in(seconds(20))));
-  EXPECT_LT(steady_clock::now() - begin, seconds(10));
+  const TimePoint end = soon();
+  EXPECT_FALSE(transport.wait(end));
+  EXPECT_LT(steady_clock::now(), end);
 }
 
 TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByTheNextAttempt) {
@@ -152,7 +142,7 @@ TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByT
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(milliseconds(50))); }));
   name_server_answers.set_value();
-  transport.connect("aibo", 54321, in(seconds(10)));
+  transport.connect("aibo", 54321, soon());
   EXPECT_EQ(1, lookups);
 }
 
@@ -164,7 +154,7 @@ TEST(TcpTransportTest, ANameIsLookedUpForEachConnection) {
     return resolveWithSystem("127.0.0.1", server.port());
   });
   for (int connection = 1; connection <= 2; ++connection) {
-    transport.connect("aibo", 54321, in(seconds(10)));
+    transport.connect("aibo", 54321, soon());
     server.accept();
     transport.close();
     EXPECT_EQ(connection, lookups) << "the robot may have another address now";
@@ -195,11 +185,10 @@ TEST(TcpTransportTest, WhileNothingAnswersFurtherAttemptsBeginAndAnyOfThemMayCon
   ScriptedServer full(ScriptedServer::Begin::kAbsent);
   full.listen(0);
   TcpTransport other;
-  other.connect("127.0.0.1", full.port(), in(seconds(10)));
+  other.connect("127.0.0.1", full.port(), soon());
   TcpTransport transport;
-  auto connected =
-      std::async(std::launch::async, [&] { transport.connect("127.0.0.1", full.port(), in(seconds(20))); });
-  const TimePoint end = in(seconds(10));
+  auto connected = std::async(std::launch::async, [&] { transport.connect("127.0.0.1", full.port(), soon()); });
+  const TimePoint end = soon();
   int attempts = 0;
   while ((attempts = unansweredAttempts(full.port())) < 2 && steady_clock::now() < end) {
     std::this_thread::sleep_for(milliseconds(1));
@@ -212,16 +201,11 @@ TEST(TcpTransportTest, WhileNothingAnswersFurtherAttemptsBeginAndAnyOfThemMayCon
   EXPECT_EQ(peer.read(3), (std::vector<std::uint8_t>{'a', 'b', 'c'}));
 }
 
-TEST(TcpTransportTest, AThrowingResolverIsALookupThatFailed) {
-  TcpTransport transport([](const std::string&, int) -> NameLookupResult { throw std::bad_alloc(); });
-  EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("aibo", 54321, in(seconds(10))); }));
-}
-
 TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) {
   ScriptedServer server;
   server.limitReceiveBuffer();
   TcpTransport transport;
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  transport.connect("127.0.0.1", server.port(), soon());
   ScriptedPeer peer = server.accept();
   constexpr std::size_t kPart = 64 * 1024;  // as large as the largest request
   constexpr std::size_t kFarMoreThanTheKernelKeeps = 128 * kPart;
@@ -244,49 +228,31 @@ TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) 
   EXPECT_FALSE(transport.hasUnsent());
 }
 
-// However a connection has ended, and whatever it has not sent: the next one begins with its own first request.
 TEST(TcpTransportTest, TheNextConnectionSendsNothingOfTheOneBefore) {
   ScriptedServer server;
   server.limitReceiveBuffer();
   TcpTransport transport;
-  for (const bool is_reset : {false, true}) {
-    transport.connect("127.0.0.1", server.port(), in(seconds(10)));
-    ScriptedPeer first = server.accept();
-    const ScriptedPeer::Bytes request(64 * 1024, 'x');
-    for (int i = 0; i < 1000 && !transport.hasUnsent(); ++i) {
-      transport.send(request.data(), request.size());
-    }
-    ASSERT_TRUE(transport.hasUnsent()) << "it takes everything";
-    EXPECT_TRUE(transport.openDatagrams());
-    if (is_reset) {
-      first.reset();
-      EXPECT_EQ(FaultKind::kClosed, faultOf([&] {
-                  std::uint8_t buffer[16];
-                  while (!transport.wait(in(seconds(10)))) {
-                  }
-                  transport.receive(buffer, sizeof buffer);
-                }));
-    }
-    transport.close();
-    EXPECT_FALSE(transport.hasUnsent());
-    EXPECT_FALSE(transport.datagrams().isOpen()) << "what still comes there is the last connection's";
-    transport.connect("127.0.0.1", server.port(), in(seconds(10)));
-    ScriptedPeer second = server.accept();
-    const std::uint8_t own[] = {'F', 85};
-    transport.send(own, sizeof own);
-    EXPECT_EQ(85, second.readCommand().identifier);
-    second.send({1});
-    ASSERT_TRUE(transport.wait(in(seconds(10))));
-    std::uint8_t buffer[16];
-    EXPECT_EQ(1u, transport.receive(buffer, sizeof buffer));
-    transport.close();
+  transport.connect("127.0.0.1", server.port(), soon());
+  ScriptedPeer first = server.accept();
+  const ScriptedPeer::Bytes request(64 * 1024, 'x');
+  for (int i = 0; i < 1000 && !transport.hasUnsent(); ++i) {
+    transport.send(request.data(), request.size());
   }
+  ASSERT_TRUE(transport.hasUnsent()) << "it takes everything";
+  EXPECT_TRUE(transport.openDatagrams());
+  transport.close();
+  EXPECT_FALSE(transport.hasUnsent());
+  EXPECT_FALSE(transport.datagrams().isOpen()) << "what still comes there is the last connection's";
+  transport.connect("127.0.0.1", server.port(), soon());
+  const std::uint8_t own[] = {'F', 85};
+  transport.send(own, sizeof own);
+  EXPECT_EQ(85, server.accept().readCommand().identifier);
 }
 
 TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
   ScriptedServer server;
   TcpTransport transport;
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  transport.connect("127.0.0.1", server.port(), soon());
   ScriptedPeer peer = server.accept();
   const ScriptedPeer::Bytes request(512 * 1024);
   EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] {
@@ -296,31 +262,10 @@ TEST(TcpTransportTest, APeerThatNeverReadsIsGivenUp) {
             }));
 }
 
-TEST(TcpTransportTest, WithoutAFreeDescriptorThereIsNoSocketForDatagramsUntilThereIsOne) {
-  ScriptedServer server;
-  TcpTransport transport;
-  EXPECT_FALSE(transport.openDatagrams()) << "it is not connected";
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
-  const ScriptedPeer peer = server.accept();
-  rlimit usual{};
-  ::getrlimit(RLIMIT_NOFILE, &usual);
-  rlimit exhausted = usual;
-  const int lowest_free = ::dup(STDERR_FILENO);
-  ::close(lowest_free);
-  exhausted.rlim_cur = static_cast<rlim_t>(lowest_free);
-  ::setrlimit(RLIMIT_NOFILE, &exhausted);
-  EXPECT_FALSE(transport.openDatagrams());
-  EXPECT_FALSE(transport.datagrams().isOpen());
-  EXPECT_EQ(transport.datagrams().port(), 0);
-  ::setrlimit(RLIMIT_NOFILE, &usual);
-  EXPECT_TRUE(transport.openDatagrams());
-  EXPECT_GT(transport.datagrams().port(), 0);
-}
-
 TEST(TcpTransportTest, DatagramsAreAnsweredToTheRobotsPortWhoeverElseSendsSome) {
   ScriptedServer server;
   TcpTransport transport;
-  transport.connect("127.0.0.1", server.port(), in(seconds(10)));
+  transport.connect("127.0.0.1", server.port(), soon());
   const ScriptedPeer peer = server.accept();
   ASSERT_TRUE(transport.openDatagrams());
   DatagramSocket& datagrams = transport.datagrams();

@@ -5,7 +5,6 @@
 using aibo_client::VersionNegotiation;
 using std::chrono::milliseconds;
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 namespace {
 
@@ -25,31 +24,25 @@ TEST_F(VersionNegotiationTest, ItAsksForVersion2) {
   EXPECT_EQ(Result::kOpen, negotiation_.result());
 }
 
-TEST_F(VersionNegotiationTest, AServerThatAgreesSpeaksVersion2AndWhatFollowsIsForTheSession) {
-  receive({'x', 2, 0, 0, 'h', 0});
-  EXPECT_EQ(Result::kVersion2, negotiation_.result());
-  EXPECT_THAT(negotiation_.rest(), ElementsAre('h', 0));
-}
-
-TEST_F(VersionNegotiationTest, TheAnswerMayComeByteByByte) {
-  for (const std::uint8_t byte : Bytes{'x', 2, 0}) {
-    receive({byte});
-    EXPECT_EQ(Result::kOpen, negotiation_.result());
+TEST_F(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession) {
+  const struct {
+    Bytes bytes;
+    Result result;
+    Bytes rest;
+  } rows[] = {
+      {{'x', 2, 0}, Result::kOpen, {}},
+      {{'x', 2, 0, 0, 'h', 0}, Result::kVersion2, {'h', 0}},
+      {{'x', 1, 0, 0}, Result::kVersion1, {}},
+      {{'e', 0, 0, 0}, Result::kVersion1, {}},
+      {{'H', 'T', 'T', 'P'}, Result::kVersion1Unanswered, {'H', 'T', 'T', 'P'}},
+  };
+  for (const auto& row : rows) {
+    VersionNegotiation negotiation(asked_);
+    negotiation.bytesArrived(row.bytes.data(), 1);
+    negotiation.bytesArrived(row.bytes.data() + 1, row.bytes.size() - 1);
+    EXPECT_EQ(row.result, negotiation.result()) << row.bytes[0] << row.bytes[1];
+    EXPECT_EQ(row.rest, row.result == Result::kOpen ? Bytes() : negotiation.rest());
   }
-  receive({0});
-  EXPECT_EQ(Result::kVersion2, negotiation_.result());
-  EXPECT_THAT(negotiation_.rest(), IsEmpty());
-}
-
-TEST_F(VersionNegotiationTest, AServerThatRefusesSpeaksVersion1) {
-  receive({'e', 0, 0, 0});
-  EXPECT_EQ(Result::kVersion1, negotiation_.result());
-  EXPECT_THAT(negotiation_.rest(), IsEmpty());
-}
-
-TEST_F(VersionNegotiationTest, AServerThatOffersAnotherVersionSpeaksVersion1) {
-  receive({'x', 1, 0, 0});
-  EXPECT_EQ(Result::kVersion1, negotiation_.result());
 }
 
 TEST_F(VersionNegotiationTest, AServerThatIsSilentForHalfASecondSpeaksVersion1) {
@@ -65,12 +58,6 @@ TEST_F(VersionNegotiationTest, AHalfAnswerAtTheDeadlineIsForTheSession) {
   negotiation_.checkDeadline(asked_ + milliseconds(500));
   EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
   EXPECT_THAT(negotiation_.rest(), ElementsAre('x', 2));
-}
-
-TEST_F(VersionNegotiationTest, OtherBytesAreLeftToTheSession) {
-  receive({'H', 'T', 'T', 'P'});
-  EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
-  EXPECT_THAT(negotiation_.rest(), ElementsAre('H', 'T', 'T', 'P'));
 }
 
 TEST_F(VersionNegotiationTest, AnAnswerInTimeIsNotUndoneByTheDeadline) {

@@ -1,0 +1,134 @@
+// What becomes of orders between a user's thread and the client's, and over connections.
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <future>
+#include <mutex>
+
+#include "client_fixture.h"
+
+using namespace aibo_client;
+using std::chrono::milliseconds;
+using test_support::kSafetyNet;
+using testing::HasSubstr;
+using version2_frames::makeFrame;
+using version2_frames::textOf;
+
+namespace {
+
+class Orders : public ClientFixture {};
+
+TEST_F(Orders, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
+  for (int i = 0; i < 2; ++i) {
+    ScriptedPeer peer = connectVersion2();
+    client_.commandJoints({{1, 0.1, 2.0}, {2, 0.1}, {4, 0.1, 0.5}}, milliseconds(0));
+    EXPECT_EQ("V 0 1 0 0 0 0 30 132 128 4 0 0 0 0 7 161 32", textOf(peer.readRequest()))
+        << "joint 1 at 2 rad/s, joint 4 at 0.5 rad/s";
+    EXPECT_EQ('J', peer.readRequest().header.kind);
+    client_.commandJoints({{1, 0.2, 2.0}}, milliseconds(0));
+    EXPECT_EQ('J', peer.readRequest().header.kind) << "the robot has the limit";
+  }
+}
+
+TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
+  ScriptedPeer peer = connectVersion2("J S E P");
+  const auto refuse = [&peer](char kind) {
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(kind, request.header.kind);
+    peer.send(makeFrame('e', request.header.request_number, version2_frames::makeError(3, std::string(1, kind))));
+  };
+  const auto time_out = [](const auto& call) {  // after it was sent
+    bool was_sent = false;
+    for (milliseconds time(20); !was_sent && time < kSafetyNet; time *= 2) {
+      try {
+        call(time);
+      } catch (const TimeoutException& error) {
+        was_sent = error.wasSent();
+      }
+    }
+  };
+  using TimePoint = std::chrono::steady_clock::time_point;
+  const TimePoint never = TimePoint::max();
+  client_.commandJoints({{1, 0.1}}, milliseconds(0), {never, 71});
+  refuse('J');
+  client_.steer({0.1, 0, 0}, {never, 72});
+  refuse('S');
+  time_out([&](milliseconds time) { client_.takePosture(Posture::kSit, time, {never, 73}); });
+  refuse('E');
+  time_out([&](milliseconds time) { client_.playMotion("NOD.MTN", 1, time, {never, 74}); });
+  refuse('P');
+  client_.commandJoints({{2, 0.1}}, milliseconds(0), {TimePoint(), 75});
+  client_.steer({0, 0.1, 0}, {TimePoint(), 76});
+  const std::string address = "127.0.0.1:" + std::to_string(server_.port());
+  const std::string too_old = "too old: it could not be sent to " + address + " in time";
+  const std::string told = "71:J; 72:S; late 73:" + address +
+                           " refused to take the posture sit: E.; late 74:" + address +
+                           " refused to play the motion NOD.MTN: P.; 75:" + too_old + "; 76:" + too_old + "; ";
+  EXPECT_TRUE(eventually([&] { return recorder_.orders() == told; })) << recorder_.orders();
+  EXPECT_THAT(complaintOf<CommandException>([&] {
+                client_.takePosture(Posture::kSit, kSafetyNet, {TimePoint(), 77});
+              }),
+              HasSubstr("is " + too_old));
+  EXPECT_THAT(complaintOf<CommandException>([&] {
+                client_.playMotion("NOD.MTN", 1, kSafetyNet, {TimePoint(), 78});
+              }),
+              HasSubstr("is " + too_old));
+}
+
+TEST_F(Orders, AreNotRepeatedAfterAReconnect) {
+  ScriptedPeer peer = connectVersion2("U L K J S");
+  auto upload = std::async(std::launch::async, [this] { client_.uploadMotion("NOD.MTN", {1}, kSafetyNet); });
+  EXPECT_EQ('U', peer.readRequest().header.kind);
+  for (int i = 1; i < 10; ++i) {
+    client_.commandLeds({{i, 100}});  // one is sent, the others wait for its answer
+    client_.commandEars(true, true);
+    client_.commandJoints({{i, 0.1}}, milliseconds(0));  // four are sent
+    client_.steer({0.01 * i, 0, 0});
+  }
+  peer.close();
+  EXPECT_THROW(upload.get(), NetworkException);
+  ScriptedPeer next = connectVersion2("U L K J S");
+  client_.commandLeds({{200, 1}});
+  EXPECT_EQ("L 0 200 1 0 0", textOf(next.readRequest())) << "the first that is sent";
+}
+
+// The client's thread is kept in a callback, so that it finds both orders at once.
+TEST_F(Orders, AreNotSentAfterAHoldThatCameAfterThem) {
+  std::mutex gate;
+  std::atomic<bool> waits{false};
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_telemetry = [&](const Telemetry&) {
+    waits = true;
+    const std::lock_guard<std::mutex> lock(gate);
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("J L I");
+  client.waitForConnection(kSafetyNet);
+  const auto answer = [&peer] {
+    const version2_frames::Frame frame = peer.readRequest();
+    peer.send(makeFrame(protocol::version2::replyKind(frame.header.kind), frame.header.request_number, frame.payload));
+    return frame.header.kind;
+  };
+  char first = 'J';
+  for (int i = 0; i < 20 && first == 'J'; ++i) {  // it is sent if the thread of hold() came too late
+    std::unique_lock<std::mutex> lock(gate);
+    waits = false;
+    ASSERT_TRUE(eventually([&] {
+      peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
+      return waits.load();
+    }));
+    client.commandJoints({{1, 0.1}}, milliseconds(0));
+    auto held = std::async(std::launch::async, [&client] { client.hold({}, kSafetyNet); });
+    EXPECT_EQ(std::future_status::timeout, held.wait_for(milliseconds(20 + 50 * i)));
+    lock.unlock();
+    first = answer();
+    EXPECT_EQ('I', first == 'J' ? answer() : first);
+    held.get();
+  }
+  client.commandLeds({{7, 1}});
+  EXPECT_EQ('L', answer());
+}
+
+}  // namespace

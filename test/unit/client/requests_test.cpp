@@ -1,0 +1,498 @@
+// What each function of RcServerClient sends, and what it makes of the answer: the tables of docs/protocol.md.
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "client_fixture.h"
+
+using namespace aibo_client;
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+using test_pictures::Bytes;
+using testing::AllOf;
+using testing::HasSubstr;
+
+namespace {
+
+const std::string kNeeded = "F I E A";                   // the capabilities without which a call is not sent
+const std::string kNod = "78 79 68 46 77 84 78";         // NOD.MTN
+const std::string kMineJpg = "77 73 78 69 46 74 80 71";  // MINE.JPG
+const Bytes kPictureOnTheStick = test_pictures::makeNumbered(7);
+
+Bytes bytesOf(const std::string& text) {
+  return Bytes(text.begin(), text.end());
+}
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += name + " ";
+  }
+  return text;
+}
+
+std::string nameOf(const Bytes& jpeg) {
+  return jpeg == kPictureOnTheStick ? "the picture" : "another picture";
+}
+
+/// A function that waits for the robot's answer.
+struct CallRow {
+  std::string words;  // what the robot refuses to do
+  std::function<std::string(RcServerClient&, milliseconds)> call;
+  std::string sent;  // kind, id and payload
+  Bytes answer;
+  std::string result;
+  std::string version1;  // letter and the rest; empty: version 1 has no such request
+};
+
+const std::vector<CallRow> kCalls = {
+    {"take a picture of this resolution",
+     [](auto& client, auto time) { return nameOf(client.takePicture(37, time, nullptr, Resolution::kDouble)->jpeg); },
+     "F 37 3", version2_frames::makePicture(kPictureOnTheStick, 1), "the picture", ""},
+    {"switch the motors on",
+     [](auto& client, auto time) { return client.setMotors(true, time) ? "on" : "off"; },
+     "O 0 1",
+     {0},
+     "off",
+     ""},
+    {"switch the motors off",
+     [](auto& client, auto time) { return client.setMotors(false, time) ? "on" : "off"; },
+     "O 0 0",
+     {1},
+     "on",
+     ""},
+    {"hold its joints", [](auto& client, auto time) { return client.hold({}, time), ""; }, "I 0", {}, "", ""},
+    {"hold its joints",
+     [](auto& client, auto time) {
+       return client.hold({2, 1}, time), "";
+     },
+     "I 1 2 1",
+     {},
+     "",
+     ""},
+    {"take the posture stand",
+     [](auto& client, auto time) { return client.takePosture(Posture::kStand, time), ""; },
+     "E 1",
+     {},
+     "",
+     ""},
+    {"take the posture sit",
+     [](auto& client, auto time) { return client.takePosture(Posture::kSit, time), ""; },
+     "E 2",
+     {},
+     "",
+     ""},
+    {"take the posture rest",
+     [](auto& client, auto time) { return client.takePosture(Posture::kRest, time), ""; },
+     "E 3",
+     {},
+     "",
+     ""},
+    {"play the motion NOD.MTN", [](auto& client, auto time) { return client.playMotion("nod.mtn", 258, time); },
+     "P 2 1 2 " + kNod, bytesOf("2 positions are clipped"), "2 positions are clipped",
+     "P 0 " + kNod + " 0 0 0 0 0 2 1 0 0"},
+    {"stop the motion NOD.MTN",
+     [](auto& client, auto time) { return client.stopMotion("Nod.mtn", time), ""; },
+     "P 0 0 0 " + kNod,
+     {},
+     "",
+     "P 0 " + kNod + " 0 0 0 0 0 0 0 0 0"},
+    {"stop all motions",
+     [](auto& client, auto time) { return client.stopMotion("", time), ""; },
+     "P 0 0 0",
+     {},
+     "",
+     "P 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0"},
+    {"store the motion NOD.MTN",
+     [](auto& client, auto time) {
+       return client.uploadMotion("nod.MTN", {1, 2, 3}, time), "";
+     },
+     "U 0 7 " + kNod + " 1 2 3",
+     {},
+     "",
+     "U 0 " + kNod + " 0 0 0 0 0 0 0 3 0 1 2 3"},
+    {"delete the motion NOD.MTN",
+     [](auto& client, auto time) { return client.deleteMotion("nod.mtn", time), ""; },
+     "D 0 " + kNod,
+     {},
+     "",
+     "D 0 " + kNod + " 0 0 0 0 0 0 0 0 0"},
+    {"list its motions", [](auto& client, auto time) { return joined(client.listMotions(time)); }, "N 0",
+     bytesOf("NOD.MTN\nSIT.MTN"), "NOD.MTN SIT.MTN ", ""},
+    {"take a picture onto its memory stick",
+     [](auto& client, auto time) { return client.takePictureOnRobot(40, time); }, "M 40", bytesOf("AIBO0042.JPG"),
+     "AIBO0042.JPG", ""},
+    {"list the pictures on its memory stick", [](auto& client, auto time) { return joined(client.listPictures(time)); },
+     "Y 1", bytesOf("AIBO0001.JPG\nMINE.JPG"), "AIBO0001.JPG MINE.JPG ", ""},
+    {"send the picture MINE.JPG", [](auto& client, auto time) { return nameOf(client.fetchPicture("mine.jpg", time)); },
+     "Y 2 " + kMineJpg, kPictureOnTheStick, "the picture", ""},
+    {"delete the picture MINE.JPG",
+     [](auto& client, auto time) { return client.deletePicture("Mine.jpg", time), ""; },
+     "Y 3 " + kMineJpg,
+     {},
+     "",
+     ""},
+    {"play sound",
+     [](auto& client, auto time) {
+       return std::to_string(client.playSamples(0, {0x1234, -1}, true, time).room);
+     },
+     "A 2 0 0 0 0 1 0 0 0 18 52 255 255",
+     {0, 0, 32, 0},
+     "8192",
+     ""},
+    {"play sound",
+     [](auto& client, auto time) { return client.stopSound(time), ""; },
+     "A 2 0 0 0 0 1 0 0 0",
+     {0, 0, 64, 0},
+     "",
+     ""},
+    {"set its volume",
+     [](auto& client, auto time) { return std::to_string(client.setVolume(kVolumeOfRobot, time)); },
+     "A 3 255",
+     {2},
+     "2",
+     ""},
+    {"shut down", [](auto& client, auto time) { return client.shutDownRobot(time), ""; }, "Q 0", {}, "", "Q 0 0 0"},
+    {"reboot", [](auto& client, auto time) { return client.rebootRobot(time), ""; }, "R 0", {}, "", "R 0 0 0"},
+};
+
+/// A function that sends a request and returns at once.
+struct CommandRow {
+  std::string name;
+  std::function<void(RcServerClient&)> command;
+  std::string sent;
+  std::string version1;  // the same; empty: version 1 has no such request
+};
+
+const std::vector<CommandRow> kCommands = {
+    {"joints",
+     [](auto& client) {
+       client.commandJoints({{2, -0.5}}, milliseconds(300));
+     },
+     "J 0 1 44 1 0 2 0 0 0 255 248 94 224", "J 2 207 244"},
+    {"speed limits",
+     [](auto& client) {
+       client.setJointSpeedLimits({{2, 1.25}});
+     },
+     "V 0 2 0 0 0 0 19 18 208", "V 2 250 27"},
+    {"walk",
+     [](auto& client) {
+       client.steer({0.1, 0, -0.5});
+     },
+     "S 1 0 100 0 0 254 12 0 0", ""},
+    {"LEDs",
+     [](auto& client) {
+       client.commandLeds({{7, 200, LedMode::kB}});
+     },
+     "L 0 7 200 1 0", "L 7 200 0"},
+    {"ears", [](auto& client) { client.commandEars(true, false); }, "K 0 1 0", "K 1 1 0"},
+};
+
+class Requests : public ClientFixture {
+ protected:
+  std::future<std::string> inBackground(const CallRow& row) {
+    return std::async(std::launch::async, [this, &row] { return row.call(client_, test_support::kSafetyNet); });
+  }
+
+  /// The message of the exception that the row's call ends with.
+  template <typename Expected>
+  std::future<std::string> complaintInBackground(const CallRow& row) {
+    return std::async(std::launch::async,
+                      [this, &row] { return complaintOf<Expected>([&] { inBackground(row).get(); }); });
+  }
+
+  static void answer(ScriptedPeer* peer, const version2_frames::Frame& request, char kind, const Bytes& payload) {
+    Bytes frame = version2_frames::makeFrame(kind, request.header.request_number, payload);
+    frame[1] = request.header.id;
+    peer->send(frame);
+  }
+
+  /// Waits for a request of version 1 of this size, as text.
+  static std::string readVersion1(ScriptedPeer* peer, const std::string& like) {
+    const auto size = static_cast<std::size_t>(std::count(like.begin(), like.end(), ' ') + 1);
+    std::string text;
+    for (const std::uint8_t byte : peer->read(size)) {
+      text += text.empty() ? std::string(1, static_cast<char>(byte)) : " " + std::to_string(byte);
+    }
+    return text;
+  }
+};
+
+TEST_F(Requests, AreAnsweredAsInTheTable) {
+  ScriptedPeer peer = connectVersion2(kNeeded);
+  for (const CallRow& row : kCalls) {
+    auto result = inBackground(row);
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(row.sent, version2_frames::textOf(request));
+    answer(&peer, request, protocol::version2::replyKind(request.header.kind), row.answer);
+    EXPECT_EQ(row.result, result.get()) << row.sent;
+  }
+}
+
+TEST_F(Requests, ThatAreRefusedThrowTheRobotsReason) {
+  ScriptedPeer peer = connectVersion2(kNeeded);
+  for (const CallRow& row : kCalls) {
+    auto complaint = complaintInBackground<CommandException>(row);
+    answer(&peer, peer.readRequest(), 'e', version2_frames::makeError(0, "why"));
+    EXPECT_THAT(complaint.get(), HasSubstr("refused to " + row.words + ": why")) << row.sent;
+  }
+}
+
+TEST_F(Requests, OfVersion1AreThoseOfTheTable) {
+  ScriptedPeer peer = connectVersion1();
+  for (const CallRow& row : kCalls) {
+    if (row.version1.empty()) {
+      EXPECT_THAT(complaintInBackground<CommandException>(row).get(),
+                  HasSubstr("speaks version 1 of the protocol, which "))
+          << row.words;
+      continue;
+    }
+    auto result = inBackground(row);
+    const std::string sent = readVersion1(&peer, row.version1);
+    EXPECT_EQ(row.version1, sent);
+    peer.send({static_cast<std::uint8_t>(sent[0] - 'A' + 'a'), 0, 0, 0});
+    EXPECT_EQ("", result.get()) << row.words;
+  }
+  for (const CommandRow& row : kCommands) {
+    if (row.version1.empty()) {
+      EXPECT_THROW(row.command(client_), CommandException) << row.name;
+      continue;
+    }
+    row.command(client_);
+    EXPECT_EQ(row.version1, readVersion1(&peer, row.version1));
+    peer.send({'e', 0, 0, 0});
+    if (row.name == "ears") {
+      EXPECT_EQ("K 2 0 0", readVersion1(&peer, "K 2 0 0"));
+    }
+  }
+}
+
+TEST_F(Requests, ThatAreCommandsAreSentAtOnce) {
+  ScriptedPeer peer = connectVersion2("J V S L K");
+  for (const CommandRow& row : kCommands) {
+    row.command(client_);
+    EXPECT_EQ(row.sent, version2_frames::textOf(peer.readRequest())) << row.name;
+  }
+}
+
+TEST_F(Requests, WaitAsLongAsTheyAreTold) {
+  const ScriptedPeer silent = connectVersion2(kNeeded);
+  for (std::size_t i = 0; i < kCalls.size(); ++i) {
+    const milliseconds time(10 + static_cast<int>(i));
+    EXPECT_THAT(complaintOf<TimeoutException>([&] { kCalls[i].call(client_, time); }),
+                HasSubstr(" within " + std::to_string(time.count()) + " ms"))
+        << kCalls[i].words;
+  }
+}
+
+TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
+  for (const CallRow& row : kCalls) {
+    EXPECT_THAT(complaintInBackground<NetworkException>(row).get(), HasSubstr("has not been started")) << row.words;
+  }
+  for (const CommandRow& row : kCommands) {
+    EXPECT_THROW(row.command(client_), NetworkException) << row.name;
+  }
+  ScriptedPeer peer = connectVersion2("L");
+  client_.commandLeds({{200, 1}});
+  EXPECT_EQ("L 0 200 1 0 0", version2_frames::textOf(peer.readRequest())) << "the first that is sent";
+}
+
+TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
+  const ScriptedPeer peer = connectVersion2("F W");
+  const std::vector<std::pair<std::function<void()>, std::string>> rows = {
+      {[this] { client_.hold({}, seconds(1)); },
+       "no request to hold joints; send the joints to where they were commanded"},
+      {[this] {
+         client_.steer({0.1, 0, 0});
+       },
+       "no request to walk; this needs an ERS-7 with a newer RCServer"},
+      {[this] { client_.takePosture(Posture::kSit, seconds(1)); }, "no request to take postures"},
+      {[this] { client_.playSamples(0, {1}, true, seconds(1)); }, "no request to play sounds"},
+      {[this] {
+         client_.commandJoints({{1, 0}}, milliseconds(0));
+       },
+       "does not take the request 'J'"},
+      {[this] {
+         client_.setJointSpeedLimits({{1, 1}});
+       },
+       "does not take the request 'V'"},
+      {[this] {
+         client_.commandLeds({{1, 1}});
+       },
+       "it has no LEDs"},
+      {[this] { client_.commandEars(true, true); }, "it has no ears"},
+  };
+  for (const auto& [call, reason] : rows) {
+    EXPECT_THAT(complaintOf<CommandException>(call), AllOf(HasSubstr("(a test 1.0)"), HasSubstr(reason)));
+  }
+}
+
+TEST_F(Requests, WithWrongArgumentsAreNotSent) {
+  const seconds time(1);
+  ColorTable table;
+  table.segments[0] = ColorRange{2, 1, 3, 4};
+  CameraSettings balance;
+  balance.white_balance = 0;
+  CameraSettings gain;
+  gain.gain = 4;
+  CameraSettings shutter;
+  shutter.shutter_speed = 0;
+  const std::vector<std::function<void()>> calls = {
+      [&] { client_.setJpegQuality(0); },
+      [&] { client_.setJpegQuality(101); },
+      [&] {
+        client_.setStreamFormat({Resolution::kHigh, 0});
+      },
+      [&] {
+        client_.setStreamFormat({Resolution::kHigh, 65536});
+      },
+      [&] {
+        client_.setColorDetection({true, 65536, false});
+      },
+      [&] { client_.setColorTable(-1, nullptr); },
+      [&] { client_.setColorTable(kMostColorChannels, nullptr); },
+      [&] { client_.setColorTable(0, std::make_shared<ColorTable>(table)); },
+      [&] { client_.setCameraSettings(balance); },
+      [&] { client_.setCameraSettings(gain); },
+      [&] { client_.setCameraSettings(shutter); },
+      [&] {
+        client_.setMicrophone({true, 3, 16000});
+      },
+      [&] {
+        client_.setMicrophone({true, 2, 44100});
+      },
+      [&] { client_.setTelemetryPeriod(-1); },
+      [&] { client_.setTelemetryPeriod(65536); },
+      [&] { client_.takePicture(101, time); },
+      [&] { client_.takePicture(50, milliseconds(0)); },
+      [&] { client_.takePicture(50, milliseconds::max()); },
+      [&] {
+        client_.commandJoints({{0, 0}}, milliseconds(0));
+      },
+      [&] {
+        client_.commandJoints({{1, 0, -1}}, milliseconds(0));
+      },
+      [&] { client_.setJointSpeedLimits({}); },
+      [&] { client_.hold({0}, time); },
+      [&] {
+        client_.hold({2, 2}, time);
+      },
+      [&] {
+        client_.steer({32.768, 0, 0});
+      },
+      [&] {
+        client_.steer({0, -32.768, 0});
+      },
+      [&] {
+        client_.steer({0, 0, std::nan("")});
+      },
+      [&] {
+        client_.commandLeds({{1, 256}});
+      },
+      [&] { client_.playMotion("../NOD.MTN", 1, time); },
+      [&] { client_.playMotion("NOD.MTN", 0, time); },
+      [&] { client_.playMotion("NOD.MTN", 65536, time); },
+      [&] { client_.stopMotion("NOD", time); },
+      [&] { client_.uploadMotion("NOD.MTN", {}, time); },
+      [&] { client_.uploadMotion("CON.MTN", {1}, time); },
+      [&] { client_.deleteMotion("", time); },
+      [&] { client_.takePictureOnRobot(0, time); },
+      [&] { client_.fetchPicture("../A.JPG", time); },
+      [&] { client_.deletePicture("NOD.MTN", time); },
+      [&] { client_.playSamples(0, {}, true, time); },
+      [&] { client_.playSamples(0, std::vector<std::int16_t>(kMostSamplesAtOnce + 1), true, time); },
+      [&] { client_.setVolume(4, time); },
+      [&] { client_.waitForConnection(milliseconds(0)); },
+  };
+  for (std::size_t i = 0; i < calls.size(); ++i) {
+    EXPECT_THROW(calls[i](), InvalidArgumentException) << "row " << i;
+  }
+}
+
+// The setting is sent as soon as there is a connection, and again over the next one.
+TEST_F(Requests, OfSettingsAreSentOverEachConnection) {
+  ColorTable table;
+  table.segments[0] = ColorRange{1, 2, 3, 4};
+  CameraSettings camera;
+  camera.white_balance = camera.shutter_speed = 1;
+  camera.gain = 3;
+  camera.auto_exposure = true;
+  client_.setStreaming(true);
+  client_.setJpegQuality(60);
+  client_.setStreamFormat({Resolution::kLow, 3});
+  client_.setCameraSettings(camera);
+  client_.setColorDetection({true, 4, true});
+  client_.setColorTable(5, std::make_shared<ColorTable>(table));
+  client_.setMicrophone({true, 1, 8000});
+  client_.setTelemetryPeriod(4);
+  EXPECT_EQ(60, client_.jpegQuality());
+  EXPECT_TRUE(client_.streamFormat() == (StreamFormat{Resolution::kLow, 3}));
+  for (int connection = 1; connection <= 2; ++connection) {
+    ScriptedPeer peer = connectVersion2("F W G Z A T");
+    for (const std::string each : {"G 1 1", "G 2 3", "G 3 1", "G 4 1", "G 5 0", "W 60 1 2 0 3", "T 1 0 4",
+                                   "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0", "A 1 1 1 31 64"}) {
+      EXPECT_EQ(each, version2_frames::textOf(peer.readRequest(), 8)) << connection;
+    }
+  }
+}
+
+TEST_F(Requests, ToWalkAreGuardedUnlessTheUserSaysOtherwise) {
+  ScriptedPeer peer = connectVersion2("S");
+  for (const bool is_guarded : {true, false}) {
+    client_.guardWalks(is_guarded);
+    client_.steer({0.1, 0, 0});
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(is_guarded ? 1 : 0, request.header.id);
+    answer(&peer, request, 's', request.payload);
+  }
+}
+
+TEST_F(Requests, CarryTheOptionsOfTheClient) {
+  ClientOptions options = optionsFor(server_);
+  options.leave_out_missing_joints = true;
+  options.guard_walks = false;
+  RcServerClient client(options, recorder_.callbacks());
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("U P S");
+  client.waitForConnection(test_support::kSafetyNet);
+  client.steer({0.1, 0, 0});
+  EXPECT_EQ("S 0 0 100", version2_frames::textOf(peer.readRequest(), 2));
+  auto calls = std::async(std::launch::async, [&client] {
+    client.uploadMotion("NOD.MTN", {1}, test_support::kSafetyNet);
+    client.playMotion("NOD.MTN", 1, test_support::kSafetyNet);
+  });
+  for (const int id : {1, 3}) {  // leave out; and tell the changes
+    const version2_frames::Frame request = peer.readRequest();
+    EXPECT_EQ(id, request.header.id);
+    answer(&peer, request, protocol::version2::replyKind(request.header.kind), {});
+  }
+  calls.get();
+}
+
+TEST_F(Requests, AnsweredWithNonsenseEndTheConnection) {
+  for (const std::string text : {"../../etc/passwd", "", "NOD.MTN", "A.JPG\n"}) {
+    ScriptedPeer peer = connectVersion2();
+    auto call = std::async(std::launch::async, [this] { client_.takePictureOnRobot(85, test_support::kSafetyNet); });
+    answer(&peer, peer.readRequest(), 'm', bytesOf(text));
+    EXPECT_THROW(call.get(), NetworkException) << text;
+  }
+}
+
+TEST_F(Requests, ForAPictureRefuseAFileThatIsNone) {
+  ScriptedPeer peer = connectVersion2();
+  for (const Bytes& content : {bytesOf("no JPEG"), Bytes(kPictureOnTheStick.begin(), kPictureOnTheStick.end() - 9)}) {
+    auto complaint = std::async(std::launch::async, [this] {
+      return complaintOf<CommandException>([this] { client_.fetchPicture("A.JPG", test_support::kSafetyNet); });
+    });
+    answer(&peer, peer.readRequest(), 'y', content);
+    EXPECT_THAT(complaint.get(), HasSubstr("has sent A.JPG, which is not a picture of its camera: "));
+  }
+}
+
+}  // namespace
