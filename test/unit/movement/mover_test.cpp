@@ -1,10 +1,12 @@
+// Orders, stop and ends: docs/ros_interface.md, "Guard rails", "Stop", "motion_state" and "Walking".
 #include "movement/mover.h"
 
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
+#include <map>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,1705 +14,971 @@
 #include "support/fake_client.h"
 
 namespace aibo_driver::movement {
+namespace {
 
+using aibo_client::CommandException;
 using aibo_client::EndedHow;
 using aibo_client::EndedKind;
+using aibo_client::FaultKind;
 using aibo_client::MotorState;
+using aibo_client::NetworkException;
 using aibo_client::Posture;
 using aibo_client::PostureNow;
 using aibo_client::RefusalCause;
 using aibo_client::RefusedRequest;
 using aibo_client::TimeoutException;
-
-namespace {
-
-using std::chrono::milliseconds;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::IsSupersetOf;
+using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::StartsWith;
+using namespace std::chrono_literals;
 using Kind = Movement::Kind;
+using std::chrono::milliseconds;
 
-constexpr int kHeadPan = 2;
-constexpr int kLeftFrontRotator = 11;
-constexpr int kTailTilt = 52;
+constexpr int kHeadPan = 2;  // its identifier
+constexpr const char* kLetGo = "; let go first: 0, or nothing for 0.5 s";
 
-constexpr milliseconds kOnItsWay{3};  // how long an order has waited
+// How it ended and why, in the words of docs/ros_interface.md.
+std::string textOf(const EndedMovement* ended) {
+  constexpr const char* kHow[] = {"DONE", "REPLACED", "STOPPED", "REFUSED", "FELL", "UNKNOWN", "NOT_REACHED", "LOST"};
+  return ended == nullptr ? "-"
+                          : kHow[static_cast<int>(ended->how)] + (ended->reason.empty() ? "" : " " + ended->reason);
+}
+std::string textOf(const Mover::Begun& begun) {
+  return textOf(begun.ended());
+}
 
 [[noreturn]] void doNotAnswer() {
-  throw TimeoutException("no answer within 2000 ms.", aibo_client::FaultKind::kNone, true);
+  throw TimeoutException("no answer within 2000 ms.", FaultKind::kNone, true);
 }
 
-// A different value in each direction.
-aibo_client::WalkVelocity velocity(double forward) {
-  return {forward, -0.4 * forward, 3 * forward};
+std::vector<std::string> withoutSpeedLimits(std::vector<std::string> told) {
+  told.erase(std::remove_if(told.begin(), told.end(), [](const auto& text) { return text[0] == 'V'; }), told.end());
+  return told;
 }
 
-const aibo_client::WalkVelocity kAhead = velocity(0.1);
-
-// The speed limit of the head's pan is 3.0 rad/s, the approach speed 0.5 rad/s. The time stands still unless the test
-// lets it pass.
-class MoverTest : public ::testing::Test {
- protected:
-  MoverTest() {
-    table_.setSpeedScale(0.5);
-    client_.present.robot.capabilities = {"I", "S", "E", "O"};
-    mover_.setListener({[this] { changed(); }, [this] { moving_ = mover_.state().movements.size(); },
-                        [this](const EndedMovement& ended) { ends_.push_back(ended); },
-                        [this](const std::string& text) { warnings_.push_back(text); }});
-    liveThroughMuch();
+// A robot that stands with all joints at 0, and says nothing by itself. Time stands still unless a test lets it pass.
+struct Robot {
+  Robot() {
+    client.present.robot.capabilities = {"I", "S", "E", "O"};
+    mover.setListener({nullptr, nullptr, [this](const EndedMovement& ended) { ends.push_back(ended); },
+                       [this](const std::string& text) { warnings.push_back(text); }});
+    mover.connected();
+    mover.robotChanged({MotorState::kOn, PostureNow::kStanding});
+    measure(0);
   }
 
-  // What was before: movements of each kind, each of which ended badly.
-  void liveThroughMuch() {
-    measure(0.3);
-    command("head_tilt", 0.2, "/past");
-    follow("head_pan", -0.5, 2.0);
-    play("PAST.MTN");
-    walk();
-    mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it fell in the past"});
-    client_.meanwhile = doNotAnswer;
-    problem<TimeoutException>([this] { mover_.stop(order("/past")); });
-    mover_.release(order("/past"));
-    now_ += std::chrono::seconds(1);
-    mover_.takePosture(order("/past"), Posture::kSit);
-    mover_.disconnected();
-    ++client_.connections;
-    mover_.connected();
-    now_ += std::chrono::seconds(1);
-    measure(0.0);
-    client_.told.clear();
-    past_ = std::exchange(ends_, {});
-    EXPECT_THAT(warnings_, IsEmpty());
-  }
-
-  // Whatever happens: the state has the ends that were told, and joints are sent on behalf of what moves them.
-  void changed() {
-    shown_ = mover_.state();
-    std::vector<EndedMovement> told = past_;
-    told.insert(told.end(), ends_.begin(), ends_.end());
-    ASSERT_EQ(shown_.ends, told.size());
-    ASSERT_EQ(shown_.ended.size(), std::min(told.size(), Mover::kEndsRemembered));
-    for (std::size_t i = 1; i <= shown_.ended.size(); ++i) {
-      EXPECT_EQ(textOf(shown_.ended[shown_.ended.size() - i]), textOf(told[told.size() - i]));
-    }
-    for (const auto& [joint, number] : std::exchange(client_.joint_orders, {})) {
-      const std::vector<std::string> joints = mover_.jointsOf(number);
-      EXPECT_TRUE(joints.empty() || testing::Value(joints, Contains(table_[*table_.findById(joint)].name))) << joint;
-    }
-  }
-
-  static std::string textOf(const EndedMovement& ended) {
-    return describe(ended.movement) + " " + ended.movement.name + " of " + ended.movement.source + " ends " +
-           std::to_string(static_cast<int>(ended.how)) + " " + ended.reason;
-  }
-
-  void measure(double pan, double rotator = 0.07) {
+  void measure(double pan) {
     aibo_client::Telemetry telemetry;
-    telemetry.arrival = now_;
-    telemetry.joints = {{kHeadPan, pan}, {1, -0.2}, {kLeftFrontRotator, rotator}};
-    measured_.update(telemetry);
+    telemetry.arrival = now;
+    for (const JointProperties& joint : table.joints()) {
+      telemetry.joints.push_back({joint.id, joint.id == kHeadPan ? pan : std::clamp(0.0, joint.lowest, joint.highest)});
+    }
+    measured.update(telemetry);
   }
-
-  // As the driver does.
-  void pass(milliseconds time, double pan) {
-    const SteadyTime end = now_ + time;
-    while (now_ < end) {
-      now_ += JointPlan::kPeriod;
+  void pass(milliseconds time, double pan = 0) {
+    for (const SteadyTime end = now + time; now < end; mover.goOn()) {
+      now += JointPlan::kPeriod;
       measure(pan);
-      mover_.goOn();
     }
   }
 
-  void useVersion1() {
-    client_.can_hold = false;
-    client_.present.protocol_version = 1;
-    client_.present.robot.capabilities.clear();
-  }
-
-  Order order(const std::string& source = "/user") const { return {source, now_ - kOnItsWay}; }
-
+  Order order(const std::string& source = "/user") const { return {source, now}; }
   Mover::Begun command(const std::string& joint, double position, const std::string& source = "/user") {
-    return mover_.command(order(source), {joint}, {position}, {});
+    return mover.command(order(source), {joint}, {position}, {});
   }
-
-  Mover::Begun play(const std::string& motion) { return mover_.play(order(), motion, 1); }
-
-  Mover::Begun follow(const std::string& joint, double position, double time) {
-    return mover_.follow(order(), {{joint}, {{time, {position}, {}}}}, milliseconds(0));
+  Mover::Begun follow(const std::string& joint, double position) {
+    return mover.follow(order(), {{joint}, {{1.0, {position}, {}}}}, 0ms);
   }
-
-  void steer(double forward, const std::string& source = "/teleop") { mover_.steer(order(source), velocity(forward)); }
-
-  // Ten times a second, for a second.
-  void steerOn(double forward) {
-    for (int i = 0; i < 10; ++i) {
-      now_ += milliseconds(100);
-      steer(forward);
-    }
-  }
-
-  // The robot walks.
+  Mover::Begun play(const std::string& motion) { return mover.play(order(), motion, 1); }
+  Mover::Begun sit() { return mover.takePosture(order(), Posture::kSit); }
+  void steer(double forward, const std::string& source = "/teleop") { mover.steer(order(source), {forward, 0, 0}); }
   void walk() {
     steer(0.1);
-    mover_.steered(kAhead, client_.steering_order);
-    client_.told.clear();
+    mover.steered({0.1, 0, 0}, client.steering_order);
   }
-
-  // What the robot was told to do, without speed limits.
-  std::vector<std::string> told() {
-    std::vector<std::string> told;
-    for (const std::string& each : std::exchange(client_.told, {})) {
-      if (each.rfind("V ", 0) != 0) {
-        told.push_back(each);
-      }
-    }
-    return told;
+  Mover::Begun walkToGoal() {
+    const Mover::Begun begun = mover.walkToGoal(order(), "1 m ahead");
+    EXPECT_TRUE(mover.walkOn(begun.id, {0.1, 0, 0}));
+    mover.steered({0.1, 0, 0}, client.steering_order);
+    return begun;
   }
-
-  static std::string reasonOf(const Mover::Begun& begun) {
-    return begun.ended() != nullptr ? begun.ended()->reason : "it goes on";
+  void refuses(RefusedRequest request, RefusalCause cause, const std::string& reason, std::uint64_t order = 0) {
+    mover.refused({request, cause, {kHeadPan}, reason, order});
   }
-  static EndedHow endOf(const Mover::Begun& begun) {
-    EXPECT_NE(begun.ended(), nullptr);
-    return begun.ended() != nullptr ? begun.ended()->how : EndedHow::kUnknown;
-  }
-
-  template <typename Error>
-  static std::string problem(const std::function<void()>& work) {
-    try {
-      work();
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "none";
-  }
-
-  test_support::FakeClient client_;
-  SteadyTime now_{milliseconds(1000137)};
-  JointTable table_{"ERS-7", 6.0, 9.0};
-  MeasuredJoints measured_{table_};
-  bool telemetry_ = true;
-  Mover mover_{table_, measured_, client_, 0.5, false, [this] { return telemetry_; }, [this] { return now_; }};
-  Mover::State shown_;               // when the mover last said that it had changed
-  std::size_t moving_ = 0;           // movements when the mover last asked to be called regularly
-  std::vector<EndedMovement> past_;  // what ended before the test
-  std::vector<EndedMovement> ends_;
-  std::vector<std::string> warnings_;
+  // What it was told since the last call, without speed limits.
+  std::vector<std::string> told() { return withoutSpeedLimits(std::exchange(client.told, {})); }
+  std::string lastEnd() const { return textOf(ends.empty() ? nullptr : &ends.back()); }
+  test_support::FakeClient client;
+  SteadyTime now{1000s};
+  JointTable table{"ERS-7", 3.0};
+  MeasuredJoints measured{table};
+  bool telemetry_wanted = true;
+  Mover mover{table, measured, client, 0.5, false, [this] { return telemetry_wanted; }, [this] { return now; }};
+  std::vector<EndedMovement> ends;
+  std::vector<std::string> warnings;
 };
+
+class MoverTest : public ::testing::Test, protected Robot {};
+
+// What may happen to a robot, for the tables below.
+const std::map<std::string, std::function<void(Robot&)>> kEvents = {
+    {"stop", [](Robot& robot) { robot.mover.stop(robot.order("/panel")); }},
+    {"release", [](Robot& robot) { robot.mover.release(robot.order("/panel")); }},
+    {"empty trajectory", [](Robot& robot) { robot.mover.hold(robot.order(), "an empty trajectory came"); }},
+    {"motors off", [](Robot& robot) { robot.mover.setMotors(robot.order("/panel"), false); }},
+    {"motors on", [](Robot& robot) { robot.mover.setMotors(robot.order("/panel"), true); }},
+    {"motors go off",
+     [](Robot& robot) {
+       robot.mover.robotChanged({MotorState::kOff, PostureNow::kStanding});
+     }},
+    {"rest", [](Robot& robot) { robot.mover.takePosture(robot.order("/panel"), Posture::kRest); }},
+    {"sit", [](Robot& robot) { robot.sit(); }},
+    {"head command", [](Robot& robot) { robot.command("head_pan", 0.1, "/other"); }},
+    {"head trajectory", [](Robot& robot) { robot.follow("head_pan", 0.1); }},
+    {"leg command", [](Robot& robot) { robot.command("left_front_knee", 0.1, "/other"); }},
+    {"leg trajectory", [](Robot& robot) { robot.follow("left_front_knee", 0.1); }},
+    {"motion", [](Robot& robot) { robot.play("WAG.MTN"); }},
+    {"motions stopped", [](Robot& robot) { robot.mover.stopMotion(robot.order(), ""); }},
+    {"velocity", [](Robot& robot) { robot.steer(0.05); }},
+    {"goal", [](Robot& robot) { robot.walkToGoal(); }},
+    {"disconnected", [](Robot& robot) { robot.mover.disconnected(); }},
+    {"reconnected",
+     [](Robot& robot) {
+       robot.mover.disconnected();
+       ++robot.client.connections;
+       robot.mover.connected();
+     }},
+    {"version 1",
+     [](Robot& robot) {
+       robot.client.can_hold = false;
+       robot.client.present.protocol_version = 1;
+       robot.client.present.robot.capabilities.clear();
+     }},
+    {"reconnected unnoticed", [](Robot& robot) { ++robot.client.connections; }},
+    {"no robot", [](Robot& robot) { robot.client.problem = "there is no robot"; }},
+    {"an ERS-210", [](Robot& robot) { robot.client.present.robot.design = "ERS-210"; }},
+    {"no telemetry", [](Robot& robot) { robot.telemetry_wanted = false; }},
+    {"time passes", [](Robot& robot) { robot.pass(600ms); }},
+    {"held up", [](Robot& robot) { robot.now += 501ms; }},
+    {"fallen",
+     [](Robot& robot) {
+       robot.mover.robotChanged({MotorState::kOn, PostureNow::kFallen});
+     }},
+    {"lifted",
+     [](Robot& robot) {
+       robot.mover.robotChanged({MotorState::kOn, PostureNow::kCarried});
+     }},
+    {"walk fell",
+     [](Robot& robot) {
+       robot.mover.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it fell"});
+     }},
+    {"walk done",
+     [](Robot& robot) {
+       robot.mover.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+     }},
+    {"edge",
+     [](Robot& robot) {
+       robot.mover.ended({EndedKind::kWalk, EndedHow::kRefused, "walk", "an edge"});
+     }},
+    {"legs taken",
+     [](Robot& robot) {
+       robot.mover.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "a leg"});
+     }},
+    {"posture done",
+     [](Robot& robot) {
+       robot.mover.ended({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
+     }},
+    {"joints refused", [](Robot& robot) { robot.refuses(RefusedRequest::kJoints, RefusalCause::kRobot, "no"); }},
+    {"joint jams", [](Robot& robot) { robot.refuses(RefusedRequest::kJoints, RefusalCause::kJointFault, "a jam"); }},
+    {"walk refused",
+     [](Robot& robot) {
+       robot.refuses(RefusedRequest::kWalk, RefusalCause::kRobot, "no; let go first: send zero velocities");
+     }},
+    {"velocity too late", [](Robot& robot) { robot.refuses(RefusedRequest::kWalk, RefusalCause::kTooOld, "late"); }},
+};
+
+void happen(Robot& robot, const std::vector<std::string>& events) {
+  for (const std::string& event : events) {
+    kEvents.at(event)(robot);
+  }
+}
+
+// ---- Ends
+
+TEST(Ends, OfACommandAreThoseOfTheTable) {
+  const struct {
+    const char* end;
+    std::vector<std::string> events;
+    double measured;  // the joint is sent to 0.5 rad
+  } rows[] = {
+      {"DONE", {}, 0.47},
+      {"NOT_REACHED head_pan is 0.50 rad from where it was sent", {}, 0},
+      {"NOT_REACHED a jam (head_pan is 0.50 rad from where it was sent)", {"joint jams"}, 0},
+      {"REFUSED no", {"joints refused"}, 0},
+      {"REPLACED head_pan was commanded to go elsewhere", {"head command"}, 0},
+      {"STOPPED /panel called stop", {"stop"}, 0},
+      {"STOPPED the motors are off", {"motors go off"}, 0},
+      {"LOST the connection to the robot was lost; the movement will not be resumed", {"disconnected"}, 0},
+  };
+  for (const auto& row : rows) {
+    Robot robot;
+    const auto begun = robot.command("head_pan", 0.5);
+    happen(robot, row.events);
+    robot.pass(3200ms, row.measured);
+    EXPECT_EQ(textOf(begun), row.end);
+  }
+}
+
+const std::vector<std::pair<std::string, std::function<void(Robot&)>>> kMovements = {
+    {"command", [](Robot& robot) { robot.command("head_pan", 0.5); }},
+    {"trajectory", [](Robot& robot) { robot.follow("head_pan", 0.5); }},
+    {"leg", [](Robot& robot) { robot.command("left_front_knee", 0.5); }},
+    {"leg's trajectory", [](Robot& robot) { robot.follow("left_front_knee", 0.5); }},
+    {"motion", [](Robot& robot) { robot.play("NOD.MTN"); }},
+    {"posture", [](Robot& robot) { robot.sit(); }},
+    {"walk", [](Robot& robot) { robot.walk(); }},
+    {"goal", [](Robot& robot) { robot.walkToGoal(); }},
+};
+
+TEST(Ends, OfWhatIsUnderWayComeFromTheseEvents) {
+  const struct {
+    const char* event;
+    const char* ends;  // of each of kMovements; "-": it goes on, or the robot says how it ends
+  } rows[] = {
+      {"stop", "STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED"},
+      {"empty trajectory", "STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED"},
+      {"motors off", "STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED STOPPED"},
+      {"motors go off", "STOPPED STOPPED STOPPED STOPPED - - - -"},
+      {"disconnected", "LOST LOST LOST LOST LOST LOST LOST LOST"},
+      {"reconnected unnoticed", "LOST LOST LOST LOST LOST LOST LOST LOST"},
+      {"head command", "REPLACED REPLACED - - - - - -"},
+      {"head trajectory", "REPLACED REPLACED - - - - - -"},
+      {"leg command", "- - REPLACED REPLACED - - - -"},
+      {"leg trajectory", "- - REPLACED REPLACED - - - -"},
+      {"motion", "- REPLACED - REPLACED - - - -"},
+      {"motions stopped", "- - - - STOPPED - - -"},
+      {"sit", "- - REPLACED REPLACED - - - -"},
+      {"velocity", "- - REPLACED REPLACED - - - REPLACED"},
+      {"goal", "- - REPLACED REPLACED - - REPLACED REPLACED"},
+  };
+  for (const auto& row : rows) {
+    std::istringstream expected(row.ends);
+    for (const auto& [movement, begin] : kMovements) {
+      Robot robot;
+      begin(robot);
+      happen(robot, {row.event});
+      robot.mover.goOn();
+      std::string end;
+      expected >> end;
+      EXPECT_THAT(textOf(robot.ends.empty() ? nullptr : &robot.ends[0]), StartsWith(end))
+          << row.event << ", " << movement;
+    }
+  }
+}
+
+TEST(Ends, OfWhatTheRobotMovesAreWhatItSays) {
+  const struct {
+    EndedKind kind;
+    const char* name;
+    std::function<Mover::Begun(Robot&)> begin;
+  } rows[] = {{EndedKind::kMotion, "NOD.MTN", [](Robot& robot) { return robot.play("NOD.MTN"); }},
+              {EndedKind::kPosture, "sit", [](Robot& robot) { return robot.sit(); }},
+              {EndedKind::kWalk, "walk", [](Robot& robot) { return robot.walkToGoal(); }}};
+  for (const auto& row : rows) {
+    for (const EndedHow how :
+         {EndedHow::kDone, EndedHow::kReplaced, EndedHow::kStopped, EndedHow::kRefused, EndedHow::kFell}) {
+      Robot robot;
+      const Mover::Begun begun = row.begin(robot);
+      robot.mover.ended({EndedKind::kMotion, how, "WAG.MTN", ""});
+      robot.mover.ended({EndedKind::kJam, how, row.name, ""});
+      EXPECT_EQ(textOf(begun), "-") << row.name;
+      robot.mover.ended({row.kind, how, row.name, "of the robot"});
+      ASSERT_NE(begun.ended(), nullptr) << row.name;
+      EXPECT_EQ(begun.ended()->how, how) << row.name;
+      EXPECT_EQ(begun.ended()->reason, "of the robot");
+    }
+  }
+}
+
+TEST_F(MoverTest, JointsThatANewerCommandDoesNotNameGoOn) {
+  const auto both = mover.command(order(), {"head_pan", "mouth"}, {0.5, -0.2}, {});
+  command("head_pan", 0.1, "/other");
+  EXPECT_EQ(textOf(both), "-");
+  EXPECT_THAT(mover.jointsOf(both.id), ElementsAre("mouth"));
+}
+
+TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
+  EXPECT_EQ(command("head_pan", 0.5).id, command("head_pan", 0.4).id);
+  EXPECT_THAT(mover.state().movements, SizeIs(1));
+  mover.command(order(), {"head_pan"}, {0.3}, {}, Kind::kLookAt);
+  EXPECT_THAT(lastEnd(), StartsWith("REPLACED")) << "a look is another movement";
+}
+
+TEST_F(MoverTest, ARefusalEndsTheOrderThatItNames) {
+  const auto older = command("head_pan", 0.5);
+  const auto newer = command("head_pan", 0.4, "/other");
+  refuses(RefusedRequest::kJoints, RefusalCause::kTooOld, "too old", older.id);
+  EXPECT_EQ(textOf(newer), "-");
+  refuses(RefusedRequest::kJoints, RefusalCause::kReplaced, "a motion plays", newer.id);
+  EXPECT_EQ(textOf(newer), "REPLACED a motion plays");
+}
+
+TEST_F(MoverTest, AStreamThatIsRefusedAgainAndAgainHasOneEnd) {
+  client.problem = "there is no robot";
+  for (int i = 0; i < 10; ++i, now += 100ms) {
+    command("head_pan", 0.1 * i);
+    steer(0.1);
+  }
+  EXPECT_THAT(ends, SizeIs(2));
+  command("head_pan", 0, "/other");
+  EXPECT_THAT(ends, SizeIs(3)) << "of another node";
+  now += 500ms;
+  command("head_pan", 0);
+  EXPECT_THAT(ends, SizeIs(4)) << "after a pause";
+  play("NOD.MTN");
+  play("NOD.MTN");
+  EXPECT_THAT(ends, SizeIs(6)) << "each call has its answer";
+}
+
+TEST_F(MoverTest, TheLatest64EndsAreRemembered) {
+  for (int i = 0; i < 70; ++i) {
+    play(std::to_string(i));
+    mover.stopMotion(order(), "");
+  }
+  ASSERT_THAT(mover.state().ended, SizeIs(64));
+  EXPECT_EQ(mover.state().ended.back().movement.name, "69");
+  EXPECT_EQ(mover.state().ends, 70u);
+}
+
+// ---- Orders that do not act
+
+const std::vector<std::pair<std::string, std::function<void(Robot&, const Order&)>>> kOrders = {
+    {"command", [](Robot& robot, const Order& order) { robot.mover.command(order, {"head_pan"}, {0.5}, {}); }},
+    {"trajectory",
+     [](Robot& robot, const Order& order) {
+       robot.mover.follow(order, {{"head_pan"}, {{1.0, {0.5}, {}}}}, 0ms);
+     }},
+    {"motion", [](Robot& robot, const Order& order) { robot.mover.play(order, "NOD.MTN", 1); }},
+    {"posture", [](Robot& robot, const Order& order) { robot.mover.takePosture(order, Posture::kSit); }},
+    {"velocity",
+     [](Robot& robot, const Order& order) {
+       robot.mover.steer(order, {0.1, 0, 0});
+     }},
+    {"goal", [](Robot& robot, const Order& order) { robot.mover.walkToGoal(order, "1 m ahead"); }},
+};
+
+TEST(Orders, AreRefusedForTheseReasonsAndMoveNothing) {
+  const struct {
+    const char* reason;
+    std::vector<std::string> before;     // the order comes
+    std::vector<std::string> meanwhile;  // before it acts
+  } rows[] = {
+      {"stopped by /panel; call release", {"stop"}, {}},
+      {"it came before /panel called stop", {}, {"stop", "release"}},
+      {"it came before /panel called release", {"stop"}, {"release"}},
+      {"it came before /panel called rest", {}, {"rest"}},
+      {"it came before /panel switched the motors off", {}, {"motors off"}},
+      {"it came before /panel switched the motors on", {}, {"motors on"}},
+      {"it came before the robot was connected", {}, {"reconnected unnoticed"}},
+      {"too old: it has waited for 0.6 s", {}, {"time passes"}},
+      {"it is an ERS-210", {"an ERS-210"}, {}},
+  };
+  for (const auto& row : rows) {
+    for (const auto& [name, give] : kOrders) {
+      Robot robot;
+      happen(robot, row.before);
+      const Order order = robot.order();
+      robot.pass(10ms);
+      happen(robot, row.meanwhile);
+      robot.told();
+      give(robot, order);
+      EXPECT_THAT(robot.lastEnd(), AllOf(StartsWith("REFUSED"), HasSubstr(row.reason))) << name;
+      EXPECT_THAT(robot.told(), IsEmpty()) << name;
+    }
+  }
+}
+
+TEST_F(MoverTest, AnOrderThatCameAfterACallActsEvenIfTheCallHadToWait) {
+  const std::function<void(const Order&)> calls[] = {
+      [this](const Order& call) { mover.takePosture(call, Posture::kSit); },
+      [this](const Order& call) { mover.setMotors(call, false); },
+      [this](const Order& call) { mover.setMotors(call, true); },
+      [this](const Order& call) { mover.hold(call, "an empty trajectory came"); },
+      [this](const Order& call) { mover.release(call); }};
+  for (const auto& call : calls) {
+    const Order earlier = order();
+    pass(32ms);
+    const Order later = order();
+    pass(32ms);
+    call(earlier);
+    EXPECT_EQ(textOf(mover.command(later, {"head_pan"}, {0.5}, {})), "-");
+  }
+}
+
+// The client drops it then; the robot never gets it.
+TEST(Orders, ThatWaitInTheClientGetTooOldHalfASecondAfterTheyCame) {
+  for (const auto& [name, give] : kOrders) {
+    Robot robot;
+    const Order order = robot.order();
+    give(robot, order);
+    EXPECT_EQ(robot.client.terms.not_after - order.received, 500ms) << name;
+  }
+}
+
+TEST_F(MoverTest, AnOrderThatNamesMoreThan1000JointsIsNotRead) {
+  const std::vector<std::string> names(1001, "head_pan");
+  const std::vector<double> positions(1001, 0.1);
+  const std::string refusal = "REFUSED it names 1001, and at most 1000 names are allowed";
+  EXPECT_EQ(textOf(mover.command(order(), names, positions, {})), refusal);
+  EXPECT_EQ(textOf(mover.follow(order(), {names, {{1.0, positions, {}}}}, 0ms)), refusal);
+}
+
+TEST_F(MoverTest, JointsThatAreLeftOutAreNamedInOneShortPlainLine) {
+  mover.command(order(), {"head_pan", "a", "b", "c", "d"}, {0.1, 0, 0, 0, 0}, {});
+  EXPECT_THAT(warnings, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
+                                    "'c'. and 1 more"));
+  EXPECT_EQ(textOf(command("a", 0.1)), "REFUSED The ERS-7 has no joint 'a'");
+  EXPECT_THAT(textOf(follow("a\n\x1b[31m", 0)), Not(AnyOf(HasSubstr("\n"), HasSubstr("\x1b"))));
+  EXPECT_LE(textOf(follow(std::string(100000, 'a'), 0)).size(), 1020u);
+}
+
+// ---- Stop and release
+
+TEST_F(MoverTest, AStopLastsUntilRelease) {
+  mover.stop(order("/panel"));
+  EXPECT_THAT(told(), ElementsAre("hold"));
+  happen(*this, {"reconnected"});
+  EXPECT_EQ(mover.state().stopped_by, "/panel") << "over another connection";
+  EXPECT_THROW(mover.setMotors(order(), true), CommandException);
+  mover.setMotors(order(), false);
+  mover.takePosture(order(), Posture::kRest);
+  EXPECT_THAT(told(), ElementsAre("motors off", "rest")) << "these are allowed";
+  mover.release(order());
+  EXPECT_FALSE(mover.state().stopped_by);
+  pass(100ms);
+  EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
+  command("head_pan", 0.5);
+  EXPECT_THAT(told(), SizeIs(1));
+}
+
+TEST_F(MoverTest, NothingIsSentWhileTheRobotIsToldToStop) {
+  const auto trajectory = follow("head_pan", 0.5);
+  const auto goal = walkToGoal();
+  told();
+  client.meanwhile = [&] {
+    EXPECT_EQ(textOf(command("mouth", -0.1)), "REFUSED stopped by /panel; call release");
+    pass(100ms);
+    mover.walkOn(goal.id, {0.1, 0, 0});
+    EXPECT_THROW(mover.release(order()), CommandException);
+    EXPECT_EQ(textOf(trajectory), "-") << "the robot has not answered";
+  };
+  mover.stop(order("/panel"));
+  EXPECT_THAT(told(), ElementsAre("hold"));
+  EXPECT_EQ(textOf(trajectory), "STOPPED /panel called stop");
+}
+
+TEST(Stop, ThatDoesNotReachTheRobotRefusesOrdersAllTheSame) {
+  const std::pair<const char*, std::function<void()>> rows[] = {
+      {"UNKNOWN /panel called stop, but the robot has not answered: no answer within 2000 ms", doNotAnswer},
+      {"LOST there is no robot", [] { throw NetworkException("there is no robot."); }}};
+  for (const auto& [end, fail] : rows) {
+    Robot robot;
+    const auto moving = robot.command("head_pan", 0.5);
+    robot.client.meanwhile = fail;
+    EXPECT_THROW(robot.mover.stop(robot.order("/panel")), aibo_client::Exception);
+    EXPECT_EQ(textOf(moving), end);
+    EXPECT_EQ(textOf(robot.command("head_pan", 0.5)), "REFUSED stopped by /panel; call release");
+    robot.mover.release(robot.order());
+    EXPECT_EQ(textOf(robot.command("head_pan", 0.5)), "-");
+  }
+}
+
+TEST_F(MoverTest, WhatBeginsDuringAStopIsStopped) {
+  client.meanwhile = [this] { mover.stop(order("/panel")); };
+  EXPECT_EQ(textOf(play("NOD.MTN")), "STOPPED /panel called stop");
+  EXPECT_THAT(told(), ElementsAre("play NOD.MTN 1", "hold", "stop NOD.MTN"));
+  mover.release(order());
+  client.meanwhile = [this] { mover.stop(order("/panel")); };
+  EXPECT_EQ(textOf(sit()), "STOPPED /panel called stop");
+  EXPECT_THAT(told(), ElementsAre("sit", "hold", "hold"));
+  mover.release(order());
+  client.meanwhile = [this] {
+    mover.stop(order("/panel"));
+    client.problem = "there is no robot";
+  };
+  play("NOD.MTN");
+  EXPECT_THAT(warnings, ElementsAre("The motion NOD.MTN may go on: there is no robot"));
+}
+
+TEST_F(MoverTest, WhatTheRobotReportsDuringAStopHasTheReasonOfTheStop) {
+  const auto motion = play("NOD.MTN");
+  const auto head = command("head_pan", 0.4);
+  client.meanwhile = [this] {
+    mover.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "the client holds it"});
+    refuses(RefusedRequest::kJoints, RefusalCause::kStopped, "a stop came before it was sent");
+  };
+  mover.stop(order("/panel"));
+  EXPECT_EQ(textOf(motion), "STOPPED /panel called stop");
+  EXPECT_EQ(textOf(head), "STOPPED /panel called stop");
+}
+
+TEST_F(MoverTest, CancellingEndsOneMovementAndHoldsItsJoints) {
+  const auto trajectory = follow("head_pan", 0.5);
+  const auto waiting = mover.follow(order(), {{"mouth"}, {{1.0, {-0.2}, {}}}}, 5s);
+  const auto posture = sit();
+  told();
+  mover.cancel(trajectory.id, "the goal was cancelled");
+  EXPECT_EQ(textOf(trajectory), "STOPPED the goal was cancelled");
+  EXPECT_THAT(told(), ElementsAre("hold 2"));
+  mover.cancel(waiting.id, "the goal was cancelled");
+  EXPECT_EQ(textOf(waiting), "STOPPED the goal was cancelled");
+  EXPECT_THAT(told(), IsEmpty()) << "it moved nothing yet";
+  EXPECT_EQ(textOf(posture), "-");
+  mover.cancel(posture.id, "the goal was cancelled");
+  EXPECT_THAT(told(), ElementsAre(StartsWith("hold 11"))) << "the legs";
+  mover.cancel(posture.id, "the goal was cancelled");
+  EXPECT_THAT(told(), IsEmpty()) << "it is over";
+}
+
+// A version 1 server has no request to hold: each joint is sent to a place to hold, so that none turns back.
+TEST_F(MoverTest, AVersion1ServerHoldsWhereATrajectoryWasSentAndACommandShouldBe) {
+  happen(*this, {"version 1"});
+  follow("head_pan", 0.5);
+  told();
+  mover.stop(order());
+  EXPECT_THAT(told(), ElementsAre("J 2:0.05 in 0")) << "96 ms ahead";
+  mover.release(order());
+  measure(0.5);
+  command("head_pan", -1);
+  told();
+  mover.stop(order());
+  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
+}
+
+TEST_F(MoverTest, AVersion1ServerIsToldToEndItsMotionsIfOneWasPlayed) {
+  happen(*this, {"version 1"});
+  mover.stop(order());
+  EXPECT_THAT(told(), IsEmpty());
+  mover.release(order());
+  play("NOD.MTN");
+  told();
+  mover.stop(order());
+  EXPECT_THAT(told(), ElementsAre("stop "));
+}
+
+// ---- Motors
+
+TEST_F(MoverTest, TheMotorsAreWhatTheRobotSaysAndUnknownWithoutAConnection) {
+  EXPECT_TRUE(mover.setMotors(order(), true));
+  EXPECT_EQ(mover.state().robot.motors, MotorState::kOn);
+  client.motors_work = false;
+  EXPECT_FALSE(mover.setMotors(order(), true));
+  EXPECT_EQ(mover.state().robot.motors, MotorState::kOff);
+  mover.disconnected();
+  EXPECT_EQ(mover.state().robot, aibo_client::MotorsAndPosture());
+}
+
+TEST(Joints, AreApproachedSlowlyAfterWhateverMayHaveMovedThem) {
+  const std::vector<std::string> rows[] = {
+      {"reconnected"},    {"motors on"},           {"motors go off"},
+      {"joints refused"}, {"sit", "posture done"}, {"goal", "walk done"},
+  };
+  for (const auto& events : rows) {
+    Robot robot;
+    robot.command("head_pan", 0.0);
+    robot.command("head_pan", 0.2);  // it has arrived at 0
+    EXPECT_THAT(robot.client.told, Contains("V 2:3.00"));
+    happen(robot, events);
+    robot.client.told.clear();
+    robot.command("head_pan", 1.0);
+    EXPECT_THAT(robot.client.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0")) << events[0];
+  }
+}
+
+TEST_F(MoverTest, AJointThatIsStoppedOnItsApproachBeginsItAgain) {
+  command("head_pan", 1.0);
+  mover.stop(order());
+  now += 10s;
+  mover.release(order());
+  client.told.clear();
+  command("head_pan", 1.0);
+  EXPECT_THAT(client.told, ElementsAre("J 2:1.00 in 0")) << "its speed limit is still 0.5 rad/s";
+}
+
+// ---- Motions and postures
+
+TEST_F(MoverTest, AMotionPlaysAtTheRobotsOwnSpeedsAndCommandsKeepTheirs) {
+  play("NOD.MTN");
+  EXPECT_EQ(client.told.back(), "play NOD.MTN 1");
+  client.told.pop_back();
+  EXPECT_THAT(client.told, SizeIs(table.size()));
+  EXPECT_THAT(client.told, Each(StartsWith("V ")));
+  client.told.clear();
+  command("head_pan", 0.1);
+  EXPECT_THAT(client.told, ElementsAre("V 2:0.50", "J 2:0.10 in 0"));
+}
+
+TEST(Motion, ThatDoesNotBeginEndsByWhatFailed) {
+  const std::pair<const char*, std::function<void()>> rows[] = {
+      {"REFUSED There is none", [] { throw CommandException("There is none."); }},
+      {"REFUSED it was not sent", [] { throw TimeoutException("it was not sent."); }},
+      {"REFUSED it was not sent", [] { throw NetworkException("it was not sent."); }},
+      {"LOST it broke", [] { throw NetworkException("it broke.", FaultKind::kNone, true); }},
+      {"-", doNotAnswer}};  // it may play or not
+  for (const auto& [end, fail] : rows) {
+    Robot robot;
+    robot.client.meanwhile = fail;
+    EXPECT_EQ(textOf(robot.play("NOD.MTN")), end);
+  }
+}
+
+TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
+  client.meanwhile = doNotAnswer;
+  const auto plays = play("NOD.MTN");
+  EXPECT_TRUE(plays.is_uncertain);
+  EXPECT_EQ(plays.remark, "no answer within 2000 ms");
+  EXPECT_THAT(mover.state().movements, SizeIs(1));
+  mover.answeredLate({plays.id, true, "", ""});
+  EXPECT_EQ(textOf(plays), "-");
+  mover.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
+  EXPECT_EQ(textOf(plays), "DONE");
+  client.meanwhile = doNotAnswer;
+  const auto refused = play("NOD.MTN");
+  mover.answeredLate({refused.id, false, "There is none.", ""});
+  EXPECT_EQ(textOf(refused), "REFUSED There is none");
+}
+
+TEST_F(MoverTest, TheEndOfAMotionIsUnknownIfTheRobotDoesNotSayIt) {
+  happen(*this, {"version 1"});
+  EXPECT_EQ(textOf(play("NOD.MTN")), "UNKNOWN this robot does not say when a motion ends");
+}
+
+TEST_F(MoverTest, AMotionMayEndBeforeItsCallReturns) {
+  client.meanwhile = [this] { mover.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""}); };
+  EXPECT_EQ(textOf(play("NOD.MTN")), "DONE");
+}
+
+TEST_F(MoverTest, StoppingOneMotionLeavesTheOthers) {
+  const auto nod = play("NOD.MTN");
+  const auto wag = play("WAG.MTN");
+  mover.stopMotion(order("/panel"), "NOD.MTN");
+  EXPECT_EQ(client.told.back(), "stop NOD.MTN");
+  EXPECT_EQ(textOf(nod), "STOPPED /panel stopped it");
+  EXPECT_EQ(textOf(wag), "-");
+}
+
+TEST_F(MoverTest, TheEndOfAnOlderPostureIsNotThatOfTheNextOne) {
+  sit();
+  mover.stop(order());
+  mover.release(order());
+  const auto stand = mover.takePosture(order(), Posture::kStand);
+  mover.ended({EndedKind::kPosture, EndedHow::kStopped, "sit", ""});
+  EXPECT_EQ(textOf(stand), "-");
+}
+
+// ---- Trajectories
+
+TEST(Trajectory, IsRefusedUnlessItsJointsAreMeasured) {
+  const struct {
+    const char* end;
+    int version;
+    milliseconds age;
+  } rows[] = {
+      {"-", 2, 300ms},
+      {"REFUSED head_pan was last measured 0.4 s ago", 2, 400ms},
+      {"-", 1, 2000ms},
+      {"REFUSED head_pan was last measured 2.1 s ago", 1, 2100ms},
+  };
+  for (const auto& row : rows) {
+    Robot robot;
+    robot.client.present.protocol_version = row.version;
+    robot.now += row.age;
+    EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), StartsWith(row.end));
+  }
+  Robot robot;
+  robot.telemetry_wanted = false;
+  EXPECT_THAT(textOf(robot.follow("head_pan", 0.5)), StartsWith("REFUSED telemetry_rate is 0"));
+}
+
+TEST_F(MoverTest, ATrajectorySaysWhereItWantsItsJointsAndWhenItEnds) {
+  const auto trajectory = follow("head_pan", 0.5);
+  EXPECT_EQ(mover.state().movements.at(0).end, now + 1s);
+  ASSERT_THAT(mover.wantedBy(trajectory.id, now + 100ms), SizeIs(1));
+  EXPECT_NEAR(mover.wantedBy(trajectory.id, now + 100ms)[0].position, 0.05, 1e-9);
+}
+
+TEST_F(MoverTest, ATrajectoryThatIsTooFastIsSlowedDownIfThatIsWanted) {
+  const TrajectoryRequest too_fast{{"head_pan"}, {{0.1, {0.6}, {}}}};
+  EXPECT_THAT(textOf(mover.follow(order(), too_fast, 0ms)), StartsWith("REFUSED"));
+  Mover slow{table, measured, client, 0.5, true, [] { return true; }, [this] { return now; }};
+  EXPECT_THAT(slow.follow(order(), too_fast, 0ms).remark, StartsWith("slowed down 2.0"));
+}
+
+TEST_F(MoverTest, ATrajectoryDoesNotGoOnAfterTheDriverWasHeldUpForHalfASecond) {
+  const auto trajectory = follow("head_pan", 0.5);
+  pass(200ms);
+  told();
+  now += 501ms;
+  measure(0.1);
+  mover.goOn();
+  EXPECT_EQ(textOf(trajectory), "REFUSED the driver was held up");
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, ATrajectoryWhoseStepCannotBeSentIsLost) {
+  const auto trajectory = follow("head_pan", 0.5);
+  client.problem = "there is no robot";
+  pass(32ms);
+  EXPECT_EQ(textOf(trajectory), "LOST there is no robot");
+}
+
+// ---- Walking by velocities
+
+TEST(Walk, HasToBeLetGoFirstAfterTheseEvents) {
+  const struct {
+    std::string reason;
+    std::vector<std::string> events;
+  } rows[] = {
+      {"/panel called stop", {"stop", "release"}},
+      {"the connection is a new one", {"reconnected"}},
+      {"/user called sit", {"sit"}},
+      {"/panel switched the motors off", {"motors off"}},
+      {"the motors are off", {"motors go off"}},
+      {"/other moves left_front_knee", {"leg command"}},
+      {"/user moves left_front_knee", {"leg trajectory"}},
+      {"/user sends the robot to a goal", {"goal"}},
+      {"it fell", {"walk fell"}},
+      {"an edge", {"edge"}},
+      {"a leg", {"legs taken"}},
+      {"the robot was lifted", {"lifted"}},
+      {"the robot has fallen", {"fallen"}},
+      {"no", {"walk refused"}},
+  };
+  for (const auto& row : rows) {
+    for (const bool by_a_zero : {true, false}) {
+      Robot robot;
+      robot.walk();
+      happen(robot, row.events);
+      robot.told();
+      robot.now += 100ms;
+      robot.steer(0.1);
+      EXPECT_THAT(robot.told(), IsEmpty()) << row.reason;
+      EXPECT_EQ(robot.lastEnd(), "REFUSED " + row.reason + kLetGo);
+      by_a_zero ? robot.steer(0) : robot.pass(500ms);
+      robot.told();
+      robot.steer(0.1);
+      EXPECT_THAT(robot.told(), ElementsAre("steer 0.10 0.00 0.00")) << row.reason;
+    }
+  }
+}
+
+TEST_F(MoverTest, AStreamThatBeginsWhileStoppedHasToLetGoToo) {
+  mover.stop(order("/panel"));
+  steer(0.1);
+  mover.release(order("/panel"));
+  told();
+  steer(0.1);
+  EXPECT_EQ(lastEnd(), std::string("REFUSED the robot was stopped") + kLetGo);
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST(Walk, GoesOnAfterTheseEvents) {
+  const std::vector<std::string> rows[] = {
+      {"head command"}, {"head trajectory"}, {"no telemetry", "leg trajectory"}, {"release"}, {"velocity too late"},
+  };
+  for (const auto& events : rows) {
+    Robot robot;
+    robot.walk();
+    happen(robot, events);
+    robot.told();
+    robot.steer(0.1);
+    EXPECT_THAT(robot.told(), ElementsAre("steer 0.10 0.00 0.00")) << events.back();
+    EXPECT_EQ(robot.mover.state().movements.at(0).kind, Kind::kWalk) << events.back();
+  }
+}
+
+TEST_F(MoverTest, AWalkBrakesAtAVelocityOf0AndIsDoneWhenTheRobotSaysSo) {
+  walk();
+  steer(0);
+  mover.steered({}, client.steering_order);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00", "steer 0.00 0.00 0.00"));
+  EXPECT_THAT(mover.state().movements, SizeIs(1));
+  mover.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(lastEnd(), "DONE");
+}
+
+TEST_F(MoverTest, AVelocityOf0IsNotSentToARobotThatDoesNotWalk) {
+  sit();
+  told();
+  steer(0);
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST_F(MoverTest, AWalkThatIsNotSteeredAnyMoreStopsAndSaysWhy) {
+  walk();
+  told();
+  mover.stopWalking("no cmd_vel came for 0.5 s");
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
+  mover.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(lastEnd(), "STOPPED no cmd_vel came for 0.5 s");
+  walk();
+  mover.stopWalking("no cmd_vel came for 0.5 s");
+  happen(*this, {"walk fell"});
+  EXPECT_EQ(lastEnd(), "FELL it fell") << "while it brakes";
+}
+
+TEST_F(MoverTest, AWalkThatHasNotBegunEndsByItsRefusalOrWhenItIsLetGo) {
+  steer(0.1);
+  refuses(RefusedRequest::kWalk, RefusalCause::kRobot, "the motors are off");
+  EXPECT_EQ(lastEnd(), "REFUSED the motors are off");
+  steer(0);
+  steer(0.1);
+  steer(0);
+  mover.steered({}, client.steering_order);
+  EXPECT_EQ(lastEnd(), "STOPPED it was let go before the robot walked");
+}
+
+TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
+  walk();
+  command("left_front_knee", 0.1);
+  mover.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", ""});
+  steer(0);
+  steer(0.1);
+  mover.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", ""});  // late, of the first one
+  EXPECT_THAT(mover.state().movements, Contains(::testing::Field(&Movement::kind, Kind::kWalk)));
+}
+
+TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses) {
+  walk();
+  steer(0.1, "/navigation");
+  EXPECT_THAT(ends, IsEmpty());
+  pass(600ms);
+  steer(0.1, "/navigation");
+  EXPECT_EQ(lastEnd(), "REPLACED /navigation steers now");
+  EXPECT_EQ(mover.state().movements.at(0).source, "/navigation");
+}
+
+TEST_F(MoverTest, AWalkAndAPostureGetTheFullSpeedOfTheLegs) {
+  command("left_front_knee", 0.1);
+  client.told.clear();
+  steer(0.1);
+  EXPECT_EQ(std::count_if(client.told.begin(), client.told.end(), [](const auto& text) { return text[0] == 'V'; }), 12);
+}
+
+// ---- Walking to a goal
+
+TEST_F(MoverTest, AGoalIsReachedWhenTheRobotStandsThere) {
+  const auto goal = mover.walkToGoal(order(), "1 m ahead");
+  EXPECT_EQ(mover.state().movements.at(0).name, "1 m ahead");
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it lets go of an earlier walk";
+  EXPECT_TRUE(mover.walkOn(goal.id, {0.1, 0, 0}));
+  mover.steered({0.1, 0, 0}, client.steering_order);
+  EXPECT_TRUE(mover.walkOn(goal.id, {}));
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00", "steer 0.00 0.00 0.00"));
+  mover.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  EXPECT_EQ(textOf(goal), "DONE");
+  EXPECT_FALSE(mover.walkOn(goal.id, {0.1, 0, 0}));
+}
+
+TEST_F(MoverTest, AGoalWhereTheRobotIsAlreadyIsDoneAtOnce) {
+  const auto goal = mover.walkToGoal(order(), "here");
+  told();
+  EXPECT_FALSE(mover.walkOn(goal.id, {}));
+  EXPECT_EQ(textOf(goal), "DONE");
+  EXPECT_THAT(told(), IsEmpty());
+}
+
+TEST(Goal, IsNotWalkedToAfterTheseEvents) {
+  const struct {
+    const char* end;
+    const char* event;
+  } rows[] = {
+      {"STOPPED /panel called stop", "stop"},
+      {"LOST the connection to the robot was lost", "reconnected"},
+      {"LOST the connection to the robot was lost", "reconnected unnoticed"},
+      {"LOST there is no robot", "no robot"},
+      {"REFUSED the driver was held up", "held up"},
+      {"REFUSED an edge", "edge"},
+      {"FELL it fell", "walk fell"},
+      {"REPLACED /teleop steers now", "velocity"},
+      {"REPLACED /user sends the robot to a goal", "goal"},
+  };
+  for (const auto& row : rows) {
+    Robot robot;
+    const auto goal = robot.walkToGoal();
+    happen(robot, {row.event});
+    robot.told();
+    EXPECT_FALSE(robot.mover.walkOn(goal.id, {0.1, 0, 0})) << row.event;
+    EXPECT_THAT(robot.told(), Not(Contains("steer 0.10 0.00 0.00"))) << row.event;
+    EXPECT_THAT(textOf(goal), StartsWith(row.end));
+  }
+}
+
+TEST(Goal, ThatIsCancelledOrStoppedByAVelocityOf0Brakes) {
+  const std::pair<const char*, std::function<void(Robot&, MovementId)>> rows[] = {
+      {"STOPPED the goal was cancelled",
+       [](Robot& robot, MovementId goal) { robot.mover.cancel(goal, "the goal was cancelled"); }},
+      {"STOPPED /teleop sent a velocity of 0", [](Robot& robot, MovementId) { robot.steer(0); }}};
+  for (const auto& [end, happen] : rows) {
+    Robot robot;
+    const auto goal = robot.walkToGoal();
+    robot.told();
+    happen(robot, goal.id);
+    EXPECT_TRUE(robot.mover.walkOn(goal.id, {0.1, 0, 0})) << "the robot has not said that it stands";
+    EXPECT_THAT(robot.told(), ElementsAre("steer 0.00 0.00 0.00"));
+    robot.mover.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+    EXPECT_EQ(textOf(goal), end);
+  }
+}
+
+TEST_F(MoverTest, ANewGoalIsWalkedToWithoutAStopInBetween) {
+  walkToGoal();
+  told();
+  const auto second = mover.walkToGoal(order("/other"), "2 m ahead");
+  EXPECT_THAT(told(), IsEmpty());
+  EXPECT_TRUE(mover.walkOn(second.id, {0.05, 0, 0}));
+}
+
+TEST_F(MoverTest, WhoSteeredBeforeAGoalHasToLetGoFirst) {
+  walk();
+  const auto goal = walkToGoal();
+  steer(0.05);
+  EXPECT_THAT(lastEnd(), HasSubstr("let go first"));
+  mover.stopWalking("no cmd_vel came for 0.5 s");
+  EXPECT_EQ(textOf(goal), "-");
+}
+
+// ---- What a listener is told
+
+TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
+  int changes = 0;
+  int begins = 0;
+  mover.setListener({[&] { ++changes; }, [&] { ++begins; }, nullptr, nullptr});
+  command("head_pan", 0.5);
+  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(begins, 1);
+  EXPECT_TRUE(mover.goOn());
+  follow("head_pan", 0.5);
+  EXPECT_EQ(begins, 2);
+  mover.stop(order());
+  EXPECT_FALSE(mover.goOn());
+}
 
 TEST(Movement, IsDescribedInWordsThatBeginASentence) {
   const std::vector<std::string> joints{"head_pan", "mouth"};
   EXPECT_EQ(describe({Kind::kCommand, "", "/user", joints, {}}), "The command of head_pan, mouth");
-  EXPECT_EQ(describe({Kind::kCommand, "", "/user", {}, {}}), "The command");
   EXPECT_EQ(describe({Kind::kTrajectory, "", "/user", joints, {}}), "The trajectory of head_pan, mouth");
   EXPECT_EQ(describe({Kind::kMotion, "NOD.MTN", "/user", {}, {}}), "The motion NOD.MTN");
   EXPECT_EQ(describe({Kind::kWalk, "", "/user", {}, {}}), "The walk");
   EXPECT_EQ(describe({Kind::kPosture, "sit", "/user", {}, {}}), "The posture sit");
   EXPECT_EQ(describe({Kind::kLookAt, "", "/user", joints, {}}), "The look_at");
-}
-
-// ---- Ends
-
-TEST_F(MoverTest, ACommandIsDoneWhenItsJointIsMeasuredThere) {
-  const auto begun = command("head_pan", 0.5);
-  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].source, "/user");
-  pass(milliseconds(1200), 0.47);
-  EXPECT_EQ(endOf(begun), EndedHow::kDone);
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-  EXPECT_THAT(ends_, SizeIs(1));
-  EXPECT_EQ(mover_.state().ended.back().movement.joints, std::vector<std::string>{"head_pan"});
-}
-
-TEST_F(MoverTest, ACommandWhoseJointDoesNotMoveIsNotReached) {
-  const auto begun = command("head_pan", 0.5);
-  pass(milliseconds(3200), 0.0);
-  EXPECT_EQ(endOf(begun), EndedHow::kNotReached);
-  EXPECT_EQ(reasonOf(begun), "head_pan is 0.50 rad from where it was sent");
-}
-
-TEST_F(MoverTest, SaysThatItHasChangedAndWhenItHasToGoOn) {
-  command("head_pan", 0.5);
-  EXPECT_EQ(moving_, 1u);
-  follow("left_front_rotator", 0.1, 1.0);
-  EXPECT_EQ(moving_, 2u);
-  EXPECT_THAT(shown_.movements, SizeIs(2));
-  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
-  EXPECT_EQ(shown_.robot.posture, PostureNow::kStanding);
-  mover_.stop(order("/panel"));
-  EXPECT_THAT(shown_.movements, IsEmpty());
-  EXPECT_THAT(ends_, SizeIs(2));
-  EXPECT_EQ(shown_.stopped_by, "/panel");
-}
-
-TEST_F(MoverTest, MovesAndHoldsEveryJoint) {
-  useVersion1();
-  std::vector<std::string> names;
-  std::vector<double> positions;
-  aibo_client::Telemetry there;
-  for (const JointProperties& joint : table_.joints()) {
-    names.push_back(joint.name);
-    positions.push_back(joint.lowest);
-    there.joints.push_back({joint.id, joint.lowest});
-  }
-  const std::vector<std::string> backwards(names.rbegin(), names.rend());
-  const auto commanded = mover_.command(order(), backwards, {positions.rbegin(), positions.rend()}, {});
-  EXPECT_EQ(mover_.jointsOf(commanded.id), names);
-  const std::vector<std::string> sent = told();
-  EXPECT_EQ(std::count(sent.back().begin(), sent.back().end(), ':'), 18);
-  mover_.stop(order());
-  EXPECT_EQ(commanded.ended()->movement.joints, names);
-  const std::vector<std::string> held = told();
-  ASSERT_THAT(held, SizeIs(1));
-  EXPECT_EQ(std::count(held[0].begin(), held[0].end(), ':'), 18);
-  mover_.release(order());
-  now_ += std::chrono::seconds(10);
-  const auto again = mover_.command(order(), names, positions, {});
-  EXPECT_EQ(mover_.command(order(), names, positions, {}).id, again.id);
-  now_ += std::chrono::seconds(10);
-  there.arrival = now_;
-  there.joints.front().position += 0.2;
-  there.joints.back().position += 0.3;
-  measured_.update(there);
-  EXPECT_FALSE(mover_.goOn());
-  EXPECT_EQ(reasonOf(again),
-            "neck_tilt is 0.20 rad from where it was sent, tail_tilt is 0.30 rad from where it was sent");
-  EXPECT_EQ(again.ended()->movement.joints, names);
-  const auto refused = mover_.command({"/user", now_ - std::chrono::hours(1)}, backwards, positions, {});
-  EXPECT_EQ(refused.ended()->movement.joints, names);
-}
-
-TEST_F(MoverTest, WhatTheRobotRefusesIsRefused) {
-  const auto commanded = command("head_pan", 0.5);
-  const auto other = command("head_tilt", 0.1);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", commanded.id});
-  EXPECT_EQ(endOf(commanded), EndedHow::kRefused);
-  EXPECT_EQ(reasonOf(commanded), "the motors are off");
-  EXPECT_THAT(ends_.back().movement.joints, ElementsAre("head_pan"));
-  EXPECT_EQ(other.ended(), nullptr);
-  EXPECT_THAT(mover_.jointsOf(other.id), ElementsAre("head_tilt"));
-  const auto followed = follow("head_pan", 0.5, 1.0);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {4, kHeadPan}, "the motors are off", 0});
-  EXPECT_EQ(reasonOf(followed), "the motors are off");
-  told();
-  mover_.goOn();
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverTest, ARefusalIsAboutTheOrderThatItNames) {
-  const auto older = command("head_pan", 0.5, "/older");
-  const auto newer = command("head_pan", 0.4, "/newer");
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kTooOld, {kHeadPan}, "too old", older.id});
-  EXPECT_EQ(newer.ended(), nullptr);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {1}, "a motion plays", 0});
-  EXPECT_EQ(newer.ended(), nullptr) << "it moves another joint";
-  mover_.refused({RefusedRequest::kLeds, RefusalCause::kRobot, {kHeadPan}, "no such LED", 0});
-  EXPECT_EQ(newer.ended(), nullptr);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {kHeadPan}, "a motion plays", 0});
-  EXPECT_EQ(endOf(newer), EndedHow::kReplaced);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "a stop came before", 0});
-  const auto last = command("head_pan", 0.4);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "another client has stopped it", 0});
-  EXPECT_EQ(reasonOf(last), "another client has stopped it") << "the driver is not stopping it";
-  const auto pan = command("head_pan", 0.4);
-  const auto tilt = command("neck_tilt", -0.4, "/other");
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kReplaced, {kHeadPan, 1}, "a motion plays", 0});
-  EXPECT_EQ(reasonOf(pan) + ", " + reasonOf(tilt), "a motion plays, a motion plays");
-}
-
-TEST_F(MoverTest, AJointThatDoesNotFollowIsTheReasonInTheEnd) {
-  const auto commanded = command("head_pan", 0.5);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kTailTilt, kHeadPan}, "head_pan is jammed", 0});
-  EXPECT_EQ(commanded.ended(), nullptr) << "it may become free";
-  pass(milliseconds(3200), 0.0);
-  EXPECT_EQ(endOf(commanded), EndedHow::kNotReached);
-  EXPECT_EQ(reasonOf(commanded), "head_pan is jammed (head_pan is 0.50 rad from where it was sent)");
-  const auto both = mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.5, 0.5}, {});
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kTailTilt, kHeadPan}, "head_pan is jammed", 0});
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kLeftFrontRotator}, "a leg is jammed", 0});
-  pass(milliseconds(3200), 0.5);
-  EXPECT_EQ(reasonOf(both), "a leg is jammed (left_front_rotator is 0.43 rad from where it was sent)")
-      << "the head became free";
-  const auto again = command("head_pan", 0.0);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kTailTilt, kHeadPan}, "head_pan is jammed", 0});
-  command("head_pan", 0.1);
-  pass(milliseconds(3200), 0.2);
-  EXPECT_EQ(reasonOf(again), "head_pan is 0.10 rad from where it was sent") << "it followed the second command";
-  const auto replaced = command("head_pan", 0.0);
-  mover_.refused({RefusedRequest::kJoints, RefusalCause::kJointFault, {kTailTilt, kHeadPan}, "head_pan is jammed", 0});
-  command("head_pan", 0.3, "/other");
-  EXPECT_EQ(reasonOf(replaced), "head_pan was commanded to go elsewhere");
-}
-
-TEST_F(MoverTest, ATrajectoryMayTakeLongerThanAHoldUp) {
-  const auto followed = follow("head_pan", 1.0, 2.0);
-  pass(milliseconds(1900), 0.9);
-  EXPECT_EQ(followed.ended(), nullptr);
-}
-
-TEST_F(MoverTest, TrajectoriesDoNotGoOnAfterAHoldUp) {
-  const auto followed = follow("head_pan", 1.0, 2.0);
-  pass(milliseconds(200), 0.1);
-  now_ += milliseconds(600);
-  measure(0.1);
-  told();
-  mover_.goOn();
-  EXPECT_EQ(endOf(followed), EndedHow::kRefused);
-  EXPECT_EQ(reasonOf(followed), "the driver was held up");
-  EXPECT_THAT(told(), IsEmpty());
-  now_ += std::chrono::hours(1);
-  measure(0.1);
-  const auto later = follow("head_pan", 1.0, 2.0);
-  mover_.goOn();
-  EXPECT_EQ(later.ended(), nullptr);
-  now_ += milliseconds(600);
-  measure(0.1);
-  EXPECT_EQ(follow("neck_tilt", -0.1, 1.0).ended(), nullptr);
-  EXPECT_EQ(reasonOf(later), "the driver was held up") << "even if an order comes first";
-}
-
-TEST_F(MoverTest, ANodeThatCommandsTheSameJointsAgainGoesOnWithItsMovement) {
-  const auto first = command("head_pan", 0.5);
-  const auto second = command("head_pan", 0.4);
-  EXPECT_EQ(first.id, second.id);
-  const auto other = command("head_pan", 0.3, "/other");
-  EXPECT_EQ(endOf(first), EndedHow::kReplaced);
-  EXPECT_EQ(reasonOf(first), "head_pan was commanded to go elsewhere");
-  EXPECT_EQ(other.ended(), nullptr);
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].source, "/other");
-  EXPECT_THAT(ends_, SizeIs(1));
-}
-
-TEST_F(MoverTest, ALookIsAnotherMovementThanACommandOfTheSameNodeToTheSameJoint) {
-  const auto commanded = command("head_pan", 0.5);
-  mover_.command(order(), {"head_pan"}, {0.4}, {}, Kind::kLookAt);
-  EXPECT_EQ(endOf(commanded), EndedHow::kReplaced);
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].kind, Kind::kLookAt);
-}
-
-TEST_F(MoverTest, ACommandEndsATrajectoryAndSaysSo) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  command("head_pan", 0.3);
-  EXPECT_EQ(reasonOf(followed), "head_pan was commanded to go elsewhere");
-  EXPECT_EQ(endOf(followed), EndedHow::kReplaced);
-  told();
-  mover_.goOn();
-  EXPECT_THAT(told(), IsEmpty()) << "no step of the trajectory";
-}
-
-TEST_F(MoverTest, ReadsNoOrderThatNamesFarMoreJointsThanARobotHas) {
-  std::vector<std::string> names(kMostNames, "head_pan");
-  std::vector<double> positions(kMostNames, 0.1);
-  EXPECT_EQ(mover_.command(order(), names, positions, {}).ended(), nullptr);
-  names.emplace_back("head_pan");
-  positions.push_back(0.1);
-  const std::string refusal = "it names 1001, and at most 1000 names are allowed";
-  EXPECT_EQ(reasonOf(mover_.command(order(), names, positions, {})), refusal);
-  TrajectoryRequest request;
-  request.joints = names;
-  request.points = {{1.0, positions, {}}};
-  EXPECT_EQ(reasonOf(mover_.follow(order(), request, std::chrono::seconds(0))), refusal);
-}
-
-TEST_F(MoverTest, TellsOfAllJointsThatWereLeftOutInOneLine) {
-  mover_.command(order(), {"head_pan", "a", "b", "c", "d"}, {0.1, 0, 0, 0, 0}, {});
-  EXPECT_THAT(warnings_, ElementsAre("The ERS-7 has no joint 'a'. The ERS-7 has no joint 'b'. The ERS-7 has no joint "
-                                     "'c'. and 1 more"));
-  EXPECT_EQ(reasonOf(follow("a\n\x1b[31mb", 0, 1)).find_first_of("\n\x1b"), std::string::npos);
-  EXPECT_LE(reasonOf(follow(std::string(100000, 'a'), 0, 1)).size(), 1010u);
-  const auto nothing = mover_.command(order(), {"a"}, {0.1}, {});
-  EXPECT_EQ(reasonOf(nothing), "The ERS-7 has no joint 'a'");
-  EXPECT_EQ(endOf(nothing), EndedHow::kRefused);
-}
-
-TEST_F(MoverTest, AJointThatIsLeftOutIsNoPartOfTheMovement) {
-  walk();
-  const auto incomplete = [this] {
-    return mover_.command(order(), {"head_pan", "left_front_rotator"}, {0.1, NAN}, {});
-  };
-  const auto first = incomplete();
-  EXPECT_THAT(mover_.state().movements.back().joints, ElementsAre("head_pan"));
-  EXPECT_EQ(incomplete().id, first.id) << "it goes on with its movement";
-  told();
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30")) << "the legs are the walk's";
-}
-
-TEST_F(MoverTest, NotesTheSameRefusalOfAStreamOnce) {
-  client_.problem = "there is no robot";
-  for (int i = 0; i < 10; ++i) {
-    EXPECT_EQ(reasonOf(command("head_pan", 0.1 * i)), "there is no robot");
-    now_ += milliseconds(100);
-  }
-  EXPECT_THAT(ends_, SizeIs(1));
-  now_ += milliseconds(500);
-  command("head_pan", 0);
-  EXPECT_THAT(ends_, SizeIs(2));
-  command("head_pan", 0, "/other");
-  command("head_tilt", 0);
-  mover_.command(order(), {"head_pan"}, {0.0}, {}, Kind::kLookAt);
-  mover_.command(order(), {"head_pan"}, {0.0}, {}, Kind::kLookAt);
-  EXPECT_THAT(ends_, SizeIs(5)) << "another node, another joint, another kind";
-  client_.problem = "another reason";
-  command("head_pan", 0);
-  EXPECT_THAT(ends_, SizeIs(6));
-  play("NOD.MTN");
-  play("NOD.MTN");
-  EXPECT_THAT(ends_, SizeIs(8)) << "each call has its answer";
-}
-
-TEST_F(MoverTest, RemembersTheLatestEnds) {
-  for (std::size_t i = 0; i < 2 * Mover::kEndsRemembered; ++i) {
-    follow("third_leg", 0, 1.0);
-    play("M" + std::to_string(i) + ".MTN");
-    mover_.stopMotion(order("/panel"), "");
-  }
-  EXPECT_THAT(ends_, SizeIs(4 * Mover::kEndsRemembered));
-  EXPECT_THAT(mover_.state().ended, SizeIs(Mover::kEndsRemembered));
-}
-
-TEST_F(MoverTest, AtMost32MotionsAndPosturesWaitForTheirEnds) {
-  for (std::size_t i = 0; i < Mover::kMostOfAKind; ++i) {
-    play("NOD.MTN");
-    mover_.takePosture(order(), Posture::kStand);
-  }
-  EXPECT_THAT(ends_, IsEmpty());
-  EXPECT_EQ(reasonOf(play("WAG.MTN")), "32 others of its kind have not ended yet, and no more may begin");
-  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kStand)), EndedHow::kRefused);
-  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
-  EXPECT_EQ(play("WAG.MTN").ended(), nullptr);
-}
-
-// ---- Stop and release
-
-TEST_F(MoverTest, NothingMovesTheRobotBetweenStopAndRelease) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  told();
-  mover_.stop(order("/panel"));
-  EXPECT_THAT(told(), ElementsAre("hold"));
-  EXPECT_EQ(endOf(followed), EndedHow::kStopped);
-  EXPECT_EQ(reasonOf(followed), "/panel called stop");
-  EXPECT_EQ(mover_.state().stopped_by, "/panel");
-  for (const auto& begun : {command("head_pan", 0.5), follow("head_pan", 0.5, 1.0), mover_.play(order(), "NOD.MTN", 1),
-                            mover_.takePosture(order(), Posture::kStand)}) {
-    EXPECT_EQ(endOf(begun), EndedHow::kRefused);
-    EXPECT_EQ(reasonOf(begun), "stopped by /panel; call release");
-  }
-  steer(0.1);
-  EXPECT_EQ(ends_.back().reason, "stopped by /panel; call release");
-  EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.setMotors(order(), true); }),
-              HasSubstr("call release"));
-  mover_.goOn();
-  EXPECT_THAT(told(), IsEmpty());
-  mover_.setMotors(order(), false);
-  mover_.takePosture(order(), Posture::kRest);
-  EXPECT_THAT(told(), ElementsAre("motors off", "rest"));
-  mover_.release(order());
-  EXPECT_FALSE(mover_.state().stopped_by);
-  command("head_pan", 0.5);
-  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0"));
-  mover_.stop(order("/panel"));
-  EXPECT_EQ(reasonOf(command("head_pan", 0.2)), "stopped by /panel; call release") << "a second time";
-  mover_.stop(order("/gamepad"));
-  mover_.disconnected();
-  ++client_.connections;
-  mover_.connected();
-  EXPECT_EQ(mover_.state().stopped_by, "/gamepad") << "also over another connection";
-}
-
-TEST_F(MoverTest, WhatWaitedWhileStoppedDoesNotMoveTheRobotAfterTheRelease) {
-  mover_.stop(order("/panel"));
-  const Order waiting = order();
-  now_ += milliseconds(100);
-  mover_.release(order("/panel"));
-  EXPECT_EQ(reasonOf(mover_.command(waiting, {"head_pan"}, {0.5}, {})), "it came before /panel called release");
-  const Order earlier = order();
-  now_ += milliseconds(100);
-  mover_.setMotors(order("/panel"), true);
-  EXPECT_EQ(reasonOf(mover_.command(earlier, {"head_pan"}, {0.5}, {})), "it came before /panel switched the motors on");
-}
-
-TEST_F(MoverTest, AStopEndsNothingBeforeTheRobotHolds) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  told();
-  client_.meanwhile = [&] {
-    EXPECT_EQ(followed.ended(), nullptr);
-    EXPECT_EQ(reasonOf(command("mouth", -0.1)), "stopped by /panel; call release") << "from the beginning";
-    now_ += milliseconds(100);
-    EXPECT_TRUE(mover_.goOn());
-    EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
-                HasSubstr("still being told"));
-    mover_.stop(order("/other"));
-    EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.release(order()); }),
-                HasSubstr("still being told"))
-        << "the robot has answered the second stop only";
-  };
-  mover_.stop(order("/panel"));
-  EXPECT_THAT(told(), ElementsAre("hold", "hold")) << "and no step of the trajectory";
-  EXPECT_EQ(endOf(followed), EndedHow::kStopped);
-}
-
-TEST_F(MoverTest, AStopThatTheRobotDoesNotAnswerRefusesOrdersAllTheSame) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  client_.meanwhile = doNotAnswer;
-  EXPECT_THAT(problem<TimeoutException>([this] { mover_.stop(order("/panel")); }), HasSubstr("no answer"));
-  EXPECT_EQ(endOf(followed), EndedHow::kUnknown);
-  EXPECT_EQ(reasonOf(command("head_pan", 0.5)), "stopped by /panel; call release");
-  client_.problem = "there is no robot";
-  EXPECT_EQ(problem<aibo_client::NetworkException>([this] { mover_.stop(order()); }), "there is no robot");
-  client_.problem.clear();
-  mover_.release(order());
-  EXPECT_EQ(command("head_pan", 0.5).ended(), nullptr);
-}
-
-TEST_F(MoverTest, AMotionThatBeginsDuringAStopIsStopped) {
-  client_.meanwhile = [this] { mover_.stop(order("/panel")); };
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  EXPECT_EQ(reasonOf(played), "/panel called stop");
-  EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
-  mover_.release(order());
-  client_.meanwhile = [this] { mover_.stop(order("/panel")); };
-  EXPECT_EQ(endOf(mover_.takePosture(order(), Posture::kSit)), EndedHow::kStopped);
-  EXPECT_EQ(client_.told.back(), "hold");
-}
-
-TEST_F(MoverTest, WhatCannotBeStoppedIsWarnedOf) {
-  client_.meanwhile = [this] {
-    mover_.stop(order("/panel"));
-    client_.meanwhile = [this] { client_.problem = "there is no robot"; };
-  };
-  const auto played = play("NOD.MTN");
-  EXPECT_THAT(warnings_, IsEmpty());
-  client_.meanwhile = nullptr;
-  mover_.release(order());
-  client_.meanwhile = [this] {
-    mover_.stop(order("/panel"));
-    client_.problem = "there is no robot";
-  };
-  EXPECT_EQ(endOf(play("NOD.MTN")), EndedHow::kStopped);
-  EXPECT_THAT(warnings_, ElementsAre("The motion NOD.MTN may go on: there is no robot"));
-}
-
-TEST_F(MoverTest, ARobotThatRefusesToHoldLeavesTheEndUnknown) {
-  const auto commanded = command("head_pan", 0.5);
-  client_.meanwhile = [] { throw aibo_client::CommandException("it is busy."); };
-  EXPECT_THAT(problem<aibo_client::CommandException>([this] { mover_.setMotors(order("/panel"), false); }),
-              HasSubstr("busy"));
-  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown);
-  EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off, but it is busy");
-  const auto unheld = command("head_pan", 0.5);
-  client_.problem = "there is no robot";
-  EXPECT_EQ(problem<aibo_client::NetworkException>([this] { mover_.hold(order(), "/user said so"); }),
-            "there is no robot");
-  EXPECT_EQ(endOf(unheld), EndedHow::kLost);
-  const auto lost = follow("head_pan", 0.5, 1.0);
-  EXPECT_EQ(endOf(lost), EndedHow::kLost) << "its first step cannot be sent";
-}
-
-TEST_F(MoverTest, ARobotThatCanHoldButRefusesToIsNotSentPositions) {
-  const auto commanded = command("head_pan", 0.5);
-  told();
-  client_.meanwhile = [] { throw aibo_client::CommandException("it is busy."); };
-  EXPECT_EQ(problem<aibo_client::CommandException>([this] { mover_.stop(order("/panel")); }), "it is busy.");
-  EXPECT_THAT(told(), ElementsAre("hold"));
-  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown);
-  EXPECT_EQ(reasonOf(commanded), "/panel called stop, but it is busy");
-}
-
-TEST_F(MoverTest, TheRobotsReportsDuringAStopHaveItsReason) {
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  const auto done = mover_.play(order(), "WAG.MTN", 1);
-  client_.meanwhile = [this] {
-    mover_.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "the client holds it"});
-    mover_.ended({EndedKind::kMotion, EndedHow::kDone, "WAG.MTN", "it took longer"});
-    mover_.refused({RefusedRequest::kJoints, RefusalCause::kStopped, {kHeadPan}, "a stop came before it was sent", 0});
-  };
-  const auto commanded = command("head_pan", 0.4);
-  mover_.stop(order("/panel"));
-  EXPECT_EQ(reasonOf(played), "/panel called stop");
-  EXPECT_EQ(reasonOf(commanded), "/panel called stop");
-  EXPECT_EQ(endOf(done), EndedHow::kDone);
-  EXPECT_EQ(reasonOf(done), "it took longer") << "the stop did not end it";
-  mover_.release(order("/panel"));
-  const auto later = play("NOD.MTN");
-  mover_.ended({EndedKind::kMotion, EndedHow::kStopped, "NOD.MTN", "another client stopped it"});
-  EXPECT_EQ(reasonOf(later), "another client stopped it");
-}
-
-TEST_F(MoverTest, HoldsWithoutStopping) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  mover_.hold(order(), "/user sent an empty trajectory");
-  EXPECT_EQ(reasonOf(followed), "/user sent an empty trajectory");
-  told();
-  command("head_pan", 0.5);
-  EXPECT_THAT(told(), SizeIs(1));
-}
-
-TEST_F(MoverTest, HoldsATrajectoryOfAVersion1ServerWhereItWasSent) {
-  useVersion1();
-  follow("head_pan", 1.0, 1.0);
-  told();
-  measure(-0.3);  // it lags behind
-  mover_.stop(order());
-  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 0"));
-  mover_.release(order());
-  measure(0);
-  const auto pan = follow("head_pan", 1.0, 1.0);
-  follow("neck_tilt", -0.5, 1.0);
-  told();
-  mover_.cancel(pan.id, "the goal was cancelled");
-  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 0")) << "the neck goes on";
-}
-
-TEST_F(MoverTest, HoldsACommandOfAVersion1ServerOnItsWay) {
-  useVersion1();
-  measure(0.5);
-  command("head_pan", -1.0);
-  told();
-  mover_.stop(order());
-  EXPECT_THAT(told(), ElementsAre("J 2:0.50 in 0")) << "not at its target, and at its speed";
-}
-
-TEST_F(MoverTest, StopsMotionsOfAVersion1ServerIfOneWasPlayed) {
-  useVersion1();
-  mover_.stop(order());
-  EXPECT_THAT(told(), IsEmpty());
-  mover_.release(order());
-  mover_.play(order(), "NOD.MTN", 1);
-  told();
-  for (int i = 0; i < 2; ++i) {
-    mover_.stop(order());
-    EXPECT_THAT(told(), ElementsAre("stop ")) << "the first may not have got through";
-  }
-  ++client_.connections;
-  mover_.stop(order());
-  EXPECT_THAT(told(), IsEmpty()) << "the robot has stopped it when the connection ended";
-  mover_.release(order());
-  mover_.connected();
-  now_ += kOnItsWay;
-  mover_.play(order(), "NOD.MTN", 1);
-  told();
-  mover_.stop(order());
-  EXPECT_THAT(told(), ElementsAre("stop ")) << "one was played over this connection, too";
-}
-
-TEST_F(MoverTest, CancelsOneTrajectoryOnly) {
-  const auto pan = follow("head_pan", 1.0, 1.0);
-  const auto neck = follow("neck_tilt", -0.35, 0.15);
-  const auto later = mover_.follow(order(), {{"head_pan"}, {{1.0, {0.0}, {}}}}, std::chrono::seconds(5));
-  told();
-  mover_.cancel(later.id, "the goal was cancelled");
-  EXPECT_EQ(reasonOf(later), "the goal was cancelled");
-  EXPECT_THAT(told(), IsEmpty()) << "it has not begun";
-  now_ += milliseconds(100);
-  mover_.goOn();
-  EXPECT_THAT(told(), ElementsAre("J 2:0.20 in 96", "J 1:-0.35 in 50")) << "both go on";
-  mover_.cancel(pan.id, "the goal was cancelled");
-  EXPECT_THAT(told(), ElementsAre("hold 2"));
-  EXPECT_EQ(reasonOf(pan), "the goal was cancelled");
-  EXPECT_EQ(neck.ended(), nullptr);
-  mover_.cancel(pan.id, "the goal was cancelled");
-  EXPECT_THAT(told(), IsEmpty()) << "it is over";
-}
-
-// ---- Age
-
-TEST_F(MoverTest, OldOrdersDoNotMoveTheRobot) {
-  command("head_tilt", 0);
-  told();
-  const Order old = order();
-  now_ += milliseconds(600);
-  measure(0);
-  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
-  for (const auto& begun : {mover_.command(old, {"head_pan"}, {0.5}, {}), mover_.follow(old, way, milliseconds(0)),
-                            mover_.play(old, "NOD.MTN", 1), mover_.takePosture(old, Posture::kSit)}) {
-    EXPECT_EQ(endOf(begun), EndedHow::kRefused);
-    EXPECT_THAT(reasonOf(begun), StartsWith("too old"));
-  }
-  mover_.steer(old, kAhead);
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverTest, WhatCameBeforeAPostureOrAStopOrTheMotorsDoesNotAct) {
-  command("head_tilt", 0);
-  const Order old = order();
-  now_ += milliseconds(10);
-  mover_.takePosture(order("/panel"), Posture::kRest);
-  EXPECT_EQ(reasonOf(mover_.command(old, {"head_pan"}, {0.5}, {})), "it came before /panel called rest");
-  EXPECT_EQ(command("head_pan", 0.1).ended(), nullptr) << "what comes later does";
-  const Order before_off = order();
-  now_ += milliseconds(10);
-  mover_.setMotors(order("/panel"), false);
-  EXPECT_EQ(reasonOf(mover_.command(before_off, {"head_pan"}, {0.5}, {})),
-            "it came before /panel switched the motors off");
-  now_ += milliseconds(10);
-  mover_.setMotors(order("/panel"), true);
-  EXPECT_EQ(mover_.takePosture(order(), Posture::kStand).ended(), nullptr) << "at once";
-}
-
-TEST_F(MoverTest, WhatCameAfterACallThatHadToWaitActs) {
-  command("head_tilt", 0);
-  const std::function<void(const Order&)> calls[] = {
-      [this](const Order& order) { mover_.takePosture(order, Posture::kSit); },
-      [this](const Order& order) { mover_.setMotors(order, false); },
-      [this](const Order& order) { mover_.setMotors(order, true); },
-      [this](const Order& order) { mover_.hold(order, "/user sent an empty trajectory"); },
-      [this](const Order& order) { mover_.release(order); }};
-  for (const auto& call : calls) {
-    now_ += milliseconds(10);
-    const Order earlier = order();
-    now_ += milliseconds(10);
-    const Order later = order();
-    now_ += milliseconds(10);
-    call(earlier);
-    EXPECT_EQ(mover_.command(later, {"head_pan"}, {0.5}, {}).ended(), nullptr);
-  }
-}
-
-TEST_F(MoverTest, WhatCameBeforeTheConnectionDoesNotAct) {
-  const Order old = order();
-  now_ += milliseconds(10);
-  ++client_.connections;
-  mover_.connected();
-  EXPECT_EQ(reasonOf(mover_.command(old, {"head_pan"}, {0.5}, {})), "it came before the robot was connected");
-}
-
-// Nobody has told the mover of the connection yet.
-TEST_F(MoverTest, EveryOrderNoticesANewConnection) {
-  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
-  const std::function<void(const Order&)> orders[] = {
-      [this](const Order& order) { mover_.command(order, {"head_pan"}, {0.5}, {}); },
-      [&](const Order& order) { mover_.follow(order, way, milliseconds(0)); },
-      [this](const Order& order) { mover_.play(order, "NOD.MTN", 1); },
-      [this](const Order& order) { mover_.takePosture(order, Posture::kRest); },
-      [this](const Order& order) { mover_.steer(order, kAhead); },
-      [this](const Order& order) { mover_.walkToGoal(order, "1 m ahead"); }};
-  for (const auto& give : orders) {
-    command("head_tilt", 0.1);
-    const Order old = order();
-    now_ += milliseconds(10);
-    ++client_.connections;
-    told();
-    give(old);
-    EXPECT_EQ(ends_.back().reason, "it came before the robot was connected");
-    EXPECT_EQ(ends_.at(ends_.size() - 2).how, EndedHow::kLost);
-    EXPECT_THAT(told(), IsEmpty());
-    now_ += milliseconds(500);
-    measure(0);
-  }
-}
-
-TEST_F(MoverTest, AnOrderThatStillWaitsInTheClientGetsTooOldThereAndHasTheNumberOfItsMovement) {
-  command("head_tilt", 0);
-  const Order earlier = order();
-  const auto expect_terms = [&](std::uint64_t number, SteadyTime since) {
-    EXPECT_EQ(client_.terms.number, number);
-    EXPECT_EQ(client_.terms.not_after - since, milliseconds(500));
-  };
-  now_ += milliseconds(200);
-  measure(0);
-  expect_terms(mover_.command(earlier, {"head_pan"}, {0.5}, {}).id, earlier.received);
-  expect_terms(mover_.command(order(), {"head_pan"}, {0.4}, {}).id, order().received);
-  expect_terms(mover_.play(earlier, "NOD.MTN", 1).id, earlier.received);
-  expect_terms(mover_.takePosture(earlier, Posture::kStand).id, earlier.received);
-  const TrajectoryRequest way{{"head_pan"}, {{1.0, {0.5}, {}}}};
-  expect_terms(mover_.follow(order(), way, milliseconds(0)).id, now_);
-  now_ += milliseconds(32);
-  mover_.steer({"/teleop", now_ - milliseconds(20)}, kAhead);
-  EXPECT_EQ(client_.terms.not_after - now_, milliseconds(480));
-  mover_.steered(kAhead, client_.terms.number);
-  ASSERT_EQ(mover_.state().movements.back().kind, Kind::kWalk);
-  steer(0);
-  EXPECT_EQ(client_.terms.not_after - now_, milliseconds(500));
-  const auto walk = mover_.walkToGoal(order(), "1 m ahead");
-  now_ += milliseconds(100);
-  mover_.walkOn(walk.id, kAhead);
-  expect_terms(walk.id, now_);
-}
-
-// ---- The robot's own movements
-
-TEST_F(MoverTest, PlaysAMotionAtTheRobotsOwnSpeedsAndEndsTrajectories) {
-  command("head_pan", 0.1);
-  const auto tilted = command("head_tilt", 0.1);
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  client_.told.clear();
-  mover_.play(order(), "NOD.MTN", 2);
-  EXPECT_EQ(client_.told.back(), "play NOD.MTN 2");
-  client_.told.pop_back();
-  EXPECT_THAT(client_.told, SizeIs(table_.size()));
-  EXPECT_THAT(client_.told, Each(StartsWith("V ")));
-  EXPECT_THAT(client_.told, Contains("V 2:4.50"));
-  EXPECT_EQ(reasonOf(followed), "/user plays NOD.MTN");
-  EXPECT_EQ(tilted.ended(), nullptr) << "the robot says so if the motion moves its joint";
-}
-
-TEST_F(MoverTest, ACommandAfterAMotionKeepsItsOwnSpeedLimit) {
-  mover_.play(order(), "NOD.MTN", 1);
-  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
-  command("head_pan", 0.1);
-  ASSERT_GE(client_.told.size(), 2u);
-  const std::string limit = client_.told[client_.told.size() - 2];
-  EXPECT_THAT(limit, StartsWith("V 2:"));
-  EXPECT_LE(std::stod(limit.substr(4)), 3.0);
-  EXPECT_THAT(client_.told.back(), StartsWith("J 2:")) << "the limit goes first";
-}
-
-TEST_F(MoverTest, AMotionPlaysUntilTheRobotReportsItsEnd) {
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].name, "NOD.MTN");
-  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "WAG.MTN", ""});
-  mover_.ended({EndedKind::kJam, EndedHow::kDone, "NOD.MTN", ""});
-  EXPECT_EQ(played.ended(), nullptr);
-  mover_.ended({EndedKind::kMotion, EndedHow::kReplaced, "NOD.MTN", "head_tilt was commanded"});
-  EXPECT_EQ(endOf(played), EndedHow::kReplaced);
-  EXPECT_EQ(reasonOf(played), "head_tilt was commanded");
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-}
-
-TEST_F(MoverTest, AMotionMayEndBeforeTheCallReturns) {
-  client_.meanwhile = [this] { mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""}); };
-  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), EndedHow::kDone);
-}
-
-TEST_F(MoverTest, AMotionThatMayOrMayNotPlayStaysUntilTheRobotSays) {
-  const auto commanded = command("head_tilt", 0.1);
-  client_.meanwhile = doNotAnswer;
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  EXPECT_TRUE(played.is_uncertain);
-  EXPECT_EQ(played.remark, "no answer within 2000 ms");
-  EXPECT_THAT(mover_.state().movements, SizeIs(2));
-  mover_.answeredLate({played.id, true, "", ""});
-  EXPECT_EQ(played.ended(), nullptr) << "it plays";
-  mover_.ended({EndedKind::kMotion, EndedHow::kDone, "NOD.MTN", ""});
-  EXPECT_EQ(endOf(played), EndedHow::kDone);
-  client_.meanwhile = doNotAnswer;
-  const auto refused = mover_.play(order(), "NOD.MTN", 1);
-  mover_.answeredLate({refused.id, false, "There is no such motion.", ""});
-  EXPECT_EQ(endOf(refused), EndedHow::kRefused);
-  EXPECT_EQ(reasonOf(refused), "There is no such motion");
-  EXPECT_EQ(commanded.ended(), nullptr);
-}
-
-TEST_F(MoverTest, AMotionThatWasNotSentIsRefusedAndOneThatWasSentIsLostWithTheConnection) {
-  client_.meanwhile = [] { throw TimeoutException("no answer within 2000 ms."); };
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  EXPECT_EQ(endOf(played), EndedHow::kRefused);
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-  for (const bool was_sent : {false, true}) {
-    client_.meanwhile = [was_sent] {
-      throw aibo_client::NetworkException("it broke.", aibo_client::FaultKind::kNone, was_sent);
-    };
-    EXPECT_EQ(endOf(play("NOD.MTN")), was_sent ? EndedHow::kLost : EndedHow::kRefused);
-  }
-}
-
-TEST_F(MoverTest, StopsAMotionAlone) {
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  const auto other = mover_.play(order(), "WAG.MTN", 1);
-  mover_.stopMotion(order("/panel"), "NOD.MTN");
-  EXPECT_EQ(client_.told.back(), "stop NOD.MTN");
-  EXPECT_EQ(reasonOf(played), "/panel stopped it");
-  client_.problem = "there is no robot";
-  problem<aibo_client::NetworkException>([this] { mover_.stopMotion(order("/panel"), "WAG.MTN"); });
-  client_.problem.clear();
-  EXPECT_EQ(other.ended(), nullptr);
-  const auto commanded = command("head_pan", 0.5);
-  const auto again = play("NOD.MTN");
-  mover_.stopMotion(order("/panel"), "");
-  EXPECT_EQ(reasonOf(other), "/panel stopped it");
-  EXPECT_EQ(reasonOf(again), "/panel stopped it");
-  EXPECT_EQ(commanded.ended(), nullptr);
-}
-
-TEST_F(MoverTest, DoesNotKnowHowLongAMotionOfAnOlderServerPlays) {
-  useVersion1();
-  EXPECT_EQ(endOf(mover_.play(order(), "NOD.MTN", 1)), EndedHow::kUnknown);
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-  client_.meanwhile = doNotAnswer;
-  const auto late = play("NOD.MTN");
-  EXPECT_EQ(late.ended(), nullptr);
-  mover_.answeredLate({late.id, true, "", ""});
-  EXPECT_EQ(endOf(late), EndedHow::kUnknown);
-}
-
-TEST_F(MoverTest, APostureTakesTheLegsAndLeavesTheHead) {
-  const auto leg = command("left_front_rotator", 0.5);
-  const auto last = command("right_hind_knee", 0.5);
-  const auto both = mover_.command(order(), {"head_pan", "left_front_knee"}, {0.5, 0.5}, {});
-  mover_.takePosture(order("/panel"), Posture::kSit);
-  EXPECT_EQ(reasonOf(leg), "/panel called sit");
-  EXPECT_EQ(reasonOf(last), "/panel called sit");
-  EXPECT_EQ(both.ended(), nullptr);
-  EXPECT_THAT(mover_.jointsOf(both.id), ElementsAre("head_pan"));
-  EXPECT_THAT(mover_.state().movements.at(0).joints, ElementsAre("head_pan"));
-  mover_.stop(order());
-  EXPECT_EQ(endOf(both), EndedHow::kStopped);
-  EXPECT_THAT(both.ended()->movement.joints, ElementsAre("head_pan")) << "that it moved last";
-  mover_.release(order());
-  const auto way = follow("left_front_rotator", 0.5, 1.0);
-  const auto head = follow("head_pan", 0.5, 1.0);
-  const auto later =
-      mover_.follow(order(), {{"neck_tilt", "left_front_rotator"}, {{1.0, {0.0, 0.0}, {}}}}, std::chrono::seconds(5));
-  mover_.takePosture(order("/panel"), Posture::kStand);
-  for (const auto& trajectory : {way, later}) {
-    EXPECT_EQ(endOf(trajectory), EndedHow::kReplaced);
-    EXPECT_EQ(reasonOf(trajectory), "/panel called stand");
-  }
-  told();
-  mover_.goOn();
-  EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:"))) << "no step for a leg";
-  EXPECT_EQ(head.ended(), nullptr);
-}
-
-TEST_F(MoverTest, EndsEverythingWithTheConnection) {
-  const auto played = mover_.play(order(), "NOD.MTN", 1);
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
-  mover_.disconnected();
-  EXPECT_EQ(endOf(played), EndedHow::kLost);
-  EXPECT_EQ(endOf(followed), EndedHow::kLost);
-  EXPECT_EQ(mover_.state().robot, aibo_client::MotorsAndPosture());
-  const auto next = follow("head_pan", 1.0, 1.0);
-  ++client_.connections;
-  told();
-  EXPECT_FALSE(mover_.goOn());
-  EXPECT_THAT(told(), IsEmpty());
-  EXPECT_EQ(endOf(next), EndedHow::kLost);
-}
-
-TEST_F(MoverTest, TheMotorsEndEverythingThatTheyMove) {
-  const auto commanded = command("head_pan", 0.5);
-  mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
-  EXPECT_EQ(commanded.ended(), nullptr) << "the first report; the robot itself refuses";
-  mover_.robotChanged({MotorState::kOn, PostureNow::kLying});
-  mover_.robotChanged({MotorState::kOn, PostureNow::kStanding});
-  EXPECT_EQ(commanded.ended(), nullptr);
-  client_.meanwhile = [this] { mover_.robotChanged({MotorState::kOff, PostureNow::kStanding}); };
-  mover_.setMotors(order("/panel"), false);
-  EXPECT_EQ(endOf(commanded), EndedHow::kStopped);
-  EXPECT_EQ(reasonOf(commanded), "/panel switched the motors off");
-  EXPECT_EQ(mover_.state().robot.motors, MotorState::kOff);
-  mover_.setMotors(order(), true);
-  const auto again = command("head_pan", 0.5);
-  mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
-  EXPECT_EQ(reasonOf(again), "the motors are off") << "the battery, for instance";
-  client_.motors_work = false;
-  EXPECT_FALSE(mover_.setMotors(order(), true));
-  EXPECT_EQ(mover_.state().robot.motors, MotorState::kOff) << "whatever was wanted";
-}
-
-TEST_F(MoverTest, ApproachesAgainAfterWhateverMayHaveMovedTheJointsOrKeptThemFromMoving) {
-  const std::function<void()> causes[] = {
-      [this] { mover_.setMotors(order(), true); },
-      [this] {
-        ++client_.connections;
-        mover_.connected();
-        now_ += kOnItsWay;
-      },
-      [this] {
-        client_.problem = "there is no robot";
-        command("head_pan", 0.1);
-        client_.problem.clear();
-      },
-      [this] {
-        mover_.refused({RefusedRequest::kJoints, RefusalCause::kRobot, {kHeadPan}, "the motors are off", 0});
-      },
-      [this] {
-        mover_.robotChanged({MotorState::kOn, PostureNow::kLying});
-        mover_.robotChanged({MotorState::kOff, PostureNow::kLying});
-      },
-      [this] {
-        walk();
-        mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-      },
-      [this] {
-        mover_.takePosture(order(), Posture::kRest);
-        mover_.ended({EndedKind::kPosture, EndedHow::kDone, "rest", ""});
-      }};
-  for (const auto& cause : causes) {
-    command("head_pan", 0.0);
-    command("head_pan", 0.2);  // the joint is measured at 0: the approach is over
-    EXPECT_THAT(client_.told, IsSupersetOf({"V 2:3.00", "J 2:0.20 in 0"}));
-    cause();
-    client_.told.clear();
-    command("head_pan", 1.0);
-    EXPECT_THAT(client_.told, ElementsAre("V 2:0.50", "J 2:1.00 in 0"));
-    client_.told.clear();
-    now_ += std::chrono::seconds(10);
-    measure(0);
-    mover_.setMotors(order(), true);
-  }
-}
-
-TEST_F(MoverTest, GoesOnWithAnApproachThatWasStopped) {
-  measure(0);
-  command("head_pan", 1.0);
-  mover_.stop(order());
-  now_ += std::chrono::seconds(10);
-  mover_.release(order());
-  client_.told.clear();
-  command("head_pan", 1.0);
-  EXPECT_THAT(client_.told, ElementsAre("J 2:1.00 in 0")) << "as slowly as before";
-  measure(0.95);
-  mover_.stop(order());
-  mover_.release(order());
-  command("head_pan", 0.5);
-  EXPECT_THAT(client_.told, Contains("V 2:3.00")) << "it had arrived before the stop";
-}
-
-// ---- Trajectories
-
-TEST_F(MoverTest, SendsWhereTheJointsOfATrajectoryShouldBeSoon) {
-  follow("head_pan", 1.0, 1.0);
-  EXPECT_THAT(client_.told, ElementsAre("V 2:3.00", "J 2:0.10 in 96"));
-  EXPECT_TRUE(mover_.goOn());
-  told();
-  follow("head_pan", 0.1, 0.05);
-  EXPECT_THAT(told(), ElementsAre("J 2:0.10 in 50")) << "its end is not late";
-}
-
-TEST_F(MoverTest, SaysWhereATrajectoryWantsItsJointsAndWhenItEnds) {
-  follow("neck_tilt", -0.3, 2.0);
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  EXPECT_EQ(mover_.state().movements.at(1).end, now_ + std::chrono::seconds(1));
-  EXPECT_EQ(mover_.state().movements.at(1).joints, std::vector<std::string>{"head_pan"});
-  now_ += milliseconds(100);
-  ASSERT_THAT(mover_.wantedBy(followed.id, now_), SizeIs(1));
-  EXPECT_NEAR(mover_.wantedBy(followed.id, now_)[0].position, 0.1, 1e-9);
-}
-
-TEST_F(MoverTest, SaysByHowMuchATrajectoryIsSlowedDown) {
-  Mover slow{table_, measured_, client_, 0.5, true, [] { return true; }, [this] { return now_; }};
-  slow.connected();
-  now_ += kOnItsWay;
-  const TrajectoryRequest way{{"head_pan"}, {{0.1, {0.6}, {}}}};
-  EXPECT_THAT(slow.follow(order(), way, milliseconds(0)).remark, StartsWith("slowed down 2.0"));
-  EXPECT_EQ(follow("head_pan", 0.6, 1.0).remark, "");
-}
-
-TEST_F(MoverTest, RefusesTrajectoriesOfOldMeasurements) {
-  now_ += milliseconds(500);
-  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("head_pan was last measured 0.5 s ago"));
-  useVersion1();
-  EXPECT_EQ(follow("head_pan", 1.0, 1.0).ended(), nullptr) << "it reports one joint after the other";
-  now_ += milliseconds(2000);
-  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("head_pan was last measured 2.5 s ago"));
-  EXPECT_THAT(reasonOf(follow("head_tilt", 0.1, 2.0)), HasSubstr("has not been measured"));
-}
-
-TEST_F(MoverTest, RefusesTrajectoriesAtOnceWithoutTelemetry) {
-  telemetry_ = false;
-  walk();
-  EXPECT_THAT(reasonOf(follow("left_front_rotator", 1.0, 1.0)), HasSubstr("telemetry_rate is 0"));
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30")) << "a refused one does not end a walk";
-}
-
-TEST_F(MoverTest, RefusesTrajectoriesAndCommandsForARobotOfAnotherDesign) {
-  const auto under_way = follow("head_pan", 1.0, 1.0);
-  const auto leg = command("left_front_rotator", 0.1);
-  client_.told.clear();
-  client_.present.robot.design = "ERS-210";
-  mover_.goOn();
-  EXPECT_EQ(endOf(under_way), EndedHow::kRefused);
-  EXPECT_THAT(reasonOf(under_way), HasSubstr("it is an ERS-210"));
-  EXPECT_THAT(reasonOf(follow("head_pan", 1.0, 1.0)), HasSubstr("it is an ERS-210"));
-  EXPECT_THAT(reasonOf(command("head_pan", 1.0)), HasSubstr("it is an ERS-210"));
-  EXPECT_THAT(reasonOf(mover_.takePosture(order(), Posture::kSit)), HasSubstr("it is an ERS-210"));
-  EXPECT_THAT(reasonOf(mover_.walkToGoal(order(), "1 m ahead")), HasSubstr("it is an ERS-210"));
-  steer(0.1);
-  EXPECT_THAT(ends_.back().reason, HasSubstr("it is an ERS-210"));
-  EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_EQ(leg.ended(), nullptr) << "nothing has replaced it";
-}
-
-// ---- Walking
-
-TEST_F(MoverTest, AStreamOfVelocitiesThatWasStoppedMovesTheRobotOnlyAfterItsNodeHasLetGo) {
-  walk();
-  mover_.stop(order("/panel"));
-  told();
-  steerOn(0.1);
-  EXPECT_EQ(ends_.back().reason, "stopped by /panel; call release");
-  EXPECT_THAT(ends_, SizeIs(2));
-  mover_.release(order("/panel"));
-  steerOn(0.1);
-  EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
-  EXPECT_EQ(ends_.back().reason, "the robot was stopped; let go first: 0, or nothing for 0.5 s");
-  EXPECT_THAT(ends_, SizeIs(3)) << "the walk was stopped, and the stream was refused for two reasons";
-  steer(0);
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-}
-
-TEST_F(MoverTest, AStreamThatBeginsWhileStoppedHasToLetGo) {
-  mover_.stop(order("/panel"));
-  told();
-  steerOn(0.1);
-  mover_.release(order("/panel"));
-  steerOn(0.1);
-  EXPECT_THAT(told(), IsEmpty());
-  now_ += milliseconds(500);
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-}
-
-TEST_F(MoverTest, AStreamThatWasStoppedForAMomentHasToLetGo) {
-  walk();
-  mover_.stop(order("/panel"));
-  mover_.release(order("/panel"));
-  told();
-  steerOn(0.1);
-  EXPECT_THAT(told(), IsEmpty());
-  EXPECT_EQ(ends_.back().reason, "/panel called stop; let go first: 0, or nothing for 0.5 s");
-}
-
-TEST_F(MoverTest, AStreamThatGoesOnOverAReconnectHasToLetGo) {
-  walk();
-  mover_.disconnected();
-  client_.problem = "there is no robot";
-  steerOn(0.1);
-  client_.problem.clear();
-  ++client_.connections;
-  mover_.connected();
-  steerOn(0.1);
-  EXPECT_THAT(told(), IsEmpty()) << "nothing starts by itself";
-  EXPECT_EQ(ends_.back().reason, "the connection is a new one; let go first: 0, or nothing for 0.5 s");
-  steer(0);
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-}
-
-TEST_F(MoverTest, AReleaseWithoutAStopLeavesAWalkAlone) {
-  walk();
-  mover_.release(order("/panel"));
-  steer(0.1);
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-}
-
-TEST_F(MoverTest, PosturesFallsMotorsAndLegsOverruleAStream) {
-  const std::vector<std::pair<const char*, std::function<void()>>> overrules{
-      {"/user called sit", [this] { mover_.takePosture(order(), Posture::kSit); }},
-      {"/user switched the motors off", [this] { mover_.setMotors(order(), false); }},
-      {"/user moves right_hind_knee", [this] { command("right_hind_knee", 0.1); }},
-      {"/user moves left_hind_elevator",
-       [this] {
-         mover_.command(order(), {"head_pan", "left_hind_elevator"}, {0.1, 0.1}, {});
-       }},
-      {"/user moves left_front_rotator", [this] { follow("left_front_rotator", 0.1, 1.0); }},
-      {"it was carried off",
-       [this] {
-         mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "it was carried off"});
-       }},
-      {"the floor ends ahead",
-       [this] {
-         mover_.ended({EndedKind::kWalk, EndedHow::kRefused, "walk", "the floor ends ahead"});
-       }},
-      {"left_front_knee was commanded",
-       [this] {
-         mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
-       }},
-      {"the robot was lifted",
-       [this] {
-         mover_.robotChanged({MotorState::kOn, PostureNow::kCarried});
-       }},
-      {"the robot has fallen",
-       [this] {
-         mover_.robotChanged({MotorState::kOn, PostureNow::kFallen});
-       }},
-      {"the motors are off",
-       [this] {
-         mover_.robotChanged({MotorState::kOff, PostureNow::kStanding});
-       }},
-      {"the robot is hot", [this] {
-         mover_.refused({RefusedRequest::kWalk,
-                         RefusalCause::kRobot,
-                         {},
-                         "the robot is hot; let go first: send zero velocities",
-                         0});
-       }}};
-  for (const auto& [reason, overrule] : overrules) {
-    walk();
-    overrule();
-    measure(0);
-    told();
-    steerOn(0.1);
-    EXPECT_THAT(told(), IsEmpty()) << reason;
-    EXPECT_EQ(ends_.back().reason, std::string(reason) + "; let go first: 0, or nothing for 0.5 s");
-    mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
-    now_ += milliseconds(500);
-    measure(0);
-  }
-}
-
-TEST_F(MoverTest, AVelocityThatCameTooLateDoesNotOverruleTheNext) {
-  walk();
-  mover_.refused({RefusedRequest::kWalk, RefusalCause::kTooOld, {}, "too old", client_.steering_order});
-  EXPECT_THAT(ends_, IsEmpty()) << "the robot walks on";
-  steerOn(0.1);
-  EXPECT_THAT(told(), SizeIs(10));
-  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
-  steerOn(0.1);
-  EXPECT_THAT(told(), SizeIs(10)) << "nor does an orderly end";
-}
-
-TEST_F(MoverTest, AWalkThatCannotBeSentIsRefusedOnceAndGoesOnAfterwards) {
-  client_.problem = "there is no robot";
-  steerOn(0.1);
-  EXPECT_THAT(ends_, SizeIs(1));
-  EXPECT_EQ(ends_.back().reason, "there is no robot");
-  client_.problem.clear();
-  now_ += std::chrono::seconds(1);
-  walk();
-  client_.problem = "there is no robot";
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  steer(0.1);
-  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the connection says how it ends";
-  EXPECT_THAT(ends_, SizeIs(1));
-  client_.problem.clear();
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
-}
-
-TEST_F(MoverTest, AWalkBeginsWhenItIsAskedForAndEndsAsTheRobotSays) {
-  steer(0.1);
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].kind, Kind::kWalk);
-  EXPECT_EQ(mover_.state().movements[0].source, "/teleop");
-  mover_.steered(kAhead, client_.steering_order);
-  steer(0);
-  mover_.steered({}, client_.steering_order);
-  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the robot brakes";
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-  EXPECT_EQ(ends_.back().how, EndedHow::kDone);
-}
-
-TEST_F(MoverTest, ANodeThatSteersAgainAfterAPauseGoesOnWithItsWalk) {
-  walk();
-  now_ += std::chrono::seconds(1);
-  steer(0.1);
-  EXPECT_THAT(ends_, IsEmpty());
-  EXPECT_THAT(mover_.state().movements, SizeIs(1));
-}
-
-TEST_F(MoverTest, AWalkThatTheRobotRefusesHasNotBegun) {
-  steer(0.1);
-  mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", 0});
-  EXPECT_EQ(ends_.back().how, EndedHow::kRefused);
-  EXPECT_EQ(ends_.back().reason, "the motors are off");
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-}
-
-TEST_F(MoverTest, AWalkThatIsLetGoBeforeItBeginsEndsToo) {
-  steer(0.1);
-  steer(0);
-  mover_.steered({}, client_.steering_order);
-  EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-  steer(0.1);
-  steer(0);
-  mover_.steered(kAhead, client_.steering_order);
-  mover_.steered({}, client_.steering_order);
-  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "this one has begun, and the robot says when it ends";
-}
-
-TEST_F(MoverTest, AWalkThatWasStoppedHasThatReasonThoughItsNodeSteersOnBeforeTheRobotSaysSo) {
-  walk();
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  steer(0.1);
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
-  EXPECT_EQ(ends_.back().reason, "no cmd_vel came for 0.5 s");
-  walk();
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  steer(0.1);
-  steer(0);
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(ends_.back().how, EndedHow::kDone) << "its node has let go since";
-}
-
-TEST_F(MoverTest, AWalkWhoseNodeHasLetGoIsDoneThoughNothingComesAfterwards) {
-  walk();
-  steer(0);
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(ends_.back().how, EndedHow::kDone);
-}
-
-TEST_F(MoverTest, TwoNodesThatSteerAgainstEachOtherAreBothNamed) {
-  for (const double other : {0.0, -0.1}) {
-    now_ += std::chrono::seconds(1);
-    warnings_.clear();
-    for (int i = 0; i < 40; ++i) {
-      now_ += milliseconds(50);
-      steer(0.1, "/walker");
-      now_ += milliseconds(50);
-      steer(other, "/panel");
-    }
-    ASSERT_THAT(mover_.state().movements, SizeIs(1)) << other;
-    EXPECT_EQ(mover_.state().movements[0].source, "/walker, /panel") << other;
-    EXPECT_THAT(warnings_, ElementsAre(AllOf(HasSubstr("/walker"), HasSubstr("/panel"), HasSubstr("contradict"))));
-    mover_.steered(kAhead, client_.steering_order);
-    mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-    EXPECT_EQ(ends_.back().movement.source, "/walker, /panel") << other;
-    if (other == 0) {
-      EXPECT_EQ(ends_.back().how, EndedHow::kStopped);
-      EXPECT_EQ(ends_.back().reason, "/panel sent a velocity of 0");
-    }
-  }
-}
-
-TEST_F(MoverTest, ANodeThatStopsAWalkOrTakesItOverContradictsNobody) {
-  walk();
-  steer(0, "/panel");
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
-  EXPECT_EQ(ends_.back().reason, "/panel sent a velocity of 0");
-  EXPECT_EQ(ends_.back().movement.source, "/teleop");
-  now_ += milliseconds(500);
-  walk();
-  steer(0.1, "/navigation");
-  steer(0.1, "/navigation");
-  EXPECT_EQ(mover_.state().movements.at(0).source, "/teleop");
-  EXPECT_THAT(warnings_, IsEmpty());
-}
-
-TEST_F(MoverTest, AWalkThatFallsWhileItIsBeingStoppedHasFallen) {
-  walk();
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  mover_.ended({EndedKind::kWalk, EndedHow::kFell, "walk", "the robot lies on its side"});
-  EXPECT_EQ(ends_.back().how, EndedHow::kFell);
-}
-
-// On a slow link, what the robot says of the walk before comes late.
-TEST_F(MoverTest, TheEndOfAnOlderWalkIsNotThatOfTheNextOne) {
-  steer(0.1);
-  const std::uint64_t older = client_.steering_order;
-  mover_.refused({RefusedRequest::kWalk, RefusalCause::kReplaced, {}, "the legs were commanded", older});
-  EXPECT_EQ(ends_.back().how, EndedHow::kReplaced);
-  now_ += milliseconds(500);
-  steer(0.1);
-  mover_.steered(kAhead, older);
-  mover_.ended({EndedKind::kWalk, EndedHow::kReplaced, "walk", "left_front_knee was commanded"});
-  mover_.refused({RefusedRequest::kWalk, RefusalCause::kTooOld, {}, "too old", older});
-  EXPECT_THAT(mover_.state().movements, SizeIs(1)) << "the robot has not said anything of this one yet";
-  told();
-  steerOn(0.1);
-  EXPECT_THAT(told(), IsEmpty()) << "what ended the older one counts";
-  mover_.steered(kAhead, client_.steering_order);
-  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
-  EXPECT_THAT(mover_.state().movements, IsEmpty());
-}
-
-TEST_F(MoverTest, AWalkThatATrajectoryOfTheHeadWasCancelledInIsStillStopped) {
-  const auto followed = follow("head_pan", 1.0, 1.0);
-  walk();
-  mover_.cancel(followed.id, "the goal was cancelled");
-  told();
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
-}
-
-class MoverGoalTest : public MoverTest {
- protected:
-  Mover::Begun walkToGoal(const std::string& source = "/user") { return mover_.walkToGoal(order(source), "1 m ahead"); }
-
-  // The robot walks to the goal.
-  Mover::Begun walksToGoal() {
-    Mover::Begun begun = walkToGoal();
-    EXPECT_TRUE(mover_.walkOn(begun.id, kAhead));
-    mover_.steered(kAhead, client_.steering_order);
-    told();
-    return begun;
-  }
-
-  void robotEnds(EndedHow how, const std::string& reason) { mover_.ended({EndedKind::kWalk, how, "walk", reason}); }
-};
-
-TEST_F(MoverGoalTest, AWalkToAGoalIsDoneWhenTheRobotStandsThere) {
-  const Mover::Begun begun = walkToGoal();
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it lets go of an earlier walk";
-  ASSERT_THAT(mover_.state().movements, SizeIs(1));
-  EXPECT_EQ(mover_.state().movements[0].name, "1 m ahead");
-  EXPECT_TRUE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-  mover_.steered(kAhead, client_.steering_order);
-  EXPECT_TRUE(mover_.walkOn(begun.id, {}));
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
-  EXPECT_EQ(begun.ended(), nullptr) << "the robot has not said so";
-  robotEnds(EndedHow::kDone, "");
-  ASSERT_NE(begun.ended(), nullptr);
-  EXPECT_EQ(begun.ended()->how, EndedHow::kDone);
-  EXPECT_FALSE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverGoalTest, WhoIsThereAlreadyDoesNotWalk) {
-  walksToGoal();
-  robotEnds(EndedHow::kFell, "the robot lies on its side");
-  const Mover::Begun begun = walkToGoal();
-  told();
-  EXPECT_FALSE(mover_.walkOn(begun.id, {}));
-  EXPECT_EQ(endOf(begun), EndedHow::kDone);
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverGoalTest, WhateverEndsTheWalkEndsItWithTheSameReasonAndTheNextGoalWalksAsTheFirst) {
-  const std::vector<std::pair<EndedHow, std::string>> ends = {{EndedHow::kRefused, "the floor ends ahead"},
-                                                              {EndedHow::kFell, "the robot lies on its side"},
-                                                              {EndedHow::kReplaced, "left_front_knee was commanded"},
-                                                              {EndedHow::kStopped, "the motors were switched off"}};
-  for (const auto& [how, reason] : ends) {
-    const Mover::Begun begun = walksToGoal();
-    robotEnds(how, reason);
-    ASSERT_NE(begun.ended(), nullptr) << reason;
-    EXPECT_EQ(begun.ended()->how, how);
-    EXPECT_EQ(begun.ended()->reason, reason);
-    EXPECT_EQ(ends_.back().reason, reason);
-    EXPECT_FALSE(mover_.walkOn(begun.id, kAhead)) << "it does not go on";
-    EXPECT_THAT(told(), IsEmpty());
-  }
-}
-
-TEST_F(MoverGoalTest, AVelocityReplacesTheGoalWhoeverSendsIt) {
-  for (const char* source : {"/user", "/teleop"}) {
-    const Mover::Begun begun = walksToGoal();
-    steer(0.05, source);
-    EXPECT_THAT(told(), ElementsAre("steer 0.05 -0.02 0.15")) << source;
-    EXPECT_EQ(endOf(begun), EndedHow::kReplaced) << source;
-    EXPECT_FALSE(mover_.walkOn(begun.id, kAhead)) << source;
-    EXPECT_THAT(told(), IsEmpty()) << source;
-  }
-}
-
-TEST_F(MoverGoalTest, ANewGoalReplacesTheOldOneAndTheRobotWalksOn) {
-  const Mover::Begun first = walksToGoal();
-  const Mover::Begun second = walkToGoal("/other");
-  EXPECT_THAT(told(), IsEmpty()) << "it does not stop in between";
-  EXPECT_EQ(first.ended()->how, EndedHow::kReplaced);
-  EXPECT_THAT(first.ended()->reason, HasSubstr("/other sends the robot to a goal"));
-  EXPECT_FALSE(mover_.walkOn(first.id, kAhead));
-  EXPECT_TRUE(mover_.walkOn(second.id, velocity(0.05)));
-  robotEnds(EndedHow::kFell, "the robot lies on its side");
-  EXPECT_EQ(second.ended()->how, EndedHow::kFell);
-}
-
-TEST_F(MoverGoalTest, ANewGoalWhileTheRobotIsStoppingWalksToIt) {
-  const Mover::Begun first = walksToGoal();
-  mover_.cancel(first.id, "the goal was cancelled");
-  const Mover::Begun second = walkToGoal();
-  told();
-  robotEnds(EndedHow::kDone, "");
-  EXPECT_EQ(second.ended(), nullptr) << "it was the end of the first walk";
-  EXPECT_TRUE(mover_.walkOn(second.id, kAhead));
-  EXPECT_THAT(told(), ElementsAre("steer 0.10 -0.04 0.30"));
-  mover_.steered(kAhead, client_.steering_order);
-  EXPECT_TRUE(mover_.walkOn(second.id, {}));
-  robotEnds(EndedHow::kDone, "");
-  EXPECT_EQ(second.ended()->how, EndedHow::kDone);
-}
-
-TEST_F(MoverGoalTest, CancellingStopsTheRobotAndTheReasonStays) {
-  const Mover::Begun begun = walksToGoal();
-  mover_.cancel(begun.id, "the goal was cancelled");
-  EXPECT_TRUE(mover_.walkOn(begun.id, kAhead)) << "the robot has not said that it stands";
-  EXPECT_TRUE(mover_.walkOn(begun.id, {}));
-  mover_.steered({}, client_.steering_order);
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it does not go on";
-  EXPECT_EQ(begun.ended(), nullptr);
-  robotEnds(EndedHow::kDone, "");
-  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
-  EXPECT_EQ(begun.ended()->reason, "the goal was cancelled");
-  const Mover::Begun unbegun = walkToGoal();
-  mover_.cancel(unbegun.id, "the goal was cancelled");
-  EXPECT_EQ(unbegun.ended()->reason, "the goal was cancelled");
-}
-
-TEST_F(MoverGoalTest, StopEndsItAndRefusesTheNext) {
-  const Mover::Begun begun = walksToGoal();
-  mover_.stop(order("/panel"));
-  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
-  EXPECT_THAT(begun.ended()->reason, HasSubstr("/panel called stop"));
-  told();
-  const Mover::Begun next = walkToGoal();
-  EXPECT_THAT(next.ended()->reason, HasSubstr("stopped by /panel; call release"));
-  EXPECT_FALSE(mover_.walkOn(next.id, kAhead));
-  EXPECT_THAT(told(), IsEmpty());
-  mover_.release(order());
-  EXPECT_FALSE(mover_.walkOn(begun.id, kAhead)) << "nothing goes on by itself";
-  now_ += milliseconds(1);
-  EXPECT_EQ(walkToGoal().ended(), nullptr);
-}
-
-TEST_F(MoverGoalTest, ItDoesNotGoOnWhileTheRobotIsToldToStop) {
-  const Mover::Begun begun = walksToGoal();
-  client_.meanwhile = [&] { EXPECT_TRUE(mover_.walkOn(begun.id, kAhead)); };
-  mover_.stop(order("/panel"));
-  EXPECT_THAT(told(), ElementsAre("hold"));
-}
-
-TEST_F(MoverGoalTest, AfterAHaltThatFailedTrajectoriesAndGoalsMoveOnAsBefore) {
-  const std::function<void()> halts[] = {
-      [this] { mover_.setMotors(order(), false); }, [this] { mover_.stop(order()); },
-      [this] { mover_.cancel(follow("head_pan", 0.5, 1.0).id, "it was cancelled"); }};
-  const std::function<void()> failures[] = {doNotAnswer, [] { throw aibo_client::CommandException("it is busy."); },
-                                            [] { throw aibo_client::NetworkException("there is no robot."); }};
-  for (const auto& halt : halts) {
-    for (const auto& failure : failures) {
-      client_.meanwhile = failure;
-      problem<aibo_client::Exception>(halt);
-      EXPECT_EQ(problem<aibo_client::CommandException>([this] { mover_.release(order()); }), "none");
-      now_ += milliseconds(100);
-      measure(0);
-      follow("head_pan", 0.5, 1.0);
-      const Mover::Begun begun = walkToGoal();
-      told();
-      mover_.goOn();
-      mover_.walkOn(begun.id, kAhead);
-      EXPECT_THAT(told(), ElementsAre(StartsWith("J 2:"), "steer 0.10 -0.04 0.30"));
-    }
-  }
-}
-
-TEST_F(MoverGoalTest, AnotherConnectionDoesNotResumeIt) {
-  const Mover::Begun begun = walksToGoal();
-  mover_.disconnected();
-  EXPECT_EQ(begun.ended()->how, EndedHow::kLost);
-  mover_.connected();
-  EXPECT_FALSE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_THAT(told(), IsEmpty());
-  now_ += milliseconds(1);
-  const Mover::Begun again = walksToGoal();
-  ++client_.connections;  // nobody has told the mover yet
-  EXPECT_FALSE(mover_.walkOn(again.id, kAhead));
-  EXPECT_EQ(endOf(again), EndedHow::kLost);
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverGoalTest, AnOldGoalIsRefused) {
-  mover_.connected();
-  now_ += milliseconds(1);
-  const Order old = order();
-  now_ += milliseconds(501);
-  EXPECT_THAT(mover_.walkToGoal(old, "1 m ahead").ended()->reason, HasSubstr("too old"));
-  EXPECT_THAT(told(), IsEmpty());
-}
-
-TEST_F(MoverGoalTest, ADriverThatWasHeldUpDoesNotWalkOn) {
-  const Mover::Begun begun = walksToGoal();
-  now_ += milliseconds(501);
-  EXPECT_FALSE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
-  EXPECT_THAT(begun.ended()->reason, HasSubstr("held up"));
-  const Mover::Begun next = walkToGoal();
-  for (int i = 0; i < 10; ++i) {
-    now_ += milliseconds(100);
-    EXPECT_TRUE(mover_.walkOn(next.id, kAhead)) << "the robot may need a second before it walks";
-  }
-  now_ += milliseconds(501);
-  EXPECT_FALSE(mover_.walkOn(next.id, kAhead)) << "the robot has not walked yet";
-}
-
-TEST_F(MoverGoalTest, WhoSteeredBeforeHasToLetGoFirstAndThenTakesTheWalkOver) {
-  walk();
-  const Mover::Begun begun = walksToGoal();
-  steer(0.05);
-  EXPECT_THAT(ends_.back().reason, HasSubstr("let go first"));
-  EXPECT_EQ(begun.ended(), nullptr);
-  mover_.stopWalking("no cmd_vel came for 0.5 s");
-  EXPECT_EQ(begun.ended(), nullptr);
-  EXPECT_THAT(told(), IsEmpty());
-  now_ += milliseconds(500);
-  steer(0.05);
-  EXPECT_EQ(begun.ended()->how, EndedHow::kReplaced);
-  EXPECT_THAT(begun.ended()->reason, HasSubstr("/teleop steers now"));
-}
-
-TEST_F(MoverGoalTest, AVelocityOf0StopsIt) {
-  const Mover::Begun begun = walksToGoal();
-  steer(0);
-  EXPECT_TRUE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it does not go on";
-  robotEnds(EndedHow::kDone, "");
-  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
-  EXPECT_THAT(begun.ended()->reason, HasSubstr("/teleop sent a velocity of 0"));
-}
-
-TEST_F(MoverGoalTest, AVelocityThatCannotBeSentEndsIt) {
-  const Mover::Begun begun = walksToGoal();
-  client_.problem = "there is no robot";
-  EXPECT_FALSE(mover_.walkOn(begun.id, kAhead));
-  EXPECT_EQ(begun.ended()->how, EndedHow::kLost);
-  EXPECT_EQ(begun.ended()->reason, "there is no robot");
-  EXPECT_EQ(walkToGoal().ended()->reason, "there is no robot") << "nor does another begin";
-}
-
-TEST_F(MoverGoalTest, ARefusalOfTheRobotEndsIt) {
-  const Mover::Begun begun = walkToGoal();
-  mover_.walkOn(begun.id, kAhead);
-  mover_.refused(
-      {RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off; switch them on first", begun.id});
-  EXPECT_EQ(begun.ended()->how, EndedHow::kRefused);
-  EXPECT_EQ(begun.ended()->reason, "the motors are off; switch them on first");
-}
-
-TEST_F(MoverGoalTest, ARefusalEndsItEvenIfItReplacesAWalkThatHasNotBegun) {
-  steer(0.1);
-  const Mover::Begun begun = walkToGoal();
-  EXPECT_TRUE(mover_.walkOn(begun.id, kAhead));
-  mover_.refused({RefusedRequest::kWalk, RefusalCause::kRobot, {}, "the motors are off", begun.id});
-  EXPECT_EQ(endOf(begun), EndedHow::kRefused);
-}
-
-TEST_F(MoverTest, TheEndOfAnOlderPostureIsNotThatOfTheNextOne) {
-  mover_.takePosture(order(), Posture::kSit);
-  mover_.stop(order());
-  mover_.release(order());
-  const Mover::Begun begun = mover_.takePosture(order(), Posture::kStand);
-  mover_.ended({EndedKind::kPosture, EndedHow::kStopped, "sit", "everything was told to hold"});
-  EXPECT_EQ(begun.ended(), nullptr);
-  mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""});
-  EXPECT_EQ(endOf(begun), EndedHow::kDone);
-}
-
-TEST_F(MoverTest, CancellingAPostureHoldsTheLegs) {
-  const Mover::Begun begun = mover_.takePosture(order(), Posture::kSit);
-  told();
-  mover_.cancel(begun.id, "the goal was cancelled");
-  ASSERT_NE(begun.ended(), nullptr);
-  EXPECT_EQ(begun.ended()->how, EndedHow::kStopped);
-  EXPECT_EQ(begun.ended()->reason, "the goal was cancelled");
-  EXPECT_THAT(told(), ElementsAre(StartsWith("hold 11")));
-}
-
-TEST_F(MoverTest, AWalkThatIsSlowerThanTheRobotSaysEndsAsOthersDo) {
-  steer(0.0004);
-  mover_.steered({}, client_.steering_order);
-  EXPECT_THAT(ends_, IsEmpty());
-  mover_.ended({EndedKind::kWalk, EndedHow::kStopped, "walk", "it was not steered for 500 ms"});
-  EXPECT_THAT(ends_, SizeIs(1));
-}
-
-TEST_F(MoverTest, AnotherNodeThatSteersOnHasAWalkOfItsOwn) {
-  walk();
-  steer(0.1, "/navigation");
-  EXPECT_THAT(ends_, IsEmpty()) << "both steer: it is one walk";
-  EXPECT_EQ(mover_.state().movements.at(0).source, "/teleop");
-  now_ += milliseconds(600);
-  steer(0.1, "/navigation");
-  EXPECT_EQ(ends_.back().reason, "/navigation steers now");
-  EXPECT_EQ(mover_.state().movements[0].source, "/navigation");
 }
 
 }  // namespace
