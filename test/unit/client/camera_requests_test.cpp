@@ -79,18 +79,6 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(2)); }));
 }
 
-TEST_F(CameraRequestsTest, AStreamOfMoreImagesThanBeforeHasTimeForItsFirst) {
-  begin("H F W");
-  wish_.format.every_nth_image = 100;
-  stream();
-  live(milliseconds(3000));
-  wish_.format.every_nth_image = 1;
-  EXPECT_EQ("W 73 1 0 0 1", request());
-  answer(frame_.payload);
-  live(milliseconds(499));
-  EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(1)); }));
-}
-
 TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
   begin("H F W");
   wish_.format.resolution = Resolution::kLow;

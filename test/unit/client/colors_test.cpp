@@ -186,6 +186,22 @@ TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
   EXPECT_EQ(logged(": 111 pixels of goal in a box of 11x10."), 1);
 }
 
+TEST_F(ColorsTest, AnImpossiblePlaneIsDropped) {
+  detectBall();
+  version2::ColorRegions colors = regionsOf({});
+  for (const auto& [width, height] : {std::pair<unsigned short, unsigned short>{417, 80}, {104, 321}}) {
+    colors.width = width;
+    colors.height = height;
+    push(colors);
+  }
+  EXPECT_THAT(colors_, IsEmpty());
+  EXPECT_EQ(counters_.impossible_values, 2U);
+  colors.width = 416;
+  colors.height = 320;
+  push(colors);
+  EXPECT_THAT(colors_, SizeIs(1));
+}
+
 TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
   begin("H F W Z");
   push(regionsOf({kBall}));

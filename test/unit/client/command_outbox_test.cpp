@@ -133,15 +133,6 @@ TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
   EXPECT_TRUE(outbox.joints.empty());
 }
 
-TEST(CommandOutboxTest, WhatWasDroppedFromNewerCommandsIsToldToo) {
-  CommandOutbox newer;
-  newer.steer({kForward, {at(1000), 1}});
-  newer.command({milliseconds(100), {{kLegJoint, 0.3}}, {at(1000), 2}});
-  CommandOutbox outbox;
-  outbox.append(newer);
-  EXPECT_EQ("S" + std::to_string(kReplaced) + "#1 the legs were commanded before it was sent;", takeDropped(&outbox));
-}
-
 TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   CommandOutbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});

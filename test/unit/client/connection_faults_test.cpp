@@ -113,19 +113,6 @@ TEST_F(BackoffTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
   EXPECT_TRUE(failTimes(7));
 }
 
-TEST_F(ConnectionFaultsTest, ReasonsThatAlternateAreLoggedOnceEach) {
-  client_.start();
-  for (int i = 0; i < 5; ++i) {
-    server_.accept().close();
-    ASSERT_TRUE(
-        eventually([&] { return client_.status().reason.find("as soon as it was made") != std::string::npos; }));
-    server_.vanish();
-    ASSERT_TRUE(eventually([&] { return client_.status().reason.find("refused") != std::string::npos; }));
-    server_.listen();
-  }
-  EXPECT_EQ(2, recorder_.logged("No connection to the robot"));
-}
-
 TEST_F(ConnectionFaultsTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
   client_.setStreaming(true);
   client_.start();

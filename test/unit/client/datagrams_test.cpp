@@ -130,6 +130,53 @@ TEST_F(DatagramsTest, APartThatContradictsTheOthersIsNoneOfThePicture) {
   EXPECT_THAT(delivered(), ElementsAre(1));
 }
 
+// Of pictures that the robot never sent, in its name: whole ones that are no JPEGs, and incomplete ones, whose numbers
+// are far ahead, or not so far.
+TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
+  startStream();
+  live(std::chrono::seconds(5), [this] {
+    for (const unsigned picture : {60000U, 60001U, picture_ + 40, picture_ + 65, 100U}) {
+      unsigned sequence = picture + 1;
+      arrive(test_support::makeDatagrams(Bytes(100, 'x'), picture, kFrame, &sequence));
+      std::vector<Bytes> incomplete = test_support::makeDatagrams(makeJpeg(7), picture, kFrame, &sequence);
+      incomplete.pop_back();
+      arrive(incomplete);
+    }
+    arrive(nextPicture());
+  });
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_GE(pictures_.size(), picture_ * 9 / 10);
+  EXPECT_GE(repliesOf('a').size(), picture_ * 9 / 10) << "the robot waits for them";
+}
+
+TEST_F(DatagramsTest, AFrameNumberOfTheFutureIsNotBelieved) {
+  startStream();
+  arrive(nextPicture());
+  unsigned sequence = sequence_;
+  arrive(test_support::makeDatagrams(makeJpeg(1), picture_, kFrame + 20, &sequence));
+  EXPECT_THAT(delivered(), ElementsAre(1));
+  nextPicture();  // its number is the forged one's
+  arrive(nextPicture());
+  EXPECT_THAT(delivered(), ElementsAre(1, 3));
+}
+
+// Pictures of the robot's, sent again with other numbers, twice a second.
+TEST_F(DatagramsTest, AForgedGoodPictureCostsAFewPicturesAtMost) {
+  startStream();
+  live(std::chrono::seconds(5), [this] {
+    arrive(nextPicture());
+    for (const unsigned ahead : {60000U, 60001U, 65U, 40U, 20U, 3U}) {
+      unsigned sequence = picture_ + ahead;
+      if (picture_ % 15 == 0) {
+        arrive(test_support::makeDatagrams(makeJpeg(1), picture_ + ahead, frameOf(picture_ + 1), &sequence));
+      }
+    }
+  });
+  EXPECT_EQ("", connection_.transport_problem);
+  EXPECT_GE(pictures_.size(), picture_ * 7 / 10);
+  EXPECT_LT(0u, counters_.bad_datagrams);
+}
+
 TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   startStream();
   live(milliseconds(1500), [this] {

@@ -13,42 +13,6 @@ namespace {
 
 using ::testing::HasSubstr;
 
-class RateLimitTest : public ::testing::Test {
- protected:
-  int admitted(int messages) {
-    int count = 0;
-    for (int i = 0; i < messages; ++i) {
-      count += limit_.admit(now_, kPeriod).is_admitted ? 1 : 0;
-    }
-    return count;
-  }
-
-  static constexpr int kBurst = 20;
-  static constexpr std::chrono::seconds kPeriod{1};
-
-  RateLimit limit_{kBurst};
-  RateLimit::TimePoint now_{std::chrono::hours(1)};
-};
-
-TEST_F(RateLimitTest, ABurstIsAdmittedAndThenOnePerPeriod) {
-  EXPECT_EQ(admitted(1000), kBurst);
-  now_ += std::chrono::milliseconds(500);
-  EXPECT_EQ(admitted(1000), 0);
-  now_ += std::chrono::milliseconds(500);
-  EXPECT_EQ(admitted(1000), 1);
-  now_ += 3 * kPeriod;
-  EXPECT_EQ(admitted(1000), 3);
-  now_ += std::chrono::hours(1);
-  EXPECT_EQ(admitted(1000), kBurst);
-}
-
-TEST_F(RateLimitTest, WhatWasLeftOutIsCountedOnce) {
-  EXPECT_EQ(admitted(1000), kBurst);
-  now_ += 2 * kPeriod;
-  EXPECT_EQ(limit_.admit(now_, kPeriod).left_out, 1000U - kBurst);
-  EXPECT_EQ(limit_.admit(now_, kPeriod).left_out, 0U);
-}
-
 TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
   RateLimit::TimePoint now{std::chrono::hours(1)};
   std::vector<std::string> lines;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "client_fixture.h"
+#include "protocol/stick_pictures.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
@@ -482,6 +483,10 @@ TEST_F(Requests, AnsweredWithNonsenseEndTheConnection) {
     answer(&peer, peer.readRequest(), 'm', bytesOf(text));
     EXPECT_THROW(call.get(), NetworkException) << text;
   }
+  ScriptedPeer peer = connectVersion2();
+  auto call = std::async(std::launch::async, [this] { client_.fetchPicture("A.JPG", test_support::kSafetyNet); });
+  answer(&peer, peer.readRequest(), 'y', Bytes(protocol::version2::MAX_STICK_PICTURE_SIZE + 1));
+  EXPECT_THROW(call.get(), NetworkException) << "larger than any picture";
 }
 
 TEST_F(Requests, ForAPictureRefuseAFileThatIsNone) {

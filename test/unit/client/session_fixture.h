@@ -72,47 +72,8 @@ class SessionFixture : public testing::Test {
   }
 
   std::future<aibo_client::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
-    return ask('F', "", quality, {}, timeout);
+    return add(aibo_client::callForPicture(quality, std::nullopt), timeout);
   }
-
-  /// Has the robot do something.
-  std::future<aibo_client::Answer> ask(char letter, const std::string& name = "", int number = 0,
-                                       const Bytes& content = {}, milliseconds timeout = milliseconds(2000)) {
-    return add(callFor(letter, name, number, content), timeout);
-  }
-
-  static aibo_client::Call callFor(char letter, const std::string& name, int number, const Bytes& content) {
-    switch (letter) {
-      case 'F':
-        return aibo_client::callForPicture(number, std::nullopt);
-      case 'O':
-        return aibo_client::callForMotors(number != 0);
-      case 'I':
-        return aibo_client::callToHold({});
-      case 'E':
-        return aibo_client::callForPosture(static_cast<protocol::version2::Posture>(number));
-      case 'P':
-        return number > 0 ? aibo_client::callToPlay(name, number, 0) : aibo_client::callToStop(name);
-      case 'U':
-        return aibo_client::callToStore(name, content, 0);
-      case 'D':
-        return aibo_client::callToDelete(name);
-      case 'N':
-        return aibo_client::callForMotions();
-      case 'Q':
-        return aibo_client::callToGoOff(protocol::version2::SHUT_DOWN);
-      default:
-        return aibo_client::callToGoOff(protocol::version2::REBOOT);
-    }
-  }
-
-  /// Has joints held.
-  std::future<aibo_client::Answer> askToHold(const std::vector<int>& joints) {
-    return add(aibo_client::callToHold(joints), milliseconds(2000));
-  }
-
-  /// Has a posture taken.
-  std::future<aibo_client::Answer> askForPosture(int id) { return ask('E', "", id); }
 
   /// Orders are numbered from kFirstOrder on.
   aibo_client::OrderTerms terms() { return {now_ + aibo_client::kLongestOrderWait, ++last_order_}; }
@@ -129,7 +90,7 @@ class SessionFixture : public testing::Test {
     command([&](auto* newer) { newer->steer({velocity, terms()}); });
   }
 
-  std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout) {
+  std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
     call.timeout = timeout;
     call.since = now_;
     call.deadline = now_ + timeout;

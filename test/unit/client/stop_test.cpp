@@ -85,14 +85,6 @@ TEST_F(StopTest, WhileANameIsLookedUp) {
   finished.get_future().wait();
 }
 
-TEST_F(StopTest, WithinAPicture) {
-  ScriptedPeer peer = startStream();
-  const Bytes reply = test_pictures::makeReply(test_pictures::make());
-  peer.send(Bytes(reply.begin(), reply.begin() + 1000));
-  ASSERT_TRUE(eventually([&] { return client_.statistics().bytes_received >= 1000; }));
-  expectToStopSoon(&client_);
-}
-
 TEST_F(StopTest, WhileTheStreamIsRunning) {
   ScriptedPeer peer = startStream();
   auto robot = std::async(std::launch::async, [&] {

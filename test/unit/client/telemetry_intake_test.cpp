@@ -135,6 +135,14 @@ TEST_F(TelemetryIntakeTest, AnImpossiblePositionIsDroppedCountedAndLoggedOnce) {
                                 "left_front_knee is 2147.48; it can be -0.723599 to 2.41657."));
 }
 
+TEST_F(TelemetryIntakeTest, AJointThatIsThereTwiceCountsOnce) {
+  measure({{kKnee, 0.5}, {kKnee, 0.51}});
+  ASSERT_THAT(delivered_, SizeIs(1));
+  EXPECT_THAT(delivered_[0].joints, SizeIs(1));
+  EXPECT_EQ(counters_.impossible_values, 1U);
+  EXPECT_THAT(log_, ElementsAre(HasSubstr("left_front_knee appears twice")));
+}
+
 TEST_F(TelemetryIntakeTest, AnImpossibleDutyIsDroppedAndItsPositionIsNot) {
   measure({{kKnee, 0.5, 2.147}, {kHeadPan, 0.5, -1.0}});
   ASSERT_THAT(delivered_, SizeIs(1));

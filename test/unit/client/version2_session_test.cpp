@@ -117,8 +117,12 @@ TEST(Version2Session, EndsIfTheServerSendsWhatNoneSends) {
     Bytes payload;
     std::string problem;
   } replies[] = {
-      {[](NewSession& session) { session.ask('N'); }, {'A', '/', '.', '.'}, "bad answer to the request to list its mo"},
-      {[](NewSession& session) { session.ask('P', "NOD.MTN", 1); }, {0x1b, '[', 'J'}, "bad answer to the request to p"},
+      {[](NewSession& session) { session.add(callForMotions()); },
+       {'A', '/', '.', '.'},
+       "bad answer to the request to list its mo"},
+      {[](NewSession& session) { session.add(callToPlay("NOD.MTN", 1, 0)); },
+       {0x1b, '[', 'J'},
+       "bad answer to the request to p"},
       {[](NewSession& session) {
          session.steer({0.1, 0, 0});
        },
@@ -148,13 +152,6 @@ TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgn
   receive(makeFrame('j', 4711, {1, 2, 3}));
   receive(makeFrame('e', 4711, version2_frames::makeError(0, "too late")));
   EXPECT_THAT(log_, IsEmpty());
-}
-
-TEST_F(Version2SessionTest, ARefusedStreamIsAFault) {
-  wish_.streaming = true;
-  request();
-  EXPECT_THAT(whyGivenUp([this] { refuse("the camera is broken", 2); }),
-              HasSubstr("refused to stream pictures: the camera is broken"));
 }
 
 // ---- Pictures
@@ -266,14 +263,6 @@ TEST_F(Version2SessionTest, ADamagedAnswerIsRequestedAgainWhileTimeIsLeft) {
 }
 
 // ---- Telemetry
-
-TEST_F(Version2SessionTest, RefusedTelemetryIsLoggedAndNotAskedForAgain) {
-  wish_.telemetry_period = 4;
-  EXPECT_EQ("T 1 0 4", request());
-  refuse("", 2);
-  EXPECT_EQ(1, logged("refused to send telemetry: error code 2"));
-  live(milliseconds(5000));
-}
 
 TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   wish_.telemetry_period = 4;
@@ -459,21 +448,14 @@ TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsN
   EXPECT_EQ("L 0 7 99 0 0", request());
 }
 
-TEST_F(Version2SessionTest, ARefusalIsLoggedAgainOnlyAfterSuchACommandWasTaken) {
-  const auto command = [this](bool is_refused) {
-    commandLeds({{99, 1}});
-    request();
-    is_refused ? refuse("there is no LED 99") : answer({99, 1, 0, 0});
-    return logged("refused to set LEDs: there is no LED 99");
-  };
-  EXPECT_EQ(1, command(true));
-  EXPECT_EQ(1, command(true));
-  EXPECT_EQ(2u, counters_.refusals);
-  command(false);
-  EXPECT_EQ(2, command(true));
-}
-
 // ---- Refusals
+
+TEST_F(Version2SessionTest, ARefusalIsLoggedIfNobodyIsTold) {
+  commandLeds({{99, 1}});
+  request();
+  refuse("there is no LED 99");
+  EXPECT_EQ(1, logged("refused to set LEDs: there is no LED 99"));
+}
 
 TEST_F(Version2RefusalsTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
   commandJoints({{2, 0.5}, {1, -0.1}});
@@ -514,9 +496,9 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     session.limitSpeed({{2, 1.0}});
     session.commandLeds({{1, 255}});
     auto picture = session.takePicture(10);
-    auto motors = session.ask('O', "", 1);
-    auto upload = session.ask('U', "NOD.MTN", 0, {1, 2, 3});
-    auto stop = session.ask(letter);
+    auto motors = session.add(callForMotors(true));
+    auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}, 0));
+    auto stop = session.add(letter == 'I' ? callToHold({}) : callForMotors(false));
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0", session.request());
     session.answer(session.frame_.payload);
     EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
@@ -539,28 +521,28 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"walk", command([](NewSession& session) {
          session.steer({0.1, 0, 0});
        })},
-      {"motion NOD", [](NewSession& session) { return session.ask('P', "NOD.MTN", 1); }},
-      {"posture", [](NewSession& session) { return session.ask('E', "", 2); }},
+      {"motion NOD", [](NewSession& session) { return session.add(callToPlay("NOD.MTN", 1, 0)); }},
+      {"posture", [](NewSession& session) { return session.add(callForPosture(version2::POSTURE_SIT)); }},
   };
   const struct {
     std::string order;
     Order give;
     std::string dropped;  // x: this order of `waiting` is not carried out
   } rows[] = {
-      {"hold everything", [](NewSession& session) { return session.askToHold({}); }, "xxxxx"},
-      {"hold joint 2", [](NewSession& session) { return session.askToHold({2}); }, "x--xx"},
+      {"hold everything", [](NewSession& session) { return session.add(callToHold({})); }, "xxxxx"},
+      {"hold joint 2", [](NewSession& session) { return session.add(callToHold({2})); }, "x--xx"},
       {"hold joint 11",
        [](NewSession& session) {
-         return session.askToHold({3, 11});
+         return session.add(callToHold({3, 11}));
        },
        "-xxxx"},
-      {"motors off", [](NewSession& session) { return session.ask('O'); }, "xxxxx"},
-      {"motors on", [](NewSession& session) { return session.ask('O', "", 1); }, "xx---"},
-      {"posture", [](NewSession& session) { return session.ask('E', "", 1); }, "xxx--"},
-      {"play SIT", [](NewSession& session) { return session.ask('P', "SIT.MTN", 1); }, "xx---"},
-      {"stop NOD", [](NewSession& session) { return session.ask('P', "NOD.MTN"); }, "---x-"},
-      {"stop SIT", [](NewSession& session) { return session.ask('P', "SIT.MTN"); }, "-----"},
-      {"stop all motions", [](NewSession& session) { return session.ask('P'); }, "---x-"},
+      {"motors off", [](NewSession& session) { return session.add(callForMotors(false)); }, "xxxxx"},
+      {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx---"},
+      {"posture", [](NewSession& session) { return session.add(callForPosture(version2::POSTURE_STAND)); }, "xxx--"},
+      {"play SIT", [](NewSession& session) { return session.add(callToPlay("SIT.MTN", 1, 0)); }, "xx---"},
+      {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x-"},
+      {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-----"},
+      {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x-"},
       {"walk", command([](NewSession& session) {
          session.steer({0.2, 0, 0});
        }),
@@ -580,9 +562,9 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
 }
 
 TEST_F(Version2RefusalsTest, WhatAStopComesBeforeIsToldWithTheReason) {
-  auto posture = ask('E', "", 2);
+  auto posture = add(callForPosture(version2::POSTURE_SIT));
   commandJoints({{2, 0.5}, {3, 0.5}});
-  auto held = askToHold({2});
+  auto held = add(callToHold({2}));
   expectRefusals({{RefusedRequest::kJoints,
                    RefusalCause::kStopped,
                    {2},
@@ -595,10 +577,10 @@ TEST_F(Version2RefusalsTest, WhatAStopComesBeforeIsToldWithTheReason) {
 }
 
 TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthersGoOn) {
-  auto play = ask('P', "NOD.MTN", 1);
-  auto list = ask('N', "", 0, {}, milliseconds(200));
-  auto erase = ask('D', "NOD.MTN");
-  auto motors = ask('O', "", 1);
+  auto play = add(callToPlay("NOD.MTN", 1, 0));
+  auto list = add(callForMotions(), milliseconds(200));
+  auto erase = add(callToDelete("NOD.MTN"));
+  auto motors = add(callForMotors(true));
   EXPECT_EQ('P', request()[0]);
   const Frame sent = frame_;
   EXPECT_EQ('O', request()[0]);
@@ -639,10 +621,10 @@ TEST_F(Version2SessionTest, ALateAnswerToANumberedCallIsTold) {
 }
 
 TEST_F(Version2SessionTest, AnOrderThatCouldNotBeSentInTimeIsNotSentLater) {
-  auto upload = ask('U', "NOD.MTN", 0, {1, 2, 3}, milliseconds(10000));
+  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}, 0), milliseconds(10000));
   EXPECT_EQ('U', request()[0]);
   const Frame sent = frame_;
-  auto short_call = ask('P', "SIT.MTN", 1, {}, milliseconds(100));
+  auto short_call = add(callToPlay("SIT.MTN", 1, 0), milliseconds(100));
   Call call = callToPlay("SIT.MTN", 1, 0);
   call.not_after = now_ + milliseconds(150);
   auto old_order = add(std::move(call), milliseconds(5000));
@@ -664,7 +646,7 @@ TEST_F(Version2SessionTest, AnOrderThatCouldNotBeSentInTimeIsNotSentLater) {
 
 TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
   stream();
-  auto upload = ask('U', "NOD.MTN", 0, Bytes(65523), milliseconds(20000));
+  auto upload = add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
   EXPECT_EQ('U', request(0)[0]);
   std::vector<Frame> sent = {frame_};
   for (int i = 0; i < 7; ++i) {
@@ -684,7 +666,7 @@ TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
 
 TEST_F(Version2SessionTest, AfterALargeUploadThatWasRefusedPicturesAreDueAsEver) {
   stream();
-  auto upload = ask('U', "NOD.MTN", 0, Bytes(65523), milliseconds(20000));
+  auto upload = add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
   EXPECT_EQ('U', request(0)[0]);
   refuse("the memory stick is full");
   live(milliseconds(499));
@@ -764,20 +746,6 @@ TEST_F(Version2SessionTest, ReportsOfAJointAreOverWhenItFollowsAgain) {
   push('e', version2_frames::makeError(4, "the battery below the mouth is low"));
   EXPECT_EQ("the battery below the mouth is low", follows("mouth")) << "no joint's fault";
   EXPECT_EQ(2, logged("The joint mouth follows its commands again."));
-}
-
-TEST_F(Version2SessionTest, AReportThatItLiesOnItsSideIsOverWhenItMovesAgain) {
-  for (const bool walks : {true, false}) {
-    push('e', version2_frames::makeError(0, "the robot lies on its side"));
-    EXPECT_THAT(connection_.robot_message, HasSubstr("lies on its side"));
-    auto posture = walks ? std::future<Answer>() : ask('E', "", 1);
-    if (walks) {
-      steer({0.1, 0, 0});
-    }
-    request();
-    walks ? answer({0, 100, 0, 0, 0, 0, 0, 0}) : answer({});
-    EXPECT_EQ("", connection_.robot_message) << walks;
-  }
 }
 
 }  // namespace
