@@ -58,11 +58,13 @@ class DatagramsFixture : public Version2Fixture {
     asked_.clear();
   }
 
-  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
+  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images. Once datagrams are given
+  /// up, they are not wanted any more.
   template <typename Action>
   void live(milliseconds time, const Action& every_32_ms) {
     for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
       every_32_ms();
+      wish_.datagram_port = connection_.transport_problem.empty() ? wish_.datagram_port : 0;
       const TimePoint end = now_ + milliseconds(32);
       while (now_ < end && !HasFatalFailure()) {
         answer();
@@ -94,6 +96,12 @@ class DatagramsFixture : public Version2Fixture {
     ++picture_;
     jpegs_.push_back(makeJpeg(picture_));
     return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_, with_parities);
+  }
+  /// Without its last datagram.
+  std::vector<Bytes> nextCut() {
+    std::vector<Bytes> datagrams = nextPicture();
+    datagrams.pop_back();
+    return datagrams;
   }
   std::vector<Bytes> nextLargePicture() {
     ++picture_;

@@ -152,9 +152,7 @@ TEST_F(RepeatedDatagramsTest, APictureThatWasLostWholeIsAskedFor) {
 }
 
 TEST_F(RepeatedDatagramsTest, AWholePictureDoesNotWaitForLong) {
-  std::vector<Bytes> first = nextPicture();
-  first.pop_back();
-  arrive(first);
+  arrive(nextCut());
   const std::vector<Bytes> whole = nextPicture(true);
   arrive(whole);
   wait(milliseconds(1));
@@ -169,9 +167,7 @@ TEST_F(RepeatedDatagramsTest, AWholePictureDoesNotWaitForLong) {
 }
 
 TEST_F(RepeatedDatagramsTest, APictureThatTheRobotNoLongerHasIsGivenUpAtOnce) {
-  std::vector<Bytes> first = nextPicture();
-  first.pop_back();
-  arrive(first);
+  arrive(nextCut());
   arrive(nextPicture());
   arrive(nextPicture());
   EXPECT_THAT(delivered(), IsEmpty());
