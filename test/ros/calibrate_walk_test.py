@@ -76,26 +76,6 @@ class CalibrateWalkTest(unittest.TestCase):
         self.assertAlmostEqual(way.y, 0.1)
         self.assertAlmostEqual(way.turn, 4 * math.pi, msg='it has turned back a little')
 
-    def test_waits_for_odometry(self):
-        with mock.patch.object(program.rospy, 'Publisher') as publisher, \
-                mock.patch.object(program.rospy, 'Subscriber') as subscriber:
-            robot = program.Robot()
-        self.assertEqual(publisher.call_args[0], ('cmd_vel', program.Twist))
-        self.assertEqual(subscriber.call_args[0], ('odom', program.Odometry, robot.hear))
-        with mock.patch.object(program.time, 'sleep', lambda _: robot.hear(self.odometry(1, 2, 0))):
-            robot.await_odometry()
-        robot.pose = None
-        with mock.patch.object(program, 'PATIENCE', -1), mock.patch.object(program.rospy, 'resolve_name', lambda _: '/o'), \
-                self.assertRaisesRegex(program.Problem, 'nothing comes on /o. Does the driver run'):
-            robot.await_odometry()
-
-    def test_steers_as_it_is_told(self):
-        robot = program.Robot.__new__(program.Robot)
-        robot.velocity = mock.Mock()
-        robot.steer(0.1, 0.2, -0.3)
-        twist = robot.velocity.publish.call_args[0][0]
-        self.assertEqual((twist.linear.x, twist.linear.y, twist.angular.z), (0.1, 0.2, -0.3))
-
     def test_drives_and_asks_for_each_way(self):
         drives, said_and_done = [], []
         answers = iter(['', '0.95', '-0.1', '9', '', '0.45', '', '-18'])
@@ -181,19 +161,6 @@ class CalibrateWalkTest(unittest.TestCase):
                 mock.patch.object(program.rospy, 'is_shutdown', lambda: False), self.assertRaises(KeyboardInterrupt):
             robot.drive((0.1, 0, 0), lambda way: way.x)
         robot.steer.assert_called_with()
-
-    def test_a_robot_that_stops_on_its_way_is_no_calibration(self):
-        robot = program.Robot.__new__(program.Robot)
-        robot.pose, robot.turned, clock = (0.0, 0.0, 0.0), 0.0, iter(range(100))  # seconds
-
-        def steer(x=0.0, y=0.0, turn=0.0):
-            robot.pose = (min(robot.pose[0] + x, 0.3), 0.0, 0.0)
-        robot.steer = steer
-        with mock.patch.object(program.time, 'sleep'), \
-                mock.patch.object(program.time, 'monotonic', lambda: next(clock)), \
-                mock.patch.object(program.rospy, 'is_shutdown', lambda: False), \
-                self.assertRaisesRegex(program.Problem, 'does not walk on'):
-            robot.drive((0.1, 0, 0), lambda way: way.x)
 
 
 if __name__ == '__main__':

@@ -211,13 +211,6 @@ class RvizConfigurationTest(unittest.TestCase):
     def setUp(self):
         self.template = yaml.safe_load((PROJECT / 'rviz/aibo.rviz').read_text(encoding='utf-8'))
 
-    def test_of_the_robot_in_aibo_is_the_file(self):
-        made = rviz.configuration(self.template, [('aibo', '')])
-        manager = made[rviz.MANAGER]
-        for display in self.template[rviz.MANAGER]['Displays']:
-            self.assertIn(display, manager['Displays'])
-        self.assertEqual(manager['Global Options'], self.template[rviz.MANAGER]['Global Options'])
-
     def test_of_two_robots_has_each_in_a_group_of_its_own(self):
         made = rviz.configuration(self.template, [('left', 'port'), ('right', '')], 'fleet')
         manager = made[rviz.MANAGER]
@@ -245,12 +238,6 @@ class RvizConfigurationTest(unittest.TestCase):
         made = rviz.configuration(self.template, [('left', 'port')])
         frame = self.template[rviz.MANAGER]['Global Options']['Fixed Frame']
         self.assertEqual(made[rviz.MANAGER]['Global Options']['Fixed Frame'], 'port/' + frame)
-
-    def test_of_one_robot_shows_that_one(self):
-        made = rviz.configuration(self.template, [('left', 'port')])
-        self.assertNotIn('/aibo', str(made))
-        model, = (d for d in made[rviz.MANAGER]['Displays'] if d['Class'] == 'rviz/RobotModel')
-        self.assertEqual((model['Robot Description'], model['TF Prefix']), ('/left/robot_description', 'port'))
 
     def test_the_view_follows_a_single_robot(self):
         followed = [rviz.configuration(self.template, robots, frame)[rviz.MANAGER]['Views']['Current']['Target Frame']

@@ -4,14 +4,12 @@
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <std_srvs/SetBool.h>
 
 #include <chrono>
 #include <future>
 
 #include "support/ros/driver_user.h"
-#include "support/ros/topic_listener.h"
 
 namespace {
 
@@ -62,17 +60,6 @@ TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
   EXPECT_FALSE(answer.success);
   EXPECT_THAT(answer.message, HasSubstr("There is no picture"));
   EXPECT_FALSE(second.get().success);
-}
-
-TEST(SetStreaming, WithTheRobotGoneSaysSoAndStreamsWhenItIsBack) {
-  test_support::TopicListener<sensor_msgs::CompressedImage> pictures("/wish/camera/image_raw/compressed");
-  DriverUser user("/wish", {"_stream_on_start:=false"});
-  user.loseRobot();
-  const std_srvs::SetBool::Response answer = setStreaming(user, true);
-  EXPECT_FALSE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("the robot does not answer yet"));
-  user.robot.restart();
-  EXPECT_FALSE(pictures.waitForCount(1).empty());
 }
 
 }  // namespace

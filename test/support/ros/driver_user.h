@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -54,6 +55,17 @@ class DriverUser {
     typename Service::Response response;
     EXPECT_TRUE(ros::service::call(name_space_ + "/" + name, request, response)) << "the call itself failed";
     return response;
+  }
+
+  /// Tries again and again, because a driver that is held up for long drops orders.
+  static bool becomesTrue(const std::function<bool()>& attempt) {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    while (!attempt()) {
+      if (std::chrono::steady_clock::now() > end) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// A velocity ahead. The robot cannot do what is in the fields that are not for it.

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <condition_variable>
+#include <memory>
 #include <mutex>
 
 #include "support/ros/topic_listener.h"
@@ -23,6 +24,17 @@ class GoalWatch {
   using ResultPtr = boost::shared_ptr<const Result>;
   using FeedbackPtr = boost::shared_ptr<const Feedback>;
 
+  /// Gives a goal again and again, until its first feedback comes: a driver that is held up for half a second refuses
+  /// goals.
+  static std::unique_ptr<GoalWatch> begin(Client& client, const Goal& goal) {
+    std::unique_ptr<GoalWatch> watch;
+    for (int attempt = 0; attempt < 10 && (!watch || !watch->waitForFeedback()); ++attempt) {
+      watch = std::make_unique<GoalWatch>(client, goal);
+    }
+    EXPECT_TRUE(watch->waitForFeedback());
+    return watch;
+  }
+
   GoalWatch(Client& client, const Goal& goal) {
     handle_ = client.sendGoal(
         goal, [this](typename Client::GoalHandle handle) { changed(handle); },
@@ -34,10 +46,10 @@ class GoalWatch {
   GoalWatch(const GoalWatch&) = delete;
   GoalWatch& operator=(const GoalWatch&) = delete;
 
-  /// Null if none comes in time.
+  /// Null if the goal ends without, or none comes in time.
   FeedbackPtr waitForFeedback() {
     std::unique_lock<std::mutex> lock(mutex_);
-    changed_.wait_for(lock, kSafetyNet, [this] { return feedback_ != nullptr; });
+    changed_.wait_for(lock, kSafetyNet, [this] { return feedback_ != nullptr || over_; });
     return feedback_;
   }
 

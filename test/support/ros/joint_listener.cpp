@@ -31,24 +31,27 @@ std::optional<double> speedOf(const sensor_msgs::JointState& message, const std:
   return velocity ? std::optional<double>(std::abs(*velocity)) : std::nullopt;
 }
 
-std::map<std::string, double> JointListener::waitForPositions(const std::map<std::string, double>& expected) {
+std::map<std::string, double> JointListener::waitForPositions(const std::map<std::string, double>& expected,
+                                                              std::chrono::milliseconds timeout) {
   listener_.clear();
   std::map<std::string, double> elsewhere;
   std::map<std::string, double> latest;
-  listener_.waitFor([&](const sensor_msgs::JointState& message) {
-    for (std::size_t i = 0; i < message.name.size(); ++i) {
-      latest[message.name[i]] = message.position[i];
-    }
-    elsewhere.clear();
-    for (const auto& joint : expected) {
-      const auto found = latest.find(joint.first);
-      const double position = found == latest.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
-      if (!(std::abs(position - joint.second) <= kTolerance)) {
-        elsewhere[joint.first] = position;
-      }
-    }
-    return elsewhere.empty();
-  });
+  listener_.waitFor(
+      [&](const sensor_msgs::JointState& message) {
+        for (std::size_t i = 0; i < message.name.size(); ++i) {
+          latest[message.name[i]] = message.position[i];
+        }
+        elsewhere.clear();
+        for (const auto& joint : expected) {
+          const auto found = latest.find(joint.first);
+          const double position = found == latest.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+          if (!(std::abs(position - joint.second) <= kTolerance)) {
+            elsewhere[joint.first] = position;
+          }
+        }
+        return elsewhere.empty();
+      },
+      timeout);
   return elsewhere;
 }
 

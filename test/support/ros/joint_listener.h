@@ -4,6 +4,7 @@
 
 #include <sensor_msgs/JointState.h>
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
@@ -28,7 +29,8 @@ class JointListener {
 
   /// Waits until the joints have these positions.
   /// @return the joints that were elsewhere in the last message; empty if all came in time
-  std::map<std::string, double> waitForPositions(const std::map<std::string, double>& expected);
+  std::map<std::string, double> waitForPositions(const std::map<std::string, double>& expected,
+                                                 std::chrono::milliseconds timeout = kSafetyNet);
 
   /// Waits until the joint has this position.
   /// @return false if it did not in time

@@ -3,17 +3,21 @@
 #define TEST_SUPPORT_ROS_JOINT_USER_H
 
 #include <aibo_driver/Connection.h>
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/SetBool.h>
 
+#include <chrono>
 #include <cstddef>
+#include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
+#include "support/ros/joint_messages.h"
 
 namespace test_support {
 
@@ -36,6 +40,22 @@ class JointUser : public DriverUser {
     return call<std_srvs::SetBool>("motors", request);
   }
 
+  // Gives an order again and again, until the joints are there: a driver that is held up for long drops orders.
+  bool reaches(const Posture& posture, const std::function<void()>& order) {
+    std::map<std::string, double> elsewhere = posture;
+    for (int attempt = 1; attempt <= 6 && !elsewhere.empty(); ++attempt) {
+      order();
+      elsewhere = joints.waitForPositions(posture, std::chrono::seconds(3 * attempt));
+    }
+    EXPECT_THAT(elsewhere, ::testing::IsEmpty());
+    return elsewhere.empty();
+  }
+
+  template <typename Message>
+  bool reaches(const Posture& posture, const std::string& topic, const Message& message) {
+    return reaches(posture, [&] { publish(topic, message); });
+  }
+
   // Breaks the connection and waits for the next one.
   void reconnect() {
     connection.clear();
@@ -45,11 +65,11 @@ class JointUser : public DriverUser {
     EXPECT_TRUE(joints.messages().waitForNext());
   }
 
-  bool waitForPanBeyond(double position) {
+  bool waitForPanBeyond(double position, std::chrono::milliseconds timeout = kSafetyNet) {
     const auto isBeyond = [position](const sensor_msgs::JointState& state) {
       return positionOf(state, "head_pan").value_or(position) > position;
     };
-    return joints.messages().waitFor(isBeyond) != nullptr;
+    return joints.messages().waitFor(isBeyond, timeout) != nullptr;
   }
 
   std::size_t jointRequests(std::size_t first_connection = 0) const {

@@ -1,0 +1,360 @@
+// The programs that steer: from the keys of a terminal, and from a gamepad. The driver is a fake.
+
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/PlayMotion.h>
+#include <aibo_driver/RobotState.h>
+#include <aibo_driver/TakePicture.h>
+#include <geometry_msgs/Twist.h>
+#include <gmock/gmock.h>
+#include <pty.h>
+#include <ros/ros.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/Joy.h>
+#include <std_msgs/String.h>
+#include <std_srvs/Trigger.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "support/ros/driver_user.h"
+#include "support/ros/fake_driver.h"
+
+namespace {
+
+using aibo_driver::EndedMovement;
+using aibo_driver::MotionState;
+using aibo_driver::Movement;
+using aibo_driver::PlayMotion;
+using aibo_driver::RobotState;
+using aibo_driver::TakePicture;
+using geometry_msgs::Twist;
+using std_srvs::Trigger;
+using test_support::DriverUser;
+using test_support::FakeDriver;
+using test_support::kSafetyNet;
+using test_support::Process;
+using test_support::TopicListener;
+using test_support::TopicPublishers;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+bool goes(const Twist& twist) {
+  return twist.linear.x != 0 || twist.linear.y != 0 || twist.angular.z != 0;
+}
+
+// A program that reads keys from a pseudo terminal, in which somebody types.
+class KeyboardTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (::openpty(&keys_, &terminal_, name_, nullptr, nullptr) != 0) {
+      GTEST_SKIP() << "this system gives no pseudo terminal: is /dev/pts mounted?";
+    }
+  }
+
+  ~KeyboardTest() override {
+    ::close(keys_);
+    ::close(terminal_);
+  }
+
+  std::vector<std::string> command(const std::string& arguments) const {
+    return {"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " " + arguments + " < " + name_};
+  }
+
+  void type(char key) const { EXPECT_EQ(::write(keys_, &key, 1), 1); }
+
+  bool showsKeys() const {
+    termios settings{};
+    EXPECT_EQ(::tcgetattr(terminal_, &settings), 0);
+    return (settings.c_lflag & ECHO) != 0;
+  }
+
+ private:
+  int keys_ = -1;
+  int terminal_ = -1;
+  char name_[64] = {};
+};
+
+TEST_F(KeyboardTest, WalksWhileAKeyIsHeldDownAndThenStops) {
+  TopicListener<Twist> commands("/keys/cmd_vel");
+  Process teleop(command("__ns:=/keys _speed:=0.2"));
+  teleop.waitForOutput("speeds: 0.200 m/s", kSafetyNet);
+  EXPECT_EQ(commands.count(), 0u) << "others may steer while no key is pressed";
+  type('i');
+  ASSERT_TRUE(commands.waitFor([](const Twist& each) { return each.linear.x == 0.2; }));
+  EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << "the key was let go";
+  EXPECT_GT(commands.count(), 2u) << "meanwhile it is repeated";
+}
+
+TEST_F(KeyboardTest, EndsWithAStopAndLeavesTheTerminalAsItWas) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    TopicListener<Twist> commands("/ended_keys/cmd_vel");
+    Process teleop(command("__ns:=/ended_keys _key_timeout:=0"));
+    teleop.waitForOutput("speeds", kSafetyNet);
+    EXPECT_FALSE(showsKeys());
+    type('i');
+    ASSERT_TRUE(commands.waitFor(goes));
+    teleop.signal(signal);
+    EXPECT_EQ(teleop.waitForExit(kSafetyNet), 0) << signal;
+    EXPECT_TRUE(commands.waitFor([](const Twist& each) { return !goes(each); })) << signal;
+    EXPECT_TRUE(showsKeys()) << signal;
+  }
+}
+
+TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
+  MotionState state;
+  const auto end = [&state](const char* source, const char* reason) {
+    EndedMovement& ended = state.ended.emplace_back();
+    ended.movement.kind = Movement::WALK;
+    ended.movement.source = source;
+    ended.how = EndedMovement::REFUSED;
+    ended.reason = reason;
+  };
+  Process teleop(command("__ns:=/refused __name:=keys"));
+  teleop.waitForOutput("speeds", kSafetyNet);
+  TopicPublishers driver("/refused");
+  end("/refused/keys", "before it listened");
+  driver.publish("motion_state", state);
+  for (const char* reason : {"the floor ends ahead", "the floor ends ahead; let go first", "it fell"}) {
+    end("/refused/keys", reason);
+    end("/another", "another's");
+    driver.publish("motion_state", state);
+  }
+  teleop.waitForOutput("does not walk: the floor ends ahead.\n(.|\n)*does not walk: it fell\\.", kSafetyNet);
+  EXPECT_THAT(teleop.output(), Not(ContainsRegex("before|another|let go")));
+}
+
+TEST_F(KeyboardTest, SaysWhoHasStoppedTheRobotAndReleasesIt) {
+  FakeDriver driver("/board");
+  driver.stop("/user");
+  Process teleop(command("__ns:=/board"));
+  teleop.waitForOutput("/user has stopped the robot. R .capital. lets it move again", kSafetyNet);
+  type('R');
+  teleop.waitForOutput("The robot may move again", kSafetyNet);
+  type('S');
+  teleop.waitForOutput("/caller has stopped the robot", kSafetyNet);
+}
+
+TEST(Keyboard, SaysWhyItCannotStart) {
+  const std::map<std::string, std::string> no_master{{"ROS_MASTER_URI", "http://127.0.0.1:1"}};
+  const std::tuple<std::string, std::map<std::string, std::string>, const char*> rows[] = {
+      {"__ns:=/wrong_speed _speed:=-0.1", {}, "/speed is -0.1.*; it must be a number, 0\\.\\."},
+      {"__ns:=/wrong_time _key_timeout:=nan", {}, "/key_timeout is nan.*; it must be a number, 0\\.\\."},
+      {"< /dev/null", {}, "Start it in a terminal of its own"},
+      {"", no_master, "no ROS master at http://127.0.0.1:1"},
+  };
+  for (const auto& [arguments, environment, complaint] : rows) {
+    Process teleop({"/bin/sh", "-c", std::string("exec ") + AIBO_TELEOP_KEYBOARD + " " + arguments}, environment);
+    EXPECT_NO_THROW(teleop.waitForOutput(complaint, kSafetyNet));
+    EXPECT_EQ(teleop.waitForExit(kSafetyNet), 1) << arguments;
+  }
+}
+
+// A gamepad with aibo_teleop_joy, in a namespace.
+class Gamepad {
+ public:
+  static constexpr std::size_t kPicture = 0;
+  static constexpr std::size_t kStop = 1;
+  static constexpr std::size_t kDeadMan = 4;
+  static constexpr std::size_t kRelease = 5;
+
+  explicit Gamepad(const std::string& name_space, const std::vector<std::string>& parameters = {})
+      : joystick_(name_space), teleop_(command(name_space, parameters)) {
+    press({});  // waits until it listens
+  }
+
+  void press(const std::vector<std::size_t>& pressed, const std::vector<float>& axes = std::vector<float>(7)) {
+    sensor_msgs::Joy joy;
+    joy.axes = axes;
+    joy.buttons.resize(8);
+    for (const std::size_t button : pressed) {
+      joy.buttons[button] = 1;
+    }
+    joystick_.publish("joy", joy);
+  }
+
+  Process& teleop() { return teleop_; }
+
+ private:
+  static std::vector<std::string> command(const std::string& name_space, const std::vector<std::string>& parameters) {
+    std::vector<std::string> words{AIBO_TELEOP_JOY, "__ns:=" + name_space, "/joy:=" + name_space + "/joy",
+                                   "_release_button:=" + std::to_string(kRelease)};
+    words.insert(words.end(), parameters.begin(), parameters.end());
+    return words;
+  }
+
+  TopicPublishers joystick_;
+  Process teleop_;
+};
+
+struct Mapping {
+  const char* name_space;
+  std::vector<std::string> parameters;
+  std::vector<float> axes;  ///< 0.55 forward, 0.28 of a turn, fully to the right; the head to the right and up
+  double forward, left, turn, head_speed;
+};
+
+TEST(GamepadTest, EachAxisHasItsDirectionAndSpeed) {
+  const Mapping rows[] = {
+      {"/usual", {}, {0.28F, 0.55F, 1, -0.55F, 1, 1, -1}, 0.15 * 0.5, -0.06, 0.2, 1.5},
+      {"/other",
+       {"_turn_axis:=1", "_forward_axis:=0", "_left_axis:=2", "_pan_axis:=4", "_tilt_axis:=3", "_speed:=0.1",
+        "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3"},
+       {0.55F, 0.28F, -1, 1, -0.55F, 0, 0},
+       0.05,
+       -0.05,
+       0.4,
+       4.5},
+  };
+  for (const Mapping& row : rows) {
+    const FakeDriver driver(row.name_space);
+    TopicListener<Twist> walks(std::string(row.name_space) + "/cmd_vel");
+    TopicListener<sensor_msgs::JointState> heads(std::string(row.name_space) + "/joint_command");
+    TopicPublishers robot(row.name_space);
+    Gamepad pad(row.name_space, row.parameters);
+    sensor_msgs::JointState measured;
+    measured.name = {"head_tilt", "head_pan"};
+    measured.position = {0.2, 0.3};
+    ASSERT_TRUE(DriverUser::becomesTrue([&] {
+      robot.publish("joint_states", measured);
+      pad.press({Gamepad::kDeadMan}, row.axes);  // again, as joysticks do
+      walks.waitForNext(std::chrono::milliseconds(50));
+      return heads.count() > 1 && walks.count() > 0;
+    }));
+    const auto walk = walks.waitForCount(1).front();
+    EXPECT_NEAR(walk->linear.x, row.forward, 1e-6) << row.name_space;
+    EXPECT_NEAR(walk->linear.y, row.left, 1e-6) << row.name_space;
+    EXPECT_NEAR(walk->angular.z, row.turn, 1e-6) << row.name_space;
+    const auto head = heads.waitForCount(2)[1];
+    EXPECT_EQ(head->velocity, std::vector<double>(2, row.head_speed)) << "the head can keep up";
+    EXPECT_NE(head->position.at(0), 0.3) << row.name_space;
+    EXPECT_NE(head->position.at(1), 0.2) << row.name_space;
+  }
+}
+
+TEST(GamepadTest, EachButtonCallsItsService) {
+  const FakeDriver driver("/pad");
+  TopicListener<std_msgs::String> calls("/pad/calls");
+  ros::NodeHandle handle("/pad");
+  const ros::Publisher caller = handle.advertise<std_msgs::String>("calls", 10, true);
+  const auto note = [&caller](const std::string& text) {
+    std_msgs::String call;
+    call.data = text;
+    caller.publish(call);
+    return true;
+  };
+  const boost::function<bool(Trigger::Request&, Trigger::Response&)> sit = [&](auto&, auto&) { return note("sit"); };
+  const boost::function<bool(PlayMotion::Request&, PlayMotion::Response&)> play = [&](auto& request, auto&) {
+    return note(request.name + " " + std::to_string(request.repetitions));
+  };
+  const boost::function<bool(TakePicture::Request&, TakePicture::Response&)> take = [&](auto& request, auto&) {
+    return note(request.save_to);
+  };
+  const ros::ServiceServer services[] = {handle.advertiseService("sit", sit),
+                                         handle.advertiseService("play_motion", play),
+                                         handle.advertiseService("take_picture", take)};
+  ros::param::set("/pad/aibo_teleop_joy/motions", std::map<std::string, int>{{"NOD", 6}});
+  ros::param::set("/pad/aibo_teleop_joy/postures", std::map<std::string, int>{{"sit", 7}});
+  Gamepad pad("/pad");
+  // Again and again, because the call before may not have ended yet.
+  const auto calls_with = [&](std::vector<std::size_t> pressed, std::size_t button, const std::string& pattern) {
+    return DriverUser::becomesTrue([&] {
+      pad.press(pressed);
+      std::vector<std::size_t> both = pressed;
+      both.push_back(button);
+      pad.press(both);
+      return calls.waitFor(
+                 [&](const std_msgs::String& call) { return ::testing::Matches(ContainsRegex(pattern))(call.data); },
+                 std::chrono::seconds(1)) != nullptr;
+    });
+  };
+  EXPECT_TRUE(calls_with({}, Gamepad::kPicture, "aibo_.*\\.jpg"));
+  EXPECT_TRUE(calls_with({Gamepad::kDeadMan}, 6, "^NOD 1$"));
+  EXPECT_TRUE(calls_with({Gamepad::kDeadMan}, 7, "^sit$"));
+}
+
+TEST(GamepadTest, SaysWhoHasStoppedTheRobotAndReleasesItWithTheDeadManButton) {
+  FakeDriver driver("/releasing");
+  Gamepad pad("/releasing");
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});  // nobody has stopped the robot
+  pad.press({Gamepad::kStop});
+  pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
+  EXPECT_THAT(pad.teleop().output(), Not(HasSubstr("/release: ")));
+  pad.press({Gamepad::kDeadMan});
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
+  pad.teleop().waitForOutput("The robot may move again", kSafetyNet);
+}
+
+TEST(GamepadTest, StopsWhileAReleaseWaitsForItsAnswer) {
+  constexpr bool kIsSlow = true;
+  FakeDriver driver("/late", kIsSlow);
+  driver.stop("/user");
+  Gamepad pad("/late");
+  pad.teleop().waitForOutput("/user has stopped the robot", kSafetyNet);
+  pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
+  ASSERT_TRUE(driver.waitForCallOfRelease());
+  pad.press({Gamepad::kStop});
+  EXPECT_NO_THROW(pad.teleop().waitForOutput("/late/stop: ", kSafetyNet));
+  driver.answerRelease();
+}
+
+TEST(GamepadTest, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
+  FakeDriver driver("/held");
+  Gamepad pad("/held");
+  pad.teleop().signal(SIGSTOP);
+  pad.press({Gamepad::kStop});
+  for (int i = 0; i < 20; ++i) {
+    pad.press({});
+  }
+  pad.teleop().signal(SIGCONT);
+  pad.teleop().waitForOutput("/held/stop: ", kSafetyNet);
+}
+
+struct WrongStart {
+  const char* program;
+  const char* parameter;
+  const char* complaint;
+};
+
+const std::vector<WrongStart> kWrongStarts = {
+    {AIBO_TELEOP_JOY, "_dead_man_button:=-1", "dead_man_button is -1; it must be"},
+    {AIBO_TELEOP_JOY, "_tilt_axis:=-2", "tilt_axis is -2; it must be a place in sensor_msgs/Joy, from 0 on, or -1"},
+    {AIBO_TELEOP_JOY, "_motions/WAG:=-2", "motions/WAG is -2; it must be a place"},
+    {AIBO_TELEOP_JOY, "_stop_button:=two", "stop_button is the text 'two'; it must be a place"},
+    {AIBO_TELEOP_JOY, "_postures/fly:=2", "the postures are stand, sit and rest"},
+    {AIBO_TELEOP_JOY, "_motions:=2", "motions should have a button for each name"},
+#ifdef AIBO_JOY
+    {AIBO_JOY, "_dev:=/dev/input/js", "dev is '/dev/input/js'; it should be /dev/input/js0 for the first"},
+    {AIBO_JOY, "_deadzone:=101", "deadzone is 101"},
+    {AIBO_JOY, "_autorepeat_rate:=-1", "autorepeat_rate is -1"},
+#endif
+};
+
+TEST(GamepadTest, SaysWhichOfItsParametersIsWrong) {
+  for (const auto& [program, parameter, complaint] : kWrongStarts) {
+    Process node({program, "__ns:=/wrong_joystick", parameter});
+    EXPECT_NO_THROW(node.waitForOutput(complaint, kSafetyNet)) << parameter;
+    EXPECT_EQ(node.waitForExit(kSafetyNet), 1) << parameter;
+    ros::param::del("/wrong_joystick");
+  }
+}
+
+#ifdef AIBO_JOY
+TEST(JoystickReader, WaitsForItsJoystick) {
+  Process joy({AIBO_JOY, "_dev:=/dev/input/js31"});
+  joy.waitForOutput("Waiting for a joystick", kSafetyNet);
+  EXPECT_TRUE(joy.isRunning());
+}
+#endif
+
+}  // namespace

@@ -1,0 +1,163 @@
+/// @file fake_driver.h
+#ifndef TEST_SUPPORT_ROS_FAKE_DRIVER_H
+#define TEST_SUPPORT_ROS_FAKE_DRIVER_H
+
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
+#include <ros/ros.h>
+#include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
+#include <std_srvs/Trigger.h>
+
+#include <chrono>
+#include <future>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "support/safety_net.h"
+
+namespace test_support {
+
+/// What the programs that steer, or that move the robot by themselves, see of a driver.
+class FakeDriver {
+ public:
+  explicit FakeDriver(const std::string& name_space, bool is_slow = false) : handle_(name_space), is_slow_(is_slow) {
+    constexpr bool kLatched = true;
+    state_ = handle_.advertise<aibo_driver::RobotState>("robot_state", 1, kLatched);
+    motion_ = handle_.advertise<aibo_driver::MotionState>("motion_state", 10, kLatched);
+    joints_ = handle_.advertise<sensor_msgs::JointState>("joint_states", 1);
+    mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
+    release_ = handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+        "release", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+          if (is_slow_) {
+            release_was_called_.set_value();
+            may_answer_.get_future().wait_for(kSafetyNet);
+          }
+          response.success = 1;
+          release();
+          return true;
+        });
+    stop_ = handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+        "stop", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+          stop("/caller");
+          response.success = 1;
+          return true;
+        });
+    motion_.publish(aibo_driver::MotionState());
+    release();
+    // Not a ros::Timer: one of its callbacks can come after the destructor has stopped it.
+    senses_ = std::async(std::launch::async, [this, end = end_.get_future()] {
+      constexpr std::chrono::milliseconds kPeriod{50};
+      while (end.wait_for(kPeriod) == std::future_status::timeout) {
+        sense();
+      }
+    });
+  }
+
+  ~FakeDriver() {
+    end_.set_value();
+    senses_.wait();
+  }
+
+  FakeDriver(const FakeDriver&) = delete;
+  FakeDriver& operator=(const FakeDriver&) = delete;
+
+  void stop(const std::string& node) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state_now_.stopped = 1;
+    state_now_.stopped_by = node;
+    state_.publish(state_now_);
+  }
+
+  void release() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state_now_.stopped = 0;
+    state_now_.stopped_by.clear();
+    state_.publish(state_now_);
+  }
+
+  /// Of a slow driver, once: it does not answer until it is told to.
+  bool waitForCallOfRelease() {
+    return release_was_called_.get_future().wait_for(kSafetyNet) == std::future_status::ready;
+  }
+  void answerRelease() { may_answer_.set_value(); }
+
+  void tell(std::uint8_t motors, std::uint8_t posture) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    state_now_.motors = motors;
+    state_now_.posture = posture;
+    state_.publish(state_now_);
+  }
+
+  /// Whether the robot sees and measures anything.
+  void setAwake(bool is_awake) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    is_awake_ = is_awake;
+  }
+
+  /// What moves the robot from now on.
+  void move(const std::vector<aibo_driver::Movement>& movements) {
+    aibo_driver::MotionState state;
+    state.movements = movements;
+    motion_.publish(state);
+  }
+
+  /// The camera sees a ball of this width. All in pixels of the mask; 0: no ball.
+  void showBall(unsigned left, unsigned width) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ball_left_ = left;
+    ball_width_ = width;
+  }
+
+  void takePosture(bool takes) {
+    aibo_driver::Movement posture;
+    posture.kind = aibo_driver::Movement::POSTURE;
+    posture.name = "sit";
+    posture.source = "/somebody";
+    move({takes ? posture : aibo_driver::Movement()});
+  }
+
+ private:
+  void sense() {
+    sensor_msgs::Image black;
+    black.width = 104;
+    black.height = 80;
+    black.step = 3 * black.width;
+    black.encoding = "rgb8";
+    black.data.resize(black.step * black.height);
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!is_awake_) {
+        return;
+      }
+      for (unsigned i = 0; i < ball_width_ * ball_width_; ++i) {
+        black.data.at((20 + i / ball_width_) * black.step + 3 * (ball_left_ + i % ball_width_)) = 1;
+      }
+    }
+    mask_.publish(black);
+    joints_.publish(sensor_msgs::JointState());
+  }
+
+  ros::NodeHandle handle_;
+  const bool is_slow_;
+  std::promise<void> release_was_called_;
+  std::promise<void> may_answer_;
+  std::mutex mutex_;  ///< of what is told and seen, because services are called on several threads
+  aibo_driver::RobotState state_now_;
+  bool is_awake_ = true;
+  unsigned ball_left_ = 0;
+  unsigned ball_width_ = 0;
+  ros::Publisher state_;
+  ros::Publisher motion_;
+  ros::Publisher joints_;
+  ros::Publisher mask_;
+  ros::ServiceServer release_;
+  ros::ServiceServer stop_;
+  std::promise<void> end_;
+  std::future<void> senses_;
+};
+
+}  // namespace test_support
+
+#endif  // TEST_SUPPORT_ROS_FAKE_DRIVER_H
