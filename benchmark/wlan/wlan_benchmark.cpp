@@ -79,7 +79,7 @@ struct Link {
 Trial trialOn(const Link& link, const Options& options, int round) {
   const auto seed = static_cast<std::uint32_t>(round + 1);
   return link.outage > 0
-             ? fault_bench::outageTrial(milliseconds(std::lround(1e3 * link.outage)), seed, milliseconds(0))
+             ? fault_bench::outageTrial(milliseconds(std::lround(1e3 * link.outage)), seed)
              : fault_bench::lossTrial(1e6 * link.rate, link.loss / 100, seed, milliseconds(1000 * options.seconds));
 }
 

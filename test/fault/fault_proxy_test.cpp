@@ -2,7 +2,7 @@
 
 #include "support/proxy/fault_proxy.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <chrono>
 #include <numeric>
@@ -16,7 +16,6 @@ namespace test_support {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 
 class FaultProxyTest : public testing::Test {
  protected:
@@ -38,12 +37,6 @@ class FaultProxyTest : public testing::Test {
   ScriptedPeer server_end_ = server_.accept();
   const Bytes reply_ = test_pictures::makeReply(ascending(200));
 };
-
-TEST_F(FaultProxyTest, PassesEveryByteBothWays) {
-  EXPECT_EQ(receivedOf(reply_, reply_.size()), reply_);
-  client_.send("W\x55");
-  EXPECT_EQ(server_end_.readCommand().command, 'W');
-}
 
 TEST_F(FaultProxyTest, OverwritesFlipsDropsAndInsertsAtTheGivenPlace) {
   proxy_.add({Action::kOverwrite, Place::kPicture, 10, Direction::kToClient, 0, {1, 2}});
@@ -78,15 +71,8 @@ TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
 
 TEST_F(FaultProxyTest, ResetsBothSides) {
   proxy_.add({Action::kReset, Place::kByte, 5});
-  EXPECT_THAT(receivedOf(reply_, reply_.size()).size(), testing::Le(5u));
+  EXPECT_LE(receivedOf(reply_, reply_.size()).size(), 5U);
   EXPECT_FALSE(client_.send("W\x55") && client_.receive(kSafetyNet)->empty() && client_.send("W\x55"));
-}
-
-TEST_F(FaultProxyTest, AHalfCloseLeavesTheOtherDirectionOpen) {
-  proxy_.add({Action::kHalfClose, Place::kPicture, 5});
-  EXPECT_EQ(receivedOf(reply_, reply_.size()).size(), 5u);
-  client_.send("F\x55");
-  EXPECT_EQ(server_end_.readCommand().command, 'F');
 }
 
 TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
@@ -97,29 +83,8 @@ TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
   EXPECT_TRUE(client_.receive(kSafetyNet)->empty());
 }
 
-TEST_F(FaultProxyTest, ASlowWayDelaysBytesAndLosesNone) {
-  Conditions conditions;
-  conditions.delay = milliseconds(50);
-  conditions.largest_piece = 1;
-  conditions.bytes_per_second = 2000;
-  proxy_.setConditions(conditions);
-  const TimePoint begin = steady_clock::now();
-  EXPECT_EQ(receivedOf(reply_, reply_.size()), reply_);
-  EXPECT_GE(steady_clock::now() - begin, milliseconds(150));
-}
-
-TEST_F(FaultProxyTest, APauseDelaysWhatTheServerSends) {
-  Conditions conditions;
-  conditions.paused = true;
-  proxy_.setConditions(conditions);
-  server_end_.send(reply_);
-  EXPECT_FALSE(client_.receive(milliseconds(50)).has_value());
-  proxy_.setConditions({});
-  EXPECT_EQ(client_.read(reply_.size(), kSafetyNet), reply_);
-}
-
 TEST_F(FaultProxyTest, WelcomesClientsAsAsked) {
-  proxy_.setWelcome(Welcome::kClose);
+  proxy_.setWelcome(Welcome::kReset);
   EXPECT_TRUE(RawClient(proxy_.port()).receive(kSafetyNet)->empty());
   proxy_.setWelcome(Welcome::kSilence);
   EXPECT_FALSE(RawClient(proxy_.port()).receive(milliseconds(50)).has_value());

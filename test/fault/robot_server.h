@@ -2,7 +2,6 @@
 #ifndef TEST_FAULT_ROBOT_SERVER_H
 #define TEST_FAULT_ROBOT_SERVER_H
 
-#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
@@ -31,30 +30,21 @@ class RobotServer {
     TimePoint image_at;    ///< when the camera had the image
   };
 
-  /// @param begin what its thread does first
+  /// @param begin what its thread does first, if anything
   /// @param options their callbacks are the server's own
   /// @throw openr_host::BootError
-  explicit RobotServer(const std::function<void()>& begin,
+  explicit RobotServer(const std::function<void()>& begin = nullptr,
                        openr_host::MachineOptions options = test_support::RobotThread::defaultOptions())
       : thread_(robot_, heardBy(std::move(options)), begin) {}
 
   /// Of the address that the options bind it to.
   int port() const { return thread_.port(); }
 
-  /// The present OPEN-R frame (8 ms).
-  std::uint32_t frame() const { return thread_.frame(); }
-
   /// Looks up a picture; nothing if it was never sent.
   std::optional<Sent> find(const std::vector<std::uint8_t>& jpeg) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = sent_.find(hash({reinterpret_cast<const char*>(jpeg.data()), jpeg.size()}));
     return found == sent_.end() ? std::nullopt : std::optional<Sent>(found->second);
-  }
-
-  /// The longest time from one camera image to the next, since this was called last.
-  std::chrono::milliseconds takeLongestImageGap() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return std::chrono::duration_cast<std::chrono::milliseconds>(std::exchange(longest_gap_, {}));
   }
 
  private:
@@ -68,11 +58,7 @@ class RobotServer {
 
   void noteImage() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const TimePoint now = std::chrono::steady_clock::now();
-    if (image_at_ != TimePoint()) {
-      longest_gap_ = std::max(longest_gap_, now - image_at_);
-    }
-    image_at_ = now;
+    image_at_ = std::chrono::steady_clock::now();
   }
 
   void noteSend(const void* data, std::size_t size) {
@@ -88,7 +74,6 @@ class RobotServer {
   mutable std::mutex mutex_;  // guards what follows, down to the robot
   TimePoint image_at_;        // the camera's last one
   TimePoint picture_at_;      // that of the picture that is being sent
-  std::chrono::steady_clock::duration longest_gap_{0};
   SentPictures pictures_;
   std::map<std::size_t, Sent> sent_;  // by the hash of their bytes
   simulated_ers7::SimulatedErs7 robot_;

@@ -1,284 +1,388 @@
-#include "soak.h"
+#include "orders/order_soak.h"
 
+#include <aibo_driver/Connection.h>
+#include <ros/ros.h>
 #include <signal.h>
+#include <std_msgs/UInt32.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
+#include <fstream>
 #include <stdexcept>
+#include <thread>
+
+#include "orders/order_user.h"
+#include "protocol/version2.h"
+#include "robot_model/robot_model.h"
 
 namespace soak {
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::seconds;
-using std::chrono::steady_clock;
-using std::chrono::system_clock;
-using test_support::DiagnosticsListener;
+using test_support::Action;
+using test_support::Conditions;
 using test_support::Direction;
 using test_support::FaultProxy;
-using test_support::Resources;
+using test_support::Welcome;
 
-constexpr const char* kNamespace = "/soak";
-constexpr const char* kMotion = "OPEN-R/MW/DATA/P/WAG.MTN";
+constexpr const char* kNamespace = "/order_soak";
+constexpr int kUsers = 5;
+constexpr double kMicro = 1e-6;
+constexpr double kStart = 60;        // s
+constexpr double kAnswers = 60;      // s; after that, a service does not answer any more
+constexpr double kEnds = 30;         // s; longer than any motion, posture and trajectory
+constexpr double kRecovers = 20;     // s
+constexpr double kLateOrders = 1.5;  // s; what comes later has been too old for long
 
-// Twice the time of two attempts to connect with the longest waits (connect_timeout, reconnect_wait_max).
-constexpr seconds kLongestRecovery{16};
-constexpr seconds kFirstPicturePatience{60};
-constexpr seconds kLongestEnd{15};
-
-// In calm periods, one in this many pictures may be left out because this computer was busy with something else.
-constexpr std::uint64_t kPicturesPerLoss = 1000;
-
-constexpr milliseconds kStep{100};
-constexpr milliseconds kLookPeriod{2000};
-
-// Within this time, joints that were moving when the connection ended stop.
-constexpr milliseconds kBraking{500};
-// Damage to the answer to a heartbeat shows after 1 s, other damage earlier.
-constexpr milliseconds kDamageShows{3000};
-constexpr milliseconds kWatchTime{1000};
-constexpr double kStill = 0.02;  // rad; for the steps of the encoders and rounding
-
-constexpr ResourceLog::Seconds kDriverWarmUp{300};
-constexpr ResourceLog::Seconds kRobotWarmUp{30};
-
-double quantile(const std::vector<double>& sorted, double part) {
-  const auto index = static_cast<std::size_t>(part * static_cast<double>(sorted.size()));
-  return sorted.empty() ? 0 : sorted[std::min(index, sorted.size() - 1)];
+double now() {
+  return ros::WallTime::now().toSec();
 }
 
-void printLine(const std::string& name, unsigned tried, std::size_t violations, std::vector<double> recoveries) {
-  std::sort(recoveries.begin(), recoveries.end());
-  std::printf("%-34s %6u %10zu %9.0f %9.0f %9.0f\n", name.c_str(), tried, violations, 1000 * quantile(recoveries, 0.5),
-              1000 * quantile(recoveries, 0.99), 1000 * quantile(recoveries, 1));
+void passTime(int milliseconds_) {
+  std::this_thread::sleep_for(milliseconds(milliseconds_));
+}
+
+std::map<std::string, std::pair<double, double>> limitsOfJoints() {
+  std::map<std::string, std::pair<double, double>> limits;
+  const robot_model::RobotModel* model = robot_model::findRobotModel("ERS-7");
+  for (int i = 0; i < model->number_of_joints; ++i) {
+    limits[model->joints[i].name] = {kMicro * model->joints[i].lowest, kMicro * model->joints[i].highest};
+  }
+  return limits;
+}
+
+Moving toMoving(const aibo_driver::Movement& movement) {
+  return {movement.source, movement.kind, movement.name, {movement.joints.begin(), movement.joints.end()}};
+}
+
+/// Those that have ended between two messages, each of which has the latest, the newest last.
+std::vector<aibo_driver::EndedMovement> newOnes(const std::vector<aibo_driver::EndedMovement>& before,
+                                                const std::vector<aibo_driver::EndedMovement>& now) {
+  for (auto first = before.begin(); first != before.end(); ++first) {
+    const auto kept = before.end() - first;
+    if (kept <= static_cast<std::ptrdiff_t>(now.size()) && std::equal(first, before.end(), now.begin())) {
+      return {now.begin() + kept, now.end()};
+    }
+  }
+  return now;
 }
 
 }  // namespace
 
-Soak::Soak(const Options& options)
+OrderSoak::OrderSoak(const Options& options)
     : options_(options),
       random_(options.seed),
-      pictures_(std::string(kNamespace) + "/camera/image_raw/compressed", options.folder + "/pictures", &violations_),
-      robot_({"--picture-log", options.folder + "/pictures", "--memory-stick", memory_stick_.path()}),
+      audit_([this](const std::string& violation) { violations_.add(violation); }, limitsOfJoints()),
       proxy_(proxyOptions()),
-      driver_(kNamespace, proxy_.port()),
-      workload_(kNamespace, memory_stick_.path(kMotion), &violations_),
-      driver_resources_("driver", kDriverWarmUp),
-      robot_resources_("server", kRobotWarmUp),
-      table_(options.folder + "/resources.csv"),
-      driver_log_(options.folder + "/driver.log") {
-  table_ << "seconds,driver KB,driver descriptors,driver threads,server KB,server descriptors,server threads,"
-            "pictures,faults\n";
+      driver_(kNamespace, proxy_.port(), {"_stream_on_start:=false"}),
+      look_at_({AIBO_LOOK_AT, std::string("__ns:=") + kNamespace}),
+      handle_(kNamespace) {
+  const robot_model::RobotModel* model = robot_model::findRobotModel("ERS-7");
+  for (int i = 0; i < model->number_of_joints; ++i) {
+    joints_[model->joints[i].identifier] = model->joints[i].name;
+  }
+  constexpr std::uint32_t kAllOfThem = 10000;
+  constexpr bool kLatched = true;
+  rounds_ = handle_.advertise<std_msgs::UInt32>(kUserRuns, 10, kLatched);
+  subscribers_.push_back(handle_.subscribe<std_msgs::String>(
+      kUserLog, kAllOfThem, [this](const std_msgs::String::ConstPtr& line) { receive(*line); }));
+  subscribers_.push_back(handle_.subscribe<sensor_msgs::JointState>(
+      "joint_states", kAllOfThem, [this](const sensor_msgs::JointState::ConstPtr& joints) { receive(*joints); }));
+  subscribers_.push_back(handle_.subscribe<aibo_driver::MotionState>(
+      "motion_state", kAllOfThem, [this](const aibo_driver::MotionState::ConstPtr& state) { receive(*state); }));
+  subscribers_.push_back(handle_.subscribe<aibo_driver::Connection>(
+      "connection", kAllOfThem, [this](const aibo_driver::Connection::ConstPtr& connection) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_connected_ = connection->state == aibo_driver::Connection::CONNECTED;
+      }));
+  for (int i = 0; i < kUsers; ++i) {
+    users_.push_back(std::make_unique<test_support::Process>(
+        std::vector<std::string>{options.program, "--user", std::to_string(i), "--seed", std::to_string(random_()),
+                                 std::string("__ns:=") + kNamespace, "__name:=user_" + std::to_string(i)}));
+  }
 }
 
-FaultProxy::Options Soak::proxyOptions() {
+FaultProxy::Options OrderSoak::proxyOptions() {
   FaultProxy::Options options;
   options.target_port = robot_.port();
   options.seed = options_.seed;
   options.tap = [this](std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size) {
     if (direction == Direction::kToServer) {
-      tap_.hear(connection, data, size);
+      hear(connection, data, size);
     }
   };
   return options;
 }
 
-bool Soak::run() {
-  const ResourceLog::Seconds end(60 * options_.minutes);
-  try {
-    awaitFirstPicture();
-    while (elapsed() < end && driver_.isRunning()) {
-      stayCalm();
-      goWrong(mishaps_[std::uniform_int_distribution<std::size_t>(0, mishaps_.size() - 1)(random_)]);
+// --- What happens
+// -----------------------------------------------------------------------------------------------------
+
+void OrderSoak::hear(std::size_t connection, const std::uint8_t* data, std::size_t size) {
+  const double time = now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const test_support::Request& request : requests_[connection].feed(data, size)) {
+    protocol::version2::JointTargets targets{};
+    if (!request.version2 || request.kind != protocol::version2::REQUEST_JOINTS ||
+        protocol::version2::decode(request.payload.data(), request.payload.size(), &targets) != nullptr) {
+      continue;
     }
-    stayCalm();
+    for (int i = 0; i < targets.count; ++i) {
+      round_.sent.push_back({time, joints_[targets.joints[i].id], kMicro * targets.joints[i].value});
+    }
+  }
+  requests_.erase(requests_.begin(), requests_.lower_bound(connection));
+}
+
+void OrderSoak::receive(const std_msgs::String& line) {
+  const UserLine parsed = parseUserLine(line.data);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (parsed.order) {
+    round_.orders.push_back(*parsed.order);
+  } else if (parsed.call) {
+    round_.calls.push_back(*parsed.call);
+  } else {
+    ++quiet_users_[*parsed.quiet_in];
+  }
+}
+
+void OrderSoak::receive(const sensor_msgs::JointState& joints) {
+  Measured measured{joints.header.stamp.toSec()};
+  for (std::size_t i = 0; i < joints.name.size(); ++i) {
+    measured.positions[joints.name[i]] = joints.position[i];
+  }
+  measured.came = now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  round_.measured.push_back(measured);
+}
+
+void OrderSoak::receive(const aibo_driver::MotionState& state) {
+  const double time = now();
+  std::vector<Moving> moving;
+  std::transform(state.movements.begin(), state.movements.end(), std::back_inserter(moving), toMoving);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const aibo_driver::EndedMovement& ended : newOnes(ended_, state.ended)) {
+    round_.ended.push_back({time, toMoving(ended.movement), ended.how, ended.reason});
+  }
+  ended_ = state.ended;
+  moving_ = moving;
+  round_.movements.push_back({time, moving});
+}
+
+// --- The course
+// -------------------------------------------------------------------------------------------------------
+
+bool OrderSoak::run() {
+  const double end = now() + 60 * options_.minutes;
+  try {
+    begin();
+    while (now() < end) {
+      goThroughARound();
+    }
   } catch (const std::exception& error) {
     violations_.add(error.what());
   }
-  violations_.setScene("the whole run");
-  judgeLosses();
-  endDriver();
-  driver_resources_.judge(&violations_);
-  robot_resources_.judge(&violations_);
-  report();
+  keepLogs({});
+  audit_.report();
+  std::printf("violations: %zu\n", violations_.count());
   return violations_.count() == 0;
 }
 
-void Soak::awaitFirstPicture() {
-  if (!pictures_.waitForPictureOf(system_clock::time_point() + seconds(1), kFirstPicturePatience)) {
-    throw std::runtime_error("no picture came at all:\n" + driver_.output());
-  }
-  pass(kDamageShows);  // until all topics are connected
-}
-
-void Soak::stayCalm() {
-  violations_.setScene("calm");
-  if (!robot_.isRunning()) {
-    throw std::runtime_error("the robot's server has ended:\n" + robot_.process().output());
-  }
-  pictures_.beginCalm();
-  const auto end = elapsed() + milliseconds(std::uniform_int_distribution<int>(1000, 7000)(random_));
-  while (elapsed() < end) {
-    workload_.doSomething(random_);
-    pass(milliseconds(std::uniform_int_distribution<int>(50, 1000)(random_)));
-  }
-  pictures_.endCalm();
-  workload_.measure();
-}
-
-void Soak::goWrong(const Mishap& mishap) {
-  violations_.setScene(mishap.name);
-  ++faults_;
-  ++tallies_[mishap.name].tried;
-  awaitTrajectory();
-  const std::size_t connections_before = tap_.connections();
-  pictures_.setDamaging(mishap.damages);
-  ServiceCalls calls(&workload_, random_());
-  try {
-    mishap.happen({&proxy_, &robot_, &workload_, [this](milliseconds time) { pass(time); }}, random_);
-  } catch (const NothingCame& error) {
-    violations_.add(error.what());
-  }
-  proxy_.heal();
-  recover(mishap, system_clock::now());
-  calls.end();
-  expectNoJointMoves(connections_before, mishap.damages ? kDamageShows : kBraking);
-  pictures_.setDamaging(false);
-  workload_.callEveryService(random_);
-}
-
-// A driver that repeats commands after a reconnect would repeat these.
-void Soak::awaitTrajectory() {
-  const std::size_t connection = std::max<std::size_t>(tap_.connections(), 1) - 1;
-  const std::size_t before = tap_.jointRequestsFrom(connection);
-  workload_.moveJoints(random_);
-  workload_.beginTrajectory(random_);
-  const auto end = elapsed() + seconds(2);
-  while (tap_.jointRequestsFrom(connection) < before + 3 && elapsed() < end) {
-    pass(milliseconds(10));
+template <typename Condition>
+bool OrderSoak::waitFor(double seconds, const Condition& condition) {
+  const double end = now() + seconds;
+  for (;;) {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (condition()) {
+        return true;
+      }
+    }
+    if (now() >= end) {
+      return false;
+    }
+    if (!driver_.isRunning()) {
+      throw std::runtime_error("the driver's node has ended:\n" + driver_.output());
+    }
+    passTime(20);
   }
 }
 
-void Soak::recover(const Mishap& mishap, PictureAudit::Time healthy) {
-  const auto recovery = pictures_.waitForPictureOf(healthy, kLongestRecovery);
-  if (recovery) {
-    tallies_[mishap.name].recoveries.push_back(recovery->count());
-  } else {
-    violations_.add("no picture came within " + std::to_string(kLongestRecovery.count()) + " s after the fault");
+void OrderSoak::begin() {
+  violations_.setScene("start");
+  if (!waitFor(kStart, [this] { return is_connected_ && !round_.measured.empty(); })) {
+    throw std::runtime_error("the robot is not connected:\n" + driver_.output());
+  }
+  tellUsers(number_);
+  waitForUsers(number_);
+  passTime(1000);  // until all topics are connected
+  takeRound();
+}
+
+void OrderSoak::tellUsers(unsigned round) {
+  number_ = round;
+  std_msgs::UInt32 message;
+  message.data = round;
+  rounds_.publish(message);
+}
+
+void OrderSoak::waitForUsers(unsigned round) {
+  if (!waitFor(kAnswers, [this, round] { return quiet_users_[round] == kUsers; })) {
+    std::string logs;
+    for (const auto& user : users_) {
+      logs += user->output();
+    }
+    throw std::runtime_error("a user still waits for an answer:\n" + logs);
   }
 }
 
-// Nothing commands a joint meanwhile.
-void Soak::expectNoJointMoves(std::size_t connections_before, milliseconds settling) {
-  pass(settling);
-  const auto before = workload_.measure();
-  if (tap_.connections() == connections_before) {
-    return;  // the trajectory goes on
+template <typename Service>
+bool OrderSoak::succeeds(const std::string& name, Service service) {
+  const bool answered = ros::service::call(handle_.resolveName(name), service);
+  if (!answered || !service.response.success) {
+    violations_.add(name + " between two rounds: " + (answered ? service.response.message : "not answered"));
+    return false;
   }
-  pass(kWatchTime);
-  if (const std::size_t requests = tap_.jointRequestsFrom(connections_before); requests > 0) {
-    violations_.add("after the reconnect, " + std::to_string(requests) + " requests that move joints");
+  return true;
+}
+
+// One after the other at once: none is refused because of the one before.
+void OrderSoak::getReady() {
+  violations_.setScene("between rounds");
+  std_srvs::SetBool motors;
+  motors.request.data = 1;
+  const bool is_ready =
+      succeeds<std_srvs::Trigger>("release") && succeeds("motors", motors) && succeeds<std_srvs::Trigger>("stand");
+  if (!is_ready) {
+    passTime(1000);
   }
-  for (const auto& [joint, position] : workload_.measure()) {
-    const auto was = before.find(joint);
-    if (was != before.end() && std::abs(position - was->second) > kStill) {
-      violations_.add("after the reconnect, " + joint + " moved by " + std::to_string(position - was->second) + " rad");
+}
+
+void OrderSoak::goThroughARound() {
+  getReady();
+  takeRound();
+  violations_.setScene("round " + std::to_string(number_ / 2 + 1));
+  tellUsers(number_ + 1);
+  const double end = now() + uniform(6, 15);
+  while (now() < end) {
+    passTime(uniform(300, 2500));
+    if (uniform(0, 2) > 0) {
+      goWrong();
     }
   }
+  tellUsers(number_ + 1);
+  waitForUsers(number_);
+  passTime(static_cast<int>(1000 * kLateOrders));
+  if (!waitFor(kRecovers, [this] { return is_connected_; })) {
+    violations_.add("the robot is not connected again");
+  }
+  waitForEnds();
+  audit_.judge(takeRound());
 }
 
-void Soak::pass(milliseconds time) {
-  const auto end = steady_clock::now() + time;
-  for (auto now = steady_clock::now(); now < end; now = steady_clock::now()) {
-    if (now >= next_look_) {
-      look();
-      next_look_ = now + kLookPeriod;
+void OrderSoak::waitForEnds() {
+  waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
+  passTime(500);                                       // of joints that are measured at rest
+}
+
+void OrderSoak::goWrong() {
+  Fault fault;
+  fault.kind = static_cast<Fault::Kind>(uniform(0, 4));
+  fault.begin = now();
+  const int length = uniform(100, 2500);
+  switch (fault.kind) {
+    case Fault::Kind::kDriverFrozen:
+      driver_.signal(SIGSTOP);
+      passTime(length);
+      driver_.signal(SIGCONT);
+      break;
+    case Fault::Kind::kRobotFrozen:
+      robot_.process().signal(SIGSTOP);
+      passTime(length);
+      robot_.process().signal(SIGCONT);
+      break;
+    case Fault::Kind::kLinkCut:
+      proxy_.setWelcome(uniform(0, 1) == 0 ? Welcome::kRefuse : Welcome::kSilence);
+      proxy_.endConnections(uniform(0, 1) == 0 ? Action::kReset : Action::kSilence);
+      passTime(length);
+      proxy_.heal();
+      break;
+    case Fault::Kind::kLinkSlow: {
+      Conditions conditions;
+      conditions.delay = milliseconds(uniform(10, 200));
+      conditions.jitter = milliseconds(uniform(0, 200));
+      proxy_.setConditions(conditions);
+      passTime(length);
+      proxy_.setConditions({});
+      break;
     }
-    std::this_thread::sleep_for(std::min<steady_clock::duration>(kStep, end - now));
+    case Fault::Kind::kStickSlow:
+      robot_.type("stick slow");
+      passTime(3 * length);
+      robot_.type("stick ready");
+      break;
   }
+  fault.end = now();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  round_.faults.push_back(fault);
 }
 
-// Also called while the robot is dead; then only the driver is sampled.
-void Soak::look() {
-  pictures_.readLog();
-  keepDriverLog();
-  if (!driver_.isRunning()) {
-    throw std::runtime_error("the driver's node has ended:\n" + driver_.output());
+Round OrderSoak::takeRound() {
+  Round round;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::swap(round, round_);
   }
-  const Resources& driver = driver_resources_.sample(driver_.pid(), elapsed());
-  table_ << elapsed().count() << "," << driver.resident_kilobytes << "," << driver.descriptors << "," << driver.threads;
-  if (robot_.isRunning()) {
-    const Resources& robot = robot_resources_.sample(robot_.process().pid(), elapsed());
-    table_ << "," << robot.resident_kilobytes << "," << robot.descriptors << "," << robot.threads;
-  } else {
-    table_ << ",,,";
-  }
-  table_ << "," << pictures_.audit().count() << "," << faults_ << std::endl;
+  const auto by_time = [](const auto& a, const auto& b) { return a.time < b.time; };
+  std::stable_sort(round.orders.begin(), round.orders.end(), by_time);
+  std::stable_sort(round.measured.begin(), round.measured.end(), by_time);
+  std::stable_sort(round.calls.begin(), round.calls.end(),
+                   [](const Call& a, const Call& b) { return a.begin < b.begin; });
+  keepLogs(round);
+  return round;
 }
 
-void Soak::keepDriverLog() {
-  const std::string output = driver_.output();
-  driver_log_ << output.substr(driver_log_size_) << std::flush;
-  driver_log_size_ = output.size();
-}
-
-// A driver that is held up leaves out pictures that grow stale, and its diagnostics count them.
-void Soak::judgeLosses() {
-  const PictureAudit audit = pictures_.audit();
-  if (audit.lostInCalm() == 0) {
-    return;
+// To look into what was judged.
+void OrderSoak::keepLogs(const Round& round) {
+  std::ofstream events(options_.folder + "/events.log", std::ios::app);
+  events.precision(17);
+  for (const Order& order : round.orders) {
+    events << toText(order) << '\n';
   }
-  const auto stream = diagnostics_.waitForNext(std::string(kNamespace + 1) + "/aibo_driver: stream");
-  const std::string stale = DiagnosticsListener::value(stream, "pictures dropped for newer ones");
-  const std::string losses = std::to_string(audit.lostInCalm()) +
-                             " pictures were lost in calm periods; the driver says that it dropped " + stale +
-                             " stale ones";
-  const bool explained = !stale.empty() && std::stoull(stale) >= audit.lostInCalm();
-  if (explained && audit.lostInCalm() * kPicturesPerLoss <= audit.calmCount()) {
-    std::printf("\n%s\n", losses.c_str());
-  } else {
-    violations_.add(losses);
+  for (const Call& call : round.calls) {
+    events << toText(call) << '\n';
   }
-}
-
-// By SIGINT, so that a sanitizer can still report leaks, and pending service calls end.
-void Soak::endDriver() {
-  driver_.signal(SIGINT);
-  const std::optional<int> status = driver_.waitForExit(kLongestEnd);
-  if (status != EXIT_SUCCESS) {
-    violations_.add(status ? "the driver's node ended with exit status " + std::to_string(*status)
-                           : "the driver's node did not end");
+  for (const Fault& fault : round.faults) {
+    events << "fault " << static_cast<int>(fault.kind) << ' ' << fault.begin << ' ' << fault.end << '\n';
   }
-  driver_.kill();
-  keepDriverLog();
-}
-
-ResourceLog::Seconds Soak::elapsed() const {
-  return steady_clock::now() - begin_;
-}
-
-void Soak::report() const {
-  std::vector<double> all;
-  std::printf("\n%-34s %6s %10s %9s %9s %9s\n", "fault", "times", "violations", "p50 ms", "p99 ms", "worst ms");
-  for (const auto& [name, tally] : tallies_) {
-    printLine(name, tally.tried, violations_.countIn(name), tally.recoveries);
-    all.insert(all.end(), tally.recoveries.begin(), tally.recoveries.end());
+  for (const Ended& end : round.ended) {
+    events << "ended " << end.time << ' ' << end.movement.user << ' ' << end.movement.kind << ' ' << end.movement.name
+           << ' ' << end.how << ' ' << end.reason;
+    for (const std::string& joint : end.movement.joints) {
+      events << ' ' << joint;
+    }
+    events << '\n';
   }
-  printLine("all", faults_, violations_.count(), all);
-  const PictureAudit audit = pictures_.audit();
-  std::printf("\n  pictures published: %llu, of these in calm periods: %llu, damaged on the way: %llu\n",
-              static_cast<unsigned long long>(audit.count()), static_cast<unsigned long long>(audit.calmCount()),
-              static_cast<unsigned long long>(audit.damagedCount()));
-  std::printf("  services called: %zu, the longest took %lld ms\n", workload_.calls(),
-              static_cast<long long>(workload_.longestCall().count()));
-  driver_resources_.print();
-  robot_resources_.print();
-  std::printf("\n%u faults in %.1f minutes with seed %u, %zu violations, %zu of these in calm periods\n", faults_,
-              elapsed().count() / 60, options_.seed, violations_.count(), violations_.countIn("calm"));
-  std::fflush(stdout);
+  for (const Movements& each : round.movements) {
+    events << "movements " << each.time;
+    for (const Moving& moving : each.now) {
+      events << ' ' << moving.user << ' ' << moving.kind << ' ' << moving.name;
+    }
+    events << '\n';
+  }
+  std::ofstream measurements(options_.folder + "/measured.log", std::ios::app);
+  measurements << std::fixed;
+  for (const Measured& each : round.measured) {
+    measurements << each.time << ' ' << each.came - each.time;
+    for (const auto& [joint, position] : each.positions) {
+      measurements << ' ' << joint << ' ' << position;
+    }
+    measurements << '\n';
+  }
+  const std::string log = driver_.output();
+  std::ofstream(options_.folder + "/driver.log", std::ios::app) << log.substr(std::min(driver_log_size_, log.size()));
+  driver_log_size_ = log.size();
 }
 
 }  // namespace soak

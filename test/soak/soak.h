@@ -1,85 +1,90 @@
-/// @file soak.h
-#ifndef TEST_SOAK_SOAK_H
-#define TEST_SOAK_SOAK_H
+/// @file order_soak.h
+#ifndef TEST_SOAK_ORDERS_ORDER_SOAK_H
+#define TEST_SOAK_ORDERS_ORDER_SOAK_H
 
-#include <chrono>
-#include <fstream>
+#include <aibo_driver/MotionState.h>
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/String.h>
+
 #include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "mishaps.h"
 #include "options.h"
-#include "picture_watch.h"
-#include "request_tap.h"
-#include "resource_log.h"
-#include "support/memory_stick.h"
+#include "orders/order_audit.h"
+#include "orders/order_events.h"
 #include "support/proxy/fault_proxy.h"
-#include "support/ros/diagnostics_listener.h"
+#include "support/proxy/scanners.h"
 #include "support/ros/driver_process.h"
 #include "support/simulated_robot.h"
 #include "violations.h"
-#include "workload.h"
 
 namespace soak {
 
-/// Runs the driver's node and the robot's server for a long time, with a proxy between them. Calm periods, in which
-/// users do all that they can, and faults take turns. Needs a running ROS master and a spinner.
-class Soak {
+/// Driver, simulated robot, a proxy between them, and five nodes that give random orders of all kinds, while links are
+/// cut, processes are held up and the memory stick is slow. In rounds: some seconds of orders, then silence until all
+/// has ended. Then the round is judged. Needs a running ROS master and a spinner.
+class OrderSoak {
  public:
-  /// Starts them.
-  explicit Soak(const Options& options);
+  explicit OrderSoak(const Options& options);
 
-  /// Runs until the time is over, and prints the results.
   /// @return true if there was no violation
   bool run();
 
  private:
-  struct Tally {
-    unsigned tried = 0;
-    std::vector<double> recoveries{};  // s
-  };
-
   test_support::FaultProxy::Options proxyOptions();
-  void awaitFirstPicture();
-  void stayCalm();
-  void goWrong(const Mishap& mishap);
-  void awaitTrajectory();
-  void recover(const Mishap& mishap, PictureAudit::Time healthy);
-  void expectNoJointMoves(std::size_t connections_before, std::chrono::milliseconds settling);
-  void pass(std::chrono::milliseconds time);
-  void look();
-  void keepDriverLog();
-  void judgeLosses();
-  void endDriver();
-  ResourceLog::Seconds elapsed() const;
-  void report() const;
+  void hear(std::size_t connection, const std::uint8_t* data, std::size_t size);
+  void receive(const std_msgs::String& line);
+  void receive(const sensor_msgs::JointState& joints);
+  void receive(const aibo_driver::MotionState& state);
+
+  void begin();
+  void getReady();
+  void goThroughARound();
+  void goWrong();
+  void tellUsers(unsigned round);
+  void waitForUsers(unsigned round);
+  void waitForEnds();
+  Round takeRound();
+  void keepLogs(const Round& round);
+  template <typename Service>
+  bool succeeds(const std::string& name, Service service = Service());
+  template <typename Condition>
+  bool waitFor(double seconds, const Condition& condition);
+  int uniform(int lowest, int highest) { return std::uniform_int_distribution<int>(lowest, highest)(random_); }
 
   const Options options_;
-  Random random_;
+  std::mt19937 random_;
   Violations violations_;
-  RequestTap tap_;
-  PictureWatch pictures_;
-  const test_support::MemoryStick memory_stick_{"ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n"};
+  OrderAudit audit_;
+  std::map<int, std::string> joints_;  ///< names by id
+
+  std::mutex mutex_;  // guards what follows, down to the test's processes
+  Round round_;
+  std::vector<aibo_driver::EndedMovement> ended_;  ///< as the newest motion_state has them
+  std::vector<Moving> moving_;                     ///< the same
+  std::map<unsigned, int> quiet_users_;            ///< how many, by round
+  std::map<std::size_t, test_support::RequestScanner> requests_;
+  bool is_connected_ = false;
+
   test_support::SimulatedRobot robot_;
   test_support::FaultProxy proxy_;
   test_support::DriverProcess driver_;
-  Workload workload_;
-  const std::vector<Mishap> mishaps_ = allMishaps();
-  std::map<std::string, Tally> tallies_;
-  unsigned faults_ = 0;
-  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::chrono::steady_clock::time_point next_look_ = begin_;
-  ResourceLog driver_resources_;
-  ResourceLog robot_resources_;
-  std::ofstream table_;
-  std::ofstream driver_log_;
+  test_support::Process look_at_;
+  std::vector<std::unique_ptr<test_support::Process>> users_;
+
+  ros::NodeHandle handle_;
+  unsigned number_ = 1;  ///< of the round; users give orders in even ones
   std::size_t driver_log_size_ = 0;
-  test_support::DiagnosticsListener diagnostics_;
+  ros::Publisher rounds_;
+  std::vector<ros::Subscriber> subscribers_;  // last: their callbacks use all of the above
 };
 
 }  // namespace soak
 
-#endif  // TEST_SOAK_SOAK_H
+#endif  // TEST_SOAK_ORDERS_ORDER_SOAK_H

@@ -29,8 +29,8 @@ constexpr milliseconds kTelemetryPeriod{32};
 
 }  // namespace
 
-PictureServer::PictureServer(int version, std::chrono::microseconds period, int port)
-    : version_(version), period_(period), listener_(bindTo("127.0.0.1", port)), times_(kRemembered) {
+PictureServer::PictureServer(int version, std::chrono::microseconds period)
+    : version_(version), period_(period), listener_(bindTo("127.0.0.1", 0)), times_(kRemembered) {
   test_pictures::makeNamed({});  // slow the first time
   port_ = portOf(listener_);
   check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
@@ -64,11 +64,6 @@ void PictureServer::misbehave(Misbehaviour misbehaviour) {
 std::shared_ptr<const PictureServer::Misbehaviour> PictureServer::misbehaviour() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return misbehaviour_;
-}
-
-std::pair<test_pictures::Name, Bytes> PictureServer::lastSpoilt() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return spoilt_;
 }
 
 TimePoint PictureServer::timeOf(std::uint64_t number) const {
@@ -180,9 +175,6 @@ void PictureServer::answerVersion2(const Request& request, Peer* peer) {
     case version2::REQUEST_STREAM:
       peer->streaming = !request.payload.empty() && request.payload.front() != 0;
       break;
-    case version2::REQUEST_JOINTS:
-      ++joint_commands_;
-      break;
     case version2::REQUEST_TELEMETRY:
       peer->telemetry = request.payload != Bytes{0, 0};
       break;
@@ -244,7 +236,6 @@ Bytes PictureServer::nextPicture(const Peer& peer, bool may_be_spoilt) {
   Bytes jpeg = test_pictures::makeNamed(name);
   if (spoil_ && may_be_spoilt) {
     jpeg = std::exchange(spoil_, nullptr)(std::move(jpeg));
-    spoilt_ = {name, jpeg};
   }
   return jpeg;
 }

@@ -42,8 +42,7 @@ class PictureServer {
 
   /// @param version newest version of the protocol that it speaks, 1 or 2
   /// @param period from one picture to the next; 0 = as fast as the client takes them
-  /// @param port 0 = any free one
-  PictureServer(int version, std::chrono::microseconds period, int port = 0);
+  PictureServer(int version, std::chrono::microseconds period);
   ~PictureServer();
 
   PictureServer(const PictureServer&) = delete;
@@ -65,17 +64,11 @@ class PictureServer {
   /// Has the next picture of a stream sent as this function changes it.
   void spoilNext(std::function<Bytes(Bytes jpeg)> change);
 
-  /// The picture that was spoilt last, as it was sent; its name has the number 0 if there has been none.
-  std::pair<test_pictures::Name, Bytes> lastSpoilt() const;
-
   /// Number of the picture that was sent last.
   std::uint64_t lastNumber() const { return number_; }
 
   /// When a picture was sent. Only of the last 4096 pictures.
   TimePoint timeOf(std::uint64_t number) const;
-
-  /// Joint commands received so far, over all connections.
-  std::uint64_t jointCommands() const { return joint_commands_; }
 
  private:
   struct Peer {
@@ -117,14 +110,12 @@ class PictureServer {
   std::list<Peer> peers_;
   std::uint32_t connections_ = 0;
   std::atomic<std::uint64_t> number_{0};
-  std::atomic<std::uint64_t> joint_commands_{0};
   std::atomic<bool> stopped_{false};
   std::atomic<bool> telemetry_{false};
   TimePoint next_telemetry_;
   mutable std::mutex mutex_;  // guards what follows, down to the event
   std::vector<TimePoint> times_;
   std::function<Bytes(Bytes jpeg)> spoil_;
-  std::pair<test_pictures::Name, Bytes> spoilt_;
   std::shared_ptr<const Misbehaviour> misbehaviour_ = std::make_shared<Misbehaviour>();
   aibo_client::Event wake_up_;
   std::atomic<bool> stopping_{false};

@@ -1,22 +1,17 @@
 #include "support/resources.h"
 
-#include <malloc.h>
-
 #include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
 
+#include "support/safety_net.h"
+
 namespace test_support {
 namespace {
 
 namespace fs = std::filesystem;
-using std::chrono::milliseconds;
-
-constexpr std::size_t kAllowedKilobytes = 1024;
-constexpr milliseconds kSettleTime{300};
-constexpr int kLooks = 20;
 
 std::size_t entries(const std::string& folder) {
   return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
@@ -38,31 +33,15 @@ Resources Resources::of(const std::string& process) {
   return resources;
 }
 
-Resources Resources::settled() {
-  std::this_thread::sleep_for(kSettleTime);
-  ::malloc_trim(0);  // freed memory does not count
-  return of();
-}
-
-std::string Resources::growth(bool without_memory) const {
-  Resources now;
-  for (int look = 0; look < kLooks; ++look) {
-    now = settled();
-    if (now.descriptors <= descriptors && now.threads <= threads) {
-      break;
-    }
+std::string Resources::growth() const {
+  Resources now = of();
+  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+  while ((now.descriptors > descriptors || now.threads > threads) && std::chrono::steady_clock::now() < end) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    now = of();
   }
-  std::ostringstream text;
-  if (now.descriptors > descriptors) {
-    text << now.descriptors - descriptors << " file descriptors more ";
-  }
-  if (now.threads > threads) {
-    text << now.threads - threads << " threads more ";
-  }
-  if (kMemoryCounts && !without_memory && now.resident_kilobytes > resident_kilobytes + kAllowedKilobytes) {
-    text << now.resident_kilobytes - resident_kilobytes << " KB more";
-  }
-  return text.str();
+  return (now.descriptors > descriptors ? std::to_string(now.descriptors - descriptors) + " descriptors more " : "") +
+         (now.threads > threads ? std::to_string(now.threads - threads) + " threads more" : "");
 }
 
 }  // namespace test_support

@@ -23,13 +23,9 @@ struct Resources {
   /// @param process ID of a process; "self" = this one
   static Resources of(const std::string& process = "self");
 
-  /// Of this process, after a pause in which threads and descriptors can be closed.
-  static Resources settled();
-
-  /// Waits a while for this process to hold no more than this.
-  /// @param without_memory ignores memory
+  /// Waits for this process to hold no more descriptors and threads than this.
   /// @return what it holds more; empty if nothing
-  std::string growth(bool without_memory) const;
+  std::string growth() const;
 };
 
 }  // namespace test_support

@@ -61,9 +61,6 @@ class RobotThread {
   /// Where clients connect.
   int port() const { return machine_.hostPort(kRobotPort); }
 
-  /// The present OPEN-R frame (8 ms). Any thread.
-  std::uint32_t frame() const { return clock_.frame(); }
-
  private:
   void run(const std::function<void()>& begin, std::promise<void>* booted) {
     try {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
@@ -16,18 +17,16 @@
 namespace fault_bench {
 
 using namespace test_support;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
 
 using Random = std::mt19937;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/// How long a trial waits for what has to happen.
-constexpr std::chrono::seconds kPatience = kSafetyNet;
-
 /// The result of one trial.
 struct Outcome {
-  std::optional<Milliseconds> recovery;  ///< from the end of the fault to the first good picture
-  std::vector<std::string> violations;   ///< those that begin with "M" are about time: a busy computer can cause them
-  bool excused = false;                  ///< pictures are missing, but the client itself left them out as stale
+  std::optional<Milliseconds> recovery;  ///< from the end of the fault to the first good picture; only a figure
+  std::vector<std::string> violations;
 };
 
 /// Tries faults of one kind, one after the other, on a client or server of its own.
@@ -43,9 +42,8 @@ class Experiment {
 struct Row {
   std::string id;
   std::string title;
-  unsigned trials = 0;            ///< in the whole campaign
-  unsigned at_once = 1;           ///< experiments that run in parallel
-  Milliseconds recovery_mark{0};  ///< 99 of 100 trials must recover within this time; 0 = no limit
+  unsigned trials;   ///< in the whole campaign
+  unsigned at_once;  ///< experiments that run in parallel
   /// Makes the experiment for the trials whose number is `remainder` modulo at_once.
   std::function<std::unique_ptr<Experiment>(unsigned remainder)> make;
 };
@@ -56,11 +54,21 @@ std::function<std::unique_ptr<Experiment>(unsigned)> maker(Arguments... argument
   return [=](unsigned remainder) { return std::make_unique<SomeExperiment>(remainder, arguments...); };
 }
 
-int uniform(Random& random, int lowest, int highest);
+inline int uniform(Random& random, int lowest, int highest) {
+  return std::uniform_int_distribution<int>(lowest, highest)(random);
+}
 
-/// @param count how many bytes
-/// @param lowest, highest range of each byte
-Bytes randomBytes(Random& random, int count, int lowest, int highest);
+/// Waits until this is true.
+/// @throw std::runtime_error with the text: it does not become true
+template <typename Condition>
+void await(const Condition& condition, const std::string& otherwise) {
+  for (const TimePoint end = steady_clock::now() + kSafetyNet; !condition();) {
+    if (steady_clock::now() > end) {
+      throw std::runtime_error(otherwise);
+    }
+    std::this_thread::sleep_for(milliseconds(2));
+  }
+}
 
 /// A fault of any kind: the kinds take turns, all other details are random. The caller chooses the place.
 Fault anyFault(unsigned turn, Random& random);
@@ -71,32 +79,9 @@ bool isDamage(const Fault& fault);
 /// Options of a proxy in front of the server on this port of 127.0.0.1.
 FaultProxy::Options proxyTo(int port, unsigned seed);
 
-/// Finds out whether a thread, from the construction on, waits or is busy retrying.
-class SpinCheck {
- public:
-  /// @param mark of the thread (interposers.h)
-  explicit SpinCheck(int mark);
-
-  /// Adds a violation if the thread was busy most of the time.
-  void conclude(Outcome* outcome) const;
-
- private:
-  const int mark_;
-  const TimePoint begin_;
-  const Milliseconds busy_before_;
-};
-
-/// All rows of the table.
-std::vector<Row> allRows();
-
 std::vector<Row> clientRows();
-std::vector<Row> datagramRows();
 std::vector<Row> hostileRows();
-std::vector<Row> pictureRows();
-std::vector<Row> systemRows();
 std::vector<Row> serverRows();
-std::vector<Row> stickRows();
-std::vector<Row> wayRows();
 
 }  // namespace fault_bench
 

@@ -1,6 +1,5 @@
 /// @file attacks.h
-/// What a hostile robot does to a driver, and a hostile client to an RCServer. Each attack is endless; whoever uses it
-/// ends it.
+/// What a hostile robot does to a driver, and a hostile client to an RCServer.
 #ifndef TEST_FAULT_HOSTILE_ATTACKS_H
 #define TEST_FAULT_HOSTILE_ATTACKS_H
 
@@ -17,10 +16,9 @@ namespace hostile {
 using Random = std::mt19937;
 using TimePoint = std::chrono::steady_clock::time_point;
 
-/// An attack of a robot.
+/// An attack of a robot. It is endless; whoever uses it ends it.
 struct RobotAttack {
   std::string name;
-  std::string title;
   int version;  ///< of the protocol, 1 or 2
   std::function<test_support::PictureServer::Misbehaviour(unsigned seed)> begin;
 };
@@ -28,25 +26,20 @@ struct RobotAttack {
 /// All of them; names are unique together with the version.
 const std::vector<RobotAttack>& robotAttacks();
 
-/// Where a server listens, on 127.0.0.1.
-struct Target {
-  int port = 0;
-  int console_port = 0;
-};
-
 /// An attack of clients.
 struct ClientAttack {
   std::string name;
-  std::string title;
-  /// Attacks until `end`, at least once. Errors of the network are part of it.
-  std::function<void(const Target& target, Random& random, TimePoint end)> run;
+  bool at_console;  ///< not at the server's port
+  int clients;      ///< at the same time
+  bool reads;       ///< whether they read the answers
+  std::string first;
+  std::function<std::string(Random& random)> more;  ///< what they send again and again; null: they wait
 };
 
 const std::vector<ClientAttack>& clientAttacks();
 
-/// The attack with this name.
-/// @throw std::invalid_argument there is none
-const RobotAttack& findRobotAttack(const std::string& name, int version);
+/// Attacks a port of 127.0.0.1 until `end`. When the server ends a connection, a new one follows.
+void carryOut(const ClientAttack& attack, int port, Random& random, TimePoint end);
 
 }  // namespace hostile
 

@@ -18,12 +18,7 @@ struct Trial {
   std::string title;
   RadioOptions radio;
   std::chrono::milliseconds length{15000};
-  /// After an outage, the next picture must come within this time, unless the computer is busy.
-  std::chrono::milliseconds recovery_mark{0};
   aibo_client::PictureTransport transport = aibo_client::PictureTransport::kTcp;
-  bool on_busy_computer = false;         ///< which may hold anybody up: what that can cause is no violation
-  std::chrono::milliseconds max_age{0};  ///< of a picture; 0 = any. Pictures must not be older for more than a second
-  bool is_adaptive = false;              ///< quality and rate are adapted to keep max_age
 };
 
 /// What came of a trial.
@@ -40,9 +35,7 @@ struct Result {
   double longest_gap = 0;          ///< ms, between pictures
   double recovery = -1;            ///< ms, from the end of the last outage to the next picture; -1 = no outage
   std::uint64_t connections = 0;
-  std::string transport_problem;     ///< why pictures came by TCP instead of UDP
-  double longest_late = 0;           ///< ms, for which pictures were older than the limit
-  std::vector<std::string> changes;  ///< of quality and rate
+  std::string transport_problem;  ///< why pictures came by TCP instead of UDP
   std::set<std::string> violations;
 };
 
@@ -50,7 +43,7 @@ struct Result {
 /// @throw NoNetworkHosts
 Result run(const Trial& trial);
 
-/// Computes from the deliveries what the result says about them all: rate, ages, gap, recovery and its violation.
+/// Computes from the deliveries what the result says about them all: rate, ages, gap and recovery.
 void summarize(const Trial& trial, Result& result);
 
 /// Over a link that loses packets.
@@ -58,7 +51,7 @@ void summarize(const Trial& trial, Result& result);
 Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, std::chrono::milliseconds length);
 
 /// Over a link of 11 Mbit/s that is out once, after 2 s.
-Trial outageTrial(std::chrono::milliseconds outage, std::uint32_t seed, std::chrono::milliseconds recovery_mark);
+Trial outageTrial(std::chrono::milliseconds outage, std::uint32_t seed);
 
 /// The same with this transport.
 Trial by(aibo_client::PictureTransport transport, Trial trial);

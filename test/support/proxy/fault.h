@@ -50,23 +50,19 @@ struct Fault {
 /// Lasting properties of the way, in both directions. The defaults are those of a perfect one.
 struct Conditions {
   std::chrono::microseconds delay{0};
-  std::chrono::microseconds jitter{0};     ///< largest random addition to the delay; bytes stay in order
-  std::size_t bytes_per_second = 0;        ///< 0 = no limit
-  std::size_t largest_piece = 0;           ///< bytes come in pieces of at most this size; 0 = as they were sent
-  bool random_pieces = false;              ///< pieces have random sizes of 1..largest_piece
-  std::chrono::microseconds piece_gap{0};  ///< from one piece to the next
-  std::chrono::microseconds join{0};       ///< bytes that are sent within this time come together
-  bool paused = false;                     ///< the proxy does not read from the server, so that its window closes
+  std::chrono::microseconds jitter{0};  ///< largest random addition to the delay; bytes stay in order
+  std::size_t bytes_per_second = 0;     ///< 0 = no limit
+  std::size_t largest_piece = 0;        ///< bytes come in pieces of random sizes, 1 to this; 0 = as they were sent
+  std::chrono::microseconds join{0};    ///< bytes that are sent within this time come together
+  bool paused = false;                  ///< the proxy does not read from the server, so that its window closes
 };
 
 /// What happens to a client that connects.
 enum class Welcome {
-  kServe,       ///< it is connected to the server
-  kClose,       ///< it is accepted, and the connection is closed at once
-  kReset,       ///< it is accepted, and the connection is reset at once
-  kSilence,     ///< it is accepted, and then hears nothing (a black hole)
-  kRefuse,      ///< it is refused, because nobody listens
-  kUnreachable  ///< its attempt to connect gets no answer
+  kServe,    ///< it is connected to the server
+  kReset,    ///< it is accepted, and the connection is reset at once
+  kSilence,  ///< it is accepted, and then hears nothing (a black hole)
+  kRefuse    ///< it is refused, because nobody listens
 };
 
 }  // namespace test_support

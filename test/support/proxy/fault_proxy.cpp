@@ -25,10 +25,9 @@ timespec timeUntil(TimePoint end) {
 
 }  // namespace
 
-FaultProxy::FaultProxy(const Options& options)
-    : options_(options), address_(options.address), listener_(bindTo(address_, options.port)) {
+FaultProxy::FaultProxy(const Options& options) : options_(options), listener_(bindTo("127.0.0.1", options.port)) {
   port_ = portOf(listener_);
-  listener_ = bindTo(address_, port_);  // only an explicitly bound port stays reserved while nobody listens
+  listener_ = bindTo("127.0.0.1", port_);  // only an explicitly bound port stays reserved while nobody listens
   check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
   thread_ = std::thread([this] { run(); });
 }
@@ -58,10 +57,6 @@ void FaultProxy::setWelcome(Welcome welcome) {
 
 void FaultProxy::add(const Fault& fault) {
   change([&] { faults_.add(fault); });
-}
-
-void FaultProxy::clearFaults() {
-  change([&] { faults_.clear(); });
 }
 
 void FaultProxy::endConnections(Action end) {
@@ -94,18 +89,6 @@ void FaultProxy::setTarget(const std::string& host, int port) {
   });
 }
 
-void FaultProxy::moveTo(const std::string& address) {
-  change([&] {
-    FileDescriptor there = bindTo(address, port_);
-    check(::listen(there.get(), SOMAXCONN) == 0, "listen");
-    listener_ = std::move(there);
-    address_ = address;
-    for (Link& link : links_) {
-      link.end(Action::kSilence, Direction::kToClient);
-    }
-  });
-}
-
 std::size_t FaultProxy::connections() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return connections_;
@@ -125,27 +108,12 @@ std::optional<FaultReport> FaultProxy::waitForFaults(std::size_t count, millisec
 }
 
 void FaultProxy::receiveClientsBy(Welcome welcome) {
-  const auto listens = [](Welcome each) { return each != Welcome::kRefuse && each != Welcome::kUnreachable; };
-  if (listens(welcome) != listens(welcome_) || !listens(welcome)) {
-    fillers_.clear();
-    if (welcome_ != Welcome::kRefuse) {
-      ::shutdown(listener_.get(), SHUT_RDWR);  // stops listening, and the port stays reserved
-    }
-    if (listens(welcome)) {
-      check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
-    } else if (welcome == Welcome::kUnreachable) {
-      fillQueue();
-    }
+  if (welcome == Welcome::kRefuse && welcome_ != Welcome::kRefuse) {
+    ::shutdown(listener_.get(), SHUT_RDWR);  // stops listening, and the port stays reserved
+  } else if (welcome != Welcome::kRefuse && welcome_ == Welcome::kRefuse) {
+    check(::listen(listener_.get(), SOMAXCONN) == 0, "listen");
   }
   welcome_ = welcome;
-}
-
-// When the queue of clients is full, the kernel does not answer further attempts.
-void FaultProxy::fillQueue() {
-  check(::listen(listener_.get(), 0) == 0, "listen");
-  for (int i = 0; i < 2; ++i) {
-    fillers_.push_back(beginConnecting(address_, port_));
-  }
 }
 
 void FaultProxy::run() {
@@ -166,9 +134,8 @@ TimePoint FaultProxy::prepare(std::vector<pollfd>* polled) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const TimePoint now = steady_clock::now();
   TimePoint next = TimePoint::max();
-  const bool accepts = welcome_ != Welcome::kRefuse && welcome_ != Welcome::kUnreachable;
   polled->push_back({wake_up_.descriptor(), POLLIN, 0});
-  polled->push_back({accepts ? listener_.get() : -1, POLLIN, 0});
+  polled->push_back({welcome_ == Welcome::kRefuse ? -1 : listener_.get(), POLLIN, 0});
   for (Link& link : links_) {
     const auto interests = link.interests(now, conditions_);
     polled->insert(polled->end(), interests.begin(), interests.end());
@@ -198,7 +165,7 @@ void FaultProxy::serve(const std::vector<pollfd>& polled) {
 }
 
 void FaultProxy::acceptClients() {
-  while (welcome_ != Welcome::kRefuse && welcome_ != Welcome::kUnreachable) {
+  while (welcome_ != Welcome::kRefuse) {
     FileDescriptor client = acceptFrom(listener_);
     if (!client.valid()) {
       return;

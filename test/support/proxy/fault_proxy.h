@@ -32,8 +32,7 @@ class FaultProxy {
   struct Options {
     std::string target_host = "127.0.0.1";  ///< the server's IPv4 address
     int target_port = 0;
-    std::string address = "127.0.0.1";  ///< IPv4 address of this computer that clients connect to
-    int port = 0;                       ///< for clients; 0 = any free one
+    int port = 0;  ///< for clients, on 127.0.0.1; 0 = any free one
     unsigned seed = 1;
     Tap tap = nullptr;
   };
@@ -62,9 +61,6 @@ class FaultProxy {
   /// its place. A picture counts if it begins after all earlier faults.
   void add(const Fault& fault);
 
-  /// Removes the faults that have not taken place yet.
-  void clearFaults();
-
   /// Ends all connections.
   /// @param end kClose, kReset, kHalfClose or kSilence
   void endConnections(Action end);
@@ -74,10 +70,6 @@ class FaultProxy {
 
   /// Connects later clients to another server.
   void setTarget(const std::string& host, int port);
-
-  /// Moves the proxy to another address of this computer, on the same port. Present connections fall silent.
-  /// @throw std::system_error the port is in use there
-  void moveTo(const std::string& address);
 
   /// Connections to the server so far.
   std::size_t connections() const;
@@ -94,7 +86,6 @@ class FaultProxy {
   template <typename Change>
   void change(const Change& apply);
   void receiveClientsBy(Welcome welcome);
-  void fillQueue();
   void run();
   TimePoint prepare(std::vector<pollfd>* polled);
   void serve(const std::vector<pollfd>& polled);
@@ -103,16 +94,14 @@ class FaultProxy {
 
   mutable std::mutex mutex_;  // guards what follows, down to the thread
   Options options_;
-  std::string address_;
   aibo_client::FileDescriptor listener_;
   int port_ = 0;
   Welcome welcome_ = Welcome::kServe;
   Conditions conditions_;
   FaultQueue faults_;
   std::list<Link> links_;
-  std::size_t polled_links_ = 0;                      // how many of links_ the thread waits for
-  std::vector<aibo_client::FileDescriptor> held_;     // clients that hear nothing
-  std::vector<aibo_client::FileDescriptor> fillers_;  // of the queue of clients
+  std::size_t polled_links_ = 0;                   // how many of links_ the thread waits for
+  std::vector<aibo_client::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
   std::optional<FaultReport> last_fault_;

@@ -100,8 +100,7 @@ std::size_t Pipe::pieceSize(const Conditions& conditions) {
   if (conditions.largest_piece == 0) {
     return conditions.bytes_per_second == 0 ? SIZE_MAX : kPacket;
   }
-  return conditions.random_pieces ? std::uniform_int_distribution<std::size_t>(1, conditions.largest_piece)(random_)
-                                  : conditions.largest_piece;
+  return std::uniform_int_distribution<std::size_t>(1, conditions.largest_piece)(random_);
 }
 
 void Pipe::addPiece(Bytes bytes, TimePoint now, const Conditions& conditions) {
@@ -125,9 +124,6 @@ TimePoint Pipe::dueTime(std::size_t size, TimePoint now, const Conditions& condi
   }
   due = std::max(due, not_before_);
   not_before_ = due;
-  if (conditions.largest_piece > 0) {
-    not_before_ += conditions.piece_gap;
-  }
   if (conditions.bytes_per_second > 0) {
     not_before_ += microseconds(size * 1000000 / conditions.bytes_per_second);
   }

@@ -141,64 +141,6 @@ TEST(TcpTransportTest, ANameLookupThatHangsEndsAtTheDeadlineAndIsTakenUpAgainByT
   EXPECT_EQ(1, lookups);
 }
 
-<<<<<<< HEAD
-TEST(TcpTransportTest, ANameIsLookedUpForEachConnection) {
-  ScriptedServer server;
-  int lookups = 0;
-  TcpTransport transport([&](const std::string&, int) {
-    ++lookups;
-    return resolveWithSystem("127.0.0.1", server.port());
-  });
-  for (int connection = 1; connection <= 2; ++connection) {
-    transport.connect("aibo", 54321, soon());
-    server.accept();
-    transport.close();
-    EXPECT_EQ(connection, lookups) << "the robot may have another address now";
-  }
-}
-
-TEST(TcpTransportTest, AnAddressIsTriedOnceAndANameIsNotLookedUpWhileTheCallerWaits) {
-  const NameLookupResult result = resolveNumeric("127.0.0.1", 54321);
-  ASSERT_EQ(result.addresses.size(), 1u);
-  EXPECT_EQ(ntohs(reinterpret_cast<const sockaddr_in&>(result.addresses[0].storage).sin_port), 54321);
-  EXPECT_TRUE(resolveNumeric("localhost", 54321).addresses.empty());
-}
-
-/// The sockets of this computer that try to connect to the port, and have no answer yet.
-int unansweredAttempts(int port) {
-  std::ifstream sockets("/proc/self/net/tcp");
-  std::ostringstream address;
-  address << ':' << std::hex << std::uppercase << std::setw(4) << std::setfill('0') << port << " 02 ";  // SYN_SENT
-  int attempts = 0;
-  for (std::string line; std::getline(sockets, line);) {
-    attempts += line.find(address.str()) != std::string::npos ? 1 : 0;
-  }
-  return attempts;
-}
-
-// The kernel repeats the first attempt only after 1 s.
-TEST(TcpTransportTest, WhileNothingAnswersFurtherAttemptsBeginAndAnyOfThemMayConnect) {
-  ScriptedServer full(ScriptedServer::Begin::kAbsent);
-  full.listen(0);
-  TcpTransport other;
-  other.connect("127.0.0.1", full.port(), soon());
-  TcpTransport transport;
-  auto connected = std::async(std::launch::async, [&] { transport.connect("127.0.0.1", full.port(), soon()); });
-  const TimePoint end = soon();
-  int attempts = 0;
-  while ((attempts = unansweredAttempts(full.port())) < 2 && steady_clock::now() < end) {
-    std::this_thread::sleep_for(milliseconds(1));
-  }
-  EXPECT_GE(attempts, 2);
-  full.accept();
-  connected.get();
-  ScriptedPeer peer = full.accept();
-  transport.send(reinterpret_cast<const std::uint8_t*>("abc"), 3);
-  EXPECT_EQ(peer.read(3), (std::vector<std::uint8_t>{'a', 'b', 'c'}));
-}
-
-=======
->>>>>>> 65086fa3 (test: the client keeps one owner for each promise)
 TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) {
   ScriptedServer server;
   server.limitReceiveBuffer();
