@@ -22,7 +22,7 @@ REFUSED = {
     'try_release --packages trixie': 'give a release and a folder', 'try_release trixie /usr': '/usr exists'}
 
 STARTED = {
-    'soak --orders --seed 3 --sanitize thread': ['build tests soak', '--tests --sanitize thread all aibo_soak'],
+    'soak --seed 3 --sanitize thread': ['build tests soak', '--tests --sanitize thread all aibo_soak'],
     'fuzz --runs 2 hello picture': ['build tests fuzz', '--tests --sanitize fuzz fuzz_hello fuzz_picture'],
     'sanitize thread -R x': ['build tests gamepad rviz wlan physics', '--tests --sanitize thread all tests'],
     'faults --only hostile-driver': ['build tests', '--tests fault_rostest'],

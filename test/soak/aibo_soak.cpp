@@ -1,6 +1,6 @@
 /// @file aibo_soak.cpp
-/// Runs the driver's node and the robot's server for a long time, with all kinds of faults between them; or gives
-/// random orders from five nodes meanwhile.
+/// Runs the driver's node and the robot's server for a long time, with random orders from five nodes and all kinds of
+/// faults.
 
 #include <ros/ros.h>
 #include <signal.h>
@@ -10,8 +10,7 @@
 #include <cstdlib>
 #include <random>
 
-#include "orders/order_soak.h"
-#include "orders/order_user.h"
+#include "order_user.h"
 #include "soak.h"
 #include "support/program.h"
 
@@ -21,7 +20,7 @@ namespace po = boost::program_options;
 
 constexpr int kNoUser = -1;
 
-int run(const soak::Options& options, bool orders, int user) {
+int run(const soak::Options& options, int user) {
   if (user != kNoUser) {
     soak::runUser(ros::this_node::getNamespace(), static_cast<unsigned>(user), options.seed);
     return EXIT_SUCCESS;
@@ -34,8 +33,7 @@ int run(const soak::Options& options, bool orders, int user) {
   const ros::NodeHandle handle;
   ros::AsyncSpinner spinner(2);
   spinner.start();
-  const bool is_well = orders ? soak::OrderSoak(options).run() : soak::Soak(options).run();
-  return is_well ? EXIT_SUCCESS : EXIT_FAILURE;
+  return soak::Soak(options).run() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
@@ -45,13 +43,11 @@ int main(int argc, char** argv) {
   // Ctrl-C ends this program and all that it has started at once.
   ros::init(argc, argv, "aibo_soak", ros::init_options::NoSigintHandler);
   soak::Options options;
-  bool orders = false;
   int user = kNoUser;
   options.program = argv[0];
   po::options_description description("Options", 110);
   // clang-format off
   description.add_options()
-    ("orders", po::bool_switch(&orders), "random orders from five nodes, and what becomes of them")
     ("minutes", po::value(&options.minutes)->default_value(60), "how long")
     ("seed", po::value(&options.seed)->default_value(std::random_device()(), "random"), "seed of all random choices")
     ("folder", po::value(&options.folder)->default_value("."), "existing folder for logs")
@@ -60,7 +56,7 @@ int main(int argc, char** argv) {
   // clang-format on
   return test_support::runProgram(
       argc, argv,
-      "Runs driver and simulated robot for a long time, with all kinds of faults between them.\n"
+      "Runs driver and simulated robot for a long time, with random orders and all kinds of faults.\n"
       "Needs a ROS master of its own, which scripts/soak starts.",
-      description, [&] { return run(options, orders, user); });
+      description, [&] { return run(options, user); });
 }

@@ -70,7 +70,6 @@ struct Movements {
 struct Measured {
   double time = 0;  ///< by the stamp
   Targets positions{};
-  double came = 0;  ///< when the message came
 };
 
 /// Something is wrong from begin to end.

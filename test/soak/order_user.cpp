@@ -1,14 +1,10 @@
 #include "order_user.h"
 
-#include <actionlib/client/simple_action_client.h>
 #include <aibo_driver/PlayMotion.h>
-#include <aibo_driver/PlayMotionAction.h>
 #include <aibo_driver/StopMotion.h>
-#include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <sensor_msgs/JointState.h>
-#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
@@ -33,7 +29,6 @@ using std::chrono::milliseconds;
 constexpr int kUsers = 5;
 constexpr unsigned kNoRound = std::numeric_limits<unsigned>::max();  // odd
 constexpr double kMicro = 1e-6;
-constexpr double kPatience = 30;  // s; longer than any motion and any outage
 
 double now() {
   return ros::WallTime::now().toSec();
@@ -47,18 +42,13 @@ class User {
     commands_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 100);
     trajectories_ = handle_.advertise<trajectory_msgs::JointTrajectory>("joint_trajectory", 100);
     velocities_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 100);
-    points_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 10);
     model_ = robot_model::findRobotModel("ERS-7");
-    for (int i = 0; i < model_->number_of_joints; ++i) {
-      const std::string joint = model_->joints[i].name;
-      controllers_[joint] = handle_.advertise<std_msgs::Float64>(joint + "_position_controller/command", 10);
-    }
     rounds_ = handle_.subscribe<std_msgs::UInt32>(
         kUserRuns, 10, [this](const std_msgs::UInt32::ConstPtr& round) { round_ = round->data; });
   }
 
   void run() {
-    while ((log_.getNumSubscribers() == 0 || !goals_.isServerConnected()) && ros::ok()) {
+    while (log_.getNumSubscribers() == 0 && ros::ok()) {
       pause(5, 20);
     }
     unsigned told = kNoRound;
@@ -89,29 +79,23 @@ class User {
 
   void giveAnyOrder() {
     const int what = uniform(0, 99);
-    if (what < 34) {
+    if (what < 40) {
       commandJoints();
-    } else if (what < 40) {
-      commandOneJoint();
-    } else if (what < 54) {
+    } else if (what < 55) {
       followTrajectory();
-    } else if (what < 68) {
+    } else if (what < 70) {
       walk();
-    } else if (what < 76) {
+    } else if (what < 80) {
       play(uniform(0, 1) == 0 ? "nod" : "wag");
-    } else if (what < 79) {
-      play("");
-    } else if (what < 82) {
-      playToTheEnd();
-    } else if (what < 88) {
+    } else if (what < 83) {
+      call<aibo_driver::StopMotion>("stop_motion");
+    } else if (what < 90) {
       call<std_srvs::Trigger>(
           std::vector<const char*>{"stand", "sit", "rest"}[static_cast<std::size_t>(uniform(0, 2))]);
-    } else if (what < 91) {
+    } else if (what < 94) {
       switchMotors();
-    } else if (what < 95) {
-      stopForAWhile();
     } else {
-      lookSomewhere();
+      stopForAWhile();
     }
   }
 
@@ -152,15 +136,6 @@ class User {
     log(toText(order));
   }
 
-  void commandOneJoint() {
-    const robot_model::Joint& joint = anyJoint();
-    const Order order{name_, "command", now(), 0, {{joint.name, anyTarget(joint)}}};
-    std_msgs::Float64 message;
-    message.data = order.targets.begin()->second;
-    controllers_[joint.name].publish(message);
-    log(toText(order));
-  }
-
   void followTrajectory() {
     const double duration = 0.1 * uniform(5, 40);
     const Order order{name_, "trajectory", now(), duration, anyTargets()};
@@ -193,33 +168,10 @@ class User {
     return each.success;
   }
 
-  // Without a name all motions end.
   void play(const std::string& motion) {
-    if (motion.empty()) {
-      call<aibo_driver::StopMotion>("stop_motion");
-      return;
-    }
     aibo_driver::PlayMotion service;
     service.request.name = motion;
     call("play_motion", service);
-  }
-
-  // By the action; some goals are cancelled.
-  void playToTheEnd() {
-    Call each{name_, "play_motion_goal", now()};
-    aibo_driver::PlayMotionGoal goal;
-    goal.name = uniform(0, 1) == 0 ? "nod" : "wag";
-    goal.repetitions = 1;
-    goals_.sendGoal(goal);
-    bool ended = goals_.waitForResult(ros::Duration(0.1 * uniform(2, 60)));
-    if (!ended) {
-      goals_.cancelGoal();
-      ended = goals_.waitForResult(ros::Duration(kPatience));
-    }
-    each.end = now();
-    each.success = ended && goals_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
-    each.message = ended ? goals_.getState().getText() : kNoAnswer;
-    log(toText(each));
   }
 
   void switchMotors() {
@@ -244,15 +196,6 @@ class User {
     call<std_srvs::Trigger>("release");
   }
 
-  void lookSomewhere() {
-    geometry_msgs::PointStamped point;
-    point.header.frame_id = "base_link";
-    point.point.x = 1;
-    point.point.y = 0.1 * uniform(-9, 9);
-    point.point.z = 0.1 * uniform(-2, 3);
-    points_.publish(point);
-  }
-
   ros::NodeHandle handle_;
   const int number_;
   std::mt19937 random_;
@@ -264,9 +207,6 @@ class User {
   ros::Publisher commands_;
   ros::Publisher trajectories_;
   ros::Publisher velocities_;
-  ros::Publisher points_;
-  std::map<std::string, ros::Publisher> controllers_;
-  actionlib::SimpleActionClient<aibo_driver::PlayMotionAction> goals_{handle_, "play_motion", false};
   ros::Subscriber rounds_;
 };
 

@@ -1,21 +1,30 @@
-#include "orders/order_soak.h"
+#include "soak.h"
 
 #include <aibo_driver/Connection.h>
+#include <fcntl.h>
 #include <ros/ros.h>
 #include <signal.h>
 #include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 
-#include "orders/order_user.h"
+#include "order_user.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
+#include "support/safety_net.h"
 
 namespace soak {
 namespace {
@@ -27,7 +36,7 @@ using test_support::Direction;
 using test_support::FaultProxy;
 using test_support::Welcome;
 
-constexpr const char* kNamespace = "/order_soak";
+constexpr const char* kNamespace = "/soak";
 constexpr int kUsers = 5;
 constexpr double kMicro = 1e-6;
 constexpr double kStart = 60;        // s
@@ -40,8 +49,13 @@ double now() {
   return ros::WallTime::now().toSec();
 }
 
-void passTime(int milliseconds_) {
-  std::this_thread::sleep_for(milliseconds(milliseconds_));
+/// A named pipe for the robot's picture log. It is opened for writing, too, so that it stays open.
+aibo_client::FileDescriptor makePipe(const std::string& path) {
+  ::unlink(path.c_str());
+  if (::mkfifo(path.c_str(), 0600) != 0) {
+    throw std::system_error(errno, std::generic_category(), path);
+  }
+  return aibo_client::FileDescriptor(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
 }
 
 std::map<std::string, std::pair<double, double>> limitsOfJoints() {
@@ -71,13 +85,19 @@ std::vector<aibo_driver::EndedMovement> newOnes(const std::vector<aibo_driver::E
 
 }  // namespace
 
-OrderSoak::OrderSoak(const Options& options)
+Soak::Soak(const Options& options)
     : options_(options),
       random_(options.seed),
-      audit_([this](const std::string& violation) { violations_.add(violation); }, limitsOfJoints()),
+      audit_([this](const std::string& violation) { complain(violation); }, limitsOfJoints()),
+      driver_resources_(options.folder + "/driver.csv"),
+      robot_resources_(options.folder + "/robot.csv"),
+      begin_(now()),
+      // Its violations come while the mutex is held.
+      pictures_([this](const std::string& violation) { print(violation); }),
+      picture_log_(makePipe(options.folder + "/pictures")),
+      robot_({"--picture-log", options.folder + "/pictures"}),
       proxy_(proxyOptions()),
-      driver_(kNamespace, proxy_.port(), {"_stream_on_start:=false"}),
-      look_at_({AIBO_LOOK_AT, std::string("__ns:=") + kNamespace}),
+      driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),
       handle_(kNamespace) {
   const robot_model::RobotModel* model = robot_model::findRobotModel("ERS-7");
   for (int i = 0; i < model->number_of_joints; ++i) {
@@ -97,6 +117,9 @@ OrderSoak::OrderSoak(const Options& options)
         const std::lock_guard<std::mutex> lock(mutex_);
         is_connected_ = connection->state == aibo_driver::Connection::CONNECTED;
       }));
+  subscribers_.push_back(handle_.subscribe<sensor_msgs::CompressedImage>(
+      "camera/image_raw/compressed", kAllOfThem,
+      [this](const sensor_msgs::CompressedImage::ConstPtr& picture) { receive(*picture); }));
   for (int i = 0; i < kUsers; ++i) {
     users_.push_back(std::make_unique<test_support::Process>(
         std::vector<std::string>{options.program, "--user", std::to_string(i), "--seed", std::to_string(random_()),
@@ -104,7 +127,7 @@ OrderSoak::OrderSoak(const Options& options)
   }
 }
 
-FaultProxy::Options OrderSoak::proxyOptions() {
+FaultProxy::Options Soak::proxyOptions() {
   FaultProxy::Options options;
   options.target_port = robot_.port();
   options.seed = options_.seed;
@@ -116,10 +139,7 @@ FaultProxy::Options OrderSoak::proxyOptions() {
   return options;
 }
 
-// --- What happens
-// -----------------------------------------------------------------------------------------------------
-
-void OrderSoak::hear(std::size_t connection, const std::uint8_t* data, std::size_t size) {
+void Soak::hear(std::size_t connection, const std::uint8_t* data, std::size_t size) {
   const double time = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const test_support::Request& request : requests_[connection].feed(data, size)) {
@@ -135,7 +155,7 @@ void OrderSoak::hear(std::size_t connection, const std::uint8_t* data, std::size
   requests_.erase(requests_.begin(), requests_.lower_bound(connection));
 }
 
-void OrderSoak::receive(const std_msgs::String& line) {
+void Soak::receive(const std_msgs::String& line) {
   const UserLine parsed = parseUserLine(line.data);
   const std::lock_guard<std::mutex> lock(mutex_);
   if (parsed.order) {
@@ -147,17 +167,16 @@ void OrderSoak::receive(const std_msgs::String& line) {
   }
 }
 
-void OrderSoak::receive(const sensor_msgs::JointState& joints) {
+void Soak::receive(const sensor_msgs::JointState& joints) {
   Measured measured{joints.header.stamp.toSec()};
   for (std::size_t i = 0; i < joints.name.size(); ++i) {
     measured.positions[joints.name[i]] = joints.position[i];
   }
-  measured.came = now();
   const std::lock_guard<std::mutex> lock(mutex_);
   round_.measured.push_back(measured);
 }
 
-void OrderSoak::receive(const aibo_driver::MotionState& state) {
+void Soak::receive(const aibo_driver::MotionState& state) {
   const double time = now();
   std::vector<Moving> moving;
   std::transform(state.movements.begin(), state.movements.end(), std::back_inserter(moving), toMoving);
@@ -170,123 +189,180 @@ void OrderSoak::receive(const aibo_driver::MotionState& state) {
   round_.movements.push_back({time, moving});
 }
 
-// --- The course
-// -------------------------------------------------------------------------------------------------------
+void Soak::receive(const sensor_msgs::CompressedImage& picture) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  readPictureLog();
+  pictures_.published(picture.data, picture.header.stamp.toNSec());
+}
 
-bool OrderSoak::run() {
-  const double end = now() + 60 * options_.minutes;
+void Soak::readPictureLog() {
+  std::array<char, 4096> buffer;
+  for (ssize_t count; (count = ::read(picture_log_.get(), buffer.data(), buffer.size())) > 0;) {
+    unfinished_line_.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  const std::size_t end = unfinished_line_.rfind('\n') + 1;  // 0 if there is no whole line
+  std::istringstream lines(unfinished_line_.substr(0, end));
+  unfinished_line_.erase(0, end);
+  for (std::string line; std::getline(lines, line);) {
+    pictures_.sent(line);
+  }
+}
+
+void Soak::complain(const std::string& violation) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  print(violation);
+}
+
+void Soak::print(const std::string& violation) {
+  ++violations_;
+  std::printf("VIOLATION (%s): %s\n", scene_.c_str(), violation.c_str());
+  std::fflush(stdout);
+}
+
+bool Soak::run() {
   try {
     begin();
-    while (now() < end) {
+    while (now() < begin_ + 60 * options_.minutes) {
       goThroughARound();
     }
   } catch (const std::exception& error) {
-    violations_.add(error.what());
+    complain(error.what());
   }
-  keepLogs({});
-  audit_.report();
-  std::printf("violations: %zu\n", violations_.count());
-  return violations_.count() == 0;
+  end();
+  return violations_ == 0;
 }
 
-template <typename Condition>
-bool OrderSoak::waitFor(double seconds, const Condition& condition) {
-  const double end = now() + seconds;
-  for (;;) {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (condition()) {
-        return true;
-      }
-    }
-    if (now() >= end) {
-      return false;
-    }
-    if (!driver_.isRunning()) {
-      throw std::runtime_error("the driver's node has ended:\n" + driver_.output());
-    }
-    passTime(20);
-  }
-}
-
-void OrderSoak::begin() {
-  violations_.setScene("start");
-  if (!waitFor(kStart, [this] { return is_connected_ && !round_.measured.empty(); })) {
+void Soak::begin() {
+  if (!waitFor(kStart, [this] { return is_connected_ && !round_.measured.empty() && pictures_.count() > 0; })) {
     throw std::runtime_error("the robot is not connected:\n" + driver_.output());
   }
   tellUsers(number_);
   waitForUsers(number_);
-  passTime(1000);  // until all topics are connected
-  takeRound();
+  pass(1000);  // until all topics are connected
 }
 
-void OrderSoak::tellUsers(unsigned round) {
+void Soak::end() {
+  driver_.signal(SIGINT);  // so that a sanitizer can still report leaks
+  if (driver_.waitForExit(test_support::kSafetyNet) != EXIT_SUCCESS) {
+    complain("the driver's node has not ended well");
+  }
+  std::ofstream(options_.folder + "/driver.log") << driver_.output();
+  if (const std::string growth = driver_resources_.growth(); !growth.empty()) {
+    complain("driver: " + growth);
+  }
+  if (const std::string growth = robot_resources_.growth(); !growth.empty()) {
+    complain("server: " + growth);
+  }
+  // A computer that holds the driver up for more than 100 ms costs pictures.
+  if (1000 * pictures_.lostInCalm() > pictures_.calmCount()) {
+    complain("pictures were lost in calm periods");
+  }
+  audit_.report();
+  std::printf("pictures: %llu, of these %llu in calm periods, in which %llu were lost\nviolations: %zu\n",
+              static_cast<unsigned long long>(pictures_.count()),
+              static_cast<unsigned long long>(pictures_.calmCount()),
+              static_cast<unsigned long long>(pictures_.lostInCalm()), violations_);
+}
+
+/// Lets this much time pass, and takes samples of resources meanwhile.
+void Soak::pass(int milliseconds) {
+  const double end = now() + 0.001 * milliseconds;
+  do {
+    if (!driver_.isRunning() || !robot_.isRunning()) {
+      throw std::runtime_error("driver or robot has ended:\n" + driver_.output() + robot_.process().output());
+    }
+    if (now() > next_sample_) {
+      driver_resources_.sample(driver_.pid(), now() - begin_);
+      robot_resources_.sample(robot_.process().pid(), now() - begin_);
+      next_sample_ = now() + 2;
+      const std::lock_guard<std::mutex> lock(mutex_);
+      readPictureLog();  // also while no pictures come, so that the pipe never fills up
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  } while (now() < end);
+}
+
+template <typename Condition>
+bool Soak::waitFor(double seconds, const Condition& condition) {
+  const auto is_true = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return condition();
+  };
+  for (const double end = now() + seconds; !is_true() && now() < end;) {
+    pass(20);
+  }
+  return is_true();
+}
+
+void Soak::tellUsers(unsigned round) {
   number_ = round;
   std_msgs::UInt32 message;
   message.data = round;
   rounds_.publish(message);
 }
 
-void OrderSoak::waitForUsers(unsigned round) {
+void Soak::waitForUsers(unsigned round) {
   if (!waitFor(kAnswers, [this, round] { return quiet_users_[round] == kUsers; })) {
-    std::string logs;
-    for (const auto& user : users_) {
-      logs += user->output();
-    }
-    throw std::runtime_error("a user still waits for an answer:\n" + logs);
+    throw std::runtime_error("a user still waits for an answer");
   }
+}
+
+void Soak::setCalm(bool calm) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pictures_.setCalm(calm);
 }
 
 template <typename Service>
-bool OrderSoak::succeeds(const std::string& name, Service service) {
+void Soak::expectSuccess(const std::string& name, Service service) {
   const bool answered = ros::service::call(handle_.resolveName(name), service);
   if (!answered || !service.response.success) {
-    violations_.add(name + " between two rounds: " + (answered ? service.response.message : "not answered"));
-    return false;
+    complain(name + " between two rounds: " + (answered ? service.response.message : "not answered"));
   }
-  return true;
 }
 
 // One after the other at once: none is refused because of the one before.
-void OrderSoak::getReady() {
-  violations_.setScene("between rounds");
+void Soak::getReady() {
   std_srvs::SetBool motors;
   motors.request.data = 1;
-  const bool is_ready =
-      succeeds<std_srvs::Trigger>("release") && succeeds("motors", motors) && succeeds<std_srvs::Trigger>("stand");
-  if (!is_ready) {
-    passTime(1000);
-  }
+  expectSuccess<std_srvs::Trigger>("release");
+  expectSuccess("motors", motors);
+  expectSuccess<std_srvs::Trigger>("stand");
 }
 
-void OrderSoak::goThroughARound() {
+void Soak::goThroughARound() {
   getReady();
   takeRound();
-  violations_.setScene("round " + std::to_string(number_ / 2 + 1));
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    scene_ = "round " + std::to_string(number_ / 2 + 1);
+  }
+  setCalm(false);
   tellUsers(number_ + 1);
   const double end = now() + uniform(6, 15);
   while (now() < end) {
-    passTime(uniform(300, 2500));
+    pass(uniform(300, 2500));
     if (uniform(0, 2) > 0) {
       goWrong();
     }
   }
   tellUsers(number_ + 1);
   waitForUsers(number_);
-  passTime(static_cast<int>(1000 * kLateOrders));
-  if (!waitFor(kRecovers, [this] { return is_connected_; })) {
-    violations_.add("the robot is not connected again");
+  pass(static_cast<int>(1000 * kLateOrders));
+  std::uint64_t before = 0;
+  const auto is_connected = [&] {
+    before = pictures_.count();
+    return is_connected_;
+  };
+  if (!waitFor(kRecovers, is_connected) || !waitFor(kRecovers, [&] { return pictures_.count() > before + 10; })) {
+    complain("the robot is not connected again, or no pictures come");
   }
-  waitForEnds();
+  setCalm(true);
+  waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
+  pass(3000);                                          // of joints that are measured at rest, and of pictures
   audit_.judge(takeRound());
 }
 
-void OrderSoak::waitForEnds() {
-  waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
-  passTime(500);                                       // of joints that are measured at rest
-}
-
-void OrderSoak::goWrong() {
+void Soak::goWrong() {
   Fault fault;
   fault.kind = static_cast<Fault::Kind>(uniform(0, 4));
   fault.begin = now();
@@ -294,18 +370,18 @@ void OrderSoak::goWrong() {
   switch (fault.kind) {
     case Fault::Kind::kDriverFrozen:
       driver_.signal(SIGSTOP);
-      passTime(length);
+      pass(length);
       driver_.signal(SIGCONT);
       break;
     case Fault::Kind::kRobotFrozen:
       robot_.process().signal(SIGSTOP);
-      passTime(length);
+      pass(length);
       robot_.process().signal(SIGCONT);
       break;
     case Fault::Kind::kLinkCut:
       proxy_.setWelcome(uniform(0, 1) == 0 ? Welcome::kRefuse : Welcome::kSilence);
       proxy_.endConnections(uniform(0, 1) == 0 ? Action::kReset : Action::kSilence);
-      passTime(length);
+      pass(length);
       proxy_.heal();
       break;
     case Fault::Kind::kLinkSlow: {
@@ -313,13 +389,13 @@ void OrderSoak::goWrong() {
       conditions.delay = milliseconds(uniform(10, 200));
       conditions.jitter = milliseconds(uniform(0, 200));
       proxy_.setConditions(conditions);
-      passTime(length);
+      pass(length);
       proxy_.setConditions({});
       break;
     }
     case Fault::Kind::kStickSlow:
       robot_.type("stick slow");
-      passTime(3 * length);
+      pass(3 * length);
       robot_.type("stick ready");
       break;
   }
@@ -328,7 +404,7 @@ void OrderSoak::goWrong() {
   round_.faults.push_back(fault);
 }
 
-Round OrderSoak::takeRound() {
+Round Soak::takeRound() {
   Round round;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -339,50 +415,7 @@ Round OrderSoak::takeRound() {
   std::stable_sort(round.measured.begin(), round.measured.end(), by_time);
   std::stable_sort(round.calls.begin(), round.calls.end(),
                    [](const Call& a, const Call& b) { return a.begin < b.begin; });
-  keepLogs(round);
   return round;
-}
-
-// To look into what was judged.
-void OrderSoak::keepLogs(const Round& round) {
-  std::ofstream events(options_.folder + "/events.log", std::ios::app);
-  events.precision(17);
-  for (const Order& order : round.orders) {
-    events << toText(order) << '\n';
-  }
-  for (const Call& call : round.calls) {
-    events << toText(call) << '\n';
-  }
-  for (const Fault& fault : round.faults) {
-    events << "fault " << static_cast<int>(fault.kind) << ' ' << fault.begin << ' ' << fault.end << '\n';
-  }
-  for (const Ended& end : round.ended) {
-    events << "ended " << end.time << ' ' << end.movement.user << ' ' << end.movement.kind << ' ' << end.movement.name
-           << ' ' << end.how << ' ' << end.reason;
-    for (const std::string& joint : end.movement.joints) {
-      events << ' ' << joint;
-    }
-    events << '\n';
-  }
-  for (const Movements& each : round.movements) {
-    events << "movements " << each.time;
-    for (const Moving& moving : each.now) {
-      events << ' ' << moving.user << ' ' << moving.kind << ' ' << moving.name;
-    }
-    events << '\n';
-  }
-  std::ofstream measurements(options_.folder + "/measured.log", std::ios::app);
-  measurements << std::fixed;
-  for (const Measured& each : round.measured) {
-    measurements << each.time << ' ' << each.came - each.time;
-    for (const auto& [joint, position] : each.positions) {
-      measurements << ' ' << joint << ' ' << position;
-    }
-    measurements << '\n';
-  }
-  const std::string log = driver_.output();
-  std::ofstream(options_.folder + "/driver.log", std::ios::app) << log.substr(std::min(driver_log_size_, log.size()));
-  driver_log_size_ = log.size();
 }
 
 }  // namespace soak
