@@ -69,12 +69,6 @@ TEST_F(FaultProxyTest, EndsTheConnectionAtTheGivenByte) {
   server_end_.waitUntilClosed();
 }
 
-TEST_F(FaultProxyTest, ResetsBothSides) {
-  proxy_.add({Action::kReset, Place::kByte, 5});
-  EXPECT_LE(receivedOf(reply_, reply_.size()).size(), 5U);
-  EXPECT_FALSE(client_.send("W\x55") && client_.receive(kSafetyNet)->empty() && client_.send("W\x55"));
-}
-
 TEST_F(FaultProxyTest, ASilencedConnectionStaysButNothingComes) {
   proxy_.add({Action::kSilence, Place::kPicture, 5});
   EXPECT_EQ(receivedOf(reply_, 5).size(), 5u);

@@ -160,6 +160,9 @@ void OrderAudit::judge(const Round& round) {
       complain_(clock(call.begin) + call.service + " of " + call.user + " got no answer");
     }
   }
+  for (const Moving& movement : round.moving) {
+    complain_(movement.user + "'s " + kindOf(movement.kind) + " " + movement.name + " does not end");
+  }
   judgeStops(round);
   judgeEnds(round);
 }
@@ -253,40 +256,6 @@ void OrderAudit::judgeEnds(const Round& round) {
     }
     if (end.how == EndedMovement::DONE) {
       judgeDone(round, end);
-    }
-  }
-  judgeEndsOfTheRest(round);
-}
-
-// Motions and postures, of which a user can have one at a time: what begins ends, and is done once at most. A walk goes
-// on with other users, so of walks only the last end counts.
-void OrderAudit::judgeEndsOfTheRest(const Round& round) {
-  const auto nameOf = [](const Moving& movement) {
-    return movement.user + "'s " + kindOf(movement.kind) + " " + movement.name;
-  };
-  std::map<std::string, int> begun;
-  std::vector<Moving> before;
-  for (const Movements& each : round.movements) {
-    for (const Moving& movement : each.now) {
-      const bool is_new = std::find(before.begin(), before.end(), movement) == before.end();
-      const bool counts = movement.joints.empty() && movement.kind != Movement::WALK;
-      begun[nameOf(movement)] += is_new && counts ? 1 : 0;
-    }
-    before = each.now;
-  }
-  for (const Moving& movement : before) {
-    complain_(clock(round.movements.back().time) + nameOf(movement) + " does not end");
-  }
-  std::map<std::string, int> ended;
-  std::map<std::string, int> done;
-  for (const Ended& end : round.ended) {
-    ++ended[nameOf(end.movement)];
-    done[nameOf(end.movement)] += end.how == EndedMovement::DONE && end.movement.joints.empty() ? 1 : 0;
-  }
-  for (const auto& [name, count] : begun) {
-    if (ended[name] < count || done[name] > count) {
-      complain_(name + " has begun " + std::to_string(count) + " times, ended " + std::to_string(ended[name]) +
-                " times, and was done " + std::to_string(done[name]) + " times");
     }
   }
 }

@@ -1,6 +1,6 @@
 /// @file order_audit.h
-#ifndef TEST_SOAK_ORDERS_ORDER_AUDIT_H
-#define TEST_SOAK_ORDERS_ORDER_AUDIT_H
+#ifndef TEST_SOAK_ORDER_AUDIT_H
+#define TEST_SOAK_ORDER_AUDIT_H
 
 #include <cstddef>
 #include <functional>
@@ -31,7 +31,6 @@ class OrderAudit {
   void judgeStops(const Round& round);
   void judgeStop(const Round& round, const Call& stop);
   void judgeEnds(const Round& round);
-  void judgeEndsOfTheRest(const Round& round);
   void judgeDone(const Round& round, const Ended& end);
   double farthest(const Measured& measured, const Order& order, const std::vector<std::string>& joints) const;
   double clamp(const std::string& joint, double target) const;
@@ -50,4 +49,4 @@ class OrderAudit {
 
 }  // namespace soak
 
-#endif  // TEST_SOAK_ORDERS_ORDER_AUDIT_H
+#endif  // TEST_SOAK_ORDER_AUDIT_H

@@ -1,8 +1,8 @@
 /// @file order_events.h
-/// What happens in the soak of orders. All times are in seconds since the epoch, by the system clock, which all
+/// What happens in the soak. All times are in seconds since the epoch, by the system clock, which all
 /// processes of a computer and the stamps of ROS share.
-#ifndef TEST_SOAK_ORDERS_ORDER_EVENTS_H
-#define TEST_SOAK_ORDERS_ORDER_EVENTS_H
+#ifndef TEST_SOAK_ORDER_EVENTS_H
+#define TEST_SOAK_ORDER_EVENTS_H
 
 #include <map>
 #include <string>
@@ -23,7 +23,7 @@ struct Order {
 
 constexpr const char* kNoAnswer = "no answer came";
 
-/// A call of a service by a user, or a goal of an action.
+/// A call of a service by a user.
 struct Call {
   std::string user;
   std::string service;
@@ -46,10 +46,6 @@ struct Moving {
   int kind = 0;  ///< as in aibo_driver/Movement
   std::string name;
   std::vector<std::string> joints{};
-
-  bool operator==(const Moving& other) const {
-    return user == other.user && kind == other.kind && name == other.name && joints == other.joints;
-  }
 };
 
 /// A movement that has ended.
@@ -58,12 +54,6 @@ struct Ended {
   Moving movement;
   int how = 0;  ///< as in aibo_driver/EndedMovement
   std::string reason{};
-};
-
-/// What moves the robot from now on.
-struct Movements {
-  double time = 0;
-  std::vector<Moving> now{};
 };
 
 /// Where the joints are.
@@ -86,11 +76,11 @@ struct Round {
   std::vector<Call> calls{};
   std::vector<Sent> sent{};
   std::vector<Ended> ended{};
-  std::vector<Movements> movements{};
+  std::vector<Moving> moving{};  ///< at its end
   std::vector<Measured> measured{};
   std::vector<Fault> faults{};
 };
 
 }  // namespace soak
 
-#endif  // TEST_SOAK_ORDERS_ORDER_EVENTS_H
+#endif  // TEST_SOAK_ORDER_EVENTS_H

@@ -86,7 +86,9 @@ class User {
     } else if (what < 70) {
       walk();
     } else if (what < 80) {
-      play(uniform(0, 1) == 0 ? "nod" : "wag");
+      aibo_driver::PlayMotion motion;
+      motion.request.name = uniform(0, 1) == 0 ? "nod" : "wag";
+      call("play_motion", motion);
     } else if (what < 83) {
       call<aibo_driver::StopMotion>("stop_motion");
     } else if (what < 90) {
@@ -96,18 +98,6 @@ class User {
       switchMotors();
     } else {
       stopForAWhile();
-    }
-  }
-
-  // Head, tail and mouth more often than legs, so that the robot also walks.
-  const robot_model::Joint& anyJoint() {
-    const bool is_leg = uniform(0, 4) == 0;
-    for (;;) {
-      const robot_model::Joint& joint = model_->joints[uniform(0, model_->number_of_joints - 1)];
-      const std::string name = joint.name;
-      if (is_leg == (name.rfind("left_", 0) == 0 || name.rfind("right_", 0) == 0)) {
-        return joint;
-      }
     }
   }
 
@@ -124,7 +114,7 @@ class User {
   Targets anyTargets() {
     Targets targets;
     for (int i = uniform(1, 3); i > 0; --i) {
-      const robot_model::Joint& joint = anyJoint();
+      const robot_model::Joint& joint = model_->joints[uniform(0, model_->number_of_joints - 1)];
       targets[joint.name] = anyTarget(joint);
     }
     return targets;
@@ -158,20 +148,13 @@ class User {
   }
 
   template <typename Service>
-  bool call(const std::string& name, Service service = Service()) {
+  void call(const std::string& name, Service service = Service()) {
     Call each{name_, name, now()};
     const bool answered = ros::service::call(handle_.resolveName(name), service);
     each.end = now();
     each.success = answered && service.response.success;
     each.message = answered ? service.response.message : kNoAnswer;
     log(toText(each));
-    return each.success;
-  }
-
-  void play(const std::string& motion) {
-    aibo_driver::PlayMotion service;
-    service.request.name = motion;
-    call("play_motion", service);
   }
 
   void switchMotors() {

@@ -1,6 +1,6 @@
 /// @file order_user.h
-#ifndef TEST_SOAK_ORDERS_ORDER_USER_H
-#define TEST_SOAK_ORDERS_ORDER_USER_H
+#ifndef TEST_SOAK_ORDER_USER_H
+#define TEST_SOAK_ORDER_USER_H
 
 #include <optional>
 #include <string>
@@ -10,8 +10,8 @@
 namespace soak {
 
 /// The topics of the soak itself, beside the driver's namespace.
-constexpr const char* kUserLog = "/order_soak/log";    ///< std_msgs/String: a line for each order and call
-constexpr const char* kUserRuns = "/order_soak/runs";  ///< std_msgs/UInt32: a round; even: orders come, odd: none
+constexpr const char* kUserLog = "/soak/log";    ///< std_msgs/String: a line for each order and call
+constexpr const char* kUserRuns = "/soak/runs";  ///< std_msgs/UInt32: a round; even: orders come, odd: none
 
 /// A line of a user's log.
 struct UserLine {
@@ -35,4 +35,4 @@ void runUser(const std::string& name_space, unsigned number, unsigned seed);
 
 }  // namespace soak
 
-#endif  // TEST_SOAK_ORDERS_ORDER_USER_H
+#endif  // TEST_SOAK_ORDER_USER_H

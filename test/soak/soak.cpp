@@ -186,7 +186,6 @@ void Soak::receive(const aibo_driver::MotionState& state) {
   }
   ended_ = state.ended;
   moving_ = moving;
-  round_.movements.push_back({time, moving});
 }
 
 void Soak::receive(const sensor_msgs::CompressedImage& picture) {
@@ -409,6 +408,7 @@ Round Soak::takeRound() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::swap(round, round_);
+    round.moving = moving_;
   }
   const auto by_time = [](const auto& a, const auto& b) { return a.time < b.time; };
   std::stable_sort(round.orders.begin(), round.orders.end(), by_time);

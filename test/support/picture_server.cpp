@@ -53,17 +53,12 @@ void PictureServer::spoilNext(std::function<Bytes(Bytes jpeg)> change) {
   spoil_ = std::move(change);
 }
 
-void PictureServer::misbehave(Misbehaviour misbehaviour) {
+void PictureServer::flood(Flood flood) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    misbehaviour_ = std::make_shared<const Misbehaviour>(std::move(misbehaviour));
+    flood_ = std::move(flood);
   }
   wake_up_.raise();
-}
-
-std::shared_ptr<const PictureServer::Misbehaviour> PictureServer::misbehaviour() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return misbehaviour_;
 }
 
 TimePoint PictureServer::timeOf(std::uint64_t number) const {
@@ -104,7 +99,6 @@ void PictureServer::serveAll() {
   const TimePoint now = steady_clock::now();
   const bool picture = now >= next_picture_;
   const bool telemetry = telemetry_ && now >= next_telemetry_;
-  const std::shared_ptr<const Misbehaviour> present = misbehaviour();
   for (Peer& peer : peers_) {
     receive(&peer);
     if (picture) {
@@ -113,7 +107,7 @@ void PictureServer::serveAll() {
     if (telemetry) {
       sendTelemetry(&peer);
     }
-    flood(*present, &peer);
+    addFlood(&peer);
     flush(&peer);
   }
   next_telemetry_ = telemetry ? now + kTelemetryPeriod : next_telemetry_;
@@ -130,12 +124,7 @@ void PictureServer::receive(Peer* peer) {
     peer->over = peer->over || count == 0 || (errno != EAGAIN && errno != EINTR);
     return;
   }
-  const std::shared_ptr<const Misbehaviour> present = misbehaviour();
   for (const Request& request : peer->requests.feed(buffer.data(), static_cast<std::size_t>(count))) {
-    if (const auto bytes = present->answer ? present->answer(request) : std::nullopt) {
-      append(*bytes, peer);
-      continue;
-    }
     request.version2 ? answerVersion2(request, peer) : answerVersion1(request, peer);
   }
 }
@@ -211,13 +200,10 @@ void PictureServer::sendTelemetry(Peer* peer) {
   }
 }
 
-void PictureServer::flood(const Misbehaviour& misbehaviour, Peer* peer) {
-  while (misbehaviour.flood && peer->out.size() < kFloodSize) {
-    const Bytes bytes = misbehaviour.flood(peer->version2);
-    if (bytes.empty()) {
-      return;
-    }
-    append(bytes, peer);
+void PictureServer::addFlood(Peer* peer) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  while (flood_ && peer->out.size() < kFloodSize) {
+    append(flood_(), peer);
   }
 }
 

@@ -32,13 +32,8 @@ namespace test_support {
 /// Every function may be called from any thread.
 class PictureServer {
  public:
-  /// What a hostile server does. Its functions are called on the server's thread, and may be empty.
-  struct Misbehaviour {
-    /// What it sends without being asked, as fast as the client reads. No bytes: nothing for now.
-    std::function<Bytes(bool version2)> flood;
-    /// Its answer to a request; nothing for the proper one.
-    std::function<std::optional<Bytes>(const Request& request)> answer;
-  };
+  /// Makes the next bytes of a flood.
+  using Flood = std::function<Bytes()>;
 
   /// @param version newest version of the protocol that it speaks, 1 or 2
   /// @param period from one picture to the next; 0 = as fast as the client takes them
@@ -54,8 +49,9 @@ class PictureServer {
   /// While it is stopped, it neither reads nor sends, like a process that is held by SIGSTOP.
   void setStopped(bool stopped);
 
-  /// From now on it misbehaves in this way, or not any more if both functions are empty.
-  void misbehave(Misbehaviour misbehaviour);
+  /// From now on it sends this as fast as clients read, in addition to its answers. It is called on the server's
+  /// thread. Null: nothing.
+  void flood(Flood flood);
 
   /// Whether it sends telemetry when it is asked for it (version 2): joints 1 and 2 at 0 and a battery half full, every
   /// 32 ms. At first it does not.
@@ -95,8 +91,7 @@ class PictureServer {
   void answerVersion2(const Request& request, Peer* peer);
   void sendPictures(Peer* peer);
   void sendTelemetry(Peer* peer);
-  void flood(const Misbehaviour& misbehaviour, Peer* peer);
-  std::shared_ptr<const Misbehaviour> misbehaviour() const;
+  void addFlood(Peer* peer);
   Bytes wrap(const Bytes& jpeg, int request, const Peer& peer) const;
   Bytes nextPicture(const Peer& peer, bool may_be_spoilt);
   static void append(const Bytes& bytes, Peer* peer);
@@ -116,7 +111,7 @@ class PictureServer {
   mutable std::mutex mutex_;  // guards what follows, down to the event
   std::vector<TimePoint> times_;
   std::function<Bytes(Bytes jpeg)> spoil_;
-  std::shared_ptr<const Misbehaviour> misbehaviour_ = std::make_shared<Misbehaviour>();
+  Flood flood_;
   aibo_client::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

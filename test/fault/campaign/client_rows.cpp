@@ -74,7 +74,7 @@ class FaultExperiment : public ClientExperiment {
     fault.offset = static_cast<unsigned>(uniform(random, 0, end - 1));
     client_.setStreaming(streams);
     await([&] { return client_.streaming() == streams; }, "the stream was not switched");
-    witness_.allowGaps(isDamage(fault) || !streams);
+    witness_.allowGaps(changes || fault.action == Action::kDrop || fault.action == Action::kInsert || !streams);
     if (is_new) {
       proxy_.endConnections(Action::kReset);
     }

@@ -21,11 +21,6 @@ Fault anyFault(unsigned turn, Random& random) {
   return fault;
 }
 
-bool isDamage(const Fault& fault) {
-  return fault.action == Action::kDrop || fault.action == Action::kInsert || fault.action == Action::kFlip ||
-         fault.action == Action::kOverwrite;
-}
-
 FaultProxy::Options proxyTo(int port, unsigned seed) {
   FaultProxy::Options options;
   options.target_port = port;

@@ -20,7 +20,7 @@ using TimePoint = std::chrono::steady_clock::time_point;
 struct RobotAttack {
   std::string name;
   int version;  ///< of the protocol, 1 or 2
-  std::function<test_support::PictureServer::Misbehaviour(unsigned seed)> begin;
+  std::function<test_support::PictureServer::Flood(unsigned seed)> begin;
 };
 
 /// All of them; names are unique together with the version.

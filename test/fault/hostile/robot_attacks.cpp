@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "hostile/attacks.h"
 #include "protocol/version2.h"
@@ -15,10 +14,9 @@ namespace hostile {
 namespace {
 
 using test_support::Bytes;
-using test_support::Request;
+using test_support::PictureServer;
 using version2_frames::makeFrame;
 using version2_frames::makeTelemetry;
-using Misbehaviour = test_support::PictureServer::Misbehaviour;
 namespace version2 = protocol::version2;
 
 constexpr int kLargest = std::numeric_limits<int>::max();
@@ -86,17 +84,13 @@ Bytes hostileJpeg(Random& random) {
   return jpeg;
 }
 
-Misbehaviour flood(std::function<Bytes(bool)> more) {
-  return {std::move(more), nullptr};
-}
-
 /// A flood that has a source of random numbers and a counter.
 template <typename Make>
-std::function<Misbehaviour(unsigned)> floodOf(Make make) {
-  return [make](unsigned seed) {
+std::function<PictureServer::Flood(unsigned)> flood(Make make) {
+  return [make](unsigned seed) -> PictureServer::Flood {
     const auto random = std::make_shared<Random>(seed);
     const auto count = std::make_shared<unsigned>(0);
-    return flood([=](bool) { return make(*random, ++*count); });
+    return [=] { return make(*random, ++*count); };
   };
 }
 
@@ -113,86 +107,40 @@ Bytes impossibleTelemetry(unsigned count) {
   return makeFrame('t', 0, makeTelemetry(40 * count, entries));
 }
 
-/// Half a message, then nothing any more, not even answers.
-Misbehaviour half(const Bytes& begin) {
-  const auto is_sent = std::make_shared<bool>(false);
-  return {[=](bool) { return std::exchange(*is_sent, true) ? Bytes() : begin; },
-          [](const Request&) { return std::optional<Bytes>(Bytes()); }};
+Bytes endOfNothing(unsigned count) {
+  return count % 3 == 0 ? end(version2::ENDED_JAM, longText('j'), "") : end(version2::ENDED_MOTION, "NOD.MTN", "r");
 }
 
-/// The largest values as the answer to every request of version 1, and the same unasked.
-Misbehaviour version1Values() {
-  return {[](bool) {
-            return Bytes{'j', 2, 0xFF, 0x7F};
-          },
-          [](const Request& request) -> std::optional<Bytes> {
-            if (request.kind != 'J' && request.kind != 'S') {
-              return std::nullopt;
-            }
-            return Bytes{static_cast<std::uint8_t>(request.kind + 'a' - 'A'), static_cast<std::uint8_t>(request.id),
-                         0xFF, 0x7F};
-          }};
-}
-
-std::vector<RobotAttack> version1Attacks() {
-  const auto picture = [](Random& random, unsigned) { return test_pictures::makeReply(hostileJpeg(random)); };
-  const auto nonsense = [](Random& random, unsigned) { return anyBytes(random, 3000); };
-  return {
-      {"values", 1, [](unsigned) { return version1Values(); }},
-      {"pictures", 1, floodOf(picture)},
-      {"nonsense", 1, floodOf(nonsense)},
-      {"half", 1,
-       [](unsigned) {
-         return half({'f', 0, 0, 9, 0, 0xFF, 0xD8});
-       }},
-  };
-}
-
-std::vector<RobotAttack> version2Attacks() {
-  const auto reports = [](Random&, unsigned count) { return report(std::to_string(count) + longText('x')); };
-  const auto escapes = [](Random&, unsigned) { return report("\x1b[2J\x1b]0;you\x07"); };
-  const auto ends = [](Random&, unsigned count) {
-    return count % 3 == 0 ? end(version2::ENDED_JAM, longText('j'), "") : end(version2::ENDED_MOTION, "NOD.MTN", "r");
-  };
-  const auto values = [](Random&, unsigned count) { return impossibleTelemetry(count); };
-  const auto telemetry = [](Random&, unsigned count) {
-    return makeFrame('t', 0, makeTelemetry(4 * count, {{'J', 1, 0}, {'J', 2, 0}, {'S', 66, 500000}}));
-  };
-  const auto pictures = [](Random& random, unsigned count) {
-    return makeFrame('f', 0, version2_frames::makePicture(hostileJpeg(random), count));
-  };
-  const auto sizes = [](Random& random, unsigned) {
-    Bytes frame = makeFrame('e', 0, {});
-    std::generate(frame.begin() + 4, frame.end(), [&] { return anyByte(random); });
-    return frame;
-  };
-  const auto nonsense = [](Random& random, unsigned) { return anyBytes(random, 3000); };
-  return {
-      {"reports", 2, floodOf(reports)},
-      {"escapes", 2, floodOf(escapes)},
-      {"ends", 2, floodOf(ends)},
-      {"values", 2, floodOf(values)},
-      {"telemetry", 2, floodOf(telemetry)},
-      {"pictures", 2, floodOf(pictures)},
-      {"sizes", 2, floodOf(sizes)},
-      {"nonsense", 2, floodOf(nonsense)},
-      {"half", 2,
-       [](unsigned) {
-         return half({'f', 0, 0, 0, 0, 0, 9, 0, 1, 2, 3});
-       }},
-  };
+Bytes frameOfAnySize(Random& random) {
+  Bytes frame = makeFrame('e', 0, {});
+  std::generate(frame.begin() + 4, frame.end(), [&] { return anyByte(random); });
+  return frame;
 }
 
 }  // namespace
 
 const std::vector<RobotAttack>& robotAttacks() {
-  static const std::vector<RobotAttack> attacks = [] {
-    std::vector<RobotAttack> all = version2Attacks();
-    for (RobotAttack& attack : version1Attacks()) {
-      all.push_back(std::move(attack));
-    }
-    return all;
-  }();
+  using test_pictures::makeReply;
+  using version2_frames::makePicture;
+  static const std::vector<RobotAttack> attacks = {
+      {"values", 1, flood([](Random&, unsigned) {
+         return Bytes{'j', 2, 0xFF, 0x7F};
+       })},
+      {"pictures", 1, flood([](Random& random, unsigned) { return makeReply(hostileJpeg(random)); })},
+      {"nonsense", 1, flood([](Random& random, unsigned) { return anyBytes(random, 3000); })},
+      {"reports", 2, flood([](Random&, unsigned count) { return report(std::to_string(count) + longText('x')); })},
+      {"escapes", 2, flood([](Random&, unsigned) { return report("\x1b[2J\x1b]0;you\x07"); })},
+      {"ends", 2, flood([](Random&, unsigned count) { return endOfNothing(count); })},
+      {"values", 2, flood([](Random&, unsigned count) { return impossibleTelemetry(count); })},
+      {"telemetry", 2, flood([](Random&, unsigned count) {
+         return makeFrame('t', 0, makeTelemetry(4 * count, {{'J', 1, 0}}));
+       })},
+      {"pictures", 2, flood([](Random& random, unsigned count) {
+         return makeFrame('f', 0, makePicture(hostileJpeg(random), count));
+       })},
+      {"sizes", 2, flood([](Random& random, unsigned) { return frameOfAnySize(random); })},
+      {"nonsense", 2, flood([](Random& random, unsigned) { return anyBytes(random, 3000); })},
+  };
   return attacks;
 }
 

@@ -27,12 +27,6 @@ class RadioLink {
   /// The times of RadioOptions::outages count from here.
   std::chrono::steady_clock::time_point begin() const { return begin_; }
 
-  /// @name Packets since the beginning. Any thread may ask.
-  /// @{
-  std::uint64_t carried() const { return carried_; }
-  std::uint64_t lost() const { return lost_; }
-  /// @}
-
  private:
   void run();
   void takePackets(RadioMedium::Direction direction);
@@ -43,9 +37,6 @@ class RadioLink {
   const std::array<int, 2> hosts_;  // descriptors of their packets
   RadioMedium medium_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  std::uint64_t refused_ = 0;  // packets, by the hosts
-  std::atomic<std::uint64_t> carried_{0};
-  std::atomic<std::uint64_t> lost_{0};
   aibo_client::Event stop_event_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;

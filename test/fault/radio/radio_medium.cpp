@@ -10,7 +10,6 @@ RadioMedium::RadioMedium(const RadioOptions& options) : options_(options), rando
 bool RadioMedium::send(Direction direction, Bytes bytes, Time now) {
   carryUntil(now);
   if (queues_[direction].size() >= options_.queue_length) {
-    ++lost_;
     return false;
   }
   queues_[direction].push_back({now, std::move(bytes)});
@@ -90,7 +89,6 @@ void RadioMedium::carry(Direction direction, Time begin) {
   const std::chrono::microseconds jitter(
       std::uniform_int_distribution<std::int64_t>(0, options_.jitter.count())(random_));
   if (is_lost || isOut(air_is_free_)) {
-    ++lost_;
     return;
   }
   last_arrival_[direction] = std::max(last_arrival_[direction], air_is_free_ + options_.delay + jitter);

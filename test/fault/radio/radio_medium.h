@@ -59,9 +59,6 @@ class RadioMedium {
   /// When to call receive() again if nobody sends; nothing if no packet is under way.
   std::optional<Time> nextEvent(Time now);
 
-  /// Packets that were dropped or lost on the way.
-  std::uint64_t lost() const { return lost_; }
-
  private:
   struct Waiting {
     Time since;
@@ -81,7 +78,6 @@ class RadioMedium {
   Time air_is_free_{0};
   std::deque<Packet> under_way_[2];  // after the air, in the order of arrival
   Time last_arrival_[2] = {};
-  std::uint64_t lost_ = 0;
 };
 
 }  // namespace fault_bench

@@ -150,16 +150,6 @@ class HostileNode : public testing::Test {
     EXPECT_LT(text.size(), 5000U);
   }
 
-  /// Calls a service once that answers in words.
-  template <typename Service>
-  void expectPlainAnswer(const std::string& name, const typename Service::Request& request) {
-    Service call;
-    call.request = request;
-    EXPECT_TRUE(node_.serviceClient<Service>(name).call(call)) << name;
-    EXPECT_EQ(call.response.success, 0) << name;
-    expectPlain(call.response.message);
-  }
-
   test_support::MemoryStick stick_{"ALLOW_MICROPHONE=yes\n"};
   SimulatedRobot robot_{{"--memory-stick", stick_.path().string()}};
   const bool may_move_ = ros::param::del("/victim/stopped_by");  ///< the last test's stop would outlive its driver
@@ -250,8 +240,7 @@ TEST_F(HostileNode, ThatCancelsGoalsOfTheFuture) {
   EXPECT_TRUE(result->result.success) << result->status.text;
 }
 
-// Goals, orders and calls that quote what others chose, one by one.
-TEST_F(HostileNode, WhoseNamesAreQuotedInAnswersResultsAndStates) {
+TEST_F(HostileNode, WhoseNamesAreQuotedInResultsAndStates) {
   const std::string name = names_.next() + std::string(100'000, 'x');
   TopicListener<aibo_driver::PlayMotionActionResult> results("/victim/play_motion/result");
   TopicListener<aibo_driver::MotionState> states("/victim/motion_state");
@@ -277,9 +266,6 @@ TEST_F(HostileNode, WhoseNamesAreQuotedInAnswersResultsAndStates) {
       expectPlain(ended.reason);
     }
   }
-  aibo_driver::PlaySound::Request sound;
-  sound.file = name;
-  expectPlainAnswer<aibo_driver::PlaySound>("play_sound", sound);
 }
 
 TEST_F(HostileNode, ThatCallsEveryServiceAsFastAsItCan) {

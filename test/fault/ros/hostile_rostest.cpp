@@ -44,9 +44,9 @@ class Hostile : public testing::TestWithParam<int> {
     joints_.clear();
     battery_.clear();
     const std::size_t log = driver_.output().size();
-    server_.misbehave(attack.begin(1));
+    server_.flood(attack.begin(1));
     std::this_thread::sleep_for(kAttackTime);
-    server_.misbehave({});
+    server_.flood(nullptr);
     ASSERT_TRUE(driver_.isRunning()) << driver_.output();
     EXPECT_TRUE(goesOn()) << "after the attack";
     judgeMessages();
