@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 namespace {
 
-class CameraRequestsTest : public Version2Fixture {
+class CameraRequestsTest : public Version2SessionFixture {
  public:
   /// The robot sets its camera as it is asked to at the beginning of a connection.
   void answerSettings() {

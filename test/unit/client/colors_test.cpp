@@ -46,9 +46,9 @@ Bytes payloadOf(const version2::ColorRegions& colors, const Bytes& packed_plane 
   return payload;
 }
 
-class ColorsTest : public Version2Fixture {
+class ColorsTest : public Version2SessionFixture {
  public:
-  std::string request() { return Version2Fixture::request(4); }
+  std::string request() { return Version2SessionFixture::request(4); }
 
   /// The detection is on for every third image; channel 6 detects a ball, and two others something else.
   void detectBall(bool with_mask = false) {
@@ -66,7 +66,7 @@ class ColorsTest : public Version2Fixture {
   void agree() { answer(frame_.payload); }
 
   void push(const version2::ColorRegions& colors, const Bytes& packed_plane = {}) {
-    Version2Fixture::push('z', payloadOf(colors, packed_plane));
+    Version2SessionFixture::push('z', payloadOf(colors, packed_plane));
   }
 };
 

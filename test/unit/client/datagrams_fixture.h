@@ -23,14 +23,14 @@ inline test_pictures::Bytes makeJpeg(unsigned seed) {
 }
 
 /// A robot that sends its pictures as datagrams.
-class DatagramsFixture : public Version2Fixture {
+class DatagramsFixture : public Version2SessionFixture {
  public:
   /// @param capabilities the letters of its requests
   explicit DatagramsFixture(const std::string& capabilities) { begin(capabilities); }
 
   /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
   char request() {
-    if (Version2Fixture::request().empty()) {
+    if (Version2SessionFixture::request().empty()) {
       return 0;
     }
     payload_ = frame_.payload;
@@ -43,7 +43,7 @@ class DatagramsFixture : public Version2Fixture {
     return frame_.header.kind;
   }
 
-  using Version2Fixture::answer;
+  using Version2SessionFixture::answer;
   void answer() {
     for (char kind = request(); kind != 0; kind = request()) {
       answer(kind == 'H' ? version2_frames::makeHello(capabilities_, kFrame) : payload_);

@@ -28,11 +28,11 @@ constexpr unsigned kHeard = 0xFFFFFFFE;
 
 const std::vector<std::int16_t> kSixteenMilliseconds(512, 1000);  // two channels
 
-class SoundTest : public Version2Fixture {
+class SoundTest : public Version2SessionFixture {
  public:
-  SoundTest() : Version2Fixture(true) {}
+  SoundTest() : Version2SessionFixture(true) {}
 
-  void begin() { Version2Fixture::begin("H F W A I"); }
+  void begin() { Version2SessionFixture::begin("H F W A I"); }
 
   /// Has the microphones switched on. The robot does something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
@@ -117,7 +117,7 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
 }
 
 TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForItAndTheLogSaysSoOnce) {
-  Version2Fixture::begin("H F W");
+  Version2SessionFixture::begin("H F W");
   wish_.microphone.on = true;
   EXPECT_EQ("", request());
   EXPECT_EQ("", request());

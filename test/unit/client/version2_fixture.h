@@ -10,7 +10,7 @@
 #include "support/version2_frames.h"
 
 /// The robot's end of a session of version 2.
-class Version2Fixture : public SessionFixture {
+class Version2SessionFixture : public SessionFixture {
  public:
   using SessionFixture::SessionFixture;
 

@@ -25,9 +25,9 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-class Version2SessionTest : public Version2Fixture {
+class Version2SessionTest : public Version2SessionFixture {
  public:
-  explicit Version2SessionTest(bool is_told_of_refusals = false) : Version2Fixture(is_told_of_refusals) {
+  explicit Version2SessionTest(bool is_told_of_refusals = false) : Version2SessionFixture(is_told_of_refusals) {
     begin("F W J V T");
   }
 };
