@@ -1,6 +1,6 @@
-"""docs/security.md names a test for each attack: FILE:NAME. Every one of them exists, and the test has not lost its
-name. Links between documents lead somewhere. docs/first_start.md fits on one sheet of paper. The Debian packages have
-everything that is installed. Scripts that the tests do not run build what there is to build."""
+"""docs/security.md names tests for each attack: FILE:SUITE. Every one of them exists. Links between documents lead
+somewhere. docs/first_start.md fits on one sheet of paper. The Debian packages have everything that is installed.
+Scripts that the tests do not run build what there is to build."""
 import fnmatch
 import os
 import re
@@ -22,13 +22,13 @@ def rows(document, heading):
 
 
 def problem(reference):
-    """What is wrong with FILE and NAME; None if there is such a test."""
-    file, name = reference
+    """What is wrong with FILE and SUITE; None if there are such tests."""
+    file, suite = reference
     files = sorted((PROJECT / "test").rglob(file))
     if not files:
         return f"there is no file {file} below test/"
-    if not any(re.search(rf"\b{name}\b", path.read_text(encoding="utf-8")) for path in files):
-        return f"{file} has no test {name}"
+    if not any(re.search(rf"\b{suite}\b", path.read_text(encoding="utf-8")) for path in files):
+        return f"{file} has no tests {suite}"
     return None
 
 
@@ -41,14 +41,14 @@ class SecurityTest(unittest.TestCase):
             with self.subTest(attack=row[0]):
                 self.assertEqual(len(row), 3, row)
                 references = REFERENCE.findall(row[2])
-                self.assertTrue(references, f"no FILE:NAME in '{row[2]}'")
-                self.assertEqual(", ".join(f"`{file}:{name}`" for file, name in references), row[2])
+                self.assertTrue(references, f"no FILE:SUITE in '{row[2]}'")
+                self.assertEqual(", ".join(f"`{file}:{suite}`" for file, suite in references), row[2])
                 self.assertEqual([p for p in map(problem, references) if p], [])
 
     def test_a_test_that_does_not_exist_is_found(self):
         self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
-        self.assertIn("no test", problem(("settings_test.cpp", "AreReadHowever")))
-        self.assertIsNone(problem(("settings_test.cpp", "AreReadHoweverTheFileWasWritten")))
+        self.assertIn("no tests", problem(("settings_test.cpp", "NoSuchTests")))
+        self.assertIsNone(problem(("settings_test.cpp", "Settings")))
 
 
 def links_in(text):
