@@ -94,4 +94,13 @@ TEST_F(GuestsTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
   EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
 }
 
+TEST_F(GuestsTest, GetNoPlaceAtARobotThatGoesOff) {
+  auto next = comeWith(request('X', 2));
+  robot_.power_status.robotStatus |= orsbBATTERY_CAPACITY_LOW;
+  passFrames(1);
+  EXPECT_TRUE(client_->ended());
+  passFrames(kUntilMeasured);
+  EXPECT_TRUE(isTurnedAway(*next));
+}
+
 }  // namespace

@@ -259,6 +259,7 @@ TEST_F(MotionsInVersion2, ReportsWhatHasStoppedAMotion) {
   const std::pair<std::string, std::string> orders[] = {
       {frame('J', one_joint), "ended 1 1 WAG.MTN\ntail_pan was commanded"},
       {play("WAG.MTN", 0), "ended 1 2 WAG.MTN\nthe client stopped it"},
+      {play("", 0), "ended 1 2 WAG.MTN\nthe client stopped it"},
       {frame('I', ""), "ended 1 2 WAG.MTN\neverything was told to hold"},
       {::frame('I', 1, 1, "\2\63"), "ended 1 2 WAG.MTN\ntail_pan was told to hold"},
       {frame('O', std::string(1, '\0')), "ended 1 2 WAG.MTN\nthe motors were switched off"}};

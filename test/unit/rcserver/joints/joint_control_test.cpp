@@ -17,6 +17,7 @@ TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
   JointControl joints(ers7());
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
     joints.Planner().SetSpeedLimit(i, 300000);
+    joints.Planner().SetAccelerationLimit(i, 300000);
     joints.Failed(i, JointWatch::LIMP);
   }
   joints.ClientGone();
@@ -25,6 +26,7 @@ TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
   }
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
     EXPECT_EQ(joints.Planner().SpeedLimit(i), ers7().joints[i].highest_speed);
+    EXPECT_EQ(joints.Planner().AccelerationLimit(i), defaultAcceleration(ers7().joints[i]));
     EXPECT_EQ(joints.TakeFault(i), JointWatch::FOLLOWS);
     EXPECT_FALSE(joints.TakeRecovery(i)) << "the next client does not know of the fault";
   }

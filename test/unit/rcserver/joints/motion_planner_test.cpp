@@ -402,6 +402,25 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   }
 }
 
+TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
+  MotionPlanner planner(ers7());
+  RandomClient client(7);
+  std::vector<int> found;
+  for (const int i : allJoints()) {
+    found.push_back(client.position(i));
+  }
+  for (const int i : allJoints()) {
+    planner.SetPosition(i, found[static_cast<size_t>(i)]);
+  }
+  EXPECT_EQ(postureOf(planner), found);
+  EXPECT_EQ(targetsOf(planner), found);
+  run(planner, 10);
+  EXPECT_EQ(postureOf(planner), found);
+  planner.HoldAll();
+  run(planner, 10);
+  EXPECT_EQ(postureOf(planner), found);
+}
+
 // How far a joint is below its lower limit.
 int depth(const std::vector<int>& posture, int joint) {
   return std::max(0, robot_model::lowestPosition(ers7(), joint, posture.data()) - posture[static_cast<size_t>(joint)]);
