@@ -11,7 +11,6 @@ namespace protocol {
 namespace version2 {
 namespace {
 
-
 struct Frame {
   FrameHeader header;
   Bytes payload;
