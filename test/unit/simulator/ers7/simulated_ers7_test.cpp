@@ -87,6 +87,16 @@ EffectorCommand faceCommand(OPrimitiveID id, int intensity) {
 
 // ---- Primitives
 
+TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
+  const OPrimitiveID camera = open(kCameraLocator);
+  EXPECT_EQ(open(kCameraLocator), camera);
+  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
+  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oSUCCESS);
+  EXPECT_EQ(robot_.closePrimitive(camera), oSUCCESS);
+  EXPECT_EQ(control(camera, oprmreqCAM_SET_GAIN, 3), oINVALID_PRIMITIVE_ID);
+  EXPECT_EQ(robot_.closePrimitive(camera), oINVALID_PRIMITIVE_ID);
+}
+
 TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOthersThanMeantAreRefused) {
   const OPrimitiveID closed = openJoint("head_pan");
   EXPECT_EQ(robot_.closePrimitive(closed), oSUCCESS);

@@ -99,6 +99,13 @@ TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedInOrderOneValuePerFrame) {
                                             Pair(102, ElementsAre(Pair(1, 30), Pair(2, -30)))));
 }
 
+TEST_F(VirtualRobotCommTest, AVectorLastsAsLongAsItsLongestEntry) {
+  send({makeVector({{1, {10}}, {2, {7, 8, 9}}})});
+  pass(5);
+  EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10), Pair(2, 7))),
+                                            Pair(101, ElementsAre(Pair(2, 8))), Pair(102, ElementsAre(Pair(2, 9)))));
+}
+
 // Level2 Reference Guide, page 44: READY follows when the output of a vector is complete. All of Sony's motion samples
 // send two vectors in their first notification, and one for each READY.
 TEST_F(VirtualRobotCommTest, ReadyFollowsTheOutputOfEachVectorSoThatTwoAtFirstLeaveNoGap) {
