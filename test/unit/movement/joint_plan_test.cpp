@@ -255,12 +255,6 @@ TEST_F(JointPlanTest, AtMost32TrajectoriesWait) {
   EXPECT_EQ(wait(17, 50), "accepted");
 }
 
-TEST_F(JointPlanTest, AnEarlierStartTakesNeighbouringJoints) {
-  const auto three = add({{"mouth", "head_pan", "tail_pan"}, {{1, {-0.2, 0.5, 0.1}, {}}}}, 20, 0);
-  add(both(0.5, -0.2, 1), 19, 0);
-  EXPECT_THAT(plan_.jointsOf(three), ElementsAre("tail_pan"));
-}
-
 TEST_F(JointPlanTest, SendsNoJointBeyondItsLimit) {
   add(pan({{1, {1.5364}, {}}}), 0, 0);
   run(0, 1);
@@ -372,18 +366,6 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
   follow(1.232, 2.1);
   EXPECT_EQ(endOf(head), EndedHow::kDone);
   EXPECT_TRUE(plan_.empty());
-}
-
-TEST_F(JointPlanTest, SaysWhichJointHasNotArrivedAndByHowMuch) {
-  const auto commanded = command({{kMouth, {kMouth, -0.1, 1.0}}}, 0);
-  const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0);
-  run(0, 2.4);
-  EXPECT_FALSE(endOf(commanded)) << "it may be late";
-  run(2.432, 3.1);
-  EXPECT_EQ(endOf(commanded), EndedHow::kNotReached);
-  EXPECT_EQ(reasonOf(commanded), "mouth is 0.40 rad from where it was sent");
-  EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
-  EXPECT_EQ(reasonOf(followed), "head_pan is 0.50 rad from where it was sent");
 }
 
 TEST_F(JointPlanTest, ACommandGoesOnUntilItsSlowestJointShouldHaveArrived) {

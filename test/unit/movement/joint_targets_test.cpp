@@ -35,16 +35,6 @@ TEST_F(JointTargetsTest, SendsNothingToARobotOfAnotherDesign) {
   EXPECT_THAT(client_.told, ElementsAre("V 1:2.00", "J 1:0.50 in 40"));
 }
 
-TEST_F(JointTargetsTest, AreSentToARobotThatDoesNotSayItsDesign) {
-  send({{1, {1, 0.5, 2.0}}});
-  EXPECT_THAT(client_.told, ElementsAre("V 1:2.00", "J 1:0.50 in 40")) << "a version 1 server";
-}
-
-TEST_F(JointTargetsTest, NoneAreNoRequest) {
-  send({});
-  EXPECT_THAT(client_.told, IsEmpty());
-}
-
 TEST_F(JointTargetsTest, ThrowIfTheRobotCannotBeReached) {
   client_.problem = "broken";
   EXPECT_THROW(send({{1, {1, 0.5, 2.0}}}), aibo_client::NetworkException);
