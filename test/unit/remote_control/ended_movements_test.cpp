@@ -21,7 +21,6 @@ TEST(EndedMovements, AreNewIfTheMessageBeforeDidNotHaveThem) {
   EXPECT_EQ(endedBetween(ended("ab"), ended("abc")), ended("c"));
   EXPECT_EQ(endedBetween(ended("abcdefgh"), ended("bcdefghi")), ended("i")) << "the oldest is left out";
   EXPECT_EQ(endedBetween(ended("aab"), ended("aaba")), ended("a"));
-  EXPECT_EQ(endedBetween(ended("aba"), ended("abac")), ended("c"));
   EXPECT_EQ(endedBetween(ended("ab"), ended("bcd")), ended("cd")) << "only the newest is still there";
   EXPECT_EQ(endedBetween(ended("abc"), ended("ab")), ended("ab")) << "another driver with fewer of them";
   EXPECT_EQ(endedBetween(ended("ab"), ended("xy")), ended("xy")) << "another driver";
