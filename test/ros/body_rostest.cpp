@@ -1,13 +1,9 @@
 // The robot's body except its joints: sensors, LEDs and ears, and motions.
 
-#include <aibo_driver/Connection.h>
 #include <aibo_driver/DeleteMotion.h>
-#include <aibo_driver/DeletePicture.h>
-#include <aibo_driver/FetchPicture.h>
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/ListMotions.h>
-#include <aibo_driver/ListPictures.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePictureOnRobot.h>
@@ -26,8 +22,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <fstream>
-#include <iterator>
 #include <string>
 #include <vector>
 
@@ -39,14 +33,10 @@
 
 namespace {
 
-using aibo_driver::Connection;
 using aibo_driver::DeleteMotion;
-using aibo_driver::DeletePicture;
-using aibo_driver::FetchPicture;
 using aibo_driver::Leds;
 using aibo_driver::LedStates;
 using aibo_driver::ListMotions;
-using aibo_driver::ListPictures;
 using aibo_driver::PlayMotion;
 using aibo_driver::StopMotion;
 using aibo_driver::TakePictureOnRobot;
@@ -61,10 +51,8 @@ using test_support::MemoryStick;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::Contains;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
-using ::testing::SizeIs;
 
 // All tests share a master, and this topic has the same name for all drivers.
 std::string ownTf(const std::string& name_space) {
@@ -199,41 +187,6 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   const auto deleted = user.call<DeleteMotion>("delete_motion", request);
   EXPECT_TRUE(deleted.success) << deleted.message;
   EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
-}
-
-TEST(StickPictures, AreTakenListedFetchedAndDeletedIfTheRobotAllowsIt) {
-  const MemoryStick stick("ALLOW_PICTURES=yes\nALLOW_DELETE=yes\n");
-  BodyUser user("/stick", {"--memory-stick", stick.path()});
-  const auto taken = user.call<TakePictureOnRobot>("take_picture_on_robot");
-  ASSERT_TRUE(taken.success) << taken.message;
-  EXPECT_EQ(taken.name, "AIBO0001.JPG");
-  EXPECT_THAT(user.call<ListPictures>("list_pictures").names, ElementsAre("AIBO0001.JPG"));
-  FetchPicture::Request fetch;
-  fetch.name = "aibo0001";
-  const auto fetched = user.call<FetchPicture>("fetch_picture", fetch);
-  ASSERT_TRUE(fetched.success) << fetched.message;
-  std::ifstream file(stick.path("OPEN-R/MW/DATA/P/AIBO0001.JPG"), std::ios::binary);
-  const std::vector<std::uint8_t> content{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(fetched.image.data, content);
-  DeletePicture::Request request;
-  request.name = "aibo0001";
-  const auto deleted = user.call<DeletePicture>("delete_picture", request);
-  EXPECT_TRUE(deleted.success) << deleted.message;
-  EXPECT_THAT(user.call<ListPictures>("list_pictures").names, SizeIs(0));
-}
-
-TEST(Robot, RebootsAndShutsDownIfItsSettingsAllowIt) {
-  const MemoryStick stick("ALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\n");
-  BodyUser user("/power", {"--memory-stick", stick.path()});
-  user.connection.clear();
-  const auto rebooted = user.call<std_srvs::Trigger>("reboot");
-  EXPECT_TRUE(rebooted.success) << rebooted.message;
-  EXPECT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
-  ASSERT_TRUE(user.waitForConnection(Connection::CONNECTED));
-  user.connection.clear();
-  const auto shut_down = user.call<std_srvs::Trigger>("shut_down");
-  EXPECT_TRUE(shut_down.success) << shut_down.message;
-  EXPECT_TRUE(user.waitForConnection(Connection::DISCONNECTED));
 }
 
 TEST(Services, ThatAVersion1ServerDoesNotSupportSaySo) {

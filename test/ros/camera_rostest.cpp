@@ -1,17 +1,25 @@
-// What the driver publishes on the camera's topics.
+// What the driver publishes on the camera's topics, with which stamps, and pictures on request.
 
+#include <aibo_driver/ColorRegions.h>
+#include <aibo_driver/TakePicture.h>
+#include <dynamic_reconfigure/Reconfigure.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Image.h>
+#include <sensor_msgs/JointState.h>
 #include <sensor_msgs/SetCameraInfo.h>
 #include <std_msgs/Bool.h>
+#include <std_srvs/SetBool.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <fstream>
+#include <future>
 #include <iterator>
 #include <memory>
 #include <string>
@@ -22,6 +30,7 @@
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
@@ -39,10 +48,13 @@ using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using CameraInfoListener = TopicListener<sensor_msgs::CameraInfo>;
 using ImageListener = TopicListener<sensor_msgs::Image>;
+using aibo_driver::TakePicture;
+using test_support::DriverUser;
+using ::testing::Contains;
+using ::testing::SizeIs;
 
 constexpr std::size_t kEnough = 30;  // pictures: about a second of them
 
@@ -104,48 +116,26 @@ TEST(Camera, ImagesAreDecodedOnlyWhileTheyHaveSubscribers) {
   CompressedListener pictures("/lazy/camera/image_raw/compressed");
   DiagnosticsListener diagnostics;
   DriverProcess driver("/lazy", robot.port());
-  const auto decoded = [](const diagnostic_msgs::DiagnosticStatus& status) {
-    return DiagnosticsListener::value(status, "images decoded");
-  };
-  const std::string stream = "lazy/aibo_driver: stream";
-
-  ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
-  EXPECT_EQ(decoded(diagnostics.waitForNext(stream)), "0");
-  {
-    ImageListener images("/lazy/camera/image_raw");
-    ASSERT_GE(images.waitForCount(3).size(), 3u);
-  }
-  // The driver learns of the unsubscription a little later than we do.
-  std::string before;
-  std::string after = "0";
-  for (int i = 0; i < 30 && after != before; ++i) {
-    before = after;
+  const auto decoded = [&] {
     pictures.clear();
-    ASSERT_GE(pictures.waitForCount(kEnough).size(), kEnough);
-    after = decoded(diagnostics.waitForNext(stream));
-  }
-  EXPECT_EQ(after, before);
-  EXPECT_NE(after, "0");
+    EXPECT_GE(pictures.waitForCount(kEnough).size(), kEnough);
+    return DiagnosticsListener::value(diagnostics.waitForNext("lazy/aibo_driver: stream"), "images decoded");
+  };
+  EXPECT_EQ(decoded(), "0");
+  EXPECT_TRUE(ImageListener("/lazy/camera/image_raw").waitForNext());
+  EXPECT_NE(decoded(), "0");
+  EXPECT_TRUE(test_support::DriverUser::becomesTrue([&] { return decoded() == decoded(); })) << "and then no more";
 }
 
-TEST(Camera, NobodyElsePublishesJpegsIfImageTransportHasACompressedPlugin) {
-  SimulatedRobot robot;
-  CompressedListener pictures("/plugin/camera/image_raw/compressed");
-  ImageListener images("/plugin/camera/image_raw");
-  const char* packages = std::getenv("ROS_PACKAGE_PATH");
-  ASSERT_NE(packages, nullptr);
+// On a computer that has such a plugin. It would encode the pictures again, on the topic of the robot's own.
+TEST(Camera, ForbidsImageTransportToPublishJpegs) {
   const std::string list = "/plugin/camera/image_raw/disable_pub_plugins";
   ros::param::set(list, std::vector<std::string>{"image_transport/theora", "image_transport/compressed"});
-  DriverProcess driver("/plugin", robot.port(), {},
-                       {{"ROS_PACKAGE_PATH", std::string(COMPRESSED_PLUGIN_PACKAGE) + ":" + packages}});
-  ASSERT_FALSE(images.waitForCount(kEnough).empty());
+  const test_support::DriverUser user("/plugin");
   std::vector<std::string> disabled;
   ros::param::get(list, disabled);
   EXPECT_THAT(disabled,
               ElementsAre("image_transport/theora", "image_transport/compressed", "image_transport/compressedDepth"));
-  for (const sensor_msgs::CompressedImageConstPtr& picture : pictures.waitForCount(kEnough)) {
-    ASSERT_EQ(picture->format, "bgr8; jpeg compressed bgr8");
-  }
 }
 
 std::string contentOf(const std::string& file) {
@@ -266,6 +256,116 @@ TEST(Camera, OnDemandTheRobotStreamsOnlyWhileACameraTopicHasASubscriber) {
   is_heard([&] { return std::make_unique<ImageListener>(camera + "image_raw"); });
   is_heard([&] { return std::make_unique<CompressedListener>(camera + "image_raw/compressed"); });
   is_heard([&] { return std::make_unique<CameraInfoListener>(camera + "camera_info"); });
+}
+
+std_srvs::SetBool::Response setStreaming(DriverUser& user, bool on) {
+  std_srvs::SetBool::Request request;
+  request.data = on;
+  return user.call<std_srvs::SetBool>("set_streaming", request);
+}
+
+TEST(TakePicture, WithoutAStreamAnswersAPictureThatWasTakenAfterTheCall) {
+  DriverUser user("/still", {"_stream_on_start:=false"});
+  const ros::Time before = ros::Time::now();
+  const auto answer = user.call<TakePicture>("take_picture");
+  ASSERT_TRUE(answer.success) << answer.message;
+  EXPECT_GT(answer.image.header.stamp, before);
+  EXPECT_EQ(answer.image.header.frame_id, "rex/camera_optical_frame");
+  EXPECT_THAT(answer.message, HasSubstr("at quality 83"));
+  EXPECT_THAT(user.proxy.picturesFromRobot(), Contains(answer.image.data));
+  ASSERT_THAT(user.proxy.requestsFromDriver("F"), SizeIs(1));
+  EXPECT_EQ(user.proxy.requestsFromDriver("F").front().id, 83);
+}
+
+TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
+  DriverUser user("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=10", "_read_timeout:=60"});
+  user.proxy.setMute(true);
+  auto waiting = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
+  ASSERT_TRUE(user.proxy.waitForRequest("F", kSafetyNet));
+  auto second = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
+  EXPECT_TRUE(setStreaming(user, true).success);
+  EXPECT_TRUE(user.proxy.waitForRequest("W", kSafetyNet));
+  constexpr std::chrono::milliseconds kLook{2};
+  while (user.proxy.requestsFromDriver("F").size() < 2 && waiting.wait_for(kLook) == std::future_status::timeout) {
+  }
+  dynamic_reconfigure::Reconfigure::Request settings;
+  settings.config.doubles.resize(1);
+  settings.config.doubles[0].name = "telemetry_rate";
+  user.call<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", settings);
+  EXPECT_EQ(waiting.wait_for(std::chrono::seconds(0)), std::future_status::timeout) << "the others had to wait";
+  ASSERT_EQ(waiting.wait_for(kSafetyNet), std::future_status::ready);
+  const TakePicture::Response answer = waiting.get();
+  EXPECT_FALSE(answer.success);
+  EXPECT_THAT(answer.message, HasSubstr("There is no picture"));
+  EXPECT_FALSE(second.get().success);
+}
+
+constexpr double kFrame = 0.008;  // s
+constexpr double kMost = 0.5;     // of the intervals; of random ones, an eighth would fit
+
+/// What is stamped with the time of the robot.
+class StampedTopics {
+ public:
+  StampedTopics(const std::string& name_space, const std::vector<std::string>& parameters)
+      : pictures_(name_space + "/camera/image_raw/compressed"),
+        states_(name_space + "/joint_states"),
+        colors_(name_space + "/color_regions"),
+        driver_(name_space, robot_.port(), parameters) {}
+
+  /// Calls this with the next stamps of each topic.
+  template <typename Check>
+  void check(std::size_t count, Check check) {
+    check("picture", stampsOf(pictures_, count));
+    check("joints", stampsOf(states_, count));
+    check("colours", stampsOf(colors_, count));
+  }
+
+ private:
+  template <typename Message>
+  static std::vector<ros::Time> stampsOf(TopicListener<Message>& topic, std::size_t count) {
+    topic.clear();
+    std::vector<ros::Time> stamps;
+    for (const auto& message : topic.waitForCount(count)) {
+      stamps.push_back(message->header.stamp);
+    }
+    EXPECT_GE(stamps.size(), count);
+    return stamps;
+  }
+
+  SimulatedRobot robot_;
+  TopicListener<sensor_msgs::CompressedImage> pictures_;
+  TopicListener<sensor_msgs::JointState> states_;
+  TopicListener<aibo_driver::ColorRegions> colors_;
+  DriverProcess driver_;
+};
+
+// Whole within 0.5 ms. Interruptions of this computer spoil a few.
+TEST(RobotTime, IntervalsOfPicturesJointStatesAndColoursAreWholeFrames) {
+  StampedTopics topics("/robot_time", {});
+  topics.check(60, [](const char*, const std::vector<ros::Time>&) {});  // by then the clock is known
+  topics.check(100, [](const char* topic, const std::vector<ros::Time>& stamps) {
+    double whole = 0;
+    for (std::size_t i = 1; i < stamps.size(); ++i) {
+      whole += std::abs(std::remainder((stamps[i] - stamps[i - 1]).toSec(), kFrame)) < 0.0005 ? 1 : 0;
+    }
+    EXPECT_GT(whole / static_cast<double>(stamps.size() - 1), kMost) << topic;
+  });
+}
+
+TEST(RobotTime, IsNotUsedIfTheUserDoesNotWantIt) {
+  test_support::DiagnosticsListener diagnostics;
+  StampedTopics topics("/no_robot_time", {"_use_robot_time:=false"});
+  topics.check(1, [](const char*, const std::vector<ros::Time>&) {});
+  const auto stream = diagnostics.waitForNext("no_robot_time/aibo_driver: stream");
+  EXPECT_EQ(test_support::DiagnosticsListener::value(stream, "timelines begun"), "0");
+}
+
+TEST(TimeOffset, IsAddedToEachStamp) {
+  StampedTopics topics("/offset", {"_time_offset:=60"});
+  const ros::Time begin = ros::Time::now();
+  topics.check(1, [&begin](const char* topic, const std::vector<ros::Time>& stamps) {
+    EXPECT_GT(stamps.front(), begin + ros::Duration(50)) << topic;
+  });
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // The robot's colour detection, through the driver.
 #include <aibo_driver/ColorRegions.h>
-#include <aibo_driver/LoadColorTable.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -15,7 +14,6 @@
 #include "node/camera/color_table_file.h"
 #include "protocol/color_requests.h"
 #include "support/process.h"
-#include "support/proxy/fault_proxy.h"
 #include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
@@ -27,7 +25,6 @@ namespace {
 
 using aibo_driver::ColorRegion;
 using aibo_driver::ColorRegions;
-using aibo_driver::LoadColorTable;
 using test_support::DriverProcess;
 using test_support::kSafetyNet;
 using test_support::Process;
@@ -39,17 +36,6 @@ using ::testing::HasSubstr;
 
 using RegionsListener = TopicListener<ColorRegions>;
 using MaskListener = TopicListener<sensor_msgs::Image>;
-
-LoadColorTable::Response load(const std::string& name_space, int channel, const std::string& file,
-                              const std::string& table = "") {
-  LoadColorTable call;
-  call.request.channel = static_cast<std::uint8_t>(channel);
-  call.request.file = file;
-  call.request.table = table;
-  const std::string service = name_space + "/load_color_table";
-  EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(60)) && ros::service::call(service, call));
-  return call.response;
-}
 
 // The ball of the simulated robot rolls to and fro before it.
 TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
@@ -113,24 +99,6 @@ TEST(Colors, TheRobotDetectsAndSendsTheMaskOnlyWhileSomebodyWantsIt) {
     }
   }
   EXPECT_TRUE(waitForLast([](const auto& request) { return request.id == protocol::version2::COLORS_OFF; }));
-}
-
-TEST(Colors, ATableIsLoadedWhileTheDriverRunsAndAgainAfterAReconnect) {
-  SimulatedRobot robot;
-  test_support::FaultProxy proxy(robot.port());
-  DriverProcess driver("/load", proxy.port(), {"_color_tables:="});
-  RegionsListener regions("/load/color_regions");
-  ASSERT_TRUE(regions.waitFor([](const ColorRegions& message) { return message.regions.empty(); }));
-  ASSERT_TRUE(load("/load", 3, "pink_ball").success);
-  const auto has_channel3 = [](const ColorRegions& message) {
-    return message.regions.size() == 1 && message.regions[0].channel == 3;
-  };
-  ASSERT_TRUE(regions.waitFor(has_channel3));
-  proxy.endConnections(test_support::Action::kReset);
-  regions.clear();
-  EXPECT_TRUE(regions.waitFor(has_channel3));
-  EXPECT_TRUE(load("/load", 3, "").success);
-  EXPECT_TRUE(regions.waitFor([](const ColorRegions& message) { return message.regions.empty(); }));
 }
 
 // A picture of 104 x 80 with a red square, 20..39, and rows that are longer than they need to be.

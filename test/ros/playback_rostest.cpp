@@ -14,10 +14,7 @@
 #include <sensor_msgs/JointState.h>
 #include <std_srvs/SetBool.h>
 #include <tf2_msgs/TFMessage.h>
-#include <topic_tools/shape_shifter.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
@@ -33,7 +30,6 @@
 #include "support/ros/joint_user.h"
 #include "support/ros/topic_listener.h"
 #include "support/temporary_folder.h"
-#include "tools/playback/body_frames.h"
 #include "tools/playback/recording.h"
 
 namespace {
@@ -73,11 +69,6 @@ class WalkBag {
     writeLatched("robot_state", state);
   }
 
-  void measureJoints() {
-    write("joint_states", joints());
-    time_ += kPeriod;
-  }
-
   void walk(double seconds) {
     for (double end = time_ + seconds; time_ < end - kPeriod / 2; time_ += kPeriod) {
       write("imu/data_raw", imu());
@@ -98,18 +89,6 @@ class WalkBag {
       write(other + "cmd_vel", ahead);
       write(other + "joint_command", test_support::command({{"head_pan", 1}}));
     }
-  }
-
-  /// A message of which only the first four bytes are there.
-  template <typename Message>
-  void cutOff(const std::string& topic) {
-    topic_tools::ShapeShifter message;
-    message.morph(ros::message_traits::md5sum<Message>(), ros::message_traits::datatype<Message>(),
-                  ros::message_traits::definition<Message>(), "");
-    std::array<std::uint8_t, 4> bytes{};
-    ros::serialization::IStream stream(bytes.data(), bytes.size());
-    message.read(stream);
-    write(topic, message);
   }
 
  private:
@@ -297,28 +276,6 @@ TEST_F(PlaybackTest, PausesAndRepeatsAtItsRate) {
   }
 }
 
-TEST_F(PlaybackTest, ARoundKnowsNothingOfTheLastOne) {
-  {
-    WalkBag bag(path("later.bag"), "/aibo");
-    bag.measureJoints();
-    bag.walk(0.2);
-    bag.connect(Connection::DISCONNECTED, "the robot was off");
-    bag.walk(0.2);
-    bag.connect();
-    bag.walk(0.2);
-  }
-  TopicListener<tf2_msgs::TFMessage> tf("/rounds/tf");
-  TopicListener<Connection> connection("/rounds/connection");
-  const Process playback(command(path("later.bag"), "/rounds", {"_loop:=true", "_wait:=0"}));
-  const auto frames = tf.waitForCount(25);
-  EXPECT_GE(std::count_if(frames.begin(), frames.end(),
-                          [](const auto& each) { return each->transforms.at(0).transform.translation.x == 0; }),
-            2)
-      << "each round begins where no odometry has come";
-  EXPECT_TRUE(connection.waitFor(
-      [](const Connection& each) { return each.text.find("; at that time: the robot was off") != std::string::npos; }));
-}
-
 TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   std::ofstream(path("text.bag")) << "This is no bag.";
   rosbag::Bag(path("empty.bag"), rosbag::bagmode::Write).close();
@@ -381,56 +338,6 @@ TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobot) {
       << "it has no other pictures";
 }
 
-TEST(BodyFrames, FollowFromTheJointsOfAllLegsAndTheAcceleration) {
-  using aibo_driver::node::legJointName;
-  aibo_driver::tools::BodyFrames frames("left/");
-  aibo_driver::node::BodyPose pose;
-  std::array<aibo_driver::node::LegAngles, aibo_driver::node::kLegs> legs;
-  sensor_msgs::Imu imu;
-  imu.header.stamp = ros::Time(5);
-  imu.linear_acceleration.x = 1;
-  imu.linear_acceleration.y = -2;
-  imu.linear_acceleration.z = 9;
-  frames.receive(imu);
-  pose.accelerate(imu.linear_acceleration, imu.header.stamp);
-  for (std::size_t leg = 0; leg < legs.size(); ++leg) {
-    legs[leg] = {-0.4 + 0.1 * static_cast<double>(leg), 0.1, 0.8};
-    EXPECT_TRUE(frames.frames(ros::Time(7)).empty()) << "a leg has not been measured yet";
-    sensor_msgs::JointState joints;
-    joints.name = {legJointName(leg, 0), legJointName(leg, 1), legJointName(leg, 2), "torn"};
-    joints.position = {legs[leg].rotator, legs[leg].elevator, legs[leg].knee};
-    frames.receive(joints);
-  }
-  const auto all = frames.frames(ros::Time(7));
-  ASSERT_EQ(all.size(), 2U);
-  EXPECT_EQ(all[0].transform.rotation.w, 1) << "it has not walked";
-  EXPECT_EQ(all[1].transform, pose.above(legs));
-  for (const auto& [frame, parent, child] : {std::make_tuple(all[0], "left/odom", "left/base_footprint"),
-                                             {all[1], "left/base_footprint", "left/base_link"}}) {
-    EXPECT_EQ(frame.header.stamp, ros::Time(7));
-    EXPECT_EQ(frame.header.frame_id, parent);
-    EXPECT_EQ(frame.child_frame_id, child);
-  }
-}
-
-TEST(ChangeStamp, ChangesOnlyAHeaderAtTheBeginning) {
-  const auto later = [](const ros::Time& stamp) { return stamp + ros::Duration(3, 4); };
-  const std::vector<std::uint8_t> message{9, 9, 9, 9, 1, 0, 0, 0, 2, 0, 0, 0, 9};
-  const auto changed = [&](const std::string& definition, std::vector<std::uint8_t> bytes) {
-    aibo_driver::tools::changeStamp(definition, later, bytes);
-    return bytes;
-  };
-  const std::vector<std::uint8_t> moved{9, 9, 9, 9, 4, 0, 0, 0, 6, 0, 0, 0, 9};
-  EXPECT_EQ(changed("Header header", message), moved);
-  EXPECT_EQ(changed("# of what\n\nuint8 A=1  # a constant\n std_msgs/Header header # when\nuint8 a", message), moved);
-  EXPECT_EQ(changed("uint8 a\nHeader header", message), message);
-  EXPECT_EQ(changed("# Header header", message), message);
-  std::vector<std::uint8_t> never(12);
-  EXPECT_EQ(changed("Header header", never), never) << "stamp 0 says that there is none";
-  never = {1, 2, 3};
-  EXPECT_EQ(changed("Header header", never), never);
-}
-
 TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
   const std::string whole = recordAWalk(60);
   {
@@ -441,15 +348,6 @@ TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
   Process playback(command(whole, "/damaged", {"_wait:=0", "_rate:=100"}));
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
   EXPECT_THAT(playback.output(), HasSubstr("walk.bag is damaged at 0:"));
-}
-
-TEST_F(PlaybackTest, AMessageThatIsCutOffIsDamage) {
-  {
-    WalkBag bag(path("first.bag"), "/aibo");
-    bag.cutOff<sensor_msgs::Imu>("imu/data_raw");
-    bag.connect();
-  }
-  EXPECT_THAT(complaintAbout(path("first.bag")), HasSubstr("first.bag is damaged at its beginning: Buffer Overrun"));
 }
 
 /// A live robot. A bag is played beside it.

@@ -4,7 +4,6 @@
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/RobotState.h>
-#include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <geometry_msgs/Twist.h>
@@ -19,14 +18,11 @@
 #include <limits>
 #include <numeric>
 #include <string>
-#include <vector>
 
-#include "support/ros/driver_process.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
-#include "support/simulated_robot.h"
 
 namespace {
 
@@ -34,22 +30,17 @@ using aibo_driver::CameraState;
 using aibo_driver::Connection;
 using aibo_driver::LinkQuality;
 using aibo_driver::RobotState;
-using aibo_driver::TakePicture;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
-using test_support::DriverProcess;
+using test_support::DriverUser;
 using test_support::JointListener;
 using test_support::positionOf;
-using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 // A setting that was changed stays on the parameter server, for the next driver of the same name.
 constexpr const char* kFullSpeed = "_speed_scale:=1";
-// On a busy machine the connection would break off, and the motion with it.
-constexpr const char* kPatient = "_read_timeout:=20";
 
 Config change(const std::string& name, double value) {
   Config config;
@@ -83,28 +74,16 @@ Config change(const std::string& name, bool value) {
   return config;
 }
 
-/// A driver of a simulated robot, and its service.
-class SettingsUser {
+class SettingsUser : public DriverUser {
  public:
-  explicit SettingsUser(const std::string& name_space, const std::vector<std::string>& parameters = {})
-      : node_(name_space + "/aibo_driver"), driver_(name_space, robot_.port(), parameters) {}
+  using DriverUser::DriverUser;
 
   /// @return the settings in force afterwards
   Config set(const Config& config) {
-    const std::string service = node_ + "/set_parameters";
-    Reconfigure call;
-    call.request.config = config;
-    EXPECT_TRUE(ros::service::waitForService(service, ros::Duration(test_support::kSafetyNet.count())));
-    EXPECT_TRUE(ros::service::call(service, call));
-    return call.response.config;
+    Reconfigure::Request request;
+    request.config = config;
+    return call<Reconfigure>("aibo_driver/set_parameters", request).config;
   }
-
-  void waitForLog(const std::string& pattern) { driver_.waitForOutput(pattern, test_support::kSafetyNet); }
-
-  std::string log() const { return driver_.output(); }
-
-  /// The settings in force, from the answer to an empty change.
-  double inForce(const std::string& name) { return valueOf(set(Config()), name); }
 
   /// NaN without this setting.
   static double valueOf(const Config& config, const std::string& name) {
@@ -118,10 +97,7 @@ class SettingsUser {
     return value;
   }
 
- private:
-  SimulatedRobot robot_;
-  const std::string node_;
-  DriverProcess driver_;
+  void waitForLog(const std::string& pattern) { driver.waitForOutput(pattern, test_support::kSafetyNet); }
 };
 
 struct Range {
@@ -164,12 +140,12 @@ TEST(Settings, TellTheirRangesAndOutOfThemTakeTheNearestAllowedValue) {
 
 TEST(Settings, BeginWithTheParametersAndStayInForceWhenRosparamSetsThem) {
   SettingsUser user("/settings_rosparam", {"_jpeg_quality:=40"});
-  EXPECT_EQ(user.inForce("jpeg_quality"), 40);
+  EXPECT_EQ(user.valueOf(user.set(Config()), "jpeg_quality"), 40);
   user.set(change("speed_scale", 0.4));
   ros::param::set("/settings_rosparam/aibo_driver/jpeg_quality", 50);
   user.waitForLog("jpeg_quality was set to '50', but '40' stays in force");
-  EXPECT_EQ(user.inForce("jpeg_quality"), 40);
-  EXPECT_THAT(user.log(), Not(HasSubstr("speed_scale was set to"))) << "dynamic_reconfigure did it";
+  EXPECT_EQ(user.valueOf(user.set(Config()), "jpeg_quality"), 40);
+  EXPECT_THAT(user.driver.output(), Not(HasSubstr("speed_scale was set to"))) << "dynamic_reconfigure did it";
 }
 
 TEST(Settings, OfTheStreamChangeItWhileItRuns) {
@@ -177,7 +153,7 @@ TEST(Settings, OfTheStreamChangeItWhileItRuns) {
   TopicListener<sensor_msgs::CameraInfo> infos("/settings_stream/camera/camera_info");
   TopicListener<Connection> connections("/settings_stream/connection");
   TopicListener<LinkQuality> links("/settings_stream/link_quality");
-  SettingsUser user("/settings_stream", {"_jpeg_quality:=100", kPatient});
+  SettingsUser user("/settings_stream", {"_jpeg_quality:=100"});
   EXPECT_TRUE(connections.waitFor([](const auto& each) { return each.transport == "udp"; })) << "the usual way";
   const auto before = pictures.waitForNext();
   ASSERT_TRUE(before);
@@ -199,16 +175,6 @@ TEST(Settings, OfTheStreamChangeItWhileItRuns) {
   user.waitForLog("The resolution '1x1' is not one of 52x40, .* 416x320: it stays at 416x320");
 }
 
-TEST(Settings, JpegQualityAppliesToTakePictureToo) {
-  SettingsUser user("/settings_picture", {"_stream_on_start:=false"});
-  user.set(change("jpeg_quality", 20));
-  TopicListener<Connection> connection("/settings_picture/connection");
-  ASSERT_TRUE(connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; }));
-  TakePicture call;
-  ASSERT_TRUE(ros::service::call("/settings_picture/take_picture", call));
-  EXPECT_THAT(call.response.message, HasSubstr("at quality 20"));
-}
-
 TEST(Settings, TelemetryRateChangesJointStates) {
   TopicListener<sensor_msgs::JointState> states("/settings_rate/joint_states");
   SettingsUser user("/settings_rate");
@@ -223,26 +189,14 @@ TEST(Settings, TelemetryRateChangesJointStates) {
   }));
 }
 
-TEST(Settings, SpeedScaleSlowsTheJointsDown) {
-  JointListener joints("/settings_speed");
-  SettingsUser user("/settings_speed", {"_joint_speed_limit:=5", "_approach_speed:=5", kFullSpeed, kPatient});
-  TopicPublishers topics("/settings_speed");
-  ASSERT_TRUE(joints.messages().waitForNext());
-  user.set(change("speed_scale", 0.1));
-  topics.publish("joint_command", test_support::command({{"head_pan", 0.5}}));
-  EXPECT_TRUE(joints.waitForPosition("head_pan", 0.5));
-  EXPECT_LT(joints.highestSpeed("head_pan"), 0.7);
-}
-
 TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
   JointListener joints("/settings_trajectory");
-  SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed, kPatient});
-  TopicPublishers topics("/settings_trajectory");
+  SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=2", kFullSpeed});
   ASSERT_TRUE(joints.messages().waitForNext());
   const auto passes = [&joints](double position) {
     return joints.messages().waitFor([=](const auto& state) { return positionOf(state, "head_pan") > position; });
   };
-  topics.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 1.5));
+  user.publish("joint_trajectory", test_support::trajectory({{"head_pan", 1.0}}, 1.5));
   ASSERT_TRUE(passes(0.1));
   user.set(change("speed_scale", 0.1));
   const auto halfway = passes(0.6);
@@ -252,32 +206,25 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
   EXPECT_TRUE(joints.waitForPosition("head_pan", 1.0));
 }
 
-// The robot sees no floor behind it. It may end the walk that nobody steers any more before the driver does.
+// The robot sees no floor behind it.
 TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
   TopicListener<RobotState> states("/settings_guard/robot_state");
-  SettingsUser user("/settings_guard", {"_guard:=true", kPatient});
-  TopicPublishers topics("/settings_guard");
+  SettingsUser user("/settings_guard", {"_guard:=true"});
   ASSERT_TRUE(states.waitFor([](const auto& state) { return state.posture == RobotState::STANDING; }));
   user.set(change("guard", false));
   geometry_msgs::Twist back;
   back.linear.x = -0.1;
-  const auto walks = [&] {  // until it does: a held up driver drops an order
-    topics.publish("cmd_vel", back);
+  EXPECT_TRUE(user.becomesTrue([&] {
+    user.publish("cmd_vel", back);
     return states.waitFor([](const auto& state) { return state.posture == RobotState::WALKING; },
                           std::chrono::milliseconds(100)) != nullptr;
-  };
-  const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
-  bool has_walked = false;
-  while (!has_walked && std::chrono::steady_clock::now() < end) {
-    has_walked = walks();
-  }
-  EXPECT_TRUE(has_walked);
+  }));
 }
 
 TEST(Settings, OfTheCameraAreSeenInItsStateAndItsPictures) {
   TopicListener<sensor_msgs::Image> images("/settings_camera/camera/image_raw");
   TopicListener<CameraState> states("/settings_camera/camera/state");
-  SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2", kPatient});
+  SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2"});
   ASSERT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_MID; }));
   const auto brightness_of = [](const sensor_msgs::Image& image) {
     return std::accumulate(image.data.begin(), image.data.end(), 0.0) / static_cast<double>(image.data.size());

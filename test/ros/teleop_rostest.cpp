@@ -22,7 +22,6 @@
 #include <map>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "support/ros/driver_user.h"

@@ -1,6 +1,10 @@
-// Walking by cmd_vel, and the odometry.
+// Walking by cmd_vel and to goals, the odometry, and postures as an action.
 
+#include <aibo_driver/EndedMovement.h>
+#include <aibo_driver/GoToAction.h>
 #include <aibo_driver/MotionState.h>
+#include <aibo_driver/TakePostureAction.h>
+#include <geometry_msgs/PoseStamped.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
@@ -8,11 +12,13 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "support/ros/goal_watch.h"
 #include "support/ros/joint_user.h"
 #include "support/ros/motion_states.h"
 #include "support/temporary_folder.h"
@@ -20,10 +26,14 @@
 namespace {
 
 using aibo_driver::EndedMovement;
+using aibo_driver::GoToAction;
 using aibo_driver::MotionState;
 using aibo_driver::Movement;
+using aibo_driver::TakePostureAction;
+using geometry_msgs::PoseStamped;
 using nav_msgs::Odometry;
 using std_srvs::Trigger;
+using test_support::GoalWatch;
 using test_support::JointUser;
 using test_support::kQuick;
 using test_support::kSafetyNet;
@@ -31,6 +41,9 @@ using test_support::lastEnd;
 using test_support::Process;
 using test_support::TopicListener;
 using ::testing::AnyOf;
+using State = actionlib::TerminalState;
+using Going = GoalWatch<GoToAction>;
+using Taking = GoalWatch<TakePostureAction>;
 
 // Parameters of a driver in whose namespace tf is, because all tests share a master.
 std::vector<std::string> quickWith(const std::string& name_space, std::vector<std::string> more = {}) {
@@ -157,6 +170,101 @@ TEST(PythonExample, StandsLooksTakesAPictureAndWalks) {
   EXPECT_TRUE(walker.state.waitFor([](const MotionState& each) { return moves(each, Movement::WALK); }));
   EXPECT_EQ(program.waitForExit(kSafetyNet), 0) << program.output();
   EXPECT_GT(std::filesystem::file_size(folder.path() / "look.jpg"), 1000U);
+}
+
+PoseStamped poseAt(double x, double y = 0, double yaw = 0) {
+  PoseStamped pose;
+  pose.header.frame_id = "rex/odom";
+  pose.pose.position.x = x;
+  pose.pose.position.y = y;
+  pose.pose.orientation.z = std::sin(yaw / 2);
+  pose.pose.orientation.w = std::cos(yaw / 2);
+  return pose;
+}
+
+Going::Goal goalAt(double x, double y = 0, double yaw = 0) {
+  Going::Goal goal;
+  goal.pose = poseAt(x, y, yaw);
+  return goal;
+}
+
+Taking::Goal postureOf(const std::string& posture) {
+  Taking::Goal goal;
+  goal.posture = posture;
+  return goal;
+}
+
+class GoalUser : public JointUser {
+ public:
+  explicit GoalUser(const std::string& name_space)
+      : JointUser(name_space, {"_stream_on_start:=false"}),
+        go_to(name_space + "/go_to"),
+        take_posture(name_space + "/take_posture"),
+        odom(name_space + "/odom"),
+        state(name_space + "/motion_state") {
+    EXPECT_TRUE(go_to.waitForActionServerToStart(ros::Duration(60)));
+    EXPECT_TRUE(take_posture.waitForActionServerToStart(ros::Duration(60)));
+  }
+
+  bool isAt(double x, double y, double yaw, std::chrono::seconds patience = kSafetyNet) {
+    odom.clear();
+    const auto is_there = [=](const Odometry& each) {
+      const auto& pose = each.pose.pose;
+      const double turn = std::remainder(2 * std::atan2(pose.orientation.z, pose.orientation.w) - yaw, 2 * M_PI);
+      return std::hypot(pose.position.x - x, pose.position.y - y) < 0.05 && std::abs(turn) < 0.1;
+    };
+    return odom.waitFor(is_there, patience) != nullptr;
+  }
+
+  Going::Client go_to;
+  Taking::Client take_posture;
+  TopicListener<Odometry> odom;
+  TopicListener<MotionState> state;
+};
+
+// A driver or a robot that is held up for half a second gives a walk up. Then the goal is given again.
+TEST(Goal, SucceedsWhenTheRobotIsThere) {
+  GoalUser user("/goes");
+  EXPECT_TRUE(
+      user.becomesTrue([&user] { return Going(user.go_to, goalAt(0.35, 0.1, 1.5)).waitForEnd() == State::SUCCEEDED; }));
+  EXPECT_TRUE(user.isAt(0.35, 0.1, 1.5));
+}
+
+TEST(Goal, SaysWhatIsLeftAndIsPreemptedWhenItIsCancelled) {
+  GoalUser user("/cancels");
+  const auto there = Going::begin(user.go_to, goalAt(2, 0, 1));
+  EXPECT_GT(there->waitForFeedback()->distance, 1.2);
+  EXPECT_NEAR(there->waitForFeedback()->turn, 1, 0.2);
+  there->cancel();
+  EXPECT_EQ(there->waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::STOPPED);
+  EXPECT_TRUE(user.state.waitFor([&there](const MotionState& each) {
+    return each.movements.empty() && lastEnd(each).reason == there->result()->message;
+  })) << "motion_state says the same";
+}
+
+TEST(Goal, OnTheTopicReplacesTheOneOfTheAction) {
+  GoalUser user("/replaces");
+  const auto there = Going::begin(user.go_to, goalAt(2));
+  EXPECT_TRUE(user.becomesTrue([&user] {
+    user.publish("goal", poseAt(0.6));
+    return user.isAt(0.6, 0, 0, std::chrono::seconds(15));
+  }));
+  EXPECT_EQ(there->waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(there->result()->end, EndedMovement::REPLACED);
+}
+
+TEST(TakePosture, SucceedsWhenTheRobotHasTakenItAndIsPreemptedWhenItIsCancelled) {
+  GoalUser user("/takes");
+  const auto sits = Taking::begin(user.take_posture, postureOf("sit"));
+  EXPECT_EQ(sits->waitForEnd(), State::SUCCEEDED);
+  EXPECT_EQ(sits->result()->end, EndedMovement::DONE);
+  const auto stands = Taking::begin(user.take_posture, postureOf("stand"));
+  stands->cancel();
+  EXPECT_EQ(stands->waitForEnd(), State::PREEMPTED);
+  EXPECT_EQ(stands->result()->end, EndedMovement::STOPPED);
+  Taking wrong(user.take_posture, postureOf("dance"));
+  EXPECT_EQ(wrong.waitForEnd(), State::REJECTED);
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ class DriverUser {
       if (std::chrono::steady_clock::now() > end) {
         return false;
       }
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     return true;
   }
