@@ -1088,8 +1088,18 @@ class Answered(TestCase):
                 {"name": "back_rear", "value": 12, "unit": "", "pressed": False},
                 {"name": "temperature", "value": 29, "unit": "degrees Celsius", "pressed": None}]})
 
+    def test_each_permission_has_its_name(self):
+        names = {b"U": "upload", b"D": "delete", b"M": "pictures", b"Q": "shut down", b"R": "reboot"}
+        ports = [self.server(says_hello(b"", answers={kind: [[None]]})) for kind in names]
+        started = [start("--json", "doctor", "--seconds", "1", port=port) for port in ports]
+        for doctor, name in zip(started, names.values()):
+            with doctor:
+                self.assertIn({"topic": "allows", "good": True, "text": name, "advice": ""},
+                              json.loads(doctor.communicate()[0])["findings"])
+
     def test_says_how_a_movement_has_ended(self):
-        for how, words in (1, "was replaced"), (2, "was stopped"), (3, "could not go on"), (9, "ended in a way that"):
+        for how, words in ((1, "was replaced"), (2, "was stopped"), (3, "could not go on"), (4, "ended because"),
+                           (9, "ended in a way that")):
             port = self.server(says_hello(b"", answers={b"E": [[b"", (b"i", bytes((3, how, 0, 0)) + b"sit\nwhy")]]}))
             self.assertRegex(self.aibo("sit", port=port, status=FAILED).errors, f"^aibo: sit {words}.*: why\n$")
 
@@ -1125,6 +1135,15 @@ class Answered(TestCase):
         for wish, state in (("on", "off"), ("off", "on")):
             port = self.server(says_hello(b"RCServer", answers={b"O": [[bytes([state == "on"])]]}))
             self.assertIn(f"its motors are still {state}", self.aibo("motors", wish, port=port, status=FAILED).errors)
+
+    def test_a_picture_has_the_settings_that_were_asked_for(self):
+        robot = SimulatedRobot()
+        self.addCleanup(robot.end)
+        pictures = [self.aibo("picture", "-q", quality, "-o", "-", port=robot.port).stdout for quality in (90, 30)]
+        frames = [struct.pack(">IIHHBBH", 1, 1, 208, 160, 85, 0, settings) + jpeg
+                  for settings, jpeg in zip((0b101011, 0b100111), pictures)]
+        port = self.server(says_hello(b"RCServer", answers={b"G": [[b"\1"]], b"F": [[frame] for frame in frames]}))
+        self.assertEqual(self.aibo("picture", "--gain", "low", "-o", "-", port=port).stdout, pictures[1])
 
     def test_sound_that_is_missing_is_counted_and_becomes_silence(self):
         def heard(frame, sample):
