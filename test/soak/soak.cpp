@@ -130,7 +130,6 @@ Soak::Soak(const Options& options)
 FaultProxy::Options Soak::proxyOptions() {
   FaultProxy::Options options;
   options.target_port = robot_.port();
-  options.seed = options_.seed;
   options.tap = [this](std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size) {
     if (direction == Direction::kToServer) {
       hear(connection, data, size);

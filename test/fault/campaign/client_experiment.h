@@ -19,7 +19,7 @@ class ClientExperiment : public Experiment {
   explicit ClientExperiment(unsigned remainder, milliseconds silence = aibo_client::ClientOptions().read_timeout)
       : version_(remainder % 2 == 0 ? 1 : 2),
         server_(version_, std::chrono::microseconds(1500)),
-        proxy_(proxyTo(server_.port(), remainder)),
+        proxy_(server_.port()),
         witness_(server_),
         client_(clientOptions(silence), witness_.callbacks()) {
     client_.setStreaming(true);

@@ -84,16 +84,16 @@ class FaultExperiment : public ClientExperiment {
       takePicture();
       client_.setStreaming(true);
     }
-    const auto report = proxy_.waitForFaults(done + 1, kSafetyNet);
-    if (!report) {
+    const auto done_at = proxy_.waitForFaults(done + 1, kSafetyNet);
+    if (!done_at) {
       return {{}, {"the fault could not be made, because nothing came"}};
     }
     client_.setStreaming(true);
-    const auto back = witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > report->time; });
+    const auto back = witness_.waitFor([&](const Witness::Sighting& each) { return each.sent > *done_at; });
     proxy_.heal();  // a connection that fell silent would last for ever
     awaitPictures(1);
     witness_.allowGaps(false);
-    return {back.time - report->time, {}};
+    return {back.time - *done_at, {}};
   }
 
   int headerSize() const {

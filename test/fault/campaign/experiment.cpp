@@ -21,11 +21,4 @@ Fault anyFault(unsigned turn, Random& random) {
   return fault;
 }
 
-FaultProxy::Options proxyTo(int port, unsigned seed) {
-  FaultProxy::Options options;
-  options.target_port = port;
-  options.seed = seed;
-  return options;
-}
-
 }  // namespace fault_bench

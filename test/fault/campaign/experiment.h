@@ -73,9 +73,6 @@ void await(const Condition& condition, const std::string& otherwise) {
 /// A fault of any kind: the kinds take turns, all other details are random. The caller chooses the place.
 Fault anyFault(unsigned turn, Random& random);
 
-/// Options of a proxy in front of the server on this port of 127.0.0.1.
-FaultProxy::Options proxyTo(int port, unsigned seed);
-
 std::vector<Row> clientRows();
 std::vector<Row> hostileRows();
 std::vector<Row> serverRows();

@@ -45,7 +45,7 @@ class HangingClientExperiment : public ServerExperiment {
 
   Outcome attempt(unsigned trial, Random& /*random*/) override {
     const auto manner = static_cast<Manner>(trial / 4 % kManners);
-    FaultProxy proxy(proxyTo(server_.port(), trial));
+    FaultProxy proxy(server_.port());
     RawClient client(manner == kVanishes ? proxy.port() : server_.port());
     client.send(trial / 2 % 2 == 0 ? kStream : kVersion2Stream);
     client.read(4000, kSafetyNet);
@@ -83,7 +83,7 @@ class RequestExperiment : public ServerExperiment {
  public:
   explicit RequestExperiment(unsigned remainder)
       : ServerExperiment(remainder),
-        proxy_(proxyTo(server_.port(), remainder)),
+        proxy_(server_.port()),
         client_(clientOptions(proxy_.port(), remainder), callbacks()) {
     client_.setStreaming(true);
     client_.setTelemetryPeriod(4);
@@ -103,12 +103,12 @@ class RequestExperiment : public ServerExperiment {
     const std::size_t done = proxy_.faultsDone();
     proxy_.endConnections(Action::kReset);
     proxy_.add(fault);
-    const auto report = proxy_.waitForFaults(done + 1, kSafetyNet);
-    if (!report) {
+    const auto done_at = proxy_.waitForFaults(done + 1, kSafetyNet);
+    if (!done_at) {
       return {{}, {"the fault could not be made, because the client sent nothing"}};
     }
     awaitPictures(kManyPictures);
-    const Milliseconds recovery = steady_clock::now() - report->time;
+    const Milliseconds recovery = steady_clock::now() - *done_at;
     proxy_.heal();  // a connection that fell silent might last for ever
     return {recovery, {}};
   }

@@ -99,7 +99,7 @@ std::size_t FaultProxy::faultsDone() const {
   return faults_done_;
 }
 
-std::optional<FaultReport> FaultProxy::waitForFaults(std::size_t count, milliseconds timeout) {
+std::optional<TimePoint> FaultProxy::waitForFaults(std::size_t count, milliseconds timeout) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!fault_done_.wait_for(lock, timeout, [&] { return faults_done_ >= count; })) {
     return std::nullopt;
@@ -148,17 +148,17 @@ TimePoint FaultProxy::prepare(std::vector<pollfd>* polled) {
 void FaultProxy::serve(const std::vector<pollfd>& polled) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const TimePoint now = steady_clock::now();
-  std::vector<FaultReport> reports;
+  std::size_t done = 0;
   std::size_t entry = 2;
   for (auto link = links_.begin(); link != links_.end() && entry < 2 + 2 * polled_links_; ++link, entry += 2) {
     if (!link->isOver()) {
-      link->serve({{polled[entry], polled[entry + 1]}}, now, conditions_, &faults_, options_.tap, &reports);
+      done += link->serve({{polled[entry], polled[entry + 1]}}, now, conditions_, &faults_, options_.tap);
     }
   }
   links_.remove_if([](const Link& link) { return link.isOver(); });
-  if (!reports.empty()) {
-    faults_done_ += reports.size();
-    last_fault_ = reports.back();
+  if (done > 0) {
+    faults_done_ += done;
+    last_fault_ = now;
     fault_done_.notify_all();
   }
   acceptClients();
@@ -184,9 +184,8 @@ void FaultProxy::receiveClient(FileDescriptor client) {
       break;
     case Welcome::kServe:
       try {
-        const auto seed = options_.seed + 2 * static_cast<unsigned>(connections_);
         links_.emplace_back(connections_, std::move(client),
-                            beginConnecting(options_.target_host, options_.target_port), seed);
+                            beginConnecting(options_.target_host, options_.target_port));
         ++connections_;
       } catch (const std::system_error&) {
         // The server is unreachable: the client is turned away.

@@ -19,12 +19,11 @@
 #include "client/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/link.h"
-#include "support/proxy/pipe.h"
 
 namespace test_support {
 
 /// A proxy between any number of clients and a server, which passes every byte on and makes the faults that it is asked
-/// for. All random choices follow from the seed and the bytes that come.
+/// for. All random choices follow from the bytes that come.
 ///
 /// Every function may be called from any thread.
 class FaultProxy {
@@ -33,7 +32,6 @@ class FaultProxy {
     std::string target_host = "127.0.0.1";  ///< the server's IPv4 address
     int target_port = 0;
     int port = 0;  ///< for clients, on 127.0.0.1; 0 = any free one
-    unsigned seed = 1;
     Tap tap = nullptr;
   };
 
@@ -78,8 +76,8 @@ class FaultProxy {
   std::size_t faultsDone() const;
 
   /// Waits until this many faults have been made since the construction.
-  /// @return the last of them; nothing if they were not made in time
-  std::optional<FaultReport> waitForFaults(std::size_t count, std::chrono::milliseconds timeout);
+  /// @return when the last of them was made; nothing if they were not made in time
+  std::optional<TimePoint> waitForFaults(std::size_t count, std::chrono::milliseconds timeout);
 
  private:
   /// Changes something, and wakes the proxy's thread.
@@ -104,7 +102,7 @@ class FaultProxy {
   std::vector<aibo_client::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
-  std::optional<FaultReport> last_fault_;
+  TimePoint last_fault_;
   std::condition_variable fault_done_;
   aibo_client::Event wake_up_;
   std::atomic<bool> stopping_{false};

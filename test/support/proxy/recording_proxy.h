@@ -20,7 +20,7 @@ namespace test_support {
 class RecordingProxy {
  public:
   /// @param robot_port where the robot listens, on 127.0.0.1
-  explicit RecordingProxy(int robot_port);
+  explicit RecordingProxy(int robot_port) : proxy_(options(robot_port)) {}
 
   int port() const { return proxy_.port(); }
 
@@ -28,10 +28,17 @@ class RecordingProxy {
   void cut() { proxy_.endConnections(Action::kClose); }
 
   /// While it is mute, nothing that the robot sends reaches the driver, though connections stay and are accepted.
-  void setMute(bool mute);
+  void setMute(bool mute) {
+    Conditions conditions;
+    conditions.paused = mute;
+    proxy_.setConditions(conditions);
+  }
 
   /// The JPEGs that the robot has sent since the proxy began, in this order.
-  std::vector<Bytes> picturesFromRobot() const;
+  std::vector<Bytes> picturesFromRobot() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return pictures_;
+  }
 
   /// How many connections there have been.
   std::size_t connections() const { return proxy_.connections(); }
@@ -39,11 +46,17 @@ class RecordingProxy {
   /// What the driver has requested of a version 2 server, in this order.
   /// @param kinds only requests of these kinds
   /// @param first_connection leave out the connections before this one; the first is 0
-  std::vector<Request> requestsFromDriver(const std::string& kinds, std::size_t first_connection = 0) const;
+  std::vector<Request> requestsFromDriver(const std::string& kinds, std::size_t first_connection = 0) const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return requests(kinds, first_connection);
+  }
 
   /// Waits until the driver has made a request of one of these kinds.
   /// @return false if it did not come in time
-  bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout);
+  bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    return changed_.wait_for(lock, timeout, [&] { return !requests(kinds, 0).empty(); });
+  }
 
  private:
   struct Connection {
@@ -54,9 +67,44 @@ class RecordingProxy {
     std::vector<Request> requests{};
   };
 
-  FaultProxy::Options options(int robot_port);
-  void record(std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size);
-  std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const;
+  FaultProxy::Options options(int robot_port) {
+    FaultProxy::Options options;
+    options.target_port = robot_port;
+    options.tap = [this](std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size) {
+      record(connection, direction, data, size);
+    };
+    return options;
+  }
+
+  void record(std::size_t number, Direction direction, const std::uint8_t* data, std::size_t size) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    while (connections_.size() <= number) {
+      connections_.emplace_back(&pictures_);
+    }
+    Connection& connection = connections_[number];
+    if (direction == Direction::kToClient) {
+      connection.replies.feed(data, size);
+      return;
+    }
+    for (Request& request : connection.request_scanner.feed(data, size)) {
+      if (request.version2) {
+        connection.requests.push_back(std::move(request));
+      }
+    }
+    changed_.notify_all();
+  }
+
+  std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const {
+    std::vector<Request> found;
+    for (std::size_t i = first_connection; i < connections_.size(); ++i) {
+      for (const Request& request : connections_[i].requests) {
+        if (kinds.find(request.kind) != std::string::npos) {
+          found.push_back(request);
+        }
+      }
+    }
+    return found;
+  }
 
   mutable std::mutex mutex_;  // guards what follows, down to the proxy
   std::condition_variable changed_;
