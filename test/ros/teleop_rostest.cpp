@@ -245,22 +245,22 @@ TEST(GamepadTest, EachButtonCallsItsService) {
   TopicListener<std_msgs::String> calls("/pad/calls");
   ros::NodeHandle handle("/pad");
   const ros::Publisher caller = handle.advertise<std_msgs::String>("calls", 10, true);
-  const auto note = [&caller](const std::string& text) {
-    std_msgs::String call;
-    call.data = text;
-    caller.publish(call);
-    return true;
+  const auto serve = [&](const char* name, auto service, auto describe) {
+    using Service = decltype(service);
+    const boost::function<bool(typename Service::Request&, typename Service::Response&)> note =
+        [&caller, describe](auto& request, auto&) {
+          std_msgs::String call;
+          call.data = describe(request);
+          caller.publish(call);
+          return true;
+        };
+    return handle.advertiseService(name, note);
   };
-  const boost::function<bool(Trigger::Request&, Trigger::Response&)> sit = [&](auto&, auto&) { return note("sit"); };
-  const boost::function<bool(PlayMotion::Request&, PlayMotion::Response&)> play = [&](auto& request, auto&) {
-    return note(request.name + " " + std::to_string(request.repetitions));
-  };
-  const boost::function<bool(TakePicture::Request&, TakePicture::Response&)> take = [&](auto& request, auto&) {
-    return note(request.save_to);
-  };
-  const ros::ServiceServer services[] = {handle.advertiseService("sit", sit),
-                                         handle.advertiseService("play_motion", play),
-                                         handle.advertiseService("take_picture", take)};
+  const ros::ServiceServer services[] = {
+      serve("sit", Trigger(), [](const auto&) { return "sit"; }),
+      serve("play_motion", PlayMotion(),
+            [](auto& order) { return order.name + " " + std::to_string(order.repetitions); }),
+      serve("take_picture", TakePicture(), [](const auto& order) { return order.save_to; })};
   ros::param::set("/pad/aibo_teleop_joy/motions", std::map<std::string, int>{{"NOD", 6}});
   ros::param::set("/pad/aibo_teleop_joy/postures", std::map<std::string, int>{{"sit", 7}});
   Gamepad pad("/pad");
