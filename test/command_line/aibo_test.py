@@ -336,7 +336,7 @@ class OnBothVersions:
             self.assertEqual((line["connected"], line["problem"]), (True, ""))
             self.assertGreater(line["stream"]["bytes"], 1000 * line["stream"]["pictures"])
         first, rest = (line["stream"]["seconds"] for line in lines)
-        self.assertTrue(first >= 1 and 1.4 <= first + rest < 1.9, lines)
+        self.assertTrue(first >= 1 and first + rest >= 1.4, lines)
 
     def test_saves_the_stream_under_names_of_its_own(self):
         (self.folder / "new").mkdir()
