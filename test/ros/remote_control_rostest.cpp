@@ -2,22 +2,18 @@
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/Ears.h>
-#include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/LookAtResult.h>
-#include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <rviz/panel.h>
-#include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <pluginlib/class_loader.hpp>
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QBuffer>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -28,12 +24,10 @@
 #include <QSpinBox>
 #include <QTabWidget>
 #include <QThread>
-#include <QTimer>
 #include <QUrl>
 #include <QtTest/QTest>
 #include <csignal>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <tuple>
@@ -55,15 +49,9 @@
 namespace {
 
 using aibo_driver::Connection;
-using aibo_driver::EndedMovement;
-using aibo_driver::LinkQuality;
 using aibo_driver::LookAtResult;
-using aibo_driver::MotionState;
-using aibo_driver::Movement;
-using aibo_driver::RobotState;
 using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::JointSlider;
-using aibo_driver::remote_control::Part;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
@@ -231,6 +219,46 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
   EXPECT_TRUE(user_.waitFor([pad] { return pad->isEnabled(); }));
 }
 
+TEST_F(RemoteControlRosTest, SaysWhyItsWalkHasEndedAndForgetsThisWithTheNextDriver) {
+  auto* pad = user_.find<AxisPad>("drive_pad");
+  QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
+  EXPECT_TRUE(user_.waitForText("condition", "walks"));
+  ASSERT_THAT(simulated_.type("lift on"), HasSubstr("ok"));
+  EXPECT_TRUE(user_.waitForText("status", "walk: "));
+  EXPECT_TRUE(user_.waitForText("condition", "is carried"));
+  user_.window.useDriver("/nowhere");
+  EXPECT_TRUE(user_.waitForText("connection", "waiting for the driver in /nowhere"));
+  EXPECT_EQ(user_.textOf("condition"), "");
+}
+
+// The camera is the nominal one.
+TEST_F(RemoteControlRosTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
+  TopicListener<geometry_msgs::PointStamped> points("/remote/look_at");
+  ros::Publisher results = ros::NodeHandle("/remote").advertise<LookAtResult>("look_at_result", 10, true);
+  EXPECT_TRUE(user_.waitFor([&] {  // until the camera is known
+    user_.robot.lookAt({0.75, 0.25});
+    return points.count() > 0;
+  }));
+  const auto point = points.waitForCount(1).front();
+  EXPECT_EQ(point->header.frame_id, "camera_optical_frame");
+  EXPECT_FALSE(point->header.stamp.isZero()) << "when the picture was taken";
+  EXPECT_NEAR(point->point.x, 0.25 * 208 / 191.9, 0.01);
+  EXPECT_NEAR(point->point.y, -0.25 * 160 / 191.9, 0.01);
+  EXPECT_EQ(point->point.z, 1);
+  QObject::connect(&user_.robot, &RosRobot::answered, &user_.window,
+                   [](bool, const QString& text) { EXPECT_FALSE(text.contains("no point of this window")); });
+  LookAtResult result;
+  result.success = 1;
+  result.message = "no point of this window";
+  results.publish(result);
+  result.message = "the head turns";
+  EXPECT_TRUE(user_.waitFor([&] {  // the answer to the last click
+    result.header = points.waitForCount(1).back()->header;
+    results.publish(result);
+    return user_.textOf("status").contains("look there: the head turns");
+  }));
+}
+
 TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDead) {
   const int pid = *aibo_driver::node::XmlRpcPeer::master().call("getPid", {});
   const std::pair<std::function<void()>, std::function<void()>> troubles[] = {
@@ -320,161 +348,16 @@ TEST(RemoteControlRos, WaitsForADriverThatHasNotBeenHeardAndForTheMaster) {
 }
 
 // The master may still know drivers that were killed, such as those of the tests above.
-TEST(RemoteControlRos, FindsADriverByItself) {
+TEST(RemoteControlRos, FindsADriverByItselfAndKeepsItUntilAnotherIsChosen) {
   const SimulatedRobot simulated;
-  const DriverProcess driver("/somewhere", simulated.port());
+  DriverProcess driver("/somewhere", simulated.port());
   User user("");
   EXPECT_TRUE(user.waitForConnection());
+  driver.signal(SIGSTOP);
+  EXPECT_TRUE(user.waitForText("connection", "the driver in /somewhere does not answer"));
   user.window.useDriver("/elsewhere");
   EXPECT_TRUE(user.waitFor([&] { return user.find<QComboBox>("driver")->currentText() == "/elsewhere"; }));
   EXPECT_GE(user.find<QComboBox>("driver")->findText("/somewhere"), 0) << "it can be chosen again";
-}
-
-// What passes between the window and a driver, which is a fake, and without a window.
-
-constexpr const char* kTold = "/told";
-
-class ToldTest : public ::testing::Test {
- protected:
-  ToldTest() {
-    QObject::connect(&robot_, &RosRobot::connectionChanged,
-                     [this](const auto& now) { note("connection " + now.text); });
-    QObject::connect(&robot_, &RosRobot::conditionChanged, [this](const auto& now) { note("by " + now.stopped_by); });
-    QObject::connect(&robot_, &RosRobot::movementChanged, [this](const QString& text, bool) { note("now " + text); });
-    QObject::connect(&robot_, &RosRobot::pictureArrived, [this] { note("picture"); });
-    QObject::connect(&robot_, &RosRobot::answered,
-                     [this](bool success, const QString& text) { note((success ? "yes, " : "no, ") + text); });
-    QObject::connect(&robot_, &RosRobot::hinted, [this](const QString& text) { note("hint, " + text); });
-    QObject::connect(&robot_, &RosRobot::driversFound, [this](const auto& drivers) { found_ = drivers; });
-    connect("connected");
-    QObject::connect(&heartbeat_, &QTimer::timeout, [this] { tell("link_quality", LinkQuality()); });
-    heartbeat_.start(500);  // otherwise the driver would be given up
-    robot_.useDriver(kTold);
-    EXPECT_TRUE(hears("connection connected"));
-  }
-
-  void connect(const QString& text) {
-    Connection connection;
-    connection.state = Connection::CONNECTED;
-    connection.text = text.toStdString();
-    tell("connection", connection);
-  }
-
-  // What is latched waits for a subscriber.
-  template <typename Message>
-  void tell(const std::string& topic, const Message& message) {
-    ros::Publisher& publisher = publishers_[topic];
-    if (!publisher) {
-      publisher = ros::NodeHandle(kTold).advertise<Message>(topic, 10, true);
-    }
-    publisher.publish(message);
-  }
-
-  void note(const QString& text) { notes_.append(text); }
-
-  bool hears(const QString& text) {
-    const bool came = QTest::qWaitFor([&] { return notes_.contains(text); }, kTimeout);
-    EXPECT_TRUE(came) << text.toStdString() << " is not in\n" << notes_.join("\n").toStdString();
-    return came;
-  }
-
-  QStringList notes_;
-  QStringList found_;  ///< drivers
-  std::map<std::string, ros::Publisher> publishers_;
-  RosRobot robot_;
-  QTimer heartbeat_;
-};
-
-TEST_F(ToldTest, AnotherDriverBeginsWithNothing) {
-  RobotState state;
-  state.stopped_by = "/anna";
-  tell("robot_state", state);
-  EXPECT_TRUE(hears("by /anna"));
-  MotionState motion;
-  motion.text = "walks";
-  tell("motion_state", motion);
-  EXPECT_TRUE(hears("now walks"));
-  notes_.clear();
-  robot_.useDriver("/told_too");
-  EXPECT_TRUE(hears("connection waiting for the driver in /told_too"));
-  EXPECT_TRUE(hears("by "));
-  EXPECT_TRUE(hears("now "));
-}
-
-TEST_F(ToldTest, ADriverThatFallsSilentStaysThoughThereIsAnother) {
-  const ros::Publisher other = ros::NodeHandle("/told_next").advertise<Connection>("connection", 1, true);
-  other.publish(Connection());
-  EXPECT_TRUE(QTest::qWaitFor([this] { return found_.contains("/told_next"); }, kTimeout));
-  robot_.useDriver("");
-  heartbeat_.stop();
-  EXPECT_TRUE(hears("connection the driver in /told does not answer: is it running?"));
-  connect("it speaks again");
-  EXPECT_TRUE(hears("connection it speaks again"));
-}
-
-TEST_F(ToldTest, AMovementThatFailsIsAComplaintOfTheWindowThatWantedIt) {
-  MotionState state;
-  state.text = "walks";
-  const auto end = [&state](const std::string& source, const std::string& reason, std::uint8_t how) {
-    EndedMovement& ended = state.ended.emplace_back();
-    ended.movement.kind = Movement::WALK;
-    ended.movement.source = source;
-    ended.how = how;
-    ended.reason = reason;
-  };
-  end(ros::this_node::getName(), "before", EndedMovement::FELL);
-  tell("motion_state", state);
-  EXPECT_TRUE(hears("now walks"));
-  end("/anna", "of anna", EndedMovement::FELL);
-  end(ros::this_node::getName(), "it fell", EndedMovement::FELL);
-  end(ros::this_node::getName(), "the floor ends ahead", EndedMovement::REFUSED);
-  tell("motion_state", state);
-  EXPECT_TRUE(hears("no, walk: it fell"));
-  EXPECT_TRUE(hears("hint, walk: the floor ends ahead")) << "a robot that refuses is not broken";
-  EXPECT_EQ(notes_.filter("no, ").size(), 1) << notes_.join("; ").toStdString();
-}
-
-TEST_F(ToldTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
-  robot_.lookAt({0.5, 0.5});
-  EXPECT_TRUE(hears("no, look there: nothing is known of the camera yet"));
-  robot_.show(Part::kPictures, true);
-  sensor_msgs::CameraInfo camera;
-  camera.header.frame_id = "eye";
-  camera.width = 208;
-  camera.height = 160;
-  camera.K = {200, 0, 98, 0, 100, 85, 0, 0, 1};  // the lens is not quite in the middle
-  tell("camera/camera_info", camera);
-  sensor_msgs::CompressedImage picture;
-  QByteArray bytes;
-  QBuffer buffer(&bytes);
-  ASSERT_TRUE(QImage(104, 80, QImage::Format_RGB32).save(&buffer, "JPG"));
-  picture.header.stamp = ros::Time(5, 250'000'000);
-  picture.data.assign(bytes.begin(), bytes.end());
-  tell("camera/image_raw/compressed", picture);
-  EXPECT_TRUE(hears("picture"));
-  TopicListener<geometry_msgs::PointStamped> points(std::string(kTold) + "/look_at");
-  ASSERT_TRUE(QTest::qWaitFor(
-      [&] {
-        robot_.lookAt({0.75, 0.25});
-        return points.count() > 0;
-      },
-      kTimeout));
-  const auto point = points.waitForCount(1).front();
-  EXPECT_EQ(point->header.frame_id, "eye");
-  EXPECT_EQ(point->header.stamp, picture.header.stamp) << "where the camera was then";
-  EXPECT_DOUBLE_EQ(point->point.x, 0.29);
-  EXPECT_DOUBLE_EQ(point->point.y, -0.45);
-  EXPECT_DOUBLE_EQ(point->point.z, 1);
-  LookAtResult result;
-  result.success = 1;
-  result.header.frame_id = "base_link";
-  result.message = "no point of this window";
-  tell("look_at_result", result);
-  result.header = point->header;
-  result.message = "the head turns";
-  tell("look_at_result", result);
-  EXPECT_TRUE(hears("yes, look there: the head turns"));
-  EXPECT_EQ(notes_.filter("yes, ").size(), 1) << notes_.join("; ").toStdString();
 }
 
 TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceOrAnyUntilCtrlC) {
