@@ -17,14 +17,6 @@ namespace {
 
 class CameraRequestsTest : public Version2SessionFixture {
  public:
-  /// The robot sets its camera as it is asked to at the beginning of a connection.
-  void answerSettings() {
-    for (int i = 0; i < 5; ++i) {
-      EXPECT_EQ('G', request()[0]);
-      answer(frame_.payload);
-    }
-  }
-
   std::future<Answer> takePictureOf(std::optional<Resolution> resolution) {
     return add(callForPicture(0, resolution), milliseconds(2000));
   }
@@ -127,19 +119,6 @@ TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) 
   refuse("it does not");
   EXPECT_EQ(1, logged("refused to set its camera"));
   EXPECT_EQ("G 2 2", request());
-}
-
-TEST_F(CameraRequestsTest, TheValueInForceIsReadBack) {
-  begin("H F W G");
-  answerSettings();
-  EXPECT_THAT(log_, IsEmpty());
-  wish_.camera.gain = 3;
-  EXPECT_EQ("G 2 3", request());
-  answer({1});
-  EXPECT_EQ(1, logged("has set camera setting 2 to 1 instead of 3"));
-  wish_.camera.gain = 2;
-  request();
-  EXPECT_NE("", whyGivenUp([this] { answer({7}); })) << "there is no such value";
 }
 
 TEST_F(CameraRequestsTest, AServerWithoutCameraSettingsIsNotSentAnyAndTheLogSaysSoOnce) {

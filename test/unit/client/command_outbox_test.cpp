@@ -151,20 +151,4 @@ TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   EXPECT_EQ("", takeDropped(&outbox)) << "not to walk leaves the legs as they are";
 }
 
-std::string takeAll(LatestById<LedCommand> leds) {
-  std::string taken;
-  while (!leds.empty()) {
-    const LedCommand led = leds.take(1).front();
-    taken += std::to_string(led.id) + ":" + std::to_string(led.intensity) + " ";
-  }
-  return taken;
-}
-
-TEST(LatestByIdTest, TheLatestWinsAndTakesThePlaceOfTheOldest) {
-  LatestById<LedCommand> leds;
-  leds.add({{5, 10}, {6, 20}});
-  leds.add({{7, 30}, {5, 40}});
-  EXPECT_EQ("5:40 6:20 7:30 ", takeAll(leds));
-}
-
 }  // namespace

@@ -330,31 +330,6 @@ TEST_F(DatagramsTest, EachGroupOfALargePictureMayLoseADatagram) {
   EXPECT_THAT(delivered(), ElementsAre(1));
 }
 
-TEST_F(DatagramsTest, TwoLostDatagramsOfAGroupCannotBeRepaired) {
-  std::vector<Bytes> picture = nextPicture(true);
-  const Bytes late = picture[0];
-  picture.erase(picture.begin(), picture.begin() + 2);
-  arrive(picture);
-  EXPECT_THAT(delivered(), IsEmpty());
-  arrive(late);
-  EXPECT_THAT(delivered(), ElementsAre(1)) << "one is lost, the other was late";
-}
-
-TEST_F(DatagramsTest, ALossIsReportedWhenALaterDatagramShowsIt) {
-  arrive(nextPicture());
-  EXPECT_THAT(repliesOf('l'), IsEmpty());
-  std::vector<Bytes> picture = nextPicture();
-  picture.erase(picture.begin() + 1);
-  arrive(picture);
-  EXPECT_THAT(repliesOf('l'), ElementsAre(Bytes({'l', 0, 0, 0, 0, 0, 0, 1})));
-  picture = nextPicture();
-  picture.pop_back();
-  arrive(picture);
-  EXPECT_EQ(1u, repliesOf('l').size());
-  arrive(nextPicture());
-  EXPECT_EQ(2u, repliesOf('l').size());
-}
-
 TEST_F(DatagramsTest, TheParityOfTheLastPartsAcknowledgesTooAndThatIsRepeated) {
   std::vector<Bytes> picture = nextPicture(true);
   const Bytes parity = picture.back();

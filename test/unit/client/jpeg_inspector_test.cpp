@@ -1,13 +1,8 @@
 #include "aibo_client/jpeg_inspector.h"
 
 #include <gmock/gmock.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <cerrno>
 #include <string>
-#include <system_error>
 #include <utility>
 
 #include "support/test_pictures.h"
@@ -33,30 +28,6 @@ constexpr std::uint8_t kSof0 = 0xC0;
 constexpr std::uint8_t kSos = 0xDA;
 constexpr std::uint8_t kDht = 0xC4;
 constexpr std::uint8_t kDqt = 0xDB;
-
-/// Memory that ends where the process may not read on.
-class GuardedMemory {
- public:
-  explicit GuardedMemory(std::size_t size) : page_(static_cast<std::size_t>(::sysconf(_SC_PAGESIZE))) {
-    size_ = (size + page_ - 1) / page_ * page_;
-    void* const memory = ::mmap(nullptr, size_ + page_, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (memory == MAP_FAILED || ::mprotect(static_cast<std::uint8_t*>(memory) + size_, page_, PROT_NONE) != 0) {
-      throw std::system_error(errno, std::generic_category(), "guarded memory");
-    }
-    begin_ = static_cast<std::uint8_t*>(memory);
-  }
-  ~GuardedMemory() { ::munmap(begin_, size_ + page_); }
-  GuardedMemory(const GuardedMemory&) = delete;
-  GuardedMemory& operator=(const GuardedMemory&) = delete;
-
-  /// The last bytes before the guard.
-  std::uint8_t* last(std::size_t size) { return begin_ + size_ - size; }
-
- private:
-  const std::size_t page_;
-  std::size_t size_ = 0;
-  std::uint8_t* begin_ = nullptr;
-};
 
 std::string problemOf(const Bytes& jpeg) {
   return inspectJpeg(jpeg.data(), jpeg.size()).problem;
@@ -124,13 +95,11 @@ TEST(JpegInspectorTest, FillBytesBeforeAMarkerAreAllowed) {
   }
 }
 
+// The sanitizers see whether more is read than there is.
 TEST(JpegInspectorTest, APictureCutAtAnyLengthIsRefused) {
   const Bytes jpeg = test_pictures::make();
-  GuardedMemory memory(jpeg.size());
-  for (std::size_t size = 0; size < jpeg.size(); ++size) {
-    std::uint8_t* const cut = memory.last(size);
-    std::copy_n(jpeg.begin(), size, cut);
-    EXPECT_FALSE(inspectJpeg(cut, size).good()) << size;
+  for (auto end = jpeg.begin(); end != jpeg.end(); ++end) {
+    EXPECT_NE("", problemOf(Bytes(jpeg.begin(), end)));
   }
 }
 
@@ -170,15 +139,11 @@ TEST(JpegInspectorTest, OtherColoursThanYCbCrAreRefused) {
   PictureKind grey;
   grey.subsampling = TJSAMP_GRAY;
   EXPECT_EQ("not 3 colour components", problemOf(test_pictures::make(grey)));
-  Bytes rgb = test_pictures::make();
-  rgb.insert(rgb.begin() + 2, {0xFF, 0xEE, 0, 14, 'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0});
-  EXPECT_EQ("its colours are not YCbCr", problemOf(rgb));
-  rgb.at(2 + 15) = 1;  // Adobe's transform: YCbCr
-  EXPECT_EQ("", problemOf(rgb));
-  Bytes named_rgb = alter(kSof0, 10, 'R');
-  named_rgb.at(test_pictures::findMarker(named_rgb, kSof0) + 13) = 'G';
-  named_rgb.at(test_pictures::findMarker(named_rgb, kSof0) + 16) = 'B';
-  EXPECT_EQ("its colours are not YCbCr", problemOf(named_rgb));
+  Bytes adobe = test_pictures::make();
+  adobe.insert(adobe.begin() + 2, {0xFF, 0xEE, 0, 14, 'A', 'd', 'o', 'b', 'e', 0, 100, 0, 0, 0, 0, 0});
+  EXPECT_EQ("its colours are not YCbCr", problemOf(adobe));
+  adobe.at(2 + 15) = 1;  // its transform: YCbCr
+  EXPECT_EQ("", problemOf(adobe));
 }
 
 TEST(JpegInspectorTest, HeadersOfOtherKindsOfPicturesAreRefused) {

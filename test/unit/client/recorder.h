@@ -94,11 +94,6 @@ class Recorder {
     return telemetry_;
   }
 
-  std::vector<bool> streaming() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return streaming_;
-  }
-
   /// Orders that were refused or answered late, and why, as in "7:too old; late 8:changed; ".
   std::string orders() const {
     const std::lock_guard<std::mutex> lock(mutex_);

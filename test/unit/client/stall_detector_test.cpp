@@ -87,17 +87,4 @@ TEST_F(StallDetectorTest, ARobotThatNeverPausesIsCaughtUpWithInTheEnd) {
   EXPECT_FALSE(pictureIsStale());
 }
 
-TEST_F(StallDetectorTest, AStreamThatBeginsAgainWhileOldPicturesAreCaughtUpWithIsFresh) {
-  now_ += milliseconds(5000);
-  EXPECT_TRUE(pictureIsStale());
-  const TimePoint before = now_;
-  now_ += milliseconds(1);
-  detector_.restart(now_);
-  EXPECT_TRUE(detector_.isStale(before)) << "a picture of the stream before";
-  EXPECT_EQ(detector_.nextLook() - now_, StallDetector::kStallLimit / 2);
-  EXPECT_FALSE(pictureIsStale());
-  now_ += milliseconds(40);
-  EXPECT_FALSE(pictureIsStale());
-}
-
 }  // namespace
