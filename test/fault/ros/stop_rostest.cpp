@@ -91,7 +91,10 @@ TEST(Stop, NeedsNoMaster) {
   const SimulatedRobot robot;
   DriverProcess driver("/alone", robot.port(), {kKeepsRobot}, environment);
   driver.waitForOutput("onnected to", kSafetyNet);
-  Process({"rosservice", "call", "--wait", "/alone/stand"}, environment).waitForOutput("success: True", kSafetyNet);
+  EXPECT_TRUE(becomesTrue([&] {  // on a slow computer, an order may be too old when the robot could have it
+    Process stand({"rosservice", "call", "--wait", "/alone/stand"}, environment);
+    return stand.waitForExit(kSafetyNet) && stand.output().find("success: True") != std::string::npos;
+  }));
   Process state({"rostopic", "echo", "/alone/robot_state"}, environment);
   Process keyboard({"/bin/sh", "-c",
                     std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.terminal()},
