@@ -265,7 +265,7 @@ TEST(Lights, ListenOnlyWhileSomebodyListensToThem) {
 class RoomTest : public ::testing::Test {
  protected:
   MarkerArray room() {
-    const auto latched = TopicListener<MarkerArray>("/furnished/room").waitForNext();
+    const auto latched = TopicListener<MarkerArray>("/furnished/room").waitForFirst();
     return latched ? *latched : MarkerArray();
   }
 
@@ -311,7 +311,7 @@ TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {
   EXPECT_NEAR(bone.pose.position.y, -0.13, 1e-9);
   EXPECT_NEAR(bone.color.r, 0.893, 0.02);
   const Process on_table({AIBO_ROOM, "__ns:=/on_table", "_on_table:=true"});
-  const auto from_table = TopicListener<MarkerArray>("/on_table/room").waitForNext();
+  const auto from_table = TopicListener<MarkerArray>("/on_table/room").waitForFirst();
   EXPECT_TRUE(from_table && from_table->markers[0].pose.position.z < -0.3) << "odom is on the table";
 }
 

@@ -271,7 +271,7 @@ TEST(Node, SaysWhetherItIsConnectedAndIfNotWhyAndWhatToCheck) {
 TEST(Log, OfStrangersIsPlainAndShort) {
   TopicListener<rosgraph_msgs::Log> rosout("/rosout");
   DriverProcess driver("/logs", 1);
-  ASSERT_TRUE(TopicListener<Connection>("/logs/connection").waitForNext());
+  ASSERT_TRUE(TopicListener<Connection>("/logs/connection").waitForFirst());
   std::string host;
   std::uint32_t port = 0;
   ASSERT_TRUE(ros::network::splitURI(textFromMaster("lookupNode", "/logs/aibo_driver"), host, port));

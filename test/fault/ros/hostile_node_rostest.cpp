@@ -233,7 +233,7 @@ TEST_F(HostileNode, ThatCancelsGoalsOfTheFuture) {
   goal.goal_id.stamp = ros::Time::now();
   goal.goal.name = "nod";
   goals.publish(goal);
-  const auto result = results.waitForNext();
+  const auto result = results.waitForFirst();
   ASSERT_TRUE(result);
   EXPECT_TRUE(result->result.success) << result->status.text;
 }
@@ -252,7 +252,7 @@ TEST_F(HostileNode, WhoseNamesAreQuotedInResultsAndStates) {
   aibo_driver::PlayMotionActionGoal goal;
   goal.goal.name = name;
   goals.publish(goal);
-  const auto result = results.waitForNext();
+  const auto result = results.waitForFirst();
   ASSERT_TRUE(result);
   expectPlain(result->result.message);
   expectPlain(result->status.text);

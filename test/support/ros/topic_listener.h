@@ -62,6 +62,12 @@ class TopicListener {
     return found;
   }
 
+  /// Waits for the first message; one that has come already counts, such as that of a latched topic.
+  ConstPtr waitForFirst() {
+    const std::vector<ConstPtr> messages = waitForCount(1);
+    return messages.empty() ? nullptr : messages.front();
+  }
+
   /// Waits for a message that comes after this call.
   ConstPtr waitForNext(std::chrono::milliseconds timeout = kSafetyNet) {
     const std::size_t before = count();
