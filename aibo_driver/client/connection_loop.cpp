@@ -7,7 +7,6 @@
 
 #include "aibo_client/exceptions.h"
 #include "client/version2_session.h"
-#include "protocol/version2.h"
 
 namespace aibo_client {
 
@@ -224,10 +223,7 @@ int ConnectionLoop::datagramPort(const Wish& wish) {
     connection.transport_problem.clear();
     connection.lets_no_datagram_through = false;
   }
-  // A robot that repeats datagrams is asked for a test before UDP is tried again.
-  const bool may_try = connection.transport_problem.empty() ||
-                       connection.robot.hasCapability(std::string(1, protocol::version2::REQUEST_REPEATED_DATAGRAMS));
-  if (wish.transport == PictureTransport::kTcp || !may_try) {
+  if (wish.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
   } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&
              errno != ENOTCONN) {  // else the connection has just been reset, which the next read will tell

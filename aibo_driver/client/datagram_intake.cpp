@@ -9,15 +9,13 @@ namespace aibo_client {
 
 namespace version2 = protocol::version2;
 
-void DatagramIntake::begin(const Start& start, bool with_repetition, TimePoint now) {
+void DatagramIntake::begin(const Start& start, TimePoint now) {
   DatagramIntake next(*context_);  // it knows nothing of the request before
   next.something_came_ = something_came_;
   next.warned_ = warned_;
   next.on_ = next.used_ = true;
-  next.repeats_ = with_repetition;
-  next.waits_until_ = with_repetition ? now + kConfirmation : now;
+  next.waits_until_ = now + kConfirmation;
   next.start_ = start;
-  next.assembly_ = PictureAssembly(with_repetition ? version2::KEPT_PICTURES : PictureAssembly::kMostReordered);
   next.settled_ = now;
   next.expectFrom(now);
   *this = std::move(next);
@@ -69,21 +67,17 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   if (is_believed) {
     something_came_ = true;
     // After an outage, the pictures before it are too old to be repeated.
-    if (repeats_ && now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
+    if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
       settle(std::int64_t{datagram.picture} - 1, now);
     }
     datagram_ = {now, std::nullopt};
     pace_.arrived(datagram, now);
     requests_.arrived(now);
   }
-  if (shows_loss && is_believed && (!repeats_ || pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size)))) {
+  if (shows_loss && is_believed && pace_.hasTimeForParity(version2::numberOfParts(datagram.jpeg_size))) {
     loss_to_report_ = datagram.picture;
   }
-  const bool is_far_ahead = assembly_.isFarAhead(datagram.picture);
   addPart(datagram, data, now);
-  if (!is_far_ahead && !repeats_) {
-    acknowledge(datagram);
-  }
   return is_believed;
 }
 
@@ -92,9 +86,6 @@ std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
     return std::nullopt;
   }
   while (auto whole = assembly_.takeWhole(now, patience())) {
-    if (!repeats_) {
-      return whole;
-    }
     if (isPlausible(whole->number, now)) {
       settle(whole->number, now);
       return whole;
@@ -105,8 +96,7 @@ std::optional<PictureAssembly::Whole> DatagramIntake::takeWhole(TimePoint now) {
 
 DatagramIntake::TimePoint::duration DatagramIntake::patience() const {
   constexpr int kDatagrams = 6;
-  return repeats_ ? std::clamp<TimePoint::duration>(kDatagrams * pace_.spacing(), kLeastPatience, kMostPatience)
-                  : TimePoint::duration::zero();
+  return std::clamp<TimePoint::duration>(kDatagrams * pace_.spacing(), kLeastPatience, kMostPatience);
 }
 
 bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
@@ -117,22 +107,6 @@ bool DatagramIntake::isPlausible(std::int64_t number, TimePoint now) {
     return false;
   }
   jumped_.reset();
-  return true;
-}
-
-bool DatagramIntake::goodPicture(std::int64_t number, TimePoint now) {
-  if (!repeats_ && !isPlausible(number, now)) {
-    return false;
-  }
-  good_picture_ = {now, std::nullopt};
-  if (repeats_) {
-    return true;
-  }
-  settle(number, now);
-  if (number > newest_) {  // the picture was far ahead
-    newest_ = acknowledged_ = number;
-    to_acknowledge_ = static_cast<std::uint32_t>(number);
-  }
   return true;
 }
 
@@ -148,13 +122,9 @@ std::vector<DatagramIntake::Bytes> DatagramIntake::takeReplies(TimePoint now) {
   if (!on_) {
     return replies;
   }
-  if (repeats_) {
-    if (auto status = requests_.next(assembly_, pace_.spacing(), now)) {
-      status->picture += start_.picture;
-      replies.push_back(encoded(*status));
-    }
-  } else if (const auto picture = std::exchange(to_acknowledge_, std::nullopt)) {
-    replies.push_back(encoded(version2::Acknowledgement{*picture}));
+  if (auto status = requests_.next(assembly_, pace_.spacing(), now)) {
+    status->picture += start_.picture;
+    replies.push_back(encoded(*status));
   }
   if (const auto picture = std::exchange(loss_to_report_, std::nullopt)) {
     replies.push_back(encoded(version2::LossReport{*picture + start_.picture}));
@@ -163,7 +133,7 @@ std::vector<DatagramIntake::Bytes> DatagramIntake::takeReplies(TimePoint now) {
 }
 
 DatagramIntake::TimePoint DatagramIntake::nextLook() const {
-  if (!on_ || !repeats_) {
+  if (!on_) {
     return TimePoint::max();
   }
   const TimePoint whole = assembly_.endOfWaiting(patience());
@@ -177,25 +147,6 @@ void DatagramIntake::addPart(const version2::PictureDatagram& datagram, const st
     refuse("other parts of its picture describe the picture differently");
   }
   context_->counters.repaired_datagrams += assembly_.repaired() - repaired;
-}
-
-// A picture is acknowledged when its last part has come. If that part is lost, its parity or a part of the next picture
-// counts instead. Acknowledgements can be lost, too. So if a picture has parities, a part of the next picture repeats
-// its acknowledgement. If two in a row were lost, the robot would have to wait.
-void DatagramIntake::acknowledge(const version2::PictureDatagram& datagram) {
-  const std::int64_t before = newest_;
-  newest_ = std::max<std::int64_t>(newest_, datagram.picture);
-  const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  const bool is_last =
-      datagram.is_parity ? datagram.part + version2::PARTS_PER_PARITY >= parts : datagram.part + 1U == parts;
-  const bool is_first = newest_ > before;
-  const std::int64_t done = is_last ? datagram.picture : is_first ? before : -1;
-  const bool repeats = is_first && done == acknowledged_ && is_protected_;
-  is_protected_ = datagram.is_parity || (is_protected_ && !is_first);
-  if (done >= 0 && (done != acknowledged_ || repeats)) {
-    acknowledged_ = done;
-    to_acknowledge_ = static_cast<std::uint32_t>(done);
-  }
 }
 
 void DatagramIntake::count(SequenceWindow::Verdict verdict) {

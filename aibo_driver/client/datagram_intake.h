@@ -33,8 +33,7 @@ class DatagramIntake {
   /// Pictures by UDP wait for the robot's answer by TCP, because pictures by TCP may come before it. They wait no
   /// longer than this.
   static constexpr std::chrono::milliseconds kConfirmation{100};
-  /// If the robot repeats parts, a whole picture waits for those before it: for the time for six datagrams, but within
-  /// these limits.
+  /// A whole picture waits for those before it: for the time for six datagrams, but within these limits.
   static constexpr std::chrono::milliseconds kLeastPatience{30};
   static constexpr std::chrono::milliseconds kMostPatience{100};
 
@@ -59,10 +58,8 @@ class DatagramIntake {
 
   explicit DatagramIntake(const ConnectionContext& context) : context_(&context) {}
 
-  /// Call this when a robot is asked to send the stream's pictures as datagrams that count from 0.
-  void begin(TimePoint now) { begin({}, false, now); }
-  /// The same for a robot that repeats parts, and counts from this start.
-  void beginWithRepetition(const Start& start, TimePoint now) { begin(start, true, now); }
+  /// Call this when the robot is asked to send the stream's pictures as datagrams that count from this start.
+  void begin(const Start& start, TimePoint now);
   /// Call this when the robot has answered that request.
   void confirmed(TimePoint now);
   /// Call this when the pictures come by TCP again.
@@ -79,13 +76,12 @@ class DatagramIntake {
   /// @return true if it was the robot that sent it, as far as its numbers show that
   bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
-  /// The next whole picture, in order. Call goodPicture() if its JPEG is good. It is empty if there is none yet; then
-  /// look again after a datagram, or at nextLook().
+  /// The next whole picture, in order. Its number is plausible. Call goodPicture() if its JPEG is good. It is empty if
+  /// there is none yet; then look again after a datagram, or at nextLook().
   std::optional<PictureAssembly::Whole> takeWhole(TimePoint now);
 
-  /// Call this when the JPEG of this whole picture is good.
-  /// @return false if its number is not plausible; then the picture is to be dropped
-  bool goodPicture(std::int64_t number, TimePoint now);
+  /// Call this when the JPEG of a whole picture is good.
+  void goodPicture(TimePoint now) { good_picture_ = {now, std::nullopt}; }
 
   /// What to send back to the robot now: which pictures have come, and what was lost.
   std::vector<Bytes> takeReplies(TimePoint now);
@@ -122,16 +118,13 @@ class DatagramIntake {
   }
   bool isPlausible(std::int64_t number, TimePoint now);
   TimePoint::duration patience() const;
-  void begin(const Start& start, bool with_repetition, TimePoint now);
   void count(SequenceWindow::Verdict verdict);
   void addPart(const protocol::version2::PictureDatagram& datagram, const std::uint8_t* data, TimePoint now);
   void settle(std::int64_t number, TimePoint now);
-  void acknowledge(const protocol::version2::PictureDatagram& datagram);
   void refuse(const std::string& problem);
 
   const ConnectionContext* context_;
   bool on_ = false;
-  bool repeats_ = false;
   TimePoint waits_until_;  // for the robot's answer
   Start start_;
   bool used_ = false;
@@ -141,11 +134,7 @@ class DatagramIntake {
   Expectation good_picture_;
   TimePoint settled_;                // when the last picture was settled
   std::optional<TimePoint> jumped_;  // when the first picture came that is not plausible; empty after one that is
-  std::optional<std::uint32_t> to_acknowledge_;
   std::optional<std::uint32_t> loss_to_report_;
-  std::int64_t newest_ = -1;        // the newest picture of which a part has come
-  std::int64_t acknowledged_ = -1;  // the newest picture that was acknowledged
-  bool is_protected_ = false;       // the newest picture has parities
   LinkPace pace_;
   RepeatRequests requests_;
   SequenceWindow window_;

@@ -23,7 +23,7 @@ class LinkPace {
       average(&spacing_, now - last_);
     }
     if (begins_picture) {
-      if (datagram.picture == picture_ + 1) {
+      if (picture_ >= 0 && datagram.picture == picture_ + 1) {
         const Duration interval = now - began_;
         interval_ =
             interval_ == Duration::zero() || interval < interval_ ? interval : interval_ + (interval - interval_) / 64;

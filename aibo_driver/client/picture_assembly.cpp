@@ -50,9 +50,9 @@ PictureAssembly::TimePoint PictureAssembly::endOfWaiting(TimePoint::duration pat
   return end;
 }
 
-/// The oldest picture that is not settled and that a robot can still repeat.
+/// The oldest picture that is not settled and that the robot can still repeat.
 std::int64_t PictureAssembly::nextWanted() const {
-  return std::max(last_settled_ + 1, newest_ - static_cast<std::int64_t>(most_incomplete_) + 1);
+  return std::max(last_settled_ + 1, newest_ + 1 - std::int64_t{version2::KEPT_PICTURES});
 }
 
 version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
@@ -149,7 +149,7 @@ void PictureAssembly::repair(Incomplete& picture, std::size_t group) {
   ++repaired_;
 }
 
-/// @return null if the picture is too late, because a newer good one has come
+/// @return null if the picture is too late, because a newer one has come
 PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagram& datagram, TimePoint now) {
   const std::int64_t number = datagram.picture;
   if (number <= last_settled_) {
@@ -162,7 +162,7 @@ PictureAssembly::Incomplete* PictureAssembly::find(const version2::PictureDatagr
   }
   far_ahead_.clear();
   const std::size_t parts = version2::numberOfParts(datagram.jpeg_size);
-  if (&place == &incomplete_ && incomplete_.size() == most_incomplete_) {
+  if (&place == &incomplete_ && incomplete_.size() == version2::KEPT_PICTURES) {
     giveUpOldest();
   }
   Incomplete& picture = place[number];

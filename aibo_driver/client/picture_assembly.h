@@ -13,22 +13,19 @@
 
 namespace aibo_client {
 
-/// Puts the parts of pictures together. Only a few pictures may be incomplete at a time, so that the robot cannot fill
-/// the memory. A newer picture takes the place of the oldest one, and a good picture replaces all older ones. A lost
-/// part is made from the parity of its group, if that has come. Otherwise, a robot that repeats parts can be asked for
-/// it. Then a whole picture may have to wait for those before it.
+/// Puts the parts of pictures together. Only as many pictures as the robot keeps may be incomplete at a time. A newer
+/// picture takes the place of the oldest one, and a whole picture replaces all older ones. A lost part is made from the
+/// parity of its group, if that has come. Otherwise, the robot can be asked for it. Then a whole picture may have to
+/// wait for those before it.
 ///
-/// Datagrams can be forged. So only a good picture makes earlier ones too late, and a picture whose number is far ahead
-/// has a place of its own until it is good.
+/// Datagrams can be forged. So only a whole picture makes earlier ones too late, and a picture whose number is far
+/// ahead has a place of its own until it is settled.
 class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// If a network reorders datagrams, parts of two pictures can be on their way at the same time.
-  static constexpr std::size_t kMostReordered = 2;
-
-  /// A picture is far ahead if its number is more than this above the last settled picture; that is 2 s. Without
-  /// acknowledgements, the robot sends few pictures.
+  /// A picture is far ahead if its number is more than this above the last settled picture; that is 2 s. While the
+  /// robot hears nothing, it sends few pictures.
   static constexpr std::int64_t kFarAhead = 64;
 
   /// A whole picture.
@@ -41,13 +38,9 @@ class PictureAssembly {
 
   enum class Result {
     kTaken,
-    kUseless,       ///< the picture already has this part, or a newer good picture has made it too late
+    kUseless,       ///< the picture already has this part, or a newer picture has made it too late
     kContradiction  ///< the picture cannot have this part, because other parts describe it differently
   };
-
-  /// @param most_incomplete how many pictures may be incomplete at a time: as many as a robot keeps, if it repeats
-  /// parts
-  explicit PictureAssembly(std::size_t most_incomplete = kMostReordered) : most_incomplete_(most_incomplete) {}
 
   /// Adds a part, or a parity.
   /// @param bytes the bytes of the part or parity, as many as the datagram says
@@ -61,28 +54,28 @@ class PictureAssembly {
   /// When takeWhole() will return the picture that waits, if nothing else comes. It is TimePoint::max() if none waits.
   TimePoint endOfWaiting(TimePoint::duration patience) const;
 
-  /// What a robot that repeats parts has to be told.
+  /// What the robot has to be told.
   /// @param all_sent false: parts that may still be on their way, or that a parity may still replace, are not asked for
   protocol::version2::DatagramStatus status(bool all_sent) const;
 
   /// True if a part is missing of a picture that was begun, or of one before it.
   bool isIncomplete() const { return newest_ >= nextWanted(); }
 
-  /// Call this when a whole picture is good, or too old. It settles this picture and all before it.
+  /// Call this when a picture is whole or too old. It settles this picture and all before it.
   void settle(std::int64_t number);
 
-  /// The number of the newest good picture; -1 if there is none.
+  /// The number of the newest settled picture; -1 if there is none.
   std::int64_t lastSettled() const { return last_settled_; }
 
   bool isFarAhead(std::int64_t number) const { return number > last_settled_ + kFarAhead; }
 
-  /// How many pictures before the last good one were not good. This includes pictures of which nothing came.
+  /// How many pictures before the last settled one were not whole. This includes pictures of which nothing came.
   std::uint64_t lost() const { return lost_; }
 
   /// How many parts were made from parities.
   std::uint64_t repaired() const { return repaired_; }
 
-  /// How many pictures in a row were begun and given up since the last good one.
+  /// How many pictures in a row were begun and given up since the last settled one.
   int givenUpInARow() const { return given_up_in_a_row_; }
 
  private:
@@ -106,10 +99,9 @@ class PictureAssembly {
   Incomplete* find(const protocol::version2::PictureDatagram& datagram, TimePoint now);
   void giveUpOldest();
 
-  std::size_t most_incomplete_;
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
-  std::int64_t last_settled_ = -1;                 // the number of the newest good picture
+  std::int64_t last_settled_ = -1;                 // the number of the newest settled picture
   std::int64_t newest_ = -1;                       // of which a part has come, and which is not far ahead
   bool newest_has_parity_ = false;
   std::uint64_t lost_ = 0;

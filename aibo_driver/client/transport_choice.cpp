@@ -12,7 +12,7 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
     trials_ = Trials();
   }
   const bool is_possible = wanted_ != PictureTransport::kTcp && situation.port != 0;
-  if (port_ != 0 && (!is_possible || (trials_.given_up && situation.can_repeat))) {
+  if (port_ != 0 && (!is_possible || trials_.given_up)) {
     port_ = 0;
     return Step::kEnd;
   }
@@ -20,12 +20,10 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
   if (!is_possible || port_ == situation.port) {
     return Step::kNone;
   }
-  if (insists() && !situation.can_send) {
+  if (!situation.is_served) {
     problem_ = "its server has no request for it";
   } else if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
     return begin(situation.port, now);
-  } else if (!situation.can_repeat) {
-    problem_ = insists() ? "" : "its server does not repeat lost datagrams";
   } else if (situation.streaming) {
     return test(now);
   }

@@ -9,9 +9,9 @@
 
 namespace aibo_client {
 
-/// Decides over one connection whether the stream's pictures come by TCP or by UDP. Before pictures come by UDP, a
-/// robot that repeats lost parts sends a test datagram, so that no picture is lost where datagrams do not get through.
-/// It does no I/O and reads no clock.
+/// Decides over one connection whether the stream's pictures come by TCP or by UDP. Before pictures come by UDP, the
+/// robot sends a test datagram, so that no picture is lost where datagrams do not get through. It does no I/O and reads
+/// no clock.
 class TransportChoice {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -31,8 +31,7 @@ class TransportChoice {
     unsigned changes;  ///< how often the user has changed `wanted`
     int port;          ///< the client's port for datagrams; 0 if there is none
     bool streaming;
-    bool can_send;    ///< the robot can send datagrams
-    bool can_repeat;  ///< the robot can send a test and repeat lost parts
+    bool is_served;  ///< the robot knows the request
   };
 
   /// What to ask the robot for.

@@ -301,47 +301,34 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestTransport(const Wish& wish, TimePoint now) {
-  const bool can_repeat = serves(version2::REQUEST_REPEATED_DATAGRAMS);
-  const TransportChoice::Step step =
-      transport_.next({wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming,
-                       can_repeat || serves(version2::REQUEST_DATAGRAMS), can_repeat},
-                      now);
+  const TransportChoice::Step step = transport_.next(
+      {wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming, serves(version2::REQUEST_DATAGRAMS)},
+      now);
   if (!transport_.problem().empty()) {
     connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   }
   switch (step) {
     case TransportChoice::Step::kTest:
-      return requestTest(wish.datagram_port, now);
+      return requestDatagrams(wish.datagram_port, true, test_start_, now);
     case TransportChoice::Step::kBegin:
-      start_ = can_repeat ? randomStart() : DatagramIntake::Start();
-      can_repeat ? datagrams_.beginWithRepetition(start_, now) : datagrams_.begin(now);
-      return requestDatagrams(now);
+      start_ = randomStart();
+      datagrams_.begin(start_, now);
+      return requestDatagrams(transport_.port(), false, start_, now);
     case TransportChoice::Step::kEnd:
       datagrams_.end();
       connection_.transport = PictureTransport::kTcp;
       connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
-      return requestDatagrams(now);
+      return requestDatagrams(0, false, start_, now);
     default:
       return {};
   }
 }
 
 // Datagrams may come before the reply does.
-Session::Bytes Version2Session::requestDatagrams(TimePoint now) {
-  const auto port = static_cast<unsigned short>(transport_.port());
-  if (serves(version2::REQUEST_REPEATED_DATAGRAMS)) {
-    return request(version2::SEND_AND_REPEAT_DATAGRAMS, 0,
-                   encoded(version2::DatagramOrder{port, false, start_.sequence, start_.picture}), now,
-                   &Version2Session::onDatagramOrder);
-  }
-  return request(version2::SEND_DATAGRAMS, 0, encoded(version2::DatagramPort{port}), now,
-                 &Version2Session::onDatagramPort);
-}
-
-Session::Bytes Version2Session::requestTest(int port, TimePoint now) {
-  const version2::DatagramOrder order = {static_cast<unsigned short>(port), true, test_start_.sequence,
-                                         test_start_.picture};
-  return request(version2::SEND_AND_REPEAT_DATAGRAMS, 0, encoded(order), now);
+Session::Bytes Version2Session::requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start,
+                                                 TimePoint now) {
+  const version2::DatagramOrder order = {static_cast<unsigned short>(port), is_test, start.sequence, start.picture};
+  return request(version2::SEND_DATAGRAMS, 0, encoded(order), now, &Version2Session::onDatagrams);
 }
 
 Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
@@ -585,17 +572,17 @@ bool Version2Session::datagramArrived(const std::uint8_t* data, std::size_t size
 }
 
 bool Version2Session::isTest(const std::uint8_t* data, std::size_t size) const {
-  version2::TestDatagram test = {};
-  return size == version2::MAX_DATAGRAM_SIZE &&
-         version2::decode(data, version2::TEST_DATAGRAM_NUMBERS_SIZE, &test) == nullptr &&
-         test.first_sequence == test_start_.sequence && test.first_picture == test_start_.picture;
+  std::array<std::uint8_t, version2::MAX_DATAGRAM_SIZE> test;
+  version2::encodeTest({0, true, test_start_.sequence, test_start_.picture}, test.data());
+  return std::equal(test.begin(), test.end(), data, data + size);
 }
 
 void Version2Session::deliverWholePictures(TimePoint now) {
   now_ = now;
   while (const auto whole = datagrams_.takeWhole(now)) {
     const auto picture = inspect(whole->jpeg, whole->header, whole->began);
-    if (picture && !isOfTheFuture(whole->header.frame_number) && datagrams_.goodPicture(whole->number, now)) {
+    if (picture && !isOfTheFuture(whole->header.frame_number)) {
+      datagrams_.goodPicture(now);
       deliverFromStream(picture);
     }
   }
@@ -833,21 +820,12 @@ void Version2Session::onMicrophone(const Payload& payload) {
   }
 }
 
-void Version2Session::onDatagramPort(const Payload& payload) {
-  const unsigned short port = decoded<version2::DatagramPort>(payload, "reply to a port for datagrams").port;
-  if (port != 0 && port == transport_.port()) {
-    onDatagramsInForce();
-  }
-}
-
-void Version2Session::onDatagramOrder(const Payload& payload) {
+void Version2Session::onDatagrams(const Payload& payload) {
   const auto order = decoded<version2::DatagramOrder>(payload, "reply to an order of datagrams");
-  if (order.port != 0 && order.first_sequence == start_.sequence && order.first_picture == start_.picture) {
-    onDatagramsInForce();
+  if (order.port == 0 || order.is_test || order.first_sequence != start_.sequence ||
+      order.first_picture != start_.picture) {
+    return;
   }
-}
-
-void Version2Session::onDatagramsInForce() {
   connection_.transport = PictureTransport::kUdp;
   connection_.transport_problem.clear();
   connection_.lets_no_datagram_through = false;
@@ -895,7 +873,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   if (letter == version2::REQUEST_STREAM) {
     throw ProtocolException("it refused " + what + ": " + problem);
   }
-  if (letter == version2::REQUEST_DATAGRAMS || letter == version2::REQUEST_REPEATED_DATAGRAMS) {
+  if (letter == version2::REQUEST_DATAGRAMS) {
     ++connection_.context.counters.refusals;
     if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier wish
       giveUpDatagrams("it refused to: " + problem, now_);

@@ -88,8 +88,7 @@ class Version2Session final : public Session {
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
   Bytes requestTransport(const Wish& wish, TimePoint now);
-  Bytes requestDatagrams(TimePoint now);
-  Bytes requestTest(int port, TimePoint now);
+  Bytes requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start, TimePoint now);
   Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
   Bytes requestColors(const Wish& wish, TimePoint now);
@@ -136,9 +135,7 @@ class Version2Session final : public Session {
   bool isOfTheFuture(std::uint32_t frame_number) const;
   TimePoint::duration timeAhead(std::uint32_t frame_number, TimePoint time) const;
   bool isOvertaken(const Picture& picture) const;
-  void onDatagramPort(const Payload& payload);
-  void onDatagramOrder(const Payload& payload);
-  void onDatagramsInForce();
+  void onDatagrams(const Payload& payload);
   void giveUpDatagrams(const std::string& why, TimePoint now);
   bool isTest(const std::uint8_t* data, std::size_t size) const;
   void deliverWholePictures(TimePoint now);

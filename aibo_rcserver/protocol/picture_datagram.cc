@@ -1,5 +1,7 @@
 #include "protocol/picture_datagram.h"
 
+#include <string.h>
+
 namespace protocol {
 namespace version2 {
 size_t numberOfParts(size_t jpeg_size) {
@@ -28,6 +30,12 @@ const char* decodePictureDatagram(const unsigned char* bytes, size_t size, Pictu
     return "the datagram does not have the size of its part";
   }
   return reader.problem();
+}
+
+void encodeTest(const DatagramOrder& order, unsigned char* out) {
+  const PictureDatagram header = {false, 0, order.first_sequence, order.first_picture, 0, ImageHeader()};
+  memset(out, 0, MAX_DATAGRAM_SIZE);
+  encode(header, out);
 }
 
 }  // namespace version2

@@ -1,11 +1,11 @@
 /// @file picture_datagram.h
-/// Pictures by UDP in version 2: the requests `B` and `X` and their datagrams.
+/// Pictures by UDP in version 2: the request `B` and its datagrams.
 ///
 /// A picture is sent in parts of DATAGRAM_PART_SIZE bytes; the last part has the rest. Each part is a datagram with a
-/// header that describes the whole picture, so a receiver can begin with any part.
+/// header that describes the whole picture, so a receiver can begin with any part, and it can have parts repeated.
 ///
 /// If datagrams get lost, each group of PARTS_PER_PARITY parts is followed by its parity: the exclusive or of their
-/// bytes. It replaces any one lost datagram of the group. After `X`, the receiver can have parts repeated, too.
+/// bytes. It replaces any one lost datagram of the group.
 #ifndef AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 #define AIBO_RCSERVER_PROTOCOL_PICTURE_DATAGRAM_H
 
@@ -16,19 +16,7 @@
 namespace protocol {
 namespace version2 {
 
-/// Payload of `B` and its reply: uint16 port, 0 = no datagrams.
-struct DatagramPort {
-  unsigned short port;
-
-  template <typename Fields>
-  void visit(Fields& fields) {
-    fields.number(port);
-  }
-};
-
-const Request SEND_DATAGRAMS = {REQUEST_DATAGRAMS, "send its pictures by UDP", 0, NULL};
-
-/// Payload of `X` and its reply: uint16 port, 0 = no datagrams, uint8 1 = only a test, uint8 0, uint32 first sequence,
+/// Payload of `B` and its reply: uint16 port, 0 = no datagrams, uint8 1 = only a test, uint8 0, uint32 first sequence,
 /// uint32 first picture. The client chooses the last two at random, so that nobody else knows the numbers of the
 /// datagrams.
 struct DatagramOrder {
@@ -50,8 +38,7 @@ struct DatagramOrder {
 /// The pictures whose parts the robot can repeat: the last ones that it has begun to send.
 const unsigned KEPT_PICTURES = 3;
 
-const Request SEND_AND_REPEAT_DATAGRAMS = {REQUEST_REPEATED_DATAGRAMS, "send its pictures by UDP and repeat lost parts",
-                                           0, NULL};
+const Request SEND_DATAGRAMS = {REQUEST_DATAGRAMS, "send its pictures by UDP", 0, NULL};
 
 const size_t DATAGRAM_HEADER_SIZE = 16 + IMAGE_HEADER_SIZE;
 
@@ -84,8 +71,8 @@ const char DATAGRAM_MARK = 'b';
 struct PictureDatagram {
   bool is_parity;
   unsigned short part;  ///< index in the picture, from 0; for a parity, the first part of its group
-  unsigned sequence;    ///< datagrams since `B`, from 0
-  unsigned picture;     ///< pictures since `B`, from 0
+  unsigned sequence;    ///< counts datagrams, from the number in `B` on
+  unsigned picture;     ///< counts pictures, likewise
   unsigned jpeg_size;   ///< the whole picture, 1..MAX_JPEG_SIZE
   ImageHeader image;
 
@@ -111,20 +98,6 @@ struct PictureDatagram {
 /// Decodes a datagram and checks its size. The part or parity begins at bytes + DATAGRAM_HEADER_SIZE.
 const char* decodePictureDatagram(const unsigned char* bytes, size_t size, PictureDatagram* datagram);
 
-const size_t ACKNOWLEDGEMENT_SIZE = 8;  ///< bytes of each reply from a receiver
-
-/// A receiver sends this when it has the last part of a picture or a part of a later one: char `a`, 3 x uint8 0, uint32
-/// picture.
-struct Acknowledgement {
-  unsigned picture;
-
-  template <typename Fields>
-  void visit(Fields& fields) {
-    fields.constant('a' << 24, "the datagram is not an acknowledgement");
-    fields.number(picture);
-  }
-};
-
 /// A receiver sends this when datagrams were lost, so that parities follow: char `l`, 3 x uint8 0, uint32 picture that
 /// showed the loss.
 struct LossReport {
@@ -137,8 +110,8 @@ struct LossReport {
   }
 };
 
-/// A receiver of `X` sends this instead of acknowledgements: char `s`, uint8 0, uint16 first part, uint32 picture,
-/// uint32 bits.
+/// A receiver sends this when a picture is complete or parts are missing: char `s`, uint8 0, uint16 first part, uint32
+/// picture, uint32 bits.
 struct DatagramStatus {
   /// The parts that one status can ask for.
   static const unsigned MOST_MISSING = 32;
@@ -161,21 +134,11 @@ struct DatagramStatus {
 
 const size_t DATAGRAM_STATUS_SIZE = 12;
 
-/// The answer to `X` that is only a test, MAX_DATAGRAM_SIZE bytes: char `x`, 3 x uint8 0, the two numbers of `X`,
-/// zeros. It is as large as a datagram can be, so that it gets through only where the datagrams of pictures do.
-struct TestDatagram {
-  unsigned first_sequence;
-  unsigned first_picture;
-
-  template <typename Fields>
-  void visit(Fields& fields) {
-    fields.constant(static_cast<unsigned>('x') << 24, "the datagram is not a test");
-    fields.number(first_sequence);
-    fields.number(first_picture);
-  }
-};
-
-const size_t TEST_DATAGRAM_NUMBERS_SIZE = 12;  ///< bytes of a test before its zeros
+/// Writes the datagram that answers a `B` that is only a test. It begins like a part with the first numbers of the
+/// order, and the rest is 0. It is as large as a datagram can be, so that it gets through only where those of pictures
+/// do.
+/// @param[out] out room for MAX_DATAGRAM_SIZE bytes, which are all written
+void encodeTest(const DatagramOrder& order, unsigned char* out);
 
 }  // namespace version2
 }  // namespace protocol

@@ -68,12 +68,11 @@ const char REQUEST_MOTORS = 'O';        ///< switches the motors, or reads their
 const char REQUEST_HOLD = 'I';          ///< stops joints and what moves them, id = HoldScope; the reply has no payload
 const char REQUEST_LEDS = 'L';          ///< sets LEDs; the reply has the accepted values
 const char REQUEST_EARS = 'K';          ///< draws ears or lets them go; the reply has their new state
-const char REQUEST_DATAGRAMS = 'B';     ///< pictures by UDP (picture_datagram.h); the reply has the port in force
-const char REQUEST_REPEATED_DATAGRAMS = 'X';  ///< the same, and lost parts are repeated; the reply has its payload
-const char REQUEST_UPLOAD = 'U';              ///< stores a motion; for U, D, P and N see motion_requests.h
-const char REQUEST_DELETE = 'D';              ///< deletes a motion
-const char REQUEST_PLAY = 'P';                ///< plays or stops a motion
-const char REQUEST_LIST = 'N';                ///< lists the motions on the robot
+const char REQUEST_DATAGRAMS = 'B';     ///< pictures by UDP (picture_datagram.h); the reply has the same payload
+const char REQUEST_UPLOAD = 'U';        ///< stores a motion; for U, D, P and N see motion_requests.h
+const char REQUEST_DELETE = 'D';        ///< deletes a motion
+const char REQUEST_PLAY = 'P';          ///< plays or stops a motion
+const char REQUEST_LIST = 'N';          ///< lists the motions on the robot
 const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; the reply has its name
 const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes them, id = StickPictureRequest (stick_pictures.h)
 const char REQUEST_STEER = 'S';         ///< walks; the reply has the velocity in force (walk_requests.h)

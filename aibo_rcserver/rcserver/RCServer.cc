@@ -314,7 +314,7 @@ void RCServer::DatagramCont(ANTENVMSG msg) {
   BeginPicture();
 }
 
-void RCServer::AcknowledgementCont(ANTENVMSG msg) {
+void RCServer::StatusCont(ANTENVMSG msg) {
   datagrams_.Received(*static_cast<const UDPEndpointReceiveMsg*>(antEnvMsg::Receive(msg)));
 }
 

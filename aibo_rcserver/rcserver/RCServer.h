@@ -114,7 +114,7 @@ class RCServer : public OObject {
   void ReceiveCont(ANTENVMSG msg);
   void CloseCont(ANTENVMSG msg);
   void DatagramCont(ANTENVMSG msg);
-  void AcknowledgementCont(ANTENVMSG msg);
+  void StatusCont(ANTENVMSG msg);
   /// @}
 
  private:

@@ -316,21 +316,6 @@ void Version2::CarryOut<REQUEST_CAMERA>() {
 
 template <>
 void Version2::CarryOut<REQUEST_DATAGRAMS>() {
-  DatagramPort wanted;
-  if (!Decode(&wanted)) {
-    return;
-  }
-  const DatagramOrder order = {wanted.port, false, 0, 0};
-  if (wanted.port == 0) {
-    robot_.datagrams.Stop();
-  } else if (!robot_.datagrams.SendTo(order)) {
-    return RefuseDatagrams();
-  }
-  Reply(wanted);
-}
-
-template <>
-void Version2::CarryOut<REQUEST_REPEATED_DATAGRAMS>() {
   DatagramOrder order;
   if (!Decode(&order)) {
     return;
@@ -338,13 +323,10 @@ void Version2::CarryOut<REQUEST_REPEATED_DATAGRAMS>() {
   if (order.port == 0) {
     robot_.datagrams.HandOver();
   } else if (!robot_.datagrams.SendTo(order)) {
-    return RefuseDatagrams();
+    Refuse(CODE_REFUSED, "the IPStack has no endpoint for datagrams; pictures go over this connection");
+    return;
   }
   Reply(order);
-}
-
-void Version2::RefuseDatagrams() {
-  Refuse(CODE_REFUSED, "the IPStack has no endpoint for datagrams; pictures go over this connection");
 }
 
 template <>
@@ -623,7 +605,6 @@ const Version2::Row Version2::ROWS[] = {
     {&SET_CAMERA, &Version2::CarryOut<REQUEST_CAMERA>, NULL},
     {&DETECT_COLORS, &Version2::CarryOut<REQUEST_COLORS>, NULL},
     {&SEND_DATAGRAMS, &Version2::CarryOut<REQUEST_DATAGRAMS>, NULL},
-    {&SEND_AND_REPEAT_DATAGRAMS, &Version2::CarryOut<REQUEST_REPEATED_DATAGRAMS>, NULL},
     {&PLAY_MOTION, &Version2::CarryOut<REQUEST_PLAY>, NULL},
     {&LIST_MOTIONS, &Version2::CarryOut<REQUEST_LIST>, NULL},
     {&PLAY_SOUND, &Version2::CarryOut<REQUEST_SOUND>, NULL},

@@ -125,7 +125,6 @@ class Version2 {
   bool HasJoints(const protocol::version2::JointValue* joints, int count);
   bool HasJoint(int identifier);
   void RefuseMissing(const char* part, int identifier);
-  void RefuseDatagrams();
   void HoldJoints();
   bool MayTake(protocol::version2::Posture posture);
   bool IsTooOld();

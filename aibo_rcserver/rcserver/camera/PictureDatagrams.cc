@@ -143,12 +143,9 @@ void PictureDatagrams::Received(const UDPEndpointReceiveMsg& answer) {
   const bool is_from_client =
       answer.error == UDP_SUCCESS && answer.address.Address() == receiver_ && answer.port == order_.port;
   const size_t size = is_from_client ? static_cast<size_t>(answer.size) : 0;
-  protocol::version2::Acknowledgement whole;
   protocol::version2::LossReport loss;
   DatagramStatus status;
-  if (decode(ReceiveBuffer(), size, &whole) == NULL) {
-    Acknowledge(whole.picture + 1);
-  } else if (decode(ReceiveBuffer(), size, &status) == NULL) {
+  if (decode(ReceiveBuffer(), size, &status) == NULL) {
     Acknowledge(status.picture);
     Repeat(status);
   } else if (decode(ReceiveBuffer(), size, &loss) == NULL && next_picture_ - loss.picture <= PROTECTED_PICTURES) {
@@ -269,9 +266,7 @@ void PictureDatagrams::SendContent(unsigned picture, bool is_parity, size_t part
 }
 
 void PictureDatagrams::SendTest() {
-  const protocol::version2::TestDatagram test = {order_.first_sequence, order_.first_picture};
-  memset(DatagramBuffer(), 0, MAX_DATAGRAM_SIZE);
-  encode(test, DatagramBuffer());
+  protocol::version2::encodeTest(order_, DatagramBuffer());
   SendDatagram(MAX_DATAGRAM_SIZE);
 }
 
@@ -292,11 +287,11 @@ void PictureDatagrams::DropUnsent() {
   unsent_part_ = number_of_parts_;
 }
 
-// If the IPStack refuses, no acknowledgement is received, so each picture waits for the timeout.
+// If the IPStack refuses, no status is received, so each picture waits for the timeout.
 void PictureDatagrams::Receive() {
   UDPEndpointReceiveMsg receive(endpoint_, ReceiveBuffer(), static_cast<int>(RECEIVE_SIZE));
   receive.continuation = reinterpret_cast<void*>(endpoint_number_);
-  receive.Send(stack_, object_, Extra_Entry[entryAcknowledgementCont], sizeof(receive));
+  receive.Send(stack_, object_, Extra_Entry[entryStatusCont], sizeof(receive));
 }
 
 byte* PictureDatagrams::DatagramBuffer() const {

@@ -33,19 +33,18 @@ class DatagramSwitch {
 /// datagram follows after the IPStack has accepted the previous one.
 ///
 /// UDP has no flow control, and on a slow radio link old pictures would fill the radio's queue. So at most
-/// MOST_UNACKNOWLEDGED pictures are in flight. The client acknowledges each picture. Without an acknowledgement, the
-/// next picture is sent after a timeout.
+/// MOST_UNACKNOWLEDGED pictures are in flight. The client's status acknowledges pictures, and has missing parts
+/// repeated. If no status comes, the next picture is sent after a timeout.
 ///
-/// A client may have lost parts repeated while their picture is in flight. When it reports a loss, the next
-/// PROTECTED_PICTURES have parities, so that the client can rebuild a lost datagram.
+/// When the client reports a loss, the next PROTECTED_PICTURES have parities, so that it can rebuild a lost datagram.
 class PictureDatagrams : public DatagramSwitch {
  public:
-  /// Most pictures in flight: two, so that the radio does not idle while an acknowledgement is on its way. One that
+  /// Most pictures in flight: two, so that the radio does not idle while a status is on its way. One that
   /// only lacks parts that are being repeated does not count.
   static const unsigned MOST_UNACKNOWLEDGED = 2;
 
-  /// Timeout for an acknowledgement, in frames: PATIENCE, and PATIENCE_PER_PART for each part of the last picture. A
-  /// part takes 12 ms at 1 Mbit/s.
+  /// Timeout for a status, in frames: PATIENCE, and PATIENCE_PER_PART for each part of the last picture. A part takes
+  /// 12 ms at 1 Mbit/s.
   static const longword PATIENCE = 6;
   static const longword PATIENCE_PER_PART = 2;
 
@@ -92,7 +91,7 @@ class PictureDatagrams : public DatagramSwitch {
   /// Handles the IPStack's answer to a datagram, and sends the next one if there is one.
   void Sent(const UDPEndpointSendMsg& answer);
 
-  /// Handles a received datagram. All but the client's answers to pictures are ignored.
+  /// Handles a received datagram. All but the client's are ignored.
   void Received(const UDPEndpointReceiveMsg& answer);
 
   /// A picture that is kept.

@@ -25,8 +25,7 @@ inline test_pictures::Bytes makeJpeg(unsigned seed) {
 /// A robot that sends its pictures as datagrams.
 class DatagramsFixture : public Version2SessionFixture {
  public:
-  /// @param capabilities the letters of its requests
-  explicit DatagramsFixture(const std::string& capabilities) { begin(capabilities); }
+  DatagramsFixture() { begin("F W B"); }
 
   /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
   char request() {
@@ -35,7 +34,7 @@ class DatagramsFixture : public Version2SessionFixture {
     }
     payload_ = frame_.payload;
     protocol::version2::DatagramOrder order = {};
-    if (frame_.header.kind == 'X' && decode(payload_.data(), payload_.size(), &order) == nullptr && !order.is_test) {
+    if (frame_.header.kind == 'B' && decode(payload_.data(), payload_.size(), &order) == nullptr && !order.is_test) {
       order_ = order;
       sequence_ = order.first_sequence;
       pictures_before_order_ = picture_;
@@ -58,13 +57,11 @@ class DatagramsFixture : public Version2SessionFixture {
     asked_.clear();
   }
 
-  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images. Once datagrams are given
-  /// up, they are not wanted any more.
+  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
   template <typename Action>
   void live(milliseconds time, const Action& every_32_ms) {
     for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
       every_32_ms();
-      wish_.datagram_port = connection_.transport_problem.empty() ? wish_.datagram_port : 0;
       const TimePoint end = now_ + milliseconds(32);
       while (now_ < end && !HasFatalFailure()) {
         answer();
@@ -132,7 +129,7 @@ class DatagramsFixture : public Version2SessionFixture {
     return numbers;
   }
 
-  /// The replies that begin with this letter: `a` acknowledgements, `l` reports of losses.
+  /// The replies that begin with this letter: `s` statuses, `l` reports of losses.
   std::vector<Bytes> repliesOf(char letter) const {
     std::vector<Bytes> found;
     std::copy_if(replies_.begin(), replies_.end(), std::back_inserter(found),
@@ -145,7 +142,7 @@ class DatagramsFixture : public Version2SessionFixture {
   }
 
   Bytes payload_;                                 // of the request that was sent last
-  protocol::version2::DatagramOrder order_ = {};  // the last `X` that was not a test
+  protocol::version2::DatagramOrder order_ = {};  // the last one that was not a test
   unsigned pictures_before_order_ = 0;
   std::string asked_;  // kinds of the requests that were answered
   std::vector<Bytes> jpegs_;

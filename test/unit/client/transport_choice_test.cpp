@@ -20,17 +20,14 @@ namespace {
 /// A network that may or may not let datagrams through. The robot sends tests when it is asked to.
 class TransportChoiceTest : public DatagramsFixture {
  public:
-  TransportChoiceTest() : TransportChoiceTest("F W B X") {}
-  explicit TransportChoiceTest(const std::string& capabilities) : DatagramsFixture(capabilities) {
-    wish_.transport = PictureTransport::kAuto;
-  }
+  TransportChoiceTest() { wish_.transport = PictureTransport::kAuto; }
 
-  static Bytes testDatagram(const Bytes& request, std::size_t size = protocol::version2::MAX_DATAGRAM_SIZE) {
+  static Bytes testDatagram(const Bytes& request) {
     protocol::version2::DatagramOrder order = {};
     EXPECT_EQ(nullptr, decode(request.data(), request.size(), &order));
     EXPECT_TRUE(order.is_test);
-    Bytes datagram(size);
-    encode(protocol::version2::TestDatagram{order.first_sequence, order.first_picture}, datagram.data());
+    Bytes datagram(protocol::version2::MAX_DATAGRAM_SIZE);
+    protocol::version2::encodeTest(order, datagram.data());
     return datagram;
   }
 
@@ -57,12 +54,12 @@ class TransportChoiceTest : public DatagramsFixture {
   void answerAll() {
     for (char kind = request(); kind != 0; kind = request()) {
       const Frame asked = frame_;
-      if (kind == 'X' && isTest()) {
+      if (kind == 'B' && isTest()) {
         ++tests_;
         if (lets_through_) {
           arrive(testDatagram(asked.payload));
         }
-      } else if (kind == 'X') {
+      } else if (kind == 'B') {
         by_udp_ = order_.port != 0;
         ways_ += by_udp_ ? "U" : "T";
       }
@@ -81,10 +78,10 @@ class TransportChoiceTest : public DatagramsFixture {
     wish_.streaming = true;
     wish_.datagram_port = kPort;
     char kind = request();
-    while (kind != 'X' && kind != 0) {
+    while (kind != 'B' && kind != 0) {
       kind = request();
     }
-    ASSERT_EQ('X', kind);
+    ASSERT_EQ('B', kind);
   }
 
   bool lets_through_ = true;
@@ -145,7 +142,7 @@ TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain
 
 TEST(TransportChoicePauseTest, ThePauseDoesNotGrowForEver) {
   TransportChoice choice(false, 5);
-  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true, true, true};
+  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true, true};
   TransportChoice::TimePoint now(seconds(1000));
   std::vector<long> pauses;
   for (int i = 0; i < 6; ++i) {
@@ -168,17 +165,17 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   wrong_number[7] ^= 1;
   Bytes wrong_picture = good;
   wrong_picture[11] ^= 1;
+  const Bytes cut(good.begin(), good.end() - 1);
   const Bytes picture = test_support::makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0];
-  for (const Bytes& forged :
-       {wrong_number, wrong_picture, testDatagram(payload_, 1371), Bytes(), Bytes(1372), picture}) {
+  for (const Bytes& forged : {wrong_number, wrong_picture, cut, Bytes(), Bytes(1372), picture}) {
     arrive(forged);
     for (char kind = request(); kind != 0; kind = request()) {
-      EXPECT_FALSE(kind == 'X' && !isTest());
+      EXPECT_FALSE(kind == 'B' && !isTest());
     }
   }
   EXPECT_THAT(replies_, IsEmpty());
   arrive(good);
-  EXPECT_EQ('X', request());
+  EXPECT_EQ('B', request());
   EXPECT_FALSE(isTest());
 }
 
@@ -186,7 +183,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
 TEST_F(TransportChoiceTest, PicturesByUdpWaitALittleForThoseThatWereSentByTcpBefore) {
   beUntilTest();
   arrive(testDatagram(payload_));
-  EXPECT_EQ('X', request());
+  EXPECT_EQ('B', request());
   const Frame order = frame_;
   EXPECT_EQ('W', request());
   jpegs_.push_back(makeJpeg(1));
@@ -244,21 +241,6 @@ TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
   watch(seconds(11));
   EXPECT_EQ("UTU", ways_);
   EXPECT_EQ("", connection_.transport_problem);
-}
-
-class OldServerTest : public TransportChoiceTest {
- public:
-  OldServerTest() : TransportChoiceTest("F W B") {}
-};
-
-TEST_F(OldServerTest, PicturesComeByTcpIfItDoesNotRepeat) {
-  start();
-  watch(seconds(12));
-  EXPECT_EQ("", ways_);
-  EXPECT_EQ(0, tests_);
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("does not repeat lost datagrams"));
-  EXPECT_EQ(picture_, pictures_.size());
-  EXPECT_EQ(1, logged("by TCP, not by UDP"));
 }
 
 }  // namespace

@@ -129,12 +129,9 @@ const Layout kLayouts[] = {
     listLayout("MotionList", FileList{2, {"NOD.MTN", "WAG.MTN"}}, bytesOf("NOD.MTN\nWAG.MTN"), readMotionName, {0, 7}),
     listLayout("PictureList", FileList{2, {"A.JPG", "AIBO0001.JPG"}}, bytesOf("A.JPG\nAIBO0001.JPG"), readPictureName,
                {0, 5}),
-    layout("DatagramPort", DatagramPort{54321}, hex("d4 31")),
-    layout("Acknowledgement", Acknowledgement{0x1234}, hex("61 00 00 00 00 00 12 34")),
     layout("DatagramOrder", DatagramOrder{54321, true, 0x12345678, 0x9abcdef0},
            hex("d4 31 01 00 12 34 56 78 9a bc de f0"), {3}),
     layout("DatagramStatus", DatagramStatus{2, 0x9abcdef0, 5}, hex("73 00 00 02 9a bc de f0 00 00 00 05"), {1}),
-    layout("TestDatagram", TestDatagram{0x12345678, 0x9abcdef0}, hex("78 00 00 00 12 34 56 78 9a bc de f0")),
     layout("LossReport", LossReport{0x1234}, hex("6c 00 00 00 00 00 12 34")),
     layout("Picture", PicturePayload{{66051, 168496141, 208, 160, 85, LAYER_HIGH, {}}, kJpeg, 4}, hex(kPicture), {},
            {17, 18, 19}, true),
@@ -313,7 +310,6 @@ const Verdict kVerdicts[] = {
     {verdict<MotionChanges>, hex("ff"), "plain"},
     {verdict<MotionChanges>, Bytes(MAX_MOTION_CHANGES_SIZE, 'a'), NULL},
     {verdict<MotionChanges>, Bytes(MAX_MOTION_CHANGES_SIZE + 1, 'a'), "too long"},
-    {verdict<Acknowledgement>, hex("6c 00 00 00 00 00 12 34"), "acknowledgement"},
     {verdict<LossReport>, hex("6c 01 00 00 00 00 12 34"), "loss report"},
 };
 

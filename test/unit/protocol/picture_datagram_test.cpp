@@ -45,6 +45,13 @@ TEST(PictureDatagram, HasTheLayoutOfTheDocument) {
   EXPECT_EQ(encoded(datagram), hex(kHeader));
 }
 
+TEST(PictureDatagram, OfATestHasTheNumbersOfItsOrderAndOtherwiseZeros) {
+  Bytes bytes(MAX_DATAGRAM_SIZE, 7);
+  encodeTest({54321, true, 0x12345678, 0x9abcdef0}, bytes.data());
+  EXPECT_EQ(bytes, hex("62 00 00 00 12 34 56 78 9a bc de f0") + Bytes(1360));
+  EXPECT_THAT(problemOf(bytes), HasSubstr("empty")) << "it is no part of a picture";
+}
+
 TEST(PictureDatagram, PartsHaveTheSameSizeButTheLast) {
   EXPECT_EQ(DATAGRAM_PART_SIZE, 1340U);
   EXPECT_EQ(numberOfParts(1), 1U);

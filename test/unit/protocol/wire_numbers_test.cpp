@@ -47,7 +47,6 @@ TEST(WireNumbers, LettersOfVersion2) {
                          REQUEST_LEDS,
                          version2::REQUEST_EARS,
                          REQUEST_DATAGRAMS,
-                         REQUEST_REPEATED_DATAGRAMS,
                          REQUEST_UPLOAD,
                          REQUEST_DELETE,
                          REQUEST_PLAY,
@@ -61,7 +60,7 @@ TEST(WireNumbers, LettersOfVersion2) {
                          REQUEST_CAMERA,
                          REQUEST_COLORS,
                          REQUEST_SOUND}),
-            "HFWJVTOILKBXUDPNMYSEQRGZA");
+            "HFWJVTOILKBUDPNMYSEQRGZA");
   EXPECT_EQ((std::string{PICTURE, TELEMETRY_PUSH, END_PUSH, MOTORS_AND_POSTURE_PUSH, ERROR_MESSAGE, COLORS_PUSH,
                          SOUND_PUSH, GROUP_JOINT, GROUP_SENSOR, GROUP_DUTY, GROUP_WALK, DATAGRAM_MARK}),
             "ftioezaJSDWb");

@@ -21,8 +21,8 @@ using ::testing::Each;
 using ::testing::IsEmpty;
 using ::testing::Le;
 
-std::string portPayload(int port) {
-  return payloadOf(DatagramPort{static_cast<unsigned short>(port)});
+std::string orderPayload(int port, bool is_test = false, unsigned sequence = 5000, unsigned picture = 700) {
+  return payloadOf(DatagramOrder{static_cast<unsigned short>(port), is_test, sequence, picture});
 }
 
 struct ReceivedPart {
@@ -32,12 +32,14 @@ struct ReceivedPart {
 
 class DatagramsTest : public Version2Fixture {
  protected:
-  void switchOn(const UdpSocket& receiver) {
-    const Frame answer = answerTo('B', 0, portPayload(receiver.port()));
+  void switchOn(const UdpSocket& receiver, unsigned sequence = 5000, unsigned picture = 700) {
+    const std::string order = orderPayload(receiver.port(), false, sequence, picture);
+    const Frame answer = answerTo('B', 0, order);
     ASSERT_EQ(answer.header.kind, 'b');
-    EXPECT_EQ(textOf(answer), portPayload(receiver.port()));
+    EXPECT_EQ(textOf(answer), order);
   }
 
+  /// The first picture is 700.
   void streamTo(const UdpSocket& receiver) {
     switchOn(receiver);
     answerTo('W', 85, kStreamOn);
@@ -52,12 +54,20 @@ class DatagramsTest : public Version2Fixture {
       EXPECT_EQ(decodePictureDatagram(datagram->data(), datagram->size(), &part.header), nullptr);
       part.bytes.assign(datagram->begin() + DATAGRAM_HEADER_SIZE, datagram->end());
       parts.push_back(part);
-      if (acknowledges_ && !part.header.is_parity && part.header.part + 1U == numberOfParts(part.header.jpeg_size)) {
-        receiver.reply(acknowledgement(part.header.picture));
-      }
     }
     machine_->runPending();
     return parts;
+  }
+
+  /// The parts of the next picture.
+  std::vector<ReceivedPart> nextPicture(UdpSocket& receiver) {
+    takeImage();
+    return partsAt(receiver);
+  }
+
+  /// The client has all pictures before this one, and lacks these parts of it.
+  void tell(UdpSocket& receiver, unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
+    receiver.reply(status(picture, first_part, missing));
   }
 
   // The pictures that come by TCP, as the client reads what the robot can send.
@@ -77,7 +87,9 @@ class DatagramsTest : public Version2Fixture {
   }
 
   static std::vector<uint8_t> lossReport(unsigned picture) { return datagramOf(LossReport{picture}); }
-  static std::vector<uint8_t> acknowledgement(unsigned picture) { return datagramOf(Acknowledgement{picture}); }
+  static std::vector<uint8_t> status(unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
+    return datagramOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing});
+  }
 
   static bool hasParity(const std::vector<ReceivedPart>& parts) {
     return std::any_of(parts.begin(), parts.end(), [](const ReceivedPart& part) { return part.header.is_parity; });
@@ -101,7 +113,6 @@ class DatagramsTest : public Version2Fixture {
     return frames;
   }
 
-  bool acknowledges_ = true;
   std::vector<size_t> sizes_;
 };
 
@@ -116,8 +127,8 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
   EXPECT_EQ(begun_pictures_, 1) << "for the picture log";
   for (size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].header.part, i);
-    EXPECT_EQ(parts[i].header.sequence, i);
-    EXPECT_EQ(parts[i].header.picture, 0U);
+    EXPECT_EQ(parts[i].header.sequence, 5000 + i);
+    EXPECT_EQ(parts[i].header.picture, 700U);
     EXPECT_EQ(parts[i].header.image.image_count, robot_.lastImage());
     EXPECT_EQ(parts[i].header.image.width, 208);
   }
@@ -170,11 +181,10 @@ TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
   robot_.showNoise();
   streamTo(receiver);
   answerTo('W', 100, kStreamOn);
-  takeImage();
-  EXPECT_FALSE(hasParity(partsAt(receiver)));
-  receiver.reply(lossReport(0));
-  takeImage();
-  const std::vector<ReceivedPart> parts = partsAt(receiver);
+  EXPECT_FALSE(hasParity(nextPicture(receiver)));
+  tell(receiver, 701);
+  receiver.reply(lossReport(700));
+  const std::vector<ReceivedPart> parts = nextPicture(receiver);
   ASSERT_GT(parts.size(), 2 * PARTS_PER_PARITY) << "the test needs several groups";
   EXPECT_THAT(sizes_, Each(Le(1372U)));
   unsigned part = 0;
@@ -201,18 +211,17 @@ TEST_F(DatagramsTest, ParitiesComeFor64PicturesAfterTheLastLossOfTheClient) {
   UdpSocket receiver;
   UdpSocket stranger;
   streamTo(receiver);
-  takeImage();
-  partsAt(receiver);
-  stranger.send(receiver.senderPort(), lossReport(0));
-  takeImage();
-  EXPECT_FALSE(hasParity(partsAt(receiver))) << "a stranger's";
-  receiver.reply(lossReport(0));
+  nextPicture(receiver);
+  stranger.send(receiver.senderPort(), lossReport(700));
+  EXPECT_FALSE(hasParity(nextPicture(receiver))) << "a stranger's";
+  tell(receiver, 702);
+  receiver.reply(lossReport(701));
   unsigned with_parity = 0;
-  for (int i = 0; i < 100; ++i) {
-    takeImage();
-    with_parity += hasParity(partsAt(receiver)) ? 1 : 0;
+  for (unsigned i = 0; i < 100; ++i) {
+    with_parity += hasParity(nextPicture(receiver)) ? 1 : 0;
+    tell(receiver, 703 + i);
     if (i == 20) {
-      receiver.reply(lossReport(20));
+      receiver.reply(lossReport(722));
     }
   }
   EXPECT_EQ(with_parity, 21U + 64U) << "they begin anew with the second loss";
@@ -222,70 +231,31 @@ TEST_F(DatagramsTest, OnlyTheClientAcknowledges) {
   UdpSocket receiver;
   UdpSocket stranger;
   UdpSocket elsewhere("127.0.0.2", receiver.port());
-  acknowledges_ = false;
-  robot_.showNoise();  // many parts, so that no picture goes without an acknowledgement
+  robot_.showNoise();  // many parts, so that no picture goes without a status
   streamTo(receiver);
-  takeImage();
-  partsAt(receiver);
-  takeImage();
-  partsAt(receiver);
-  stranger.send(receiver.senderPort(), acknowledgement(1));
-  elsewhere.send(receiver.senderPort(), acknowledgement(1));
-  for (const std::vector<uint8_t>& nonsense :
-       {std::vector<uint8_t>(), std::vector<uint8_t>(8, 'a'), std::vector<uint8_t>(1400, 'a'), acknowledgement(1000)}) {
+  nextPicture(receiver);
+  nextPicture(receiver);
+  stranger.send(receiver.senderPort(), status(702));
+  elsewhere.send(receiver.senderPort(), status(702));
+  std::vector<uint8_t> too_long = status(702);
+  too_long.push_back(0);
+  for (const std::vector<uint8_t>& nonsense : {std::vector<uint8_t>(), std::vector<uint8_t>(12, 's'),
+                                               std::vector<uint8_t>(1400, 's'), too_long, status(1000), status(0)}) {
     receiver.reply(nonsense);
   }
-  takeImage();
-  EXPECT_THAT(partsAt(receiver), IsEmpty());
-  receiver.reply(acknowledgement(1));
-  takeImage();
-  EXPECT_FALSE(partsAt(receiver).empty());
+  EXPECT_THAT(nextPicture(receiver), IsEmpty());
+  tell(receiver, 702);
+  EXPECT_FALSE(nextPicture(receiver).empty());
 }
 
-/// A client that has lost parts repeated.
-class RepeatedDatagramsTest : public DatagramsTest {
- protected:
-  static std::string orderPayload(int port, bool is_test, unsigned sequence, unsigned picture) {
-    return payloadOf(DatagramOrder{static_cast<unsigned short>(port), is_test, sequence, picture});
-  }
-
-  void orderTo(const UdpSocket& receiver, unsigned sequence = 5000, unsigned picture = 700) {
-    acknowledges_ = false;
-    const std::string order = orderPayload(receiver.port(), false, sequence, picture);
-    const Frame answer = answerTo('X', 0, order);
-    ASSERT_EQ(answer.header.kind, 'x');
-    EXPECT_EQ(textOf(answer), order);
-    answerTo('W', 85, kStreamOn);
-  }
-
-  void tell(UdpSocket& receiver, unsigned picture, unsigned first_part = 0, unsigned missing = 0) {
-    receiver.reply(datagramOf(DatagramStatus{static_cast<unsigned short>(first_part), picture, missing}));
-  }
-
-  /// The parts of the next picture.
-  std::vector<ReceivedPart> nextPicture(UdpSocket& receiver) {
-    takeImage();
-    return partsAt(receiver);
-  }
-};
-
-TEST_F(RepeatedDatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
+TEST_F(DatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
   UdpSocket receiver;
-  streamTo(receiver);
-  takeImage();
-  ASSERT_FALSE(partsAt(receiver).empty());
-  answerTo('B', 0, portPayload(0));
-  answerTo('X', 0, orderPayload(receiver.port(), true, 0x12345678, 0x9abcdef0));
+  answerTo('W', 85, kStreamOn);
+  answerTo('B', 0, orderPayload(receiver.port(), true, 0x12345678, 0x9abcdef0));
   machine_->runPending();
-  const auto datagram = receiver.next();
-  ASSERT_TRUE(datagram.has_value());
-  EXPECT_EQ(datagram->size(), MAX_DATAGRAM_SIZE);
-  TestDatagram test{};
-  EXPECT_EQ(decode(datagram->data(), TEST_DATAGRAM_NUMBERS_SIZE, &test), nullptr);
-  EXPECT_EQ(test.first_sequence, 0x12345678U);
-  EXPECT_EQ(test.first_picture, 0x9abcdef0U);
-  EXPECT_EQ(std::count(datagram->begin() + TEST_DATAGRAM_NUMBERS_SIZE, datagram->end(), 0),
-            static_cast<long>(MAX_DATAGRAM_SIZE - TEST_DATAGRAM_NUMBERS_SIZE));
+  std::vector<uint8_t> test(MAX_DATAGRAM_SIZE);
+  encodeTest({0, true, 0x12345678, 0x9abcdef0}, test.data());
+  EXPECT_EQ(receiver.next(), test);
   for (int i = 0; i < 3; ++i) {
     takeImage();
   }
@@ -293,9 +263,10 @@ TEST_F(RepeatedDatagramsTest, ATestIsOneDatagramOfFullSizeAndChangesNothing) {
   EXPECT_EQ(picturesByTcp().size(), 3U);
 }
 
-TEST_F(RepeatedDatagramsTest, NumbersBeginAsOrderedAndPassTheLargestOne) {
+TEST_F(DatagramsTest, NumbersBeginAsOrderedAndPassTheLargestOne) {
   UdpSocket receiver;
-  orderTo(receiver, 0xffffffff, 0xfffffffe);
+  switchOn(receiver, 0xffffffff, 0xfffffffe);
+  answerTo('W', 85, kStreamOn);
   for (const unsigned picture : {0xfffffffeU, 0xffffffffU, 0U, 1U}) {
     const std::vector<ReceivedPart> parts = nextPicture(receiver);
     ASSERT_FALSE(parts.empty()) << picture;
@@ -305,10 +276,10 @@ TEST_F(RepeatedDatagramsTest, NumbersBeginAsOrderedAndPassTheLargestOne) {
   }
 }
 
-TEST_F(RepeatedDatagramsTest, MissingPartsAreRepeatedAlone) {
+TEST_F(DatagramsTest, MissingPartsAreRepeatedAlone) {
   UdpSocket receiver;
   robot_.showNoise();
-  orderTo(receiver);
+  streamTo(receiver);
   const std::vector<ReceivedPart> first = nextPicture(receiver);
   const std::vector<ReceivedPart> second = nextPicture(receiver);
   ASSERT_GE(second.size(), 4U);
@@ -326,10 +297,10 @@ TEST_F(RepeatedDatagramsTest, MissingPartsAreRepeatedAlone) {
   }
 }
 
-TEST_F(RepeatedDatagramsTest, PartsThatAreStillToBeSentAreNotRepeated) {
+TEST_F(DatagramsTest, PartsThatAreStillToBeSentAreNotRepeated) {
   UdpSocket receiver;
   robot_.showNoise();
-  orderTo(receiver);
+  streamTo(receiver);
   ASSERT_TRUE(machine_->runUntil([&] {
     clock_.step();
     return receiver.next().has_value();
@@ -345,9 +316,9 @@ TEST_F(RepeatedDatagramsTest, PartsThatAreStillToBeSentAreNotRepeated) {
       1);
 }
 
-TEST_F(RepeatedDatagramsTest, WhatIsNotKeptIsNotRepeated) {
+TEST_F(DatagramsTest, WhatIsNotKeptIsNotRepeated) {
   UdpSocket receiver;
-  orderTo(receiver);
+  streamTo(receiver);
   for (unsigned picture = 700; picture < 703; ++picture) {
     EXPECT_FALSE(nextPicture(receiver).empty());
     tell(receiver, picture + 1);
@@ -358,17 +329,17 @@ TEST_F(RepeatedDatagramsTest, WhatIsNotKeptIsNotRepeated) {
   }
   tell(receiver, 703, 9, ~0U);
   EXPECT_THAT(partsAt(receiver), IsEmpty());
-  for (unsigned picture = 703; picture < 707; ++picture) {  // the last ones after the timeout for an acknowledgement
+  for (unsigned picture = 703; picture < 707; ++picture) {  // the last ones after the timeout for a status
     framesUntilAPicture(receiver);
   }
   tell(receiver, 703, 0, ~0U);
   EXPECT_THAT(partsAt(receiver), IsEmpty()) << "three are kept";
 }
 
-TEST_F(RepeatedDatagramsTest, AStatusAcknowledgesAllPicturesBeforeIt) {
+TEST_F(DatagramsTest, AStatusAcknowledgesAllPicturesBeforeIt) {
   UdpSocket receiver;
   robot_.showNoise();
-  orderTo(receiver);
+  streamTo(receiver);
   EXPECT_FALSE(nextPicture(receiver).empty());
   EXPECT_FALSE(nextPicture(receiver).empty());
   EXPECT_THAT(nextPicture(receiver), IsEmpty());
@@ -380,10 +351,10 @@ TEST_F(RepeatedDatagramsTest, AStatusAcknowledgesAllPicturesBeforeIt) {
 }
 
 // Otherwise the radio would idle while a part is repeated.
-TEST_F(RepeatedDatagramsTest, APictureThatIsRepairedDoesNotHoldUpTheNextButOne) {
+TEST_F(DatagramsTest, APictureThatIsRepairedDoesNotHoldUpTheNextButOne) {
   UdpSocket receiver;
   robot_.showNoise();
-  orderTo(receiver);
+  streamTo(receiver);
   nextPicture(receiver);
   nextPicture(receiver);
   EXPECT_THAT(nextPicture(receiver), IsEmpty());
@@ -396,16 +367,16 @@ TEST_F(RepeatedDatagramsTest, APictureThatIsRepairedDoesNotHoldUpTheNextButOne) 
   EXPECT_FALSE(nextPicture(receiver).empty());
 }
 
-TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
+TEST_F(DatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
   UdpSocket receiver;
   robot_.showNoise();
-  orderTo(receiver);
+  streamTo(receiver);
   nextPicture(receiver);
   tell(receiver, 701);
   const std::vector<ReceivedPart> second = nextPicture(receiver);
   const std::vector<ReceivedPart> third = nextPicture(receiver);
   ASSERT_FALSE(third.empty());
-  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  send(frame('B', 0, 9, orderPayload(0)));
   const std::vector<Frame> pictures = picturesByTcp();
   ASSERT_EQ(pictures.size(), 2U);
   size_t i = 0;
@@ -413,25 +384,25 @@ TEST_F(RepeatedDatagramsTest, WhatMayBeMissingIsSentByTcpWhenDatagramsEnd) {
     const std::vector<uint8_t>& payload = pictures[i++].payload;
     EXPECT_EQ(std::vector<uint8_t>(payload.begin() + IMAGE_HEADER_SIZE, payload.end()), joined(*expected));
   }
-  send(frame('X', 0, 10, orderPayload(0, false, 0, 0)));
+  send(frame('B', 0, 10, orderPayload(0)));
   EXPECT_THAT(picturesByTcp(), IsEmpty()) << "they have been sent";
   takeImage();
   EXPECT_EQ(picturesByTcp().size(), 1U);
   EXPECT_THAT(partsAt(receiver), IsEmpty());
 }
 
-TEST_F(RepeatedDatagramsTest, AreForgottenAfter200MillisecondsAndWithTheirClient) {
+TEST_F(DatagramsTest, AreForgottenAfter200MillisecondsAndWithTheirClient) {
   UdpSocket receiver;
-  orderTo(receiver);
+  streamTo(receiver);
   nextPicture(receiver);
   answerTo('W', 85, kStreamOff);
   passFrames(40);
-  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  send(frame('B', 0, 9, orderPayload(0)));
   EXPECT_THAT(picturesByTcp(), IsEmpty());
-  orderTo(receiver);
+  streamTo(receiver);
   nextPicture(receiver);
   reconnect();
-  send(frame('X', 0, 9, orderPayload(0, false, 0, 0)));
+  send(frame('B', 0, 9, orderPayload(0)));
   EXPECT_THAT(picturesByTcp(), IsEmpty());
 }
 

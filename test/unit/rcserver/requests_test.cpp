@@ -83,8 +83,7 @@ const AnsweredRequest kAnswered[] = {
     {'L', 0, payloadOf(LedValues{2, {{1, 3, LED_MODE_B}, {7, 77, LED_MODE_B}}}), 0,
      payloadOf(LedValues{2, {{1, 255, LED_MODE_A}, {7, 77, LED_MODE_B}}})},
     {'K', 0, literal("\1\0"), 0, literal("\1\0")},
-    {'B', 0, literal("\0\0"), 0, literal("\0\0")},
-    {'X', 0, payloadOf(DatagramOrder{0, false, 5, 7}), 0, payloadOf(DatagramOrder{0, false, 5, 7})},
+    {'B', 0, payloadOf(DatagramOrder{0, false, 5, 7}), 0, payloadOf(DatagramOrder{0, false, 5, 7})},
     {'G', SETTING_GAIN, "", SETTING_GAIN, "\2"},
     {'G', SETTING_GAIN, "\3", SETTING_GAIN, "\3"},
     {'Z', COLORS_OFF, "", COLORS_OFF, ""},
@@ -144,7 +143,6 @@ const RefusedRequest kRefusals[] = {
     {'K', 0, "\1", CODE_REFUSED, "bad request"},
     {'K', 0, "\1\2", CODE_REFUSED, "bad request"},
     {'B', 0, "\1", CODE_REFUSED, "bad request"},
-    {'X', 0, "\1", CODE_REFUSED, "bad request"},
     {'G', 0, "", CODE_REFUSED, "id"},
     {'G', 6, "\1", CODE_REFUSED, "id"},
     {'G', SETTING_GAIN, "\4", CODE_REFUSED, "1, 2 or 3"},
@@ -183,7 +181,7 @@ const RefusedRequest kRefusals[] = {
     {'Y', DELETE_PICTURE, "NONE.JPG", CODE_FILE_MISSING, "there is no NONE.JPG"},
     {'Q', 0, "x", CODE_REFUSED, "bad request"},
     {'R', 0, "x", CODE_REFUSED, "bad request"},
-    {'C', 0, "", CODE_NOT_SUPPORTED, "H F W J V T O I L K G Z B X P N A S E U D M Y Q R"},
+    {'C', 0, "", CODE_NOT_SUPPORTED, "H F W J V T O I L K G Z B P N A S E U D M Y Q R"},
 };
 
 struct RequestNotAllowed {
@@ -258,9 +256,9 @@ TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
 
 TEST_F(Requests, ThatAreCarriedOutAreThoseOfTheHello) {
   EXPECT_THAT(textOf(answerOfNewRobot("", 'H', 0, "")),
-              HasSubstr("capabilities=H F W J V T O I L K G Z B X P N A S E guard\n"));
+              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E guard\n"));
   EXPECT_THAT(textOf(answerOfNewRobot(kEverything, 'H', 0, "")),
-              HasSubstr("capabilities=H F W J V T O I L K G Z B X P N A S E U D M Y Q R guard\n"));
+              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E U D M Y Q R guard\n"));
 }
 
 TEST_F(Requests, OfEveryOtherKindAreNotSupported) {
@@ -269,7 +267,7 @@ TEST_F(Requests, OfEveryOtherKindAreNotSupported) {
   for (int kind = 0; kind < 256; ++kind) {
     if (std::string("HFWJVTOILKGZBXPNASEUDMYQR").find(static_cast<char>(kind)) == std::string::npos) {
       expectRefusal(answerTo(static_cast<char>(kind), 1, "abc"), CODE_NOT_SUPPORTED,
-                    "H F W J V T O I L K G Z B X P N A S E");
+                    "H F W J V T O I L K G Z B P N A S E");
     }
   }
 }
