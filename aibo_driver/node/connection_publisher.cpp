@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "node/camera/camera_options.h"
+#include "node/publish_latched.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -88,13 +89,13 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   }
   last_ = message;
   message.header.stamp = ros::Time::now();
-  connection_.publish(message);
+  publishLatched(connection_, message);
 }
 
 void ConnectionPublisher::publishStreaming(bool streaming) {
   std_msgs::Bool message;
   message.data = streaming;
-  streaming_.publish(message);
+  publishLatched(streaming_, message);
 }
 
 }  // namespace aibo_driver::node

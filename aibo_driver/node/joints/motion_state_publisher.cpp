@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "node/publish_latched.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -159,7 +161,7 @@ void MotionStatePublisher::publish() {
   if (robot != last_robot_) {
     robot.header.stamp = now;
     last_robot_ = robot;
-    robot_publisher_.publish(robot);
+    publishLatched(robot_publisher_, robot);
   }
 }
 

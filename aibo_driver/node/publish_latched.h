@@ -1,0 +1,23 @@
+/// @file publish_latched.h
+#ifndef AIBO_DRIVER_NODE_PUBLISH_LATCHED_H
+#define AIBO_DRIVER_NODE_PUBLISH_LATCHED_H
+
+#include <ros/publisher.h>
+
+namespace aibo_driver::node {
+
+/// Publishes a state on a latched topic. It may be sent twice, so it must not tell events.
+/// roscpp sends a message to its subscribers first, and only then keeps it for later ones. Who subscribes in between
+/// would see the state before it, until the next change.
+template <typename Message>
+void publishLatched(const ros::Publisher& publisher, const Message& state) {
+  const auto subscribers = publisher.getNumSubscribers();
+  publisher.publish(state);
+  if (publisher.getNumSubscribers() != subscribers) {
+    publisher.publish(state);
+  }
+}
+
+}  // namespace aibo_driver::node
+
+#endif  // AIBO_DRIVER_NODE_PUBLISH_LATCHED_H
