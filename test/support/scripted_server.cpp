@@ -94,15 +94,6 @@ void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {
   send(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities)));
 }
 
-void ScriptedPeer::agreeToTelemetry(const std::string& capabilities) {
-  agreeToVersion2(capabilities);
-  version2_frames::Frame request;
-  do {
-    request = readRequest();
-  } while (request.header.kind != protocol::version2::REQUEST_TELEMETRY);
-  send(version2_frames::makeFrame('t', request.header.request_number, request.payload));
-}
-
 void ScriptedPeer::send(const Bytes& bytes) {
   std::size_t sent = 0;
   while (sent < bytes.size()) {

@@ -38,9 +38,6 @@ class ScriptedPeer {
   /// Agrees to version 2 of the protocol, and says hello.
   void agreeToVersion2(const std::string& capabilities = "F W J V T");
 
-  /// Does so, and agrees to the first request for telemetry. Requests before it get no answer.
-  void agreeToTelemetry(const std::string& capabilities);
-
   /// Waits for this many bytes.
   Bytes read(std::size_t size);
 

@@ -166,9 +166,6 @@ class TestClient {
     }
   }
 
-  /// Tells the server that nothing more will come, and still reads.
-  void finishSending() { ::shutdown(socket_, SHUT_WR); }
-
   /// Closes so that the server sees a reset.
   void reset() {
     const linger abort{1, 0};

@@ -105,13 +105,6 @@ class DriverUser {
            nullptr;
   }
 
-  /// Switches the robot off, and waits until the driver knows it.
-  void loseRobot() {
-    connection.clear();
-    robot.kill();
-    EXPECT_TRUE(waitForConnection(aibo_driver::Connection::DISCONNECTED));
-  }
-
   void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
 
   SimulatedRobot robot;

@@ -36,31 +36,14 @@ TEST(WireNumbers, LettersOfVersion1) {
 
 TEST(WireNumbers, LettersOfVersion2) {
   using namespace version2;
-  EXPECT_EQ((std::string{REQUEST_HELLO,
-                         version2::REQUEST_PICTURE,
-                         REQUEST_STREAM,
-                         REQUEST_JOINTS,
-                         REQUEST_SPEED_LIMITS,
-                         REQUEST_TELEMETRY,
-                         REQUEST_MOTORS,
-                         REQUEST_HOLD,
-                         REQUEST_LEDS,
-                         version2::REQUEST_EARS,
-                         REQUEST_DATAGRAMS,
-                         REQUEST_UPLOAD,
-                         REQUEST_DELETE,
-                         REQUEST_PLAY,
-                         REQUEST_LIST,
-                         REQUEST_SAVE_PICTURE,
-                         REQUEST_PICTURES,
-                         REQUEST_STEER,
-                         REQUEST_POSTURE,
-                         version2::REQUEST_SHUT_DOWN,
-                         version2::REQUEST_REBOOT,
-                         REQUEST_CAMERA,
-                         REQUEST_COLORS,
-                         REQUEST_SOUND}),
-            "HFWJVTOILKBUDPNMYSEQRGZA");
+  EXPECT_EQ((std::string{REQUEST_HELLO, version2::REQUEST_PICTURE, REQUEST_STREAM, REQUEST_JOINTS, REQUEST_SPEED_LIMITS,
+                         REQUEST_TELEMETRY, REQUEST_MOTORS, REQUEST_HOLD, REQUEST_LEDS, version2::REQUEST_EARS,
+                         REQUEST_DATAGRAMS, REQUEST_UPLOAD}),
+            "HFWJVTOILKBU");
+  EXPECT_EQ((std::string{REQUEST_DELETE, REQUEST_PLAY, REQUEST_LIST, REQUEST_SAVE_PICTURE, REQUEST_PICTURES,
+                         REQUEST_STEER, REQUEST_POSTURE, version2::REQUEST_SHUT_DOWN, version2::REQUEST_REBOOT,
+                         REQUEST_CAMERA, REQUEST_COLORS, REQUEST_SOUND}),
+            "DPNMYSEQRGZA");
   EXPECT_EQ((std::string{PICTURE, TELEMETRY_PUSH, END_PUSH, MOTORS_AND_POSTURE_PUSH, ERROR_MESSAGE, COLORS_PUSH,
                          SOUND_PUSH, GROUP_JOINT, GROUP_SENSOR, GROUP_DUTY, GROUP_WALK, DATAGRAM_MARK}),
             "ftioezaJSDWb");
