@@ -45,11 +45,6 @@ class SecurityTest(unittest.TestCase):
                 self.assertEqual(", ".join(f"`{file}:{suite}`" for file, suite in references), row[2])
                 self.assertEqual([p for p in map(problem, references) if p], [])
 
-    def test_a_test_that_does_not_exist_is_found(self):
-        self.assertIn("no file", problem(("no_such_test.cpp", "Any")))
-        self.assertIn("no tests", problem(("settings_test.cpp", "NoSuchTests")))
-        self.assertIsNone(problem(("settings_test.cpp", "Settings")))
-
 
 def links_in(text):
     """The targets of links and pictures, without those in examples of code."""
@@ -89,12 +84,6 @@ class LinksTest(unittest.TestCase):
         for document in self.documents:
             with self.subTest(document=document.name):
                 self.assertEqual(broken_links(document, document.read_text(encoding='utf-8')), [])
-
-    def test_a_broken_link_is_found(self):
-        here = PROJECT / 'docs/README.md'
-        self.assertEqual(len(broken_links(here, '[a](nowhere.md) ![b](images/nothing.png) [c](#nothing)')), 3)
-        good = '`[a](nowhere.md)` [b](https://example.org) [c](walking.md#calibration)'
-        self.assertEqual(broken_links(here, good), [])
 
     def test_the_index_has_every_page_and_each_picture_is_shown(self):
         folder = PROJECT / 'docs'

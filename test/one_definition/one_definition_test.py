@@ -54,11 +54,6 @@ class OneDefinition(unittest.TestCase):
     def assert_one_each(self, places):
         self.assertEqual([(name, where) for name, where in places.items() if len(where) > 1], [])
 
-    def test_types_are_found(self):
-        code = 'namespace a { template <class T> class B final : public std::C<T> { struct D {}; }; namespace ' \
-               '{ struct E {}; } enum class F : int { kG = \'{\' };  // struct H {\n} namespace a::b { struct B {}; }'
-        self.assertEqual(list(types(code)), [("a", "B"), ("a", "F"), ("a::b", "B")])
-
     def test_no_type_is_defined_twice(self):
         places = collections.defaultdict(list)
         for source, namespace, name in types_in("aibo_driver", "aibo_rcserver", "test", "benchmark"):

@@ -53,6 +53,7 @@ struct CallRow {
 
 const Bytes kNothing;
 const Bytes kMotion = {1, 2, 3};
+const std::vector<std::int16_t> kSamples = {0x1234, -1};
 const std::vector<int> kTwoJoints = {2, 1};
 
 const std::vector<CallRow> kCalls = {
@@ -92,10 +93,7 @@ const std::vector<CallRow> kCalls = {
      "Y 2 " + kMineJpg, kPictureOnTheStick, "the picture", ""},
     {"delete the picture MINE.JPG", [](auto& c, auto time) { return c.deletePicture("Mine.jpg", time), ""; },
      "Y 3 " + kMineJpg, kNothing, "", ""},
-    {"play sound",
-     [](auto& c, auto time) {
-       return std::to_string(c.playSamples(0, {0x1234, -1}, true, time).room);
-     },
+    {"play sound", [](auto& c, auto time) { return std::to_string(c.playSamples(0, kSamples, true, time).room); },
      "A 2 0 0 0 0 1 0 0 0 18 52 255 255", Bytes{0, 0, 32, 0}, "8192", ""},
     {"play sound", [](auto& c, auto time) { return c.stopSound(time), ""; }, "A 2 0 0 0 0 1 0 0 0", Bytes{0, 0, 64, 0},
      "", ""},
@@ -113,27 +111,17 @@ struct CommandRow {
   std::string version1;  // the same; empty: version 1 has no such request
 };
 
+const std::vector<JointTarget> kHead = {{2, -0.5}};
+const std::vector<JointSpeedLimit> kSpeed = {{2, 1.25}};
+const WalkVelocity kWalk = {0.1, 0, -0.5};
+const std::vector<LedCommand> kLed = {{7, 200, LedMode::kB}};
+
 const std::vector<CommandRow> kCommands = {
-    {"joints",
-     [](auto& client) {
-       client.commandJoints({{2, -0.5}}, milliseconds(300));
-     },
+    {"joints", [](auto& client) { client.commandJoints(kHead, milliseconds(300)); },
      "J 0 1 44 1 0 2 0 0 0 255 248 94 224", "J 2 207 244"},
-    {"speed limits",
-     [](auto& client) {
-       client.setJointSpeedLimits({{2, 1.25}});
-     },
-     "V 0 2 0 0 0 0 19 18 208", "V 2 250 27"},
-    {"walk",
-     [](auto& client) {
-       client.steer({0.1, 0, -0.5});
-     },
-     "S 1 0 100 0 0 254 12 0 0", ""},
-    {"LEDs",
-     [](auto& client) {
-       client.commandLeds({{7, 200, LedMode::kB}});
-     },
-     "L 0 7 200 1 0", "L 7 200 0"},
+    {"speed limits", [](auto& client) { client.setJointSpeedLimits(kSpeed); }, "V 0 2 0 0 0 0 19 18 208", "V 2 250 27"},
+    {"walk", [](auto& client) { client.steer(kWalk); }, "S 1 0 100 0 0 254 12 0 0", ""},
+    {"LEDs", [](auto& client) { client.commandLeds(kLed); }, "L 0 7 200 1 0", "L 7 200 0"},
     {"ears", [](auto& client) { client.commandEars(true, false); }, "K 0 1 0", "K 1 1 0"},
 };
 
@@ -251,24 +239,12 @@ TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
   const std::vector<std::pair<std::function<void()>, std::string>> rows = {
       {[this] { client_.hold({}, seconds(1)); },
        "no request to hold joints; send the joints to where they were commanded"},
-      {[this] {
-         client_.steer({0.1, 0, 0});
-       },
-       "no request to walk; this needs an ERS-7 with a newer RCServer"},
+      {[this] { client_.steer(kWalk); }, "no request to walk; this needs an ERS-7 with a newer RCServer"},
       {[this] { client_.takePosture(Posture::kSit, seconds(1)); }, "no request to take postures"},
       {[this] { client_.playSamples(0, {1}, true, seconds(1)); }, "no request to play sounds"},
-      {[this] {
-         client_.commandJoints({{1, 0}}, milliseconds(0));
-       },
-       "does not take the request 'J'"},
-      {[this] {
-         client_.setJointSpeedLimits({{1, 1}});
-       },
-       "does not take the request 'V'"},
-      {[this] {
-         client_.commandLeds({{1, 1}});
-       },
-       "it has no LEDs"},
+      {[this] { client_.commandJoints(kHead, milliseconds(0)); }, "does not take the request 'J'"},
+      {[this] { client_.setJointSpeedLimits(kSpeed); }, "does not take the request 'V'"},
+      {[this] { client_.commandLeds(kLed); }, "it has no LEDs"},
       {[this] { client_.commandEars(true, true); }, "it has no ears"},
   };
   for (const auto& [call, reason] : rows) {
@@ -389,7 +365,7 @@ TEST_F(Requests, ToWalkAreGuardedUnlessTheUserSaysOtherwise) {
   ScriptedPeer peer = connectVersion2("S");
   for (const bool is_guarded : {true, false}) {
     client_.guardWalks(is_guarded);
-    client_.steer({0.1, 0, 0});
+    client_.steer(kWalk);
     const version2_frames::Frame request = peer.readRequest();
     EXPECT_EQ(is_guarded ? 1 : 0, request.header.id);
     answer(&peer, request, 's', request.payload);
