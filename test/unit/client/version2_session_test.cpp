@@ -314,19 +314,6 @@ TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewest64AreReported
   EXPECT_EQ(6u, counters_.dropped_telemetry);
 }
 
-TEST_F(Version2SessionTest, TelemetryIsThinnedToTwiceWhatWasAskedFor) {
-  wish_.telemetry_period = 4;
-  request();
-  answer({0, 4});
-  receive(makeBurst(64));
-  receive(makeBurst(1));
-  EXPECT_THAT(telemetry_, SizeIs(64));
-  pass(milliseconds(32));
-  receive(makeBurst(1));
-  EXPECT_THAT(telemetry_, SizeIs(65));
-  EXPECT_EQ(1u, counters_.thinned_telemetry);
-}
-
 TEST_F(Version2SessionTest, OnlyARobotThatWalksIsAskedHowItWalks) {
   pass(milliseconds(250));
   EXPECT_EQ("H 0", request());

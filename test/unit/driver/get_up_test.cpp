@@ -50,18 +50,6 @@ TEST_F(GetUpTest, AFallenRobotStandsUpOnceWhenItLiesStill) {
   EXPECT_EQ(orders_, 1) << "it did not manage";
 }
 
-TEST_F(GetUpTest, ItStandsUpAgainAfterTheNextFall) {
-  fall();
-  goSoft();
-  update({MotorState::kOn, PostureNow::kStanding});
-  end(EndedHow::kDone, Movement::Kind::kPosture, "/aibo/aibo_driver");
-  update({MotorState::kOn, PostureNow::kUnknown});
-  end(EndedHow::kFell, Movement::Kind::kPosture);
-  update({MotorState::kOn, PostureNow::kFallen});
-  goSoft();
-  EXPECT_EQ(orders_, 2);
-}
-
 TEST_F(GetUpTest, ARobotThatIsLiftedWaits) {
   update({MotorState::kOn, PostureNow::kWalking});
   end(EndedHow::kFell);
