@@ -23,6 +23,9 @@ TEST(Names, AreThoseOfTheDesign) {
   EXPECT_EQ(idOfJoint("head_roll", "ERS-210"), idOfJoint("head_roll"));
   EXPECT_THROW(idOfJoint("head_roll", "ERS-7"), InvalidArgumentException);
   EXPECT_THROW(idOfJoint("head_nod", "ERS-210"), InvalidArgumentException);
+  EXPECT_NE(idOfSensor("chin", "ERS-210"), idOfSensor("chin", "ERS-7"));
+  EXPECT_NO_THROW(idOfLed("eye_left_top", "ERS-210"));
+  EXPECT_THROW(idOfLed("eye_left_top", "ERS-7"), InvalidArgumentException);
 }
 
 TEST(Names, AreListedIfOneIsNotKnown) {

@@ -262,15 +262,15 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
   gain.gain = 4;
   CameraSettings shutter;
   shutter.shutter_speed = 0;
+  const auto format = [this](int interval) { client_.setStreamFormat({Resolution::kHigh, interval}); };
+  const auto microphone = [this](int channels, int rate) { client_.setMicrophone({true, channels, rate}); };
+  const auto walk = [this](double forward, double left, double turn) { client_.steer({forward, left, turn}); };
+  const auto joint = [this](const JointTarget& target) { client_.commandJoints({target}, milliseconds(0)); };
   const std::vector<std::function<void()>> calls = {
       [&] { client_.setJpegQuality(0); },
       [&] { client_.setJpegQuality(101); },
-      [&] {
-        client_.setStreamFormat({Resolution::kHigh, 0});
-      },
-      [&] {
-        client_.setStreamFormat({Resolution::kHigh, 65536});
-      },
+      [&] { format(0); },
+      [&] { format(65536); },
       [&] {
         client_.setColorDetection({true, 65536, false});
       },
@@ -280,37 +280,27 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
       [&] { client_.setCameraSettings(balance); },
       [&] { client_.setCameraSettings(gain); },
       [&] { client_.setCameraSettings(shutter); },
-      [&] {
-        client_.setMicrophone({true, 3, 16000});
-      },
-      [&] {
-        client_.setMicrophone({true, 2, 44100});
-      },
+      [&] { microphone(3, 16000); },
+      [&] { microphone(2, 11025); },
       [&] { client_.setTelemetryPeriod(-1); },
       [&] { client_.setTelemetryPeriod(65536); },
       [&] { client_.takePicture(101, time); },
       [&] { client_.takePicture(50, milliseconds(0)); },
-      [&] { client_.takePicture(50, milliseconds::max()); },
+      [&] { client_.takePicture(50, std::chrono::hours(1) + milliseconds(1)); },
       [&] {
-        client_.commandJoints({{0, 0}}, milliseconds(0));
+        joint(JointTarget{0, 0});
       },
       [&] {
-        client_.commandJoints({{1, 0, -1}}, milliseconds(0));
+        joint(JointTarget{1, 0, -1});
       },
       [&] { client_.setJointSpeedLimits({}); },
       [&] { client_.hold({0}, time); },
       [&] {
         client_.hold({2, 2}, time);
       },
-      [&] {
-        client_.steer({32.768, 0, 0});
-      },
-      [&] {
-        client_.steer({0, -32.768, 0});
-      },
-      [&] {
-        client_.steer({0, 0, std::nan("")});
-      },
+      [&] { walk(32.768, 0, 0); },
+      [&] { walk(0, -32.768, 0); },
+      [&] { walk(0, 0, std::nan("")); },
       [&] {
         client_.commandLeds({{1, 256}});
       },

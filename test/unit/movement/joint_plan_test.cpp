@@ -391,6 +391,19 @@ TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
   EXPECT_EQ(reasonOf(commanded), "no measurement of head_pan has come since");
 }
 
+TEST_F(JointPlanTest, IsDoneWhereEachJointIsWithin50MilliradiansOfItsTarget) {
+  for (const auto& [place, how] : {std::pair(0.44, EndedHow::kNotReached), {0.451, EndedHow::kDone}}) {
+    const double start = place * 100;  // seconds, after the last one
+    measure(start, place);
+    const auto moved = add(pan({{0.1, {0.5}, {}}}), start, start);
+    for (double now = start; now < start + 3; now += 0.032) {
+      measure(now, place);
+      advance(now);
+    }
+    EXPECT_EQ(endOf(moved), how) << place;
+  }
+}
+
 TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
   Arrival strict;
   strict.tolerances["head_pan"].position = 0.001;

@@ -865,6 +865,14 @@ TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses)
   EXPECT_EQ(mover.state().movements.at(0).source, "/navigation");
 }
 
+TEST_F(MoverTest, AWalkThatTwoNodesContradictNamesBoth) {
+  walk();
+  steer(0, "/b");
+  steer(0.1);
+  EXPECT_EQ(mover.state().movements.at(0).source, "/teleop, /b");
+  EXPECT_THAT(warnings, ElementsAre(HasSubstr("/b")));
+}
+
 TEST_F(MoverTest, AWalkAndAPostureGetTheFullSpeedOfTheLegs) {
   command("left_front_knee", 0.1);
   client.told.clear();

@@ -245,8 +245,11 @@ TEST_F(Requests, AreRefusedAsAWholeAndTheConnectionGoesOn) {
 TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
   for (const RequestNotAllowed& row : kNotAllowed) {
     SCOPED_TRACE(std::string(1, row.kind) + std::to_string(row.id));
-    expectRefusal(answerOfNewRobot("ALLOW_SOUND=no\n", row.kind, row.id, row.payload), CODE_REFUSED,
-                  std::string("this is not allowed; ") + row.setting + " in RCSERVER.CFG");
+    std::string others = std::string(kEverything) + "ALLOW_SOUND=yes\n";
+    const std::string setting = row.setting;
+    others.replace(others.find(setting), setting.size(), setting.substr(0, setting.find('=')) + "=no");
+    expectRefusal(answerOfNewRobot(others, row.kind, row.id, row.payload), CODE_REFUSED,
+                  "this is not allowed; " + setting + " in RCSERVER.CFG");
     passFrames(20);
     EXPECT_TRUE(machine_->isOn());
     EXPECT_TRUE(std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/NOD.MTN")));

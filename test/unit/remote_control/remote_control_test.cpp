@@ -502,6 +502,8 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("link"), "0.0 pictures/s");
   robot_.disconnectIt(State::kDisconnected, "is the robot on?");
   EXPECT_EQ(textOf("connection"), "is the robot on?");
+  robot_.disconnectIt(State::kDisconnected, kLongWord);
+  EXPECT_EQ(find<QLabel>("connection")->toolTip(), kLongWord) << "as a whole";
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C")) << "the last reading stays";
   EXPECT_FALSE(find<QLabel>("battery")->isEnabled()) << "in grey";
   EXPECT_EQ(textOf("link"), "");
