@@ -57,6 +57,7 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
   refuse('E');
   time_out([&](milliseconds time) { client_.playMotion("NOD.MTN", 1, time, {never, 74}); });
   refuse('P');
+  EXPECT_TRUE(eventually([&] { return recorder_.orders().find("late 74") != std::string::npos; }));
   client_.commandJoints({{2, 0.1}}, milliseconds(0), {TimePoint(), 75});
   client_.steer({0, 0.1, 0}, {TimePoint(), 76});
   const std::string address = "127.0.0.1:" + std::to_string(server_.port());
