@@ -20,15 +20,6 @@ TEST(ReconnectBackoffTest, WaitsDoubleUpToTheLimitLessHalfAtMost) {
   }
 }
 
-TEST(ReconnectBackoffTest, TheFirstWaitAfterAWorkingConnectionIsShortAgain) {
-  ReconnectBackoff backoff(milliseconds(100), milliseconds(2000), 1);
-  for (int i = 0; i < 10; ++i) {
-    backoff.next();
-  }
-  backoff.reset();
-  EXPECT_LE(backoff.next(), milliseconds(100));
-}
-
 TEST(ReconnectBackoffTest, ClientsThatLostTheSameRobotComeBackAtDifferentTimes) {
   std::set<milliseconds> waits;
   for (unsigned seed = 1; seed <= 50; ++seed) {
