@@ -95,7 +95,9 @@ TEST(Stop, NeedsNoMaster) {
     Process stand({"rosservice", "call", "--wait", "/alone/stand"}, environment);
     return stand.waitForExit(kSafetyNet) && stand.output().find("success: True") != std::string::npos;
   }));
-  Process state({"rostopic", "echo", "/alone/robot_state"}, environment);
+  // In a new build folder, catkin's environment for tests lacks the path of our messages.
+  Process state({"/bin/sh", "-c", "PYTHONPATH=" PYTHON_MESSAGES ":$PYTHONPATH exec rostopic echo /alone/robot_state"},
+                environment);
   Process keyboard({"/bin/sh", "-c",
                     std::string("exec ") + AIBO_TELEOP_KEYBOARD + " __ns:=/alone _key_timeout:=0 < " + keys.terminal()},
                    environment);
