@@ -1,5 +1,6 @@
 // What the driver publishes on the camera's topics, with which stamps, and pictures on request.
 
+#include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -229,6 +230,14 @@ TEST(Calibration, ThatCannotBelongToTheCameraIsRefusedAndNotPublished) {
   EXPECT_FALSE(refused.success);
   EXPECT_THAT(refused.status_message, HasSubstr("for pictures of 200x160, but the robot sends 208x160"));
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1);
+}
+
+TEST(Camera, StateIsToldForTheFirstPictureOfEachConnection) {
+  TopicListener<aibo_driver::CameraState> states("/each/camera/state");
+  DriverUser user("/each");
+  ASSERT_TRUE(states.waitForFirst());
+  user.proxy.cut();
+  EXPECT_THAT(states.waitForCount(2), SizeIs(2)) << "the robot's settings may be others";
 }
 
 TEST(Camera, OnDemandTheRobotStreamsOnlyWhileACameraTopicHasASubscriber) {
