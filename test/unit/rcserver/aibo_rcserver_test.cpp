@@ -1,6 +1,7 @@
 // The executable aibo_rcserver.
 #include <OPENR/OFbkImage.h>
 #include <gmock/gmock.h>
+#include <netinet/in.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -136,6 +137,31 @@ TEST(AiboRCServer, ListensOnLoopbackUnlessItIsToldOtherwise) {
     EXPECT_EQ(isReachable("127.0.0.2", portOf(robot, address)), reachable);
     EXPECT_EQ(isReachable("127.0.0.2", console_port), reachable);
   }
+}
+
+/// Whether somebody at another address of this computer gets an answer.
+bool answersAnotherAddress(const std::string& port, const std::string& words) {
+  const auto socket = test_support::bindTo("127.0.0.2", 0);
+  sockaddr_in server = {};
+  server.sin_family = AF_INET;
+  server.sin_port = htons(numberOf(port));
+  server.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ::connect(socket.get(), reinterpret_cast<const sockaddr*>(&server), sizeof server);
+  pollfd waiting{socket.get(), POLLOUT, 0};
+  EXPECT_EQ(::poll(&waiting, 1, std::chrono::milliseconds(kSafetyNet).count()), 1);
+  ::send(socket.get(), words.data(), words.size(), MSG_NOSIGNAL);
+  waiting.events = POLLIN;
+  EXPECT_EQ(::poll(&waiting, 1, std::chrono::milliseconds(kSafetyNet).count()), 1);
+  char byte = 0;
+  return ::recv(socket.get(), &byte, 1, 0) == 1;
+}
+
+TEST(AiboRCServer, AllowsItsConsoleToAddressesThatMayNotConnectToTheRobot) {
+  const test_support::MemoryStick stick("ALLOWED_ADDRESSES=127.0.0.1\n");
+  Process robot({AIBO_RCSERVER, "--port=0", "--console-port=0", "--memory-stick=" + stick.path().string()});
+  const std::string console_port = restOfLine(robot, "Console on 127.0.0.1:");
+  EXPECT_TRUE(answersAnotherAddress(console_port, "help\n"));
+  EXPECT_FALSE(answersAnotherAddress(portOf(robot), kOnePicture));
 }
 
 // On Linux, opening a pipe waits for somebody who writes into it.
