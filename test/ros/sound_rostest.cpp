@@ -8,10 +8,12 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,10 +62,15 @@ class SoundUser : public test_support::DriverUser {
 };
 
 /// The driver's next request for the microphones.
+/// @throw std::runtime_error it did not come in time, though heartbeats did
 protocol::version2::MicrophoneSettings nextSettings(test_support::ScriptedPeer* robot) {
   namespace version2 = protocol::version2;
   version2_frames::Frame request;
+  const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
   while ((request = robot->readFrame()).header.kind != version2::REQUEST_SOUND) {
+    if (std::chrono::steady_clock::now() > end) {
+      throw std::runtime_error("the driver does not switch the microphones");
+    }
     const bool is_heartbeat = request.header.kind == version2::REQUEST_HELLO;
     robot->send(version2_frames::makeFrame(version2::replyKind(request.header.kind), request.header.request_number,
                                            is_heartbeat ? version2_frames::makeHello("F A") : request.payload));
