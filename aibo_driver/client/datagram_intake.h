@@ -76,8 +76,8 @@ class DatagramIntake {
   /// @return true if it was the robot that sent it, as far as its numbers show that
   bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
-  /// The next whole picture, in order. Its number is plausible. Call goodPicture() if its JPEG is good. It is empty if
-  /// there is none yet; then look again after a datagram, or at nextLook().
+  /// The next whole picture, in order; its number is plausible. Call goodPicture() if its JPEG is good.
+  /// @return empty if no picture is whole yet; then call it again after a datagram, or at nextLook()
   std::optional<PictureAssembly::Whole> takeWhole(TimePoint now);
 
   /// Call this when the JPEG of a whole picture is good.

@@ -13,8 +13,8 @@
 namespace aibo_client {
 
 /// Decides when the robot is told which pictures are complete and which parts are missing. It is told at once what is
-/// new. If nothing comes after that, the robot's datagrams or the status were lost, and it is told
-/// again a few times, at growing intervals.
+/// new. If nothing comes after that, the robot's datagrams or the status were lost, and it is told again a few times,
+/// at growing intervals.
 class RepeatRequests {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
