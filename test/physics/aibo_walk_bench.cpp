@@ -1,7 +1,6 @@
 /// @file aibo_walk_bench.cpp
 /// Tries the walk on many robots with weight and on many floors, and prints a table.
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>

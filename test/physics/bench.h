@@ -3,7 +3,6 @@
 #ifndef TEST_PHYSICS_BENCH_H
 #define TEST_PHYSICS_BENCH_H
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <stdexcept>
 
 #include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/body/sensor_frame_writer.h"

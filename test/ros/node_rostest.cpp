@@ -25,7 +25,6 @@
 #include <mutex>
 #include <regex>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -18,7 +18,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <string>
 #include <tuple>

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <regex>
 #include <stdexcept>
 
 namespace test_support {

@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <vector>
 

@@ -11,7 +11,6 @@ namespace fault_bench {
 namespace {
 
 using std::chrono::nanoseconds;
-using std::chrono::steady_clock;
 
 constexpr std::size_t kLargestPacket = 65535;
 

@@ -10,7 +10,6 @@
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 namespace {

@@ -8,7 +8,6 @@
 #include "client_fixture.h"
 
 using namespace aibo_client;
-using std::chrono::milliseconds;
 using test_pictures::Bytes;
 
 namespace {

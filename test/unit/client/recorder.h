@@ -3,7 +3,6 @@
 #define TEST_UNIT_CLIENT_RECORDER_H
 
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <string>

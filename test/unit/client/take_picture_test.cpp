@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <future>
-#include <optional>
 
 #include "client_fixture.h"
 

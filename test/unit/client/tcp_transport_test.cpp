@@ -19,7 +19,6 @@ using std::chrono::seconds;
 using std::chrono::steady_clock;
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
-using testing::HasSubstr;
 
 namespace {
 

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <ctime>
-#include <utility>
 #include <vector>
 
 namespace aibo_driver::node {

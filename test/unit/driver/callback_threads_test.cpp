@@ -6,7 +6,6 @@
 
 #include <functional>
 #include <stdexcept>
-#include <vector>
 
 namespace aibo_driver::node {
 namespace {

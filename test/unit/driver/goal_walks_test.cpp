@@ -15,7 +15,6 @@ namespace aibo_driver::node {
 namespace {
 
 using aibo_client::EndedHow;
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 using ::testing::HasSubstr;
 

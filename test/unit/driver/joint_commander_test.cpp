@@ -12,11 +12,9 @@
 namespace aibo_driver::node {
 namespace {
 
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::Not;
 
 constexpr int kPan = 2;
 

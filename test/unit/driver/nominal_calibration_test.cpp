@@ -12,9 +12,7 @@ namespace aibo_driver::node {
 namespace {
 
 using sensor_msgs::CameraInfo;
-using ::testing::DoubleEq;
 using ::testing::DoubleNear;
-using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::Pointwise;
 

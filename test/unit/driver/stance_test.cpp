@@ -13,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 using ::testing::Each;
-using ::testing::ElementsAre;
 
 constexpr double kDegree = 0.017453292519943295;
 const Vector3d kLevel(0, 0, 9.81);

@@ -2,9 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
 #include "support/fake_client.h"
 #include "support/ros/log_listener.h"
 

@@ -3,7 +3,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <string>

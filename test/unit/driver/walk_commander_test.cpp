@@ -5,9 +5,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
-#include <future>
 #include <limits>
-#include <thread>
 
 #include "node/services.h"
 #include "support/fake_client.h"
@@ -24,8 +22,6 @@ using std::chrono::milliseconds;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
-using ::testing::SizeIs;
-using ::testing::StartsWith;
 using Kind = movement::Movement::Kind;
 
 class WalkCommanderTest : public ::testing::Test {

@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <climits>
 #include <cmath>
 #include <sstream>

@@ -4,7 +4,6 @@
 
 #include <numeric>
 #include <random>
-#include <string>
 
 #include "layouts.h"
 

@@ -16,7 +16,6 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
-using ::testing::StrEq;
 
 Hello exampleHello() {
   Hello hello{};

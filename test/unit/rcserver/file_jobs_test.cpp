@@ -1,10 +1,7 @@
 // Requests that need the memory stick, while FileKeeper is at work.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <memory>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,7 +13,6 @@
 
 namespace {
 
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

@@ -1,9 +1,7 @@
 // Joints in version 1, and the motors at boot.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
-#include <memory>
 #include <string>
 #include <vector>
 

@@ -9,7 +9,6 @@
 #include <memory>
 #include <random>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "support/camera_image_fixture.h"

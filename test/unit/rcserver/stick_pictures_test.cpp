@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "file_keeper/FileJob.h"

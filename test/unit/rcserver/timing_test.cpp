@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include "picture_checks.h"
 #include "rcserver_fixture.h"

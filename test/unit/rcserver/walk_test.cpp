@@ -3,12 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <tuple>
-#include <utility>
 
 #include "protocol/hello.h"
 #include "protocol/walk_requests.h"

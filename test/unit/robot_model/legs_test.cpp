@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <string>
 
 #include "robot_model/robot_model.h"
 

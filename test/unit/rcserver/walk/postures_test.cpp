@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <array>
-#include <cmath>
 #include <vector>
 
 #include "robot_model/robot_model.h"

@@ -2,13 +2,10 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace {
 
-using protocol::version2::Velocity;
 using robot_model::LegAngles;
 
 constexpr bool kAllPaws[] = {true, true, true, true};

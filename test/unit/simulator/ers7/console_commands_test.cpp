@@ -13,7 +13,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 

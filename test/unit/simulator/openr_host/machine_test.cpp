@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
-#include <thread>
 
 #include "fake_robot.h"
 #include "support/temporary_folder.h"
