@@ -247,26 +247,32 @@ class Eye {
   bool has_agreed_ = false;
 };
 
-// The same image shows the same room from the same place, unless one of these options changes it.
+// The same image shows the same room from the same place, unless one of these options changes it, or the computer held
+// up one of the robots, so that its head came later to where it is.
 TEST(AiboRCServer, ShowsTheRoomThatItIsTold) {
   const TemporaryFolder folder;
   const test_pictures::Bytes photograph = test_pictures::make();
   folder.write("a.jpg", {photograph.begin(), photograph.end()});
-  const std::pair<Strings, bool> rows[] = {
-      {{"--seed", "1"}, true}, {{"--seed", "2"}, false}, {{"--on-table"}, false}, {{"--images", folder.path()}, false}};
-  for (const auto& [options, is_usual] : rows) {
+  constexpr int kMany = 1'000'000;
+  constexpr int kFew = 5;
+  const std::pair<Strings, int> rows[] = {
+      {{"--seed", "1"}, kMany}, {{"--seed", "2"}, kFew}, {{"--on-table"}, kFew}, {{"--images", folder.path()}, kFew}};
+  for (const auto& [options, to_compare] : rows) {
     Eye eyes[] = {Eye(Strings()), Eye(options)};
     std::map<unsigned, std::vector<std::uint8_t>> seen[2];
-    std::optional<bool> is_same;
+    bool is_same = false;
+    int compared = 0;
     const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-    for (int eye = 0; !is_same && std::chrono::steady_clock::now() < end; eye = 1 - eye) {
+    for (int eye = 0; !is_same && compared < to_compare && std::chrono::steady_clock::now() < end; eye = 1 - eye) {
       if (const std::optional<Picture> picture = eyes[eye].look()) {
         const unsigned image = picture->image.image_count;
         seen[eye][image] = picture->jpeg;
-        is_same = seen[1 - eye].count(image) == 0 ? is_same : seen[0][image] == seen[1][image];
+        compared += static_cast<int>(seen[1 - eye].count(image));
+        is_same = seen[1 - eye].count(image) > 0 && seen[0][image] == seen[1][image];
       }
     }
-    EXPECT_EQ(is_same, is_usual) << options[0];
+    EXPECT_EQ(is_same, to_compare == kMany) << options[0];
+    EXPECT_GT(compared, 0);
   }
 }
 
