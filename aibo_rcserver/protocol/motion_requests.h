@@ -16,9 +16,12 @@ namespace version2 {
 /// The largest motion file that fits into a request with its name.
 const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_NAME_SIZE;
 
-/// Bits of the id of `U` and `P`. Older servers ignore the id.
-const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;  ///< do not refuse a motion of joints that the robot lacks
-const unsigned char TELL_CHANGES = 2;  ///< `P`: the reply describes changes to the motion; otherwise it is empty
+/// Bit of the id of `U` and `P`: do not refuse a motion of joints that the robot lacks.
+const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;
+
+/// The file of a motion may take this long to be read, in frames (5 s): `P` is judged again afterwards, and may then be
+/// this much later.
+const unsigned FILE_READING_FRAMES = 625;
 
 /// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has none.
 struct MotionUpload {
@@ -48,13 +51,15 @@ struct MotionToDelete {
 
 const Request DELETE_MOTION = {REQUEST_DELETE, "delete the motion", NEEDS_MEMORY_STICK, "ALLOW_DELETE"};
 
-/// Payload of `P`: uint16 repetitions, the name. With TELL_CHANGES the reply has MotionChanges, otherwise nothing.
+/// Payload of `P`: uint32 not after, uint16 repetitions, the name.
 struct MotionOrder {
+  unsigned not_after;          ///< frame (isTooOld()); ignored with 0 repetitions
   unsigned short repetitions;  ///< 0 stops the motion
   MotionName name;             ///< may be empty with 0 repetitions, which stops all motions
 
   template <typename Fields>
   void visit(Fields& fields) {
+    fields.number(not_after);
     fields.number(repetitions);
     fields.name(readMotionName, name, repetitions == 0);
   }
@@ -67,7 +72,7 @@ const Request STOP_ALL_MOTIONS = {REQUEST_PLAY, "stop all motions", STOPS_MOTION
 
 const size_t MAX_MOTION_CHANGES_SIZE = 512;
 
-/// Payload of the reply to `P` with TELL_CHANGES: how playback differs from the file. Plain text (text.h), not
+/// Payload of the reply to `P`: how playback differs from the file. Plain text (text.h), not
 /// zero-terminated, empty if there is no difference.
 struct MotionChanges {
   const char* text;  ///< after decoding, points into the payload

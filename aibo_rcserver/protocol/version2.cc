@@ -32,6 +32,15 @@ FrameHeader decodeFrameHeader(const unsigned char* in) {
   return header;
 }
 
+bool isTooOld(unsigned not_after, unsigned present) {
+  return not_after != NEVER_TOO_OLD && static_cast<int>(present - not_after) > 0;
+}
+
+unsigned notAfter(unsigned present, int frames) {
+  const unsigned frame = present + static_cast<unsigned>(frames);
+  return frame == NEVER_TOO_OLD ? 0 : frame;
+}
+
 char replyKind(char request_kind) {
   return static_cast<char>(request_kind - 'A' + 'a');
 }

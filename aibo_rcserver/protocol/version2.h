@@ -36,7 +36,7 @@ struct FrameHeader {
   char kind;  ///< capital letter: request; small letter: reply or push
   /// JPEG quality for `F`, `W` and `M`; TelemetryContent bits for `T`, HoldScope for `I`, CameraSetting for `G`,
   /// ColorOrder for `Z`, SoundPart for `A`, SteeringOption bits for `S`, Posture for `E`, StickPictureRequest for `Y`,
-  /// bits for `U` and `P`; otherwise 0.
+  /// a bit for `U` and `P`; otherwise 0.
   unsigned char id;
   unsigned short request_number;  ///< 1..65535 in a request and its reply, 0 in a push
   unsigned payload_size;          ///< bytes
@@ -58,7 +58,8 @@ const size_t MAX_PAYLOAD_TOWARDS_ROBOT = 64 * 1024;
 /// Does not check the payload size; FrameReader does.
 FrameHeader decodeFrameHeader(const unsigned char* in);
 
-const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload; the reply's is in hello.h
+const char REQUEST_HELLO = 'H';         ///< hello and heartbeat; no payload; the reply's is in hello.h. An empty `h`
+                                        ///< (number 0) is pushed to ask for it
 const char REQUEST_PICTURE = 'F';       ///< one picture, id = JPEG quality; the reply is the picture
 const char REQUEST_STREAM = 'W';        ///< stream on or off, id = JPEG quality; pushes pictures
 const char REQUEST_JOINTS = 'J';        ///< moves joints; the reply has the accepted targets
@@ -76,7 +77,7 @@ const char REQUEST_LIST = 'N';          ///< lists the motions on the robot
 const char REQUEST_SAVE_PICTURE = 'M';  ///< takes a picture onto the memory stick, id = quality; the reply has its name
 const char REQUEST_PICTURES = 'Y';      ///< lists, fetches or deletes them, id = StickPictureRequest (stick_pictures.h)
 const char REQUEST_STEER = 'S';         ///< walks; the reply has the velocity in force (walk_requests.h)
-const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; no payload; the reply comes when it begins
+const char REQUEST_POSTURE = 'E';       ///< takes a posture, id = Posture; the reply comes when it begins
 const char REQUEST_SHUT_DOWN = 'Q';     ///< motors off, then shut down; nothing follows the reply
 const char REQUEST_REBOOT = 'R';        ///< motors off, then reboot; nothing follows the reply
 
@@ -85,6 +86,17 @@ const char TELEMETRY_PUSH = 't';           ///< measured values (request_number 
 const char END_PUSH = 'i';                 ///< something has ended on the robot
 const char MOTORS_AND_POSTURE_PUSH = 'o';  ///< pushed (request_number 0), or the reply to `O`, without the posture
 const char ERROR_MESSAGE = 'e';  ///< a refusal; if pushed: a joint's fault, a power event, or why the connection closes
+
+/// As the time after which an order is too old: it never is. For programs that a person watches.
+const unsigned NEVER_TOO_OLD = 0xffffffffu;
+
+/// True if an order is too old to be carried out.
+/// @param not_after the last frame in which it may be carried out, or NEVER_TOO_OLD
+/// @param present the robot's present frame; frames may overflow
+bool isTooOld(unsigned not_after, unsigned present);
+
+/// The not_after of an order that may be carried out in this frame and for so many more. It is never NEVER_TOO_OLD.
+unsigned notAfter(unsigned present, int frames);
 
 /// The small letter of the request.
 char replyKind(char request_kind);
@@ -158,7 +170,7 @@ const size_t MAX_JOINTS = 32;
 extern const char TOO_MANY_JOINTS[];
 extern const char JOINT_TWICE[];
 
-/// Payload of `J` and its reply: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
+/// Payload of the reply to `J`: uint16 duration, uint8 count, uint8 0, count x {uint8 id, uint8 0, uint16 0, int32
 /// microradian}. No id may repeat.
 struct JointTargets {
   unsigned short duration_ms;  ///< when all joints arrive; 0 = each as fast as its limits allow
@@ -172,6 +184,18 @@ struct JointTargets {
     fields.zeros(1);
     fields.list(joints, count, MAX_JOINTS, TOO_MANY_JOINTS);
     fields.once(joints, count, JOINT_TWICE);
+  }
+};
+
+/// Payload of `J`: uint32 not after, then as JointTargets.
+struct JointOrder {
+  unsigned not_after;  ///< frame (isTooOld())
+  JointTargets targets;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(not_after);
+    fields.item(targets);
   }
 };
 
@@ -192,10 +216,9 @@ struct SpeedLimits {
 
 const Request LIMIT_SPEEDS = {REQUEST_SPEED_LIMITS, "limit the speed of joints", 0, NULL};
 
-/// What telemetry has besides positions and sensors: bits of the id of `T`. The reply repeats the bits that the server
-/// knows. A server that knows only TELEMETRY_WITH_DUTY treats other bits as TELEMETRY_PLAIN, so request a walk only
-/// from a server with REQUEST_STEER.
-enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1, TELEMETRY_WITH_WALK = 2 };
+/// What telemetry has besides positions, sensors and the walk: bits of the id of `T`. The reply repeats the bits that
+/// the server knows.
+enum TelemetryContent { TELEMETRY_PLAIN = 0, TELEMETRY_WITH_DUTY = 1 };
 
 /// Payload of `T` and its reply: uint16 period in OPEN-R frames of 8 ms, 0 = off.
 struct TelemetryPeriod {
@@ -212,7 +235,7 @@ const Request SEND_TELEMETRY = {REQUEST_TELEMETRY, "send telemetry", 0, NULL};
 const char GROUP_JOINT = 'J';   ///< a position in microradian
 const char GROUP_SENSOR = 'S';  ///< millionths of the sensor's SI unit; a switch is 0 or 1
 const char GROUP_DUTY = 'D';    ///< a motor's duty, in millionths of full duty; only with TELEMETRY_WITH_DUTY
-const char GROUP_WALK = 'W';    ///< the robot's walk (walk_requests.h); only with TELEMETRY_WITH_WALK
+const char GROUP_WALK = 'W';    ///< the robot's walk (walk_requests.h), if it can walk
 
 struct TelemetryEntry {
   char group;  ///< a GROUP_ constant
@@ -251,7 +274,19 @@ struct Telemetry {
 
 const size_t MAX_TELEMETRY_SIZE = 8 + MAX_TELEMETRY_ENTRIES * 8;
 
-/// Payload of `O` and its reply: uint8 1 = on, 0 = off. An empty request reads the state.
+/// Payload of `O`: uint32 not after, uint8 1 = on, 0 = off. An empty request reads the state.
+struct MotorOrder {
+  unsigned not_after;  ///< frame (isTooOld()); ignored by 0
+  bool on;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(not_after);
+    fields.flag(on, "the motors are neither off (0) nor on (1)");
+  }
+};
+
+/// Payload of the reply to `O`: uint8 1 = on, 0 = off.
 struct MotorState {
   bool on;
 
@@ -276,8 +311,8 @@ enum Posture {
   POSTURE_CARRIED = 6
 };
 
-/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client that has sent `O` gets it
-/// at once and at each change.
+/// Payload of a pushed `o`: uint8 1 = motors on, 0 = off, uint8 posture, uint16 0. A client gets it soon after its
+/// first request and at each change.
 struct MotorsAndPosture {
   bool motors_on;
   unsigned char posture;  ///< a Posture
@@ -363,8 +398,7 @@ const Request SHUT_DOWN = {REQUEST_SHUT_DOWN, "shut down", 0, "ALLOW_SHUT_DOWN"}
 const Request REBOOT = {REQUEST_REBOOT, "reboot", 0, "ALLOW_REBOOT"};
 
 /// The payload of `f` before the JPEG: uint32 image count, uint32 frame number, uint16 width, uint16 height, uint8
-/// quality, uint8 layer, uint16 camera settings (packCameraSettings()). The settings are 0 unless the client has sent
-/// `G`.
+/// quality, uint8 layer, uint16 camera settings (packCameraSettings()).
 struct ImageHeader {
   unsigned image_count;     ///< the camera's own counter; a robot may use only the low 16 bits
   unsigned frame_number;    ///< the OPEN-R frame (8 ms) of the image
@@ -413,7 +447,8 @@ enum {
   CODE_FILE_MISSING = 1,   ///< the file is missing or unreadable
   CODE_NOT_SUPPORTED = 2,  ///< the server does not support this kind of request
   CODE_JOINT_FAULT = 3,    ///< pushed: a joint does not follow its commands; the text names it
-  CODE_POWER = 4           ///< pushed: the pause button or a low battery shuts the robot down; the text says which
+  CODE_POWER = 4,          ///< pushed: the pause button or a low battery shuts the robot down; the text says which
+  CODE_TOO_OLD = 5         ///< the order came later than its not_after
 };
 
 /// In bytes. A longer text is cut after a whole character.
@@ -438,28 +473,36 @@ enum {
   ENDED_MOTION = 1,   ///< a motion; the name is its file's
   ENDED_WALK = 2,     ///< walking; the name is WALK_NAME
   ENDED_POSTURE = 3,  ///< a change of posture; the name is postureName()
-  ENDED_JAM = 4       ///< a joint's fault: the joint follows its commands again; the name is the joint's
+  ENDED_JAM = 4,      ///< a joint's fault: the joint follows its commands again; the name is the joint's
+  ENDED_JOINTS = 5    ///< a `J`: none of its joints is under way; no name
 };
 
 /// How it has ended. A receiver must accept unknown values.
 enum {
-  END_DONE = 0,      ///< it has reached its end; for a walk: the robot was steered to a stand
+  END_DONE = 0,  ///< it has reached its end; for a walk: the robot was steered to a stand; for a `J`: its joints were
+                 ///< measured within ARRIVED of their targets
   END_REPLACED = 1,  ///< a command or another motion took its joints
   END_STOPPED = 2,   ///< the client stopped it or switched the motors
   END_REFUSED = 3,   ///< the robot could not continue, for instance because a joint did not follow
   END_FELL = 4       ///< the robot fell or was lifted
 };
 
+/// Microradian, 0.05 rad: a joint this near its target has arrived. It must do so within this many frames (2 s) after
+/// its planned way. Both are our choice.
+const int ARRIVED = 50000;
+const unsigned ARRIVAL_FRAMES = 250;
+
 /// In bytes. Longer ones are cut after a whole character.
 const size_t MAX_END_NAME_SIZE = 64;
 const size_t MAX_END_REASON_SIZE = 512;
 const size_t MAX_END_MESSAGE_SIZE = 4 + MAX_END_NAME_SIZE + 1 + MAX_END_REASON_SIZE;
 
-/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 0, name, newline, reason up to the end.
+/// Payload of a pushed `i`: uint8 what, uint8 how, uint16 order, name, newline, reason up to the end.
 struct EndMessage {
   unsigned char what;
   unsigned char how;
-  const char* name;  ///< plain text (text.h), may be empty; after decoding, points into the payload
+  unsigned short order;  ///< number of the request that began it; 0: a joint's fault, or what an earlier client began
+  const char* name;      ///< plain text (text.h), may be empty; after decoding, points into the payload
   size_t name_size;
   const char* reason;  ///< plain text that a user can act on, may be empty; after decoding, points into the payload
   size_t reason_size;
@@ -468,7 +511,7 @@ struct EndMessage {
   void visit(Fields& fields) {
     fields.number(what);
     fields.number(how);
-    fields.zeros(2);
+    fields.number(order);
     fields.line(name, name_size, MAX_END_NAME_SIZE, "there is no newline after the name");
     fields.text(reason, reason_size, MAX_END_REASON_SIZE);
   }

@@ -11,16 +11,12 @@ namespace version2 {
 /// Without a new `S` for this time, a robot stops walking and stands.
 const unsigned STEERING_TIMEOUT_MS = 500;
 
-/// Bits of the id of `S`. A server without the capability GUARD_CAPABILITY ignores them.
+/// Bits of the id of `S`.
 enum SteeringOption {
   STEER_GUARDED = 1  ///< the walk slows down and ends before edges and walls, and where the robot cannot see
 };
 
-/// The word among the capabilities of a server that knows STEER_GUARDED.
-const char GUARD_CAPABILITY[] = "guard";
-
-/// Payload of `S` and its reply: int16 forward and left in mm/s, int16 turn in mrad/s, uint16 0. All 0: stop walking
-/// and stand. The reply has the velocity in force, within the robot's WalkLimits.
+/// A velocity on the wire: int16 forward and left in mm/s, int16 turn in mrad/s.
 struct Velocity {
   double forward;  ///< m/s, negative is backward
   double left;     ///< m/s, negative is to the right
@@ -33,7 +29,31 @@ struct Velocity {
     fields.thousandths(forward);
     fields.thousandths(left);
     fields.thousandths(turn);
+  }
+};
+
+/// Payload of `S`: uint32 not after, Velocity, uint16 0. All 0: stop walking and stand, however late it is.
+struct SteeringOrder {
+  unsigned not_after;  ///< frame (isTooOld())
+  Velocity velocity;
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(not_after);
+    fields.item(velocity);
     fields.zeros(2);
+  }
+};
+
+/// Payload of the reply to `S`: Velocity, uint16 walk.
+struct Steered {
+  Velocity velocity;    ///< in force, within the robot's WalkLimits
+  unsigned short walk;  ///< number of the `S` that began the walk; 0 if there is no walk
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.item(velocity);
+    fields.number(walk);
   }
 };
 
@@ -47,8 +67,17 @@ struct WalkLimits {
   double turn;     ///< rad/s, in either direction
 };
 
-/// `E` has a Posture as its id, and no payload. The empty reply comes when the robot begins to move; a pushed `i`
-/// (ENDED_POSTURE) tells how it ended.
+/// Payload of `E`, whose id is a Posture: uint32 not after. The empty reply comes when the robot begins to move; a
+/// pushed `i` (ENDED_POSTURE) tells how it ended.
+struct PostureOrder {
+  unsigned not_after;  ///< frame (isTooOld())
+
+  template <typename Fields>
+  void visit(Fields& fields) {
+    fields.number(not_after);
+  }
+};
+
 const Request TAKE_POSTURE = {REQUEST_POSTURE, "take the posture",
                               STARTS_MOVEMENT | TAKES_OVER_JOINTS | ENDS_WALK | MOVES_BODY, NULL};
 
