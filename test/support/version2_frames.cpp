@@ -64,9 +64,10 @@ Bytes makeError(int code, const std::string& text) {
   return encoded(version2::ErrorMessage{static_cast<unsigned short>(code), text.data(), text.size()});
 }
 
-Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason) {
-  return encoded(version2::EndMessage{static_cast<unsigned char>(what), static_cast<unsigned char>(how), name.data(),
-                                      name.size(), reason.data(), reason.size()});
+Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason, int order) {
+  return encoded(version2::EndMessage{static_cast<unsigned char>(what), static_cast<unsigned char>(how),
+                                      static_cast<unsigned short>(order), name.data(), name.size(), reason.data(),
+                                      reason.size()});
 }
 
 }  // namespace version2_frames

@@ -49,7 +49,8 @@ Bytes makeTelemetry(unsigned frame_number, const std::vector<protocol::version2:
 
 Bytes makeError(int code, const std::string& text);
 
-Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason);
+/// @param order number of the request that began it
+Bytes makeEnd(int what, int how, const std::string& name, const std::string& reason, int order = 0);
 
 }  // namespace version2_frames
 

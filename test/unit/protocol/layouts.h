@@ -32,7 +32,7 @@ constexpr char kThreeValues[] =
 constexpr char kTwoIds[] = "02 34";  // head_pan, tail_tilt
 
 constexpr char kEnd[] =
-    "01 01 00 00 "              // a motion was replaced
+    "01 01 ab cd "              // a motion was replaced: that of request 43981
     "4e 4f 44 2e 4d 54 4e 0a "  // NOD.MTN
     "63 c3 a9";                 // a reason
 
@@ -45,7 +45,7 @@ constexpr char kTwoLeds[] =
     "02 ff 00 00 "  // 2: 255, mode A
     "1a 80 01 00";  // 26: 128, mode B
 
-constexpr char kVelocity[] = "00 96 ff c4 04 b0 00 00";  // 150 mm/s forward, 60 mm/s right, 1.2 rad/s left
+constexpr char kVelocity[] = "00 96 ff c4 04 b0";  // 150 mm/s forward, 60 mm/s right, 1.2 rad/s left
 
 constexpr char kColorRegions[] =
     "00 01 02 03 0a 0b 0c 0d "                                      // image 66051, frame 168496141
@@ -65,7 +65,9 @@ constexpr char kUpload[] =
     "07 4e 4f 44 2e 4d 54 4e "  // NOD.MTN
     "4f 4d 54 4e";              // a motion cut off after four bytes
 
-constexpr char kOrder[] = "00 03 4e 4f 44 2e 4d 54 4e";  // three times NOD.MTN
+constexpr char kOrder[] =
+    "0a 0b 0c 0d 00 03 "     // not after frame 168496141, three times
+    "4e 4f 44 2e 4d 54 4e";  // NOD.MTN
 
 constexpr char kHello[] =
     "robot=ERS-7\n"

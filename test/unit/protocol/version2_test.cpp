@@ -50,6 +50,17 @@ TEST(FrameHeader, OfAReplyToAPostureIsNoError) {
   EXPECT_FALSE(isError('s', 8));
 }
 
+TEST(Expiry, IsJudgedWhereFramesOverflow) {
+  EXPECT_FALSE(isTooOld(1000, 1000));
+  EXPECT_TRUE(isTooOld(1000, 1001));
+  EXPECT_FALSE(isTooOld(5, 0xfffffff0));
+  EXPECT_TRUE(isTooOld(0xfffffff0, 5));
+  EXPECT_FALSE(isTooOld(NEVER_TOO_OLD, 5));
+  EXPECT_FALSE(isTooOld(NEVER_TOO_OLD, 0x7fffffff));
+  EXPECT_EQ(notAfter(0xffffffff - 62, 62), 0U) << "it would be never";
+  EXPECT_EQ(notAfter(0xffffffff, 62), 61U);
+}
+
 // `count` different parts of the body from id 0 on.
 Bytes entriesOf(size_t count, const char* after_id) {
   Bytes bytes;
@@ -118,9 +129,9 @@ TEST(Texts, AreCutAfterAWholeCharacter) {
 
   const std::string name(MAX_END_NAME_SIZE - 1, 'n');
   const std::string long_name = name + "\xc3\xa9";
-  EXPECT_EQ(
-      encoded(EndMessage{ENDED_MOTION, END_REPLACED, long_name.data(), long_name.size(), longer.data(), longer.size()}),
-      hex("01 01 00 00") + bytesOf(name + "\n" + text));
+  EXPECT_EQ(encoded(EndMessage{ENDED_MOTION, END_REPLACED, 0, long_name.data(), long_name.size(), longer.data(),
+                               longer.size()}),
+            hex("01 01 00 00") + bytesOf(name + "\n" + text));
 }
 
 }  // namespace
