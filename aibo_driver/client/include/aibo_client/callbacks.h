@@ -58,20 +58,19 @@ struct Callbacks {
   /// the server says so; version 1 servers do not always say so. Version 1 sets modes for all LEDs at once. Until it
   /// has done so, mode A is assumed.
   std::function<void(const std::vector<LedCommand>& leds)> on_leds_accepted;
-  /// The velocity that the robot has accepted for walking, within its limits, and the OrderTerms::number of the order
-  /// that asked for it.
-  std::function<void(const WalkVelocity& in_force, std::uint64_t order)> on_steered;
-  /// A version 2 server reports that something it did has ended, such as a motion. A motion, walk or posture that has
-  /// not ended when the connection breaks is stopped by the robot, without a report.
+  /// The robot has accepted a velocity to walk with.
+  /// @param in_force the velocity, within the robot's limits
+  /// @param order the OrderTerms::number of the order that asked for it
+  /// @param walk the OrderTerms::number of the order that began the walk that goes on; 0 if there is no walk. If it is
+  ///   `order`, a walk has begun; otherwise this order has ended
+  std::function<void(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk)> on_steered;
+  /// An order has ended. Each order with an OrderTerms::number ends once: by on_refused if the robot has not begun it,
+  /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
+  /// and nothing is called. Ends that a request causes are told before the request's own answer.
   std::function<void(const MotionEnd& end)> on_ended;
-  /// A request that no call waits for was refused or dropped, or a joint does not follow its commands. If this callback
-  /// is not set, the client logs the refusal. It is not called if a newer request of the same kind replaces one that
-  /// was not sent, or if the connection ends before a request is sent.
+  /// A request was refused or dropped. If this callback is not set, the client logs the refusal. A request without an
+  /// OrderTerms::number may be replaced by a newer one before it is sent, without a call.
   std::function<void(const Refusal& refusal)> on_refused;
-  /// The robot has answered a call with an OrderTerms::number other than 0, after that call has ended with a
-  /// TimeoutException. This is not called if the connection ends first. In version 1, such a call always ends the
-  /// connection.
-  std::function<void(const LateAnswer& answer)> on_late_answer;
   /// A version 2 server says that the motors or the posture have changed. This is also called soon after the connection
   /// is made and, with everything unknown, when a connection ends.
   std::function<void(const MotorsAndPosture& state)> on_motors_and_posture;

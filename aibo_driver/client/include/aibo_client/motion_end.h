@@ -2,17 +2,19 @@
 #ifndef AIBO_CLIENT_MOTION_END_H
 #define AIBO_CLIENT_MOTION_END_H
 
+#include <cstdint>
 #include <string>
 
 namespace aibo_client {
 
-/// What a version 2 server reports as ended. The numbers are those of docs/protocol.md.
+/// What has ended. The numbers are those of docs/protocol.md.
 enum class EndedKind {
   kUnknown = 0,  ///< something that only a newer server knows
   kMotion = 1,   ///< a motion that was played
   kWalk = 2,     ///< walking
   kPosture = 3,  ///< a change of posture
-  kJam = 4       ///< a joint's fault: the joint follows its commands again
+  kJam = 4,      ///< a joint's fault: the joint follows its commands again
+  kJoints = 5    ///< a command to joints: none of its joints is under way for it any more
 };
 
 /// How something that the robot did, or should have done, has ended. The first five are what a robot says, with the
@@ -28,12 +30,15 @@ enum class EndedHow {
   kLost = 7         ///< the connection broke
 };
 
-/// The robot's report that something it did has ended.
+/// Reports that something has ended on the robot. It is reported once for each order that the robot has accepted,
+/// unless the connection ends first. A server of version 1 reports no ends. There, commands to joints and motions end
+/// with EndedHow::kUnknown once the robot has accepted them.
 struct MotionEnd {
   EndedKind kind = EndedKind::kUnknown;
   EndedHow how = EndedHow::kUnknown;
-  std::string name;    ///< the name of the motion's file, the posture or the joint; may be empty
-  std::string reason;  ///< in words for the user, such as which joint a command took; may be empty
+  std::string name;         ///< the name of the motion's file, the posture or the joint; may be empty
+  std::string reason;       ///< in words for the user, such as which joint a command took; may be empty
+  std::uint64_t order = 0;  ///< OrderTerms::number; 0 if the order has none, or if it is none of this connection
 };
 
 }  // namespace aibo_client

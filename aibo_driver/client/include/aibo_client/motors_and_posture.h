@@ -21,7 +21,7 @@ enum class PostureNow {
   kCarried  ///< the robot is lifted
 };
 
-/// What the robot can do now. A server does not report this if it speaks version 1 or is older than this report.
+/// What the robot can do now. A server of version 1 does not report this.
 struct MotorsAndPosture {
   MotorState motors = MotorState::kUnknown;
   PostureNow posture = PostureNow::kUnknown;

@@ -23,8 +23,7 @@ struct ClientOptions {
   /// If true, the robot also plays and stores motions for other robots, without the joints that it does not have. If
   /// false, it refuses them. Version 1 servers always refuse them.
   bool leave_out_missing_joints = false;
-  /// If true, walks end before edges and walls and where the robot cannot see, as docs/walking.md describes. A robot
-  /// without the capability "guard" pays no attention to it.
+  /// If true, walks end before edges and walls and where the robot cannot see, as docs/walking.md describes.
   bool guard_walks = true;
 };
 

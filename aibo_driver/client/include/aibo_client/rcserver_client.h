@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
@@ -165,11 +166,11 @@ class RcServerClient {
   /// on_joints_accepted, or to on_refused if the robot refuses. Targets with a speed first limit the speeds of their
   /// joints, as setJointSpeedLimits() does.
   ///
-  /// A command is carried out once or not at all. Without a connection it is refused. Commands that have not been sent
-  /// when a connection breaks are dropped. If commands come faster than the robot answers, each joint goes to its
-  /// latest target, and older commands that have not been sent are dropped. on_refused tells if a command was dropped
-  /// for one of two reasons: it had to wait for longer than its terms allow, because the robot was busy or the link
-  /// stood still; or it was a command to the legs, and steer() was called after it.
+  /// A command is carried out once or not at all. Without a connection it is refused. If commands come faster than the
+  /// robot answers, each joint goes to its latest target, and older targets that have not been sent are dropped.
+  /// on_refused tells when the last target of a command was dropped, or when the robot got it too late. on_ended tells
+  /// when none of the command's joints is under way for it any more: done if each joint that no other order has taken
+  /// was measured within 0.05 rad of its target.
   ///
   /// A version 1 server gets one joint at a time, each after the answer to the previous one. Such a server does not
   /// know durations, so the joints move as fast as their speed limits allow. The terms say until when the first target
@@ -181,7 +182,6 @@ class RcServerClient {
   /// @throw InvalidArgumentException an id, a position, the number of joints or the duration is out of range
   /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
   ///   reason
-  /// @throw CommandException the server has no joints to command, or cannot limit their speeds
   /// @throw StoppedException stop() was called
   void commandJoints(const std::vector<JointTarget>& targets, std::chrono::milliseconds duration,
                      const OrderTerms& terms = {});
@@ -198,6 +198,8 @@ class RcServerClient {
   /// are dropped.
   /// @param on true: on; false: off
   /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
+  ///   meaning, because the answer is the end of this request
   /// @return true if the robot says that its motors are now on
   /// @throw InvalidArgumentException timeout is out of range
   /// @throw NetworkException there is no connection, or it broke while waiting
@@ -205,7 +207,15 @@ class RcServerClient {
   /// @throw CommandException the robot refused, or its server speaks version 1, which has no such request
   /// @throw StoppedException stop() was called
   /// @throw Exception the function was called from a callback
-  bool setMotors(bool on, std::chrono::milliseconds timeout);
+  bool setMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+
+  /// Does the same as setMotors(), but does not wait.
+  /// @return becomes ready with what setMotors() returns or throws, within the timeout
+  /// @throw InvalidArgumentException timeout is out of range
+  /// @throw NetworkException there is no connection
+  /// @throw CommandException the server speaks version 1
+  /// @throw StoppedException stop() was called
+  std::future<bool> beginMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
   /// them end. This request is sent before everything that waits. Commands to these joints that have not been sent are
@@ -217,11 +227,17 @@ class RcServerClient {
   /// @throw NetworkException there is no connection, or it broke while waiting; then the robot may or may not have
   ///   obeyed
   /// @throw TimeoutException the robot is connected, but no answer came in time
-  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `I`; nothing was
-  ///   sent or dropped then, and the message says what to do instead
+  /// @throw CommandException the robot refused, or its server speaks version 1; nothing was sent or dropped then, and
+  ///   the message says what to do instead
   /// @throw StoppedException stop() was called
   /// @throw Exception the function was called from a callback
   void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
+
+  /// Does the same as hold(), but does not wait. When it returns, what the hold drops has been dropped, and the request
+  /// is sent before everything that waits.
+  /// @return becomes ready with what hold() throws, within the timeout
+  /// @throw Exception the exceptions of beginMotors(); also InvalidArgumentException an argument is out of range
+  std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
   /// Makes the robot walk with a velocity. It returns without waiting for the answer. The answer goes to on_steered, or
   /// to on_refused if the robot refuses.
@@ -229,13 +245,16 @@ class RcServerClient {
   /// The robot stops walking and stands 500 ms after the last call, so call this again and again. A velocity of 0 stops
   /// it at once, in an orderly way. A robot that does not stand yet first stands up.
   ///
-  /// Only the newest velocity counts. An older one that has not been sent is dropped. on_refused tells if a velocity
-  /// was dropped for one of two reasons: it had to wait for longer than its terms allow; or hold(), takePosture(),
-  /// motors off or a command to the legs came before it was sent. Without a connection a velocity is refused, and
-  /// nothing is repeated after a reconnect.
+  /// A walk begins only after a velocity of 0, which says that the user let go of the controls. It has to come after
+  /// the connection was made, after anything else that took or held a leg, after a fall, and after an end or a refusal
+  /// by the robot. It is sent even if another velocity is given before it could be sent.
+  ///
+  /// Only the newest velocity counts. on_refused tells if an older one was dropped before it was sent. It also tells if
+  /// hold(), takePosture(), playMotion(), motors off or a command to the legs came before it was sent. These drop a
+  /// velocity of 0, too. Without a connection a velocity is refused, and nothing is repeated after a reconnect.
   ///
   /// @param velocity at most 32.767 m/s and rad/s; the robot keeps its limits (RobotInfo::walk_limits)
-  /// @param terms until when the velocity may be sent, and its number
+  /// @param terms until when the velocity may reach the robot, and its number; a velocity of 0 is never too old
   /// @throw InvalidArgumentException the velocity is out of range or not a number
   /// @throw NetworkException the robot is not connected; the message says why and what to check, and kind() names the
   ///   reason
@@ -248,20 +267,27 @@ class RcServerClient {
   void guardWalks(bool on);
 
   /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
-  /// begun. A MotionEnd with the posture's name says when and how it has ended: "stand", "sit" or "rest". If a call has
-  /// not been sent when hold() is called or its terms end, it ends with a CommandException.
+  /// begun. on_ended says when and how it has ended. If a call has not been sent when hold() is called or its terms
+  /// end, it ends with a CommandException.
   /// @param posture the posture
   /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @param terms until when the request may be sent, and its number
+  /// @param terms until when the request may reach the robot, and its number
   /// @throw InvalidArgumentException timeout is out of range
   /// @throw NetworkException there is no connection, or it broke while waiting; wasSent() says whether the robot may
   ///   have obeyed
   /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still
-  ///   obey; on_late_answer tells if it does
+  ///   obey; the order then ends by on_refused or on_ended
   /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `E`
   /// @throw StoppedException stop() was called
   /// @throw Exception the function was called from a callback
   void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+
+  /// Does the same as takePosture(), but does not wait. If the order has a number, on_refused or on_ended tells how it
+  /// has ended, in addition to the future and before it becomes ready. An order that has not been sent within the
+  /// timeout is withdrawn (RefusalCause::kTooOld).
+  /// @return becomes ready with what takePosture() throws, within the timeout
+  /// @throw Exception the exceptions of beginMotors(). Then there is no order, and no callback tells of one
+  std::future<void> beginPosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
   /// robot answers, each LED gets its latest command. The answer goes to on_leds_accepted, or to on_refused if the
@@ -301,13 +327,21 @@ class RcServerClient {
   /// @param name the name of the file, such as NOD.MTN: at most 8 characters, then .MTN, in upper or lower case
   /// @param repetitions 1..65535
   /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @param terms if the request could not be sent in time, for example because the memory stick was busy with another
+  /// @param terms until when the request may reach the robot, and its number. The robot may take 5 s longer to read the
+  ///   file. If the request could not be sent in time, for example because the memory stick was busy with another
   ///   request, the call ends with a CommandException
   /// @return what the robot plays differently from the file, in one line: positions that it clips, by how much the
   ///   motion is longer because it is too fast for the joints' speed limits, and joints that it leaves out. It is empty
-  ///   if there is nothing to say, or if the server does not tell (version 1, or an older server)
+  ///   if there is nothing to say, or if the server speaks version 1, which does not tell
   std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
                          const OrderTerms& terms = {});
+
+  /// Does the same as playMotion(), but does not wait. How the order ends is told as for beginPosture().
+  /// @return becomes ready with what playMotion() returns or throws, within the timeout
+  /// @throw Exception the exceptions of beginMotors(), but a version 1 server plays motions; also
+  ///   InvalidArgumentException an argument is out of range, or `name` is not the name of a motion
+  std::future<std::string> beginMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
+                                       const OrderTerms& terms = {});
 
   /// Stops a motion. Its joints hold their positions. With a version 2 server, calls that have not been sent and would
   /// play this motion end with a CommandException.
@@ -434,7 +468,7 @@ class RcServerClient {
   RcServerClient(const ClientOptions& options, Callbacks callbacks, std::unique_ptr<TcpTransport> transport);
 
  private:
-  const int motion_bits_;  // bits of the id in requests about motions (protocol/motion_requests.h)
+  const int motion_bits_;  // the bit of the id in requests about motions (protocol/motion_requests.h)
   std::unique_ptr<ConnectionLoop> loop_;
   int steering_bits_ = 0;  // bits of the id in requests to walk (protocol/walk_requests.h); only within loop_->change()
 };
