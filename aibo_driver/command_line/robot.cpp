@@ -16,6 +16,7 @@ using aibo_client::FaultKind;
 using aibo_client::LogLevel;
 using aibo_client::RcServerClient;
 using aibo_client::RefusalCause;
+using aibo_client::RefusedRequest;
 
 namespace {
 
@@ -34,9 +35,6 @@ ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
 }
 
 std::string wordsOf(const aibo_client::Refusal& refusal) {
-  if (refusal.cause == RefusalCause::kJointFault && !refusal.ids.empty()) {
-    return "joint " + std::to_string(refusal.ids.front()) + ": " + refusal.reason;
-  }
   return (refusal.cause == RefusalCause::kRobot ? "the robot refused: " : "") + refusal.reason;
 }
 
@@ -102,6 +100,12 @@ const robot_model::RobotModel& Robot::model() const {
   return *model;
 }
 
+aibo_client::OrderTerms Robot::terms() {
+  aibo_client::OrderTerms terms;
+  terms.number = kOrder;
+  return terms;
+}
+
 Received Robot::received() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return received_;
@@ -163,7 +167,7 @@ aibo_client::Callbacks Robot::callbacks() {
       }
     });
   };
-  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t) {
+  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t, std::uint64_t) {
     change([&] { received_.velocity = in_force.isZero() ? received_.velocity : in_force; });
   };
   callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { noteRefusal(refusal); };
@@ -229,11 +233,12 @@ void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   });
 }
 
-// After the fault of a joint, version 2 may still report that it has become free and has arrived.
+// The refusal of a motion or posture is the exception of its call. What was replaced before it was sent was replaced by
+// this program.
 void Robot::noteRefusal(const aibo_client::Refusal& refusal) {
+  const bool has_a_call = refusal.request == RefusedRequest::kMotion || refusal.request == RefusedRequest::kPosture;
   change([&] {
-    const bool may_go_on = refusal.cause == RefusalCause::kJointFault && received_.status.protocol_version != 1;
-    if (!may_go_on && !received_.refusal) {
+    if (!has_a_call && refusal.cause != RefusalCause::kReplaced && !received_.refusal) {
       received_.refusal = wordsOf(refusal);
     }
   });

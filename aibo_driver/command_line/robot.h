@@ -44,7 +44,7 @@ struct Received {
   std::map<int, double> sensors;                      ///< the latest values, by identifier
   std::map<int, double> accepted_joints;              ///< rad, by identifier
   std::optional<aibo_client::WalkVelocity> velocity;  ///< that of the walk, within the robot's limits; the latest but 0
-  std::optional<std::string> refusal;                 ///< why an order was refused or dropped; the first one
+  std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
   std::deque<aibo_client::MotionEnd> ends;            ///< the newest kMostEnds
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet
@@ -60,6 +60,7 @@ class Robot {
   static constexpr std::size_t kMostEnds = 64;
   static constexpr std::size_t kMostSounds = 256;             ///< about 4 s
   static constexpr int kTelemetryPeriod = 4;                  ///< frames
+  static constexpr std::uint64_t kOrder = 1;                  ///< the number of a command's order
   static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
   static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for a request that is answered at once
 
@@ -86,6 +87,9 @@ class Robot {
   /// The robot's design. A version 1 server does not report its design, so we assume an ERS-7.
   const robot_model::RobotModel& model() const;
 
+  /// The terms of a command's only order: the usual time, and kOrder.
+  static aibo_client::OrderTerms terms();
+
   /// True if the robot reports when something has ended.
   bool reportsEnds() const { return received().status.robot.hasCapability("I"); }
 
@@ -104,9 +108,8 @@ class Robot {
   bool waitUntil(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout,
                  Loss loss = Loss::kFails);
 
-  /// Waits like waitUntil() after an order that has no answer of its own. Other requests may be refused, such as one
-  /// for a sensor that an older robot does not have.
-  /// @throw CommandException the order was refused or dropped
+  /// Waits like waitUntil() after an order that no call waits for.
+  /// @throw CommandException the order was refused
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
 
   /// Shows the user the client's warnings, and an order's refusal that nobody waited for, since the last call. The

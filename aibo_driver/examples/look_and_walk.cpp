@@ -39,8 +39,9 @@ void takePicture(aibo_client::RcServerClient& robot, const std::string& path) {
   std::cout << path << " has " << picture->jpeg.size() << " bytes\n";
 }
 
-// The robot stops by itself half a second after the last velocity.
+// A walk begins only after a velocity of 0. The robot stops by itself half a second after the last velocity.
 void walk(aibo_client::RcServerClient& robot) {
+  robot.steer({});
   for (int i = 0; i < 20; ++i) {
     robot.steer({0.1, 0, 0});  // m/s ahead
     std::this_thread::sleep_for(100ms);

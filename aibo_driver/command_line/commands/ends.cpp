@@ -31,26 +31,27 @@ const char* wordsOf(EndedHow how) {
   return "ended in a way that this program does not know";
 }
 
+auto endIn(const Received& received) {
+  return std::find_if(received.ends.begin(), received.ends.end(),
+                      [](const aibo_client::MotionEnd& end) { return end.order == Robot::kOrder; });
+}
+
 }  // namespace
 
-std::optional<std::string> waitForEnd(Robot& robot, aibo_client::EndedKind kind, const std::string& name,
-                                      double seconds) {
-  const auto is_it = [&](const aibo_client::MotionEnd& end) {
-    return end.kind == kind && (name.empty() || end.name == name);
-  };
-  const auto has_ended = [&](const Received& received) {
-    return std::any_of(received.ends.begin(), received.ends.end(), is_it);
-  };
-  if (!robot.waitUntil(has_ended, nanosecondsOf(seconds))) {
+std::optional<std::string> waitForEnd(Robot& robot, const std::string& name, double seconds) {
+  if (!robot.waitUntil(hasEnded, nanosecondsOf(seconds))) {
     return std::nullopt;
   }
   const Received received = robot.received();
-  const aibo_client::MotionEnd end = *std::find_if(received.ends.begin(), received.ends.end(), is_it);
+  const aibo_client::MotionEnd end = *endIn(received);
   if (end.how != EndedHow::kDone) {
-    throw FailedException((name.empty() ? "the movement" : name) + " " + wordsOf(end.how) +
-                          (end.reason.empty() ? "" : ": " + end.reason));
+    throw FailedException(name + " " + wordsOf(end.how) + (end.reason.empty() ? "" : ": " + end.reason));
   }
   return end.reason;
+}
+
+bool hasEnded(const Received& received) {
+  return endIn(received) != received.ends.end();
 }
 
 }  // namespace aibo_driver::command_line

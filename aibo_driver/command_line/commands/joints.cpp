@@ -8,6 +8,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
+#include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "movement/joint_command_filter.h"
@@ -24,10 +25,9 @@ namespace {
 
 using std::chrono::steady_clock;
 
-constexpr double kMargin = 3;            // s, in addition to the time that a way takes
-constexpr double kMoment = 1.5;          // s, in addition to the time that a way takes at full speed
+constexpr double kMargin = 5;            // s, in addition to the time that a way takes at full speed
 constexpr double kThere = 0.0087;        // rad, half a degree
-constexpr double kNear = 0.087;          // rad, 5 degrees
+constexpr double kNear = 0.05;           // rad, as near as a robot of version 2 has to be
 constexpr double kClamped = 0.001;       // rad
 constexpr double kLongestDuration = 60;  // s
 constexpr double kLowestSpeed = 0.01;    // rad/s
@@ -85,7 +85,7 @@ class Mover {
     measure();
     const movement::JointTargets targets = filtered();
     movement::sendTargets(robot_.client(), table_.design(), targets,
-                          std::chrono::milliseconds(std::lround(1000 * move_.duration)));
+                          std::chrono::milliseconds(std::lround(1000 * move_.duration)), Robot::terms());
     try {
       waitUntilAccepted(targets);
       waitUntilArrived(targets);
@@ -147,39 +147,28 @@ class Mover {
     }
   }
 
-  /// Waits until the joints have arrived at their targets. A moment after the expected time, near is enough: under
-  /// load, a servo stops a little beside its target.
+  /// The robot says when all joints have arrived, and which has not. With a server of version 1, they are measured.
   void waitUntilArrived(const movement::JointTargets& targets) {
     double longest = move_.duration;
     for (const auto& [id, wanted] : targets) {
       longest = std::max(longest, std::abs(target(id) - position(id)) / wanted.speed);
     }
-    const auto within = [&targets](double tolerance) {
-      return [&targets, tolerance](const Received& received) {
-        return std::all_of(targets.begin(), targets.end(), [&](const auto& each) {
-          const double target = received.accepted_joints.at(each.first);
-          return std::abs(received.joints.at(each.first).position - target) <= tolerance;
-        });
-      };
-    };
-    if (robot_.waitUnlessRefused(within(kThere), nanosecondsOf(longest + kMoment)) ||
-        robot_.waitUnlessRefused(within(kNear), nanosecondsOf(kMargin))) {
-      return;
+    const bool arrived = robot_.reportsEnds()
+                             ? waitForEnd(robot_, "the movement", longest + kMargin).has_value()
+                             : waitUntilNear(targets, kThere, longest) || waitUntilNear(targets, kNear, kMargin);
+    if (!arrived) {
+      throw FailedException("not all joints have arrived in time; `aibo joints` shows where they are");
     }
-    throw FailedException("not all joints have arrived: " + whatIsLate(targets));
   }
 
-  std::string whatIsLate(const movement::JointTargets& targets) const {
-    std::string late;
-    for (const auto& each : targets) {
-      const int id = each.first;
-      if (std::abs(position(id) - target(id)) > kNear) {
-        late += (late.empty() ? "" : ", ") + nameOf(id) + " is at " + inDegrees(position(id)) + " instead of " +
-                inDegrees(target(id));
-      }
-    }
-    const std::string message = robot_.received().status.robot_message;
-    return late + (message.empty() ? "" : ". The robot says: " + message);
+  bool waitUntilNear(const movement::JointTargets& targets, double tolerance, double seconds) {
+    const auto is_near = [&](const Received& received) {
+      return std::all_of(targets.begin(), targets.end(), [&](const auto& each) {
+        const double target = received.accepted_joints.at(each.first);
+        return std::abs(received.joints.at(each.first).position - target) <= tolerance;
+      });
+    };
+    return robot_.waitUnlessRefused(is_near, nanosecondsOf(seconds));
   }
 
   /// A server that cannot hold is told to move the joints to where they are.

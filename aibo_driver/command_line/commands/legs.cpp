@@ -59,12 +59,12 @@ std::string wordsOf(const WalkVelocity& velocity) {
 void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   using std::chrono::steady_clock;
   const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds);
-  const auto has_ended = [](const Received& received) { return !received.ends.empty(); };
   bool interrupted = false;
+  robot.client().steer({});  // a walk begins only after zeros
   try {
     do {
-      robot.client().steer(velocity);
-    } while (!robot.waitUnlessRefused(has_ended,
+      robot.client().steer(velocity, Robot::terms());
+    } while (!robot.waitUnlessRefused(hasEnded,
                                       std::min<std::chrono::nanoseconds>(kSteeringPeriod, end - steady_clock::now())) &&
              steady_clock::now() < end);
   } catch (const Interrupted&) {
@@ -73,7 +73,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
     if (!robot.received().velocity) {
       throw;
     }
-    // The robot ends the walk by itself. It refuses to be steered while it brakes. Then it says how the walk has ended.
+    // The robot ends the walk by itself, and refuses to be steered. Then it says how the walk has ended.
   }
   robot.client().steer({});
   if (interrupted) {
@@ -98,7 +98,7 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   if (isOther(in_force, velocity)) {
     output.note("The robot cannot walk with " + wordsOf(velocity) + ": it walks with " + wordsOf(in_force) + ".");
   }
-  if (!waitForEnd(robot, aibo_client::EndedKind::kWalk, "", kLongestPosture)) {
+  if (!waitForEnd(robot, "the walk", kLongestPosture)) {
     throw FailedException("the robot does not say that it stands");
   }
   output.result(
@@ -112,8 +112,8 @@ ExitStatus takePosture(const Arguments& arguments, Output& output, Posture postu
                        const std::string& words) {
   Robot robot(arguments.robot, output);
   robot.connect();
-  robot.client().takePosture(posture, Robot::kTimeout);
-  if (!waitForEnd(robot, aibo_client::EndedKind::kPosture, name, kLongestPosture)) {
+  robot.client().takePosture(posture, Robot::kTimeout, Robot::terms());
+  if (!waitForEnd(robot, name, kLongestPosture)) {
     throw FailedException("the robot did not take the posture in time");
   }
   output.result(words, Json::object({{"posture", name}}));

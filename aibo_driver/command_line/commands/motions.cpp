@@ -37,7 +37,7 @@ std::optional<std::string> waitWhileItPlays(Robot& robot, const std::string& nam
   std::optional<std::string> done;
   try {
     if (robot.reportsEnds()) {
-      done = waitForEnd(robot, aibo_client::EndedKind::kMotion, name, seconds);
+      done = waitForEnd(robot, name, seconds);
     } else {
       robot.waitUntil([](const Received&) { return false; }, nanosecondsOf(seconds));
     }
@@ -69,7 +69,7 @@ ExitStatus play(const Arguments& arguments, Output& output) {
   }
   const movement::JointTable table(robot.model().design, movement::kUsualSpeedLimit, speed);
   robot.client().setJointSpeedLimits(table.motionSpeedLimits());
-  const std::string changes = robot.client().playMotion(name, times, kPlayTimeout);
+  const std::string changes = robot.client().playMotion(name, times, kPlayTimeout, Robot::terms());
   if (!changes.empty()) {
     output.note(name + " plays differently than in its file: " + changes + ".");
   }
