@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <functional>
-#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "order_events.h"
@@ -16,10 +16,7 @@ namespace soak {
 class OrderAudit {
  public:
   /// @param complain is called with each violation
-  /// @param limits lowest and highest position of each joint, to which the driver clamps targets
-  OrderAudit(const std::function<void(const std::string&)>& complain,
-             const std::map<std::string, std::pair<double, double>>& limits)
-      : complain_(complain), limits_(limits) {}
+  explicit OrderAudit(std::function<void(const std::string&)> complain) : complain_(std::move(complain)) {}
 
   /// @param round in which all orders have ended
   void judge(const Round& round);
@@ -28,15 +25,11 @@ class OrderAudit {
   void report() const;
 
  private:
-  void judgeStops(const Round& round);
-  void judgeStop(const Round& round, const Call& stop);
   void judgeEnds(const Round& round);
-  void judgeDone(const Round& round, const Ended& end);
-  double farthest(const Measured& measured, const Order& order, const std::vector<std::string>& joints) const;
-  double clamp(const std::string& joint, double target) const;
+  void judgeStop(const Round& round, const Call& stop);
+  void judgeAge(const Round& round);
 
   const std::function<void(const std::string&)> complain_;
-  const std::map<std::string, std::pair<double, double>> limits_;
 
   std::size_t rounds_ = 0;
   std::size_t orders_ = 0;
@@ -44,8 +37,11 @@ class OrderAudit {
   std::size_t calls_ = 0;
   std::size_t faults_ = 0;
   std::vector<double> moved_in_stops_;  ///< rad, the most of any joint in each stop
-  std::vector<double> missed_;          ///< rad, of joints whose movement is done
+  std::vector<double> ages_;            ///< s, of commands when the robot has accepted them
 };
+
+/// Prints a line: how many values there are, and how large.
+void printFigures(const char* title, std::vector<double> values);
 
 }  // namespace soak
 

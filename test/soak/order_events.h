@@ -4,6 +4,8 @@
 #ifndef TEST_SOAK_ORDER_EVENTS_H
 #define TEST_SOAK_ORDER_EVENTS_H
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -17,7 +19,6 @@ struct Order {
   std::string user;  ///< the node
   std::string kind;  ///< command or trajectory
   double time = 0;   ///< when it was published
-  double duration = 0;
   Targets targets{};
 };
 
@@ -33,27 +34,19 @@ struct Call {
   std::string message{};  ///< or kNoAnswer
 };
 
-/// A joint's target on its way from the driver to the robot.
-struct Sent {
+/// A joint's target that the robot has accepted.
+struct Accepted {
   double time = 0;
   std::string joint;
-  double target = 0;  ///< rad
+  double target = 0;  ///< rad, as it was asked for
 };
 
 /// Something that moves the robot, as motion_state names it.
 struct Moving {
+  std::uint64_t order = 0;  ///< its number
   std::string user;
   int kind = 0;  ///< as in aibo_driver/Movement
   std::string name;
-  std::vector<std::string> joints{};
-};
-
-/// A movement that has ended.
-struct Ended {
-  double time = 0;  ///< when it was said
-  Moving movement;
-  int how = 0;  ///< as in aibo_driver/EndedMovement
-  std::string reason{};
 };
 
 /// Where the joints are.
@@ -62,23 +55,16 @@ struct Measured {
   Targets positions{};
 };
 
-/// Something is wrong from begin to end.
-struct Fault {
-  enum class Kind { kDriverFrozen, kRobotFrozen, kLinkCut, kLinkSlow, kStickSlow };
-  Kind kind = Kind::kLinkCut;
-  double begin = 0;
-  double end = 0;
-};
-
 /// All that happened in one round, each in the order of time.
 struct Round {
   std::vector<Order> orders{};
   std::vector<Call> calls{};
-  std::vector<Sent> sent{};
-  std::vector<Ended> ended{};
+  std::vector<Accepted> accepted{};
+  std::map<std::uint64_t, Moving> begun{};
+  std::vector<Moving> ended{};
   std::vector<Moving> moving{};  ///< at its end
   std::vector<Measured> measured{};
-  std::vector<Fault> faults{};
+  std::size_t faults = 0;
 };
 
 }  // namespace soak

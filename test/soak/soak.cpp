@@ -22,8 +22,6 @@
 #include <thread>
 
 #include "order_user.h"
-#include "protocol/version2.h"
-#include "robot_model/robot_model.h"
 #include "support/safety_net.h"
 
 namespace soak {
@@ -38,7 +36,6 @@ using test_support::Welcome;
 
 constexpr const char* kNamespace = "/soak";
 constexpr int kUsers = 5;
-constexpr double kMicro = 1e-6;
 constexpr double kStart = 60;        // s
 constexpr double kAnswers = 60;      // s; after that, a service does not answer any more
 constexpr double kEnds = 30;         // s; longer than any motion, posture and trajectory
@@ -58,17 +55,8 @@ aibo_client::FileDescriptor makePipe(const std::string& path) {
   return aibo_client::FileDescriptor(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
 }
 
-std::map<std::string, std::pair<double, double>> limitsOfJoints() {
-  std::map<std::string, std::pair<double, double>> limits;
-  const robot_model::RobotModel* model = robot_model::findRobotModel("ERS-7");
-  for (int i = 0; i < model->number_of_joints; ++i) {
-    limits[model->joints[i].name] = {kMicro * model->joints[i].lowest, kMicro * model->joints[i].highest};
-  }
-  return limits;
-}
-
 Moving toMoving(const aibo_driver::Movement& movement) {
-  return {movement.source, movement.kind, movement.name, {movement.joints.begin(), movement.joints.end()}};
+  return {movement.order, movement.source, movement.kind, movement.name};
 }
 
 /// Those that have ended between two messages, each of which has the latest, the newest last.
@@ -88,21 +76,18 @@ std::vector<aibo_driver::EndedMovement> newOnes(const std::vector<aibo_driver::E
 Soak::Soak(const Options& options)
     : options_(options),
       random_(options.seed),
-      audit_([this](const std::string& violation) { complain(violation); }, limitsOfJoints()),
+      audit_([this](const std::string& violation) { complain(violation); }),
       driver_resources_(options.folder + "/driver.csv"),
       robot_resources_(options.folder + "/robot.csv"),
       begin_(now()),
-      // Its violations come while the mutex is held.
+      // Their violations come while the mutex is held.
       pictures_([this](const std::string& violation) { print(violation); }),
+      wire_([this](const std::string& violation) { print(violation); }),
       picture_log_(makePipe(options.folder + "/pictures")),
       robot_({"--picture-log", options.folder + "/pictures"}),
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),
       handle_(kNamespace) {
-  const robot_model::RobotModel* model = robot_model::findRobotModel("ERS-7");
-  for (int i = 0; i < model->number_of_joints; ++i) {
-    joints_[model->joints[i].identifier] = model->joints[i].name;
-  }
   constexpr std::uint32_t kAllOfThem = 10000;
   constexpr bool kLatched = true;
   rounds_ = handle_.advertise<std_msgs::UInt32>(kUserRuns, 10, kLatched);
@@ -131,27 +116,12 @@ FaultProxy::Options Soak::proxyOptions() {
   FaultProxy::Options options;
   options.target_port = robot_.port();
   options.tap = [this](std::size_t connection, Direction direction, const std::uint8_t* data, std::size_t size) {
-    if (direction == Direction::kToServer) {
-      hear(connection, data, size);
+    if (direction == Direction::kToClient) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      wire_.hear(connection, data, size, now());
     }
   };
   return options;
-}
-
-void Soak::hear(std::size_t connection, const std::uint8_t* data, std::size_t size) {
-  const double time = now();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  for (const test_support::Request& request : requests_[connection].feed(data, size)) {
-    protocol::version2::JointTargets targets{};
-    if (!request.version2 || request.kind != protocol::version2::REQUEST_JOINTS ||
-        protocol::version2::decode(request.payload.data(), request.payload.size(), &targets) != nullptr) {
-      continue;
-    }
-    for (int i = 0; i < targets.count; ++i) {
-      round_.sent.push_back({time, joints_[targets.joints[i].id], kMicro * targets.joints[i].value});
-    }
-  }
-  requests_.erase(requests_.begin(), requests_.lower_bound(connection));
 }
 
 void Soak::receive(const std_msgs::String& line) {
@@ -176,12 +146,14 @@ void Soak::receive(const sensor_msgs::JointState& joints) {
 }
 
 void Soak::receive(const aibo_driver::MotionState& state) {
-  const double time = now();
   std::vector<Moving> moving;
   std::transform(state.movements.begin(), state.movements.end(), std::back_inserter(moving), toMoving);
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const aibo_driver::EndedMovement& ended : newOnes(ended_, state.ended)) {
-    round_.ended.push_back({time, toMoving(ended.movement), ended.how, ended.reason});
+    round_.ended.push_back(toMoving(ended.movement));
+  }
+  for (const Moving& movement : moving) {
+    round_.begun[movement.order] = movement;
   }
   ended_ = state.ended;
   moving_ = moving;
@@ -256,6 +228,7 @@ void Soak::end() {
     complain("pictures were lost in calm periods");
   }
   audit_.report();
+  wire_.report();
   std::printf("pictures: %llu, of these %llu in calm periods, in which %llu were lost\nviolations: %zu\n",
               static_cast<unsigned long long>(pictures_.count()),
               static_cast<unsigned long long>(pictures_.calmCount()),
@@ -361,28 +334,26 @@ void Soak::goThroughARound() {
 }
 
 void Soak::goWrong() {
-  Fault fault;
-  fault.kind = static_cast<Fault::Kind>(uniform(0, 4));
-  fault.begin = now();
+  enum { kDriverFrozen, kRobotFrozen, kLinkCut, kLinkSlow, kStickSlow };
   const int length = uniform(100, 2500);
-  switch (fault.kind) {
-    case Fault::Kind::kDriverFrozen:
+  switch (uniform(kDriverFrozen, kStickSlow)) {
+    case kDriverFrozen:
       driver_.signal(SIGSTOP);
       pass(length);
       driver_.signal(SIGCONT);
       break;
-    case Fault::Kind::kRobotFrozen:
+    case kRobotFrozen:
       robot_.process().signal(SIGSTOP);
       pass(length);
       robot_.process().signal(SIGCONT);
       break;
-    case Fault::Kind::kLinkCut:
+    case kLinkCut:
       proxy_.setWelcome(uniform(0, 1) == 0 ? Welcome::kRefuse : Welcome::kSilence);
       proxy_.endConnections(uniform(0, 1) == 0 ? Action::kReset : Action::kSilence);
       pass(length);
       proxy_.heal();
       break;
-    case Fault::Kind::kLinkSlow: {
+    case kLinkSlow: {
       Conditions conditions;
       conditions.delay = milliseconds(uniform(10, 200));
       conditions.jitter = milliseconds(uniform(0, 200));
@@ -391,15 +362,14 @@ void Soak::goWrong() {
       proxy_.setConditions({});
       break;
     }
-    case Fault::Kind::kStickSlow:
+    case kStickSlow:
       robot_.type("stick slow");
       pass(3 * length);
       robot_.type("stick ready");
       break;
   }
-  fault.end = now();
   const std::lock_guard<std::mutex> lock(mutex_);
-  round_.faults.push_back(fault);
+  ++round_.faults;
 }
 
 Round Soak::takeRound() {
@@ -407,6 +377,7 @@ Round Soak::takeRound() {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::swap(round, round_);
+    round.accepted = wire_.takeAccepted();
     round.moving = moving_;
   }
   const auto by_time = [](const auto& a, const auto& b) { return a.time < b.time; };

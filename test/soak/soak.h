@@ -21,9 +21,9 @@
 #include "picture_audit.h"
 #include "resource_log.h"
 #include "support/proxy/fault_proxy.h"
-#include "support/proxy/scanners.h"
 #include "support/ros/driver_process.h"
 #include "support/simulated_robot.h"
+#include "wire_audit.h"
 
 namespace soak {
 
@@ -46,7 +46,6 @@ class Soak {
 
  private:
   test_support::FaultProxy::Options proxyOptions();
-  void hear(std::size_t connection, const std::uint8_t* data, std::size_t size);
   void receive(const std_msgs::String& line);
   void receive(const sensor_msgs::JointState& joints);
   void receive(const aibo_driver::MotionState& state);
@@ -74,7 +73,6 @@ class Soak {
   const Options options_;
   std::mt19937 random_;
   OrderAudit audit_;
-  std::map<int, std::string> joints_;  ///< names by id
   ResourceLog driver_resources_;
   ResourceLog robot_resources_;
   const double begin_;
@@ -84,12 +82,12 @@ class Soak {
   std::string scene_ = "start";
   Round round_;
   PictureAudit pictures_;
+  WireAudit wire_;
   aibo_client::FileDescriptor picture_log_;
   std::string unfinished_line_;                    ///< of the picture log
   std::vector<aibo_driver::EndedMovement> ended_;  ///< as the newest motion_state has them
   std::vector<Moving> moving_;                     ///< the same
   std::map<unsigned, int> quiet_users_;            ///< how many, by round
-  std::map<std::size_t, test_support::RequestScanner> requests_;
   bool is_connected_ = false;
 
   test_support::SimulatedRobot robot_;

@@ -46,8 +46,8 @@ Bytes report(const std::string& text) {
   return makeFrame(version2::ERROR_MESSAGE, 0, payload);
 }
 
-Bytes end(std::uint8_t what, const std::string& name, const std::string& reason) {
-  Bytes payload = {what, version2::END_REFUSED, 0, 0};
+Bytes end(std::uint8_t what, std::uint8_t order, const std::string& name, const std::string& reason) {
+  Bytes payload = {what, version2::END_REFUSED, 0, order};
   append(name + "\n" + reason, &payload);
   return makeFrame(version2::END_PUSH, 0, payload);
 }
@@ -108,7 +108,10 @@ Bytes impossibleTelemetry(unsigned count) {
 }
 
 Bytes endOfNothing(unsigned count) {
-  return count % 3 == 0 ? end(version2::ENDED_JAM, longText('j'), "") : end(version2::ENDED_MOTION, "NOD.MTN", "r");
+  const auto order = static_cast<std::uint8_t>(count / 3);
+  return count % 3 == 0   ? end(version2::ENDED_JAM, 0, longText('j'), "")
+         : count % 3 == 1 ? end(version2::ENDED_JOINTS, order, "", "r")
+                          : end(version2::ENDED_MOTION, order, "NOD.MTN", "r");
 }
 
 Bytes frameOfAnySize(Random& random) {
@@ -131,6 +134,7 @@ const std::vector<RobotAttack>& robotAttacks() {
       {"reports", 2, flood([](Random&, unsigned count) { return report(std::to_string(count) + longText('x')); })},
       {"escapes", 2, flood([](Random&, unsigned) { return report("\x1b[2J\x1b]0;you\x07"); })},
       {"ends", 2, flood([](Random&, unsigned count) { return endOfNothing(count); })},
+      {"questions", 2, flood([](Random&, unsigned) { return makeFrame('h', 0, {}); })},
       {"values", 2, flood([](Random&, unsigned count) { return impossibleTelemetry(count); })},
       {"telemetry", 2, flood([](Random&, unsigned count) {
          return makeFrame('t', 0, makeTelemetry(4 * count, {{'J', 1, 0}}));
