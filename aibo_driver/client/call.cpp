@@ -89,14 +89,13 @@ bool Call::cancels(const Call& other) const {
 }
 
 void Call::dropFrom(CommandOutbox* commands, bool is_sent) const {
-  if (is_sent != has(version2::NEEDS_MEMORY_STICK)) {
-    return;
-  }
   const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
-  if (has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS)) {
+  const bool takes_joints = has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS);
+  if (takes_joints && is_sent == has(version2::NEEDS_MEMORY_STICK)) {
     commands->stopJoints(joints, reason);
   }
-  if (has(version2::ENDS_WALK) && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
+  const bool takes_legs = has(version2::ENDS_WALK) || has(version2::STARTS_MOVEMENT);
+  if (takes_legs && !is_sent && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
     commands->stopWalk(reason);
   }
 }
@@ -133,7 +132,7 @@ Call callForPicture(int quality, std::optional<Resolution> resolution) {
 
 Call callForMotors(bool on) {
   Call call = makeCall(on ? version2::SWITCH_MOTORS_ON : version2::SWITCH_MOTORS_OFF);
-  call.payload = encoded(version2::MotorState{on});
+  call.payload = encoded(version2::MotorOrder{0, on});
   call.read_answer = readAs<version2::MotorState>(
       [](const version2::MotorState& state, Answer* answer) { answer->motors_on = state.on; });
   return call;
@@ -150,12 +149,13 @@ Call callToHold(const std::vector<int>& joints) {
 Call callForPosture(version2::Posture posture) {
   Call call = makeCall(version2::TAKE_POSTURE, version2::postureName(posture));
   call.id = posture;
+  call.payload = encoded(version2::PostureOrder{0});
   return call;
 }
 
 Call callToPlay(const std::string& name, int repetitions, int bits) {
-  Call call =
-      makeNamedCall(version2::PLAY_MOTION, version2::MotionOrder{static_cast<unsigned short>(repetitions), ""}, name);
+  Call call = makeNamedCall(version2::PLAY_MOTION,
+                            version2::MotionOrder{0, static_cast<unsigned short>(repetitions), ""}, name);
   call.id = bits;
   call.version1 = fileRequest(version2::REQUEST_PLAY, name, repetitions);
   call.read_answer = readAs<version2::MotionChanges>([](const version2::MotionChanges& changes, Answer* answer) {
@@ -267,12 +267,13 @@ Call* PendingCalls::nextStop() {
   return nextUnsent([](const Call& call) { return call.has(version2::STOPS_ROBOT); });
 }
 
-Call* PendingCalls::nextForRobot() {
+Call* PendingCalls::nextForRobot(bool with_orders) {
   const bool is_at_work = std::any_of(calls_.begin(), calls_.end(), [](const Call& call) {
-    return call.request_number != 0 && !call.is_late && call.has(version2::NEEDS_MEMORY_STICK);
+    return call.request_number != 0 && call.has(version2::NEEDS_MEMORY_STICK);
   });
-  return nextUnsent([is_at_work](const Call& call) {
-    return !call.isForPicture() && !(is_at_work && call.has(version2::NEEDS_MEMORY_STICK));
+  return nextUnsent([=](const Call& call) {
+    return !call.isForPicture() && !(is_at_work && call.has(version2::NEEDS_MEMORY_STICK)) &&
+           (with_orders || !call.terms);
   });
 }
 
@@ -283,27 +284,9 @@ Call* PendingCalls::find(int request_number) {
   return found == calls_.end() ? nullptr : &*found;
 }
 
-template <typename Condition, typename MakeAnswer>
-void PendingCalls::endIf(const Condition& condition, const MakeAnswer& make_answer) {
-  calls_.remove_if([&](Call& call) {
-    const bool ends = condition(call);
-    if (ends && !call.is_late) {
-      Answer answer = make_answer(call);
-      answer.was_sent = call.request_number != 0;
-      call.promise.set_value(std::move(answer));
-    }
-    return ends;
-  });
-}
-
-std::optional<LateAnswer> PendingCalls::answer(int request_number, Answer answer) {
-  std::optional<LateAnswer> late;
-  if (const Call* const call = find(request_number); call != nullptr && call->is_late) {
-    late = {call->order, answer.outcome == CallOutcome::kDone, answer.problem, answer.changes};
-  }
+void PendingCalls::answer(int request_number, Answer answer) {
   endIf([request_number](const Call& call) { return call.request_number == request_number; },
         [&answer](const Call&) { return std::move(answer); });
-  return late;
 }
 
 void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
@@ -323,61 +306,9 @@ void PendingCalls::answerFromStream(const PicturePtr& picture, int quality) {
 PendingCalls::TimePoint PendingCalls::nextDeadline() const {
   TimePoint earliest = TimePoint::max();
   for (const Call& call : calls_) {
-    earliest = call.is_late ? earliest : std::min(earliest, call.deadline);
+    earliest = std::min(earliest, call.deadline);
   }
   return earliest;
-}
-
-void PendingCalls::expire(TimePoint now, const std::string& remark) {
-  const auto is_over = [now](const Call& call) { return call.deadline <= now && !call.is_late; };
-  const auto make_answer = [&remark](const Call& call) {
-    const std::string time = " within " + std::to_string(call.timeout.count()) + " ms";
-    if (call.isForPicture()) {
-      return makeFailure(CallOutcome::kTimeout, "no picture" + time + remark);
-    }
-    return makeFailure(CallOutcome::kTimeout,
-                       call.request_number != 0
-                           ? "no answer" + time + ". The robot may or may not " + describe(call) + "."
-                           : "the request could not be sent" + time + ".");
-  };
-  for (Call& call : calls_) {
-    if (is_over(call) && call.request_number != 0 && call.order != 0) {
-      Answer answer = make_answer(call);
-      answer.was_sent = true;
-      call.promise.set_value(std::move(answer));
-      call.is_late = true;
-    }
-  }
-  endIf(is_over, make_answer);
-  const auto is_late = [](const Call& call) { return call.is_late; };
-  if (std::count_if(calls_.begin(), calls_.end(), is_late) > kMostLate) {
-    calls_.erase(std::find_if(calls_.begin(), calls_.end(), is_late));
-  }
-}
-
-void PendingCalls::dropTooOld(TimePoint now, const std::string& address) {
-  endIf([now](const Call& call) { return call.request_number == 0 && call.not_after <= now; },
-        [&address](const Call& call) {
-          return makeFailure(
-              CallOutcome::kRefused,
-              "The order to " + describe(call) + " is too old: it could not be sent to " + address + " in time.");
-        });
-}
-
-PendingCalls::TimePoint PendingCalls::nextTooOld() const {
-  TimePoint earliest = TimePoint::max();
-  for (const Call& call : calls_) {
-    earliest = call.request_number == 0 ? std::min(earliest, call.not_after) : earliest;
-  }
-  return earliest;
-}
-
-void PendingCalls::failCancelledBy(const Call& stop, const std::string& address) {
-  endIf([&stop](const Call& call) { return call.request_number == 0 && stop.cancels(call); },
-        [&](const Call& call) {
-          return makeFailure(CallOutcome::kRefused, address + " was told to " + describe(stop) +
-                                                        " before it was asked to " + describe(call) + ".");
-        });
 }
 
 void PendingCalls::failAll(const Answer& failure) {

@@ -1,5 +1,5 @@
 /// @file call.h
-/// Calls of RcServerClient that wait for the robot's answer.
+/// Requests of RcServerClient whose caller waits for the robot's answer.
 #ifndef AIBO_DRIVER_CLIENT_CALL_H
 #define AIBO_DRIVER_CLIENT_CALL_H
 
@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <future>
 #include <list>
 #include <optional>
 #include <string>
@@ -50,7 +49,7 @@ struct Answer {
 /// The answer of a call that has failed.
 Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fault = FaultKind::kNone);
 
-/// One call in progress: a request that is sent once, and the caller's promise.
+/// One call in progress: a request that is sent once, and what to do at its end.
 struct Call {
   using Bytes = std::vector<std::uint8_t>;
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -59,10 +58,10 @@ struct Call {
   using ReadAnswer = std::function<const char*(const unsigned char* payload, std::size_t size, Answer* answer)>;
 
   protocol::version2::Request request = {};
-  std::string object;      ///< what the request is for; it follows the request's words in a message; may be empty
-  int id = 0;              ///< the id in the frame of version 2
-  Bytes payload;           ///< the payload of the frame of version 2
-  Bytes version1;          ///< the whole request of version 1; empty if version 1 does not have it
+  std::string object;  ///< what the request is for; it follows the request's words in a message; may be empty
+  int id = 0;          ///< the id in the frame of version 2
+  Bytes payload;       ///< the payload of the frame of version 2; that of an order begins with 4 bytes for its expiry
+  Bytes version1;      ///< the whole request of version 1; empty if version 1 does not have it
   ReadAnswer read_answer;  ///< reads the answer of version 2; empty if that answer has no content
 
   int quality = 0;                       ///< the quality of the picture; 0 means the stream's
@@ -70,14 +69,12 @@ struct Call {
   std::optional<SoundPart> sound_part;   ///< the samples that the call sends
   std::vector<int> joints;               ///< the ids of the joints to hold; empty means everything that moves
 
-  std::chrono::milliseconds timeout{0};    ///< the time that the caller allowed, for messages
-  TimePoint deadline;                      ///< when the caller stops waiting
-  TimePoint not_after = TimePoint::max();  ///< after this time the request is too old to be sent
-  std::uint64_t order = 0;                 ///< OrderTerms::number
-  bool is_late = false;                    ///< true: the caller has stopped waiting, and will be told of the answer
-  TimePoint since;                         ///< a picture of the stream answers the call only if it began later
-  int request_number = 0;                  ///< the number of the request; 0 if it has not been sent
-  std::promise<Answer> promise;
+  std::chrono::milliseconds timeout{0};  ///< the time that the caller allowed, for messages
+  TimePoint deadline;                    ///< when the caller stops waiting
+  std::optional<OrderTerms> terms;       ///< of a request that can be too old; otherwise empty
+  TimePoint since;                       ///< a picture of the stream answers the call only if it began later
+  int request_number = 0;                ///< the number of the request; 0 if it has not been sent
+  std::function<void(Answer)> end;       ///< called once
 
   bool isForPicture() const { return request.letter == protocol::version2::REQUEST_PICTURE; }
   bool has(protocol::version2::Trait trait) const { return request.has(trait); }
@@ -85,10 +82,18 @@ struct Call {
   /// True if `other` must not be sent any more. `other` was made before this call and has not been sent.
   bool cancels(const Call& other) const;
 
+  /// The number by which the order's end is told; 0 if it is none, or has none.
+  std::uint64_t order() const { return terms ? terms->number : 0; }
+
   /// Drops the older commands that must not be sent any more. Use it when the call is made, and again when its request
   /// is sent: while a motion waits, new commands are sent before it.
   void dropFrom(CommandOutbox* commands, bool is_sent) const;
 };
+
+/// How the refusal of a call that is an order is told.
+inline RefusedRequest refusedRequest(const Call& call) {
+  return call.request.letter == protocol::version2::REQUEST_PLAY ? RefusedRequest::kMotion : RefusedRequest::kPosture;
+}
 
 /// Describes the request in words that follow "refused to ".
 std::string describe(const Call& call);
@@ -162,15 +167,15 @@ class PendingCalls {
   Call* nextStop();
   /// The oldest other unsent call, or null. While the robot works on its memory stick, calls that need the stick wait
   /// here, not in the robot.
-  Call* nextForRobot();
+  /// @param with_orders also those that can be too old
+  Call* nextForRobot(bool with_orders);
 
   /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.
   Call* find(int request_number);
   const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
 
   /// Ends the call whose request was sent with this number, if there is one.
-  /// @return the answer if the caller has stopped waiting for it; otherwise empty
-  std::optional<LateAnswer> answer(int request_number, Answer answer);
+  void answer(int request_number, Answer answer);
 
   /// Answers the unsent calls for a picture that were made before this picture of the stream began.
   void answerFromStream(const PicturePtr& picture, int quality);
@@ -178,21 +183,20 @@ class PendingCalls {
   /// The earliest deadline; TimePoint::max() if no call waits.
   TimePoint nextDeadline() const;
 
-  /// Ends the calls whose deadline has passed. A call that was sent and has an OrderTerms::number is kept for a late
-  /// answer.
-  /// @param remark added to the message of calls for a picture
-  void expire(TimePoint now, const std::string& remark);
-
-  /// Ends the unsent calls that are too old.
-  /// @param address the robot's address, for the message
-  void dropTooOld(TimePoint now, const std::string& address);
-
-  /// When dropTooOld() next has something to end; TimePoint::max() if no call waits.
-  TimePoint nextTooOld() const;
-
-  /// Ends the calls that a stop cancels.
-  /// @param address the robot's address, for the message
-  void failCancelledBy(const Call& stop, const std::string& address);
+  /// Ends the calls that meet the condition.
+  /// @param make_answer called with the call before it ends
+  template <typename Condition, typename MakeAnswer>
+  void endIf(const Condition& condition, const MakeAnswer& make_answer) {
+    calls_.remove_if([&](Call& call) {
+      const bool ends = condition(call);
+      if (ends) {
+        Answer answer = make_answer(call);
+        answer.was_sent = call.request_number != 0;
+        call.end(std::move(answer));
+      }
+      return ends;
+    });
+  }
 
   /// Ends all calls.
   void failAll(const Answer& failure);
@@ -210,13 +214,6 @@ class PendingCalls {
   /// The oldest unsent call that meets the condition, or null.
   template <typename Condition>
   Call* nextUnsent(const Condition& condition);
-
-  /// Ends the calls that meet the condition.
-  template <typename Condition, typename MakeAnswer>
-  void endIf(const Condition& condition, const MakeAnswer& make_answer);
-
-  /// At most this many late calls are kept. A robot answers them sooner or later.
-  static constexpr long kMostLate = 64;
 
   std::list<Call> calls_;
   TimePoint transfer_end_;

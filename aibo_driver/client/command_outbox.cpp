@@ -22,7 +22,7 @@ bool shareAJoint(const JointCommand& a, const JointCommand& b) {
 }
 
 /// Removes targets from a command.
-/// @return the command with the targets that were removed
+/// @return the command with the targets that were removed; it has no number if the rest of its order goes on
 template <typename Condition>
 JointCommand takeTargets(JointCommand* command, const Condition& condition) {
   JointCommand taken = {command->duration, {}, command->terms};
@@ -30,6 +30,9 @@ JointCommand takeTargets(JointCommand* command, const Condition& condition) {
                                          [&condition](const JointTarget& target) { return !condition(target.id); });
   taken.targets.assign(end, command->targets.end());
   command->targets.erase(end, command->targets.end());
+  if (command->has_begun || !command->targets.empty()) {
+    taken.terms.number = 0;
+  }
   return taken;
 }
 
@@ -46,28 +49,24 @@ bool isOfLeg(int joint) {
   return false;
 }
 
-void JointCommands::add(JointCommand command) {
+std::vector<JointCommand> JointCommands::add(JointCommand command) {
   const auto place = std::find_if(commands_.begin(), commands_.end(),
                                   [&command](const JointCommand& older) { return shareAJoint(older, command); });
   const auto before = place - commands_.begin();  // no older command before this place names any of the joints
-  takeJoints([&command](int id) { return names(command.targets, id); });
+  std::vector<JointCommand> replaced = takeJoints([&command](int id) { return names(command.targets, id); });
   commands_.insert(commands_.begin() + before, std::move(command));
+  return replaced;
 }
 
 std::vector<JointCommand> JointCommands::takeTooOld(TimePoint now) {
-  const auto end = std::stable_partition(commands_.begin(), commands_.end(),
-                                         [now](const JointCommand& command) { return command.terms.not_after > now; });
-  std::vector<JointCommand> taken(std::make_move_iterator(end), std::make_move_iterator(commands_.end()));
-  commands_.erase(end, commands_.end());
-  return taken;
-}
-
-TimePoint JointCommands::nextTooOld() const {
-  TimePoint next = TimePoint::max();
-  for (const JointCommand& command : commands_) {
-    next = std::min(next, command.terms.not_after);
+  std::vector<JointCommand> taken;
+  for (JointCommand& command : commands_) {
+    if (command.terms.not_after < now) {
+      taken.push_back(takeTargets(&command, [](int) { return true; }));
+    }
   }
-  return next;
+  removeEmpty();
+  return taken;
 }
 
 std::vector<JointCommand> JointCommands::takeJoints(const std::function<bool(int id)>& condition) {
@@ -78,10 +77,19 @@ std::vector<JointCommand> JointCommands::takeJoints(const std::function<bool(int
       taken.push_back(std::move(part));
     }
   }
+  removeEmpty();
+  return taken;
+}
+
+void JointCommands::removeEmpty() {
   commands_.erase(std::remove_if(commands_.begin(), commands_.end(),
                                  [](const JointCommand& command) { return command.targets.empty(); }),
                   commands_.end());
-  return taken;
+}
+
+bool JointCommands::has(std::uint64_t order) const {
+  return std::any_of(commands_.begin(), commands_.end(),
+                     [order](const JointCommand& command) { return command.terms.number == order; });
 }
 
 JointCommand JointCommands::takeCommand() {
@@ -100,7 +108,11 @@ JointCommand JointCommands::takeTargetAfter(int id, TimePoint now) {
   const auto next = commanded.upper_bound(id);
   const auto& [joint, command] = next == commanded.end() ? *commanded.begin() : *next;
   command->terms.not_after = now + kLongestOrderWait;
-  return takeJoints([joint = joint](int each) { return each == joint; }).front();
+  command->has_begun = true;
+  const std::uint64_t order = command->terms.number;
+  JointCommand taken = takeJoints([joint = joint](int each) { return each == joint; }).front();
+  taken.terms.number = order;
+  return taken;
 }
 
 void CommandOutbox::append(CommandOutbox newer) {
@@ -109,8 +121,10 @@ void CommandOutbox::append(CommandOutbox newer) {
   while (!newer.joints.empty()) {
     command(newer.joints.takeCommand());
   }
-  if (newer.steering) {
-    steer(*newer.steering);
+  for (const auto& velocity : {newer.let_go, newer.steering}) {
+    if (velocity) {
+      steer(*velocity);
+    }
   }
   leds.add(newer.leds.items());
   ears.add(newer.ears.items());
@@ -122,14 +136,25 @@ void CommandOutbox::command(JointCommand newer) {
   if (takes_legs) {
     dropSteering(RefusalCause::kReplaced, "the legs were commanded before it was sent");
   }
-  joints.add(std::move(newer));
+  std::vector<JointCommand> replaced = joints.add(std::move(newer));
+  replaced.erase(std::remove_if(replaced.begin(), replaced.end(),
+                                [](const JointCommand& command) { return command.terms.number == 0; }),
+                 replaced.end());
+  drop(replaced, RefusalCause::kReplaced, "its joints were commanded anew before it was sent");
 }
 
 void CommandOutbox::steer(const SteeringCommand& newer) {
-  if (!newer.velocity.isZero()) {
+  const bool is_zero = newer.velocity.isZero();
+  if (!is_zero) {
     drop(joints.takeJoints(isOfLeg), RefusalCause::kReplaced, "the robot was told to walk before it was sent");
   }
-  steering = newer;
+  for (std::optional<SteeringCommand>* const older : {&steering, is_zero ? &let_go : &steering}) {
+    if (*older && (*older)->terms.number == 0) {
+      older->reset();
+    }
+    drop(older, RefusalCause::kReplaced, "another velocity came before it was sent");
+  }
+  (is_zero ? let_go : steering) = newer;
 }
 
 void CommandOutbox::stopJoints(const std::vector<int>& ids, const std::string& reason) {
@@ -137,16 +162,11 @@ void CommandOutbox::stopJoints(const std::vector<int>& ids, const std::string& r
   drop(joints.takeJoints(is_meant), RefusalCause::kStopped, reason);
 }
 
-void CommandOutbox::dropTooOld(TimePoint now, const std::string& address) {
-  const std::string reason = "too old: it could not be sent to " + address + " in time";
+void CommandOutbox::dropTooOld(TimePoint now, const std::string& reason) {
   drop(joints.takeTooOld(now), RefusalCause::kTooOld, reason);
-  if (steering && steering->terms.not_after <= now) {
-    dropSteering(RefusalCause::kTooOld, reason);
+  if (steering && steering->terms.not_after < now) {
+    drop(&steering, RefusalCause::kTooOld, reason);
   }
-}
-
-TimePoint CommandOutbox::nextTooOld() const {
-  return std::min(joints.nextTooOld(), steering ? steering->terms.not_after : TimePoint::max());
 }
 
 void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause cause, const std::string& reason) {
@@ -159,12 +179,17 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
   }
 }
 
-// Losing a velocity of 0 does no harm: whatever takes the legs ends the walk, too.
-void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) {
-  const std::optional<SteeringCommand> gone = std::exchange(steering, std::nullopt);
-  if (gone && !gone->velocity.isZero()) {
+// Losing a velocity of 0 does no harm: whatever takes the legs ends the walk, too. Only its order has to end.
+void CommandOutbox::drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason) {
+  const std::optional<SteeringCommand> gone = std::exchange(*velocity, std::nullopt);
+  if (gone && (!gone->velocity.isZero() || gone->terms.number != 0)) {
     dropped.push_back({RefusedRequest::kWalk, cause, {}, reason, gone->terms.number});
   }
+}
+
+void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) {
+  drop(&let_go, cause, reason);
+  drop(&steering, cause, reason);
 }
 
 }  // namespace aibo_client

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -25,6 +26,7 @@ struct JointCommand {
   std::chrono::milliseconds duration{0};
   std::vector<JointTarget> targets;
   OrderTerms terms{};
+  bool has_begun = false;  ///< version 1: one of its targets has been sent
 };
 
 /// True if this is a joint of a leg. A walk takes all joints of the legs.
@@ -84,18 +86,22 @@ class JointCommands {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  void add(JointCommand command);
+  /// Adds a command.
+  /// @return the older targets of its joints, which were removed, as of takeJoints()
+  std::vector<JointCommand> add(JointCommand command);
 
   /// Removes and returns the commands whose time has passed.
   std::vector<JointCommand> takeTooOld(TimePoint now);
 
-  /// @return when the first command becomes too old; TimePoint::max() if no command waits
-  TimePoint nextTooOld() const;
-
-  /// Removes and returns the targets of those joints for which the condition is true.
+  /// Removes and returns the targets of those joints for which the condition is true. They have no number if the rest
+  /// of their order goes on.
   std::vector<JointCommand> takeJoints(const std::function<bool(int id)>& condition);
 
   bool empty() const { return commands_.empty(); }
+
+  /// True if a target of this order waits.
+  /// @param order OrderTerms::number
+  bool has(std::uint64_t order) const;
 
   /// Removes and returns the oldest command. There must be one.
   JointCommand takeCommand();
@@ -106,10 +112,12 @@ class JointCommands {
   JointCommand takeTargetAfter(int id, TimePoint now);
 
  private:
+  void removeEmpty();
+
   std::deque<JointCommand> commands_;  // each has a target
 };
 
-/// The newest velocity to walk with.
+/// A velocity to walk with.
 struct SteeringCommand {
   WalkVelocity velocity;
   OrderTerms terms{};
@@ -120,12 +128,14 @@ struct SteeringCommand {
 struct CommandOutbox {
   LatestById<JointSpeedLimit> speed_limits;
   JointCommands joints;
-  std::optional<SteeringCommand> steering;
+  std::optional<SteeringCommand> let_go;    ///< a velocity of 0; it is sent before `steering`, which came after it
+  std::optional<SteeringCommand> steering;  ///< the newest velocity, which is not 0
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
   std::vector<Refusal> dropped;  ///< refusals that nobody has been told about yet
 
-  bool empty() const { return speed_limits.empty() && joints.empty() && !steering && leds.empty() && ears.empty(); }
+  /// True if nothing waits that version 1 knows.
+  bool isEmptyForVersion1() const { return speed_limits.empty() && joints.empty() && leds.empty() && ears.empty(); }
 
   /// Adds newer commands.
   void append(CommandOutbox newer);
@@ -133,7 +143,8 @@ struct CommandOutbox {
   /// Adds a command to joints. If it moves a leg, a walk that waits is dropped.
   void command(JointCommand newer);
 
-  /// Adds a velocity. Unless it is 0, commands to the legs that wait are dropped.
+  /// Adds a velocity, which drops those that wait. The exception is a velocity of 0 that waits: it stays. Commands to
+  /// the legs that wait are dropped, unless this velocity is 0.
   void steer(const SteeringCommand& newer);
 
   /// Drops the commands to these joints.
@@ -141,18 +152,15 @@ struct CommandOutbox {
   /// @param reason the reason in words, without a full stop
   void stopJoints(const std::vector<int>& ids, const std::string& reason);
 
-  /// Drops the velocity to walk with.
+  /// Drops the velocities to walk with, also one of 0.
   void stopWalk(const std::string& reason) { dropSteering(RefusalCause::kStopped, reason); }
 
-  /// Drops all commands that have waited for too long.
-  /// @param address the robot's address, for the reason
-  void dropTooOld(JointCommands::TimePoint now, const std::string& address);
-
-  /// When dropTooOld() will next have something to drop. It is TimePoint::max() if nothing waits.
-  JointCommands::TimePoint nextTooOld() const;
+  /// Drops all commands that are too old to be sent now.
+  void dropTooOld(JointCommands::TimePoint now, const std::string& reason);
 
  private:
   void drop(const std::vector<JointCommand>& commands, RefusalCause cause, const std::string& reason);
+  void drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason);
   void dropSteering(RefusalCause cause, const std::string& reason);
 };
 

@@ -44,9 +44,14 @@ void RefusalLog::refused(char letter, const std::string& problem, const Refusal&
 }
 
 void Connection::dropTooOld(TimePoint now) {
-  commands.dropTooOld(now, context.address);
-  calls.dropTooOld(now, context.address);
+  const std::string reason = "too old: it could not be sent to " + context.address + " in time";
+  commands.dropTooOld(now, reason);
   reportDropped();
+  calls.endIf([now](const Call& call) { return call.request_number == 0 && call.terms && call.terms->not_after < now; },
+              [&](const Call& call) {
+                tellRefused(call, RefusalCause::kTooOld, reason);
+                return makeFailure(CallOutcome::kRefused, "The order to " + describe(call) + " is " + reason + ".");
+              });
 }
 
 void Connection::take(CommandOutbox newer) {
@@ -76,16 +81,31 @@ void Connection::reportDropped() {
 void Connection::add(Call call) {
   call.dropFrom(&commands, false);
   reportDropped();
-  if (call.has(version2::STOPS_ROBOT) || call.has(version2::STOPS_MOTIONS)) {
-    calls.failCancelledBy(call, context.address);
-  }
+  calls.endIf([&call](const Call& other) { return other.request_number == 0 && call.cancels(other); },
+              [&](const Call& other) {
+                const std::string told = "was told to " + describe(call) + " before it was ";
+                tellRefused(other, RefusalCause::kStopped, "the robot " + told + "sent");
+                return makeFailure(CallOutcome::kRefused,
+                                   context.address + " " + told + "asked to " + describe(other) + ".");
+              });
   calls.add(std::move(call));
 }
 
-void Connection::answer(int request_number, Answer answer) {
-  if (const std::optional<LateAnswer> late = calls.answer(request_number, std::move(answer))) {
-    context.notifier.lateAnswer(*late);
-  }
+void Connection::expireCalls(TimePoint now) {
+  calls.endIf([now](const Call& call) { return call.deadline <= now; },
+              [&](const Call& call) {
+                const std::string time = " within " + std::to_string(call.timeout.count()) + " ms";
+                if (call.isForPicture()) {
+                  return makeFailure(CallOutcome::kTimeout, "no picture" + time + pictures.damageRemark());
+                }
+                if (call.request_number != 0) {
+                  return makeFailure(CallOutcome::kTimeout,
+                                     "no answer" + time + ". The robot may or may not " + describe(call) + ".");
+                }
+                const std::string problem = "the request could not be sent" + time;
+                tellRefused(call, RefusalCause::kTooOld, problem);
+                return makeFailure(CallOutcome::kTimeout, problem + ".");
+              });
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
@@ -97,13 +117,21 @@ void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   calls.transferBegins(size + (call.has(version2::FETCHES_FILE) ? version2::MAX_STICK_PICTURE_SIZE : 0), now);
 }
 
-void Connection::refuse(const Call& call, const std::string& why, TimePoint now) {
+void Connection::refuse(const Call& call, RefusalCause cause, const std::string& why, TimePoint now) {
   ++context.counters.refusals;
   if (call.has(version2::NEEDS_MEMORY_STICK)) {
     calls.transferEnds(now);
   }
   const std::string problem = context.address + " refused to " + describe(call) + ": " + why + ".";
-  answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
+  tellRefused(call, cause, why);
+  calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
+}
+
+/// The user follows a numbered order by its number, whether or not a caller waits for the answer.
+void Connection::tellRefused(const Call& call, RefusalCause cause, const std::string& reason) {
+  if (call.order() != 0) {
+    context.notifier.refused({refusedRequest(call), cause, {}, reason, call.order()});
+  }
 }
 
 void Connection::warnOfMissing(Missing what, bool wanted) {

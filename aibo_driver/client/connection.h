@@ -62,11 +62,8 @@ struct Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// Drops orders that have waited for too long. Call this before an order is sent, and no later than nextTooOld().
+  /// Drops the unsent orders that are too old. Call this before an order is sent.
   void dropTooOld(TimePoint now);
-
-  /// When the next order becomes too old.
-  TimePoint nextTooOld() const { return std::min(commands.nextTooOld(), calls.nextTooOld()); }
 
   /// Takes over newer commands. Limits of joints' speeds that were sent over this connection, or will be, are left out.
   void take(CommandOutbox newer);
@@ -87,15 +84,15 @@ struct Connection {
   /// robot after it. They are dropped.
   void add(Call call);
 
-  /// Ends the call whose request had this number, if there is one.
-  void answer(int request_number, Answer answer);
+  /// Ends the calls whose deadline has passed. An order that has not been sent is withdrawn.
+  void expireCalls(TimePoint now);
 
   /// Call this when a call's request, which has this many bytes, is sent.
   void callSent(const Call& call, std::size_t size, TimePoint now);
 
   /// Ends a call that the robot refused.
   /// @param why the reason in words, without a full stop
-  void refuse(const Call& call, const std::string& why, TimePoint now);
+  void refuse(const Call& call, RefusalCause cause, const std::string& why, TimePoint now);
 
   /// When a picture that is due now will be overdue.
   TimePoint pictureDeadline() const;
@@ -134,6 +131,8 @@ struct Connection {
   bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:
+  void tellRefused(const Call& call, RefusalCause cause, const std::string& reason);
+
   std::map<int, double> speed_limits_;  // rad/s, by the joint's id
   std::set<Missing> missing_;           // what is wanted
 };

@@ -211,7 +211,7 @@ void ConnectionLoop::takeNews(TimePoint now) {
   }
   for (Call& call : calls) {
     call.since = now;
-    session_->add(std::move(call));
+    connection_->add(std::move(call));
   }
   connection_->take(std::move(commands));
 }

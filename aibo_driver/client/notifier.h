@@ -41,8 +41,8 @@ class Notifier {
     call(callbacks_.on_leds_accepted, "on_leds_accepted", leds);
   }
 
-  void steered(const WalkVelocity& in_force, std::uint64_t order) const noexcept {
-    call(callbacks_.on_steered, "on_steered", in_force, order);
+  void steered(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) const noexcept {
+    call(callbacks_.on_steered, "on_steered", in_force, order, walk);
   }
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
@@ -51,10 +51,6 @@ class Notifier {
   bool refused(const Refusal& refusal) const noexcept {
     call(callbacks_.on_refused, "on_refused", refusal);
     return callbacks_.on_refused != nullptr;
-  }
-
-  void lateAnswer(const LateAnswer& answer) const noexcept {
-    call(callbacks_.on_late_answer, "on_late_answer", answer);
   }
 
   void motorsAndPosture(const MotorsAndPosture& state) const noexcept {

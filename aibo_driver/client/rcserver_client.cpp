@@ -1,6 +1,8 @@
 #include "aibo_client/rcserver_client.h"
 
 #include <future>
+#include <memory>
+#include <type_traits>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
@@ -36,28 +38,72 @@ void throwUnlessDone(const Answer& answer) {
   }
 }
 
-/// Hands a call to the client's thread, and waits for its answer.
-/// @param caller the name of the function, for messages
+/// @param purpose what the request is for, in words
+/// @param is_known true if version 1 has the request
+/// @throw CommandException this server does not know the request
+void requireRequest(const ConnectionLoop& loop, const Shared& shared, const version2::Request& request,
+                    const std::string& purpose, bool is_known_to_version1) {
+  const ConnectionStatus& status = shared.status;
+  if (status.protocol_version == 1 && !is_known_to_version1) {
+    throw CommandException(loop.address() + " speaks version 1 of the protocol, which cannot " + purpose +
+                           ". It needs an RCServer that speaks version 2.");
+  }
+  if (status.protocol_version > 1 && request.has(version2::MOVES_BODY) &&
+      !status.robot.hasCapability(std::string(1, request.letter))) {
+    throw CommandException(loop.address() + " (" + status.robot.server + ") has no request to " + purpose +
+                           ": its robot does not walk");
+  }
+}
+
+/// Hands a call to the client's thread.
 /// @param make makes the call; it sees the shared state
-template <typename MakeCall>
-Answer askWith(ConnectionLoop* loop, const MakeCall& make, milliseconds timeout, const std::string& caller) {
+/// @param read makes the result of the call from its answer
+/// @return becomes ready with the result, or with the exception that says why the call has failed
+/// @throw the exceptions of RcServerClient::beginMotors(); then nothing is changed
+template <typename MakeCall, typename Read, typename Result = std::invoke_result_t<Read, Answer>>
+std::future<Result> begin(ConnectionLoop* loop, milliseconds timeout, const MakeCall& make, const Read& read) {
   checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
-  std::future<Answer> pending;
+  const auto promise = std::make_shared<std::promise<Result>>();
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
-    ConnectionLoop::requireOtherThread(shared, caller);
     Call call = make(shared);
+    requireRequest(*loop, shared, call.request, describe(call), isKnownToVersion1(call));
     call.timeout = timeout;
     call.deadline = steady_clock::now() + timeout;
-    pending = call.promise.get_future();
-    if (shared.status.protocol_version > 1 || isKnownToVersion1(call)) {
-      call.dropFrom(&shared.commands, false);  // later commands wait until the robot has been told
-    }
+    call.end = [promise, read](Answer answer) {
+      try {
+        throwUnlessDone(answer);
+        if constexpr (std::is_void_v<Result>) {
+          promise->set_value();
+        } else {
+          promise->set_value(read(std::move(answer)));
+        }
+      } catch (...) {
+        promise->set_exception(std::current_exception());
+      }
+    };
+    call.dropFrom(&shared.commands, false);  // later commands wait until the robot has been told
     shared.calls.push_back(std::move(call));
   });
-  Answer answer = pending.get();
-  throwUnlessDone(answer);
-  return answer;
+  return promise->get_future();
+}
+
+void readNothing(const Answer& /*answer*/) {}
+
+/// Waits for what `begin` has begun.
+/// @param caller the name of the function, for messages
+template <typename Begin>
+auto waitFor(const ConnectionLoop& loop, const std::string& caller, const Begin& begin) {
+  loop.read([&caller](const Shared& shared) { ConnectionLoop::requireOtherThread(shared, caller); });
+  return begin().get();
+}
+
+/// Hands a call to the client's thread, and waits for its answer.
+/// @param caller the name of the function, for messages
+/// @param make as for begin()
+template <typename MakeCall>
+Answer askWith(ConnectionLoop* loop, const MakeCall& make, milliseconds timeout, const std::string& caller) {
+  return waitFor(*loop, caller, [&] { return begin(loop, timeout, make, [](Answer answer) { return answer; }); });
 }
 
 Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller) {
@@ -65,58 +111,22 @@ Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::str
       loop, [&call](const Shared&) { return std::move(call); }, timeout, caller);
 }
 
-/// Adds the terms of an order to move to its call.
-Call withTerms(Call call, const OrderTerms& terms) {
-  call.not_after = terms.not_after;
-  call.order = terms.number;
-  return call;
+/// Begins an order, which can be too old.
+template <typename Read>
+auto beginOrder(ConnectionLoop* loop, Call call, const OrderTerms& terms, milliseconds timeout, const Read& read) {
+  call.terms = terms;
+  return begin(
+      loop, timeout, [&call](const Shared&) { return std::move(call); }, read);
 }
 
 /// Hands a command to the client's thread.
-/// @param letters the requests that it needs
-/// @param parts the name of the commanded parts of the body, for messages
 /// @param add called with the outbox
 template <typename Add>
-void command(ConnectionLoop* loop, const std::vector<char>& letters, const std::string& parts, const Add& add) {
+void command(ConnectionLoop* loop, const Add& add) {
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
-    const ConnectionStatus& status = shared.status;
-    for (const char letter : letters) {
-      if (status.protocol_version > 1 && !status.robot.hasCapability(std::string(1, letter))) {
-        throw CommandException(loop->address() + " (" + status.robot.server + ") does not take the request '" + letter +
-                               "': it has no " + parts + " to command");
-      }
-    }
     add(shared.commands);
   });
-}
-
-constexpr char kToHold[] = "to hold joints; send the joints to where they were commanded instead";
-constexpr char kToWalk[] = "to walk; this needs an ERS-7 with a newer RCServer";
-constexpr char kToPlaySounds[] = "to play sounds; this needs a newer RCServer";
-constexpr char kToTakePostures[] = "to take postures; this needs an ERS-7 with a newer RCServer";
-
-/// @param purpose what the request is for, and what to do without it
-/// @throw CommandException this server does not know the request
-void requireRequest(const std::string& address, const ConnectionStatus& status, char letter, const char* purpose) {
-  if (!status.robot.hasCapability(std::string(1, letter))) {
-    const std::string server = status.protocol_version == 1 ? "speaks version 1 of the protocol, which has no request "
-                                                            : "(" + status.robot.server + ") has no request ";
-    throw CommandException(address + " " + server + purpose);
-  }
-}
-
-/// Does the same as askWith() if the server knows the request.
-/// @param purpose see requireRequest()
-/// @throw the exceptions of requireRequest()
-template <typename MakeCall>
-Answer askFor(ConnectionLoop* loop, char letter, const char* purpose, const MakeCall& make, milliseconds timeout,
-              const std::string& caller) {
-  const auto make_if_known = [&](Shared& shared) {
-    requireRequest(loop->address(), shared.status, letter, purpose);
-    return make(shared);
-  };
-  return askWith(loop, make_if_known, timeout, caller);
 }
 
 /// Finds the place of these samples in their sound, and updates the place of the next samples in `shared`.
@@ -258,11 +268,7 @@ void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, mill
       limits.push_back({target.id, target.speed});
     }
   }
-  std::vector<char> letters = {version2::REQUEST_JOINTS};
-  if (!limits.empty()) {
-    letters.push_back(version2::REQUEST_SPEED_LIMITS);
-  }
-  command(loop_.get(), letters, "joints", [&](CommandOutbox& outbox) {
+  command(loop_.get(), [&](CommandOutbox& outbox) {
     outbox.speed_limits.add(limits);
     outbox.command({duration, targets, terms});
   });
@@ -270,25 +276,38 @@ void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, mill
 
 void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   checkJointSpeedLimits(limits);
-  command(loop_.get(), {version2::REQUEST_SPEED_LIMITS}, "joints",
-          [&](CommandOutbox& outbox) { outbox.speed_limits.add(limits); });
+  command(loop_.get(), [&](CommandOutbox& outbox) { outbox.speed_limits.add(limits); });
 }
 
-bool RcServerClient::setMotors(bool on, milliseconds timeout) {
-  return ask(loop_.get(), callForMotors(on), timeout, "setMotors()").motors_on;
+bool RcServerClient::setMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
+  return waitFor(*loop_, "setMotors()", [&] { return beginMotors(on, timeout, terms); });
+}
+
+std::future<bool> RcServerClient::beginMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
+  Call call = callForMotors(on);
+  if (on) {
+    call.terms = {terms.not_after, 0};
+  }
+  return begin(
+      loop_.get(), timeout, [&call](const Shared&) { return std::move(call); },
+      [](const Answer& answer) { return answer.motors_on; });
 }
 
 void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
+  waitFor(*loop_, "hold()", [&] { return beginHold(joints, timeout); });
+}
+
+std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, milliseconds timeout) {
   checkJointsToHold(joints);
-  const auto make_call = [&](const Shared&) { return callToHold(joints); };
-  askFor(loop_.get(), version2::REQUEST_HOLD, kToHold, make_call, timeout, "hold()");
+  return begin(
+      loop_.get(), timeout, [&joints](const Shared&) { return callToHold(joints); }, readNothing);
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
   checkWalkVelocity(velocity);
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
-    requireRequest(loop_->address(), shared.status, version2::REQUEST_STEER, kToWalk);
+    requireRequest(*loop_, shared, version2::STEER, version2::STEER.words, false);
     shared.commands.steer({velocity, terms, steering_bits_});
   });
 }
@@ -298,26 +317,34 @@ void RcServerClient::guardWalks(bool on) {
 }
 
 void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  const auto make_call = [&](const Shared&) { return withTerms(callForPosture(toProtocol(posture)), terms); };
-  askFor(loop_.get(), version2::REQUEST_POSTURE, kToTakePostures, make_call, timeout, "takePosture()");
+  waitFor(*loop_, "takePosture()", [&] { return beginPosture(posture, timeout, terms); });
+}
+
+std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
+  return beginOrder(loop_.get(), callForPosture(toProtocol(posture)), terms, timeout, readNothing);
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
   checkLedCommands(leds);
-  command(loop_.get(), {version2::REQUEST_LEDS}, "LEDs", [&](CommandOutbox& outbox) { outbox.leds.add(leds); });
+  command(loop_.get(), [&](CommandOutbox& outbox) { outbox.leds.add(leds); });
 }
 
 void RcServerClient::commandEars(bool left, bool right) {
-  command(loop_.get(), {version2::REQUEST_EARS}, "ears", [&](CommandOutbox& outbox) {
+  command(loop_.get(), [&](CommandOutbox& outbox) {
     outbox.ears.add({{EarCommand::kLeft, left}, {EarCommand::kRight, right}});
   });
 }
 
 std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
                                        const OrderTerms& terms) {
+  return waitFor(*loop_, "playMotion()", [&] { return beginMotion(name, repetitions, timeout, terms); });
+}
+
+std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
+                                                     const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
-  Call call = withTerms(callToPlay(checkedMotionName(name), repetitions, version2::TELL_CHANGES | motion_bits_), terms);
-  return ask(loop_.get(), std::move(call), timeout, "playMotion()").changes;
+  return beginOrder(loop_.get(), callToPlay(checkedMotionName(name), repetitions, motion_bits_), terms, timeout,
+                    [](const Answer& answer) { return answer.changes; });
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
@@ -375,7 +402,7 @@ SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector
   const auto make_call = [&](Shared& shared) {
     return callToPlaySamples(placeOf(samples.size(), sound, is_last, &shared), samples);
   };
-  return askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "playSamples()").sound;
+  return askWith(loop_.get(), make_call, timeout, "playSamples()").sound;
 }
 
 void RcServerClient::stopSound(milliseconds timeout) {
@@ -383,15 +410,14 @@ void RcServerClient::stopSound(milliseconds timeout) {
     shared.sound = SoundPart();
     return callToPlaySamples({0, 0, 0, true}, {});
   };
-  askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "stopSound()");
+  askWith(loop_.get(), make_call, timeout, "stopSound()");
 }
 
 int RcServerClient::setVolume(int volume, milliseconds timeout) {
   if (volume != kVolumeOfRobot) {
     checkRange("volume", volume, 0, kLoudestVolume);
   }
-  const auto make_call = [volume](const Shared&) { return callForVolume(volume); };
-  return askFor(loop_.get(), version2::REQUEST_SOUND, kToPlaySounds, make_call, timeout, "setVolume()").volume;
+  return ask(loop_.get(), callForVolume(volume), timeout, "setVolume()").volume;
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {

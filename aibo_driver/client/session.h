@@ -46,9 +46,6 @@ class Session {
   /// True once the server has answered. Then requests can be made, and Connection::robot is known.
   virtual bool ready() const = 0;
 
-  /// Takes over a call.
-  virtual void add(Call call) = 0;
-
   /// The request to send now. It is empty if there is none. From then on the request counts as sent. Whenever anything
   /// may have changed, call this until nothing is left. Each request has to be sent in one piece, because some servers
   /// recognise a request by the number of bytes that arrive at once.

@@ -60,7 +60,10 @@ constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint 
 // The server reports a joint's fault by refusing the next request about this joint, whatever that request is.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
-std::optional<RefusedRequest> refusedRequest(char letter) {
+// Version 1 does not say when something has ended.
+constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it ends";
+
+std::optional<RefusedRequest> kindOf(char letter) {
   switch (letter) {
     case protocol::REQUEST_JOINT:
       return RefusedRequest::kJoints;
@@ -114,16 +117,6 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
   }
 }
 
-void Version1Session::add(Call call) {
-  if (isKnownToVersion1(call)) {
-    connection_.add(std::move(call));
-    return;
-  }
-  call.promise.set_value(makeFailure(CallOutcome::kRefused,
-                                     connection_.context.address + " speaks version 1 of the protocol, which cannot " +
-                                         describe(call) + ". It needs an RCServer that speaks version 2."));
-}
-
 // While a picture is owed, a toggle would have to wait for the picture anyway. A second `F` would make it unclear which
 // picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
@@ -132,10 +125,11 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   connection_.warnOfMissing(Connection::Missing::kCameraSettings, wish.camera != CameraSettings());
   connection_.warnOfMissing(Connection::Missing::kColors, wish.colors.on);
   connection_.warnOfMissing(Connection::Missing::kMicrophone, wish.microphone.on);
-  connection_.dropTooOld(now);
+  endJointOrders();
   if (isAnswerOwed()) {
     return {};
   }
+  connection_.dropTooOld(now);
   if (wish.streaming != connection_.pictures.streaming()) {
     connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
     return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
@@ -147,7 +141,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   if (picture != nullptr && mayRequestPicture(now)) {
     return requestPicture(wish, picture, now);
   }
-  Call* const call = connection_.calls.nextForRobot();
+  Call* const call = connection_.calls.nextForRobot(true);
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
 }
 
@@ -181,8 +175,7 @@ Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
 }
 
 Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
-  connection_.commands.steering.reset();  // it was meant for an earlier server at this address, which could walk
-  const bool has_commands = !connection_.commands.empty();
+  const bool has_commands = !connection_.commands.isEmptyForVersion1();
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);
     value_owed_ = ValueRequest{value.request, value.id, false, now};
@@ -208,7 +201,26 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
   last_target_ = command.targets.front().id;
   Bytes bytes = setValue(protocol::REQUEST_JOINT, last_target_, toCentidegrees(command.targets.front().position), now);
   value_owed_->order = command.terms.number;
+  if (command.terms.number != 0) {
+    joint_orders_.try_emplace(command.terms.number);
+  }
   return bytes;
+}
+
+/// Tells the ends of commands. This version does not say when joints arrive.
+void Version1Session::endJointOrders() {
+  for (auto each = joint_orders_.begin(); each != joint_orders_.end();) {
+    const auto& [number, order] = *each;
+    if (connection_.commands.joints.has(number) || (value_owed_ && value_owed_->order == number)) {
+      ++each;
+      continue;
+    }
+    const bool is_refused = !order.trouble.empty();
+    const MotionEnd end = {EndedKind::kJoints, is_refused ? EndedHow::kRefused : EndedHow::kUnknown, "",
+                           is_refused ? order.trouble : kUnknownEnd, number};
+    each = joint_orders_.erase(each);
+    connection_.context.notifier.ended(end);
+  }
 }
 
 Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
@@ -278,7 +290,7 @@ void Version1Session::onPicture() {
     pictures.deliver(picture);
     Answer answer;
     answer.picture = picture;
-    connection_.answer(kOwed, std::move(answer));
+    connection_.calls.answer(kOwed, std::move(answer));
   } else if (pictures.deliverFromStream(picture, now_)) {
     connection_.calls.answerFromStream(picture, pictures.streamQuality());
   }
@@ -302,7 +314,7 @@ void Version1Session::onError(int code) {
   if (is_trial_owed_) {
     is_trial_owed_ = false;
   } else if (const Call* const call = owedCall()) {
-    connection_.refuse(*call, explainRefusal(*call, code), now_);
+    connection_.refuse(*call, RefusalCause::kRobot, explainRefusal(*call, code), now_);
   } else if (value_owed_) {
     onValueRefused(code);
   } else if (connection_.pictures.streaming()) {
@@ -317,14 +329,13 @@ void Version1Session::onValueRefused(int code) {
   if (!request.set) {
     habits_.unanswered_polls.erase(request.letter);
     if (request.letter == protocol::REQUEST_JOINT && measured_joints_.erase(request.id) > 0) {
-      const Refusal refusal = {RefusedRequest::kJoints, RefusalCause::kJointFault, {request.id}, kJointFault};
-      connection_.refusals.refused(request.letter, "to move joint " + std::to_string(request.id), refusal);
+      connection_.refusals.refused(request.letter, "to move joint " + std::to_string(request.id) + ": " + kJointFault);
       return;
     }
     poll_.drop({request.letter, request.id});
   }
   const std::string what = describe(request.letter, request.id);
-  const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
+  const std::optional<RefusedRequest> kind = kindOf(request.letter);
   if (!request.set || !kind) {
     connection_.refusals.refused(request.letter, what + ": " + describeError(code));
     return;
@@ -334,8 +345,16 @@ void Version1Session::onValueRefused(int code) {
   }
   const std::string reason =
       *kind == RefusedRequest::kJoints ? describeError(code) + kWhyJointsAreRefused : describeError(code);
-  connection_.refusals.refused(request.letter, what,
-                               {*kind, RefusalCause::kRobot, {request.id}, reason, request.order});
+  std::uint64_t number = request.order;
+  if (const auto order = joint_orders_.find(number); order != joint_orders_.end()) {
+    order->second.trouble = reason;
+    if (order->second.is_accepted || connection_.commands.joints.has(number)) {
+      number = 0;  // endJointOrders() tells the end of the whole command
+    } else {
+      joint_orders_.erase(order);
+    }
+  }
+  connection_.refusals.refused(request.letter, what, {*kind, RefusalCause::kRobot, {request.id}, reason, number});
 }
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
@@ -352,7 +371,11 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
 
 void Version1Session::onCallAnswered() {
   connection_.calls.transferEnds(now_);
-  connection_.answer(kOwed, {});
+  if (const Call& call = *owedCall(); call.order() != 0) {
+    connection_.context.notifier.ended(
+        {EndedKind::kMotion, EndedHow::kUnknown, call.object, kUnknownEnd, call.order()});
+  }
+  connection_.calls.answer(kOwed, {});
 }
 
 void Version1Session::onValue(const protocol::ValueReply& reply) {
@@ -362,6 +385,9 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
     connection_.refusals.accepted(request.letter);
     if (request.letter == protocol::REQUEST_JOINT) {
       connection_.context.notifier.jointsAccepted({{reply.identifier, position}});
+      if (const auto order = joint_orders_.find(request.order); order != joint_orders_.end()) {
+        order->second.is_accepted = true;
+      }
     }
     onLedsAccepted(reply);
     return;
@@ -413,7 +439,6 @@ Session::TimePoint Version1Session::valueDeadline() const {
 }
 
 void Version1Session::checkDeadlines(TimePoint now) {
-  connection_.dropTooOld(now);
   if (now >= silenceLimit()) {
     throw Fault::silent(connection_.context.address, connection_.context.read_timeout);
   }
@@ -432,7 +457,7 @@ void Version1Session::checkCalls(TimePoint now) {
     fault = owed->isForPicture() ? Fault::pictureOverdue(address, owed->timeout)
                                  : Fault::unanswered(address, "the request to " + describe(*owed), owed->timeout);
   }
-  connection_.calls.expire(now, connection_.pictures.damageRemark());
+  connection_.expireCalls(now);
   if (fault) {
     throw Fault(*fault);
   }
@@ -451,8 +476,7 @@ void Version1Session::failUnanswered() {
 
 Session::TimePoint Version1Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
-  TimePoint next = std::min({connection_.calls.nextDeadline(), connection_.nextTooOld(), silenceLimit(),
-                             valueDeadline(), pictures.nextLook()});
+  TimePoint next = std::min({connection_.calls.nextDeadline(), silenceLimit(), valueDeadline(), pictures.nextLook()});
   const bool free = !isAnswerOwed();
   if (!pictures.streaming() && connection_.calls.nextForPicture() != nullptr && free && parser_.betweenReplies()) {
     next = std::min(next, pictures.drainedAt());

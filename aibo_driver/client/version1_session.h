@@ -41,7 +41,6 @@ class Version1Session final : public Session {
 
   int protocolVersion() const override { return 1; }
   bool ready() const override { return ready_; }
-  void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override { return false; }  // it has none
@@ -57,6 +56,12 @@ class Version1Session final : public Session {
     bool set = false;  ///< true: set the value; false: read it
     TimePoint sent;
     std::uint64_t order = 0;  ///< OrderTerms::number
+  };
+
+  /// A command to joints of which a target was sent.
+  struct JointOrder {
+    bool is_accepted = false;  ///< the robot has accepted a target
+    std::string trouble{};     ///< why the robot has refused one
   };
 
   // The call that was sent and has not been answered, or null. owedPicture() returns only calls for a picture.
@@ -78,6 +83,7 @@ class Version1Session final : public Session {
   void onValueReply();
   void onAnswer(const protocol::ValueReply& reply);
   void onCallAnswered();
+  void endJointOrders();
   void onLedsAccepted(const protocol::ValueReply& reply);
   void onValue(const protocol::ValueReply& reply);
   void onError(int code);
@@ -97,9 +103,10 @@ class Version1Session final : public Session {
   TimePoint now_;  // when the bytes that are being parsed were read
   std::optional<ValueRequest> value_owed_;
   bool version_answer_owed_;
-  int last_target_ = 0;             // the id of the joint that was commanded last
-  LedMode led_mode_ = LedMode::kA;  // the mode of all LEDs, as last accepted
-  bool joints_turn_ = true;         // true: joints are next; false: waiting LEDs and ears are next
+  std::map<std::uint64_t, JointOrder> joint_orders_;  // by OrderTerms::number
+  int last_target_ = 0;                               // the id of the joint that was commanded last
+  LedMode led_mode_ = LedMode::kA;                    // the mode of all LEDs, as last accepted
+  bool joints_turn_ = true;                           // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
   std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;

@@ -9,6 +9,7 @@
 
 #include "client/fault.h"
 #include "client/units.h"
+#include "protocol/big_endian.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/picture_datagram.h"
@@ -30,6 +31,9 @@ DatagramIntake::Start randomStart() {
 
 // No robot has this many joints. Each report is kept once.
 constexpr std::size_t kMostReports = 32;
+
+// Pushed without payload, it asks for a hello.
+constexpr char kHelloWanted = 'h';
 
 // No setting of the camera has this value.
 constexpr int kNotRequested = -1;
@@ -175,8 +179,14 @@ std::string describe(const version2::ErrorMessage& message) {
   return text.empty() ? "error code " + std::to_string(message.code) : text;
 }
 
+/// True if the request can be an order that goes on after its answer.
+bool isOrder(char letter) {
+  return letter == version2::REQUEST_JOINTS || letter == version2::REQUEST_STEER ||
+         letter == version2::REQUEST_POSTURE || letter == version2::REQUEST_PLAY;
+}
+
 EndedKind endedKind(unsigned what) {
-  return what <= version2::ENDED_JAM ? static_cast<EndedKind>(what) : EndedKind::kUnknown;
+  return what <= version2::ENDED_JOINTS ? static_cast<EndedKind>(what) : EndedKind::kUnknown;
 }
 
 EndedHow endedHow(unsigned how) {
@@ -189,7 +199,6 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
     : connection_(connection),
       buffer_(version2::MAX_PAYLOAD_TOWARDS_CLIENT),
       reader_(buffer_.data(), buffer_.size()),
-      last_hello_(connected),
       next_hello_(connected),
       datagrams_(connection.context),
       transport_(!connection.transport_problem.empty(), connection.transport_changes),
@@ -198,19 +207,7 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
   camera_.fill(kNotRequested);
 }
 
-void Version2Session::add(Call call) {
-  connection_.add(std::move(call));
-}
-
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
-  Bytes frame = chooseRequest(wish, now);
-  if (!frame.empty()) {
-    next_hello_ = std::min(now + kHeartbeatPeriod, last_hello_ + kHelloPeriod);
-  }
-  return frame;
-}
-
-Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   connection_.dropTooOld(now);
   const PictureIntake& pictures = connection_.pictures;
   Call* const stop = connection_.calls.nextStop();
@@ -236,11 +233,8 @@ Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
   if (Call* const call = connection_.calls.nextForPicture()) {
     return requestPicture(wish, call);
   }
-  if (Call* const call = connection_.calls.nextForRobot()) {
+  if (Call* const call = connection_.calls.nextForRobot(frames_.present(now).has_value())) {
     return connection_.mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(call, now);
-  }
-  if (serves(version2::REQUEST_MOTORS) && !std::exchange(has_asked_for_motors_, true)) {
-    return requestMotorState(now);
   }
   if (wish.telemetry_period != telemetry_period_) {
     return requestTelemetry(wish, now);
@@ -255,13 +249,8 @@ Session::Bytes Version2Session::chooseRequest(const Wish& wish, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestHello(TimePoint now) {
-  last_hello_ = now;
+  next_hello_ = now + kHelloPeriod;
   return request(version2::SAY_HELLO, 0, {}, now, &Version2Session::onHello);
-}
-
-// From then on, the robot reports its motors and its posture. The reply contains no more than the first report.
-Session::Bytes Version2Session::requestMotorState(TimePoint now) {
-  return request(version2::TELL_OF_MOTORS, 0, {}, now);
 }
 
 StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
@@ -343,9 +332,7 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
   telemetry_period_ = wish.telemetry_period;
   connection_.measurements.askedFor(telemetry_period_);
   const version2::TelemetryPeriod period = {static_cast<unsigned short>(wish.telemetry_period)};
-  const bool can_walk = serves(version2::REQUEST_STEER);
-  const int content = version2::TELEMETRY_WITH_DUTY | (can_walk ? version2::TELEMETRY_WITH_WALK : 0);
-  return request(version2::SEND_TELEMETRY, content, encoded(period), now);
+  return request(version2::SEND_TELEMETRY, version2::TELEMETRY_WITH_DUTY, encoded(period), now);
 }
 
 // Tables go first, so that the first push has all of them.
@@ -387,7 +374,7 @@ Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint no
                                                  static_cast<unsigned char>(wanted.channels),
                                                  static_cast<unsigned short>(wanted.samples_per_second)};
   return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone,
-                 {RefusedRequest::kMicrophone, {}, 0});
+                 Order{RefusedRequest::kMicrophone, {}, 0});
 }
 
 Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
@@ -404,8 +391,14 @@ Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
+  if (call->terms) {
+    protocol::encodeBigEndian32(frames_.notAfter(call->terms->not_after, now).value(), call->payload.data());
+  }
   Bytes frame = makeFrame(call->request.letter, call->id, call->payload);
   call->request_number = last_number_;
+  if (call->has(version2::STARTS_MOVEMENT)) {
+    remember({refusedRequest(*call), {}, call->order()}, describe(*call), call->request.letter);
+  }
   connection_.callSent(*call, frame.size(), now);
   return frame;
 }
@@ -421,15 +414,19 @@ bool Version2Session::mayCommandJoints() const {
 }
 
 Session::Bytes Version2Session::nextCommand(TimePoint now) {
-  const CommandOutbox& commands = connection_.commands;
-  if (commands.steering && commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
-    return requestSteering(now);
+  CommandOutbox& commands = connection_.commands;
+  if (commands.let_go) {
+    return requestSteering(&commands.let_go, now);
+  }
+  const bool may_order = frames_.present(now).has_value();
+  if (commands.steering && may_order && commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
+    return requestSteering(&commands.steering, now);
   }
   if (mayCommandJoints()) {
     if (!commands.speed_limits.empty()) {
       return requestSpeedLimits(now);
     }
-    if (!commands.joints.empty()) {
+    if (!commands.joints.empty() && may_order) {
       return requestTargets(now);
     }
   }
@@ -449,26 +446,29 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
   return request(version2::LIMIT_SPEEDS, 0, encoded(limits), now, nullptr,
-                 {RefusedRequest::kSpeedLimits, idsOf(wanted), 0});
+                 Order{RefusedRequest::kSpeedLimits, idsOf(wanted), 0});
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
   const JointCommand command = connection_.commands.joints.takeCommand();
-  version2::JointTargets targets = {};
+  version2::JointOrder order = {frames_.notAfter(command.terms.not_after, now).value(), {}};
+  version2::JointTargets& targets = order.targets;
   targets.duration_ms = static_cast<unsigned short>(command.duration.count());
   for (const JointTarget& target : command.targets) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
-  return request(version2::MOVE_JOINTS, 0, encoded(targets), now, &Version2Session::onJointsAccepted,
-                 {RefusedRequest::kJoints, idsOf(command.targets), command.terms.number});
+  return request(version2::MOVE_JOINTS, 0, encoded(order), now, &Version2Session::onJointsAccepted,
+                 Order{RefusedRequest::kJoints, idsOf(command.targets), command.terms.number});
 }
 
-Session::Bytes Version2Session::requestSteering(TimePoint now) {
-  const SteeringCommand command = *std::exchange(connection_.commands.steering, std::nullopt);
-  const WalkVelocity& wanted = command.velocity;
-  const version2::Velocity velocity = {wanted.forward, wanted.left, wanted.turn};
-  return request(version2::STEER, command.options, encoded(velocity), now, &Version2Session::onSteered,
-                 {RefusedRequest::kWalk, {}, command.terms.number});
+/// @param command must not be empty. If its velocity is 0, it is sent even if the robot's frame is not known
+Session::Bytes Version2Session::requestSteering(std::optional<SteeringCommand>* command, TimePoint now) {
+  const SteeringCommand taken = *std::exchange(*command, std::nullopt);
+  const WalkVelocity& wanted = taken.velocity;
+  const version2::SteeringOrder order = {frames_.notAfter(taken.terms.not_after, now).value_or(0),
+                                         {wanted.forward, wanted.left, wanted.turn}};
+  return request(version2::STEER, taken.options, encoded(order), now, &Version2Session::onSteered,
+                 Order{RefusedRequest::kWalk, {}, taken.terms.number});
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
@@ -479,7 +479,7 @@ Session::Bytes Version2Session::requestLeds(TimePoint now) {
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
   return request(version2::SET_LEDS, 0, encoded(values), now, &Version2Session::onLedsAccepted,
-                 {RefusedRequest::kLeds, idsOf(wanted), 0});
+                 Order{RefusedRequest::kLeds, idsOf(wanted), 0});
 }
 
 // Both ears are always commanded together.
@@ -489,15 +489,29 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
   for (const EarCommand& ear : wanted) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  return request(version2::MOVE_EARS, 0, encoded(positions), now, nullptr, {RefusedRequest::kEars, idsOf(wanted), 0});
+  return request(version2::MOVE_EARS, 0, encoded(positions), now, nullptr,
+                 Order{RefusedRequest::kEars, idsOf(wanted), 0});
 }
 
 /// A request whose answer is due soon.
 Session::Bytes Version2Session::request(const version2::Request& request, int id, const Bytes& payload, TimePoint now,
-                                        OnAnswer on_answer, const Order& order) {
+                                        OnAnswer on_answer, const std::optional<Order>& order) {
   Bytes frame = makeFrame(request.letter, id, payload);
-  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, order, false};
+  exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, false};
+  if (order) {
+    remember(*order, request.words, request.letter);
+  }
   return frame;
+}
+
+/// Remembers what the request that was made last is for.
+void Version2Session::remember(Order order, const std::string& words, char letter) {
+  if (orders_.size() >= kMostOrders) {
+    throw ProtocolException("it has ended none of " + std::to_string(kMostOrders) + " orders");
+  }
+  order.words = words;
+  order.letter = letter;
+  orders_[last_number_] = std::move(order);
 }
 
 Session::Bytes Version2Session::makeFrame(char kind, int id, const Bytes& payload) {
@@ -518,14 +532,23 @@ int Version2Session::nextNumber() {
   return number;
 }
 
-/// @return the kind of the request with this number, if an answer to it is awaited
+/// @return the kind of the request with this number, if its answer or its end is awaited
 std::optional<char> Version2Session::kindOf(int number) const {
-  const auto exchange = exchanges_.find(number);
-  if (exchange != exchanges_.end()) {
+  if (const auto exchange = exchanges_.find(number); exchange != exchanges_.end()) {
     return exchange->second.request.letter;
+  }
+  if (const auto order = orders_.find(number); order != orders_.end()) {
+    return order->second.letter;
   }
   const Call* const call = connection_.calls.find(number);
   return call != nullptr ? std::optional<char>(call->request.letter) : std::nullopt;
+}
+
+/// @param number the number of a request, or 0
+/// @return OrderTerms::number; 0 if there is none
+std::uint64_t Version2Session::orderOf(int number) const {
+  const auto order = orders_.find(number);
+  return order == orders_.end() ? 0 : order->second.number;
 }
 
 void Version2Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -614,6 +637,9 @@ void Version2Session::onPush(char kind, const Payload& payload) {
       return onSound(payload);
     case version2::END_PUSH:
       return onEnded(payload);
+    case kHelloWanted:
+      next_hello_ = now_;
+      return;
     case version2::ERROR_MESSAGE:
       return onReport(payload);
     case version2::MOTORS_AND_POSTURE_PUSH:
@@ -628,18 +654,20 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
   if (!request_kind) {
     return;  // the caller has stopped waiting
   }
-  const Call* const call = connection_.calls.find(number);
   if (version2::isError(kind, payload.size)) {
-    const std::string problem = describe(decoded<version2::ErrorMessage>(payload, "error message"));
-    call != nullptr ? connection_.refuse(*call, problem, now_) : onRefusal(exchanges_.at(number), problem);
+    onError(number, payload);
   } else if (kind != version2::replyKind(*request_kind)) {
     throw ProtocolException(std::string("a reply '") + kind + "' to the request '" + *request_kind + "'");
   } else {
     connection_.refusals.accepted(*request_kind);
-    if (call != nullptr) {
+    const auto exchange = exchanges_.find(number);
+    if (const Call* const call = connection_.calls.find(number)) {
       call->isForPicture() ? onRequestedPicture(number, payload) : onCallAnswered(*call, payload);
-    } else if (const OnAnswer on_answer = exchanges_.at(number).on_answer) {
-      (this->*on_answer)(payload);
+    } else if (exchange != exchanges_.end() && exchange->second.on_answer != nullptr) {
+      (this->*exchange->second.on_answer)(payload);
+    }
+    if (!isOrder(*request_kind)) {
+      orders_.erase(number);
     }
   }
   exchanges_.erase(number);
@@ -654,6 +682,7 @@ void Version2Session::onHello(const Payload& payload) {
     robot_frame_ = hello.frame_number;
     robot_frame_time_ = sent;
   }
+  frames_.told(hello.frame_number, now_);
   served_.reset();
   for (const std::string& word : connection_.robot.capabilities) {
     if (word.size() == 1) {
@@ -666,6 +695,7 @@ void Version2Session::onHello(const Payload& payload) {
 std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload) {
   connection_.pictures.signOfPicture(now_);
   const auto picture = decoded<version2::PicturePayload>(payload, "picture");
+  frames_.told(picture.header.frame_number, now_);
   return inspect(Bytes(picture.jpeg, picture.jpeg + picture.jpeg_size), picture.header, frame_began_);
 }
 
@@ -729,11 +759,12 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   }
   Answer answer;
   answer.picture = picture;
-  connection_.answer(number, std::move(answer));
+  connection_.calls.answer(number, std::move(answer));
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload, "telemetry");
+  frames_.told(measured.frame_number, now_);
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
     // So many wait only if this process was held up for long. Then the oldest are worth least.
     telemetry_.pop_front();
@@ -785,10 +816,15 @@ void Version2Session::onLedsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onSteered(const Payload& payload) {
-  const auto velocity = decoded<version2::Velocity>(payload, "reply to steering");
+  const auto steered = decoded<version2::Steered>(payload, "reply to steering");
   bodyMovesAgain();
-  connection_.context.notifier.steered({velocity.forward, velocity.left, velocity.turn},
-                                       exchanges_.at(reader_.header().request_number).order.number);
+  const int number = reader_.header().request_number;
+  const std::uint64_t order = orderOf(number);
+  if (steered.walk != number) {
+    orders_.erase(number);  // it began no walk
+  }
+  const version2::Velocity& velocity = steered.velocity;
+  connection_.context.notifier.steered({velocity.forward, velocity.left, velocity.turn}, order, orderOf(steered.walk));
 }
 
 // The robot may set something else than was asked for.
@@ -854,11 +890,30 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   } else if (call.has(version2::NEEDS_MEMORY_STICK)) {
     connection_.calls.transferEnds(now_);
   }
-  connection_.answer(call.request_number, std::move(answer));
+  connection_.calls.answer(call.request_number, std::move(answer));
+}
+
+/// Tells that the robot has refused a request. Its caller may have stopped waiting.
+void Version2Session::onError(int number, const Payload& payload) {
+  const auto message = decoded<version2::ErrorMessage>(payload, "error message");
+  const std::string problem = describe(message);
+  const RefusalCause cause = message.code == version2::CODE_TOO_OLD ? RefusalCause::kTooOld : RefusalCause::kRobot;
+  const auto refused = orders_.extract(number);
+  if (const Call* const call = connection_.calls.find(number)) {
+    connection_.refuse(*call, cause, problem, now_);
+  } else if (refused) {
+    const Order& order = refused.mapped();
+    if (order.kind == RefusedRequest::kSpeedLimits) {
+      connection_.forgetSpeedLimits(order.ids);
+    }
+    connection_.refusals.refused(order.letter, "to " + order.words,
+                                 {order.kind, cause, order.ids, problem, order.number});
+  } else {
+    onRefusal(exchanges_.at(number), problem);
+  }
 }
 
 void Version2Session::onRefusal(const Exchange& exchange, const std::string& problem) {
-  RefusalLog& refusals = connection_.refusals;
   const char letter = exchange.request.letter;
   const std::string what = std::string("to ") + exchange.request.words;
   if (letter == version2::REQUEST_HELLO) {
@@ -881,15 +936,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     }
     return;
   }
-  const Order& order = exchange.order;
-  if (order.kind == RefusedRequest::kSpeedLimits) {
-    connection_.forgetSpeedLimits(order.ids);
-  }
-  if (order.kind) {
-    refusals.refused(letter, what, {*order.kind, RefusalCause::kRobot, order.ids, problem, order.number});
-  } else {
-    refusals.refused(letter, what + ": " + problem);
-  }
+  connection_.refusals.refused(letter, what + ": " + problem);
 }
 
 void Version2Session::onEnded(const Payload& payload) {
@@ -899,6 +946,8 @@ void Version2Session::onEnded(const Payload& payload) {
   end.how = endedHow(message.how);
   end.name = beginningOf(message.name, message.name_size);
   end.reason = beginningOf(message.reason, message.reason_size);
+  end.order = orderOf(message.order);
+  orders_.erase(message.order);
   if (end.kind == EndedKind::kJam) {
     jointFollowsAgain(end.name);
   }
@@ -909,9 +958,6 @@ void Version2Session::onReport(const Payload& payload) {
   const auto message = decoded<version2::ErrorMessage>(payload, "error message");
   const Report report = {describe(message), message.code == version2::CODE_JOINT_FAULT,
                          message.code == version2::CODE_REFUSED};
-  if (report.joint_fault) {
-    onJointFault(beginningOf(message.text, message.text_size));
-  }
   removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
   reports_.push_back(report);
   if (reports_.size() > kMostReports) {
@@ -920,18 +966,6 @@ void Version2Session::onReport(const Payload& payload) {
   connection_.robot_message = report.text;
   connection_.goes_off = message.code == version2::CODE_POWER ? report.text : connection_.goes_off;
   connection_.context.warn("reports: " + report.text);
-}
-
-// The text names the joints that do not follow. The robot holds them.
-void Version2Session::onJointFault(const std::string& text) {
-  const robot_model::RobotModel* const robot = robot_model::findRobotModel(connection_.robot.design.c_str());
-  Refusal refusal = {RefusedRequest::kJoints, RefusalCause::kJointFault, {}, text};
-  for (int i = 0; robot != nullptr && i < robot->number_of_joints; ++i) {
-    if (hasWord(text, robot->joints[i].name)) {
-      refusal.ids.push_back(robot->joints[i].identifier);
-    }
-  }
-  connection_.context.notifier.refused(refusal);
 }
 
 void Version2Session::onMotorsAndPosture(const Payload& payload) {
@@ -979,8 +1013,7 @@ void Version2Session::checkDeadlines(TimePoint now) {
                               std::chrono::round<std::chrono::milliseconds>(request.deadline - request.sent));
     }
   }
-  connection_.dropTooOld(now);
-  connection_.calls.expire(now, connection_.pictures.damageRemark());
+  connection_.expireCalls(now);
 }
 
 /// When the robot, or its datagrams, will have been silent for too long. With UDP the radio may be out for longer than
@@ -992,8 +1025,8 @@ Session::TimePoint Version2Session::pictureDeadline() const {
 Session::TimePoint Version2Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
   const TimePoint silence = pictures.streaming() ? pictureDeadline() : TimePoint::max();
-  return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), connection_.nextTooOld(), next_hello_,
-                   pictures.nextLook(), datagrams_.nextLook(), transport_.nextLook()});
+  return std::min({silence, answerDeadline(), connection_.calls.nextDeadline(), next_hello_, pictures.nextLook(),
+                   datagrams_.nextLook(), transport_.nextLook()});
 }
 
 }  // namespace aibo_client

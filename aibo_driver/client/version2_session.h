@@ -15,6 +15,7 @@
 
 #include "client/connection.h"
 #include "client/datagram_intake.h"
+#include "client/robot_frames.h"
 #include "client/session.h"
 #include "client/transport_choice.h"
 #include "protocol/frame_reader.h"
@@ -26,20 +27,18 @@ namespace aibo_client {
 /// time.
 class Version2Session final : public Session {
  public:
-  /// A hello is sent if nothing else was sent for this long, because a client that is silent for 0.6 s may lose its
-  /// place.
-  static constexpr std::chrono::milliseconds kHeartbeatPeriod{250};
-  /// The longest time between two hellos. The protocol asks for at least one a second.
-  static constexpr std::chrono::milliseconds kHelloPeriod{500};
+  /// The time between two hellos. The protocol asks for one a second.
+  static constexpr std::chrono::seconds kHelloPeriod{1};
   /// How many commands to the joints may be unanswered. Further commands wait. Otherwise a link that stands still would
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
+  /// A robot has at most 25 orders that have not ended. A server that never ends them must not use up all numbers.
+  static constexpr std::size_t kMostOrders = 1000;
 
   Version2Session(Connection& connection, TimePoint connected);
 
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
-  void add(Call call) override;
   Bytes nextRequest(const Wish& wish, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
@@ -57,11 +56,14 @@ class Version2Session final : public Session {
   /// Handles an answer. It is null if the answer only confirms the request.
   using OnAnswer = void (Version2Session::*)(const Payload& payload);
 
-  /// An order that is reported to the user if the robot refuses it.
+  /// A request of the user that no call waits for, or an order that goes on after the answer. The user is told if the
+  /// robot refuses it, and when it ends.
   struct Order {
-    std::optional<RefusedRequest> kind;  ///< empty means that a refusal is only logged
-    std::vector<int> ids;                ///< the ids of the joints, LEDs or ears
-    std::uint64_t number;                ///< OrderTerms::number
+    RefusedRequest kind;
+    std::vector<int> ids;  ///< the ids of the joints, LEDs or ears
+    std::uint64_t number;  ///< OrderTerms::number
+    std::string words{};   ///< what the robot does, in words that follow "refused to "
+    char letter = 0;       ///< of the request
   };
 
   /// A request that has to be answered soon. A call may take as long as its caller allows.
@@ -70,7 +72,6 @@ class Version2Session final : public Session {
     TimePoint sent;
     TimePoint deadline;
     OnAnswer on_answer;
-    Order order;
     bool is_for_double_resolution = false;  ///< of the stream
   };
 
@@ -83,7 +84,6 @@ class Version2Session final : public Session {
 
   Bytes chooseRequest(const Wish& wish, TimePoint now);
   Bytes requestHello(TimePoint now);
-  Bytes requestMotorState(TimePoint now);
   StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
@@ -98,11 +98,12 @@ class Version2Session final : public Session {
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);
   Bytes requestTargets(TimePoint now);
-  Bytes requestSteering(TimePoint now);
+  Bytes requestSteering(std::optional<SteeringCommand>* command, TimePoint now);
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
   Bytes request(const protocol::version2::Request& request, int id, const Bytes& payload, TimePoint now,
-                OnAnswer on_answer = nullptr, const Order& order = {});
+                OnAnswer on_answer = nullptr, const std::optional<Order>& order = std::nullopt);
+  void remember(Order order, const std::string& words, char letter);
   Bytes makeFrame(char kind, int id, const Bytes& payload);
   int nextNumber();
   bool serves(char request) const { return served_.test(static_cast<unsigned char>(request)); }
@@ -122,10 +123,10 @@ class Version2Session final : public Session {
   void onSteered(const Payload& payload);
   void onCameraSetting(const Payload& payload);
   void onCallAnswered(const Call& call, const Payload& payload);
+  void onError(int number, const Payload& payload);
   void onRefusal(const Exchange& request, const std::string& problem);
   void onEnded(const Payload& payload);
   void onReport(const Payload& payload);
-  void onJointFault(const std::string& text);
   void onMotorsAndPosture(const Payload& payload);
   void jointFollowsAgain(const std::string& joint);
   void bodyMovesAgain();
@@ -141,6 +142,7 @@ class Version2Session final : public Session {
   void deliverWholePictures(TimePoint now);
 
   std::optional<char> kindOf(int number) const;
+  std::uint64_t orderOf(int number) const;
   long outstanding(char kind) const;
   bool mayCommandJoints() const;
   TimePoint answerDeadline() const;
@@ -154,14 +156,14 @@ class Version2Session final : public Session {
 
   int last_number_ = 0;
   std::map<int, Exchange> exchanges_;  // by request number
+  std::map<int, Order> orders_;        // by request number: from the request until its refusal or its end
+  RobotFrames frames_;
 
   bool ready_ = false;
   std::bitset<256> served_;        // letters of the requests that this server knows
   std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to a hello
   TimePoint robot_frame_time_;     ///< when that hello was sent: that frame was not over yet
-  TimePoint last_hello_;
   TimePoint next_hello_;
-  bool has_asked_for_motors_ = false;
   bool lacks_double_resolution_ = false;                                   // the robot has refused it
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
   ColorTables color_tables_;                                               // as last requested
