@@ -89,11 +89,7 @@ void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime n
     const std::optional<Trajectory::Start> planned = stateOf(*joint, now, 0);
     const std::optional<MeasuredJoint> measured = measured_.find(*joint);
     const double from = planned ? planned->position : measured ? measured->position : target.position;
-    endTrajectoriesThatMove(*joint);
-    if (commands_[*joint] && commands_[*joint]->id != id) {
-      replaceCommand(*joint, table_[*joint].name + " was commanded to go elsewhere");
-    }
-    commands_[*joint] = Command{id, true, from, target.position, target.speed, now};
+    commands_[*joint] = Command{id, from, target.position, target.speed, now};
   }
 }
 
@@ -150,43 +146,22 @@ JointTargets JointPlan::holdingTargets(SteadyTime now, std::optional<MovementId>
   return targets;
 }
 
-void JointPlan::end(MovementId id, EndedHow how, const std::string& reason) {
+void JointPlan::forget(MovementId id) {
   for (Job& job : jobs_) {
-    if (job.id == id) {
-      noteEnd(&job, how, reason);
-    }
+    job.has_ended = job.has_ended || job.id == id;
   }
   removeEnded();
-  endCommand(id, how, reason);
-}
-
-void JointPlan::endAll(EndedHow how, const std::string& reason) {
-  endTrajectories(how, reason);
-  for (const std::optional<Command>& command : commands_) {
-    if (command) {
-      endCommand(command->id, how, reason);
+  for (std::optional<Command>& command : commands_) {
+    if (command && command->id == id) {
+      command.reset();
     }
   }
-  commands_.assign(table_.size(), std::nullopt);
 }
 
-void JointPlan::endTrajectories(EndedHow how, const std::string& reason) {
-  for (Job& job : jobs_) {
-    noteEnd(&job, how, reason);
-  }
-  removeEnded();
-}
-
-void JointPlan::replace(const std::vector<std::string>& joints, const std::string& reason) {
+void JointPlan::forget(const std::vector<std::string>& joints) {
   for (const std::string& joint : joints) {
-    for (Job& job : jobs_) {
-      if (job.placeOf(joint)) {
-        noteEnd(&job, EndedHow::kReplaced, reason);
-      }
-    }
-    replaceCommand(*table_.findByName(joint), reason);
+    commands_[*table_.findByName(joint)].reset();
   }
-  removeEnded();
 }
 
 std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
@@ -195,7 +170,7 @@ std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
   }
   std::vector<std::string> joints;
   for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    if (commands_[joint] && commands_[joint]->id == id && commands_[joint]->is_open) {
+    if (commands_[joint] && commands_[joint]->id == id) {
       joints.push_back(table_[joint].name);
     }
   }
@@ -239,10 +214,14 @@ std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, Steady
   return states;
 }
 
-bool JointPlan::empty() const {
-  return jobs_.empty() && std::none_of(commands_.begin(), commands_.end(), [](const std::optional<Command>& command) {
-           return command && command->is_open;
-         });
+bool JointPlan::goesOn(MovementId trajectory) const {
+  const Job* const job = find(trajectory);
+  return job != nullptr && (job->arrival.is_measured || !job->run || !job->run->end_sent);
+}
+
+bool JointPlan::isMeasured(MovementId trajectory) const {
+  const Job* const job = find(trajectory);
+  return job != nullptr && job->arrival.is_measured;
 }
 
 const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
@@ -355,23 +334,6 @@ void JointPlan::takeFromWaiting(const Job& newer) {
   removeEnded();
 }
 
-void JointPlan::endTrajectoriesThatMove(std::size_t joint) {
-  for (Job& job : jobs_) {
-    if (job.placeOf(table_[joint].name)) {
-      noteEnd(&job, EndedHow::kReplaced, table_[joint].name + " was commanded to go elsewhere");
-    }
-  }
-  removeEnded();
-}
-
-// The movement that commanded this joint goes on for its other joints, if there are any.
-void JointPlan::replaceCommand(std::size_t joint, const std::string& reason) {
-  const std::optional<Command> older = std::exchange(commands_[joint], std::nullopt);
-  if (older && older->is_open && jointsOf(older->id).empty()) {
-    ended_.push_back({older->id, EndedHow::kReplaced, reason, {}});
-  }
-}
-
 // A trajectory begins as early as its first positions have to be sent.
 void JointPlan::beginDue(SteadyTime now) {
   const auto is_due = [now](const Job& job) { return !job.run && job.start <= now + kLookahead; };
@@ -403,9 +365,7 @@ void JointPlan::handOver(SteadyTime now) {
         takeJoints(jobs_[newer], &jobs_[older]);
       }
     }
-    for (const std::string& joint : jobs_[newer].names()) {
-      replaceCommand(*table_.findByName(joint), "a trajectory moves " + joint);
-    }
+    forget(jobs_[newer].names());
   }
   removeEnded();
 }
@@ -458,67 +418,41 @@ aibo_client::JointTarget JointPlan::targetFor(const std::string& joint, double p
 }
 
 void JointPlan::endThoseThatArrived(SteadyTime now) {
-  std::vector<std::optional<End>> verdicts;
-  for (const Job& job : jobs_) {
-    if (job.run && job.run->over) {
-      verdicts.push_back(judge(job.id, aimsOf(job), job.arrival.grace, now));
+  for (Job& job : jobs_) {
+    if (job.arrival.is_measured && job.run && job.run->over) {
+      judge(&job, now);
     }
   }
-  std::map<MovementId, std::vector<Aim>> commanded;
-  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    const std::optional<Command>& command = commands_[joint];
-    if (command && command->is_open) {
-      const std::chrono::duration<double> way(command->duration() + kSettling);
-      const SteadyTime due = command->begin + std::chrono::duration_cast<steady_clock::duration>(way);
-      commanded[command->id].push_back({joint, command->target, due, {}});
-    }
-  }
-  for (const auto& [id, aims] : commanded) {
-    verdicts.push_back(judge(id, aims, Arrival().grace, now));
-  }
-  for (const std::optional<End>& verdict : verdicts) {
-    if (verdict) {
-      end(verdict->id, verdict->how, verdict->reason);
-    }
-  }
+  removeEnded();
 }
 
-std::vector<JointPlan::Aim> JointPlan::aimsOf(const Job& job) const {
-  std::vector<Aim> aims;
-  const std::vector<double> end = job.run->trajectory.sample(job.run->trajectory.duration());
-  for (const std::string& joint : job.names()) {
-    const auto found = job.arrival.tolerances.find(joint);
-    aims.push_back({*table_.findByName(joint), end[*job.placeOf(joint)], *job.run->over,
-                    found == job.arrival.tolerances.end() ? Tolerance() : found->second});
-  }
-  return aims;
-}
-
-// Decides how a movement ends whose joints have arrived or should have arrived.
-std::optional<JointPlan::End> JointPlan::judge(MovementId id, const std::vector<Aim>& aims, milliseconds grace,
-                                               SteadyTime now) const {
+// Ends a trajectory whose joints have arrived or should have arrived.
+void JointPlan::judge(Job* job, SteadyTime now) {
   std::vector<std::string> away;
   std::vector<std::string> unmeasured;
-  SteadyTime last_due;
-  for (const Aim& aim : aims) {
-    last_due = std::max(last_due, aim.due);
-    const std::optional<MeasuredJoint> measured = measured_.find(aim.joint);
-    const bool is_fresh = measured && measured->arrival >= aim.due;
-    const std::string problem = is_fresh ? describeDistance(*measured, aim.target, aim.tolerance) : "";
-    if (!is_fresh) {
-      unmeasured.push_back(table_[aim.joint].name);
-    } else if (!problem.empty()) {
-      away.push_back(table_[aim.joint].name + problem);
+  const SteadyTime over = *job->run->over;
+  const std::vector<double> end = job->run->trajectory.sample(job->run->trajectory.duration());
+  for (const std::string& joint : job->names()) {
+    const std::optional<MeasuredJoint> measured = measured_.find(*table_.findByName(joint));
+    if (!measured || measured->arrival < over) {
+      unmeasured.push_back(joint);
+      continue;
+    }
+    const auto own = job->arrival.tolerances.find(joint);
+    const Tolerance tolerance = own == job->arrival.tolerances.end() ? Tolerance() : own->second;
+    const std::string problem = describeDistance(*measured, end[*job->placeOf(joint)], tolerance);
+    if (!problem.empty()) {
+      away.push_back(joint + problem);
     }
   }
+  const milliseconds grace = job->arrival.grace;
   if (away.empty() && unmeasured.empty()) {
-    return End{id, EndedHow::kDone, "", {}};
+    noteEnd(job, EndedHow::kDone, "");
+  } else if (!away.empty() && now >= over + grace) {
+    noteEnd(job, EndedHow::kNotReached, listOf(away));
+  } else if (away.empty() && now >= over + std::max(grace, kLongestSilence)) {
+    noteEnd(job, EndedHow::kUnknown, "no measurement of " + listOf(unmeasured) + " has come since");
   }
-  if (now < last_due + (away.empty() ? std::max(grace, kLongestSilence) : grace)) {
-    return std::nullopt;
-  }
-  return away.empty() ? End{id, EndedHow::kUnknown, "no measurement of " + listOf(unmeasured) + " has come since", {}}
-                      : End{id, EndedHow::kNotReached, listOf(away), {}};
 }
 
 void JointPlan::removeEnded() {
@@ -528,22 +462,6 @@ void JointPlan::removeEnded() {
 void JointPlan::noteEnd(Job* job, EndedHow how, const std::string& reason) {
   if (!std::exchange(job->has_ended, true)) {
     ended_.push_back({job->id, how, reason, job->names()});
-  }
-}
-
-void JointPlan::endCommand(MovementId id, EndedHow how, const std::string& reason) {
-  std::vector<std::string> joints;
-  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    std::optional<Command>& command = commands_[joint];
-    if (command && command->id == id && std::exchange(command->is_open, false)) {
-      joints.push_back(table_[joint].name);
-      if (how != EndedHow::kDone) {
-        command.reset();  // the joint is not on its way any more
-      }
-    }
-  }
-  if (!joints.empty()) {
-    ended_.push_back({id, how, reason, std::move(joints)});
   }
 }
 

@@ -32,6 +32,7 @@ struct Tolerance {
 
 /// When the joints of a trajectory count as arrived.
 struct Arrival {
+  bool is_measured = false;  ///< true: the plan decides this from measurements; false: the robot does
   std::map<std::string, Tolerance> tolerances;  ///< only of joints whose tolerance is not the usual one
   std::chrono::milliseconds grace{2000};        ///< how late the joints may be
 };
@@ -43,8 +44,8 @@ struct JointStep {
   std::chrono::milliseconds duration{0};
 };
 
-/// The plan for the joints. It contains commands that are on their way, and trajectories. From these it computes where
-/// each joint should be at a time.
+/// The plan for the joints. It contains trajectories, and the latest command to each joint. From these it computes
+/// where each joint should be at a time.
 ///
 /// Trajectories replace each other as in ros_control's joint_trajectory_controller with partial goals. A new trajectory
 /// takes over its joints at its start time, from the position and velocity planned for that time. Joints that it does
@@ -53,12 +54,10 @@ struct JointStep {
 /// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. One
 /// that begins at once does not wait, so it is never one too many.
 ///
-/// A command ends the trajectories that name one of its joints. If only some joints of another command or trajectory
-/// are replaced, its other joints go on.
-///
-/// A movement is done when all its joints have been measured at their targets, after the planned time. If a joint has
-/// not arrived after the grace time, the movement ends as not reached. If a joint is not measured any more, its end is
-/// unknown.
+/// A trajectory stays in the plan until forget(), unless the plan ends it: if it cannot begin, or if newer ones have
+/// taken all its joints. A trajectory whose arrival is measured is done when all its joints have been measured at their
+/// targets, after the planned time. If a joint has not arrived after the grace time, it ends as not reached. If a joint
+/// is not measured any more, its end is unknown.
 ///
 /// Every kPeriod the robot is told where the joints should be kLookahead later. So the robot always knows what comes
 /// next, and a message that is late by less than kLookahead does not make it falter. If the caller is held up for
@@ -72,7 +71,7 @@ class JointPlan {
   static constexpr std::size_t kMostWaiting = 32;
   static constexpr std::size_t kMostWaitingForJoint = 2;
 
-  /// How a movement of the plan has ended.
+  /// How the plan has ended a trajectory.
   struct End {
     MovementId id = 0;
     EndedHow how = EndedHow::kDone;
@@ -86,7 +85,7 @@ class JointPlan {
       : table_(table), measured_(measured), slow_down_(slow_down), commands_(table.size()) {}
 
   /// Notes targets that are being sent now.
-  /// @param id the movement; if it goes on already, its joints get new targets
+  /// @param id the movement
   void command(MovementId id, const JointTargets& targets, SteadyTime now);
 
   /// Plans a trajectory.
@@ -107,19 +106,11 @@ class JointPlan {
   /// @param only the joints of this trajectory; empty means all joints
   JointTargets holdingTargets(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;
 
-  /// Ends a movement, if it has not ended yet.
-  /// @param reason in words that follow a colon
-  void end(MovementId id, EndedHow how, const std::string& reason);
+  /// Forgets a trajectory, or the commands of a movement, because their joints are not on their way any more.
+  void forget(MovementId id);
 
-  /// Ends everything.
-  void endAll(EndedHow how, const std::string& reason);
-
-  /// Ends all trajectories, and leaves commands as they are.
-  void endTrajectories(EndedHow how, const std::string& reason);
-
-  /// Call this when something else moves these joints. It ends the trajectories that move one of them, now or later.
-  /// The other joints of commands go on.
-  void replace(const std::vector<std::string>& joints, const std::string& reason);
+  /// Forgets the commands to these joints, because something else moves them.
+  void forget(const std::vector<std::string>& joints);
 
   /// The joints that a movement moves, or will move when it begins. There are none if it has ended.
   std::vector<std::string> jointsOf(MovementId id) const;
@@ -134,19 +125,24 @@ class JointPlan {
   /// @return empty before the trajectory's beginning and after its end
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime now) const;
 
-  /// True if nothing moves or waits for its time to move.
-  bool empty() const;
+  /// True if the plan itself will end a trajectory that has arrived, or if not all of its steps have been sent.
+  bool goesOn(MovementId trajectory) const;
 
-  /// Returns the movements that have ended since the last call, in order.
+  /// True if its arrival is measured here.
+  bool isMeasured(MovementId trajectory) const;
+
+  /// True if there is no trajectory.
+  bool empty() const { return jobs_.empty(); }
+
+  /// Returns the trajectories that have ended since the last call, in order.
   std::vector<End> takeEnded() { return std::exchange(ended_, {}); }
 
  private:
   struct Command {
     MovementId id = 0;
-    bool is_open = true;  // its end has not been noted yet
-    double from = 0;      // rad
-    double target = 0;    // rad
-    double speed = 0;     // rad/s
+    double from = 0;    // rad
+    double target = 0;  // rad
+    double speed = 0;   // rad/s
     SteadyTime begin;
 
     double duration() const;
@@ -177,14 +173,6 @@ class JointPlan {
     std::vector<std::string> names() const;
   };
 
-  /// Where a joint should be from a certain time on.
-  struct Aim {
-    std::size_t joint = 0;
-    double target = 0;  // rad
-    SteadyTime due;
-    Tolerance tolerance;
-  };
-
   std::optional<Trajectory::Start> stateOf(std::size_t joint, SteadyTime now, double ahead) const;
   static bool isUnderWay(const Command& command, SteadyTime now);
   static bool isRecent(const Command& command, SteadyTime now);
@@ -193,8 +181,6 @@ class JointPlan {
   void checkFresh(const Job& job, SteadyTime now) const;
   void checkWaiting(const Job& newer, SteadyTime now) const;
   void takeFromWaiting(const Job& newer);
-  void endTrajectoriesThatMove(std::size_t joint);
-  void replaceCommand(std::size_t joint, const std::string& reason);
   void beginDue(SteadyTime now);
   void handOver(SteadyTime now);
   void takeJoints(const Job& newer, Job* older);
@@ -202,12 +188,9 @@ class JointPlan {
   JointStep next(std::size_t index, SteadyTime now);
   aibo_client::JointTarget targetFor(const std::string& joint, double position) const;
   void endThoseThatArrived(SteadyTime now);
-  std::optional<End> judge(MovementId id, const std::vector<Aim>& aims, std::chrono::milliseconds grace,
-                           SteadyTime now) const;
-  std::vector<Aim> aimsOf(const Job& job) const;
+  void judge(Job* job, SteadyTime now);
   void removeEnded();
   void noteEnd(Job* job, EndedHow how, const std::string& reason);
-  void endCommand(MovementId id, EndedHow how, const std::string& reason);
 
   const JointTable& table_;
   const MeasuredJoints& measured_;

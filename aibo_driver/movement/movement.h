@@ -32,6 +32,7 @@ struct Movement {
   std::string source;               ///< the node that asked for it
   std::vector<std::string> joints;  ///< the joints that it moves; unknown if the robot moves by itself
   std::optional<SteadyTime> end;    ///< when a trajectory that has begun will end
+  std::uint64_t order = 0;          ///< its number; no two movements of a driver have the same
 };
 
 /// A movement that has ended.

@@ -17,6 +17,7 @@ using aibo_client::EndedKind;
 using aibo_client::Exception;
 using aibo_client::MotorState;
 using aibo_client::NetworkException;
+using aibo_client::OrderTerms;
 using aibo_client::Posture;
 using aibo_client::RefusalCause;
 using aibo_client::WalkVelocity;
@@ -35,17 +36,11 @@ constexpr const char* kConnectionLost = "the connection to the robot was lost; t
 // Also the robot says it, of its own client: this driver.
 constexpr const char* kLetGoFirst = "; let go first";
 
-bool isEndOf(const Movement& movement, const aibo_client::MotionEnd& end) {
-  switch (movement.kind) {
-    case Kind::kMotion:
-      return end.kind == EndedKind::kMotion && movement.name == end.name;
-    case Kind::kPosture:
-      return end.kind == EndedKind::kPosture && movement.name == end.name;
-    case Kind::kWalk:
-      return end.kind == EndedKind::kWalk;
-    default:
-      return false;
-  }
+constexpr const char* kNeverWalked = "it was let go before the robot walked";
+
+// True if an order of a trajectory ends by itself, with its joints at its targets or not.
+bool isAboutArrival(EndedHow how) {
+  return how == EndedHow::kDone || how == EndedHow::kNotReached || how == EndedHow::kUnknown;
 }
 
 std::string nameOf(Posture posture) {
@@ -83,6 +78,22 @@ std::vector<int> identifiersOfLegs(const JointTable& table) {
     }
   }
   return identifiers;
+}
+
+OrderTerms termsOf(const Order& order, std::uint64_t number) {
+  return {order.received + OrderGate::kLongestWait, number};
+}
+
+// Also of an exception that the question itself throws.
+template <typename Ask>
+auto futureOf(const Ask& ask) {
+  try {
+    return ask();
+  } catch (const Exception&) {
+    std::promise<decltype(ask().get())> promise;
+    promise.set_exception(std::current_exception());
+    return promise.get_future();
+  }
 }
 
 // Turns a sentence into a reason that follows a colon.
@@ -158,7 +169,7 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
   if (!too_many.empty()) {
     return refuse(order, kind, {}, too_many);
   }
-  Begun begun = change([&] {
+  return change([&] {
     checkConnection();
     const SteadyTime now = clock_();
     Movement movement{kind, "", order.source, known(names), std::nullopt};
@@ -172,10 +183,9 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
       return refuse(std::move(movement), reasonOf(left_out));
     }
     movement.joints = namesOf(targets, table_);
-    Record* const same = findCommand(movement);
-    const MovementId id = same != nullptr ? same->id : last_id_ + 1;
+    const OrderNumber number = nextNumber();
     try {
-      send(targets, milliseconds(0), termsOf(order, id));
+      send(targets, milliseconds(0), termsOf(order, number));
     } catch (const Exception& error) {
       filter_.startApproach();
       return refuse(std::move(movement), reasonOf(error));
@@ -183,18 +193,16 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     if (!left_out.empty()) {
       news_.warnings.push_back(left_out);
     }
-    overruleWalk(movement);
-    plan_.command(id, targets, now);
-    takeEndsOfPlan();
-    if (same != nullptr) {
-      same->troubles.clear();  // the robot tries again, and says so if the joint still does not follow
-    }
-    return same != nullptr ? Begun{id, same->end, false, ""} : begin(std::move(movement));
+    Record* const same = findCommand(movement);
+    Record& record = same != nullptr ? *same : begin(movement);
+    record.orders.insert(number);
+    record.trouble.clear();  // the robot tries again
+    plan_.command(record.id(), targets, now);
+    haltEach([&](const Record& each) { return isTrajectoryOf(each, movement.joints); },
+             {EndedHow::kReplaced, "a command moves its joints"});
+    takeLegsFromWalks(movement);
+    return begunOf(record);
   });
-  if (listener_.on_begin) {
-    listener_.on_begin();
-  }
-  return begun;
 }
 
 Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
@@ -211,23 +219,28 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
-    endIfHeldUp(now);
-    double stretch = 1;
+    if (plan_.empty()) {
+      went_on_ = order.received;
+    }
+    const bool is_version_1 = client_.status().protocol_version == 1;
+    Arrival judged = arrival;
+    judged.is_measured = arrival.is_measured || is_version_1;
+    Record& record = begin(movement);
+    Begun result = begunOf(record);
     try {
       checkTelemetry();
       requireDesign(client_, table_.design());
-      const milliseconds oldest = client_.status().protocol_version == 1 ? kFreshVersion1 : kFresh;
-      stretch = plan_.add(last_id_ + 1, request, arrival, now + wait, now, oldest);
+      const milliseconds oldest = is_version_1 ? kFreshVersion1 : kFresh;
+      const double stretch = plan_.add(record.id(), request, judged, now + wait, now, oldest);
+      if (stretch > 1) {
+        result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
+      }
     } catch (const Exception& error) {
-      return refuse(std::move(movement), reasonOf(error));
+      close(record.id(), EndedHow::kRefused, reasonOf(error));
+      return result;
     }
-    overruleWalk(movement);
-    Begun result = begin(std::move(movement));
-    if (stretch > 1) {
-      result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
-    }
-    sendSteps(plan_.advance(now));
-    takeEndsOfPlan();
+    takeLegsFromWalks(movement);
+    sendSteps(now);
     return result;
   });
   if (listener_.on_begin) {
@@ -237,6 +250,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
 }
 
 Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
+  std::future<std::string> answer;
   const Begun begun = change([&] {
     checkConnection();
     Movement movement{Kind::kMotion, name, order.source, {}, std::nullopt};
@@ -244,24 +258,26 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
-    plan_.endTrajectories(EndedHow::kReplaced, order.source + " plays " + name);
-    takeEndsOfPlan();
+    haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; },
+             {EndedHow::kReplaced, order.source + " plays " + name});
+    const OrderNumber number = nextNumber();
     try {
       // Otherwise the robot would keep lower limits of earlier commands.
       limitSpeeds(table_.motionSpeedLimits());
+      answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
     motions_connection_ = connections();
-    // The movement begins now, because its end may be reported before the robot's answer.
-    return begin(std::move(movement));
+    Record& record = begin(std::move(movement));
+    record.orders.insert(number);
+    return begunOf(record);
   });
-  return askRobot(
-      begun, [&] { return client_.playMotion(name, repetitions, kTimeout, termsOf(order, begun.id)); },
-      [&] { client_.stopMotion(name, kTimeout); });
+  return await(begun, &answer);
 }
 
 Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
+  std::future<void> answer;
   const Begun begun = change([&] {
     checkConnection();
     Movement movement{Kind::kPosture, nameOf(posture), order.source, {}, std::nullopt};
@@ -270,26 +286,26 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
       return refuse(std::move(movement), reason);
     }
     const std::string cause = order.source + " called " + movement.name;
+    const OrderNumber number = nextNumber();
     try {
       freeLegs(cause);
+      answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
     gate_.overrule(order.received, cause);
-    streams_.overrule(cause);
-    return begin(std::move(movement));
+    overruleWalks({EndedHow::kReplaced, cause});
+    Record& record = begin(std::move(movement));
+    record.orders.insert(number);
+    return begunOf(record);
   });
-  const auto ask = [&] {
-    client_.takePosture(posture, kTimeout, termsOf(order, begun.id));
-    return std::string();
-  };
-  return askRobot(begun, ask, [&] { client_.hold({}, kTimeout); });
+  return await(begun, &answer);
 }
 
 // Why the robot may not be asked to move by itself.
 std::string Mover::refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const {
   const std::string reason = gate_.refusal(order, clock_(), may_act_while_stopped);
-  const auto is_alike = [&movement](const Movement& other) { return other.kind == movement.kind; };
+  const auto is_alike = [&movement](const Record& other) { return other.movement.kind == movement.kind; };
   if (!reason.empty() || idsOf(is_alike).size() < kMostOfAKind) {
     return reason;
   }
@@ -306,40 +322,21 @@ std::string Mover::refusal(const Order& order) const {
   return gate_.refusal(order, clock_());
 }
 
-// Waits for the robot's answer to a request that begins something. If everything is stopped meanwhile, the new movement
-// is stopped, too.
-template <typename Ask, typename Undo>
-Mover::Begun Mover::askRobot(Begun begun, const Ask& ask, const Undo& undo) {
-  if (begun.ended() != nullptr) {
+// Waits for the robot's answer to a request that begins something. How it ends is told elsewhere.
+template <typename Answer>
+Mover::Begun Mover::await(Begun begun, std::future<Answer>* answer) {
+  if (!answer->valid()) {
     return begun;
   }
-  const auto end_as = [&](EndedHow how, const std::string& reason) {
-    change([&] { end(begun.id, how, reason); });
-    return begun;
-  };
   try {
-    begun.remark = ask();
-  } catch (const aibo_client::TimeoutException& error) {
-    if (!error.wasSent()) {
-      return end_as(EndedHow::kRefused, reasonOf(error));
+    if constexpr (std::is_void_v<Answer>) {
+      answer->get();
+    } else {
+      begun.remark = answer->get();
     }
-    begun.is_uncertain = true;
-    begun.remark = reasonOf(error);
-    return begun;
-  } catch (const NetworkException& error) {
-    return end_as(error.wasSent() ? EndedHow::kLost : EndedHow::kRefused, reasonOf(error));
   } catch (const Exception& error) {
-    return end_as(EndedHow::kRefused, reasonOf(error));
-  }
-  const EndedMovement* const ended = begun.ended();
-  if (ended != nullptr && ended->how == EndedHow::kStopped) {
-    try {
-      undo();
-    } catch (const Exception& error) {
-      change([&] { news_.warnings.push_back(describe(ended->movement) + " may go on: " + error.what()); });
-    }
-  } else if (!client_.status().robot.hasCapability("I")) {
-    return end_as(EndedHow::kUnknown, "this robot does not say when a motion ends");
+    begun.is_uncertain = begun.ended() == nullptr;
+    begun.remark = reasonOf(error);
   }
   return begun;
 }
@@ -347,17 +344,12 @@ Mover::Begun Mover::askRobot(Begun begun, const Ask& ask, const Undo& undo) {
 void Mover::steer(const Order& order, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
-    std::string overruled_by = streams_.receive(order, velocity.isZero());
+    const std::string overruled_by = streams_.receive(order, velocity.isZero());
     if (velocity.isZero()) {
-      const Record* const walk = findWalk();
-      const bool is_own = walk == nullptr || (!walk->steered && walk->movement.source == order.source);
-      letGo(is_own ? "" : order.source + " sent a velocity of 0");
+      stopWalk(order.source);
       return;
     }
     std::string reason = gate_.refusal(order, clock_());
-    if (gate_.stoppedBy()) {
-      streams_.overrule(order.source, "the robot was stopped");
-    }
     if (reason.empty() && !overruled_by.empty()) {
       reason = overruled_by + kLetGoFirst + ": 0, or nothing for 0.5 s";
     }
@@ -370,26 +362,40 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
   });
 }
 
+// Also a walk that brakes already is told again.
+void Mover::stopWalk(const std::string& node) {
+  if (!idsOf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.orders.empty(); }).empty()) {
+    sendZeros();
+  }
+  if (Record* const walk = findWalk()) {
+    const bool is_own = !walk->steered && walk->movement.source == node;
+    halt(walk, is_own ? Halt{EndedHow::kDone, ""} : Halt{EndedHow::kStopped, node + " sent a velocity of 0"});
+  }
+}
+
 void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement movement) {
   Record* record = findWalk();
   if (record != nullptr && (record->steered || !streams_.goesOn(record->movement.source, clock_()))) {
-    end(record->id, EndedHow::kReplaced, order.source + " steers now");
+    halt(record, {EndedHow::kReplaced, order.source + " steers now"});
     record = nullptr;
   }
+  const OrderNumber number = nextNumber();
   try {
     freeLegs(order.source + " lets the robot walk");
-    client_.steer(velocity, termsOf(order, record != nullptr ? record->id : last_id_ + 1));
+    if (record == nullptr) {
+      client_.steer({}, termsOf(order, 0));  // this node has let go; the robot may wait for it
+    }
+    client_.steer(velocity, termsOf(order, number));
   } catch (const Exception& error) {
     if (record == nullptr) {
       refuse(std::move(movement), reasonOf(error));
     }
     return;
   }
-  is_told_to_walk_ = true;
   if (record == nullptr) {
-    begin(std::move(movement));
-    record = &records_.back();
+    record = &begin(std::move(movement));
   }
+  record->orders.insert(number);
   noteRival(record, order.source);
 }
 
@@ -413,24 +419,16 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
       return refuse(std::move(movement), reason);
     }
     const std::string cause = order.source + " sends the robot to a goal";
-    const Record* const walk = findWalk();
     try {
       freeLegs(cause);
-      if (walk == nullptr) {
-        client_.steer({}, {clock_() + OrderGate::kLongestWait, 0});  // the robot may wait until somebody lets go
-      }
+      client_.steer({}, termsOf(order, 0));
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
     }
-    is_told_to_walk_ = walk != nullptr && walk->has_begun && is_told_to_walk_;
-    if (walk != nullptr) {
-      end(walk->id, EndedHow::kReplaced, cause);
-    }
-    streams_.overrule(cause);
-    Begun begun = begin(std::move(movement));
-    records_.back().steered = clock_();
-    records_.back().has_begun = is_told_to_walk_;  // a robot that was walking goes on walking
-    return begun;
+    overruleWalks({EndedHow::kReplaced, cause});
+    Record& record = begin(std::move(movement));
+    record.steered = order.received;
+    return begunOf(record);
   });
 }
 
@@ -438,171 +436,89 @@ bool Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
   return change([&] {
     checkConnection();
     Record* const record = find(walk);
-    if (record == nullptr) {
-      return false;
-    }
-    const SteadyTime before = std::exchange(*record->steered, clock_());
-    const bool is_being_stopped = halts_ > 0 || !record->stop_reason.empty();
-    if (*record->steered - before > OrderGate::kLongestWait) {
-      letGo("");
-      end(walk, EndedHow::kRefused, "the driver was held up");
-    } else if (!is_being_stopped) {
-      steerOn(walk, velocity);
+    if (record != nullptr && !record->halt) {
+      steerOn(record, velocity, std::exchange(*record->steered, clock_()));
     }
     return find(walk) != nullptr;
   });
 }
 
-void Mover::steerOn(MovementId walk, const WalkVelocity& velocity) {
-  if (velocity.isZero() && !is_told_to_walk_) {
-    end(walk, EndedHow::kDone, "");
-  } else if (velocity.isZero()) {
-    letGo("");
-  } else {
-    try {
-      client_.steer(velocity, {clock_() + OrderGate::kLongestWait, walk});
-      is_told_to_walk_ = true;
-    } catch (const NetworkException& error) {
-      end(walk, EndedHow::kLost, reasonOf(error));
-    } catch (const Exception& error) {
-      end(walk, EndedHow::kRefused, reasonOf(error));
+// The velocity is as old as the call before, because what it is computed from may be.
+void Mover::steerOn(Record* walk, const WalkVelocity& velocity, SteadyTime from) {
+  if (velocity.isZero()) {
+    letGo(walk, {EndedHow::kDone, ""});
+    return;
+  }
+  const OrderNumber number = nextNumber();
+  const OrderTerms terms{from + OrderGate::kLongestWait, number};
+  try {
+    if (walk->orders.empty()) {
+      client_.steer({}, terms);
     }
+    client_.steer(velocity, terms);
+    walk->orders.insert(number);
+  } catch (const NetworkException& error) {
+    close(walk->id(), EndedHow::kLost, reasonOf(error));
+  } catch (const Exception& error) {
+    close(walk->id(), EndedHow::kRefused, reasonOf(error));
   }
 }
 
 void Mover::stopWalking(const std::string& reason) {
   change([&] {
-    const Record* const walk = findWalk();
+    Record* const walk = findWalk();
     if (walk != nullptr && !walk->steered) {
-      letGo(reason);
+      letGo(walk, {EndedHow::kStopped, reason});
     }
   });
 }
 
-void Mover::letGo(const std::string& reason) {
-  Record* const record = findWalk();
-  if (record == nullptr || (!is_told_to_walk_ && !reason.empty())) {
-    return;
+void Mover::letGo(Record* walk, const Halt& halt) {
+  if (!walk->orders.empty()) {
+    sendZeros();
   }
+  this->halt(walk, halt);
+}
+
+void Mover::sendZeros() {
   try {
-    client_.steer({}, {clock_() + OrderGate::kLongestWait, record->id});
-    is_told_to_walk_ = false;
-    record->stop_reason = reason;
+    client_.steer({}, {clock_() + OrderGate::kLongestWait, 0});
   } catch (const Exception&) {
     return;  // without a connection the robot stops by itself
   }
 }
 
-void Mover::stop(const Order& by) {
-  {
-    const Lock lock(mutex_);
-    gate_.stop(by.source);
-  }
-  hold(by, by.source + " called stop");
-}
-
-void Mover::release(const Order& by) {
-  const bool is_stopping = change([&] {
-    if (halts_ > 0) {
-      return true;
-    }
-    gate_.release();
-    gate_.overrule(by.received, by.source + " called release");
-    return false;
-  });
-  if (is_stopping) {
-    throw CommandException("the robot is still being told to stop. Call release again.");
-  }
-}
-
-void Mover::hold(const Order& by, const std::string& reason) {
-  halt(overruleAll(by, reason), reason, [this] { tellToHold({}, std::nullopt, true); });
-}
-
-void Mover::cancel(MovementId movement, const std::string& reason) {
-  const std::vector<int> joints = change([&] {
-    const Record* const record = find(movement);
-    if (record != nullptr && record->movement.kind == Kind::kPosture) {
-      return identifiersOfLegs(table_);
-    }
-    std::vector<int> moving = plan_.identifiersOf(movement);
-    if (record != nullptr && record->steered && is_told_to_walk_) {
-      letGo(reason);
-    } else if (moving.empty()) {
-      end(movement, EndedHow::kStopped, reason);
-    }
-    return moving;
-  });
-  if (!joints.empty()) {
-    halt({movement}, reason, [&] { tellToHold(joints, movement, false); });
-  }
-}
-
-void Mover::stopMotion(const Order& by, const std::string& name) {
-  client_.stopMotion(name, kTimeout);
-  change([&] {
-    for (const MovementId id : idsOf([&](const Movement& movement) {
-           return movement.kind == Kind::kMotion && (name.empty() || movement.name == name);
-         })) {
-      end(id, EndedHow::kStopped, by.source + " stopped it");
-    }
-  });
-}
-
-bool Mover::setMotors(const Order& order, bool on) {
-  const std::string cause = order.source + " switched the motors " + (on ? "on" : "off");
-  bool is_on = false;
-  const auto ask = [&] { is_on = client_.setMotors(on, kTimeout); };
-  if (on) {
-    const std::string reason = change([&] {
-      std::string refusal = gate_.refusal(order, clock_());
-      if (refusal.empty()) {
-        gate_.overrule(order.received, cause);
-      }
-      return refusal;
-    });
-    if (!reason.empty()) {
-      throw CommandException(reason + ".");
-    }
-    ask();
-  } else {
-    halt(overruleAll(order, cause), cause, ask);
-  }
-  change([&] {
-    filter_.startApproach();
-    robot_.motors = is_on ? MotorState::kOn : MotorState::kOff;
-  });
-  return is_on;
-}
-
-// Overrules everything that was asked for before.
-// @return the movements that move the robot
-std::vector<MovementId> Mover::overruleAll(const Order& by, const std::string& reason) {
-  return change([&] {
-    gate_.overrule(by.received, reason);
-    streams_.overrule(reason);
-    return idsOf([](const Movement&) { return true; });
-  });
-}
-
-// Tells the robot to end movements. Meanwhile nothing is moved on.
-template <typename Tell>
-void Mover::halt(const std::vector<MovementId>& movements, const std::string& reason, const Tell& tell_robot) {
-  change([&] {
+// Tells the robot to end movements. Those whose end it has not told when it answers end then.
+template <typename Condition, typename Ask>
+auto Mover::halt(const Condition& condition, const std::string& reason, const Ask& ask) {
+  std::vector<MovementId> halted;
+  auto answer = change([&] {
     ++halts_;
-    halt_reason_ = reason;
     filter_.interruptApproach(clock_());
+    auto future = futureOf(ask);
+    halted = idsOf(condition);
+    for (const MovementId id : halted) {
+      halt(find(id), {EndedHow::kStopped, reason});
+    }
+    return future;
   });
   const auto end_as = [&](EndedHow how, const std::string& why) {
     change([&] {
       --halts_;
-      for (const MovementId id : movements) {
-        end(id, how, why);
+      for (const MovementId id : halted) {
+        close(id, how, why);
       }
     });
   };
   try {
-    tell_robot();
+    if constexpr (std::is_void_v<decltype(answer.get())>) {
+      answer.get();
+      end_as(EndedHow::kStopped, reason);
+    } else {
+      const auto result = answer.get();
+      end_as(EndedHow::kStopped, reason);
+      return result;
+    }
   } catch (const aibo_client::TimeoutException& error) {
     end_as(EndedHow::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
     throw;
@@ -613,112 +529,219 @@ void Mover::halt(const std::vector<MovementId>& movements, const std::string& re
     end_as(EndedHow::kUnknown, reason + ", but " + reasonOf(error));
     throw;
   }
-  end_as(EndedHow::kStopped, reason);
 }
 
-// A server that cannot hold gets the places where the joints should be. If a motion was played, the server is told to
-// end its motions.
-void Mover::tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too) {
-  try {
-    client_.hold(joints, kTimeout);
-    return;
-  } catch (const CommandException&) {
-    if (client_.status().robot.hasCapability("I")) {
-      throw;  // it can hold, but refuses to
-    }
-    const Lock lock(mutex_);
-    send(plan_.holdingTargets(clock_(), only), milliseconds(0), {});
-    motions_too = motions_too && motions_connection_ == connections();
-  }
-  if (motions_too) {
-    client_.stopMotion("", kTimeout);
-  }
+// Overrules everything that was asked for before, and ends everything that moves the robot.
+template <typename Ask>
+auto Mover::haltAll(const Order& by, const std::string& reason, const Ask& ask) {
+  const auto overrule_and_ask = [&] {
+    gate_.overrule(by.received, reason);
+    streams_.overrule(clock_(), reason);
+    return ask();
+  };
+  return halt([](const Record&) { return true; }, reason, overrule_and_ask);
 }
 
-void Mover::steered(const WalkVelocity& in_force, std::uint64_t order) {
+void Mover::stop(const Order& by) {
+  haltAll(by, by.source + " called stop", [&] {
+    gate_.stop(by.source);
+    return hold({}, std::nullopt);
+  });
+}
+
+void Mover::release(const Order& by) {
   change([&] {
-    Record* const record = find(order);
-    if (record == nullptr || record->movement.kind != Kind::kWalk) {
+    if (halts_ > 0) {
+      throw CommandException("the robot is still being told to stop. Call release again.");
+    }
+    if (gate_.stoppedBy()) {
+      streams_.overrule(clock_(), "the robot was stopped");
+    }
+    gate_.release();
+    gate_.overrule(by.received, by.source + " called release");
+  });
+}
+
+void Mover::hold(const Order& by, const std::string& reason) {
+  haltAll(by, reason, [this] { return hold({}, std::nullopt); });
+}
+
+void Mover::cancel(MovementId movement, const std::string& reason) {
+  const bool is_walk = change([&] {
+    Record* const record = find(movement);
+    if (record == nullptr || !record->steered) {
+      return false;
+    }
+    letGo(record, {EndedHow::kStopped, reason});
+    return true;
+  });
+  if (is_walk) {
+    return;
+  }
+  const auto hold_joints = [&] {
+    const Record* const record = find(movement);
+    const bool is_posture = record != nullptr && record->movement.kind == Kind::kPosture;
+    const std::vector<int> joints = is_posture ? identifiersOfLegs(table_) : plan_.identifiersOf(movement);
+    return joints.empty() ? std::async(std::launch::deferred, [] {}) : hold(joints, movement);
+  };
+  halt([movement](const Record& each) { return each.id() == movement; }, reason, hold_joints);
+}
+
+void Mover::stopMotion(const Order& by, const std::string& name) {
+  const Halt stopped{EndedHow::kStopped, by.source + " stopped it"};
+  const auto is_meant = [&name](const Record& each) {
+    return each.movement.kind == Kind::kMotion && (name.empty() || each.movement.name == name);
+  };
+  const std::vector<MovementId> motions = change([&] {
+    haltEach(is_meant, stopped);
+    return idsOf(is_meant);
+  });
+  client_.stopMotion(name, kTimeout);
+  change([&] {
+    for (const MovementId id : motions) {
+      close(id, stopped.how, stopped.reason);
+    }
+  });
+}
+
+bool Mover::setMotors(const Order& order, bool on) {
+  const std::string cause = order.source + " switched the motors " + (on ? "on" : "off");
+  bool is_on = false;
+  if (on) {
+    std::future<bool> answer = change([&] {
+      const std::string refusal = gate_.refusal(order, clock_());
+      if (!refusal.empty()) {
+        throw CommandException(refusal + ".");
+      }
+      gate_.overrule(order.received, cause);
+      return client_.beginMotors(true, kTimeout, termsOf(order, 0));
+    });
+    is_on = answer.get();
+  } else {
+    is_on = haltAll(order, cause, [&] { return client_.beginMotors(false, kTimeout, termsOf(order, 0)); });
+  }
+  change([&] {
+    filter_.startApproach();
+    robot_.motors = is_on ? MotorState::kOn : MotorState::kOff;
+  });
+  return is_on;
+}
+
+// The movement sends nothing more.
+void Mover::halt(Record* record, const Halt& halt) {
+  if (record->movement.kind == Kind::kTrajectory) {
+    forgetTrajectory(record);
+  }
+  record->halt = halt;
+  if (record->orders.empty()) {
+    close(record->id(), halt.how, halt.reason);
+  }
+}
+
+template <typename Condition>
+void Mover::haltEach(const Condition& condition, const Halt& halt) {
+  for (const MovementId id : idsOf([&](const Record& each) { return !each.halt && condition(each); })) {
+    this->halt(find(id), halt);
+  }
+}
+
+// Whoever steers has to let go first.
+void Mover::overruleWalks(const Halt& halt) {
+  streams_.overrule(clock_(), halt.reason);
+  haltEach([](const Record& each) { return each.movement.kind == Kind::kWalk; }, halt);
+}
+
+// A version 1 server cannot hold, and gets the places where the joints should be. If a motion was played, it is told to
+// end its motions.
+std::future<void> Mover::hold(const std::vector<int>& joints, std::optional<MovementId> only) {
+  try {
+    return client_.beginHold(joints, kTimeout);
+  } catch (const CommandException&) {
+    if (client_.status().protocol_version != 1) {
+      throw;
+    }
+  }
+  send(plan_.holdingTargets(clock_(), only), milliseconds(0), {});
+  const bool motions_too = !only && motions_connection_ == connections();
+  return std::async(std::launch::deferred, [this, motions_too] {
+    if (motions_too) {
+      client_.stopMotion("", kTimeout);
+    }
+  });
+}
+
+void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
+  change([&] {
+    Record* const record = ownerOf(order);
+    Record* const walker = ownerOf(walk);
+    if (record == nullptr) {
+      if (walk != 0 && walker == nullptr && !in_force.isZero()) {
+        sendZeros();  // whoever asked for it was told that it has ended
+      }
       return;
     }
-    record->has_begun = record->has_begun || is_told_to_walk_ || !in_force.isZero();
-    if (!record->has_begun && !is_told_to_walk_) {
-      end(record->id, EndedHow::kStopped,
-          record->stop_reason.empty() ? "it was let go before the robot walked" : record->stop_reason);
+    record->trouble.clear();
+    if (walk == order) {
+      return;
     }
+    if (walk != 0 && walker != record) {
+      record->orders.insert(walk);
+      if (walker != nullptr) {
+        leave(walker, walk, EndedHow::kReplaced, record->movement.source + " steers now");
+      }
+    }
+    leave(record, order, EndedHow::kStopped, kNeverWalked);
   });
 }
 
 void Mover::ended(const aibo_client::MotionEnd& end) {
   change([&] {
-    const auto found = std::find_if(records_.begin(), records_.end(),
-                                    [&end](const Record& record) { return isEndOf(record.movement, end); });
-    if (found == records_.end()) {
-      return;
-    }
-    EndedHow how = end.how;
-    std::string reason = end.reason;
-    if (how == EndedHow::kStopped && halts_ > 0) {
-      reason = halt_reason_;
-    }
-    const Kind kind = found->movement.kind;
-    if (kind == Kind::kWalk) {
-      if (how == EndedHow::kDone && !found->stop_reason.empty()) {
-        how = EndedHow::kStopped;
-        reason = found->stop_reason;
-      } else if (how == EndedHow::kReplaced || how == EndedHow::kFell || how == EndedHow::kRefused) {
-        streams_.overrule(reason);
-      }
-    }
-    if (kind != Kind::kMotion) {
+    if (end.kind == EndedKind::kWalk || end.kind == EndedKind::kPosture) {
       // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
       filter_.startApproach();
     }
-    const bool is_of_older_walk = kind == Kind::kWalk && !found->has_begun;
-    if (!is_of_older_walk) {
-      this->end(found->id, how, reason);
+    if (Record* const record = ownerOf(end.order)) {
+      const bool is_refused_joint = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
+      const bool was_not_steering = end.kind == EndedKind::kWalk && (end.how != EndedHow::kDone || record->steered);
+      if (was_not_steering) {
+        record->orders = {end.order};  // what was sent since begins no walk for it
+      }
+      leave(record, end.order, is_refused_joint ? EndedHow::kNotReached : end.how, end.reason);
+    }
+    if (end.kind == EndedKind::kWalk && end.how != EndedHow::kDone) {
+      overruleWalks({end.how, end.reason});
     }
   });
 }
 
 void Mover::refused(const aibo_client::Refusal& refusal) {
   change([&] {
-    if (refusal.cause == RefusalCause::kStopped && halts_ > 0) {
-      return;  // the movement ends with the halt
-    }
-    const EndedHow how = refusal.cause == RefusalCause::kReplaced ? EndedHow::kReplaced : EndedHow::kRefused;
-    if (refusal.cause == RefusalCause::kJointFault) {
-      for (const MovementId id : commandersOf(refusal)) {
-        for (const int joint : refusal.ids) {  // the movement's other joints go on
-          if (const std::optional<std::size_t> index = table_.findById(joint)) {
-            find(id)->troubles[table_[*index].name] = refusal.reason;
-          }
-        }
-      }
-    } else if (refusal.request == aibo_client::RefusedRequest::kJoints) {
-      for (const MovementId id : commandersOf(refusal)) {
-        end(id, how, refusal.reason);
-      }
+    const bool is_too_old = refusal.cause == RefusalCause::kTooOld;
+    const bool is_refused = refusal.cause == RefusalCause::kRobot || is_too_old;
+    const bool is_walk = refusal.request == aibo_client::RefusedRequest::kWalk;
+    Record* const record = ownerOf(refusal.order);
+    if (is_refused && refusal.request == aibo_client::RefusedRequest::kJoints) {
       filter_.startApproach();
-    } else if (refusal.request == aibo_client::RefusedRequest::kWalk) {
-      const Record* const record = findWalk();
-      const bool is_about_it = record != nullptr && (refusal.order == 0 || refusal.order == record->id);
-      if (is_about_it && !record->has_begun) {
-        end(record->id, how, refusal.reason);
-      }
-      if (refusal.cause != RefusalCause::kTooOld) {
-        streams_.overrule(refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
-      }
     }
-  });
-}
-
-void Mover::answeredLate(const aibo_client::LateAnswer& answer) {
-  change([&] {
-    if (!answer.accepted) {
-      end(answer.order, EndedHow::kRefused, reasonOf(answer.reason));
-    } else if (!client_.status().robot.hasCapability("I")) {
-      end(answer.order, EndedHow::kUnknown, "this robot does not say when a motion ends");
+    // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
+    const bool is_trajectory = record != nullptr && record->movement.kind == Kind::kTrajectory;
+    if (record != nullptr && !record->halt &&
+        ((is_trajectory && is_refused) || (is_walk && is_refused && !is_too_old))) {
+      halt(record, {EndedHow::kRefused, refusal.reason});
+    }
+    if (is_walk && refusal.cause == RefusalCause::kRobot) {
+      streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
+    }
+    if (record == nullptr) {
+      return;
+    }
+    if (is_refused) {
+      leave(record, refusal.order, EndedHow::kRefused, refusal.reason);
+    } else if (is_walk && refusal.cause == RefusalCause::kReplaced && record->halt) {
+      leave(record, refusal.order, EndedHow::kStopped, kNeverWalked);
+    } else {
+      const bool is_stopped = refusal.cause == RefusalCause::kStopped;
+      leave(record, refusal.order, is_stopped ? EndedHow::kStopped : EndedHow::kReplaced, refusal.reason);
     }
   });
 }
@@ -726,16 +749,16 @@ void Mover::answeredLate(const aibo_client::LateAnswer& answer) {
 void Mover::robotChanged(const aibo_client::MotorsAndPosture& state) {
   change([&] {
     const aibo_client::MotorsAndPosture before = std::exchange(robot_, state);
-    if (before.motors == MotorState::kOn && state.motors == MotorState::kOff && halts_ == 0) {
-      plan_.endAll(EndedHow::kStopped, "the motors are off");
-      takeEndsOfPlan();
-      streams_.overrule("the motors are off");
+    if (before.motors == MotorState::kOn && state.motors == MotorState::kOff) {
+      const Halt halt{EndedHow::kStopped, "the motors are off"};
+      haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, halt);
+      overruleWalks(halt);
       filter_.startApproach();
     }
     if (state.posture == aibo_client::PostureNow::kFallen) {
-      streams_.overrule("the robot has fallen");
+      overruleWalks({EndedHow::kFell, "the robot has fallen"});
     } else if (state.posture == aibo_client::PostureNow::kCarried) {
-      streams_.overrule("the robot was lifted");
+      overruleWalks({EndedHow::kFell, "the robot was lifted"});
     }
   });
 }
@@ -746,7 +769,7 @@ void Mover::connected() {
 
 void Mover::disconnected() {
   change([this] {
-    endAll(EndedHow::kLost, kConnectionLost);
+    closeAll(EndedHow::kLost, kConnectionLost);
     robot_ = {};
   });
 }
@@ -755,11 +778,8 @@ bool Mover::goOn() {
   return change([this] {
     checkConnection();
     const SteadyTime now = clock_();
-    endIfHeldUp(now);
-    if (halts_ == 0) {
-      sendSteps(plan_.advance(now));
-    }
-    takeEndsOfPlan();
+    sendSteps(now);
+    went_on_ = now;
     return !plan_.empty();
   });
 }
@@ -771,7 +791,10 @@ std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime
 
 std::vector<std::string> Mover::jointsOf(MovementId id) const {
   const Lock lock(mutex_);
-  return plan_.jointsOf(id);
+  const std::vector<std::string> joints = plan_.jointsOf(id);
+  const auto record =
+      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id() == id; });
+  return joints.empty() && record != records_.end() ? record->movement.joints : joints;
 }
 
 Mover::State Mover::state() const {
@@ -780,10 +803,10 @@ Mover::State Mover::state() const {
   const SteadyTime now = clock_();
   for (const Record& record : records_) {
     state.movements.push_back(whole(record));
-    const std::vector<std::string> joints = plan_.jointsOf(record.id);
+    const std::vector<std::string> joints = plan_.jointsOf(record.id());
     if (!joints.empty()) {
       state.movements.back().joints = joints;
-      state.movements.back().end = plan_.endOf(record.id, now);
+      state.movements.back().end = plan_.endOf(record.id(), now);
     }
   }
   return state;
@@ -796,22 +819,23 @@ Movement Mover::whole(const Record& record) {
   return movement;
 }
 
-Mover::Begun Mover::begin(Movement movement) {
+Mover::Record& Mover::begin(Movement movement) {
   Record& record = records_.emplace_back();
-  record.id = ++last_id_;
   record.movement = std::move(movement);
+  record.movement.order = nextNumber();
   record.end = record.promise.get_future().share();
-  return {record.id, record.end, false, ""};
+  return record;
 }
 
 Mover::Begun Mover::refuse(Movement movement, const std::string& reason) {
+  movement.order = nextNumber();
   const EndedMovement refused = endOf(std::move(movement), EndedHow::kRefused, reason);
   if (!isRepeated(refused)) {
     note(refused);
   }
   std::promise<EndedMovement> promise;
   promise.set_value(refused);
-  return {++last_id_, promise.get_future().share(), false, ""};
+  return {refused.movement.order, promise.get_future().share(), false, ""};
 }
 
 bool Mover::isRepeated(const EndedMovement& refused) {
@@ -840,25 +864,71 @@ void Mover::note(const EndedMovement& ended) {
   news_.ended.push_back(ended);
 }
 
-// Trajectories that go on are moved on much more often.
-void Mover::endIfHeldUp(SteadyTime now) {
-  if (now - std::exchange(went_on_, now) > OrderGate::kLongestWait) {
-    plan_.endTrajectories(EndedHow::kRefused, "the driver was held up");
-    takeEndsOfPlan();
+// An order has ended. The movement ends with its last one, unless it has more to do.
+void Mover::leave(Record* record, OrderNumber order, EndedHow how, std::string reason) {
+  record->orders.erase(order);
+  if (!record->orders.empty()) {
+    const bool is_trouble = how == EndedHow::kRefused || how == EndedHow::kNotReached;
+    record->trouble = is_trouble ? reason : record->trouble;
+    return;
   }
+  const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
+  const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
+  const bool has_failed = how == EndedHow::kRefused || how == EndedHow::kNotReached || how == EndedHow::kFell;
+  if (record->halt) {
+    const bool is_halted = how == EndedHow::kStopped || (has_more_to_do && !has_failed);
+    if (is_halted && !record->halt->reason.empty()) {
+      how = record->halt->how;
+      reason = record->halt->reason;
+    }
+  } else if (is_trajectory && plan_.isMeasured(record->id()) && isAboutArrival(how)) {
+    record->trouble = how == EndedHow::kNotReached ? reason : record->trouble;
+    return;
+  } else if (is_trajectory && how == EndedHow::kDone && plan_.goesOn(record->id())) {
+    return;
+  } else if (record->steered && how == EndedHow::kDone) {
+    how = EndedHow::kStopped;
+    reason = "no velocity came to the robot for 0.5 s";
+  }
+  close(record->id(), how, withTrouble(*record, how, reason));
+}
+
+// With what became of its earlier orders.
+std::string Mover::withTrouble(const Record& record, EndedHow how, const std::string& reason) {
+  if (how == EndedHow::kDone || record.trouble.empty() || record.trouble == reason) {
+    return reason;
+  }
+  return record.trouble + (reason.empty() ? "" : " (" + reason + ")");
+}
+
+void Mover::forgetTrajectory(Record* record) {
+  const std::vector<std::string> joints = plan_.jointsOf(record->id());
+  if (!joints.empty()) {
+    record->movement.joints = joints;
+  }
+  plan_.forget(record->id());
 }
 
 // Does nothing if it has ended.
-void Mover::end(MovementId id, EndedHow how, const std::string& reason) {
-  plan_.end(id, how, reason);
-  takeEndsOfPlan();
-  close(id, how, reason);
+void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
+  const auto record =
+      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id() == id; });
+  if (record == records_.end()) {
+    return;
+  }
+  if (record->movement.kind == Kind::kTrajectory) {
+    forgetTrajectory(&*record);
+  } else if (how != EndedHow::kDone && how != EndedHow::kUnknown) {
+    plan_.forget(id);  // its joints are not on their way any more
+  }
+  const EndedMovement ended = endOf(whole(*record), how, reason);
+  record->promise.set_value(ended);
+  records_.erase(record);
+  note(ended);
 }
 
-void Mover::endAll(EndedHow how, const std::string& reason) {
-  plan_.endAll(how, reason);
-  takeEndsOfPlan();
-  for (const MovementId id : idsOf([](const Movement&) { return true; })) {
+void Mover::closeAll(EndedHow how, const std::string& reason) {
+  for (const MovementId id : idsOf([](const Record&) { return true; })) {
     close(id, how, reason);
   }
 }
@@ -866,29 +936,17 @@ void Mover::endAll(EndedHow how, const std::string& reason) {
 void Mover::takeEndsOfPlan() {
   for (JointPlan::End& end : plan_.takeEnded()) {
     Record* const record = find(end.id);
-    if (record != nullptr && !end.joints.empty()) {
+    if (record == nullptr) {
+      continue;
+    }
+    if (!end.joints.empty()) {
       record->movement.joints = std::move(end.joints);
     }
-    std::string reason = end.reason;
-    if (record != nullptr && end.how == EndedHow::kNotReached) {
-      for (const auto& [joint, trouble] : record->troubles) {
-        if (end.reason.find(joint + ' ') != std::string::npos) {
-          reason = trouble + " (" + end.reason + ")";
-        }
-      }
+    if (end.how == EndedHow::kReplaced) {
+      halt(record, {end.how, end.reason});
+    } else {
+      close(end.id, end.how, withTrouble(*record, end.how, end.reason));
     }
-    close(end.id, end.how, reason);
-  }
-}
-
-void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
-  const auto record =
-      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
-  if (record != records_.end()) {
-    const EndedMovement ended = endOf(whole(*record), how, reason);
-    record->promise.set_value(ended);
-    records_.erase(record);
-    note(ended);
   }
 }
 
@@ -896,48 +954,44 @@ template <typename Condition>
 std::vector<MovementId> Mover::idsOf(const Condition& condition) const {
   std::vector<MovementId> ids;
   for (const Record& record : records_) {
-    if (condition(record.movement)) {
-      ids.push_back(record.id);
+    if (condition(record)) {
+      ids.push_back(record.id());
     }
   }
   return ids;
 }
 
-// The movements that a refusal to move joints is about.
-std::vector<MovementId> Mover::commandersOf(const aibo_client::Refusal& refusal) const {
-  std::vector<MovementId> ids;
-  for (const Record& record : records_) {
-    const std::vector<std::string> joints = plan_.jointsOf(record.id);
-    const bool is_named = refusal.order == record.id;
-    const bool has_one = std::any_of(refusal.ids.begin(), refusal.ids.end(), [&](int id) {
-      const std::optional<std::size_t> joint = table_.findById(id);
-      return joint && std::find(joints.begin(), joints.end(), table_[*joint].name) != joints.end();
-    });
-    if (is_named || (refusal.order == 0 && has_one)) {
-      ids.push_back(record.id);
-    }
-  }
-  return ids;
+template <typename Condition>
+Mover::Record* Mover::findIf(const Condition& condition) {
+  const auto found = std::find_if(records_.begin(), records_.end(), condition);
+  return found == records_.end() ? nullptr : &*found;
 }
 
 Mover::Record* Mover::find(MovementId id) {
-  const auto found = std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id == id; });
-  return found == records_.end() ? nullptr : &*found;
+  return findIf([id](const Record& each) { return each.id() == id; });
 }
 
+Mover::Record* Mover::ownerOf(OrderNumber order) {
+  return findIf([order](const Record& each) { return each.orders.count(order) > 0; });
+}
+
+// The walk that may be steered.
 Mover::Record* Mover::findWalk() {
-  const auto found = std::find_if(records_.begin(), records_.end(),
-                                  [](const Record& each) { return each.movement.kind == Kind::kWalk; });
-  return found == records_.end() ? nullptr : &*found;
+  return findIf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.halt; });
 }
 
 // If a node commands the same joints again, the same movement goes on.
 Mover::Record* Mover::findCommand(const Movement& movement) {
-  const auto found = std::find_if(records_.begin(), records_.end(), [&](const Record& each) {
-    return each.movement.kind == movement.kind && each.movement.source == movement.source &&
-           plan_.jointsOf(each.id) == movement.joints;
+  return findIf([&](const Record& each) {
+    return each.movement.kind == movement.kind && each.movement.source == movement.source && !each.halt &&
+           plan_.jointsOf(each.id()) == movement.joints;
   });
-  return found == records_.end() ? nullptr : &*found;
+}
+
+bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) const {
+  const std::vector<std::string> moved = plan_.jointsOf(record.id());
+  return record.movement.kind == Kind::kTrajectory &&
+         std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
 }
 
 // The robot's joints among these names, in the robot's order.
@@ -951,19 +1005,15 @@ std::vector<std::string> Mover::known(const std::vector<std::string>& names) con
   return joints;
 }
 
-aibo_client::OrderTerms Mover::termsOf(const Order& order, MovementId id) {
-  return {order.received + OrderGate::kLongestWait, id};
-}
-
 // After a new connection the robot may have any posture, and it has stopped whatever moved before.
 void Mover::checkConnection() {
   const std::uint64_t present = connections();
   if (connection_ != present) {
     connection_ = present;
     filter_.startApproach();
-    endAll(EndedHow::kLost, kConnectionLost);
+    closeAll(EndedHow::kLost, kConnectionLost);
     gate_.overrule(clock_(), "the robot was connected");
-    streams_.overrule("the connection is a new one");
+    streams_.overrule(clock_(), "the connection is a new one");
   }
 }
 
@@ -976,12 +1026,11 @@ void Mover::checkTelemetry() const {
 }
 
 // An order that moves a leg takes the legs from a walk.
-void Mover::overruleWalk(const Movement& movement) {
-  for (const std::string& joint : table_.namesOfLegs()) {
-    if (std::find(movement.joints.begin(), movement.joints.end(), joint) != movement.joints.end()) {
-      streams_.overrule(movement.source + " moves " + joint);
-      return;
-    }
+void Mover::takeLegsFromWalks(const Movement& movement) {
+  const std::vector<std::string> legs = table_.namesOfLegs();
+  const auto leg = std::find_first_of(legs.begin(), legs.end(), movement.joints.begin(), movement.joints.end());
+  if (leg != legs.end()) {
+    overruleWalks({EndedHow::kReplaced, movement.source + " moves " + *leg});
   }
 }
 
@@ -989,8 +1038,9 @@ void Mover::overruleWalk(const Movement& movement) {
 // limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
   requireDesign(client_, table_.design());
-  plan_.replace(table_.namesOfLegs(), reason);
-  takeEndsOfPlan();
+  const std::vector<std::string> legs = table_.namesOfLegs();
+  haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
+  plan_.forget(legs);
   if (client_.status().robot.hasCapability("S")) {
     limitSpeeds(table_.ownSpeedsOfLegs());
   }
@@ -1010,16 +1060,20 @@ std::uint64_t Mover::connections() const {
   return client_.statistics().connections;
 }
 
-void Mover::sendSteps(const std::vector<JointStep>& steps) {
-  for (const JointStep& step : steps) {
+// The steps are as old as the call before, because the robot's joints may have got somewhere else since.
+void Mover::sendSteps(SteadyTime now) {
+  for (const JointStep& step : plan_.advance(now)) {
+    const OrderNumber number = nextNumber();
     try {
-      send(step.targets, step.duration, {clock_() + OrderGate::kLongestWait, step.movement});
+      send(step.targets, step.duration, {went_on_ + OrderGate::kLongestWait, number});
+      find(step.movement)->orders.insert(number);
     } catch (const NetworkException& error) {
-      end(step.movement, EndedHow::kLost, reasonOf(error));
+      close(step.movement, EndedHow::kLost, reasonOf(error));
     } catch (const Exception& error) {
-      end(step.movement, EndedHow::kRefused, reasonOf(error));
+      close(step.movement, EndedHow::kRefused, reasonOf(error));
     }
   }
+  takeEndsOfPlan();
 }
 
 }  // namespace aibo_driver::movement

@@ -8,9 +8,9 @@
 #include <functional>
 #include <future>
 #include <list>
-#include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,15 +28,19 @@
 
 namespace aibo_driver::movement {
 
-/// Every order to move enters here. Its end is decided here, too, from the robot's reports and from the measured
-/// joints.
+/// Every order to move enters here, and is told how it has ended.
 ///
 /// An order never fails. It begins a movement, which has exactly one end. A movement that is not carried out ends as
 /// refused. If a node commands the same joints again, or steers on, the same movement goes on. If orders of one kind by
 /// one node are refused again and again for the same reason, with less than half a second between them, only the first
 /// is noted.
 ///
-/// While the robot is stopped, no order moves it. Every order has to pass an OrderGate. Orders that come without a
+/// A movement sends one or more orders to the robot, each with a number of its own, and keeps the set of those that the
+/// robot has not ended yet. It ends when this set is empty, with the end that emptied it. So nothing is guessed from
+/// what an end is about. Only trajectories have more to send then, and only their own tolerances are judged here.
+///
+/// While the robot is stopped, no order moves it. Every order has to pass an OrderGate, and is handed to the client
+/// under the same lock, so nothing is sent after a stop that the stop does not know. Orders that come without a
 /// connection are lost, and no movement goes on over another connection.
 ///
 /// Any thread may call every member function. The functions that wait for the robot have a timeout. Meanwhile other
@@ -51,8 +55,8 @@ class Mover {
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
   /// How many ends are remembered.
   static constexpr std::size_t kEndsRemembered = 64;
-  /// How many motions, and how many postures, may go on or wait for the robot's word about their end. JointPlan limits
-  /// the number of trajectories.
+  /// How many motions, and how many postures, may go on or wait for their end. JointPlan limits the number of
+  /// trajectories.
   static constexpr std::size_t kMostOfAKind = 32;
 
   /// The result of an order.
@@ -111,8 +115,10 @@ class Mover {
   Begun command(const Order& order, const std::vector<std::string>& names, const std::vector<double>& positions,
                 const std::vector<double>& velocities, Movement::Kind kind = Movement::Kind::kCommand);
 
-  /// Begins a trajectory. JointPlan says how trajectories follow each other and how they end.
+  /// Begins a trajectory. JointPlan says how trajectories follow each other.
   /// @param wait the time until it begins; below 0 if it should have begun already
+  /// @param arrival if it is not measured, the robot says whether the joints have arrived. With a version 1 server, it
+  ///   is always measured
   Begun follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                const Arrival& arrival = {});
 
@@ -125,8 +131,9 @@ class Mover {
   Begun takePosture(const Order& order, aibo_client::Posture posture);
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
-  /// velocity of 0 is sent only to a robot that walks, so a robot that sits goes on sitting. If two nodes contradict
-  /// each other, both are named as the walk's source, and in a warning.
+  /// velocity of 0 ends the walk, whoever sends it. It is sent only if there is a walk to end, so a robot that sits
+  /// goes on sitting. Before the first velocity of a node that may steer, the robot is told that somebody has let go.
+  /// If two nodes contradict each other, both are named as the walk's source, and in a warning.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
   /// Begins a walk to a goal. It ends whatever moves the robot's legs, and another walk. A node that steers meanwhile
@@ -190,11 +197,10 @@ class Mover {
   /// @}
   /// @name What the client reports
   /// @{
-  /// @param order the OrderTerms::number of the order that asked for it
-  void steered(const aibo_client::WalkVelocity& in_force, std::uint64_t order);
+  /// @see aibo_client::Callbacks
+  void steered(const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk);
   void ended(const aibo_client::MotionEnd& end);
   void refused(const aibo_client::Refusal& refusal);
-  void answeredLate(const aibo_client::LateAnswer& answer);
   void robotChanged(const aibo_client::MotorsAndPosture& state);
   void connected();
   void disconnected();
@@ -214,17 +220,26 @@ class Mover {
   State state() const;
 
  private:
+  using OrderNumber = std::uint64_t;
+
+  /// How a movement that was ended on purpose is told to have ended, unless something else ended it first.
+  struct Halt {
+    aibo_client::EndedHow how = aibo_client::EndedHow::kStopped;
+    std::string reason;  ///< empty if nobody has to be told
+  };
+
   /// A movement that has not ended.
   struct Record {
-    MovementId id = 0;
     Movement movement;
     std::promise<EndedMovement> promise;
     std::shared_future<EndedMovement> end;
-    bool has_begun = false;                       ///< for a walk: the robot has accepted one of its velocities
-    std::optional<SteadyTime> steered;            ///< for a walk to a goal: when walkOn() was last called
-    std::string stop_reason;                      ///< for a walk: why it was stopped here without an order
-    std::string rival;                            ///< for a walk: another node that steers against its own
-    std::map<std::string, std::string> troubles;  ///< joints that did not follow the latest command, and in which way
+    std::set<OrderNumber> orders;       ///< those that were sent and have not ended
+    std::optional<Halt> halt;           ///< it sends nothing more, and ends when its orders have ended
+    std::string trouble;                ///< what became of an order while others went on
+    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when walkOn() was last called
+    std::string rival;                  ///< for a walk: another node that steers against its own
+
+    MovementId id() const { return movement.order; }
   };
 
   /// News that the listener has not been told yet.
@@ -243,42 +258,54 @@ class Mover {
   auto change(const Work& work);
   void tell();
   std::string refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const;
-  template <typename Ask, typename Undo>
-  Begun askRobot(Begun begun, const Ask& ask, const Undo& undo);
-  std::vector<MovementId> overruleAll(const Order& by, const std::string& reason);
-  template <typename Tell>
-  void halt(const std::vector<MovementId>& movements, const std::string& reason, const Tell& tell_robot);
-  void tellToHold(const std::vector<int>& joints, std::optional<MovementId> only, bool motions_too);
+  template <typename Answer>
+  static Begun await(Begun begun, std::future<Answer>* answer);
+  void stopWalk(const std::string& node);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
   void noteRival(Record* walk, const std::string& node);
-  void letGo(const std::string& reason);
-  void steerOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
+  void steerOn(Record* walk, const aibo_client::WalkVelocity& velocity, SteadyTime from);
+  void letGo(Record* walk, const Halt& halt);
+  void sendZeros();
+  template <typename Condition, typename Ask>
+  auto halt(const Condition& condition, const std::string& reason, const Ask& ask);
+  template <typename Ask>
+  auto haltAll(const Order& by, const std::string& reason, const Ask& ask);
+  void halt(Record* record, const Halt& halt);
+  template <typename Condition>
+  void haltEach(const Condition& condition, const Halt& halt);
+  void overruleWalks(const Halt& halt);
+  void takeLegsFromWalks(const Movement& movement);
+  void freeLegs(const std::string& reason);
+  std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
   static Movement whole(const Record& record);
-  Begun begin(Movement movement);
+  static Begun begunOf(const Record& record) { return {record.id(), record.end, false, ""}; }
+  Record& begin(Movement movement);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);
   void note(const EndedMovement& ended);
-  void end(MovementId id, aibo_client::EndedHow how, const std::string& reason);
-  void endAll(aibo_client::EndedHow how, const std::string& reason);
-  void endIfHeldUp(SteadyTime now);
-  void takeEndsOfPlan();
+  void leave(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
+  static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
+  void forgetTrajectory(Record* record);
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
+  void closeAll(aibo_client::EndedHow how, const std::string& reason);
+  void takeEndsOfPlan();
   template <typename Condition>
   std::vector<MovementId> idsOf(const Condition& condition) const;
-  std::vector<MovementId> commandersOf(const aibo_client::Refusal& refusal) const;
+  template <typename Condition>
+  Record* findIf(const Condition& condition);
   Record* find(MovementId id);
+  Record* ownerOf(OrderNumber order);
   Record* findWalk();
   Record* findCommand(const Movement& movement);
+  bool isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) const;
   std::vector<std::string> known(const std::vector<std::string>& names) const;
-  static aibo_client::OrderTerms termsOf(const Order& order, MovementId id);
+  OrderNumber nextNumber() { return ++last_number_; }
   void checkConnection();
   void checkTelemetry() const;
-  void overruleWalk(const Movement& movement);
-  void freeLegs(const std::string& reason);
   void send(const JointTargets& targets, std::chrono::milliseconds duration, const aibo_client::OrderTerms& terms);
   void limitSpeeds(const std::vector<aibo_client::JointSpeedLimit>& limits);
   std::uint64_t connections() const;
-  void sendSteps(const std::vector<JointStep>& steps);
+  void sendSteps(SteadyTime now);
 
   const JointTable& table_;
   aibo_client::RcServerClient& client_;
@@ -292,17 +319,15 @@ class Mover {
   OrderGate gate_;
   SteeringStreams streams_;
   std::list<Record> records_;
-  MovementId last_id_ = 0;
+  std::uint64_t last_number_ = 0;  ///< of a movement or an order
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
   SteadyTime went_on_;  ///< when goOn() was last called, or a trajectory was asked for since
   std::vector<Refused> refused_;
   News news_;
   aibo_client::MotorsAndPosture robot_;
-  int halts_ = 0;                         ///< calls that are telling the robot to halt now
-  std::string halt_reason_;               ///< the reason for the latest halt
+  int halts_ = 0;                         ///< calls that wait for the robot to halt
   SteadyTime contradicted_;               ///< when two nodes last contradicted each other
-  bool is_told_to_walk_ = false;          ///< the last velocity that was sent is not 0
   std::uint64_t connection_ = 0;          ///< the connection over which all present movements were begun
   std::uint64_t motions_connection_ = 0;  ///< the connection over which a motion was played that may still be playing
 };

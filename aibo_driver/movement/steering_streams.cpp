@@ -14,16 +14,17 @@ std::string SteeringStreams::receive(const Order& order, bool is_zero) {
     interruptOthers(order.source);
     return "";
   }
-  Stream& stream = streams_[order.source];
+  Stream& stream = streams_.try_emplace(order.source, Stream{order.received, {}, "", "", {}}).first->second;
   stream.last = order.received;
   if (!stream.interrupted_by.empty()) {
     stream.rival = std::exchange(stream.interrupted_by, "");
     stream.rivalled = order.received;
   }
-  if (stream.overruled_by.empty()) {
-    interruptOthers(order.source);
+  if (stream.began <= overruled_) {
+    return overruled_by_;
   }
-  return stream.overruled_by;
+  interruptOthers(order.source);
+  return "";
 }
 
 void SteeringStreams::interruptOthers(const std::string& node) {
@@ -34,17 +35,9 @@ void SteeringStreams::interruptOthers(const std::string& node) {
   }
 }
 
-void SteeringStreams::overrule(const std::string& what) {
-  for (auto& [node, stream] : streams_) {
-    stream.overruled_by = what;
-  }
-}
-
-void SteeringStreams::overrule(const std::string& node, const std::string& what) {
-  const auto stream = streams_.find(node);
-  if (stream != streams_.end()) {
-    stream->second.overruled_by = what;
-  }
+void SteeringStreams::overrule(SteadyTime now, const std::string& what) {
+  overruled_ = now;
+  overruled_by_ = what;
 }
 
 std::string SteeringStreams::rivalOf(const std::string& node, SteadyTime now) const {

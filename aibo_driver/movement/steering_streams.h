@@ -10,9 +10,9 @@
 
 namespace aibo_driver::movement {
 
-/// The nodes that steer the robot. The velocities that a node sends without a longer pause are a stream. If something
-/// overrules a stream, its node has to let go before it can move the robot again: it has to send a velocity of 0, or
-/// pause.
+/// The nodes that steer the robot. The velocities that a node sends without a longer pause are a stream. A stream
+/// counts only if it began after everything that overrules streams. So a node that was overruled has to let go before
+/// it can move the robot again: it has to send a velocity of 0, or pause.
 ///
 /// Only one thread at a time may use it.
 class SteeringStreams {
@@ -24,12 +24,9 @@ class SteeringStreams {
   /// @return what has overruled the velocity's stream; empty if the velocity counts
   std::string receive(const Order& order, bool is_zero);
 
-  /// Overrules all streams that go on now.
+  /// Overrules all streams that have begun.
   /// @param what what overrules them, in words
-  void overrule(const std::string& what);
-
-  /// Overrules the stream of one node.
-  void overrule(const std::string& node, const std::string& what);
+  void overrule(SteadyTime now, const std::string& what);
 
   /// A node whose velocities, also of 0, have come between those of this node's stream within the last kPause. The two
   /// contradict each other. It is empty if there is none.
@@ -40,8 +37,8 @@ class SteeringStreams {
 
  private:
   struct Stream {
+    SteadyTime began;
     SteadyTime last;
-    std::string overruled_by;
     std::string interrupted_by;  ///< another node whose velocity counts and came later than the last one of this stream
     std::string rival;           ///< the node that last interrupted a stream that has gone on since
     SteadyTime rivalled;         ///< when it had gone on
@@ -50,6 +47,8 @@ class SteeringStreams {
   void interruptOthers(const std::string& node);
 
   std::map<std::string, Stream> streams_;  ///< by node
+  SteadyTime overruled_;                   ///< when streams were last overruled
+  std::string overruled_by_;
 };
 
 }  // namespace aibo_driver::movement
