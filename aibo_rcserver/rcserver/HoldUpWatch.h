@@ -1,39 +1,29 @@
 /// @file HoldUpWatch.h
-/// Detects when requests may have been delayed so long that they must not move the robot any more.
+/// Detects when requests of version 1 may have been delayed so long that they must not move the robot any more.
 #ifndef AIBO_RCSERVER_RCSERVER_HOLD_UP_WATCH_H
 #define AIBO_RCSERVER_RCSERVER_HOLD_UP_WATCH_H
 
 /// An event arrives at least every 40 ms: a joint report or a camera image. If no event has arrived for LONGEST_PAUSE,
-/// this object was held up, and the client's messages are waiting in the IPStack. A client of version 2 sends something
-/// at least every second. If it has been silent for LONGEST_SILENCE, its messages were held up on the way. In both
-/// cases, the delayed messages then arrive within CATCHING_UP. All three values are our choice.
+/// this object was held up, and the client's messages are waiting in the IPStack. They then arrive within CATCHING_UP.
+/// Both values are our choice. Orders of version 2 say themselves when they are too old.
 ///
 /// Times are in milliseconds, and may overflow.
 class HoldUpWatch {
  public:
   static const unsigned LONGEST_PAUSE = 500;
-  static const unsigned LONGEST_SILENCE = 1500;
   static const unsigned CATCHING_UP = 100;
-
-  /// Error text for an order that is refused because it MayHaveWaited().
-  static const char TOO_OLD[];
 
   HoldUpWatch() : has_begun_(false), last_(0), catches_up_since_(0), catches_up_(false) {}
 
   /// Records an event. Call it before MayHaveWaited().
   void Happens(unsigned now) {
     if (has_begun_ && now - last_ >= LONGEST_PAUSE) {
-      CatchUp(now);
+      catches_up_since_ = now;
+      catches_up_ = true;
     }
     has_begun_ = true;
     catches_up_ = catches_up_ && now - catches_up_since_ < CATCHING_UP;
     last_ = now;
-  }
-
-  /// Starts the time in which delayed messages arrive. Call it when a client sends something after LONGEST_SILENCE.
-  void CatchUp(unsigned now) {
-    catches_up_since_ = now;
-    catches_up_ = true;
   }
 
   /// True if a request that arrives now may have been delayed.

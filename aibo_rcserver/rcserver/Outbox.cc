@@ -1,6 +1,10 @@
 #include "rcserver/Outbox.h"
 
 const size_t Outbox::MAX_REPLY_SIZE;
+const size_t Outbox::MAX_REFUSAL_SIZE;
+const size_t Outbox::MAX_ENDS_SIZE;
+const size_t Outbox::ROOM;
+const size_t Outbox::REPLIES_CAPACITY;
 const size_t Outbox::MAX_TELEMETRY_SIZE;
 const size_t Outbox::MAX_COLORS_SIZE;
 const size_t Outbox::MAX_SOUND_SIZE;

@@ -12,6 +12,8 @@
 #include "protocol/version2.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/camera/ColorCounter.h"
+#include "rcserver/joints/MotionPlayer.h"
+#include "rcserver/joints/OrderBook.h"
 
 /// A message that is replaced by any newer one of its kind.
 template <size_t LARGEST>
@@ -77,6 +79,23 @@ class Outbox {
   /// Bytes of the largest message: a list of motions in version 2. (MAX_MESSAGE_SIZE is a macro of the SDK.)
   static const size_t MAX_REPLY_SIZE = protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_FILE_LIST_SIZE;
 
+  /// Bytes of a refusal.
+  static const size_t MAX_REFUSAL_SIZE =
+      protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
+
+  /// Bytes of the messages before a reply: the ends of all orders, with an error for each motion that ends, and the
+  /// refusal of a motion whose file is being read.
+  static const size_t MAX_ENDS_SIZE =
+      OrderBook::MAX_ENDS *
+          (protocol::version2::FRAME_HEADER_SIZE + 4 + protocol::MAX_FILE_NAME_SIZE + 1 + OrderBook::MAX_TEXT_SIZE) +
+      (MotionPlayer::MAX_PLAYING + 1) * MAX_REFUSAL_SIZE;
+
+  /// Room for a reply and the messages before it.
+  static const size_t ROOM = MAX_ENDS_SIZE + MAX_REPLY_SIZE;
+
+  /// Room for messages in order: two such replies, of which one may be reserved, and others.
+  static const size_t REPLIES_CAPACITY = 2 * ROOM + MAX_REPLY_SIZE;
+
   /// Bytes of the largest telemetry message.
   static const size_t MAX_TELEMETRY_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_TELEMETRY_SIZE;
@@ -91,20 +110,20 @@ class Outbox {
 
   /// Most bytes that are sent at once.
   static const size_t CAPACITY =
-      4 * MAX_REPLY_SIZE + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SoundQueue::PORTION;
+      REPLIES_CAPACITY + MAX_TELEMETRY_SIZE + MAX_COLORS_SIZE + MAX_SOUND_SIZE + SoundQueue::PORTION;
 
   Outbox() : replies_size_(0), reserved_(0) {}
 
   void Clear();
 
-  /// True if there is room for one more message of MAX_REPLY_SIZE. Ask before a request is handled.
-  bool HasRoom() const { return replies_size_ + reserved_ + MAX_REPLY_SIZE <= sizeof(replies_); }
+  /// True if there is ROOM. Ask before a request is handled, and before something is pushed: the largest push fits.
+  bool HasRoom() const { return replies_size_ + reserved_ + ROOM <= sizeof(replies_); }
 
-  /// Reserves room for one later message, or releases it.
+  /// Reserves ROOM for one later reply, or releases it.
   /// @param reserved true only if HasRoom(), or if room is reserved already
-  void Reserve(bool reserved) { reserved_ = reserved ? MAX_REPLY_SIZE : 0; }
+  void Reserve(bool reserved) { reserved_ = reserved ? ROOM : 0; }
 
-  /// Adds a message. Call it only if HasRoom(), or for the message that room was reserved for.
+  /// Adds a message. Call it only if HasRoom(), or for the reply that room was reserved for.
   void Add(const unsigned char* message, size_t size);
 
   NewestMessage<MAX_TELEMETRY_SIZE>& Telemetry() { return telemetry_; }
@@ -121,7 +140,7 @@ class Outbox {
   size_t Take(unsigned char* out);
 
  private:
-  unsigned char replies_[4 * MAX_REPLY_SIZE];
+  unsigned char replies_[REPLIES_CAPACITY];
   size_t replies_size_;
   size_t reserved_;
   NewestMessage<MAX_TELEMETRY_SIZE> telemetry_;

@@ -25,8 +25,6 @@ bool IsStranger(const byte* bytes, size_t size) {
   return opening.verdict() == protocol::Opening::STRANGER;
 }
 
-const longword SILENCE_FRAMES = HoldUpWatch::LONGEST_SILENCE / robot_model::FRAME_MILLISECONDS;
-
 // OPEN-R passes event data as const, but its own classes need a non-const pointer. The data is not modified.
 template <typename Vector>
 Vector* VectorOf(const ONotifyEvent& event, int number = 0) {
@@ -62,7 +60,7 @@ const longword RCServer::HEARTBEAT_FRAMES;
 const longword RCServer::LYING_DOWN_FRAMES;
 const longword RCServer::FILE_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
-const longword RCServer::OUTAGE_FRAMES;
+const longword RCServer::SIGN_FRAMES;
 const longword RCServer::LONGEST_PICTURE_WAIT;
 const longword RCServer::INTRODUCTION_FRAMES;
 
@@ -71,6 +69,8 @@ RCServer::RCServer()
       client_(NULL),
       guest_(NULL),
       guest_since_(0),
+      has_asked_(false),
+      has_asked_since_(0),
       body_(NULL),
       power_order_(POWER_STAYS_ON),
       goes_off_(false),
@@ -173,7 +173,7 @@ void RCServer::ReadyEncodeJob(const OReadyEvent&) {
 
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   file_.Hold(event, observer[event.ObsIndex()]);
-  session_->FileDone(file_.Get());
+  session_->FileDone(file_.Get(), PresentFrame());
   if (!session_->OwesFile()) {
     file_.Release();
   }
@@ -252,6 +252,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   } else if (connection->Receive()) {
     guest_ = connection;
     guest_since_ = now_;
+    has_asked_ = false;
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -292,7 +293,9 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   client_->Received(static_cast<size_t>(answer->sizeMin));
-  NoteSignOfLife();
+  signs_.last_sign_of_life = now_;
+  signs_.last_bytes_received = now_;
+  signs_.is_asked = false;
   ServeClient();
 }
 
@@ -440,6 +443,7 @@ void RCServer::ContinueGoingOff() {
 
 void RCServer::PassTime(longword frame) {
   held_up_.Happens(SystemMilliseconds());
+  clock_.Report(frame, SystemMilliseconds());
   if (static_cast<slongword>(frame - now_) > 0) {
     now_ = frame;
   }
@@ -519,9 +523,20 @@ void RCServer::Admit(Connection* newcomer) {
 }
 
 // After an outage of the radio, a client is often back before the robot knows that its old connection is dead.
-bool RCServer::MayReplaceClient(const Connection& newcomer) const {
-  return IsClientSilent() || (session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress() &&
-                              now_ - signs_.last_bytes_received >= OUTAGE_FRAMES);
+bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
+  return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
+}
+
+// True if the guest, which has sent a request, gets the client's place. Asks the client for a sign if it is not silent.
+bool RCServer::DoesClientGiveWay() {
+  if (!IsClientSilent() && !has_asked_) {
+    has_asked_ = true;
+    has_asked_since_ = now_;
+    signs_.is_asked = true;
+    session_->AskForSign();
+    ServeClient();
+  }
+  return IsClientSilent() || (signs_.is_asked && now_ - has_asked_since_ >= SIGN_FRAMES);
 }
 
 // Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
@@ -548,12 +563,16 @@ void RCServer::CheckGuest() {
     AdmitGuest();
     return;
   }
-  const bool may_replace = MayReplaceClient(*guest_);
-  if (may_replace && protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
+  const bool may_replace = IsClientSilent() || MayBeClientAgain(*guest_);
+  if (!may_replace || !protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
+    if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
+      TurnAwayWhileBusy(guest_);
+    }
+  } else if (DoesClientGiveWay()) {
     DropClient(IsClientSilent() ? "it was silent and another client came" : "it has come back over a new connection",
                true);
     AdmitGuest();
-  } else if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
+  } else if (!signs_.is_asked) {
     TurnAwayWhileBusy(guest_);
   }
 }
@@ -572,14 +591,6 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
   char reason[64];
   sprintf(reason, "client %s is being served", client_->ClientName());
   TurnAway(newcomer, reason);
-}
-
-void RCServer::NoteSignOfLife() {
-  if (session_->ExpectsHeartbeat() && now_ - signs_.last_bytes_received >= SILENCE_FRAMES) {
-    held_up_.CatchUp(SystemMilliseconds());
-  }
-  signs_.last_sign_of_life = now_;
-  signs_.last_bytes_received = now_;
 }
 
 void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
@@ -632,11 +643,11 @@ void RCServer::ForgetClient() {
 
 // Does everything that can be done for the client now.
 void RCServer::ServeClient() {
-  session_->HandleRequests(now_);
+  session_->HandleRequests(PresentFrame());
   while (session_->WantsInput() && !session_->IsWithStranger() && client_->ReceivedSize() > 0) {
     session_->AddInput(client_->ReceivedBytes(), client_->ReceivedSize());
     client_->TakeReceived();
-    session_->HandleRequests(now_);
+    session_->HandleRequests(PresentFrame());
   }
   if (session_->IsWithStranger()) {
     AbortStranger(client_);
@@ -774,7 +785,7 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
     pictures_.CountSent();
     last_picture_ = now_;
-    datagrams_.Send(session_->HeaderToTell(pictures_.Header()), picture.jpeg, picture.size, now_);
+    datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, now_);
     picture_.Release();
   }
   ServeClient();

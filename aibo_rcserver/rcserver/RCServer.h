@@ -11,9 +11,11 @@
 #include <def.h>
 
 #include "rcserver/Connection.h"
+#include "rcserver/FrameClock.h"
 #include "rcserver/ReportLimit.h"
 #include "rcserver/Robot.h"
 #include "rcserver/Session.h"
+#include "rcserver/SystemMilliseconds.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
@@ -54,9 +56,9 @@ class RCServer : public OObject {
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
 
-  /// A client of version 2 that has sent nothing for this many frames loses its place to a newcomer from its address:
-  /// 0.6 s. A client sends a hello every 0.25 s, so a radio outage must have ended such a connection.
-  static const longword OUTAGE_FRAMES = 75;
+  /// A client of version 2 is asked for a sign when a newcomer from its address has sent a request. If it sends nothing
+  /// within this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection.
+  static const longword SIGN_FRAMES = 38;
 
   /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
   /// streams and sends no picture for 0.5 s.
@@ -138,15 +140,16 @@ class RCServer : public OObject {
   void PassTime(longword frame);
   void CheckClient();
   bool IsClientSilent() const;
+  unsigned PresentFrame() { return clock_.Present(SystemMilliseconds()); }
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
-  bool MayReplaceClient(const Connection& newcomer) const;
+  bool MayBeClientAgain(const Connection& newcomer) const;
+  bool DoesClientGiveWay();
   void GuestReceived(const TCPEndpointReceiveMsg& answer);
   void CheckGuest();
   void AdmitGuest();
   void TurnAwayWhileBusy(Connection* newcomer);
-  void NoteSignOfLife();
   void CloseNewcomer(Connection* newcomer, bool abort);
   void TurnAway(Connection* newcomer, const char* reason);
   void AbortStranger(Connection* stranger);
@@ -174,7 +177,8 @@ class RCServer : public OObject {
           last_sign_of_life(now),
           last_not_over(now),
           is_announced(false),
-          was_silent(false) {}
+          was_silent(false),
+          is_asked(false) {}
 
     longword admitted;             ///< frame in which it was admitted
     longword last_bytes_received;  ///< from it
@@ -182,6 +186,7 @@ class RCServer : public OObject {
     longword last_not_over;  ///< last frame in which the session was not over
     bool is_announced;       ///< the console has named it
     bool was_silent;         ///< at the last check
+    bool is_asked;           ///< for a sign, and has sent nothing since
   };
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
@@ -189,11 +194,14 @@ class RCServer : public OObject {
   Connection* client_;  ///< the client's connection; NULL if there is no client
   Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
+  bool has_asked_;  ///< the client, for a sign: the guest has sent a request
+  longword has_asked_since_;
   Body* body_;  ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   PowerOrder power_order_;  ///< given by the client, the pause button or the battery
   bool goes_off_;           ///< the order has been noted
   longword goes_off_since_;
+  FrameClock clock_;
   HoldUpWatch held_up_;
   FileDesk file_desk_;
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client
@@ -202,8 +210,8 @@ class RCServer : public OObject {
   PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< for clients that connect and leave
   Settings settings_;
-  Session* session_;  ///< from DoInit to DoDestroy
-  longword now_;
+  Session* session_;       ///< from DoInit to DoDestroy
+  longword now_;           ///< the last frame in which something was taken or measured
   longword last_picture_;  ///< when one was sent
   longword lies_down_since_;
   Signs signs_;

@@ -50,14 +50,14 @@ void Session::HandleRequests(unsigned now) {
   }
 }
 
-void Session::FileDone(const FileResult& result) {
+void Session::FileDone(const FileResult& result, unsigned now) {
   if (!files_.Awaits(result)) {
     return;
   }
   if (talk_.version == 1) {
     version1_.FileDone(result);
   } else {
-    version2_.FileDone(result);
+    version2_.FileDone(result, now);
   }
   outbox_.Reserve(false);
 }
@@ -70,18 +70,16 @@ void Session::RobotGoesOff(const char* reason) {
   }
 }
 
+void Session::AskForSign() {
+  if (talk_.version == protocol::version2::VERSION) {
+    version2_.AskForSign();
+  }
+}
+
 void Session::Measured(unsigned frame) {
   if (talk_.version == protocol::version2::VERSION) {
     version2_.Measured(frame);
   }
-}
-
-protocol::version2::ImageHeader Session::HeaderToTell(const protocol::version2::ImageHeader& image) const {
-  protocol::version2::ImageHeader told = image;
-  if (!version2_.TellsCameraSettings()) {
-    told.settings = protocol::version2::CameraSettings();
-  }
-  return told;
 }
 
 void Session::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
@@ -94,7 +92,7 @@ size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::v
     protocol::encodePictureHeader(jpeg_size, out);
     return protocol::PICTURE_HEADER_SIZE;
   }
-  const size_t image_header_size = encode(HeaderToTell(image), out + protocol::version2::FRAME_HEADER_SIZE);
+  const size_t image_header_size = encode(image, out + protocol::version2::FRAME_HEADER_SIZE);
   const FrameHeader header = {protocol::version2::PICTURE, image.quality, order.request_number,
                               static_cast<unsigned>(image_header_size + jpeg_size)};
   return encode(header, out) + image_header_size;

@@ -61,11 +61,12 @@ class Session {
 
   /// Handles requests while there is room for the answers. Call it after bytes were added or taken, and after a request
   /// has been answered.
-  /// @param now OPEN-R frame
+  /// @param now the present OPEN-R frame
   void HandleRequests(unsigned now);
 
   /// Call when FileKeeper has done a job. A result that no request waits for is ignored.
-  void FileDone(const FileResult& result);
+  /// @param now the present OPEN-R frame
+  void FileDone(const FileResult& result, unsigned now);
 
   /// Call when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size) {
@@ -84,6 +85,9 @@ class Session {
   /// Ends the session because the robot goes off. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
   void RobotGoesOff(const char* reason);
+
+  /// Asks a client of version 2 for a sign of life: it answers an empty `h` at once.
+  void AskForSign();
 
   /// All joints have been measured.
   /// @param frame in which
@@ -125,9 +129,6 @@ class Session {
   bool ExpectsHeartbeat() const { return talk_.version == protocol::version2::VERSION; }
 
   ImageObserver& Camera() { return camera_; }
-
-  /// The header of a picture as this client gets it.
-  protocol::version2::ImageHeader HeaderToTell(const protocol::version2::ImageHeader& image) const;
 
   /// Writes the bytes that precede a picture, in the client's version.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes

@@ -118,6 +118,7 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       payload_(NULL),
       now_(0),
       pending_(),
+      play_not_after_(0),
       client_() {
   char* end = capabilities_;
   for (const Row* row = ROWS; row->request != NULL; ++row) {
@@ -180,6 +181,12 @@ void Version2::PushPowerOff(const char* reason) {
   }
 }
 
+void Version2::AskForSign() {
+  if (outbox_.HasRoom()) {
+    Send(replyKind(REQUEST_HELLO), 0, NULL, 0);
+  }
+}
+
 void Version2::PushReports() {
   PushJointFaults();
   PushRecoveries();
@@ -204,12 +211,22 @@ size_t Version2::Frame(char kind, unsigned char id, unsigned short request_numbe
   return encode(header, message_) + payload_size;
 }
 
-// Answers the request with the payload in Payload().
+// Sends a small message, but leaves the one in message_ alone.
+void Version2::Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size) {
+  const FrameHeader header = {kind, 0, request_number, static_cast<unsigned>(size)};
+  unsigned char bytes[FRAME_HEADER_SIZE];
+  outbox_.Add(bytes, encode(header, bytes));
+  outbox_.Add(payload, size);
+}
+
+// Answers the request with the payload in Payload(), after what it has ended.
 void Version2::FinishReply(size_t payload_size) {
+  SendOrderEnds();
   outbox_.Add(message_, Frame(replyKind(request_.kind), request_.id, request_.request_number, payload_size));
 }
 
 void Version2::Refuse(unsigned short code, const char* text) {
+  SendOrderEnds();
   SendError(request_.request_number, code, text);
 }
 
@@ -218,9 +235,26 @@ void Version2::SendError(unsigned short request_number, unsigned short code, con
   Send(ERROR_MESSAGE, request_number, error);
 }
 
-void Version2::SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason) {
-  const EndMessage end = {what, how, name, strlen(name), reason, strlen(reason)};
+void Version2::SendEnd(unsigned char what, unsigned char how, unsigned short order, const char* name,
+                       const char* reason) {
+  const EndMessage end = {what, how, order, name, strlen(name), reason, strlen(reason)};
   Send(END_PUSH, 0, end);
+}
+
+void Version2::SendOrderEnd(const OrderBook::Ended& end) {
+  if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
+    SendError(0, CODE_JOINT_FAULT, text);
+  }
+  SendEnd(end.what, end.how, end.number, end.name, end.reason);
+}
+
+void Version2::SendOrderEnds() {
+  OrderBook::Ended end;
+  while (robot_.joints.Orders().Take(OrderBook::CLIENT, &end)) {
+    SendOrderEnd(end);
+  }
 }
 
 // Refuses the request if its decoder has found a problem.
@@ -245,9 +279,6 @@ void Version2::CarryOut<REQUEST_HELLO>() {
   CopyText(robot_.design, hello.robot);
   CopyText(SERVER_NAME, hello.server);
   CopyText(capabilities_, hello.capabilities);
-  if (joints.Walking().CanWalk()) {
-    sprintf(hello.capabilities + strlen(hello.capabilities), " %s", GUARD_CAPABILITY);
-  }
   hello.frame_number = now_;
   hello.joint_count = static_cast<unsigned char>(joints.NumberOfJoints());
   for (int i = 0; i < joints.NumberOfJoints(); ++i) {
@@ -304,7 +335,6 @@ void Version2::CarryOut<REQUEST_CAMERA>() {
   if (!IsWellFormed(problemOfCameraValue(request_.id, 1)) || (!is_read && !Decode(&wanted))) {
     return;
   }
-  client_.tells_camera_settings = true;
   const CameraSetting setting = static_cast<CameraSetting>(request_.id);
   if (!is_read && !robot_.camera.Set(setting, wanted.value)) {
     Refuse(CODE_REFUSED, "the robot's camera does not take this setting; the robot's console says why");
@@ -331,19 +361,20 @@ void Version2::CarryOut<REQUEST_DATAGRAMS>() {
 
 template <>
 void Version2::CarryOut<REQUEST_JOINTS>() {
-  JointTargets wanted;
-  if (!Decode(&wanted)) {
+  JointOrder order;
+  if (!Decode(&order)) {
     return;
   }
   if (!robot_.motors.AreOn()) {
     Refuse(CODE_REFUSED, "the motors are off; switch them on first");
     return;
   }
-  if (IsTooOld() || !HasJoints(wanted.joints, wanted.count)) {
+  JointTargets& targets = order.targets;
+  if (IsTooOld(order.not_after) || !HasJoints(targets.joints, targets.count)) {
     return;
   }
-  robot_.joints.SetTargets(&wanted);
-  Reply(wanted);
+  robot_.joints.SetTargets(&targets, request_.request_number);
+  Reply(targets);
 }
 
 template <>
@@ -404,21 +435,20 @@ template <>
 void Version2::CarryOut<REQUEST_MOTORS>() {
   MotorSwitch& motors = robot_.motors;
   if (request_.payload_size > 0) {
-    MotorState wanted;
-    if (!Decode(&wanted) || (wanted.on && IsTooOld())) {
+    MotorOrder order;
+    if (!Decode(&order) || (order.on && IsTooOld(order.not_after))) {
       return;
     }
-    if (!motors.Switch(wanted.on)) {
+    if (!motors.Switch(order.on)) {
       Refuse(CODE_REFUSED, CANNOT_SWITCH_ON);
       return;
     }
+    if (!order.on) {
+      EndWaitingMotion(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
+    }
   }
-  client_.tells_motors = true;
   const MotorState state = {motors.AreOn()};
   Reply(state);
-  if (!motors.AreOn()) {
-    motions_.Cancel(ALL_MOTIONS, "is not played: the motors were switched off before its file had been read");
-  }
 }
 
 template <>
@@ -427,8 +457,8 @@ void Version2::CarryOut<REQUEST_HOLD>() {
     case HOLD_EVERYTHING:
       if (HasNoPayload()) {
         robot_.joints.StopAll();
+        EndWaitingMotion(ALL_MOTIONS, "is not played: everything was told to hold before its file had been read");
         Reply(NoPayload());
-        motions_.Cancel(ALL_MOTIONS, "is not played: everything was told to hold before its file had been read");
       }
       break;
     case HOLD_JOINTS:
@@ -460,29 +490,32 @@ void Version2::HoldJoints() {
 // them back unchanged.
 template <>
 void Version2::CarryOut<REQUEST_STEER>() {
-  protocol::version2::Velocity wanted;
-  if (!Decode(&wanted)) {
+  SteeringOrder order;
+  if (!Decode(&order)) {
     return;
   }
+  const protocol::version2::Velocity& wanted = order.velocity;
   Walker& walker = robot_.joints.Walking();
   const bool is_guarded = (request_.id & STEER_GUARDED) != 0;
   if (!wanted.isZero()) {
-    if (IsTooOld()) {
+    if (IsTooOld(order.not_after)) {
       return;
     }
     if (const char* const problem = walker.ProblemOfWalk(robot_.motors.AreOn(), is_guarded ? &wanted : NULL)) {
       return Refuse(CODE_REFUSED, problem);
     }
   }
-  const protocol::version2::Velocity accepted = robot_.joints.Steer(wanted, is_guarded);
-  const protocol::version2::Velocity whole = {WholeThousandths(accepted.forward), WholeThousandths(accepted.left),
-                                              WholeThousandths(accepted.turn)};
-  Reply(whole);
+  const protocol::version2::Velocity accepted = robot_.joints.Steer(wanted, is_guarded, request_.request_number);
+  const Steered steered = {
+      {WholeThousandths(accepted.forward), WholeThousandths(accepted.left), WholeThousandths(accepted.turn)},
+      walker.WalkNumber()};
+  Reply(steered);
 }
 
 template <>
 void Version2::CarryOut<REQUEST_POSTURE>() {
-  if (!HasNoPayload()) {
+  PostureOrder order;
+  if (!Decode(&order)) {
     return;
   }
   if (!canTake(request_.id)) {
@@ -490,8 +523,8 @@ void Version2::CarryOut<REQUEST_POSTURE>() {
     return;
   }
   const Posture posture = static_cast<Posture>(request_.id);
-  if (!IsTooOld() && MayTake(posture)) {
-    robot_.joints.Take(posture);
+  if (!IsTooOld(order.not_after) && MayTake(posture)) {
+    robot_.joints.Take(posture, request_.request_number);
     Reply(NoPayload());
   }
 }
@@ -512,13 +545,13 @@ bool Version2::MayTake(Posture posture) {
   return problem == NULL;
 }
 
-// Refuses an order to move that may have been delayed.
-bool Version2::IsTooOld() {
-  if (robot_.held_up.MayHaveWaited()) {
-    Refuse(CODE_REFUSED, HoldUpWatch::TOO_OLD);
-    return true;
+// Refuses an order that has expired.
+bool Version2::IsTooOld(unsigned not_after) {
+  const bool is_too_old = protocol::version2::isTooOld(not_after, now_);
+  if (is_too_old) {
+    Refuse(CODE_TOO_OLD, "too old: the order came after its time; send it again");
   }
-  return false;
+  return is_too_old;
 }
 
 template <>
@@ -526,9 +559,7 @@ void Version2::CarryOut<REQUEST_TELEMETRY>() {
   TelemetryPeriod period;
   if (Decode(&period)) {
     client_.telemetry_period = period.frames = WholeSensorPeriods(period.frames);
-    const bool can_walk = robot_.joints.Walking().CanWalk();
-    client_.content =
-        static_cast<unsigned char>(request_.id & (TELEMETRY_WITH_DUTY | (can_walk ? TELEMETRY_WITH_WALK : 0)));
+    client_.content = static_cast<unsigned char>(request_.id & TELEMETRY_WITH_DUTY);
     request_.id = client_.content;
     client_.has_pushed_telemetry = false;
     outbox_.Telemetry().Drop();
@@ -634,21 +665,15 @@ void Version2::PushJointFaults() {
 void Version2::PushRecoveries() {
   for (int i = 0; i < robot_.joints.NumberOfJoints() && outbox_.HasRoom(); ++i) {
     if (robot_.joints.TakeRecovery(i)) {
-      SendEnd(ENDED_JAM, END_DONE, robot_.joints.Name(i), "it follows its commands again");
+      SendEnd(ENDED_JAM, END_DONE, 0, robot_.joints.Name(i), "it follows its commands again");
     }
   }
 }
 
 // An end that does not fit in the outbox is pushed the next time.
 void Version2::PushEnds() {
-  EndLog::End end;
-  while (outbox_.HasRoom() && robot_.joints.Ends().Take(EndLog::CLIENT, &end)) {
-    if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
-      char text[MAX_ERROR_TEXT_SIZE];
-      sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
-      SendError(0, CODE_JOINT_FAULT, text);  // there is room for both
-    }
-    SendEnd(end.what, end.how, end.name, end.reason);
+  if (outbox_.HasRoom()) {
+    SendOrderEnds();
   }
   if (outbox_.HasRoom() && robot_.joints.Walking().TakeSoftened()) {
     SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are limp");
@@ -659,7 +684,7 @@ void Version2::PushMotorsAndPosture() {
   const MotorsAndPosture now = {robot_.motors.AreOn(), static_cast<unsigned char>(robot_.joints.Posture())};
   const bool is_told =
       client_.has_told_motors && now.motors_on == client_.told.motors_on && now.posture == client_.told.posture;
-  if (!client_.tells_motors || is_told || !outbox_.HasRoom()) {
+  if (is_told || !outbox_.HasRoom()) {
     return;
   }
   client_.has_told_motors = true;
@@ -687,7 +712,7 @@ void Version2::PushTelemetry(unsigned frame) {
   for (int i = 0; with_duty && i < joints.NumberOfJoints(); ++i) {
     Add(GROUP_DUTY, joints.Identifier(i), MillionthsOfFullDuty(joints.Duty(i)), &telemetry);
   }
-  if ((client_.content & TELEMETRY_WITH_WALK) != 0) {
+  if (robot_.joints.Walking().CanWalk()) {
     AddWalk(robot_.joints.Walking(), &telemetry);
   }
   outbox_.Telemetry().Set(message_, Frame(TELEMETRY_PUSH, 0, 0, encode(telemetry, Payload())));

@@ -27,12 +27,13 @@ class Version2 {
   /// Carries out a request and adds at most one reply to the outbox. FileDone() answers a request that needs the memory
   /// stick. A request for a picture is answered by the picture.
   /// @param payload as many bytes as the header says
-  /// @param now OPEN-R frame
+  /// @param now the present OPEN-R frame
   void Handle(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
 
   /// Answers the request that has been waiting for the memory stick.
   /// @param result that the FileOrder awaits
-  void FileDone(const FileResult& result);
+  /// @param now the present OPEN-R frame
+  void FileDone(const FileResult& result, unsigned now);
 
   /// The picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size);
@@ -50,8 +51,8 @@ class Version2 {
   /// Tells the client why the robot goes off, if there is room in the outbox.
   void PushPowerOff(const char* reason);
 
-  /// True if picture headers may include the camera's settings: the client has sent `G`.
-  bool TellsCameraSettings() const { return client_.tells_camera_settings; }
+  /// Pushes an empty `h`, if there is room in the outbox. The client answers at once.
+  void AskForSign();
 
   /// True if the client has switched on colour detection and this image is due.
   bool WantsColors(unsigned image_count) const {
@@ -83,16 +84,20 @@ class Version2 {
   unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
   size_t Frame(char kind, unsigned char id, unsigned short request_number, size_t payload_size);
   void FinishReply(size_t payload_size);
+  void Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size);
   template <typename Content>
   void Reply(const Content& content) {
     FinishReply(encode(content, Payload()));
   }
   template <typename Content>
   void Send(char kind, unsigned short request_number, const Content& content) {
-    outbox_.Add(message_, Frame(kind, 0, request_number, encode(content, Payload())));
+    unsigned char payload[protocol::version2::MAX_END_MESSAGE_SIZE];
+    Send(kind, request_number, payload, encode(content, payload));
   }
   void Refuse(unsigned short code, const char* text);
-  void SendEnd(unsigned char what, unsigned char how, const char* name, const char* reason);
+  void SendEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
+  void SendOrderEnd(const OrderBook::Ended& end);
+  void SendOrderEnds();
   void SendError(unsigned short request_number, unsigned short code, const char* text);
   /// @}
 
@@ -127,7 +132,7 @@ class Version2 {
   void RefuseMissing(const char* part, int identifier);
   void HoldJoints();
   bool MayTake(protocol::version2::Posture posture);
-  bool IsTooOld();
+  bool IsTooOld(unsigned not_after);
   bool SetEar(int identifier, bool draw);
   void SwitchColors(bool on, const protocol::version2::ColorSettings& settings);
   void LoadColorTable();
@@ -136,7 +141,7 @@ class Version2 {
   void SetSpeakerVolume();
   void GoOff(PowerOrder order);
   bool LeavesOutMissingJoints() const;
-  void ConfirmPlay();
+  void EndWaitingMotion(const protocol::MotionName& name, const char* why);
   bool IsStickFree();
   FileOrder::Outcome OrderPicture();
   void MotionJobDone(const FileResult& result);
@@ -157,9 +162,7 @@ class Version2 {
 
   // What the client has asked for and was told. Everything is 0 for a new one.
   struct Client {
-    bool owes_file;  ///< pending_ must be answered with a file
-    bool tells_camera_settings;
-    bool tells_motors;     ///< the client has sent `O`
+    bool owes_file;        ///< pending_ must be answered with a file
     bool has_told_motors;  ///< told has been pushed
     protocol::version2::MotorsAndPosture told;
     unsigned short telemetry_period;  ///< in frames; 0: no telemetry
@@ -179,10 +182,11 @@ class Version2 {
   ImageObserver& camera_;
   Outbox& outbox_;
   char capabilities_[protocol::version2::MAX_HELLO_TEXT_SIZE + 1];
-  protocol::version2::FrameHeader request_;         ///< the request that is being handled
-  const unsigned char* payload_;                    ///< of the request
-  unsigned now_;                                    ///< OPEN-R frame in which the request came
-  protocol::version2::FrameHeader pending_;         ///< the request that waits for the memory stick
+  protocol::version2::FrameHeader request_;  ///< the request that is being handled
+  const unsigned char* payload_;             ///< of the request
+  unsigned now_;                             ///< the present OPEN-R frame
+  protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick; kind 0: it has ended
+  unsigned play_not_after_;                  ///< of a `P` that waits
   unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the message that is being written
   Client client_;
 };

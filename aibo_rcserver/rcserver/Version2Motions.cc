@@ -42,10 +42,12 @@ void Version2::CarryOut<REQUEST_PLAY>() {
   }
   if (order.repetitions == 0) {
     motions_.Stop(order.name);
+    EndWaitingMotion(order.name, "was stopped before its file had been read");
     Answer(FileOrder::DONE);
-    motions_.Cancel(order.name, "was stopped before its file had been read");
-  } else if (!IsTooOld() && IsStickFree()) {
-    Answer(motions_.Play(order.name, order.repetitions, LeavesOutMissingJoints()));
+  } else if (!IsTooOld(order.not_after) && IsStickFree()) {
+    const bool never = order.not_after == NEVER_TOO_OLD;
+    play_not_after_ = never ? NEVER_TOO_OLD : notAfter(order.not_after, FILE_READING_FRAMES);
+    Answer(motions_.Play(order.name, order.repetitions, LeavesOutMissingJoints(), request_.request_number));
   }
 }
 
@@ -56,9 +58,25 @@ void Version2::CarryOut<REQUEST_LIST>() {
   }
 }
 
-void Version2::FileDone(const FileResult& result) {
+// Ends a `P` whose file is being read. The memory stick stays busy.
+// @param name empty for any motion
+// @param why follows the name of the motion, as in "NOD.MTN ..."
+void Version2::EndWaitingMotion(const protocol::MotionName& name, const char* why) {
+  const bool waits = files_.IsPending() && pending_.kind == REQUEST_PLAY;
+  if (waits && (name[0] == '\0' || strcmp(name, files_.Name()) == 0)) {
+    char text[MAX_ERROR_TEXT_SIZE];
+    sprintf(text, "%s %s", files_.Name(), why);
+    SendError(pending_.request_number, CODE_REFUSED, text);
+    pending_.kind = '\0';
+  }
+}
+
+void Version2::FileDone(const FileResult& result, unsigned now) {
+  now_ = now;
   request_ = pending_;
-  if (request_.kind == REQUEST_SAVE_PICTURE || request_.kind == REQUEST_PICTURES) {
+  if (request_.kind == '\0' || (request_.kind == REQUEST_PLAY && IsTooOld(play_not_after_))) {
+    files_.Finish(result);
+  } else if (request_.kind == REQUEST_SAVE_PICTURE || request_.kind == REQUEST_PICTURES) {
     PictureJobDone(result);
   } else {
     MotionJobDone(result);
@@ -70,7 +88,8 @@ void Version2::MotionJobDone(const FileResult& result) {
   if (request_.kind == REQUEST_LIST && outcome == FileOrder::DONE) {
     FinishReply(encodeFileList(result.list, Payload()));
   } else if (request_.kind == REQUEST_PLAY && outcome == FileOrder::DONE) {
-    ConfirmPlay();
+    const MotionChanges changes = {motions_.Changes(), strlen(motions_.Changes())};
+    Reply(changes);
   } else {
     Answer(outcome);
   }
@@ -78,12 +97,6 @@ void Version2::MotionJobDone(const FileResult& result) {
 
 bool Version2::LeavesOutMissingJoints() const {
   return (request_.id & LEAVE_OUT_MISSING_JOINTS) != 0;
-}
-
-void Version2::ConfirmPlay() {
-  const bool tells = (request_.id & TELL_CHANGES) != 0;
-  const MotionChanges changes = {motions_.Changes(), tells ? strlen(motions_.Changes()) : 0};
-  Reply(changes);
 }
 
 void Version2::Answer(FileOrder::Outcome outcome) {

@@ -146,9 +146,9 @@ double Body::Measured(const char* sensor) const {
 }
 
 void Body::ReportWalk() {
-  EndLog::End end;
-  while (Joints().Ends().Take(EndLog::CONSOLE, &end)) {
-    if (end.what != protocol::version2::ENDED_MOTION) {
+  OrderBook::Ended end;
+  while (Joints().Orders().Take(OrderBook::CONSOLE, &end)) {
+    if (end.what == protocol::version2::ENDED_WALK || end.what == protocol::version2::ENDED_POSTURE) {
       OSYSPRINT(("RCServer: %s has ended%s%s\n", end.name, end.reason[0] == '\0' ? "" : ": ", end.reason));
     }
   }

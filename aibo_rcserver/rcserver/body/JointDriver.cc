@@ -19,6 +19,9 @@ JointDriver::JointDriver(const RobotModel& robot)
       now_(0) {}
 
 bool JointDriver::Switch(bool on) {
+  if (!on) {
+    joints_.MotorsGoOff();
+  }
   if (on == AreOn()) {
     return true;
   }
@@ -26,7 +29,6 @@ bool JointDriver::Switch(bool on) {
     return SwitchOn();
   }
   state_ = OFF;
-  joints_.MotorsGoOff();
   for (int i = 0; i < joints_.NumberOfJoints(); ++i) {
     Check(OPENR::DisableJointGain(primitives_.Id(i)), i, "still holds its position");
   }

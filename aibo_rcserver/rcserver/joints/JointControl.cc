@@ -52,8 +52,9 @@ bool JointRecovery::Look(const JointReading& reading, unsigned frame) {
 JointControl::JointControl(const robot_model::RobotModel& robot)
     : robot_(robot),
       planner_(robot),
-      motions_(planner_, robot, ends_),
-      walker_(planner_, robot, ends_),
+      commands_(planner_, robot, orders_),
+      motions_(planner_, robot, orders_),
+      walker_(planner_, robot, orders_),
       number_of_commands_(0) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
@@ -64,19 +65,24 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
   }
 }
 
-void JointControl::SetTargets(protocol::version2::JointTargets* targets) {
+void JointControl::SetTargets(protocol::version2::JointTargets* targets, unsigned short number) {
   ++number_of_commands_;
+  int joints[protocol::version2::MAX_JOINTS];
   for (int i = 0; i < targets->count; ++i) {
     const int joint = Find(targets->joints[i].id);
+    joints[i] = joint;
     EndWhatMoves(joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(joint)));
     Commanded(joint);
   }
   for (int i = 0; i < targets->count; ++i) {
-    planner_.Aim(Find(targets->joints[i].id), targets->joints[i].value);
+    planner_.Aim(joints[i], targets->joints[i].value);
   }
   planner_.Go(targets->duration_ms);
   for (int i = 0; i < targets->count; ++i) {
-    targets->joints[i].value = planner_.Target(Find(targets->joints[i].id));
+    targets->joints[i].value = planner_.Target(joints[i]);
+  }
+  if (number != 0) {
+    commands_.Begin(joints, targets->count, number);
   }
 }
 
@@ -89,8 +95,9 @@ void JointControl::Stop(int joint) {
 
 void JointControl::StopAll() {
   const EndReason reason = {END_STOPPED, "everything was told to hold", ""};
-  motions_.StopAll(reason);
+  EndCommandsAndMotions(reason);
   walker_.Stop(reason);
+  orders_.DemandLettingGo(reason);
   planner_.HoldAll();
   ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
@@ -98,38 +105,40 @@ void JointControl::StopAll() {
   }
 }
 
-Velocity JointControl::Steer(const Velocity& wanted, bool guarded) {
+Velocity JointControl::Steer(const Velocity& wanted, bool guarded, unsigned short number) {
   if (!walker_.IsActive() && !wanted.isZero()) {
     TakeLegs();
   }
-  return walker_.Steer(wanted, guarded);
+  return walker_.Steer(wanted, guarded, number);
 }
 
-void JointControl::Take(protocol::version2::Posture posture) {
+void JointControl::Take(protocol::version2::Posture posture, unsigned short number) {
+  orders_.DemandLettingGo(EndReason::Of(END_REPLACED, "the robot was told to take a posture"));
   TakeLegs();
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (walker_.NeedsLevelHead(posture) && walker_.IsOfHead(i)) {
       Take(i);
     }
   }
-  walker_.Take(posture);
+  walker_.Take(posture, number);
 }
 
 void JointControl::MotionHasBegun() {
   for (int i = 0; i < NumberOfJoints(); ++i) {
-    if (motions_.Moves(i)) {
+    if (motions_.NewestMoves(i)) {
+      const EndReason reason = EndReason::Of(END_REPLACED, "a motion moves %s", Name(i));
+      commands_.Leave(i, reason);
       walker_.LeaveAlone(i);
-    }
-    if (walker_.Moves(i) && motions_.Moves(i)) {
-      walker_.Stop(EndReason::Of(END_REPLACED, "a motion moves %s", Name(i)));
+      TakeFromWalker(i, reason);
     }
   }
 }
 
 void JointControl::MotorsGoOff() {
   const EndReason reason = {END_STOPPED, "the motors were switched off", ""};
-  motions_.StopAll(reason);
+  EndCommandsAndMotions(reason);
   walker_.MotorsGoOff(reason);
+  orders_.DemandLettingGo(reason);
 }
 
 // The difference stays correct when the numbers overflow.
@@ -203,6 +212,7 @@ bool JointControl::TakeRecovery(int joint) {
 
 void JointControl::Measured(const FallWatch::Reading& reading, unsigned frame) {
   walker_.Measured(reading, positions_, frame);
+  commands_.Measured(positions_, frame);
 }
 
 void JointControl::ClientGone() {
@@ -214,9 +224,9 @@ void JointControl::ClientGone() {
     TakeRecovery(i);
     recoveries_[i].Forget();
   }
-  motions_.StopAll();
+  EndCommandsAndMotions(EndReason::Of(END_STOPPED, "the client is gone"));
   walker_.ClientGone();
-  ends_.ClientGone();
+  orders_.ClientGone();
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (!walker_.IsMoving() || !(walker_.Moves(i) || walker_.Levels(i))) {
       planner_.Hold(i);
@@ -225,10 +235,24 @@ void JointControl::ClientGone() {
 }
 
 void JointControl::EndWhatMoves(int joint, const EndReason& reason) {
+  commands_.Leave(joint, reason);
   motions_.StopMotionOf(joint, reason);
+  TakeFromWalker(joint, reason);
+}
+
+// Ends a walk or posture that moves the joint.
+void JointControl::TakeFromWalker(int joint, const EndReason& reason) {
   if (walker_.Moves(joint)) {
     walker_.Stop(reason);
+    orders_.DemandLettingGo(reason);
   }
+}
+
+void JointControl::EndCommandsAndMotions(const EndReason& reason) {
+  for (int i = 0; i < NumberOfJoints(); ++i) {
+    commands_.Leave(i, reason);
+  }
+  motions_.StopAll(reason);
 }
 
 void JointControl::Commanded(int joint) {
@@ -236,9 +260,11 @@ void JointControl::Commanded(int joint) {
   walker_.LeaveAlone(joint);
 }
 
-// Ends a motion that moves the joint, and keeps motions that were requested earlier from moving it.
+// Ends a command or motion that moves the joint, and keeps motions that were requested earlier from moving it.
 void JointControl::Take(int joint) {
-  motions_.StopMotionOf(joint, EndReason::Of(END_REPLACED, "the robot was told to walk or to take a posture"));
+  const EndReason reason = {END_REPLACED, "the robot was told to walk or to take a posture", ""};
+  commands_.Leave(joint, reason);
+  motions_.StopMotionOf(joint, reason);
   last_commands_[joint] = number_of_commands_;
 }
 

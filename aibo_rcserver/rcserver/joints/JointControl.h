@@ -3,9 +3,10 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
-#include "rcserver/joints/EndLog.h"
+#include "rcserver/joints/JointOrders.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
+#include "rcserver/joints/OrderBook.h"
 #include "rcserver/joints/Walker.h"
 #include "robot_model/robot_model.h"
 
@@ -110,30 +111,37 @@ class JointControl {
 
   MotionPlanner& Planner() { return planner_; }
   const MotionPlanner& Planner() const { return planner_; }
-  EndLog& Ends() { return ends_; }
+  OrderBook& Orders() { return orders_; }
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
 
-  /// Carries out a client's command with MotionPlanner::Go(). Motions, walks and postures that move one of these joints
-  /// end.
-  /// @param[in,out] targets of joints that the robot has; replaced by the positions accepted
-  void SetTargets(protocol::version2::JointTargets* targets);
+  /// @name Clients' orders. Those that move or hold a leg demand letting go (OrderBook)
+  /// @param number of the request of version 2, otherwise 0
+  /// @{
 
-  /// Carries out a client's order to hold: the joint brakes within its limits and holds its position. A motion, walk or
-  /// posture that moves it ends.
+  /// Carries out a command with MotionPlanner::Go(). Motions, walks and postures that move one of these joints end.
+  /// With a number, it is an order, and JointOrders ends it.
+  /// @param[in,out] targets of joints that the robot has; replaced by the positions accepted
+  void SetTargets(protocol::version2::JointTargets* targets, unsigned short number = 0);
+
+  /// Carries out an order to hold: the joint brakes within its limits and holds its position. A motion, walk or posture
+  /// that moves it ends.
   void Stop(int joint);
 
   /// The same for all joints.
   void StopAll();
 
-  /// Carries out a client's order to walk or to take a posture (Walker). Motions that move the legs end when it begins.
-  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false);
-  void Take(protocol::version2::Posture posture);
+  /// Carries out an order to walk or to take a posture (Walker). Commands and motions that move the legs end when it
+  /// begins.
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false,
+                                     unsigned short number = 0);
+  void Take(protocol::version2::Posture posture, unsigned short number = 0);
+  /// @}
 
-  /// Call when a motion has begun. A walk or a posture ends if the motion moves the legs.
+  /// Call when a motion has begun. Commands to its joints end, and a walk or a posture if it moves the legs.
   void MotionHasBegun();
 
-  /// Call when the motors are being switched off. All motions, walks and postures end.
+  /// Call when the motors are being switched off. All orders end.
   void MotorsGoOff();
 
   /// Number of commands and orders to hold from clients so far.
@@ -159,7 +167,8 @@ class JointControl {
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 
-  /// The accelerometer and the paws have reported. Call it after the joints' reports.
+  /// The accelerometer and the paws have reported. Call it after the joints' reports. Commands whose joints have
+  /// arrived end.
   void Measured(const FallWatch::Reading& reading, unsigned frame);
 
   /// Records a fault that JointWatch cannot find. TakeFault() returns it.
@@ -186,13 +195,16 @@ class JointControl {
 
  private:
   void EndWhatMoves(int joint, const EndReason& reason);
+  void TakeFromWalker(int joint, const EndReason& reason);
+  void EndCommandsAndMotions(const EndReason& reason);
   void Commanded(int joint);
   void Take(int joint);
   void TakeLegs();
 
   const robot_model::RobotModel& robot_;
   MotionPlanner planner_;
-  EndLog ends_;
+  OrderBook orders_;
+  JointOrders commands_;
   MotionPlayer motions_;
   Walker walker_;
   int positions_[robot_model::MAX_JOINTS];

@@ -17,8 +17,8 @@ const int MotionPlayer::MAX_PLAYING;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 const int MotionPlayer::HELD_UP;
 
-MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
-    : planner_(planner), robot_(robot), ends_(ends), now_(0) {
+MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
+    : planner_(planner), robot_(robot), orders_(orders), newest_(NULL), now_(0) {
   problem_[0] = '\0';
   changes_[0] = '\0';
 }
@@ -29,7 +29,7 @@ unsigned char* MotionPlayer::FindRoom() {
 }
 
 const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
-                               const bool* commanded) {
+                               const bool* commanded, unsigned short number) {
   PlayedMotion& motion = *FindFree();
   if (!motion.Load(name, size, robot_, leave_out)) {
     sprintf(problem_, "%s %s", name, motion.Problem());
@@ -39,7 +39,8 @@ const char* MotionPlayer::Play(const protocol::MotionName& name, size_t size, in
     return problem_;
   }
   motion.DescribeChanges(planner_, changes_);
-  motion.Start(repetitions);
+  motion.Start(repetitions, orders_.Begin(protocol::version2::ENDED_MOTION, number, name));
+  newest_ = &motion;
   return NULL;
 }
 
@@ -147,21 +148,17 @@ int MotionPlayer::FindMoving(int joint) const {
 
 void MotionPlayer::Stop(PlayedMotion& motion, const EndReason& reason) {
   motion.Stop(planner_);
-  Report(motion, reason);
+  orders_.End(motion.Order(), reason);
 }
 
 void MotionPlayer::ReportDone(const PlayedMotion& motion) {
   const int longer = static_cast<int>(motion.Elapsed(now_) - motion.Played());
-  char words[EndLog::MAX_TEXT_SIZE] = "";
+  char words[OrderBook::MAX_TEXT_SIZE] = "";
   if (longer >= HELD_UP) {
     const unsigned took = (motion.Elapsed(now_) + 5) / 10;
     const unsigned should = (motion.Played() + 5) / 10;
     sprintf(words, "the robot's program was held up, so it took %u.%02u s instead of %u.%02u s", took / 100, took % 100,
             should / 100, should % 100);
   }
-  Report(motion, EndReason::Of(END_DONE, "%s", words));
-}
-
-void MotionPlayer::Report(const PlayedMotion& motion, const EndReason& reason) {
-  ends_.Add(protocol::version2::ENDED_MOTION, motion.Name(), reason);
+  orders_.End(motion.Order(), EndReason::Of(END_DONE, "%s", words));
 }

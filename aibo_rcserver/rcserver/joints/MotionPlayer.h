@@ -4,8 +4,8 @@
 #define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 
 #include "protocol/text.h"
-#include "rcserver/joints/EndLog.h"
 #include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/OrderBook.h"
 #include "rcserver/joints/PlayedMotion.h"
 #include "robot_model/robot_model.h"
 
@@ -28,7 +28,7 @@ class MotionPlayer {
   static const int HELD_UP = 100;
 
   /// All must outlive this.
-  MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
+  MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// Where the file for Play() goes: room for mtn::MAX_FILE_SIZE bytes.
   /// @return NULL if MAX_PLAYING motions are being played
@@ -40,9 +40,10 @@ class MotionPlayer {
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is refused
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
   ///   command takes precedence over the motion. NULL if no joint was commanded
+  /// @param number of the request of version 2, otherwise 0
   /// @return NULL, or an error text that tells the user why it is not played
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
-                   const bool* commanded);
+                   const bool* commanded, unsigned short number = 0);
 
   /// How the last motion that Play() began differs from its file, in one line such as "2 positions are clipped, by up
   /// to 1.8 degrees (right_hind_elevator at 656 ms)"; empty if it is played as it is.
@@ -66,6 +67,9 @@ class MotionPlayer {
   /// True if a motion that is being played moves this joint.
   bool Moves(int joint) const { return FindMoving(joint) < MAX_PLAYING; }
 
+  /// True if the motion that Play() has begun last moves this joint.
+  bool NewestMoves(int joint) const { return newest_ != NULL && newest_->Moves(joint); }
+
   /// True once for each time that a motion makes this ear flick. Call in each frame or every few. Several motions may
   /// move the same ear.
   /// @param ear index in the robot's table
@@ -88,13 +92,13 @@ class MotionPlayer {
   int FindMoving(int joint) const;
   void Stop(PlayedMotion& motion, const EndReason& reason);
   void ReportDone(const PlayedMotion& motion);
-  void Report(const PlayedMotion& motion, const EndReason& reason);
 
   MotionPlanner& planner_;
   const robot_model::RobotModel& robot_;
-  EndLog& ends_;
+  OrderBook& orders_;
   PlayedMotion motions_[MAX_PLAYING];
-  unsigned now_;  ///< milliseconds
+  const PlayedMotion* newest_;  ///< that has begun; NULL if none has
+  unsigned now_;                ///< milliseconds
   char problem_[MAX_PROBLEM_SIZE];
   char changes_[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
 };

@@ -14,7 +14,14 @@ using robot_model::RobotModel;
 const int PlayedMotion::APPROACH_SPEED;
 
 PlayedMotion::PlayedMotion()
-    : phase_(OVER), repetitions_left_(0), key_frame_(0), milliseconds_(0), duration_(0), begun_(0), played_(0) {
+    : phase_(OVER),
+      order_(0),
+      repetitions_left_(0),
+      key_frame_(0),
+      milliseconds_(0),
+      duration_(0),
+      begun_(0),
+      played_(0) {
   name_[0] = '\0';
   problem_[0] = '\0';
   std::fill(begin_, begin_ + MAX_JOINTS, 0);
@@ -35,8 +42,9 @@ bool PlayedMotion::Load(const protocol::MotionName& name, size_t size, const Rob
   return true;
 }
 
-void PlayedMotion::Start(int repetitions) {
+void PlayedMotion::Start(int repetitions, int order) {
   phase_ = BEGINNING;
+  order_ = order;
   repetitions_left_ = repetitions;
   played_ = 0;
 }

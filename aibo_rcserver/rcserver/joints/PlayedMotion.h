@@ -43,7 +43,8 @@ class PlayedMotion {
 
   /// Begins to play the loaded motion with the next frame.
   /// @param repetitions not below 1
-  void Start(int repetitions);
+  /// @param order in the OrderBook
+  void Start(int repetitions, int order);
 
   /// How long it has been played so far if nothing has held it up, in milliseconds.
   unsigned Played() const { return played_; }
@@ -56,6 +57,9 @@ class PlayedMotion {
   void EndRepetitions() { repetitions_left_ = 1; }
 
   bool IsPlaying() const { return phase_ != OVER; }
+
+  /// As given to Start().
+  int Order() const { return order_; }
   const char* Name() const { return name_; }
   bool Moves(int joint) const { return fitted_.moves(joint); }
 
@@ -101,6 +105,7 @@ class PlayedMotion {
   void Follow(MotionPlanner& planner) const;
 
   Phase phase_;
+  int order_;
   protocol::MotionName name_;
   mtn::Motion motion_;
   mtn::FittedMotion fitted_;

@@ -12,12 +12,15 @@ using protocol::version2::END_FELL;
 using protocol::version2::END_REFUSED;
 using protocol::version2::END_REPLACED;
 using protocol::version2::END_STOPPED;
+using protocol::version2::ENDED_POSTURE;
+using protocol::version2::ENDED_WALK;
 using protocol::version2::Posture;
 using protocol::version2::POSTURE_REST;
 using protocol::version2::POSTURE_SIT;
 using protocol::version2::POSTURE_STAND;
 using protocol::version2::POSTURE_WALK;
 using protocol::version2::Velocity;
+using protocol::version2::WALK_NAME;
 using robot_model::JOINTS_OF_A_LEG;
 using robot_model::Leg;
 using robot_model::LegAngles;
@@ -119,12 +122,12 @@ const int Walker::UNLOADED_SPEED;
 const int Walker::ATTEMPTS;
 const int Walker::STEERING_FRAMES;
 
-Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends)
+Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
     : planner_(planner),
       robot_(robot),
       postures_(gait_),
       guard_(gait_),
-      ended_(ends),
+      orders_(orders),
       can_walk_(FindJoints()),
       activity_(IDLE),
       has_legs_(false),
@@ -132,12 +135,9 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       has_rested_(false),
       goes_soft_(false),
       has_softened_(false),
-      is_orphan_(false),
-      next_is_orphan_(false),
       measured_(0),
       rests_since_(0),
-      must_let_go_(false),
-      last_asked_(0),
+      order_(OrderBook::NO_ORDER),
       is_walk_(false),
       posture_(POSTURE_STAND),
       way_size_(0),
@@ -156,7 +156,6 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, End
       pace_(),
       frames_since_steered_(0) {
   problem_[0] = '\0';
-  why_[0] = '\0';
   static const char* const HEAD[LEVELLED] = {"neck_tilt", "head_pan", "head_tilt"};
   for (int i = 0; i < LEVELLED; ++i) {
     head_[i] = findJointByName(robot_, HEAD[i]);
@@ -189,49 +188,43 @@ const char* Walker::Problem(Posture posture) {
 }
 
 const char* Walker::ProblemOfWalk(bool motors_are_on, const Velocity* guarded) {
-  const bool had_to_let_go = must_let_go_ && measured_ - last_asked_ < static_cast<unsigned>(STEERING_FRAMES);
-  last_asked_ = measured_;
-  must_let_go_ = true;
   if (const char* fall = FallWatch::Words(fall_watch_.Now())) {
-    strcpy(why_, fall);
+    orders_.DemandLettingGo(EndReason::Of(END_FELL, fall));
     return Problem(POSTURE_WALK);
   }
   if (!motors_are_on) {
-    strcpy(why_, "the motors were off");
+    orders_.DemandLettingGo(EndReason::Of(END_STOPPED, "the motors were off"));
     return "the motors are off; switch them on first";
   }
-  const bool may_object = guarded != NULL && !had_to_let_go && activity_ == IDLE;
-  const char* const objection = may_object ? guard_.Objection(*guarded) : NULL;
+  if (const char* why = orders_.WhyToLetGo()) {
+    sprintf(problem_, "%.100s; let go first: send zero velocities", why);
+    return problem_;
+  }
+  const char* const objection = guarded != NULL && activity_ == IDLE ? guard_.Objection(*guarded) : NULL;
   if (objection != NULL) {
-    strcpy(why_, objection);
-    return objection;
+    orders_.DemandLettingGo(EndReason::Of(END_REFUSED, objection));
   }
-  must_let_go_ = had_to_let_go;
-  if (!must_let_go_) {
-    return NULL;
-  }
-  sprintf(problem_, "%.100s; let go first: send zero velocities, or nothing for %u ms", why_,
-          protocol::version2::STEERING_TIMEOUT_MS);
-  return problem_;
+  return objection;
 }
 
-Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
+Velocity Walker::Steer(const Velocity& wanted, bool guarded, unsigned short number) {
   if (wanted.isZero()) {
-    must_let_go_ = false;
+    orders_.LetGo();
     EndWalkInStand(DONE);
     return NO_VELOCITY;
   }
-  last_asked_ = measured_;
   for (int i = 0; i < LEG_JOINTS; ++i) {
     const int joint = joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG];
     planner_.SetSpeedLimit(joint, robot_.joints[joint].highest_speed);
   }
   std::fill(levels_, levels_ + LEVELLED, false);
+  if (!IsWalk() || ends_) {
+    ReplaceOrder(WALK_BEGAN, ENDED_WALK, number, WALK_NAME);
+  }
   if (!IsWalk()) {
     Begin(true, POSTURE_STAND);
   }
-  ReplaceNext(WALK_BEGAN);
-  is_orphan_ = false;
+  has_next_ = false;
   ends_ = false;
   frames_since_steered_ = 0;
   if (!guarded) {  // meanwhile it does not look
@@ -246,19 +239,15 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded) {
   return wanted_;
 }
 
-void Walker::Take(Posture posture) {
+void Walker::Take(Posture posture, unsigned short number) {
   std::fill(levels_, levels_ + LEVELLED, NeedsLevelHead(posture));
+  ReplaceOrder(POSTURE_BEGAN, ENDED_POSTURE, number, postureName(posture));
   if (activity_ != WALKING) {
     Begin(false, posture);
     return;
   }
-  ReplaceNext(POSTURE_BEGAN);
-  if (!ends_) {
-    MustLetGo(POSTURE_BEGAN);
-  }
-  EndWalkInStand(POSTURE_BEGAN);
+  ends_ = true;
   has_next_ = true;
-  next_is_orphan_ = false;
   next_ = posture;
 }
 
@@ -277,10 +266,6 @@ void Walker::Brake(const EndReason& reason) {
   if (!IsActive()) {
     return;
   }
-  if (is_walk_) {
-    MustLetGo(reason);
-  }
-  ReplaceNext(reason);
   for (int i = 0; i < LEG_JOINTS; ++i) {
     planner_.Hold(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG]);
   }
@@ -290,19 +275,17 @@ void Walker::Brake(const EndReason& reason) {
 void Walker::ClientGone() {
   const bool rests =
       activity_ == WALKING ? has_next_ && next_ == POSTURE_REST : IsActive() && !is_walk_ && posture_ == POSTURE_REST;
-  if (activity_ == WALKING) {
-    if (!rests) {
-      ReplaceNext(CLIENT_GONE);
-    }
+  if (activity_ != WALKING && !rests) {
+    Stop(CLIENT_GONE);
+  } else if (activity_ == WALKING && has_next_ && !rests) {
+    has_next_ = false;
+    orders_.End(order_, CLIENT_GONE);
+    order_ = OrderBook::NO_ORDER;
+  } else if (activity_ == WALKING && !has_next_) {
     ends_ = true;
     end_reason_ = CLIENT_GONE;
-  } else if (!rests) {
-    Stop(CLIENT_GONE);
   }
-  is_orphan_ = true;
-  next_is_orphan_ = true;
   has_softened_ = false;
-  must_let_go_ = false;
 }
 
 bool Walker::Moves(int joint) const {
@@ -355,7 +338,7 @@ void Walker::NextFrame() {
     if (slow != NO_JOINT) {
       const EndReason reason = {END_REFUSED, "the speed limit of %s is too low for walking", robot_.joints[slow].name};
       if (!ends_) {
-        MustLetGo(reason);
+        orders_.DemandLettingGo(reason);
       }
       EndWalkInStand(reason);
     }
@@ -378,7 +361,9 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   } else if (gets_up_ && lies && (rolls_ || !FallWatch::IsFallen(fall_watch_.Last()))) {
     // This is the last attempt, or the robot is on its belly already, and the verdict is late.
   } else if (fall != FallWatch::UPRIGHT) {
-    Brake(EndReason::Of(END_FELL, FallWatch::Words(fall)));
+    const EndReason reason = EndReason::Of(END_FELL, FallWatch::Words(fall));
+    orders_.DemandLettingGo(reason);
+    Brake(reason);
   }
   if (activity_ == WALKING) {
     const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(pace_.velocity));
@@ -413,7 +398,7 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
   objection = objection == NULL ? guard_.Objection(wanted_) : objection;
   if (objection != NULL) {
     const EndReason reason = {END_REFUSED, objection, ""};
-    MustLetGo(reason);
+    orders_.DemandLettingGo(reason);
     EndWalkInStand(reason);
   }
 }
@@ -493,16 +478,17 @@ void Walker::FindLegs(const int* positions, LegAngles* legs) const {
   }
 }
 
+// Begins an order in place of what is being done. A walk that was to end anyway ends for its own reason.
+void Walker::ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name) {
+  orders_.End(order_, IsWalk() && ends_ && !has_next_ ? end_reason_ : reason);
+  order_ = orders_.Begin(what, number, name);
+}
+
 void Walker::Begin(bool is_walk, Posture posture) {
-  if (IsWalk()) {
-    MustLetGo(POSTURE_BEGAN);
-  }
-  if (IsActive()) {
-    Finish(is_walk ? WALK_BEGAN : POSTURE_BEGAN);
-  }
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
-  is_orphan_ = false;
+  is_resting_ = false;
+  has_rested_ = false;
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
@@ -605,16 +591,16 @@ void Walker::EndWalkInStand(const EndReason& reason) {
   }
 }
 
-void Walker::MustLetGo(const EndReason& reason) {
-  reason.Describe(why_);
-  must_let_go_ = true;
-}
-
 void Walker::Walk() {
   ChangeVelocity();
   const bool stops = ends_ && pace_.velocity.isZero() && pace_.correction.isZero();
   if (stops && pace_.effort == 0) {
-    StandsAfterWalk();
+    if (has_next_) {
+      has_next_ = false;
+      Begin(false, next_);
+    } else {
+      Finish(end_reason_);
+    }
     return;
   }
   const Velocity sum = {pace_.velocity.forward + pace_.correction.forward, pace_.velocity.left + pace_.correction.left,
@@ -686,32 +672,12 @@ void Walker::SetFeet(const Velocity& velocity) {
   planner_.Follow();
 }
 
-void Walker::StandsAfterWalk() {
-  const bool has_next = has_next_;
-  has_next_ = false;
-  Finish(end_reason_);
-  if (has_next) {
-    Begin(false, next_);
-    is_orphan_ = next_is_orphan_;
-  }
-}
-
-// Cancels the posture that was to follow the walk.
-void Walker::ReplaceNext(const EndReason& reason) {
-  if (has_next_) {
-    has_next_ = false;
-    ended_.Add(protocol::version2::ENDED_POSTURE, postureName(next_), reason, !next_is_orphan_);
-  }
-}
-
 void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
   gets_up_ = false;
   is_resting_ = false;
   has_rested_ = false;
-  if (is_walk_) {
-    ended_.Add(protocol::version2::ENDED_WALK, protocol::version2::WALK_NAME, reason, !is_orphan_);
-  } else {
-    ended_.Add(protocol::version2::ENDED_POSTURE, postureName(posture_), reason, !is_orphan_);
-  }
+  has_next_ = false;
+  orders_.End(order_, reason);
+  order_ = OrderBook::NO_ORDER;
 }

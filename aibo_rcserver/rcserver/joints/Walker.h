@@ -5,8 +5,8 @@
 
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
-#include "rcserver/joints/EndLog.h"
 #include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/OrderBook.h"
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
 #include "rcserver/walk/Postures.h"
@@ -47,7 +47,7 @@ class Walker {
       (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / robot_model::FRAME_MILLISECONDS + 1;
 
   /// All must outlive this.
-  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, EndLog& ends);
+  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// False if the robot's legs are not an ERS-7's. Then only functions that read the state may be called.
   bool CanWalk() const { return can_walk_; }
@@ -58,31 +58,36 @@ class Walker {
   /// An error text that tells the user why the robot cannot take this posture now; NULL if it can.
   const char* Problem(protocol::version2::Posture posture);
 
-  /// The same for a walk. Call it each time that the robot is told to walk. After a walk was refused, or ended for any
-  /// reason but its client's steering, the client has to let go: it must send zero velocities, or nothing for
-  /// STEERING_TIMEOUT_MS. Otherwise a client that keeps steering would restart the walk at once.
+  /// The same for a walk. Call it each time that the robot is told to walk: if there is a problem, the client has to
+  /// let go first (OrderBook).
   /// @param guarded the velocity to which WalkGuard may object, or NULL
   const char* ProblemOfWalk(bool motors_are_on, const protocol::version2::Velocity* guarded = NULL);
 
-  /// Starts a walk, or changes its velocity. A zero velocity ends the walk, and is ignored without a walk. Any other
-  /// velocity is allowed only if there is no ProblemOfWalk(), and resets the speed limits of the legs to the robot's
-  /// own.
+  /// Starts a walk, or changes its velocity. A zero velocity lets go: it ends the walk, and is ignored without a walk.
+  /// Any other velocity is allowed only if there is no ProblemOfWalk(), and resets the speed limits of the legs to the
+  /// robot's own. It begins an order unless a walk goes on; the legs of a walk that was to end walk on.
   /// @param guarded true if the walk slows down and ends where WalkGuard objects
+  /// @param number of the request of version 2, otherwise 0
   /// @return the velocity after Gait::Limited()
-  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false);
+  protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false,
+                                     unsigned short number = 0);
 
-  /// Takes a posture. A walk first ends in the stand. Call it only if there is no Problem() with it.
-  void Take(protocol::version2::Posture posture);
+  /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
+  unsigned short WalkNumber() const { return IsWalk() && !has_next_ ? orders_.Number(order_) : 0; }
 
-  /// Ends the walk or posture at once: the legs brake, stop and hold. A client that steers has to let go before the
-  /// next walk.
+  /// Takes a posture. The order to walk ends at once, but the legs first walk to the stand. Call it only if there is no
+  /// Problem() with it.
+  /// @param number of the request of version 2, otherwise 0
+  void Take(protocol::version2::Posture posture, unsigned short number = 0);
+
+  /// Ends the walk or posture at once: the legs brake, stop and hold.
   void Stop(const EndReason& reason);
 
   /// The same when the motors are being switched off. A robot that has lain down to rest has then finished.
   void MotorsGoOff(const EndReason& reason);
 
   /// Call when the client is gone. A walk ends in the stand, and a posture ends at once. Lying down to rest continues,
-  /// because a robot that stays half crouched with its motors on gets hot. The next client is told of neither.
+  /// because a robot that stays half crouched with its motors on gets hot.
   void ClientGone();
 
   /// True if this is a joint of a leg.
@@ -172,7 +177,7 @@ class Walker {
   void FindLegs(robot_model::LegAngles* legs) const;
   void FindLegs(const int* positions, robot_model::LegAngles* legs) const;
   void Brake(const EndReason& reason);
-  void MustLetGo(const EndReason& reason);
+  void ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name);
   void Begin(bool is_walk, protocol::version2::Posture posture);
   void PlanWay(bool lies_down);
   void BeginNextStage();
@@ -187,8 +192,6 @@ class Walker {
   void CorrectVelocity();
   void FeelLean(const FallWatch::Reading& reading, unsigned frames);
   void SetFeet(const protocol::version2::Velocity& velocity);
-  void StandsAfterWalk();
-  void ReplaceNext(const EndReason& reason);
   void Finish(const EndReason& reason);
 
   MotionPlanner& planner_;
@@ -198,7 +201,7 @@ class Walker {
   WalkedVelocity walked_;
   WalkGuard guard_;
   FallWatch fall_watch_;
-  EndLog& ended_;
+  OrderBook& orders_;
   int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< indices in the robot's table
   bool can_walk_;
   Activity activity_;
@@ -207,17 +210,13 @@ class Walker {
   bool has_rested_;  ///< the joints have followed
   bool goes_soft_;
   bool has_softened_;
-  bool is_orphan_;        ///< the client that gave the order has gone
-  bool next_is_orphan_;   ///< the same for next_
   unsigned measured_;     ///< frame
   unsigned rests_since_;  ///< frame
-  char problem_[EndLog::MAX_TEXT_SIZE];
-  bool must_let_go_;                 ///< the client must let go before it can walk again
-  unsigned last_asked_;              ///< frame in which the robot was told to walk
-  char why_[EndLog::MAX_TEXT_SIZE];  ///< why the client must let go
+  char problem_[OrderBook::MAX_TEXT_SIZE];
 
   /// @name What is being done
   /// @{
+  int order_;  ///< NO_ORDER if nothing is done, or if its client has gone
   bool is_walk_;
   protocol::version2::Posture posture_;  ///< if this is not a walk
   Postures::Stage way_[Postures::MAX_WAY];
@@ -238,7 +237,7 @@ class Walker {
   bool is_guarded_;
   bool ends_;  ///< the walk ends in the stand, for end_reason_
   EndReason end_reason_;
-  bool has_next_;  ///< the posture next_ follows the walk
+  bool has_next_;  ///< the posture next_ follows the walk, and is the order
   protocol::version2::Posture next_;
   protocol::version2::Velocity wanted_;
   Pace pace_;

@@ -10,19 +10,20 @@ MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, 
       next_said_(0),
       repetitions_(0),
       leave_out_(false),
-      commands_(0),
-      cancelled_why_(NULL) {
+      number_(0),
+      commands_(0) {
   memset(said_, 0, sizeof(said_));
 }
 
-MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out) {
+MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out,
+                                             unsigned short number) {
   if (CheckPlay() != FileOrder::DONE) {
     return FileOrder::REFUSED;
   }
   repetitions_ = repetitions;
   leave_out_ = leave_out;
+  number_ = number;
   commands_ = joints_.NumberOfCommands();
-  cancelled_why_ = NULL;
   return order_.Post(FileJob::READ, MOTION_FILE, name);
 }
 
@@ -31,12 +32,6 @@ void MotionCommands::Stop(const protocol::MotionName& name) {
     joints_.Motions().StopAll();
   } else {
     joints_.Motions().Stop(name);
-  }
-}
-
-void MotionCommands::Cancel(const protocol::MotionName& name, const char* why) {
-  if (name[0] == '\0' || strcmp(name, order_.Name()) == 0) {
-    cancelled_why_ = why;
   }
 }
 
@@ -69,13 +64,8 @@ MotionCommands::Outcome MotionCommands::List() {
 
 MotionCommands::Outcome MotionCommands::Finish(const FileResult& result) {
   const Outcome outcome = order_.Finish(result);
-  if (order_.Operation() != FileJob::READ) {
-    return outcome;
-  }
-  if (cancelled_why_ != NULL) {
-    return order_.Fail(FileOrder::REFUSED, "%s %s", order_.Name(), cancelled_why_);
-  }
-  return outcome == FileOrder::DONE ? FinishPlay(result) : outcome;
+  const bool is_read = outcome == FileOrder::DONE && order_.Operation() == FileJob::READ;
+  return is_read ? FinishPlay(result) : outcome;
 }
 
 MotionCommands::Outcome MotionCommands::CheckPlay() {
@@ -97,7 +87,7 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   memcpy(player.FindRoom(), result.content, result.size);
   bool commanded[robot_model::MAX_JOINTS];
   joints_.FindCommandedSince(commands_, commanded);
-  if (const char* problem = player.Play(order_.Name(), result.size, repetitions_, leave_out_, commanded)) {
+  if (const char* problem = player.Play(order_.Name(), result.size, repetitions_, leave_out_, commanded, number_)) {
     return order_.Fail(FileOrder::REFUSED, "%s", problem);
   }
   joints_.MotionHasBegun();

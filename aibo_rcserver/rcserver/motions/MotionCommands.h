@@ -25,7 +25,8 @@ class MotionCommands {
   /// precedence.
   /// @param repetitions not below 1
   /// @param leave_out the motion is played without the joints that the robot does not have; otherwise it is REFUSED
-  Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out);
+  /// @param number of the request of version 2, otherwise 0
+  Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out, unsigned short number = 0);
 
   /// Once Play() is DONE: how the motion differs from its file (MotionPlayer::Changes()). The console shows this, too,
   /// but only once for the same motion with the same changes.
@@ -34,11 +35,6 @@ class MotionCommands {
   /// Stops a motion if it is being played.
   /// @param name empty: all of them
   void Stop(const protocol::MotionName& name);
-
-  /// Makes Play() end as REFUSED if this motion's file is still being read.
-  /// @param name empty for any motion
-  /// @param why follows the name of the motion, as in "NOD.MTN ..."; must outlive this
-  void Cancel(const protocol::MotionName& name, const char* why);
 
   /// Stores a file, if it is a motion that this robot can play.
   /// @param leave_out as for Play()
@@ -80,10 +76,10 @@ class MotionCommands {
 
   /// @name The motion to be played, while its file is being read
   /// @{
-  int repetitions_;            ///< how often the motion is to be played
-  bool leave_out_;             ///< without the joints that the robot does not have
-  unsigned commands_;          ///< JointControl::NumberOfCommands() at the request
-  const char* cancelled_why_;  ///< why the motion was cancelled, or NULL
+  int repetitions_;        ///< how often the motion is to be played
+  bool leave_out_;         ///< without the joints that the robot does not have
+  unsigned short number_;  ///< of the request
+  unsigned commands_;      ///< JointControl::NumberOfCommands() at the request
   /// @}
 };
 

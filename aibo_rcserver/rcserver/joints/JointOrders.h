@@ -1,0 +1,57 @@
+/// @file JointOrders.h
+/// The clients' commands to joints that are being carried out.
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
+
+#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/OrderBook.h"
+#include "robot_model/robot_model.h"
+
+/// Decides when the joints of a command have arrived. A joint is under way in at most one command. It leaves the
+/// command when it has arrived, when something else takes it, or when it fails. A command ends when none of its joints
+/// is under way: refused if one has failed, otherwise for the reason for which the last joint left.
+///
+/// Joints are numbered by their index in the robot's table, and time is in OPEN-R frames of 8 ms.
+class JointOrders {
+ public:
+  /// Frames from the end of the planned way to the first measurement that counts: commands wait for up to 8 frames, and
+  /// servos lag. Our choice.
+  static const unsigned FRAMES_TO_FOLLOW = 12;
+
+  /// All must outlive this.
+  JointOrders(const MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book);
+
+  /// Begins a command. Its joints must have left earlier ones. Without joints, it is done.
+  /// @param joints whose targets are the planner's
+  /// @param number of the request, not 0
+  void Begin(const int* joints, int count, unsigned short number);
+
+  /// The joint leaves its command, if it is in one.
+  void Leave(int joint, const EndReason& reason);
+
+  /// Call when all joints have been measured.
+  /// @param positions by the robot's table, in microradian
+  void Measured(const int* positions, unsigned frame);
+
+ private:
+  // A joint that is under way, or not.
+  struct Way {
+    int order;  ///< NO_ORDER if it is not under way
+    int target;
+    bool is_over;    ///< as planned
+    unsigned since;  ///< frame in which is_over became true
+  };
+
+  JointOrders(const JointOrders&);
+  JointOrders& operator=(const JointOrders&);
+
+  bool HasJoint(int order) const;
+  void Judge(int joint, int distance, unsigned frame);
+
+  const MotionPlanner& planner_;
+  const robot_model::RobotModel& robot_;
+  OrderBook& book_;
+  Way ways_[robot_model::MAX_JOINTS];
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H

@@ -1,0 +1,108 @@
+/// @file OrderBook.h
+/// The orders that are being carried out, and how orders have ended.
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
+
+#include <stddef.h>
+
+#include "protocol/text.h"
+#include "protocol/version2.h"
+#include "robot_model/robot_model.h"
+
+/// Why an order ends. This is a plain structure, so that constants need no constructor at start-up.
+struct EndReason {
+  unsigned char how;   ///< END_DONE and so on
+  const char* format;  ///< text for the user, with %s for the joint; a literal
+  const char* joint;   ///< its name in the robot's table, or ""
+
+  static EndReason Of(unsigned char how, const char* format, const char* joint = "") {
+    const EndReason reason = {how, format, joint};
+    return reason;
+  }
+
+  /// @param[out] text room for OrderBook::MAX_TEXT_SIZE bytes
+  void Describe(char* text) const;
+};
+
+/// Each order ends once. Its end is kept until the client and the console have been told.
+///
+/// Also keeps whether a client has to let go before the robot walks. Otherwise, a client that keeps steering would
+/// restart a walk at once that something else has ended.
+class OrderBook {
+ public:
+  /// In place of an order: there is none.
+  static const int NO_ORDER = -1;
+
+  /// Orders that can live at a time: each joint in a command of its own, four motions, and a walk or a posture.
+  static const int MAX_LIVE = robot_model::MAX_JOINTS + 4 + 1;
+
+  /// Ends that can wait for a client: those of all that live, and of one that ends as soon as it begins. A request must
+  /// be carried out only if none waits. Without a client of version 2, the oldest is forgotten.
+  static const unsigned MAX_ENDS = MAX_LIVE + 1;
+
+  /// Room for the text of an EndReason.
+  static const int MAX_TEXT_SIZE = 160;
+
+  enum Reader { CLIENT, CONSOLE };
+
+  struct Ended {
+    unsigned char what;     ///< ENDED_MOTION, ENDED_WALK, ENDED_POSTURE or ENDED_JOINTS
+    unsigned char how;      ///< END_DONE and so on
+    unsigned short number;  ///< of the request; 0 if it is not the present client's
+    protocol::FileName name;
+    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; empty for END_DONE
+  };
+
+  OrderBook();
+
+  /// Begins an order.
+  /// @param what as in Ended
+  /// @param number of the request; 0 for orders without one
+  /// @param name of the motion, WALK_NAME, or postureName(); empty for joints
+  /// @return the order, valid until End()
+  int Begin(unsigned char what, unsigned short number, const char* name);
+
+  /// Something has gone wrong with an order that goes on: whenever it ends, it ends for this reason. Only the first one
+  /// counts.
+  void Spoil(int order, const EndReason& reason);
+
+  /// Ends an order. NO_ORDER is ignored.
+  void End(int order, const EndReason& reason);
+
+  /// The number of the order's request; 0 if it has none, or for NO_ORDER.
+  unsigned short Number(int order) const { return order == NO_ORDER ? 0 : live_[order].end.number; }
+
+  /// Returns each end once to each reader, the oldest first. The client is not told of a walk without a number, which
+  /// an earlier client has begun.
+  /// @return false if there is none
+  bool Take(Reader reader, Ended* end);
+
+  /// Forgets the ends that the client has not taken. What goes on is not the next client's, who must let go first.
+  void ClientGone();
+
+  /// From now on, the client must let go before the robot walks.
+  void DemandLettingGo(const EndReason& why);
+
+  /// The client has let go.
+  void LetGo() { must_let_go_ = false; }
+
+  /// Why the client must let go first; NULL if it need not.
+  const char* WhyToLetGo() const { return must_let_go_ ? why_ : NULL; }
+
+ private:
+  // An order that is being carried out.
+  struct Live {
+    bool is_used;
+    bool is_spoilt;  ///< end is complete
+    Ended end;
+  };
+
+  Live live_[MAX_LIVE];
+  Ended ends_[MAX_ENDS];
+  unsigned added_;     ///< number of ends so far
+  unsigned taken_[2];  ///< number of ends taken by each reader
+  bool must_let_go_;
+  char why_[MAX_TEXT_SIZE];
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_ORDER_BOOK_H
