@@ -35,7 +35,7 @@ void showLevel(const aibo_client::HeardSound& sound, sound::Level* level, Output
 
 void requireSound(const Robot& robot) {
   if (!robot.received().status.robot.hasCapability("A")) {
-    throw aibo_client::CommandException("the robot's server has no sound: put a newer RCServer on its memory stick");
+    throw aibo_client::CommandException("the robot's server has no sound, like all of version 1");
   }
 }
 
