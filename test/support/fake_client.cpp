@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <future>
 #include <optional>
 #include <utility>
 
@@ -29,10 +30,15 @@ void tell(RcServerClient* client, const std::string& request, milliseconds timeo
   fake(client).told.push_back(request);
 }
 
-void wait(RcServerClient* client) {
-  if (fake(client).meanwhile) {
-    std::exchange(fake(client).meanwhile, nullptr)();
-  }
+// The answer to a request, for a caller that waits for it.
+template <typename Answer>
+auto answer(RcServerClient* client, Answer get) {
+  return std::async(std::launch::deferred, [client, get] {
+    if (fake(client).meanwhile) {
+      std::exchange(fake(client).meanwhile, nullptr)();
+    }
+    return get();
+  });
 }
 
 std::string number(double value) {
@@ -82,16 +88,15 @@ PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* q
 }
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
                                    const OrderTerms& terms) {
-  fake(this).terms = terms;
   std::string text = "J";
   for (const JointTarget& target : targets) {
     if (target.speed > 0) {
       setJointSpeedLimits({{target.id, target.speed}});
     }
-    fake(this).joint_orders[target.id] = terms.number;
     text += " " + std::to_string(target.id) + ":" + number(target.position);
   }
   tell(this, text + " in " + std::to_string(duration.count()));
+  fake(this).terms = terms;
 }
 void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits) {
   for (const JointSpeedLimit& limit : limits) {
@@ -102,12 +107,12 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
     }
   }
 }
-bool RcServerClient::setMotors(bool on, milliseconds timeout) {
+std::future<bool> RcServerClient::beginMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
   tell(this, on ? "motors on" : "motors off", timeout);
-  wait(this);
-  return on == fake(this).motors_work;
+  fake(this).terms = terms;
+  return answer(this, [this, on] { return on == fake(this).motors_work; });
 }
-void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
+std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, milliseconds timeout) {
   if (!fake(this).can_hold) {
     throw CommandException("it has no request to hold joints");
   }
@@ -116,18 +121,19 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
     text += " " + std::to_string(joint);
   }
   tell(this, text, timeout);
-  wait(this);
+  return answer(this, [] {});
 }
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
-  fake(this).terms = terms;
-  fake(this).steering_order = terms.number;
+  if (!velocity.isZero()) {
+    fake(this).terms = terms;
+  }
   tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
 }
-void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  fake(this).terms = terms;
+std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
   constexpr const char* kNames[] = {"stand", "sit", "rest"};
   tell(this, kNames[static_cast<int>(posture)], timeout);
-  wait(this);
+  fake(this).terms = terms;
+  return answer(this, [] {});
 }
 void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
   std::string text = "LEDs";
@@ -139,12 +145,11 @@ void RcServerClient::commandLeds(const std::vector<LedCommand>& commands) {
 void RcServerClient::commandEars(bool left, bool right) {
   tell(this, std::string("ears ") + (left ? "1" : "0") + (right ? "1" : "0"));
 }
-std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
-                                       const OrderTerms& terms) {
-  fake(this).terms = terms;
+std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
+                                                     const OrderTerms& terms) {
   tell(this, "play " + name + " " + std::to_string(repetitions), timeout);
-  wait(this);
-  return fake(this).motion_changes;
+  fake(this).terms = terms;
+  return answer(this, [this] { return fake(this).motion_changes; });
 }
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
   tell(this, "stop " + name, timeout);

@@ -55,10 +55,16 @@ class JointPlanTest : public ::testing::Test {
     return {{"head_pan", "mouth"}, {{time, {pan, mouth}, {}}}};
   }
 
-  MovementId add(const TrajectoryRequest& request, double start, double now, const Arrival& arrival = {}) {
+  MovementId add(const TrajectoryRequest& request, double start, double now, const Arrival& arrival = measured()) {
     plan_.add(++last_id_, request, arrival, at(start), at(now), milliseconds(300));
     advance(now);
     return last_id_;
+  }
+
+  static Arrival measured() {
+    Arrival arrival;
+    arrival.is_measured = true;
+    return arrival;
   }
 
   MovementId command(const JointTargets& targets, double now) {
@@ -261,29 +267,12 @@ TEST_F(JointPlanTest, SendsNoJointBeyondItsLimit) {
   EXPECT_LE(sent_[kPan], 1.535891) << "88 degrees; somebody has rounded them";
 }
 
-TEST_F(JointPlanTest, ACommandEndsTheTrajectoriesOfItsJoint) {
-  const auto running = add(both(0.5, -0.2, 1), 0, 0);
-  const auto waiting = add(pan({{1, {0}, {}}}), 5, 0);
-  const auto other = add({{"mouth"}, {{1, {-0.2}, {}}}}, 6, 0);
-  command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
-  EXPECT_EQ(endOf(running), EndedHow::kReplaced);
-  EXPECT_EQ(reasonOf(running), "head_pan was commanded to go elsewhere");
-  EXPECT_EQ(endOf(waiting), EndedHow::kReplaced);
-  EXPECT_FALSE(endOf(other));
-  const auto last = add({{"mouth", "head_pan"}, {{1, {-0.2, 0}, {}}}}, 7, 0);
-  command({{kPan, {kPan, 0.1, 1.0}}}, 0.1);
-  EXPECT_EQ(endOf(last), EndedHow::kReplaced) << "also as one of several";
-  command({{kPan, {kPan, 0.1, 1.0}}, {kMouth, {kMouth, -0.2, 1.0}}}, 0.1);
-  EXPECT_EQ(endOf(other), EndedHow::kReplaced) << "also by a command to several";
-}
-
 TEST_F(JointPlanTest, ATrajectoryBeginsOnTheWayOfACommandWithItsVelocity) {
   const auto commanded = command({{kPan, {kPan, 1.0, 0.5}}}, 0);
   const auto fate = add(pan({{1, {1}, {0}}}), 0.2, 0.2);
   EXPECT_NEAR(wanted(fate, 0.2), 0.1, 1e-6);
   EXPECT_NEAR(velocity(fate, 0.2), 0.5, 1e-6);
-  EXPECT_EQ(endOf(commanded), EndedHow::kReplaced);
-  EXPECT_EQ(reasonOf(commanded), "a trajectory moves head_pan");
+  EXPECT_THAT(plan_.jointsOf(commanded), IsEmpty());
   command({{kMouth, {kMouth, -0.9, 0.5}}}, 0.2);
   EXPECT_NEAR(velocity(add({{"mouth"}, {{1, {-0.9}, {0}}}}, 0.3, 0.3), 0.3), -0.5, 1e-6);
 }
@@ -325,7 +314,7 @@ TEST_F(JointPlanTest, HoldsACommandedJointOnItsWay) {
 
 TEST_F(JointPlanTest, AJointWhoseCommandWasStoppedIsNotOnItsWayAnyMore) {
   const auto commanded = command({{kPan, {kPan, 1.0, 0.5}}}, 0);
-  plan_.end(commanded, EndedHow::kStopped, "stop was called");
+  plan_.forget(commanded);
   EXPECT_THAT(plan_.holdingTargets(at(1)), IsEmpty()) << "another stop does not move it on";
   measure(1, 0.1);
   EXPECT_NEAR(wanted(add(pan({{1, {0.3}, {}}}), 1, 1), 1), 0.1, 1e-6) << "it begins where it is";
@@ -352,43 +341,35 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
-  const auto mouth = command({{kMouth, {kMouth, -0.1, 0.4}}}, 0);
-  sent_[kMouth] = -0.1;
   const auto head = add(pan({{2, {1}, {}}}), 0, 0);
-  EXPECT_THAT(plan_.jointsOf(mouth), ElementsAre("mouth"));
   EXPECT_NEAR(duration<double>(*plan_.endOf(head, at(0.1)) - at(0)).count(), 2, 1e-6);
-  follow(0, 1.05);
-  EXPECT_FALSE(endOf(mouth)) << "its way takes 1 s, and a moment to brake";
-  follow(1.08, 1.2);
-  EXPECT_EQ(endOf(mouth), EndedHow::kDone);
-  EXPECT_THAT(plan_.jointsOf(mouth), IsEmpty());
-  EXPECT_FALSE(plan_.empty());
-  follow(1.232, 2.1);
+  follow(0, 1.95);
+  EXPECT_THAT(plan_.jointsOf(head), ElementsAre("head_pan"));
+  EXPECT_TRUE(plan_.goesOn(head)) << "all is sent, but not measured";
+  follow(1.984, 2.1);
   EXPECT_EQ(endOf(head), EndedHow::kDone);
   EXPECT_TRUE(plan_.empty());
 }
 
-TEST_F(JointPlanTest, ACommandGoesOnUntilItsSlowestJointShouldHaveArrived) {
-  const auto both_joints = command({{kPan, {kPan, 0.1, 1.0}}, {kMouth, {kMouth, -0.1, 0.05}}}, 0);
-  sent_ = {{kPan, 0.1}, {kMouth, -0.1}};
-  follow(0, 7.9);
-  EXPECT_FALSE(endOf(both_joints)) << "the mouth needs 8 s";
-  follow(8, 8.2);
-  EXPECT_EQ(endOf(both_joints), EndedHow::kDone);
-  const auto slow_pan = command({{kPan, {kPan, 0.5, 0.05}}, {kMouth, {kMouth, -0.2, 1.0}}}, 8.2);
-  sent_ = {{kPan, 0.5}, {kMouth, -0.2}};
-  follow(8.2, 16.1);
-  EXPECT_FALSE(endOf(slow_pan)) << "now the head needs 8 s";
+TEST_F(JointPlanTest, ATrajectoryWhoseArrivalIsNotMeasuredStaysUntilItIsForgotten) {
+  const auto head = add(pan({{1, {0.5}, {}}}), 0, 0, {});
+  follow(0, 0.8);
+  EXPECT_TRUE(plan_.goesOn(head));
+  follow(0.832, 5);
+  EXPECT_FALSE(plan_.goesOn(head)) << "all is sent";
+  EXPECT_FALSE(endOf(head));
+  plan_.forget(head);
+  EXPECT_TRUE(plan_.empty());
 }
 
 TEST_F(JointPlanTest, DoesNotKnowTheEndOfWhatNobodyMeasures) {
-  const auto commanded = command({{kPan, {kPan, 0.01, 1.0}}}, 0);
+  const auto head = add(pan({{0.1, {0.01}, {}}}), 0, 0);
   for (double now = 0; now < 6.5; now += 0.032) {
     advance(now);
-    EXPECT_FALSE(now < 5 && endOf(commanded)) << "a version 1 server may be silent for so long";
+    EXPECT_FALSE(now < 5 && endOf(head)) << "a version 1 server may be silent for so long";
   }
-  EXPECT_EQ(endOf(commanded), EndedHow::kUnknown) << "it is near its target since before the command";
-  EXPECT_EQ(reasonOf(commanded), "no measurement of head_pan has come since");
+  EXPECT_EQ(endOf(head), EndedHow::kUnknown) << "it is near its target since before";
+  EXPECT_EQ(reasonOf(head), "no measurement of head_pan has come since");
 }
 
 TEST_F(JointPlanTest, IsDoneWhereEachJointIsWithin50MilliradiansOfItsTarget) {
@@ -405,7 +386,7 @@ TEST_F(JointPlanTest, IsDoneWhereEachJointIsWithin50MilliradiansOfItsTarget) {
 }
 
 TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
-  Arrival strict;
+  Arrival strict = measured();
   strict.tolerances["head_pan"].position = 0.001;
   strict.grace = milliseconds(200);
   const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0, strict);
@@ -415,7 +396,7 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
     advance(now);
   }
   EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
-  Arrival loose;
+  Arrival loose = measured();
   loose.tolerances["mouth"].position = 10;
   measure(1.5, 0.5);
   const auto pan_too = add(both(0.2, -0.2, 0.3), 1.5, 1.5, loose);
@@ -439,17 +420,15 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
   EXPECT_THAT(reasonOf(faster), HasSubstr("head_pan still moves with"));
 }
 
-TEST_F(JointPlanTest, ANewCommandToSomeJointsLeavesTheOthersToTheOldOne) {
+TEST_F(JointPlanTest, WhateverMovesAJointTakesItFromTheLastCommand) {
   const auto both_joints = command({{kPan, {kPan, 0.5, 1.0}}, {kMouth, {kMouth, -0.1, 1.0}}}, 0);
-  const auto pan_only = command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
-  EXPECT_FALSE(endOf(both_joints));
+  command({{kPan, {kPan, 0.2, 1.0}}}, 0.1);
   EXPECT_THAT(plan_.jointsOf(both_joints), ElementsAre("mouth"));
-  const auto mouth_only = command({{kMouth, {kMouth, -0.2, 1.0}}}, 0.2);
-  EXPECT_EQ(endOf(both_joints), EndedHow::kReplaced);
-  EXPECT_FALSE(endOf(pan_only));
-  add(both(0.5, -0.2, 1), 0.2, 0.2);
-  EXPECT_EQ(endOf(pan_only), EndedHow::kReplaced);
-  EXPECT_EQ(endOf(mouth_only), EndedHow::kReplaced) << "a trajectory replaces the commands to all its joints";
+  add({{"mouth"}, {{1, {-0.2}, {}}}}, 0.2, 0.2);
+  EXPECT_THAT(plan_.jointsOf(both_joints), IsEmpty());
+  const auto head = command({{kPan, {kPan, 0.5, 1.0}}}, 0.3);
+  plan_.forget(std::vector<std::string>{"head_pan"});
+  EXPECT_THAT(plan_.jointsOf(head), IsEmpty());
 }
 
 TEST_F(JointPlanTest, ResumesAfterAHoldUp) {

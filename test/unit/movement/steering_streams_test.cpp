@@ -19,12 +19,14 @@ class SteeringStreamsTest : public ::testing::Test {
     return streams_.receive({node, at(time)}, is_zero);
   }
 
+  void overrule(int time, const std::string& what) { streams_.overrule(at(time), what); }
+
   SteeringStreams streams_;
 };
 
 TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAZero) {
   EXPECT_EQ(receive(0), "");
-  streams_.overrule("stop was called");
+  overrule(50, "stop was called");
   EXPECT_EQ(receive(100), "stop was called");
   EXPECT_EQ(receive(200), "stop was called");
   EXPECT_EQ(receive(300, "/a", true), "");
@@ -33,7 +35,7 @@ TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAZero) {
 
 TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAPause) {
   receive(0);
-  streams_.overrule("stop was called");
+  overrule(50, "stop was called");
   EXPECT_EQ(receive(499), "stop was called");
   EXPECT_EQ(receive(999), "");
 }
@@ -41,21 +43,20 @@ TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAPause) {
 TEST_F(SteeringStreamsTest, WhoLetsGoLetsGoForHimselfAlone) {
   receive(0, "/stuck");
   receive(0, "/joystick");
-  streams_.overrule("stop was called");
+  overrule(50, "stop was called");
   receive(100, "/joystick", true);
   EXPECT_EQ(receive(100, "/stuck"), "stop was called");
   EXPECT_EQ(receive(200, "/joystick"), "");
-  streams_.overrule("/joystick", "again");
-  EXPECT_EQ(receive(300, "/joystick"), "again");
-  EXPECT_EQ(receive(300, "/stuck"), "stop was called");
-  EXPECT_TRUE(streams_.goesOn("/stuck", at(799))) << "though it does not count";
+  EXPECT_TRUE(streams_.goesOn("/stuck", at(599))) << "though it does not count";
 }
 
-TEST_F(SteeringStreamsTest, WhoBeginsLaterWasNotOverruled) {
-  streams_.overrule("stop was called");
-  EXPECT_EQ(receive(0), "");
-  EXPECT_TRUE(streams_.goesOn("/a", at(499)));
-  EXPECT_FALSE(streams_.goesOn("/a", at(500)));
+TEST_F(SteeringStreamsTest, AStreamCountsIfItBeganLaterThanWhatOverrulesOthers) {
+  overrule(50, "stop was called");
+  EXPECT_EQ(receive(49, "/early"), "stop was called") << "it waited";
+  EXPECT_EQ(receive(60, "/early"), "stop was called");
+  EXPECT_EQ(receive(51, "/late"), "");
+  EXPECT_TRUE(streams_.goesOn("/late", at(550)));
+  EXPECT_FALSE(streams_.goesOn("/late", at(551)));
   EXPECT_FALSE(streams_.goesOn("/b", at(0)));
 }
 
@@ -91,7 +92,7 @@ TEST_F(SteeringStreamsTest, WhoseVelocitiesComeBetweenThoseOfAnotherIsItsRival) 
 
 TEST_F(SteeringStreamsTest, WhoseVelocitiesDoNotCountIsNoRival) {
   receive(0, "/b");
-  streams_.overrule("stop was called");
+  overrule(50, "stop was called");
   receive(100, "/a");
   EXPECT_EQ(receive(150, "/b"), "stop was called");
   receive(200, "/a");
