@@ -163,46 +163,60 @@ void Mover::tell() {
   }
 }
 
+// Gives an order, unless it must not act.
+// @param act sends what the robot has to do, and begins the movement; what it throws is the reason for a refusal
+template <typename Act>
+Mover::Begun Mover::give(const Order& order, Movement movement, const Act& act, bool may_act_while_stopped) {
+  return change([&] {
+    checkConnection();
+    movement.source = order.source;
+    const std::string reason = refusalOf(order, movement, may_act_while_stopped);
+    if (!reason.empty()) {
+      return refuse(std::move(movement), reason);
+    }
+    try {
+      return act(&movement);
+    } catch (const Exception& error) {
+      return refuse(std::move(movement), reasonOf(error));
+    }
+  });
+}
+
 Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& names,
                             const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
   const std::string too_many = describeTooMany(names.size());
   if (!too_many.empty()) {
     return refuse(order, kind, {}, too_many);
   }
-  return change([&] {
-    checkConnection();
+  const auto act = [&](Movement* movement) {
     const SteadyTime now = clock_();
-    Movement movement{kind, "", order.source, known(names), std::nullopt};
-    const std::string reason = gate_.refusal(order, now);
-    if (!reason.empty()) {
-      return refuse(std::move(movement), reason);
-    }
     JointTargets targets;
     const std::string left_out = listOf(filter_.filter(names, positions, velocities, now, &targets), " ");
     if (targets.empty()) {
-      return refuse(std::move(movement), reasonOf(left_out));
+      throw aibo_client::InvalidArgumentException(left_out);
     }
-    movement.joints = namesOf(targets, table_);
+    movement->joints = namesOf(targets, table_);
     const OrderNumber number = nextNumber();
     try {
       send(targets, milliseconds(0), termsOf(order, number));
-    } catch (const Exception& error) {
+    } catch (const Exception&) {
       filter_.startApproach();
-      return refuse(std::move(movement), reasonOf(error));
+      throw;
     }
     if (!left_out.empty()) {
       news_.warnings.push_back(left_out);
     }
-    Record* const same = findCommand(movement);
-    Record& record = same != nullptr ? *same : begin(movement);
+    Record* const same = findCommand(*movement);
+    Record& record = same != nullptr ? *same : begin(*movement);
     record.orders.insert(number);
     record.trouble.clear();  // the robot tries again
     plan_.command(record.id(), targets, now);
-    haltEach([&](const Record& each) { return isTrajectoryOf(each, movement.joints); },
+    haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
              {EndedHow::kReplaced, "a command moves its joints"});
-    takeLegsFromWalks(movement);
+    takeLegsFromWalks(*movement);
     return begunOf(record);
-  });
+  };
+  return give(order, {kind, "", "", known(names), std::nullopt}, act);
 }
 
 Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
@@ -211,38 +225,27 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
   if (!too_many.empty()) {
     return refuse(order, Kind::kTrajectory, {}, too_many);
   }
-  Begun begun = change([&] {
-    checkConnection();
-    const SteadyTime now = clock_();
-    Movement movement{Kind::kTrajectory, "", order.source, known(request.joints), std::nullopt};
-    const std::string reason = gate_.refusal(order, now);
-    if (!reason.empty()) {
-      return refuse(std::move(movement), reason);
-    }
+  double stretch = 1;
+  const auto act = [&](Movement* movement) {
+    checkTelemetry();
+    requireDesign(client_, table_.design());
     if (plan_.empty()) {
       went_on_ = order.received;
     }
+    const SteadyTime now = clock_();
     const bool is_version_1 = client_.status().protocol_version == 1;
     Arrival judged = arrival;
     judged.is_measured = arrival.is_measured || is_version_1;
-    Record& record = begin(movement);
-    Begun result = begunOf(record);
-    try {
-      checkTelemetry();
-      requireDesign(client_, table_.design());
-      const milliseconds oldest = is_version_1 ? kFreshVersion1 : kFresh;
-      const double stretch = plan_.add(record.id(), request, judged, now + wait, now, oldest);
-      if (stretch > 1) {
-        result.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
-      }
-    } catch (const Exception& error) {
-      close(record.id(), EndedHow::kRefused, reasonOf(error));
-      return result;
-    }
-    takeLegsFromWalks(movement);
+    stretch = plan_.add(last_number_ + 1, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
+    const Begun result = begunOf(begin(*movement));
+    takeLegsFromWalks(*movement);
     sendSteps(now);
     return result;
-  });
+  };
+  Begun begun = give(order, {Kind::kTrajectory, "", "", known(request.joints), std::nullopt}, act);
+  if (stretch > 1) {
+    begun.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
+  }
   if (listener_.on_begin) {
     listener_.on_begin();
   }
@@ -251,62 +254,41 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
 
 Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
   std::future<std::string> answer;
-  const Begun begun = change([&] {
-    checkConnection();
-    Movement movement{Kind::kMotion, name, order.source, {}, std::nullopt};
-    const std::string reason = refusalOf(order, movement, false);
-    if (!reason.empty()) {
-      return refuse(std::move(movement), reason);
-    }
+  const auto act = [&](Movement* movement) {
     haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; },
              {EndedHow::kReplaced, order.source + " plays " + name});
+    // Otherwise the robot would keep lower limits of earlier commands.
+    limitSpeeds(table_.motionSpeedLimits());
     const OrderNumber number = nextNumber();
-    try {
-      // Otherwise the robot would keep lower limits of earlier commands.
-      limitSpeeds(table_.motionSpeedLimits());
-      answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
-    } catch (const Exception& error) {
-      return refuse(std::move(movement), reasonOf(error));
-    }
+    answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
     motions_connection_ = connections();
-    Record& record = begin(std::move(movement));
-    record.orders.insert(number);
-    return begunOf(record);
-  });
+    return begunOf(begin(*movement, number));
+  };
+  const Begun begun = give(order, {Kind::kMotion, name, "", {}, std::nullopt}, act);
   return await(begun, &answer);
 }
 
 Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
   std::future<void> answer;
-  const Begun begun = change([&] {
-    checkConnection();
-    Movement movement{Kind::kPosture, nameOf(posture), order.source, {}, std::nullopt};
-    const std::string reason = refusalOf(order, movement, posture == Posture::kRest);
-    if (!reason.empty()) {
-      return refuse(std::move(movement), reason);
-    }
-    const std::string cause = order.source + " called " + movement.name;
+  const auto act = [&](Movement* movement) {
+    const std::string cause = order.source + " called " + movement->name;
+    freeLegs(cause);
     const OrderNumber number = nextNumber();
-    try {
-      freeLegs(cause);
-      answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
-    } catch (const Exception& error) {
-      return refuse(std::move(movement), reasonOf(error));
-    }
+    answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
     gate_.overrule(order.received, cause);
     overruleWalks({EndedHow::kReplaced, cause});
-    Record& record = begin(std::move(movement));
-    record.orders.insert(number);
-    return begunOf(record);
-  });
+    return begunOf(begin(*movement, number));
+  };
+  const Begun begun =
+      give(order, {Kind::kPosture, nameOf(posture), "", {}, std::nullopt}, act, posture == Posture::kRest);
   return await(begun, &answer);
 }
 
-// Why the robot may not be asked to move by itself.
 std::string Mover::refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const {
   const std::string reason = gate_.refusal(order, clock_(), may_act_while_stopped);
+  const bool is_robots_own = movement.kind == Kind::kMotion || movement.kind == Kind::kPosture;
   const auto is_alike = [&movement](const Record& other) { return other.movement.kind == movement.kind; };
-  if (!reason.empty() || idsOf(is_alike).size() < kMostOfAKind) {
+  if (!reason.empty() || !is_robots_own || idsOf(is_alike).size() < kMostOfAKind) {
     return reason;
   }
   return std::to_string(kMostOfAKind) + " others of its kind have not ended yet, and no more may begin";
@@ -392,9 +374,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
     }
     return;
   }
-  if (record == nullptr) {
-    record = &begin(std::move(movement));
-  }
+  record = record == nullptr ? &begin(std::move(movement)) : record;
   record->orders.insert(number);
   noteRival(record, order.source);
 }
@@ -411,25 +391,16 @@ void Mover::noteRival(Record* walk, const std::string& node) {
 }
 
 Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
-  return change([&] {
-    checkConnection();
-    Movement movement{Kind::kWalk, goal, order.source, {}, std::nullopt};
-    const std::string reason = gate_.refusal(order, clock_());
-    if (!reason.empty()) {
-      return refuse(std::move(movement), reason);
-    }
+  const auto act = [&](Movement* movement) {
     const std::string cause = order.source + " sends the robot to a goal";
-    try {
-      freeLegs(cause);
-      client_.steer({}, termsOf(order, 0));
-    } catch (const Exception& error) {
-      return refuse(std::move(movement), reasonOf(error));
-    }
+    freeLegs(cause);
+    client_.steer({}, termsOf(order, 0));
     overruleWalks({EndedHow::kReplaced, cause});
-    Record& record = begin(std::move(movement));
+    Record& record = begin(*movement);
     record.steered = order.received;
     return begunOf(record);
-  });
+  };
+  return give(order, {Kind::kWalk, goal, "", {}, std::nullopt}, act);
 }
 
 bool Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
@@ -709,7 +680,7 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
       leave(record, end.order, is_refused_joint ? EndedHow::kNotReached : end.how, end.reason);
     }
     if (end.kind == EndedKind::kWalk && end.how != EndedHow::kDone) {
-      overruleWalks({end.how, end.reason});
+      streams_.overrule(clock_(), end.reason);
     }
   });
 }
@@ -819,11 +790,14 @@ Movement Mover::whole(const Record& record) {
   return movement;
 }
 
-Mover::Record& Mover::begin(Movement movement) {
+Mover::Record& Mover::begin(Movement movement, std::optional<OrderNumber> order) {
   Record& record = records_.emplace_back();
   record.movement = std::move(movement);
   record.movement.order = nextNumber();
   record.end = record.promise.get_future().share();
+  if (order) {
+    record.orders.insert(*order);
+  }
   return record;
 }
 
@@ -989,9 +963,11 @@ Mover::Record* Mover::findCommand(const Movement& movement) {
 }
 
 bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) const {
+  if (record.movement.kind != Kind::kTrajectory) {
+    return false;
+  }
   const std::vector<std::string> moved = plan_.jointsOf(record.id());
-  return record.movement.kind == Kind::kTrajectory &&
-         std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
+  return std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
 }
 
 // The robot's joints among these names, in the robot's order.

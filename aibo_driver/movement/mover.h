@@ -279,7 +279,9 @@ class Mover {
   std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
   static Movement whole(const Record& record);
   static Begun begunOf(const Record& record) { return {record.id(), record.end, false, ""}; }
-  Record& begin(Movement movement);
+  template <typename Act>
+  Begun give(const Order& order, Movement movement, const Act& act, bool may_act_while_stopped = false);
+  Record& begin(Movement movement, std::optional<OrderNumber> order = std::nullopt);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);
   void note(const EndedMovement& ended);

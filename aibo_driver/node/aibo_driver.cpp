@@ -254,15 +254,14 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { microphone_.publish(sound); };
   callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { player_.ended(end); };
   callbacks.on_leds_accepted = [this](const std::vector<aibo_client::LedCommand>& leds) { led_states_.accept(leds); };
-  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order) {
-    mover_.steered(in_force, order);
+  callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
+    mover_.steered(in_force, order, walk);
   };
   callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
     odometry_.motionEnded(end);
     mover_.ended(end);
   };
   callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refused(refusal); };
-  callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) { mover_.answeredLate(answer); };
   callbacks.on_motors_and_posture = [this](const aibo_client::MotorsAndPosture& state) {
     odometry_.update(state);
     mover_.robotChanged(state);
@@ -305,11 +304,12 @@ void AiboDriver::letItGetUp(const std::string& source) {
   });
 }
 
-// Refused joints and walking are not logged here, because the end of each movement is logged.
+// Refused orders are not logged here, because the end of each movement is logged.
 void AiboDriver::refused(const aibo_client::Refusal& refusal) {
+  using Request = aibo_client::RefusedRequest;
   mover_.refused(refusal);
-  if (refusal.request != aibo_client::RefusedRequest::kJoints &&
-      refusal.request != aibo_client::RefusedRequest::kWalk) {
+  if (refusal.request == Request::kSpeedLimits || refusal.request == Request::kLeds ||
+      refusal.request == Request::kEars || refusal.request == Request::kMicrophone) {
     movement_warnings_.warn("The robot did not do what it was told: " + text::sentence(refusal.reason));
   }
 }
@@ -333,7 +333,7 @@ void AiboDriver::logEnd(const movement::EndedMovement& ended) {
   using Kind = movement::Movement::Kind;
   const bool is_command = ended.movement.kind == Kind::kCommand || ended.movement.kind == Kind::kLookAt;
   const bool is_meant = ended.how == EndedHow::kReplaced || ended.how == EndedHow::kStopped;
-  const bool is_as_ever = ended.how == EndedHow::kUnknown && ended.movement.kind == Kind::kMotion;
+  const bool is_as_ever = ended.how == EndedHow::kUnknown && (is_command || ended.movement.kind == Kind::kMotion);
   const std::string name = movement::describe(ended.movement);
   if (ended.how == EndedHow::kRefused) {
     movement_warnings_.warn(name + " is refused: " + text::sentence(ended.reason));

@@ -69,6 +69,7 @@ movement::Arrival arrivalOf(const FollowJointTrajectoryGoal& goal) {
     }
   }
   const double grace = goal.goal_time_tolerance.toSec();
+  arrival.is_measured = !arrival.tolerances.empty() || grace > 0;  // the robot does not know these tolerances
   if (grace > 0) {
     arrival.grace = std::chrono::milliseconds(std::llround(1000 * grace));
   }

@@ -57,6 +57,7 @@ Movement toMessage(const movement::Movement& movement, movement::SteadyTime stea
   message.name = movement.name;
   message.source = movement.source;
   message.joints = movement.joints;
+  message.order = movement.order;
   if (movement.end) {
     const double left = std::max(0.0, std::chrono::duration<double>(*movement.end - steady_now).count());
     const double end = now.toSec() + left;
@@ -68,7 +69,7 @@ Movement toMessage(const movement::Movement& movement, movement::SteadyTime stea
 
 bool areSame(const Movement& a, const Movement& b) {
   const double difference = a.end.toSec() - b.end.toSec();
-  return a.kind == b.kind && a.name == b.name && a.source == b.source && a.joints == b.joints &&
+  return a.order == b.order && a.kind == b.kind && a.name == b.name && a.source == b.source && a.joints == b.joints &&
          difference > -kSameEnd && difference < kSameEnd;
 }
 

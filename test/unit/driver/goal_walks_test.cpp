@@ -66,9 +66,11 @@ class GoalWalksTest : public ::testing::Test {
     now_ += GoalWalks::kPeriod;
     here_->x += forward;
     EXPECT_EQ(walk.goOn(), nullptr);
-    mover_.steered({0.1, 0, 0}, client_.steering_order);
+    walk_order_ = walk_order_ == 0 ? client_.order() : walk_order_;
+    mover_.steered({0.1, 0, 0}, client_.order(), walk_order_);
   }
 
+  std::uint64_t walk_order_ = 0;  // of the velocity that began the walk
   movement::SteadyTime now_ = movement::SteadyTime(seconds(1000));
   const movement::Mover::Clock clock_ = [this] { return now_; };
   std::optional<PlanePose> here_ = PlanePose{1, 0, 0};
@@ -163,7 +165,7 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   walkOn(walk, 0.05);
   EXPECT_EQ(lastVelocity(), "") << "it overshoots while it stops, and does not walk back";
-  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
   ASSERT_NE(walk.goOn(), nullptr);
   EXPECT_EQ(walk.goOn()->how, EndedHow::kDone);
 }
@@ -175,7 +177,7 @@ TEST_F(GoalWalksTest, ARobotThatMayNotTurnIsNotAtAGoalForWhichItWouldHaveTo) {
   here_->yaw = 2;
   walk.goOn();
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
-  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
   ASSERT_NE(walk.goOn(), nullptr);
   EXPECT_EQ(walk.goOn()->how, EndedHow::kStopped);
   EXPECT_THAT(walk.goOn()->reason, HasSubstr("the limit is 0"));
@@ -191,7 +193,7 @@ TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
     walkOn(walk, 0);
   }
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
-  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
   EXPECT_EQ(walk.begun().ended()->how, EndedHow::kStopped);
   EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("no closer to the goal for 20 s"));
 }
@@ -204,7 +206,7 @@ TEST_F(GoalWalksTest, WithoutOdometryItStops) {
   EXPECT_EQ(walk.goOn(), nullptr);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   EXPECT_EQ(walk.goOn(), nullptr) << "the robot has not stopped yet";
-  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
   EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("has not said where it is"));
 }
 

@@ -37,7 +37,7 @@ TEST(MotionStateMessage, SaysThatNothingMoves) {
 TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   movement::Mover::State state;
   state.movements = {
-      {Kind::kCommand, "", "/sliders", {"mouth"}, {}},
+      {Kind::kCommand, "", "/sliders", {"mouth"}, {}, 42},
       {Kind::kTrajectory, "", "/planner", {"head_pan", "neck_tilt"}, kSteadyNow + std::chrono::seconds(2)},
       {Kind::kMotion, "NOD.MTN", "", {}, {}},
       {Kind::kWalk, "to x 1.00 m", "/navigator", {}, {}},
@@ -49,6 +49,7 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_EQ(message.movements[4].kind, Movement::WALK);
   EXPECT_EQ(message.movements[5].kind, Movement::POSTURE);
   EXPECT_EQ(message.movements[0].kind, Movement::COMMAND);
+  EXPECT_EQ(message.movements[0].order, 42U);
   EXPECT_EQ(message.movements[0].source, "/sliders");
   EXPECT_TRUE(message.movements[0].end.isZero());
   EXPECT_EQ(message.movements[1].kind, Movement::TRAJECTORY);

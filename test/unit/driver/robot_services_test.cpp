@@ -150,13 +150,11 @@ TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
 }
 
 TEST_F(RobotServicesTest, SayWhetherAMotionWasPlayedWhoseEndIsKnownBeforeTheAnswer) {
-  client_.present.robot.capabilities = {"I"};
-  mover_.connected();
   EXPECT_EQ(play("nod").message, "NOD.MTN has begun and plays once.") << "it plays on";
   EXPECT_THAT(mover_.state().movements, ::testing::SizeIs(1));
   const auto end_meanwhile = [this](aibo_client::EndedHow how) {
     client_.meanwhile = [this, how] {
-      mover_.ended({aibo_client::EndedKind::kMotion, how, "WAG.MTN", "the joints were commanded"});
+      mover_.ended({aibo_client::EndedKind::kMotion, how, "", "the joints were commanded", client_.order()});
     };
   };
   end_meanwhile(aibo_client::EndedHow::kDone);

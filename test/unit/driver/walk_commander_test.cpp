@@ -63,8 +63,13 @@ class WalkCommanderTest : public ::testing::Test {
   // The robot accepts the velocity.
   void walk(double forward) {
     command(forward);
-    mover_.steered({forward, 0, 0}, client_.steering_order);
+    mover_.steered({forward, 0, 0}, client_.order(), client_.order());
     toldToWalk();
+  }
+
+  // The robot ends the last order.
+  void end(EndedKind kind, EndedHow how, const std::string& reason = "") {
+    mover_.ended({kind, how, "", reason, client_.order()});
   }
 
   std::vector<Kind> kindsMoving() {
@@ -99,7 +104,7 @@ class WalkCommanderTest : public ::testing::Test {
 
 TEST_F(WalkCommanderTest, SendsAVelocityWithinTheLimits) {
   command(0.3, 0, 0.5);
-  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.15 0.00 0.16"));
+  EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00", "steer 0.15 0.00 0.16"));
   command(0.01, 0.02, -0.1);
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.01 0.04 -0.05"));
 }
@@ -123,37 +128,34 @@ TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
   walk(0.1);
   commander_.runOut();
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
-  mover_.steered({}, client_.steering_order);
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  end(EndedKind::kWalk, EndedHow::kDone);
   EXPECT_EQ(last().how, EndedHow::kStopped);
   EXPECT_EQ(last().reason, "no cmd_vel came for 0.4 s");
   walk(0.1);
   command(0);
-  mover_.ended({EndedKind::kWalk, EndedHow::kDone, "walk", ""});
+  end(EndedKind::kWalk, EndedHow::kDone);
   EXPECT_EQ(last().how, EndedHow::kDone) << "that is over";
 }
 
 TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
   client_.meanwhile = [this] {
     EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
-    mover_.ended({EndedKind::kPosture, EndedHow::kDone, "sit", ""});
+    end(EndedKind::kPosture, EndedHow::kDone);
   };
   const auto response = take("sit");
   EXPECT_TRUE(response.success);
   EXPECT_EQ(response.message, "The robot sits.");
   EXPECT_THAT(toldToWalk(), ElementsAre("sit"));
-  client_.meanwhile = [this] { mover_.ended({EndedKind::kPosture, EndedHow::kDone, "rest", ""}); };
+  client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
   EXPECT_EQ(take("rest").message, "The robot lies down, and its motors are off.");
   EXPECT_THAT(toldToWalk(), ElementsAre("rest"));
   EXPECT_THAT(kindsMoving(), IsEmpty());
-  client_.meanwhile = [this] { mover_.ended({EndedKind::kPosture, EndedHow::kDone, "stand", ""}); };
+  client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
   EXPECT_EQ(take("stand").message, "The robot stands.");
 }
 
 TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
-  client_.meanwhile = [this] {
-    mover_.ended({EndedKind::kPosture, EndedHow::kReplaced, "stand", "left_front_knee was commanded"});
-  };
+  client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kReplaced, "left_front_knee was commanded"); };
   auto response = take("stand");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not stand: left_front_knee was commanded.");
