@@ -538,15 +538,15 @@ void Mover::hold(const Order& by, const std::string& reason) {
 }
 
 void Mover::cancel(MovementId movement, const std::string& reason) {
-  const bool is_walk = change([&] {
+  const bool is_over = change([&] {
     Record* const record = find(movement);
-    if (record == nullptr || !record->steered) {
-      return false;
+    const bool is_walk = record != nullptr && record->steered;
+    if (is_walk) {
+      letGo(record, {EndedHow::kStopped, reason});
     }
-    letGo(record, {EndedHow::kStopped, reason});
-    return true;
+    return is_walk || record == nullptr;
   });
-  if (is_walk) {
+  if (is_over) {
     return;
   }
   const auto hold_joints = [&] {
@@ -671,17 +671,21 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
       // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
       filter_.startApproach();
     }
-    if (Record* const record = ownerOf(end.order)) {
-      const bool is_refused_joint = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
-      const bool was_not_steering = end.kind == EndedKind::kWalk && (end.how != EndedHow::kDone || record->steered);
-      if (was_not_steering) {
-        record->orders = {end.order};  // what was sent since begins no walk for it
-      }
-      leave(record, end.order, is_refused_joint ? EndedHow::kNotReached : end.how, end.reason);
-    }
-    if (end.kind == EndedKind::kWalk && end.how != EndedHow::kDone) {
+    // A velocity of 0 and silence are steering's ends. They overrule nobody.
+    const bool is_walk = end.kind == EndedKind::kWalk;
+    const bool is_steerings = end.how == EndedHow::kDone || end.how == EndedHow::kStopped;
+    if (is_walk && !is_steerings) {
       streams_.overrule(clock_(), end.reason);
     }
+    Record* const record = ownerOf(end.order);
+    if (record == nullptr) {
+      return;
+    }
+    if (is_walk && (!is_steerings || record->steered)) {
+      record->orders = {end.order};  // what was sent since begins no walk for it
+    }
+    const bool is_not_reached = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
+    leave(record, end.order, is_not_reached ? EndedHow::kNotReached : end.how, end.reason);
   });
 }
 

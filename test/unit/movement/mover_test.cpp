@@ -193,6 +193,7 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
      }},
     {"walk fell", [](Robot& robot) { robot.walkEnds(EndedHow::kFell, "it fell"); }},
     {"walk done", [](Robot& robot) { robot.walkEnds(EndedHow::kDone); }},
+    {"walk not steered", [](Robot& robot) { robot.walkEnds(EndedHow::kStopped, "it was not steered for 500 ms"); }},
     {"edge", [](Robot& robot) { robot.walkEnds(EndedHow::kRefused, "an edge"); }},
     {"legs taken", [](Robot& robot) { robot.walkEnds(EndedHow::kReplaced, "a leg"); }},
     {"posture done", [](Robot& robot) { robot.ends(EndedKind::kPosture, EndedHow::kDone); }},
@@ -982,6 +983,16 @@ TEST_F(MoverTest, AStreamThatBeginsWhileStoppedHasToLetGoToo) {
   EXPECT_THAT(told(), IsEmpty());
 }
 
+// A frozen link looks the same.
+TEST_F(MoverTest, ARobotThatWasNotSteeredForAWhileIsNotLetGo) {
+  walk();
+  walkEnds(EndedHow::kStopped, "it was not steered for 500 ms");
+  EXPECT_EQ(lastEnd(), "STOPPED it was not steered for 500 ms");
+  told();
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00", "steer 0.10 0.00 0.00"));
+}
+
 TEST(Walk, GoesOnAfterTheseEvents) {
   const std::vector<std::string> rows[] = {
       {"head command"},
@@ -1141,6 +1152,7 @@ TEST(Goal, IsNotWalkedToAfterTheseEvents) {
       {"LOST the connection to the robot was lost", {"reconnected unnoticed"}},
       {"LOST there is no robot", {"no robot"}},
       {"STOPPED no velocity came to the robot for 0.5 s", {"walk done"}},
+      {"STOPPED it was not steered for 500 ms", {"walk not steered"}},
       {"REFUSED an edge", {"edge"}},
       {"FELL it fell", {"walk fell"}},
       {"REPLACED a leg", {"legs taken"}},
