@@ -15,12 +15,13 @@ class FrameClock {
 
   /// A frame was reported. Frames may be reported in any order.
   void Report(unsigned frame, unsigned now) {
+    Present(now);
     if (!has_frame_) {
+      has_frame_ = true;
       present_ = frame;
     } else if (static_cast<int>(frame - frame_) <= 0) {
       return;
     }
-    has_frame_ = true;
     frame_ = frame;
     reported_ = now;
   }

@@ -44,7 +44,7 @@ void Bench::connect() {
     throw std::runtime_error("the server does not answer");
   }
   request(version2::REQUEST_HELLO, 0, {});
-  request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_WITH_WALK, {0, 1});
+  request(version2::REQUEST_TELEMETRY, version2::TELEMETRY_PLAIN, {0, 1});
   for (unsigned i = 0; i < kPatience; ++i) {
     passFrame();
   }
@@ -59,17 +59,20 @@ void Bench::request(char kind, int id, const std::vector<unsigned char>& payload
 }
 
 void Bench::steer(const Velocity& velocity) {
+  if (!steering_) {  // a walk begins only after zeros
+    order(version2::REQUEST_STEER, 0, version2::SteeringOrder{version2::NEVER_TOO_OLD, {0, 0, 0}});
+  }
   wanted_ = velocity;
   steering_ = true;
 }
 
 void Bench::take(version2::Posture posture) {
   steering_ = false;
-  request(version2::REQUEST_POSTURE, posture, {});
+  order(version2::REQUEST_POSTURE, posture, version2::PostureOrder{version2::NEVER_TOO_OLD});
 }
 
 void Bench::switchMotors(bool on) {
-  request(version2::REQUEST_MOTORS, 0, {static_cast<unsigned char>(on)});
+  order(version2::REQUEST_MOTORS, 0, version2::MotorOrder{version2::NEVER_TOO_OLD, on});
 }
 
 void Bench::passFrame() {
@@ -77,9 +80,7 @@ void Bench::passFrame() {
     request(version2::REQUEST_HELLO, 0, {});
   }
   if (steering_ && clock_.frame() % kFramesBetweenSteering == 0) {
-    std::vector<unsigned char> payload(version2::encodedSize(wanted_));
-    encode(wanted_, payload.data());
-    request(version2::REQUEST_STEER, 0, payload);
+    order(version2::REQUEST_STEER, 0, version2::SteeringOrder{version2::NEVER_TOO_OLD, wanted_});
   }
   clock_.step();
   machine_->runPending();

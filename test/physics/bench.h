@@ -70,6 +70,12 @@ class Bench {
 
  private:
   void request(char kind, int id, const std::vector<unsigned char>& payload);
+  template <typename Payload>
+  void order(char kind, int id, const Payload& content) {
+    std::vector<unsigned char> payload(protocol::version2::encodedSize(content));
+    encode(content, payload.data());
+    request(kind, id, payload);
+  }
   void connect();
   void listen();
   void hear(const test_support::Frame& frame);

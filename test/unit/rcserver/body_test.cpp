@@ -335,16 +335,16 @@ TEST_F(BodyVersion2Test, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {
   } cases[] = {{robot_.refuses_power, "there is no power for the motors"},
                {robot_.joint("mouth").is_mute, "mouth does not report its position, so the motors stay off"}};
   for (const auto& [fault, words] : cases) {
-    answerTo('O', 0, off_);
+    answerTo('O', 0, order(off_));
     fault = true;
-    expectRefusal(answerTo('O', 0, on_), CODE_REFUSED, "cannot switch its motors on");
-    expectRefusal(answerTo('E', POSTURE_STAND), CODE_REFUSED, "cannot switch its motors on");
+    expectRefusal(answerTo('O', 0, order(on_)), CODE_REFUSED, "cannot switch its motors on");
+    expectRefusal(answerTo('E', POSTURE_STAND, order()), CODE_REFUSED, "cannot switch its motors on");
     EXPECT_THAT(console_.str(), HasSubstr(words));
     passFrames(kUntilMeasured);
     EXPECT_EQ(textOf(answerTo('O', 0)), off_) << words;
     EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false))) << words;
     fault = false;
-    EXPECT_EQ(textOf(answerTo('O', 0, on_)), on_) << words;
+    EXPECT_EQ(textOf(answerTo('O', 0, order(on_))), on_) << words;
     passFrames(kUntilMeasured);
     EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true))) << words;
   }

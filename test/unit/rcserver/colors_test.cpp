@@ -215,11 +215,11 @@ TEST_F(ColorsTest, ACameraWithoutThePlaneIsReportedOnce) {
   robot_.color_plane.clear();
   switchOn();
   takeImage();
-  std::optional<Frame> report = client_->nextFrame();
+  std::optional<Frame> report = frameThatIsHere();
   ASSERT_TRUE(report);
   expectRefusal(*report, CODE_NOT_SUPPORTED, "no plane");
   takeImage();
-  EXPECT_FALSE(client_->nextFrame());
+  EXPECT_FALSE(frameThatIsHere());
 }
 
 }  // namespace

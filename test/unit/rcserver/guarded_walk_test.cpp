@@ -34,12 +34,13 @@ class GuardedWalkTest : public RCServerFixture {
     client_ = connect();
     client_->send(request('X', 2));
     ASSERT_TRUE(machine_->runUntil([this] { return !client_->take(protocol::VALUE_REPLY_SIZE).empty(); }));
-    client_->send(frame('T', TELEMETRY_WITH_WALK, 1, {0, 4}));
+    client_->send(frame('T', TELEMETRY_PLAIN, 1, {0, 4}));
     falls_ = 0;
     longest_push_ = walked_ = pushed_ = 0;
     last_ = robot_->pose();
-    take('E', POSTURE_STAND);
+    client_->send(frame('E', POSTURE_STAND, 2, order()));
     pass(4);
+    letGo();
   }
 
   void TearDown() override {
@@ -47,11 +48,9 @@ class GuardedWalkTest : public RCServerFixture {
     robot_.reset();
   }
 
-  void take(char kind, int id) { client_->send(frame(kind, id, 2)); }
-
   void steer(const Velocity& velocity, double seconds, int options = STEER_GUARDED) {
     for (double passed = 0; passed < seconds; passed += kFramesBetweenSteering * 0.008) {
-      client_->send(frame('S', options, 3, payloadOf(velocity)));
+      client_->send(frame('S', options, 3, payloadOf(SteeringOrder{NEVER_TOO_OLD, velocity})));
       pass(kFramesBetweenSteering * 0.008);
     }
   }
@@ -61,7 +60,7 @@ class GuardedWalkTest : public RCServerFixture {
   void pass(double seconds) {
     for (double passed = 0; passed < seconds - 1e-9; passed += 0.008) {
       if (frames_++ % 100 == 0) {
-        take('H', 0);
+        client_->send(frame('H', 0, 2));
       }
       passFrames(1);
       listen();

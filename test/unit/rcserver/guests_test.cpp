@@ -11,7 +11,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-constexpr unsigned kOutage = 75;  // frames: 0.6 s
+constexpr unsigned kSign = 38;  // frames: 0.3 s
 
 class GuestsTest : public Version2Fixture {
  protected:
@@ -30,6 +30,12 @@ class GuestsTest : public Version2Fixture {
     return isTurnedAway(client);
   }
 
+  // The client is asked for a sign.
+  bool isAsked() {
+    const std::optional<Frame> next = frameThatIsHere();
+    return next && next->header.kind == 'h' && next->header.request_number == 0 && next->payload.empty();
+  }
+
   bool isAgreedToVersion2(TestClient& client) {
     const std::vector<uint8_t> reply = client.take(protocol::VALUE_REPLY_SIZE);
     return reply.size() == protocol::VALUE_REPLY_SIZE &&
@@ -37,35 +43,49 @@ class GuestsTest : public Version2Fixture {
   }
 };
 
-TEST_F(GuestsTest, TakeThePlaceOfAClientAtTheirAddressThatHasBeenSilentFor600Milliseconds) {
+TEST_F(GuestsTest, TakeThePlaceOfAClientAtTheirAddressThatGivesNoSignFor300Milliseconds) {
   answerTo('W', 85, kStreamOn);
-  passFrames(kOutage);
   auto back = comeWith(request('X', 2));
+  EXPECT_TRUE(isAsked());
+  passFrames(kSign - 2);
+  EXPECT_FALSE(client_->ended());
+  passFrames(6);
+  EXPECT_FALSE(isAsked()) << "it is asked once";
   EXPECT_TRUE(client_->wasReset()) << "the old connection: nobody would answer an orderly close";
   EXPECT_TRUE(isAgreedToVersion2(*back));
   takeImage();
-  EXPECT_FALSE(back->nextFrame()) << "the stream was the old connection's";
   client_ = std::move(back);
+  EXPECT_FALSE(frameThatIsHere()) << "the stream was the old connection's";
   EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
   EXPECT_THAT(console_.str(), HasSubstr("it has come back over a new connection"));
 }
 
-TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesWhileTheClientIsThere) {
-  passFrames(kOutage - 12);
-  for (const std::string& bytes : {std::string(), request('X', 2), std::string("F\x55"), std::string(1, 'X')}) {
+TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesAfterASignOfTheClient) {
+  passFrames(500);  // of silence
+  for (const std::string& bytes : {request('X', 2), std::string("F\x55")}) {
     auto other = comeWith(bytes);
-    EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other)) << bytes;
+    EXPECT_TRUE(isAsked());
+    passFrames(kSign - 8);
+    EXPECT_FALSE(other->ended());
     EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the client is served on";
+    EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other)) << bytes;
   }
+}
+
+TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesWhileAClientOfVersion1IsThere) {
+  disconnect();
+  client_ = connectServed();
+  auto other = comeWith(request('X', 2));
+  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
 }
 
 TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
   machine_.reset();
   startWith("ALLOWED_ADDRESSES=any\n");
   connectVersion2();
-  passFrames(kOutage);
   auto other = comeWith(request('X', 2), "127.0.0.2");
   EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
+  EXPECT_FALSE(isAsked());
   passFrames(625);
   auto next = comeWith(request('X', 2), "127.0.0.2");
   EXPECT_TRUE(isAgreedToVersion2(*next));
@@ -73,7 +93,6 @@ TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
 
 // A web page's connection would end the one of a client in an outage.
 TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
-  passFrames(kOutage);
   for (const std::string& bytes : {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("POST / HTTP/1.1\r\n\r\nX\2"),
                                    std::string("\0\x80\0\1", 4), std::string("QUERY /"), std::string("\x16\3\1")}) {
     auto stranger = comeWith(bytes);
@@ -81,11 +100,11 @@ TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
   }
   auto incomplete = comeWith("X");
   passFrames(50);
+  EXPECT_FALSE(isAsked());
   EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the client is served on";
 }
 
 TEST_F(GuestsTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
-  passFrames(kOutage);
   auto silent = comeWith("");
   passFrames(50);
   EXPECT_FALSE(silent->ended());

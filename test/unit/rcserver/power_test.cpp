@@ -56,7 +56,7 @@ class PowerTest : public FakeRobotFixture {
   }
 
   void playSitForEver() {
-    const std::string payload = std::string("\xff\xff", 2) + "SIT.MTN";
+    const std::string payload = playPayload("SIT.MTN", 0xffff);
     EXPECT_EQ(answerTo('P', 0, payload).header.kind, 'p');
     passFrames(100);
   }
@@ -133,7 +133,7 @@ TEST_F(PowerTest, AnUploadInProgressIsFinishedAndAnsweredWhileTheMotorsAreOff) {
   file_keeper_.finish();
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
-  const std::optional<Frame> stored = client_->nextFrame();
+  const std::optional<Frame> stored = frameThatIsHere();
   ASSERT_TRUE(stored);
   EXPECT_EQ(stored->header.kind, 'u');
   EXPECT_TRUE(endsFor(*client_));
@@ -236,7 +236,7 @@ TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT"));
   connectVersion2();
-  EXPECT_EQ(answerTo('O', 0, "\1").header.kind, 'o');
+  EXPECT_EQ(answerTo('O', 0, order("\1")).header.kind, 'o');
   passFrames(kUntilMeasured);
   EXPECT_TRUE(robot_.powered);
   EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));

@@ -18,6 +18,7 @@
 #include "objects/HostSettings.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
+#include "protocol/walk_requests.h"
 #include "rcserver/settings/Settings.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
@@ -83,9 +84,16 @@ std::string payloadOf(const Payload& payload) {
   return bytes;
 }
 
+/// The payload of an order of version 2.
+/// @param payload what follows not_after
+inline std::string order(const std::string& payload = {}, unsigned not_after = protocol::version2::NEVER_TOO_OLD) {
+  return payloadOf(protocol::version2::PostureOrder{not_after}) + payload;
+}
+
 /// The payload of `P` in version 2.
-inline std::string playPayload(const std::string& name, int repetitions) {
-  return std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name;
+inline std::string playPayload(const std::string& name, int repetitions,
+                               unsigned not_after = protocol::version2::NEVER_TOO_OLD) {
+  return order(std::string{static_cast<char>(repetitions >> 8), static_cast<char>(repetitions)} + name, not_after);
 }
 
 /// The payload of `U` in version 2.
@@ -380,12 +388,6 @@ class FakeRobotFixture : public RCServerFixture {
     }
     ADD_FAILURE() << "no answer to " << kind;
     return {};
-  }
-
-  /// A client of version 2 that was silent says something, so that what it sends next cannot have waited.
-  void live() {
-    FakeRobotFixture::answerTo('H', 0);
-    passFrames(13);
   }
 
   void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {

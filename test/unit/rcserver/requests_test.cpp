@@ -19,7 +19,6 @@ namespace {
 
 using namespace protocol::version2;
 using ::testing::HasSubstr;
-using Velocity = protocol::version2::Velocity;
 
 constexpr char kEverything[] =
     "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\nALLOW_MICROPHONE=yes\nALLOW_SHUT_DOWN=yes\n"
@@ -64,22 +63,22 @@ struct AnsweredRequest {
 // H, F, M, Q and R, whose replies depend on more, are below and in other files.
 const AnsweredRequest kAnswered[] = {
     {'W', 255, payloadOf(StreamSettings{true, LAYER_MIDDLE, 3}), 85, payloadOf(StreamSettings{true, LAYER_MIDDLE, 3})},
-    {'J', 0, targetsOf(2, 500000), 0, targetsOf(2, 500000)},
-    {'J', 0, targetsOf(2, 2000000000), 0, targetsOf(2, 1535890)},
+    {'J', 0, order(targetsOf(2, 500000)), 0, targetsOf(2, 500000)},
+    {'J', 0, order(targetsOf(2, 2000000000)), 0, targetsOf(2, 1535890)},
     {'V', 0, payloadOf(SpeedLimits{1, {{1, 2000000000}}}), 0, payloadOf(SpeedLimits{1, {{1, 3185226}}})},
-    {'T', 3, literal("\0\5"), 3, literal("\0\10")},
+    {'T', TELEMETRY_WITH_DUTY, literal("\0\5"), TELEMETRY_WITH_DUTY, literal("\0\10")},
     {'T', 4, literal("\0\4"), 0, literal("\0\4")},  // a bit of the future
     {'T', 0, literal("\0\0"), 0, literal("\0\0")},
     {'T', 0, literal("\0\1"), 0, literal("\0\4")},
     {'T', 0, literal("\377\377"), 0, literal("\377\374")},
     {'O', 0, "", 0, "\1"},
-    {'O', 0, "\1", 0, "\1"},
-    {'O', 0, literal("\0"), 0, literal("\0")},
+    {'O', 0, order("\1"), 0, "\1"},
+    {'O', 0, order(literal("\0")), 0, literal("\0")},
     {'I', HOLD_EVERYTHING, "", 0, ""},
     {'I', HOLD_JOINTS, "\1\2", HOLD_JOINTS, ""},
-    {'S', 0, payloadOf(Velocity{0.05, -0.005, 0.1}), 0, payloadOf(Velocity{0.05, -0.005, 0.1})},
-    {'S', STEER_GUARDED, payloadOf(Velocity{0, 0, 0}), STEER_GUARDED, payloadOf(Velocity{0, 0, 0})},
-    {'E', POSTURE_SIT, "", POSTURE_SIT, ""},
+    {'S', 0, order(payloadOf(Steered{{0, 0, 0}, 0})), 0, payloadOf(Steered{{0, 0, 0}, 0})},
+    {'S', STEER_GUARDED, order(payloadOf(Steered{{0, 0, 0}, 0})), STEER_GUARDED, payloadOf(Steered{{0, 0, 0}, 0})},
+    {'E', POSTURE_SIT, order(), POSTURE_SIT, ""},
     {'L', 0, payloadOf(LedValues{2, {{1, 3, LED_MODE_B}, {7, 77, LED_MODE_B}}}), 0,
      payloadOf(LedValues{2, {{1, 255, LED_MODE_A}, {7, 77, LED_MODE_B}}})},
     {'K', 0, literal("\1\0"), 0, literal("\1\0")},
@@ -119,24 +118,24 @@ const RefusedRequest kRefusals[] = {
     {'W', 85, literal("\1\3\0\1"), CODE_NOT_SUPPORTED, "double"},
     {'W', 85, literal("\0\0\0\0"), CODE_REFUSED, "interval is 0"},
     {'J', 0, "abc", CODE_REFUSED, "bad request"},
-    {'J', 0, targetsOf(2, 500000, 99), CODE_REFUSED, "no joint 99"},
-    {'J', 0, targetsOf(99, 0, 2), CODE_REFUSED, "no joint 99"},
-    {'J', 0, targetsOf(2, 1, 2), CODE_REFUSED, "twice"},
+    {'J', 0, order(targetsOf(2, 500000, 99)), CODE_REFUSED, "no joint 99"},
+    {'J', 0, order(targetsOf(99, 0, 2)), CODE_REFUSED, "no joint 99"},
+    {'J', 0, order(targetsOf(2, 1, 2)), CODE_REFUSED, "twice"},
     {'V', 0, "abc", CODE_REFUSED, "bad request"},
     {'V', 0, limitsOf(99, 1), CODE_REFUSED, "no joint 99"},
     {'V', 0, limitsOf(2, 0), CODE_REFUSED, "above 0"},
     {'V', 0, limitsOf(2, -1), CODE_REFUSED, "above 0"},
     {'T', 0, "abc", CODE_REFUSED, "bad request"},
-    {'O', 0, "\2", CODE_REFUSED, "bad request"},
+    {'O', 0, order("\2"), CODE_REFUSED, "bad request"},
     {'O', 0, "ab", CODE_REFUSED, "bad request"},
     {'I', HOLD_JOINTS, "\2\143", CODE_REFUSED, "no joint 99, so the whole request was refused"},
     {'I', HOLD_JOINTS, "", CODE_REFUSED, "no joint is named"},
     {'I', HOLD_EVERYTHING, "\2", CODE_REFUSED, "bad request: the payload"},
     {'I', 2, "", CODE_REFUSED, "the id is neither 0"},
     {'S', 0, "abc", CODE_REFUSED, "bad request"},
-    {'E', 0, "", CODE_REFUSED, "the id is not one of the postures"},
-    {'E', 4, "", CODE_REFUSED, "the id is not one of the postures"},
-    {'E', POSTURE_SIT, "a", CODE_REFUSED, "bad request"},
+    {'E', 0, order(), CODE_REFUSED, "the id is not one of the postures"},
+    {'E', 4, order(), CODE_REFUSED, "the id is not one of the postures"},
+    {'E', POSTURE_SIT, order("a"), CODE_REFUSED, "bad request"},
     {'L', 0, "abc", CODE_REFUSED, "bad request"},
     {'L', 0, ledsOf(99), CODE_REFUSED, "LED 99"},
     {'L', 0, ledsOf(7), CODE_REFUSED, "twice"},
@@ -259,9 +258,9 @@ TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
 
 TEST_F(Requests, ThatAreCarriedOutAreThoseOfTheHello) {
   EXPECT_THAT(textOf(answerOfNewRobot("", 'H', 0, "")),
-              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E guard\n"));
+              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E\n"));
   EXPECT_THAT(textOf(answerOfNewRobot(kEverything, 'H', 0, "")),
-              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E U D M Y Q R guard\n"));
+              HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E U D M Y Q R\n"));
 }
 
 TEST_F(Requests, OfEveryOtherKindAreNotSupported) {

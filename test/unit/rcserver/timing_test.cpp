@@ -74,7 +74,7 @@ class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface
     path.clear();
     const std::string payload = bytesOf(duration, 2) + std::string("\1\0", 2) + static_cast<char>(kPanJoint) +
                                 std::string(3, '\0') + bytesOf(microradian, 4);
-    send(frame('J', 0, 1000, payload));
+    send(frame('J', 0, 1000, order(payload)));
     int frames = 0;
     while (robot_.joint("head_pan").position != microradian && frames < 1250) {
       passFrames(1);

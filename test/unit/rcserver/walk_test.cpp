@@ -22,7 +22,7 @@ using ::testing::IsEmpty;
 
 std::string steering(int forward, int left = 0, int turn = 0) {
   const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};
-  return payloadOf(velocity);
+  return payloadOf(SteeringOrder{NEVER_TOO_OLD, velocity});
 }
 
 std::string told(const Frame& frame) {
@@ -33,6 +33,14 @@ std::string told(const Frame& frame) {
 
 class WalkTest : public Version2Fixture {
  protected:
+  void SetUp() override {
+    Version2Fixture::SetUp();
+    letGo();
+  }
+
+  // A walk begins only after zeros.
+  void letGo() { answerTo('S', 0, steering(0)); }
+
   // Steers as a client does, and collects what is pushed.
   void steer(int forward, unsigned frames, int left = 0, int turn = 0) {
     for (unsigned passed = 0; passed < frames; passed += 12) {
@@ -112,7 +120,6 @@ TEST_F(WalkTest, HelloHasItsLimits) {
   ASSERT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
   EXPECT_TRUE(hasCapability(hello, "S"));
   EXPECT_TRUE(hasCapability(hello, "E"));
-  EXPECT_TRUE(hasCapability(hello, GUARD_CAPABILITY));
   const GaitParameters gait;
   EXPECT_DOUBLE_EQ(hello.walk.forward, gait.fastest);
   EXPECT_DOUBLE_EQ(hello.walk.back, gait.highest.back);
@@ -121,7 +128,7 @@ TEST_F(WalkTest, HelloHasItsLimits) {
 }
 
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
-  EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK | TELEMETRY_WITH_DUTY, std::string("\0\4", 2)).header.id, 3);
+  EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
   pass(20);
   EXPECT_EQ(walkInTelemetry()[WALK_STATE], WALK_STATE_NONE);
   EXPECT_EQ(walkInTelemetry()[WALK_FORWARD], 0);
@@ -148,24 +155,22 @@ TEST_F(WalkTest, EndsInTheStandWhenTheClientDoesNotSteer) {
 
 TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
   for (const Posture posture : {POSTURE_STAND, POSTURE_SIT}) {
-    answerTo('E', POSTURE_REST);
+    answerTo('E', POSTURE_REST, order());
     pass(6 * kFramesASecond);
     ASSERT_TRUE(isLimp());
-    expectRefusal(answerTo('E', POSTURE_REST), CODE_REFUSED, "the motors are off already");
-    EXPECT_TRUE(answerTo('E', posture).payload.empty());
+    expectRefusal(answerTo('E', POSTURE_REST, order()), CODE_REFUSED, "the motors are off already");
+    EXPECT_TRUE(answerTo('E', posture, order()).payload.empty());
     pass(8 * kFramesASecond);
     EXPECT_FALSE(isLimp());
     EXPECT_EQ(ends_.back(), std::string("3 0 ") + postureName(posture) + ": ");
   }
 }
 
-TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
-  pass(20);
-  EXPECT_THAT(states_, IsEmpty()) << "a client that does not know it";
-  send(frame('O', 0, 1));
+TEST_F(WalkTest, TellsItsMotorsAndItsPostureFromTheFirstMeasurementOn) {
+  reconnect();
   pass(20);
   EXPECT_THAT(states_, ElementsAre("on " + std::to_string(POSTURE_STAND)));
-  send(frame('E', POSTURE_REST, 2));
+  send(frame('E', POSTURE_REST, 2, order()));
   pass(6 * kFramesASecond);
   EXPECT_THAT(states_, Contains("on " + std::to_string(POSTURE_REST)));
   EXPECT_EQ(states_.back(), "off " + std::to_string(POSTURE_REST));
@@ -177,42 +182,8 @@ TEST_F(WalkTest, TellsAClientThatAsksForItsMotorsAboutThemAndItsPosture) {
   EXPECT_EQ(states_.size(), count) << "nothing changes";
 }
 
-// While a process is stopped, or the radio is out, what the client sends waits. Nobody wants it any more afterwards.
-TEST_F(WalkTest, WhatHasWaitedWhileTheServerWasHeldUpDoesNotMoveTheRobot) {
-  JointTargets head = {0, 1, {{2, 300000}}};
-  const std::string pan = payloadOf(head);
-  const std::vector<int> before = positions();
-  client_->send(frame('J', 0, 1, pan) + frame('S', 0, 2, steering(100)) + frame('E', POSTURE_SIT, 3) +
-                frame('P', 0, 4, playPayload("NOD.MTN", 1)) + frame('O', 0, 5, "\1") + frame('H', 0, 6));
-  clock_.step(100);
-  machine_->runPending();
-  for (int number = 1; number <= 5; ++number) {
-    expectRefusal(*nextFrame(), CODE_REFUSED, "too old: the robot's program or the link was held up");
-  }
-  EXPECT_EQ(nextFrame()->header.kind, 'h');
-  passFrames(20);
-  EXPECT_EQ(positions(), before);
-  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j') << "this is new";
-  client_->send(frame('I', 0, 7) + frame('O', 0, 8, std::string(1, '\0')));
-  clock_.step(100);
-  machine_->runPending();
-  EXPECT_EQ(nextFrame()->header.kind, 'i') << "to stop is never too late";
-  EXPECT_EQ(nextFrame()->header.kind, 'o');
-}
-
-TEST_F(WalkTest, WhatComesAfterALongSilenceDoesNotMoveTheRobot) {
-  answerTo('W', 85, kStreamOn);  // what it reads meanwhile does not count
-  passFrames(180);
-  JointTargets head = {0, 1, {{2, 300000}}};
-  const std::string pan = payloadOf(head);
-  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j');
-  passFrames(190);
-  expectRefusal(answerTo('J', 0, pan), CODE_REFUSED, "too old");
-  passFrames(13);
-  EXPECT_EQ(answerTo('J', 0, pan).header.kind, 'j');
-}
-
-TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
+// While a process is stopped, what the client sends waits. Nobody wants it any more afterwards.
+TEST_F(WalkTest, WhatAClientOfVersion1HasSentToAServerThatWasHeldUpDoesNotMoveTheRobot) {
   disconnect();
   client_ = connectServed();
   for (const int joint : {2, 0}) {  // one of them, and all
@@ -227,7 +198,7 @@ TEST_F(WalkTest, NorDoesWhatAClientOfVersion1HasSentToAServerThatWasHeldUp) {
 
 TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   walk();
-  send(frame('E', POSTURE_REST, 1));
+  send(frame('E', POSTURE_REST, 1, order()));
   pass(kFramesASecond);
   EXPECT_FALSE(isLimp());
   pass(4 * kFramesASecond);
@@ -248,7 +219,8 @@ TEST_F(WalkTest, AFallIsSaidAloudAndTheLegsGoSoftAfterASecond) {
   pass(70);
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(errors_, Contains("the robot has fallen: its motors are off, so that its legs are limp"));
-  expectRefusal(answerTo('E', POSTURE_SIT), CODE_REFUSED, "the robot lies on its right side; let it stand up first");
+  expectRefusal(answerTo('E', POSTURE_SIT, order()), CODE_REFUSED,
+                "the robot lies on its right side; let it stand up first");
   pass(20);
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(console_.str(), HasSubstr("RCServer: the robot lies on its right side: its motors go off"));
@@ -268,10 +240,10 @@ TEST_F(WalkTest, AGuardedOneStopsBeforeWhatTheHeadLooksAt) {
     robot_.sensor("range_far") = is_near ? 1500000 : 50000;
     JointTargets targets = {0, 3, {}};
     std::copy(head.begin(), head.end(), targets.joints);
-    live();
-    EXPECT_EQ(answerTo('J', 0, payloadOf(targets)).header.kind, 'j');
+    EXPECT_EQ(answerTo('J', 0, order(payloadOf(targets))).header.kind, 'j');
     pass(2 * kFramesASecond);
     errors_.clear();
+    letGo();
     for (unsigned passed = 0; passed < 4 * kFramesASecond; passed += 12) {
       send(frame('S', STEER_GUARDED, 900, steering(100)));
       pass(12);
@@ -303,13 +275,13 @@ TEST_F(WalkTest, AnErs210CannotWalk) {
   passFrames(kUntilMeasured);
   connectVersion2();
   expectRefusal(answerTo('S', 0, steering(10)), CODE_NOT_SUPPORTED, "not supported");
-  expectRefusal(answerTo('E', POSTURE_SIT), CODE_NOT_SUPPORTED, "not supported");
+  expectRefusal(answerTo('E', POSTURE_SIT, order()), CODE_NOT_SUPPORTED, "not supported");
   Hello hello;
   const Frame answer = answerTo('H', 0);
   ASSERT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
   EXPECT_FALSE(hasCapability(hello, "S") || hasCapability(hello, "E"));
   EXPECT_EQ(textOf(answer).find("walk_limits"), std::string::npos);
-  EXPECT_EQ(answerTo('T', TELEMETRY_WITH_WALK, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
+  EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
   machine_.reset();
 }
 

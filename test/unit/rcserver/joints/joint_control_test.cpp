@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <map>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace {
+
+using protocol::version2::JointTargets;
 
 const robot_model::RobotModel& ers7() {
   return *robot_model::findRobotModel("ERS-7");
@@ -85,6 +90,129 @@ TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
       joints.NextFrame();
     }
     EXPECT_LT(joints.Planner().Position(pan), begin + 20000) << "with the client's limit, it would be 0.15 rad";
+  }
+}
+
+// ------------------------------------------------------------------------------------- commands with a number
+
+constexpr int kOrdered = 1000000;  // microradian; target of the joints of an order
+
+// Two joints in an order, of which the first stays this far from where it is planned to be.
+class OrderedJoints {
+ public:
+  explicit OrderedJoints(int error, unsigned short duration_ms = 0) : error_(error) {
+    JointTargets targets = {duration_ms, 2, {{joints.Identifier(kPan), kOrdered}, {joints.Identifier(kTail), 300000}}};
+    joints.SetTargets(&targets, 7);
+  }
+
+  // Passes frames until an order ends, or for that long. Returns the end, such as "7 0: ".
+  std::string pass(unsigned frames) {
+    for (unsigned end = frame + frames; frame < end;) {
+      joints.NextFrame();
+      if (++frame % 4 == 0) {
+        measure();
+      }
+      const std::string ended = takeEnd();
+      if (!ended.empty()) {
+        return ended;
+      }
+    }
+    return takeEnd();
+  }
+
+  std::string takeEnd() {
+    OrderBook::Ended end = {};
+    return joints.Orders().Take(OrderBook::CLIENT, &end)
+               ? std::to_string(end.number) + " " + std::to_string(end.how) + ": " + end.reason
+               : "";
+  }
+
+  JointControl joints{ers7()};
+  const int kPan = findJointByName(ers7(), "head_pan");
+  const int kTail = findJointByName(ers7(), "tail_pan");
+  unsigned frame = 0;
+
+ private:
+  void measure() {
+    for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+      const int planned = joints.Planner().Position(i);
+      const bool is_far = i == kPan && planned > error_;
+      joints.Measured(i, {is_far ? planned - error_ : planned, planned, 100}, frame, true);
+    }
+    joints.Measured(FallWatch::Reading(), frame);
+  }
+
+  int error_;
+};
+
+TEST(JointOrders, AreDoneOrRefusedByTheDistancesOfTheirJoints) {
+  const std::pair<int, std::string> rows[] = {
+      {0, "7 0: "},
+      {40000, "7 0: "},
+      {50000, "7 0: "},
+      {60000, "7 3: head_pan stays 0.060 rad from its target"},
+      {170000, "7 3: head_pan stays 0.170 rad from its target"},
+      {200000, "7 3: head_pan does not follow"},
+  };
+  for (const auto& [error, end] : rows) {
+    OrderedJoints ordered(error);
+    EXPECT_EQ(ordered.pass(1000), end) << error;
+    EXPECT_EQ(ordered.pass(300), "") << "once";
+  }
+}
+
+TEST(JointOrders, AreJudgedFromTheEndOfTheirPlannedWaysForTwoSeconds) {
+  for (const int error : {0, 60000}) {
+    OrderedJoints ordered(error, 3000);
+    EXPECT_EQ(ordered.pass(375 + 10), "") << "they may be near their targets long before";
+    if (error != 0) {
+      EXPECT_EQ(ordered.pass(240), "");
+    }
+    EXPECT_NE(ordered.pass(24), "");
+  }
+}
+
+TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
+  const auto command = [](OrderedJoints& ordered, int joint) {
+    JointTargets targets = {0, 1, {{ordered.joints.Identifier(joint), -200000}}};
+    ordered.joints.SetTargets(&targets, 8);
+  };
+  const std::tuple<const char*, int, std::function<void(OrderedJoints&)>, std::string> rows[] = {
+      {"a part is taken and the rest arrives", 0, [&](OrderedJoints& all) { command(all, all.kPan); }, "7 0: "},
+      {"a part is taken and the rest fails", 200000, [&](OrderedJoints& all) { command(all, all.kTail); },
+       "7 3: head_pan does not follow"},
+      {"all are taken", 0,
+       [&](OrderedJoints& all) {
+         command(all, all.kPan);
+         command(all, all.kTail);
+       },
+       "7 1: tail_pan was commanded"},
+      {"a part is taken and the rest is held", 0,
+       [&](OrderedJoints& all) {
+         command(all, all.kPan);
+         all.joints.Stop(all.kTail);
+       },
+       "7 2: tail_pan was told to hold"},
+      {"all are held", 0, [](OrderedJoints& all) { all.joints.StopAll(); }, "7 2: everything was told to hold"},
+      {"the motors go off", 0, [](OrderedJoints& all) { all.joints.MotorsGoOff(); },
+       "7 2: the motors were switched off"},
+      {"a joint fails and the rest is held", 200000,
+       [](OrderedJoints& all) {
+         all.joints.Planner().SetSpeedLimit(all.kTail, 50000);
+         all.pass(200);
+         all.joints.StopAll();
+       },
+       "7 3: head_pan does not follow"},
+  };
+  for (const auto& [name, error, event, end] : rows) {
+    OrderedJoints ordered(error);
+    ordered.pass(2);
+    event(ordered);
+    std::string ended = ordered.pass(1000);
+    while (ended.rfind('8', 0) == 0) {
+      ended = ordered.pass(1000);
+    }
+    EXPECT_EQ(ended, end) << name;
   }
 }
 

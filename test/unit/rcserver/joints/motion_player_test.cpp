@@ -84,8 +84,8 @@ class AMotion : public ::testing::Test {
 
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
   MotionPlanner planner_{robot_};
-  EndLog ends_;
-  std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_, ends_);
+  OrderBook orders_;
+  std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_, orders_);
 };
 
 double greatestStep(const std::vector<double>& path) {
@@ -191,8 +191,8 @@ TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
       player_->SetTime(now += kFrame + (frame == 50 ? held_up_ms : 0));
       passFrame();
     }
-    EndLog::End end = {};
-    EXPECT_TRUE(ends_.Take(EndLog::CLIENT, &end));
+    OrderBook::Ended end = {};
+    EXPECT_TRUE(orders_.Take(OrderBook::CLIENT, &end));
     EXPECT_EQ(end.how, END_DONE);
     return std::string(end.reason);
   };
@@ -285,7 +285,7 @@ class StoppedMotion : public AMotion {
   // The ends that have not been taken.
   std::vector<std::string> ends() {
     std::vector<std::string> all;
-    for (EndLog::End taken; ends_.Take(EndLog::CLIENT, &taken);) {
+    for (OrderBook::Ended taken; orders_.Take(OrderBook::CLIENT, &taken);) {
       all.push_back(std::string(taken.name) + " " + std::to_string(taken.how) + " " + taken.reason);
     }
     return all;

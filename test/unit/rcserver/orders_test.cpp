@@ -1,0 +1,431 @@
+// Orders of version 2: each ends once, with its number and before the reply that caused its end, and none is carried
+// out that is too old. A walk begins only after zeros.
+#include <gmock/gmock.h>
+
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "motion_bytes.h"
+#include "rcserver/FrameClock.h"
+#include "rcserver_fixture.h"
+
+namespace {
+
+using namespace protocol::version2;
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr int kHeadPanId = 2;
+constexpr int kKneeId = 13;  // left_front_knee
+
+std::string target(int joint, int position = 300000) {
+  return payloadOf(JointTargets{0, 1, {{static_cast<unsigned char>(joint), position}}});
+}
+
+std::string velocity(int forward) {
+  return payloadOf(Steered{{forward * 1e-3, 0, 0}, 0});
+}
+
+// A request without its number.
+struct Asked {
+  char kind;
+  int id;
+  std::string payload;
+};
+
+const Asked kMovePan = {'J', 0, order(target(kHeadPanId))};
+const Asked kMoveKnee = {'J', 0, order(target(kKneeId, 500000))};
+const Asked kHoldAll = {'I', HOLD_EVERYTHING, ""};
+const Asked kHoldKnee = {'I', HOLD_JOINTS, {1, kKneeId}};
+const Asked kHoldPan = {'I', HOLD_JOINTS, {1, kHeadPanId}};
+const Asked kOff = {'O', 0, order(std::string(1, '\0'))};
+const Asked kOn = {'O', 0, order("\1")};
+const Asked kPlayHead = {'P', 0, playPayload("HEAD.MTN", 100)};
+const Asked kPlayLegs = {'P', 0, playPayload("LEGS.MTN", 100)};
+const Asked kStopMotions = {'P', 0, playPayload("", 0)};
+const Asked kStopHead = {'P', 0, playPayload("HEAD.MTN", 0)};
+const Asked kSit = {'E', POSTURE_SIT, order()};
+const Asked kRest = {'E', POSTURE_REST, order()};
+const Asked kWalk = {'S', 0, order(velocity(100))};
+const Asked kLetGo = {'S', 0, order(velocity(0))};
+
+class OrdersTest : public Version2Fixture {
+ protected:
+  void SetUp() override {
+    stick_.write("OPEN-R/MW/DATA/P/HEAD.MTN", motionBytes("at 0 head_pan 0\nat 1600 head_pan 20\n"));
+    stick_.write("OPEN-R/MW/DATA/P/LEGS.MTN", motionBytes("at 0 left_front_knee 60\nat 1600 left_front_knee 80\n"));
+    Version2Fixture::SetUp();
+  }
+
+  void ask(int number, const Asked& asked) { send(frame(asked.kind, asked.id, number, asked.payload)); }
+
+  // What has come: a reply as "s3", a refusal as "e3 5 too old...", an end as "i3 0".
+  std::vector<std::string> heard() {
+    std::vector<std::string> all;
+    for (const Frame& next : arrived()) {
+      const std::string payload = textOf(next);
+      if (next.header.kind == 'i' && next.header.request_number == 0) {
+        const int number = next.payload.at(2) * 256 + next.payload.at(3);
+        all.push_back("i" + std::to_string(number) + " " + std::to_string(payload.at(1)));
+      } else {
+        all.push_back(next.header.kind + std::to_string(next.header.request_number));
+        all.back() += next.header.kind == 'e' && !payload.empty()
+                          ? " " + std::to_string(payload.at(1)) + " " + payload.substr(2)
+                          : "";
+      }
+    }
+    return all;
+  }
+
+  // Asks, and waits until the file that is needed has been read.
+  std::vector<std::string> answersTo(int number, const Asked& asked) {
+    ask(number, asked);
+    std::vector<std::string> all = heard();
+    for (int i = 0; i < 3 && asked.kind == 'P'; ++i) {
+      passFrames(4);
+      for (const std::string& next : heard()) {
+        all.push_back(next);
+      }
+    }
+    return all;
+  }
+
+  // The walk's number in the reply to S.
+  int walkAfter(int number, const Asked& asked) {
+    ask(number, asked);
+    for (const Frame& next : arrived()) {
+      Steered steered = {};
+      if (next.header.kind == 's' && decode(next.payload.data(), next.payload.size(), &steered) == nullptr) {
+        return steered.walk;
+      }
+    }
+    return -1;
+  }
+
+  // Steers for a number of frames, so that no walk ends for want of steering.
+  void steer(int number, unsigned frames) {
+    for (unsigned passed = 0; passed < frames; passed += 12) {
+      ask(number, kWalk);
+      passFrames(12);
+    }
+  }
+
+  void beginWalk(int number) {
+    ask(900, kLetGo);
+    ask(number, kWalk);
+    steer(901, 500);
+    heard();
+  }
+};
+
+TEST_F(OrdersTest, EndOnceWithTheirNumbersBeforeTheReplyThatCausesIt) {
+  const struct {
+    Asked order;
+    Asked then;
+    std::vector<std::string> answers;
+  } rows[] = {
+      {kMovePan, kMovePan, {"i1 1", "j2"}},
+      {kMovePan, kHoldPan, {"i1 2", "i2"}},
+      {kMovePan, kHoldAll, {"i1 2", "i2"}},
+      {kMovePan, kOff, {"i1 2", "o2"}},
+      {kMovePan, kPlayHead, {"i1 1", "p2"}},
+      {kMoveKnee, kSit, {"i1 1", "e2"}},
+      {kMoveKnee, kRest, {"i1 1", "e2"}},
+      {kPlayHead, kMovePan, {"i1 1", "j2"}},
+      {kPlayHead, kHoldPan, {"i1 2", "i2"}},
+      {kPlayHead, kHoldAll, {"i1 2", "i2"}},
+      {kPlayHead, kStopMotions, {"i1 2", "p2"}},
+      {kPlayHead, kStopHead, {"i1 2", "p2"}},
+      {kPlayHead, kOff, {"i1 2", "o2"}},
+      {kPlayHead, kRest, {"i1 1", "e2"}},
+      {kPlayLegs, kSit, {"i1 1", "e2"}},
+      {kSit, kMoveKnee, {"i1 1", "j2"}},
+      {kSit, kHoldKnee, {"i1 2", "i2"}},
+      {kSit, kHoldAll, {"i1 2", "i2"}},
+      {kSit, kRest, {"i1 1", "e2"}},
+      {kSit, kPlayLegs, {"i1 1", "p2"}},
+      {kSit, kOff, {"i1 2", "o2"}},
+      {kWalk, kMoveKnee, {"i1 1", "j2"}},
+      {kWalk, kHoldKnee, {"i1 2", "i2"}},
+      {kWalk, kHoldAll, {"i1 2", "i2"}},
+      {kWalk, kPlayLegs, {"i1 1", "p2"}},
+      {kWalk, kSit, {"i1 1", "e2"}},
+      {kWalk, kOff, {"i1 2", "o2"}},
+  };
+  for (const auto& row : rows) {
+    SCOPED_TRACE(std::to_string(&row - rows) + ": " + row.order.kind + " then " + row.then.kind);
+    answersTo(100, kOn);
+    answersTo(101, kLetGo);
+    passFrames(20);
+    EXPECT_THAT(answersTo(1, row.order), ElementsAre(std::string(1, replyKind(row.order.kind)) + "1"));
+    passFrames(4);
+    EXPECT_EQ(answersTo(2, row.then), row.answers);
+    passFrames(4);
+    EXPECT_THAT(heard(), Not(Contains(StartsWith("i1 "))));
+    answersTo(102, kHoldAll);
+    passFrames(100);
+    heard();
+  }
+}
+
+TEST_F(OrdersTest, AreDoneWithTheirNumbers) {
+  EXPECT_THAT(answersTo(1, kMovePan), ElementsAre("j1"));
+  passFrames(200);
+  EXPECT_THAT(heard(), ElementsAre("i1 0"));
+  EXPECT_THAT(answersTo(2, {'P', 0, playPayload("HEAD.MTN", 1)}), ElementsAre("p2"));
+  passFrames(300);
+  EXPECT_THAT(heard(), ElementsAre("i2 0"));
+  EXPECT_THAT(answersTo(3, kSit), ElementsAre("e3"));
+  passFrames(500);
+  EXPECT_THAT(heard(), ElementsAre("i3 0"));
+  beginWalk(4);
+  ask(5, kLetGo);
+  EXPECT_THAT(heard(), ElementsAre("s5"));
+  passFrames(250);
+  EXPECT_THAT(heard(), ElementsAre("i4 0")) << "when it stands";
+  EXPECT_THAT(answersTo(6, {'J', 0, order(payloadOf(JointTargets{0, 0, {}}))}), ElementsAre("i6 0", "j6"));
+}
+
+TEST_F(OrdersTest, ThatAreRefusedEndByTheErrorAlone) {
+  answersTo(1, kOff);
+  for (const Asked& asked : {kMovePan, kPlayHead, kWalk, kRest}) {
+    EXPECT_THAT(answersTo(2, asked), ElementsAre(StartsWith("e2 0 the motors are off")));
+    passFrames(20);
+    EXPECT_THAT(heard(), IsEmpty());
+  }
+}
+
+TEST_F(OrdersTest, OfAClientThatHasGoneAreNotToldButForARestThatGoesOn) {
+  answersTo(7, kPlayHead);
+  answersTo(8, kRest);
+  passFrames(20);
+  reconnect();
+  passFrames(1000);
+  EXPECT_THAT(heard(), ElementsAre("i0 0"));
+}
+
+// Each joint in an order of its own, two motions and a walk end at once, and the client does not read.
+TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
+  connectBehindAPicture();
+  std::string requests;
+  int number = 0;
+  for (const char* const name : {"head_pan", "tail_pan", "left_front_knee", "tail_tilt"}) {
+    const std::string file = std::string("M") + std::to_string(number) + ".MTN";
+    stick_.write("OPEN-R/MW/DATA/P/" + file, motionBytes(std::string("at 0 ") + name + " 0\nat 800 " + name + " 10\n"));
+    send(frame('P', 0, ++number, playPayload(file, 1000)));
+    passFrames(8);
+  }
+  std::vector<std::string> expected = {"i1 2", "i2 2", "i3 2", "i4 2"};
+  for (int i = 0; i < robot_.model.number_of_joints; ++i) {
+    const std::string name = robot_.model.joints[i].name;
+    if (name != "head_pan" && name != "tail_pan" && name != "left_front_knee" && name != "tail_tilt") {
+      requests += frame('J', 0, ++number, order(target(robot_.model.joints[i].identifier, -400000)));
+      expected.push_back("i" + std::to_string(number) + " 2");
+    }
+  }
+  send(requests + frame('I', HOLD_EVERYTHING, 100));
+  passFrames(12);
+  std::vector<std::string> ends;
+  for (std::optional<Frame> next = nextFrame(); next && next->header.request_number != 100; next = nextFrame()) {
+    if (next->header.kind == 'i') {
+      ends.push_back("i" + std::to_string(next->payload.at(3)) + " " + std::to_string(next->payload.at(1)));
+    }
+  }
+  EXPECT_THAT(ends, ::testing::UnorderedElementsAreArray(expected));
+  passFrames(300);
+  EXPECT_THAT(heard(), IsEmpty()) << "each once";
+}
+
+// ------------------------------------------------------------------------------------------------------------ walks
+
+TEST_F(OrdersTest, TheReplyToEachSteeringSaysWhichWalkGoesOn) {
+  EXPECT_EQ(walkAfter(1, kLetGo), 0) << "zeros without a walk";
+  EXPECT_EQ(walkAfter(2, kWalk), 2);
+  EXPECT_EQ(walkAfter(3, kWalk), 2) << "it gets ready";
+  steer(4, 500);
+  heard();
+  EXPECT_EQ(walkAfter(5, kWalk), 2) << "it walks";
+  EXPECT_EQ(walkAfter(6, kLetGo), 2) << "it walks to the stand";
+  passFrames(250);
+  EXPECT_THAT(heard(), ElementsAre("i2 0"));
+  EXPECT_EQ(walkAfter(7, kLetGo), 0);
+}
+
+TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnotherWithoutABreak) {
+  const struct {
+    std::string name;
+    std::function<void()> event;
+    std::vector<std::string> end;  ///< before the reply
+    bool must_let_go;
+  } rows[] = {
+      {"zeros", [this] { ask(10, kLetGo); }, {"i1 0"}, false},
+      {"500 ms", [this] { passFrames(66); }, {"i1 2"}, false},
+      {"posture", [this] { ask(10, kSit); }, {"i10 1"}, true},
+  };
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.name);
+    beginWalk(1);
+    row.event();
+    std::vector<std::string> before = heard();
+    if (row.must_let_go) {
+      EXPECT_THAT(before, ElementsAre("i1 1", "e10"));
+      EXPECT_THAT(answersTo(11, kWalk), ElementsAre(HasSubstr("let go first")));
+      EXPECT_EQ(walkAfter(12, kLetGo), 0) << "the way to the stand belongs to the posture";
+    }
+    ask(20, kWalk);
+    std::vector<std::string> expected = row.end;
+    expected.push_back("s20");
+    EXPECT_EQ(heard(), expected);
+    EXPECT_EQ(walkAfter(21, kWalk), 20);
+    EXPECT_EQ(robot_.joint("left_front_knee").gain, true);
+    ask(22, kLetGo);
+    passFrames(250);
+    EXPECT_THAT(heard(), ElementsAre("s22", "i20 0"));
+  }
+}
+
+TEST_F(OrdersTest, ZerosDoNotEndAPostureThatWaitsForAWalk) {
+  beginWalk(1);
+  ask(2, kSit);
+  EXPECT_THAT(heard(), ElementsAre("i1 1", "e2")) << "at once, although the legs first walk to the stand";
+  ask(3, kLetGo);
+  passFrames(800);
+  EXPECT_THAT(heard(), ElementsAre("s3", "i2 0"));
+}
+
+TEST_F(OrdersTest, AFallEndsAWalkAndSteeringIsRefusedAfterwards) {
+  beginWalk(1);
+  robot_.layOnSide();
+  steer(900, 84);
+  EXPECT_THAT(heard(), Contains("i1 4"));
+  EXPECT_THAT(answersTo(2, kWalk), ElementsAre(HasSubstr("lies on its right side")));
+  EXPECT_EQ(walkAfter(3, kLetGo), 0);
+}
+
+TEST_F(OrdersTest, DemandLettingGoIfTheyTakeOrHoldALeg) {
+  const std::tuple<const char*, std::vector<Asked>, bool> rows[] = {
+      {"nothing", {}, false},
+      {"J of the head", {kMovePan}, false},
+      {"I of the head", {kHoldPan}, false},
+      {"P of the head", {kPlayHead}, false},
+      {"J of a leg", {kMoveKnee}, true},
+      {"I of a leg", {kHoldKnee}, true},
+      {"I of all", {kHoldAll}, true},
+      {"P of a leg", {kPlayLegs}, true},
+      {"E", {kSit}, true},
+      {"O 0", {kOff, kOn}, true},
+      {"O 0 again", {kOff, kLetGo, kOff, kOn}, true},
+      {"S that is refused", {kOff, kLetGo, kWalk, kOn}, true},
+      {"S that is too old", {{'S', 0, order(velocity(100), 1)}}, false},
+  };
+  for (const auto& [name, orders, demands] : rows) {
+    SCOPED_TRACE(name);
+    answersTo(1, kLetGo);
+    for (const Asked& asked : orders) {
+      answersTo(2, asked);
+    }
+    passFrames(400);  // silence is no letting go
+    heard();
+    EXPECT_THAT(answersTo(3, kWalk), Contains(demands ? HasSubstr("let go first") : HasSubstr("s3")));
+    answersTo(4, kLetGo);
+    EXPECT_THAT(answersTo(5, kWalk), Contains("s5"));
+    answersTo(6, kHoldAll);
+    passFrames(20);
+    heard();
+  }
+  reconnect();
+  EXPECT_THAT(answersTo(1, kWalk), ElementsAre(HasSubstr("the connection is new; let go first")));
+}
+
+// ---------------------------------------------------------------------------------------------------------- too old
+
+TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
+  struct Row {
+    unsigned reported;
+    unsigned milliseconds;
+    unsigned present;
+  };
+  const std::pair<const char*, std::vector<Row>> cases[] = {
+      {"frames in time", {{100, 1000, 100}, {104, 1032, 104}}},
+      {"frames that stand still", {{100, 1000, 100}, {100, 2000, 225}, {100, 3000, 350}}},
+      {"frames that are reported late", {{100, 1000, 100}, {104, 3000, 350}, {350, 3001, 350}, {354, 3032, 354}}},
+      {"slower frames", {{100, 1000, 100}, {103, 1032, 104}, {107, 1064, 107}}},
+      {"a frame that is reported after a later one", {{104, 1000, 104}, {100, 1008, 105}}},
+      {"overflow", {{0xfffffffe, 0xfffffff0u, 0xfffffffe}, {2, 16, 2}, {2, 32, 4}}},
+  };
+  for (const auto& [name, rows] : cases) {
+    FrameClock clock;
+    EXPECT_EQ(clock.Present(500), 0u) << "no frame is known";
+    for (const Row& row : rows) {
+      clock.Report(row.reported, row.milliseconds);
+      EXPECT_EQ(clock.Present(row.milliseconds), row.present) << name << ", " << row.milliseconds;
+    }
+  }
+}
+
+TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
+  const std::string on_pan = target(kHeadPanId);
+  const std::tuple<char, int, std::string> kinds[] = {{'J', 0, on_pan},
+                                                      {'S', 0, velocity(100)},
+                                                      {'E', POSTURE_SIT, ""},
+                                                      {'P', 0, std::string("\0\1HEAD.MTN", 10)},
+                                                      {'O', 0, "\1"}};
+  for (const auto& [kind, id, payload] : kinds) {
+    answersTo(1, kLetGo);
+    EXPECT_THAT(answersTo(2, {kind, id, order(payload, clock_.frame() - 8)}), ElementsAre(StartsWith("e2 5 too old")))
+        << kind;
+    EXPECT_THAT(answersTo(3, {kind, id, order(payload, clock_.frame() + 8)}),
+                Contains(std::string(1, replyKind(kind)) + "3"));
+    answersTo(4, kHoldAll);
+  }
+  const std::string old(4, '\0');
+  EXPECT_THAT(answersTo(5, {'S', 0, old + velocity(0)}), ElementsAre("s5"));
+  EXPECT_THAT(answersTo(6, {'P', 0, old + std::string(2, '\0')}), ElementsAre("p6"));
+  EXPECT_THAT(answersTo(7, {'O', 0, old + std::string(1, '\0')}), ElementsAre("o7"));
+}
+
+// While a process is stopped, what the client sends waits. Nobody wants it any more afterwards.
+TEST_F(OrdersTest, ThatHaveWaitedWhileTheServerWasHeldUpAreTooOld) {
+  answersTo(1, kLetGo);
+  const std::vector<int> before = positions();
+  const unsigned soon = clock_.frame() + 25;
+  client_->send(frame('J', 0, 1, order(target(kHeadPanId), soon)) + frame('S', 0, 2, order(velocity(100), soon)) +
+                frame('E', POSTURE_SIT, 3, order("", soon)) + frame('P', 0, 4, playPayload("HEAD.MTN", 1, soon)) +
+                frame('O', 0, 5, order("\1", soon)) + frame('I', HOLD_EVERYTHING, 6));
+  clock_.step(100);
+  machine_->runPending();
+  const std::vector<std::string> all = heard();
+  ASSERT_EQ(all.size(), 6u);
+  for (int number = 1; number <= 5; ++number) {
+    EXPECT_THAT(all[static_cast<size_t>(number - 1)], StartsWith("e" + std::to_string(number) + " 5 too old"));
+  }
+  EXPECT_EQ(all[5], "i6") << "to stop is never too late";
+  passFrames(20);
+  EXPECT_EQ(positions(), before);
+}
+
+TEST_F(OrdersTest, ToPlayAreJudgedAgainWhenTheirFilesHaveBeenReadWithFiveSecondsMore) {
+  for (const bool is_too_old : {false, true}) {
+    file_keeper_.slowDown();
+    ask(1, {'P', 0, playPayload("HEAD.MTN", 1, clock_.frame() + 12)});
+    ASSERT_TRUE(file_keeper_.hasJob());
+    for (int second = 0; second < 5; ++second) {
+      FakeRobotFixture::answerTo('H', 0);
+      passFrames(kFramesASecond);
+    }
+    passFrames(is_too_old ? 16 : 4);
+    heard();
+    file_keeper_.speedUp();
+    passFrames(4);
+    EXPECT_THAT(heard(), ElementsAre(is_too_old ? StartsWith("e1 5 too old") : StartsWith("p1")));
+    answersTo(2, kHoldAll);
+  }
+}
+
+}  // namespace
