@@ -527,16 +527,12 @@ bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
   return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
 }
 
-// True if the guest, which has sent a request, gets the client's place. Asks the client for a sign if it is not silent.
-bool RCServer::DoesClientGiveWay() {
-  if (!IsClientSilent() && !has_asked_) {
-    has_asked_ = true;
-    has_asked_since_ = now_;
-    signs_.is_asked = true;
-    session_->AskForSign();
-    ServeClient();
-  }
-  return IsClientSilent() || (signs_.is_asked && now_ - has_asked_since_ >= SIGN_FRAMES);
+void RCServer::AskClientForSign() {
+  has_asked_ = true;
+  has_asked_since_ = now_;
+  signs_.is_asked = true;
+  session_->AskForSign();
+  ServeClient();
 }
 
 // Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
@@ -563,14 +559,16 @@ void RCServer::CheckGuest() {
     AdmitGuest();
     return;
   }
-  const bool may_replace = IsClientSilent() || MayBeClientAgain(*guest_);
+  const bool is_silent = IsClientSilent();
+  const bool may_replace = is_silent || MayBeClientAgain(*guest_);
   if (!may_replace || !protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
     if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
       TurnAwayWhileBusy(guest_);
     }
-  } else if (DoesClientGiveWay()) {
-    DropClient(IsClientSilent() ? "it was silent and another client came" : "it has come back over a new connection",
-               true);
+  } else if (!is_silent && !has_asked_) {
+    AskClientForSign();
+  } else if (is_silent || (signs_.is_asked && now_ - has_asked_since_ >= SIGN_FRAMES)) {
+    DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
     AdmitGuest();
   } else if (!signs_.is_asked) {
     TurnAwayWhileBusy(guest_);

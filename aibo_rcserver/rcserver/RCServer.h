@@ -145,7 +145,7 @@ class RCServer : public OObject {
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
   bool MayBeClientAgain(const Connection& newcomer) const;
-  bool DoesClientGiveWay();
+  void AskClientForSign();
   void GuestReceived(const TCPEndpointReceiveMsg& answer);
   void CheckGuest();
   void AdmitGuest();

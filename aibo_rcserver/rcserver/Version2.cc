@@ -469,7 +469,7 @@ void Version2::CarryOut<REQUEST_HOLD>() {
   }
 }
 
-// A motion whose file has not been read yet is refused if it moves one of them: see JointControl::FindCommandedSince().
+// A motion whose file has not been read yet is refused if it moves one of them: see JointControl::Ordered().
 void Version2::HoldJoints() {
   JointIds named;
   if (!Decode(&named)) {

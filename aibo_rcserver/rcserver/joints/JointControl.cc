@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include <algorithm>
+
 using protocol::version2::END_REFUSED;
 using protocol::version2::END_REPLACED;
 using protocol::version2::END_STOPPED;
@@ -54,25 +56,22 @@ JointControl::JointControl(const robot_model::RobotModel& robot)
       planner_(robot),
       commands_(planner_, robot, orders_),
       motions_(planner_, robot, orders_),
-      walker_(planner_, robot, orders_),
-      number_of_commands_(0) {
+      walker_(planner_, robot, orders_) {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
     positions_[i] = 0;
     duties_[i] = 0;
     faults_[i] = JointWatch::FOLLOWS;
     has_recovered_[i] = false;
-    last_commands_[i] = 0;
   }
+  ForgetOrders();
 }
 
 void JointControl::SetTargets(protocol::version2::JointTargets* targets, unsigned short number) {
-  ++number_of_commands_;
   int joints[protocol::version2::MAX_JOINTS];
   for (int i = 0; i < targets->count; ++i) {
     const int joint = Find(targets->joints[i].id);
     joints[i] = joint;
-    EndWhatMoves(joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(joint)));
-    Commanded(joint);
+    TakeForClient(joint, EndReason::Of(END_REPLACED, "%s was commanded", Name(joint)));
   }
   for (int i = 0; i < targets->count; ++i) {
     planner_.Aim(joints[i], targets->joints[i].value);
@@ -87,10 +86,8 @@ void JointControl::SetTargets(protocol::version2::JointTargets* targets, unsigne
 }
 
 void JointControl::Stop(int joint) {
-  EndWhatMoves(joint, EndReason::Of(END_STOPPED, "%s was told to hold", Name(joint)));
+  TakeForClient(joint, EndReason::Of(END_STOPPED, "%s was told to hold", Name(joint)));
   planner_.Hold(joint);
-  ++number_of_commands_;
-  Commanded(joint);
 }
 
 void JointControl::StopAll() {
@@ -99,10 +96,6 @@ void JointControl::StopAll() {
   walker_.Stop(reason);
   orders_.DemandLettingGo(reason);
   planner_.HoldAll();
-  ++number_of_commands_;
-  for (int i = 0; i < NumberOfJoints(); ++i) {
-    Commanded(i);
-  }
 }
 
 Velocity JointControl::Steer(const Velocity& wanted, bool guarded, unsigned short number) {
@@ -117,7 +110,7 @@ void JointControl::Take(protocol::version2::Posture posture, unsigned short numb
   TakeLegs();
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (walker_.NeedsLevelHead(posture) && walker_.IsOfHead(i)) {
-      Take(i);
+      TakeForWalker(i);
     }
   }
   walker_.Take(posture, number);
@@ -141,11 +134,8 @@ void JointControl::MotorsGoOff() {
   orders_.DemandLettingGo(reason);
 }
 
-// The difference stays correct when the numbers overflow.
-void JointControl::FindCommandedSince(unsigned number, bool* commanded) const {
-  for (int i = 0; i < NumberOfJoints(); ++i) {
-    commanded[i] = static_cast<int>(last_commands_[i] - number) > 0;
-  }
+void JointControl::ForgetOrders() {
+  std::fill(ordered_, ordered_ + robot_model::MAX_JOINTS, false);
 }
 
 void JointControl::NextFrame() {
@@ -255,24 +245,23 @@ void JointControl::EndCommandsAndMotions(const EndReason& reason) {
   motions_.StopAll(reason);
 }
 
-void JointControl::Commanded(int joint) {
-  last_commands_[joint] = number_of_commands_;
+void JointControl::TakeForClient(int joint, const EndReason& reason) {
+  EndWhatMoves(joint, reason);
   walker_.LeaveAlone(joint);
+  ordered_[joint] = true;
 }
 
-// Ends a command or motion that moves the joint, and keeps motions that were requested earlier from moving it.
-void JointControl::Take(int joint) {
+void JointControl::TakeForWalker(int joint) {
   const EndReason reason = {END_REPLACED, "the robot was told to walk or to take a posture", ""};
   commands_.Leave(joint, reason);
   motions_.StopMotionOf(joint, reason);
-  last_commands_[joint] = number_of_commands_;
+  ordered_[joint] = true;
 }
 
 void JointControl::TakeLegs() {
-  ++number_of_commands_;
   for (int i = 0; i < NumberOfJoints(); ++i) {
     if (walker_.Moves(i)) {
-      Take(i);
+      TakeForWalker(i);
     }
   }
 }

@@ -144,13 +144,12 @@ class JointControl {
   /// Call when the motors are being switched off. All orders end.
   void MotorsGoOff();
 
-  /// Number of commands and orders to hold from clients so far.
-  unsigned NumberOfCommands() const { return number_of_commands_; }
+  /// Call when a motion is requested, whose file has to be read first.
+  void ForgetOrders();
 
-  /// Finds the joints that clients have commanded or told to hold since NumberOfCommands() was `number`. A motion that
-  /// was requested at that time must not move them.
-  /// @param[out] commanded room for one element for each joint
-  void FindCommandedSince(unsigned number, bool* commanded) const;
+  /// For each joint, true if clients' orders have taken or held it since ForgetOrders(). The motion that was requested
+  /// then must not move it.
+  const bool* Ordered() const { return ordered_; }
 
   /// Advances by one frame. Afterwards, the planner's positions are those at the frame's end.
   void NextFrame();
@@ -197,8 +196,8 @@ class JointControl {
   void EndWhatMoves(int joint, const EndReason& reason);
   void TakeFromWalker(int joint, const EndReason& reason);
   void EndCommandsAndMotions(const EndReason& reason);
-  void Commanded(int joint);
-  void Take(int joint);
+  void TakeForClient(int joint, const EndReason& reason);
+  void TakeForWalker(int joint);
   void TakeLegs();
 
   const robot_model::RobotModel& robot_;
@@ -213,8 +212,7 @@ class JointControl {
   JointWatch::Verdict faults_[robot_model::MAX_JOINTS];
   JointRecovery recoveries_[robot_model::MAX_JOINTS];
   bool has_recovered_[robot_model::MAX_JOINTS];
-  unsigned number_of_commands_;
-  unsigned last_commands_[robot_model::MAX_JOINTS];  ///< number of each joint's last command
+  bool ordered_[robot_model::MAX_JOINTS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H

@@ -4,14 +4,7 @@
 #include <string.h>
 
 MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order)
-    : joints_(joints),
-      motors_(motors),
-      order_(order),
-      next_said_(0),
-      repetitions_(0),
-      leave_out_(false),
-      number_(0),
-      commands_(0) {
+    : joints_(joints), motors_(motors), order_(order), next_said_(0), repetitions_(0), leave_out_(false), number_(0) {
   memset(said_, 0, sizeof(said_));
 }
 
@@ -23,7 +16,7 @@ MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, i
   repetitions_ = repetitions;
   leave_out_ = leave_out;
   number_ = number;
-  commands_ = joints_.NumberOfCommands();
+  joints_.ForgetOrders();
   return order_.Post(FileJob::READ, MOTION_FILE, name);
 }
 
@@ -85,9 +78,8 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
   }
   MotionPlayer& player = joints_.Motions();
   memcpy(player.FindRoom(), result.content, result.size);
-  bool commanded[robot_model::MAX_JOINTS];
-  joints_.FindCommandedSince(commands_, commanded);
-  if (const char* problem = player.Play(order_.Name(), result.size, repetitions_, leave_out_, commanded, number_)) {
+  if (const char* problem =
+          player.Play(order_.Name(), result.size, repetitions_, leave_out_, joints_.Ordered(), number_)) {
     return order_.Fail(FileOrder::REFUSED, "%s", problem);
   }
   joints_.MotionHasBegun();

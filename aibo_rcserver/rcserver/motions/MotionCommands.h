@@ -79,7 +79,6 @@ class MotionCommands {
   int repetitions_;        ///< how often the motion is to be played
   bool leave_out_;         ///< without the joints that the robot does not have
   unsigned short number_;  ///< of the request
-  unsigned commands_;      ///< JointControl::NumberOfCommands() at the request
   /// @}
 };
 

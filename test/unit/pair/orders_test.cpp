@@ -56,7 +56,8 @@ class User {
   std::string reason_;
   std::map<int, double> positions_;
   std::vector<Refusal> refusals_;
-  std::vector<MotionEnd> ends_;
+  std::vector<MotionEnd> ends_;   ///< of anything but walks
+  std::vector<MotionEnd> walks_;  ///< ends of walks
 
  private:
   static ClientOptions options(int port, milliseconds read_timeout) {
@@ -89,7 +90,9 @@ class User {
       });
     };
     callbacks.on_refused = [this](const Refusal& refusal) { change([&] { refusals_.push_back(refusal); }); };
-    callbacks.on_ended = [this](const MotionEnd& end) { change([&] { ends_.push_back(end); }); };
+    callbacks.on_ended = [this](const MotionEnd& end) {
+      change([&] { (end.what == EndedKind::kWalk ? walks_ : ends_).push_back(end); });
+    };
     return callbacks;
   }
 
@@ -135,6 +138,28 @@ TEST_P(PairTest, WhatWaitedForAFrozenServerIsRefusedAndWhatComesAfterItIsNot) {
   EXPECT_TRUE(user.await([&] { return user.positions_[kHeadPan] > before + 0.4; }));
 }
 
+// The robot names the order, however fast it ends.
+TEST(PairOfVersion2Test, EachCommandEndsOnceWithItsNumber) {
+  SimulatedRobot robot;
+  User user(robot);
+  user.connect();
+  constexpr std::uint64_t kCommands = 20;
+  for (std::uint64_t number = 1; number <= kCommands; ++number) {
+    OrderTerms terms;
+    terms.number = number;
+    user.client().commandJoints({{kHeadPan, number % 2 == 0 ? 0.3 : -0.3}}, milliseconds(0), terms);
+    std::this_thread::sleep_for(milliseconds(10));  // so that each is sent
+  }
+  ASSERT_TRUE(user.await([&] { return user.ends_.size() + user.refusals_.size() >= kCommands; }));
+  std::map<std::uint64_t, EndedHow> ends;
+  for (const MotionEnd& end : user.ends_) {
+    EXPECT_EQ(end.what, EndedKind::kJoints);
+    EXPECT_TRUE(ends.emplace(end.order, end.how).second) << end.order;
+  }
+  EXPECT_EQ(ends[kCommands], EndedHow::kDone);
+  EXPECT_EQ(ends[1], EndedHow::kReplaced);
+}
+
 // Steps of a trajectory wait for answers. A velocity does not, and would go before them.
 TEST(PairOfVersion2Test, AWalkIsNotEndedByAnEarlierCommandToTheLegs) {
   SimulatedRobot robot;
@@ -145,14 +170,15 @@ TEST(PairOfVersion2Test, AWalkIsNotEndedByAnEarlierCommandToTheLegs) {
     for (int i = 0; i < 50; ++i) {
       user.client().commandJoints({{kKnee, 0.3 + 0.001 * i}}, milliseconds(40));
     }
+    user.client().steer({});  // whatever moves a leg demands letting go
     for (int i = 0; i < 20; ++i) {
       user.client().steer({0.1, 0, 0});
       std::this_thread::sleep_for(milliseconds(10));
     }
     user.client().steer({});
     const auto count = static_cast<std::size_t>(trial) + 1;
-    ASSERT_TRUE(user.await([&] { return user.ends_.size() >= count; }));
-    EXPECT_NE(user.ends_.back().how, EndedHow::kReplaced) << user.ends_.back().reason;
+    ASSERT_TRUE(user.await([&] { return user.walks_.size() >= count; }));
+    EXPECT_NE(user.walks_.back().how, EndedHow::kReplaced) << user.walks_.back().reason;
   }
 }
 

@@ -369,6 +369,20 @@ TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
   }
 }
 
+// Some robots' frames last longer than 8 ms.
+TEST(FrameClock, IsAtMostAFrameAheadOfSlowFrames) {
+  FrameClock clock;
+  unsigned last = 0;
+  for (unsigned frame = 1000; frame < 1000 + 4 * 3600 * 125; frame += 4) {
+    const auto now = static_cast<unsigned>(frame * 8.024);
+    clock.Report(frame, now);
+    const unsigned present = clock.Present(now);
+    ASSERT_GE(present, std::max(frame, last));
+    ASSERT_LE(present, frame + 1);
+    last = present;
+  }
+}
+
 TEST_F(OrdersTest, AreRefusedWhenTheyAreTooOldButForThoseThatStop) {
   const std::string on_pan = target(kHeadPanId);
   const std::tuple<char, int, std::string> kinds[] = {{'J', 0, on_pan},

@@ -334,6 +334,29 @@ TEST_F(Walk, HasToBeLetGoFirstAfterEachOfTheseEnds) {
   }
 }
 
+TEST_F(Walk, ThatIsEndingIsReplacedByTheNextOneWithoutABreak) {
+  for (const WalkEnd& row : kWalkEnds) {
+    if (row.then == Legs::kHold) {
+      continue;
+    }
+    SCOPED_TRACE(row.why);
+    WalkingRobot robot;
+    const int walk = robot.last_number + 1;
+    robot.steer(kAhead);
+    row.event(robot);
+    const bool has_ended = row.then == Legs::kSit;
+    EXPECT_EQ(robot.walker().WalkNumber(), has_ended ? 0 : walk);
+    EXPECT_EQ(robot.ends().empty(), !has_ended);
+    robot.letGo();
+    EXPECT_EQ(robot.order(kAhead), "");
+    EXPECT_THAT(robot.ends(), ElementsAre(has_ended ? "sit: the robot was told to walk" : "walk: " + row.why));
+    EXPECT_EQ(robot.walker().WalkNumber(), robot.last_number);
+    EXPECT_TRUE(robot.walks());
+    robot.steer(kAhead);
+    EXPECT_THAT(robot.ends(), IsEmpty());
+  }
+}
+
 TEST_F(Walk, MayGoOnAtOnceAfterItsClientHasEndedIt) {
   const std::function<void()> events[] = {
       [this] { letGo(); },
