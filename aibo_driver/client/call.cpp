@@ -88,14 +88,13 @@ bool Call::cancels(const Call& other) const {
   return other.has(version2::STARTS_MOVEMENT) && (has(version2::STOPS_ROBOT) || stops_it);
 }
 
-void Call::dropFrom(CommandOutbox* commands, bool is_sent) const {
+void Call::dropFrom(CommandOutbox* commands) const {
   const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
-  const bool takes_joints = has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS);
-  if (takes_joints && is_sent == has(version2::NEEDS_MEMORY_STICK)) {
+  if (has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS)) {
     commands->stopJoints(joints, reason);
   }
   const bool takes_legs = has(version2::ENDS_WALK) || has(version2::STARTS_MOVEMENT);
-  if (takes_legs && !is_sent && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
+  if (takes_legs && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
     commands->stopWalk(reason);
   }
 }

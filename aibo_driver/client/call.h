@@ -85,9 +85,8 @@ struct Call {
   /// The number by which the order's end is told; 0 if it is none, or has none.
   std::uint64_t order() const { return terms ? terms->number : 0; }
 
-  /// Drops the older commands that must not be sent any more. Use it when the call is made, and again when its request
-  /// is sent: while a motion waits, new commands are sent before it.
-  void dropFrom(CommandOutbox* commands, bool is_sent) const;
+  /// Drops the commands that must not be sent any more, because they are older than this call.
+  void dropFrom(CommandOutbox* commands) const;
 };
 
 /// How the refusal of a call that is an order is told.

@@ -79,7 +79,7 @@ void Connection::reportDropped() {
 }
 
 void Connection::add(Call call) {
-  call.dropFrom(&commands, false);
+  call.dropFrom(&commands);
   reportDropped();
   calls.endIf([&call](const Call& other) { return other.request_number == 0 && call.cancels(other); },
               [&](const Call& other) {
@@ -109,8 +109,6 @@ void Connection::expireCalls(TimePoint now) {
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
-  call.dropFrom(&commands, true);
-  reportDropped();
   if (call.sound_part) {
     return;  // samples are short, and an upload may be under way
   }

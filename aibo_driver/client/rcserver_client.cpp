@@ -82,7 +82,7 @@ std::future<Result> begin(ConnectionLoop* loop, milliseconds timeout, const Make
         promise->set_exception(std::current_exception());
       }
     };
-    call.dropFrom(&shared.commands, false);  // later commands wait until the robot has been told
+    call.dropFrom(&shared.commands);
     shared.calls.push_back(std::move(call));
   });
   return promise->get_future();

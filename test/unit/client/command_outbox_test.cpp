@@ -71,12 +71,12 @@ TEST(JointCommandsTest, WhatRemainsOfACommandThatHasBegunMayWaitAgain) {
   commands.add({milliseconds(0), {{1, 0.1}, {2, 0.2}}, {at(1000), 7}});
   commands.add({milliseconds(0), {{3, 0.3}}, {at(1000), 8}});
   EXPECT_EQ(7u, commands.takeTargetAfter(0, at(999)).terms.number);
-  const std::vector<JointCommand> too_old = commands.takeTooOld(at(1000));
-  ASSERT_EQ(1u, too_old.size());
-  EXPECT_EQ(8u, too_old[0].terms.number);
-  EXPECT_EQ(at(1499), commands.nextTooOld());
-  EXPECT_EQ(2, commands.takeTargetAfter(0, at(1498)).targets.front().id);
-  EXPECT_EQ(JointCommands::TimePoint::max(), commands.nextTooOld());
+  EXPECT_TRUE(commands.takeTooOld(at(1000)).empty());
+  EXPECT_EQ(8u, commands.takeTooOld(at(1001)).at(0).terms.number);
+  EXPECT_TRUE(commands.takeTooOld(at(1499)).empty());
+  EXPECT_TRUE(commands.has(7));
+  EXPECT_EQ(0u, commands.takeTooOld(at(1500)).at(0).terms.number) << "the order has begun";
+  EXPECT_FALSE(commands.has(7));
 }
 
 /// The orders that were dropped: request, cause, order, joints, reason.
@@ -104,20 +104,16 @@ TEST(CommandOutboxTest, EachOrderIsDroppedWhenItsOwnTimeHasPassed) {
   outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
   outbox.command({milliseconds(100), {{2, 0.3}}, {at(2000), 2}});
   outbox.command({milliseconds(100), {{3, 0.1}}, {at(2000), 5}});
+  outbox.steer({{}, {at(0), 4}});
   outbox.steer({kForward, {at(1500), 3}});
-  EXPECT_EQ(at(1000), outbox.nextTooOld());
-  outbox.dropTooOld(at(999), "robot");
+  outbox.dropTooOld(at(1000), "old");
   EXPECT_EQ("", takeDropped(&outbox));
-  outbox.dropTooOld(at(1000), "robot");
-  const std::string why = " too old: it could not be sent to robot in time;";
-  EXPECT_EQ("J" + std::to_string(kTooOld) + "#1 1" + why, takeDropped(&outbox));
-  EXPECT_EQ(at(1500), outbox.nextTooOld());
-  outbox.dropTooOld(at(1999), "robot");
-  EXPECT_EQ("S" + std::to_string(kTooOld) + "#3" + why, takeDropped(&outbox));
-  outbox.steer({{}, {at(1500), 4}});
-  outbox.dropTooOld(at(1999), "robot");
-  EXPECT_EQ("", takeDropped(&outbox)) << "a velocity of 0 does no harm by its loss";
-  EXPECT_EQ(at(2000), outbox.nextTooOld());
+  outbox.dropTooOld(at(1001), "old");
+  const std::string too_old = std::to_string(kTooOld);
+  EXPECT_EQ("J" + too_old + "#1 1 old;", takeDropped(&outbox));
+  outbox.dropTooOld(at(2000), "old");
+  EXPECT_EQ("S" + too_old + "#3 old;", takeDropped(&outbox));
+  EXPECT_TRUE(outbox.let_go) << "a velocity of 0 is never too old";
 }
 
 TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
@@ -126,29 +122,70 @@ TEST(CommandOutboxTest, CommandsToSomeJointsOrToAllCanBeStopped) {
   outbox.command({milliseconds(200), {{3, 0.3}}, {at(1000), 2}});
   outbox.stopJoints({1, 3, 9}, "a stop");
   const std::string stopped = std::to_string(kStopped);
-  EXPECT_EQ("J" + stopped + "#1 1 9 a stop;J" + stopped + "#2 3 a stop;", takeDropped(&outbox));
+  EXPECT_EQ("J" + stopped + "#0 1 9 a stop;J" + stopped + "#2 3 a stop;", takeDropped(&outbox)) << "order 1 goes on";
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("2:2 in 100"));
   outbox.stopJoints({}, "another");
   EXPECT_EQ("J" + stopped + "#1 2 another;", takeDropped(&outbox));
   EXPECT_TRUE(outbox.joints.empty());
 }
 
+TEST(CommandOutboxTest, AnOrderOfWhichNothingIsLeftIsReplaced) {
+  CommandOutbox outbox;
+  outbox.command({milliseconds(100), {{1, 0.1}, {2, 0.2}}, {at(1000), 1}});
+  outbox.command({milliseconds(100), {{1, 0.3}}, {at(1000), 0}});
+  EXPECT_EQ("", takeDropped(&outbox)) << "joint 2 is left";
+  outbox.command({milliseconds(100), {{1, 0.4}, {2, 0.4}}, {at(1000), 2}});
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 2 its joints were commanded anew before it was sent;",
+            takeDropped(&outbox))
+      << "the one without a number is replaced silently";
+}
+
+TEST(CommandOutboxTest, AVelocityOf0IsSentBeforeAVelocityThatCameAfterIt) {
+  const std::string why = " another velocity came before it was sent;";
+  const std::string replaced = "S" + std::to_string(kReplaced) + "#";
+  CommandOutbox outbox;
+  outbox.steer({kForward, {at(1000), 1}});
+  outbox.steer({{}, {at(1000), 2}});
+  EXPECT_EQ(replaced + "1" + why, takeDropped(&outbox));
+  EXPECT_FALSE(outbox.steering);
+  outbox.steer({{}, {at(1000), 3}});
+  EXPECT_EQ(replaced + "2" + why, takeDropped(&outbox));
+  outbox.steer({kForward, {at(1000), 4}});
+  outbox.steer({kForward, {at(1000), 0}});
+  EXPECT_EQ(replaced + "4" + why, takeDropped(&outbox));
+  outbox.steer({kForward, {at(1000), 5}});
+  EXPECT_EQ("", takeDropped(&outbox));
+  CommandOutbox all;
+  all.append(outbox);
+  EXPECT_EQ(3u, all.let_go->terms.number);
+  EXPECT_EQ(5u, all.steering->terms.number);
+  all.stopWalk("a stop");
+  const std::string stopped = "S" + std::to_string(kStopped) + "#";
+  EXPECT_EQ(stopped + "3 a stop;" + stopped + "5 a stop;", takeDropped(&all));
+  EXPECT_FALSE(all.let_go || all.steering);
+}
+
 TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   CommandOutbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});
   outbox.steer({kForward, {at(1000), 2}});
-  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 11 the robot was told to walk before it was sent;",
-            takeDropped(&outbox));
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#0 11 the robot was told to walk before it was sent;",
+            takeDropped(&outbox))
+      << "joint 1 goes on";
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("1:1 in 100"));
   outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
   EXPECT_TRUE(outbox.steering) << "the head is free";
   CommandOutbox newer;
   newer.command({milliseconds(100), {{1, 0.3}, {43, 0.3}}, {at(1000), 4}});  // the head and the last joint of the legs
   outbox.append(newer);
-  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;", takeDropped(&outbox));
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;J" +
+                std::to_string(kReplaced) + "#1 1 its joints were commanded anew before it was sent;",
+            takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);
   outbox.steer({{}, {at(1000), 5}});
   EXPECT_EQ("", takeDropped(&outbox)) << "not to walk leaves the legs as they are";
+  outbox.command({milliseconds(100), {{kLegJoint, 0.3}}, {at(1000), 0}});
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#5 the legs were commanded before it was sent;", takeDropped(&outbox));
 }
 
 }  // namespace

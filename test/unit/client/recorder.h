@@ -29,9 +29,6 @@ class Recorder {
     callbacks.on_refused = [this](const aibo_client::Refusal& refusal) {
       change([&] { orders_ += std::to_string(refusal.order) + ":" + refusal.reason + "; "; });
     };
-    callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) {
-      change([&] { orders_ += "late " + std::to_string(answer.order) + ":" + answer.reason + answer.changes + "; "; });
-    };
     callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) {
       change([&] {
         sound_ends_ += std::to_string(end.sound) + (end.how == aibo_client::EndedHow::kLost ? " lost" : " ended");
@@ -93,7 +90,7 @@ class Recorder {
     return telemetry_;
   }
 
-  /// Orders that were refused or answered late, and why, as in "7:too old; late 8:changed; ".
+  /// Orders that were refused, and why, as in "7:too old; ".
   std::string orders() const {
     const std::lock_guard<std::mutex> lock(mutex_);
     return orders_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <future>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,12 +92,19 @@ class SessionFixture : public testing::Test {
   }
 
   std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
+    const auto promise = std::make_shared<std::promise<aibo_client::Answer>>();
     call.timeout = timeout;
     call.since = now_;
     call.deadline = now_ + timeout;
-    auto answer = call.promise.get_future();
-    session().add(std::move(call));
-    return answer;
+    call.end = [promise](aibo_client::Answer answer) { promise->set_value(std::move(answer)); };
+    connection_.add(std::move(call));
+    return promise->get_future();
+  }
+
+  /// An order, which has the next number.
+  std::future<aibo_client::Answer> order(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
+    call.terms = terms();
+    return add(std::move(call), timeout);
   }
 
   void commandJoints(const std::vector<aibo_client::JointTarget>& targets, milliseconds duration = milliseconds(0)) {
@@ -152,9 +160,8 @@ class SessionFixture : public testing::Test {
   std::vector<std::string> accepted_;  ///< joints: "2=-0.500000 3=0.200000 "
   std::string leds_;                   ///< as accepted: "7=255A "
   std::vector<aibo_client::WalkVelocity> steered_;
-  std::vector<std::uint64_t> steered_orders_;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> steered_orders_;  ///< the order, and that of its walk
   std::vector<aibo_client::MotionEnd> ended_;
-  std::vector<aibo_client::LateAnswer> late_answers_;
   std::vector<aibo_client::Refusal> refusals_;
   std::vector<aibo_client::DetectedColors> colors_;
   std::vector<aibo_client::HeardSound> heard_;
@@ -192,9 +199,9 @@ class SessionFixture : public testing::Test {
                  (led.mode == aibo_client::LedMode::kB ? "B " : "A ");
       }
     };
-    callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order) {
+    callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
       steered_.push_back(in_force);
-      steered_orders_.push_back(order);
+      steered_orders_.emplace_back(order, walk);
     };
     callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.push_back(colors); };
     callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { heard_.push_back(sound); };
@@ -202,7 +209,6 @@ class SessionFixture : public testing::Test {
     if (is_told_of_refusals) {
       callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refusals_.push_back(refusal); };
     }
-    callbacks.on_late_answer = [this](const aibo_client::LateAnswer& answer) { late_answers_.push_back(answer); };
     callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_client::LogLevel level, const std::string& line) {
       log_.push_back((level == aibo_client::LogLevel::kWarn   ? ""

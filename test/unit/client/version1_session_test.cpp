@@ -424,7 +424,7 @@ TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
 
 /// The user is told of refusals.
 class Version1RefusalsTest : public SessionFixture {
- protected:
+ public:
   Version1RefusalsTest() : SessionFixture(true) {}
   Session& session() override { return session_; }
   char request() {
@@ -436,8 +436,12 @@ class Version1RefusalsTest : public SessionFixture {
   Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
 };
 
+/// For the rows of tables.
+struct NewVersion1Session : public Version1RefusalsTest {
+  void TestBody() override {}
+};
+
 TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
-  steer({0, 0, 0.1});  // it cannot, but this has the first number
   commandJoints({{2, 0.5}});
   limitSpeed({{3, 0.5}});
   commandLeds({{7, 1}});
@@ -452,14 +456,92 @@ TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
                    RefusalCause::kRobot,
                    {2},
                    "error code 5; are its motors on, and can the joint move freely?",
-                   kFirstOrder + 1},
+                   kFirstOrder},
                   {RefusedRequest::kEars, RefusalCause::kRobot, {1}, "error code 6", 0},
                   {RefusedRequest::kEars, RefusalCause::kRobot, {2}, "error code 7", 0},
                   {RefusedRequest::kLeds, RefusalCause::kRobot, {7}, "error code 8", 0}});
   EXPECT_TRUE(log_.empty());
 }
 
-TEST_F(Version1RefusalsTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {
+TEST_F(Version1RefusalsTest, AnOrderEndsOnceAndNothingSaysHow) {
+  using Kind = RefusedRequest;
+  const std::string why = "error code 0; are its motors on, and can the joint move freely?";
+  const auto refusal = [&](int joint, std::uint64_t number) {
+    return Refusal{Kind::kJoints, RefusalCause::kRobot, {joint}, why, number};
+  };
+  const struct {
+    std::string answers;  // to joints 1 and 2: + accepted, - refused, s: stopped before it is sent, o: too old
+    std::vector<EndedHow> ends;
+    std::vector<Refusal> refusals;
+  } rows[] = {
+      {"++", {EndedHow::kUnknown}, {}},
+      {"+-", {EndedHow::kRefused}, {refusal(2, 0)}},
+      {"-+", {EndedHow::kRefused}, {refusal(1, 0)}},
+      {"--", {}, {refusal(1, 0), refusal(2, kFirstOrder)}},
+      {"+s", {EndedHow::kUnknown}, {{Kind::kJoints, RefusalCause::kStopped, {2}, "a stop", 0}}},
+      {"+o",
+       {EndedHow::kUnknown},
+       {{Kind::kJoints, RefusalCause::kTooOld, {2}, "too old: it could not be sent to robot:54321 in time", 0}}},
+      {"ss", {}, {{Kind::kJoints, RefusalCause::kStopped, {1, 2}, "a stop", kFirstOrder}}},
+      {"oo",
+       {},
+       {{Kind::kJoints,
+         RefusalCause::kTooOld,
+         {1, 2},
+         "too old: it could not be sent to robot:54321 in time",
+         kFirstOrder}}},
+  };
+  for (const auto& row : rows) {
+    NewVersion1Session robot;
+    robot.commandJoints({{1, 0.1}, {2, 0.2}});
+    for (std::uint8_t joint = 1; joint <= 2; ++joint) {
+      const char answer = row.answers[joint - 1U];
+      if (answer == 's') {
+        robot.connection_.commands.stopJoints({}, "a stop");
+        robot.connection_.reportDropped();
+      } else if (answer == 'o') {
+        robot.now_ += milliseconds(501);
+      }
+      const bool is_sent = answer == '+' || answer == '-';
+      EXPECT_EQ(is_sent ? 'J' : ' ', robot.request()) << row.answers;
+      EXPECT_TRUE(robot.ended_.empty() || !is_sent) << row.answers;
+      if (is_sent) {
+        robot.receive(answer == '+' ? Bytes{'j', joint, 0, 0} : Bytes{'e', 0, 0, 0});
+      }
+    }
+    EXPECT_EQ(' ', robot.request());
+    std::vector<EndedHow> ends;
+    for (const MotionEnd& end : robot.ended_) {
+      EXPECT_EQ(kFirstOrder, end.order);
+      EXPECT_EQ(EndedKind::kJoints, end.kind);
+      ends.push_back(end.how);
+    }
+    EXPECT_EQ(row.ends, ends) << row.answers;
+    robot.expectRefusals(row.refusals);
+  }
+}
+
+TEST_F(Version1RefusalsTest, AMotionEndsWhenItHasBegun) {
+  auto motion = order(callToPlay("NOD.MTN", 1, 0));
+  EXPECT_EQ('P', request());
+  receive({'p', 0, 0, 0});
+  EXPECT_EQ(CallOutcome::kDone, motion.get().outcome);
+  ASSERT_EQ(1u, ended_.size());
+  EXPECT_EQ(EndedKind::kMotion, ended_[0].kind);
+  EXPECT_EQ(EndedHow::kUnknown, ended_[0].how);
+  EXPECT_EQ("NOD.MTN", ended_[0].name);
+  EXPECT_EQ(kFirstOrder, ended_[0].order);
+  auto refused = order(callToPlay("SIT.MTN", 1, 0));
+  EXPECT_EQ('P', request());
+  receive({'e', 0, 1, 0});
+  EXPECT_EQ(CallOutcome::kRefused, refused.get().outcome);
+  ASSERT_EQ(1u, refusals_.size());
+  EXPECT_EQ(RefusedRequest::kMotion, refusals_[0].request);
+  EXPECT_EQ(kFirstOrder + 1, refusals_[0].order);
+  EXPECT_EQ(1u, ended_.size());
+}
+
+TEST_F(Version1SessionTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {
   wish_.telemetry_period = 4;
   int asked = 0;
   const auto run_until_asked = [&](int times) {  // only head_pan is refused, and only after the first time
@@ -475,10 +557,10 @@ TEST_F(Version1RefusalsTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow)
     }
   };
   run_until_asked(1);
-  EXPECT_TRUE(refusals_.empty());
+  EXPECT_TRUE(log_.empty());
   run_until_asked(2);
-  expectRefusals(
-      {{RefusedRequest::kJoints, RefusalCause::kJointFault, {2}, "the joint does not follow its commands", 0}});
+  EXPECT_EQ(1, logged("refused to move joint 2: the joint does not follow its commands"));
+  run_until_asked(3);
 }
 
 class LateVersionAnswerTest : public Version1SessionTest {
