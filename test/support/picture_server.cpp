@@ -154,6 +154,7 @@ void PictureServer::answerVersion1(const Request& request, Peer* peer) {
 
 // Accepts unknown requests, too: the reply repeats the request.
 void PictureServer::answerVersion2(const Request& request, Peer* peer) {
+  Bytes reply = request.payload;
   switch (request.kind) {
     case version2::REQUEST_HELLO:
       append(version2_frames::makeFrame('h', request.number, version2_frames::makeHello("F W J V T A")), peer);
@@ -167,10 +168,24 @@ void PictureServer::answerVersion2(const Request& request, Peer* peer) {
     case version2::REQUEST_TELEMETRY:
       peer->telemetry = request.payload != Bytes{0, 0};
       break;
+    case version2::REQUEST_JOINTS:
+    case version2::REQUEST_STEER:
+    case version2::REQUEST_MOTORS:  // replies to orders are without their expiry
+      reply.erase(reply.begin(),
+                  reply.begin() + std::min<std::ptrdiff_t>(4, static_cast<std::ptrdiff_t>(reply.size())));
+      break;
+    case version2::REQUEST_POSTURE:
+    case version2::REQUEST_PLAY:
+      reply.clear();
+      break;
     default:
       break;
   }
-  append(version2_frames::makeFrame(version2::replyKind(request.kind), request.number, request.payload), peer);
+  append(version2_frames::makeFrame(version2::replyKind(request.kind), request.number, reply), peer);
+  if (request.kind == version2::REQUEST_JOINTS) {
+    const Bytes end = version2_frames::makeEnd(version2::ENDED_JOINTS, version2::END_DONE, "", "", request.number);
+    append(version2_frames::makeFrame(version2::END_PUSH, 0, end), peer);
+  }
 }
 
 void PictureServer::append(const Bytes& bytes, Peer* peer) {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <future>
 #include <memory>
+#include <vector>
 
 #include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
@@ -186,10 +187,31 @@ class Client {
     call.timeout = milliseconds(8 * input_.takeByte());
     call.since = now_;
     call.deadline = now_ + call.timeout;
-    call.not_after = now_ + kLongestOrderWait;
-    call.order = input_.takeByte();
-    answers_.push_back(call.promise.get_future());
-    session_->add(std::move(call));
+    const std::uint64_t wanted = input_.takeByte() % 2;
+    if (call.has(protocol::version2::STARTS_MOVEMENT)) {
+      call.terms = terms(wanted != 0);
+    }
+    if (session_->protocolVersion() == 1 && !isKnownToVersion1(call)) {
+      return;
+    }
+    const auto promise = std::make_shared<std::promise<Answer>>();
+    answers_.push_back(promise->get_future());
+    call.end = [promise](Answer answer) { promise->set_value(std::move(answer)); };
+    connection_.add(std::move(call));
+  }
+
+  OrderTerms terms(bool is_numbered) {
+    if (is_numbered) {
+      is_over_.push_back(false);
+    }
+    return {now_ + kLongestOrderWait, is_numbered ? is_over_.size() : 0};
+  }
+
+  void ends(std::uint64_t order) {
+    if (order != 0) {
+      require(order <= is_over_.size() && !is_over_[order - 1], "an order ends once");
+      is_over_[order - 1] = true;
+    }
   }
 
   void commandBody() {
@@ -199,7 +221,7 @@ class Client {
     CommandOutbox& commands = connection_.commands;
     switch (kind % 5) {
       case 0:
-        commands.command({milliseconds(8 * kind), {{id, value}}, {now_ + kLongestOrderWait, 1}});
+        commands.command({milliseconds(8 * kind), {{id, value}}, terms(true)});
         break;
       case 1:
         commands.speed_limits.add({{id, std::abs(value) + 0.01}});
@@ -208,7 +230,7 @@ class Client {
         commands.leds.add({{id, static_cast<int>(kind), LedMode::kB}});
         break;
       case 3:
-        commands.steer({{value, -value, value}, {now_ + kLongestOrderWait, 2}});
+        commands.steer({{value, -value, value}, terms(true)});
         break;
       default:
         commands.ears.add({{id % 2 == 0 ? EarCommand::kLeft : EarCommand::kRight, value > 0}});
@@ -244,6 +266,13 @@ class Client {
       require(sound.samples.size() <= 2 * 16000 && sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0,
               "sound is whole, and no more than a second");
     };
+    callbacks.on_ended = [this](const MotionEnd& end) { ends(end.order); };
+    callbacks.on_refused = [this](const Refusal& refusal) { ends(refusal.order); };
+    callbacks.on_steered = [this](const WalkVelocity&, std::uint64_t order, std::uint64_t walk) {
+      if (order != walk) {
+        ends(order);
+      }
+    };
     callbacks.on_sound_ended = [this](const SoundEnd& end) {
       require(end.sound > ended_sound_ && end.sound <= sounds_, "a sound ends once");
       ended_sound_ = end.sound;
@@ -255,6 +284,7 @@ class Client {
   FuzzInput& input_;
   std::uint64_t sounds_ = 1;  ///< the newest one
   std::uint64_t ended_sound_ = 0;
+  std::vector<bool> is_over_;  ///< the index of an order is its number - 1
   Notifier notifier_{callbacks()};
   ClientStatistics counters_;
   ServerHabits habits_;

@@ -82,6 +82,76 @@ TEST_F(Orders, AreNotRepeatedAfterAReconnect) {
   EXPECT_EQ("L 0 200 1 0 0", textOf(next.readRequest())) << "the first that is sent";
 }
 
+TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
+  ScriptedPeer peer = connectVersion2();
+  const auto later = std::chrono::steady_clock::now() + kSafetyNet;
+  auto sent = client_.beginMotion("NOD.MTN", 1, kSafetyNet, {later, 71});
+  EXPECT_EQ('P', peer.readRequest().header.kind);
+  auto unsent = client_.beginMotion("SIT.MTN", 1, kSafetyNet, {later, 72});
+  client_.commandJoints({{1, 0.1}}, milliseconds(0), {later, 73});
+  EXPECT_EQ('J', peer.readRequest().header.kind);
+  peer.close();
+  const auto was_sent = [](std::future<std::string>* motion) {
+    try {
+      motion->get();
+    } catch (const NetworkException& error) {
+      return error.wasSent();
+    }
+    return ADD_FAILURE() << "not thrown", false;
+  };
+  EXPECT_TRUE(was_sent(&sent));
+  EXPECT_FALSE(was_sent(&unsent));
+  EXPECT_THROW(client_.beginMotion("NOD.MTN", 1, kSafetyNet, {later, 74}), NetworkException);
+  EXPECT_EQ("", recorder_.orders());
+}
+
+TEST_F(Orders, AreRefusedByACallbackBeforeTheirFutureIsReady) {
+  std::atomic<bool> was_ready{true};
+  std::future<void> posture;
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_refused = [&](const Refusal&) {
+    was_ready = posture.wait_for(milliseconds(0)) == std::future_status::ready;
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("E");
+  client.waitForConnection(kSafetyNet);
+  posture = client.beginPosture(Posture::kSit, kSafetyNet, {std::chrono::steady_clock::now() + kSafetyNet, 7});
+  const int number = peer.readRequest().header.request_number;
+  peer.send(makeFrame('e', number, version2_frames::makeError(0, "no")));
+  posture.wait();
+  EXPECT_FALSE(was_ready);
+}
+
+// A velocity of 0 is sent at once, so the client's thread is kept in a callback until the connection has ended.
+TEST_F(Orders, OfAVelocityOf0DoNotOutliveTheConnection) {
+  std::promise<void> in_callback;
+  std::promise<void> release;
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_telemetry = [&](const Telemetry&) {
+    in_callback.set_value();
+    release.get_future().wait();
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("S");
+  client.waitForConnection(kSafetyNet);
+  peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
+  in_callback.get_future().wait();
+  client.steer({});
+  client.steer({0.1, 0, 0});
+  peer.reset();
+  release.set_value();
+  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  ScriptedPeer next = server_.accept();
+  next.agreeToVersion2("S");
+  client.waitForConnection(kSafetyNet);
+  client.commandLeds({{7, 1}});
+  EXPECT_EQ('L', next.readRequest().header.kind);
+}
+
 // The client's thread is kept in a callback, so that it finds both orders at once.
 TEST_F(Orders, AreNotSentAfterAHoldThatCameAfterThem) {
   std::mutex gate;
