@@ -27,7 +27,7 @@ std::vector<Trial> allTrials(std::uint32_t seed) {
   for (const double loss : {0.0, 0.01, 0.05}) {
     trials.push_back(lossTrial(11e6, loss, seed, milliseconds(15000)));
   }
-  // After a short outage the robot still serves the old connection, over which it has heard nothing for long enough.
+  // After a short outage the robot still serves the old connection, over which it gets no answer.
   // After a longer one it has given up the old connection.
   for (const int outage : {1000, 3000, 10000}) {
     trials.push_back(outageTrial(milliseconds(outage), seed));
@@ -35,12 +35,15 @@ std::vector<Trial> allTrials(std::uint32_t seed) {
   for (const double rate : {5.5e6, 2e6, 1e6}) {
     trials.push_back(lossTrial(rate, 0, seed, milliseconds(15000)));
   }
+  trials.push_back(withRival(trials.back()));
   return trials;
 }
 
 std::vector<Trial> shortTrials(std::uint32_t seed) {
-  return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossTrial(11e6, 0.05, seed, milliseconds(3000)),
+  return {lossTrial(11e6, 0, seed, milliseconds(2000)),
+          lossTrial(11e6, 0.05, seed, milliseconds(3000)),
           outageTrial(milliseconds(1000), seed),
+          withRival(lossTrial(1e6, 0, seed, milliseconds(5000))),
           by(PictureTransport::kUdp, lossTrial(11e6, 0.05, seed, milliseconds(3000))),
           by(PictureTransport::kAuto, lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <mutex>
+#include <optional>
 #include <thread>
 
 #include "radio/network_host.h"
@@ -157,17 +158,35 @@ Result run(const Trial& trial) {
     aibo_client::RcServerClient client(options, callbacks);
     client.setStreaming(true);
     client.start();
+    std::optional<aibo_client::RcServerClient> rival;
+    if (trial.has_rival) {
+      client.waitForConnection(kSafetyNet);
+      rival.emplace(options, aibo_client::Callbacks());
+      rival->start();
+    }
     std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
     const auto deadline = steady_clock::now() + kSafetyNet;
     while (!observer.hasSeenSince(link.begin() + endOfOutages(trial)) && steady_clock::now() < deadline) {
       std::this_thread::sleep_for(milliseconds(10));
     }
     const std::string transport_problem = client.status().transport_problem;
+    if (rival) {
+      rival->stop();
+    }
     client.stop();
     result = evaluate(trial, observer, link.begin(), client.statistics());
     result.transport_problem = transport_problem;
+    if (rival && result.connections > 1) {
+      result.violations.insert("another program got the place of a client that was there");
+    }
   }).join();
   return result;
+}
+
+Trial withRival(Trial trial) {
+  trial.has_rival = true;
+  trial.title += ", rival";
+  return trial;
 }
 
 Trial by(aibo_client::PictureTransport transport, Trial trial) {

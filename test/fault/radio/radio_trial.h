@@ -19,6 +19,7 @@ struct Trial {
   RadioOptions radio;
   std::chrono::milliseconds length{15000};
   aibo_client::PictureTransport transport = aibo_client::PictureTransport::kTcp;
+  bool has_rival = false;  ///< another client on the same computer asks for the place all the time
 };
 
 /// What came of a trial.
@@ -52,6 +53,9 @@ Trial lossTrial(double bits_per_second, double loss, std::uint32_t seed, std::ch
 
 /// Over a link of 11 Mbit/s that is out once, after 2 s.
 Trial outageTrial(std::chrono::milliseconds outage, std::uint32_t seed);
+
+/// The same with a rival.
+Trial withRival(Trial trial);
 
 /// The same with this transport.
 Trial by(aibo_client::PictureTransport transport, Trial trial);
