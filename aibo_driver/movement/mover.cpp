@@ -255,13 +255,16 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
 Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
   std::future<std::string> answer;
   const auto act = [&](Movement* movement) {
-    haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; },
-             {EndedHow::kReplaced, order.source + " plays " + name});
+    const std::string cause = order.source + " plays " + name;
+    haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, {EndedHow::kReplaced, cause});
     // Otherwise the robot would keep lower limits of earlier commands.
     limitSpeeds(table_.motionSpeedLimits());
     const OrderNumber number = nextNumber();
     answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
     motions_connection_ = connections();
+    if (findWalk() == nullptr) {
+      streams_.overrule(clock_(), cause);  // it may need the legs; if there is a walk, the robot says whether it does
+    }
     return begunOf(begin(*movement, number));
   };
   const Begun begun = give(order, {Kind::kMotion, name, "", {}, std::nullopt}, act);
@@ -694,29 +697,31 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     const bool is_too_old = refusal.cause == RefusalCause::kTooOld;
     const bool is_refused = refusal.cause == RefusalCause::kRobot || is_too_old;
     const bool is_walk = refusal.request == aibo_client::RefusedRequest::kWalk;
-    Record* const record = ownerOf(refusal.order);
     if (is_refused && refusal.request == aibo_client::RefusedRequest::kJoints) {
       filter_.startApproach();
     }
-    // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
-    const bool is_trajectory = record != nullptr && record->movement.kind == Kind::kTrajectory;
-    if (record != nullptr && !record->halt &&
-        ((is_trajectory && is_refused) || (is_walk && is_refused && !is_too_old))) {
-      halt(record, {EndedHow::kRefused, refusal.reason});
-    }
-    if (is_walk && refusal.cause == RefusalCause::kRobot) {
+    Record* const record = ownerOf(refusal.order);
+    const bool never_walked = is_walk && record != nullptr && record->orders.size() == 1;
+    if (is_walk &&
+        (refusal.cause == RefusalCause::kRobot || (refusal.cause == RefusalCause::kStopped && never_walked))) {
       streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
     }
     if (record == nullptr) {
       return;
     }
+    // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
+    const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
+    if (!record->halt && is_refused && (is_trajectory || (is_walk && !is_too_old))) {
+      halt(record, {EndedHow::kRefused, refusal.reason});
+    }
     if (is_refused) {
       leave(record, refusal.order, EndedHow::kRefused, refusal.reason);
-    } else if (is_walk && refusal.cause == RefusalCause::kReplaced && record->halt) {
+    } else if (refusal.cause == RefusalCause::kStopped) {
+      leave(record, refusal.order, EndedHow::kStopped, refusal.reason);
+    } else if (is_walk && record->halt) {
       leave(record, refusal.order, EndedHow::kStopped, kNeverWalked);
     } else {
-      const bool is_stopped = refusal.cause == RefusalCause::kStopped;
-      leave(record, refusal.order, is_stopped ? EndedHow::kStopped : EndedHow::kReplaced, refusal.reason);
+      leave(record, refusal.order, EndedHow::kReplaced, refusal.reason);
     }
   });
 }

@@ -182,7 +182,6 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"an ERS-210", [](Robot& robot) { robot.client.present.robot.design = "ERS-210"; }},
     {"no telemetry", [](Robot& robot) { robot.telemetry_wanted = false; }},
     {"time passes", [](Robot& robot) { robot.pass(600ms); }},
-    {"held up", [](Robot& robot) { robot.now += 501ms; }},
     {"fallen",
      [](Robot& robot) {
        robot.mover.robotChanged({MotorState::kOn, PostureNow::kFallen});
@@ -212,6 +211,8 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
      }},
     {"velocity too late", [](Robot& robot) { robot.refuses(RefusedRequest::kWalk, RefusalCause::kTooOld, "late"); }},
     {"velocity dropped", [](Robot& robot) { robot.refuses(RefusedRequest::kWalk, RefusalCause::kReplaced, "a 0"); }},
+    {"velocity stopped",
+     [](Robot& robot) { robot.refuses(RefusedRequest::kWalk, RefusalCause::kStopped, "a motion"); }},
     {"velocity of 0", [](Robot& robot) { robot.steer(0); }},
 };
 
@@ -951,6 +952,8 @@ TEST(Walk, HasToBeLetGoFirstAfterTheseEvents) {
       {"the robot was lifted", {"lifted"}},
       {"the robot has fallen", {"fallen"}},
       {"no", {"walk refused"}},
+      {"/user plays WAG.MTN", {"walk not steered", "motion"}},
+      {"a motion", {"walk not steered", "velocity", "velocity stopped"}},
   };
   for (const auto& row : rows) {
     for (const bool by_a_zero : {true, false}) {
@@ -1000,6 +1003,8 @@ TEST(Walk, GoesOnAfterTheseEvents) {
       {"no telemetry", "leg trajectory"},
       {"release"},
       {"velocity", "velocity too late"},
+      {"motion"},
+      {"velocity", "velocity stopped"},
   };
   for (const auto& events : rows) {
     Robot robot;
