@@ -91,7 +91,7 @@ class User {
     };
     callbacks.on_refused = [this](const Refusal& refusal) { change([&] { refusals_.push_back(refusal); }); };
     callbacks.on_ended = [this](const MotionEnd& end) {
-      change([&] { (end.what == EndedKind::kWalk ? walks_ : ends_).push_back(end); });
+      change([&] { (end.kind == EndedKind::kWalk ? walks_ : ends_).push_back(end); });
     };
     return callbacks;
   }
@@ -153,7 +153,7 @@ TEST(PairOfVersion2Test, EachCommandEndsOnceWithItsNumber) {
   ASSERT_TRUE(user.await([&] { return user.ends_.size() + user.refusals_.size() >= kCommands; }));
   std::map<std::uint64_t, EndedHow> ends;
   for (const MotionEnd& end : user.ends_) {
-    EXPECT_EQ(end.what, EndedKind::kJoints);
+    EXPECT_EQ(end.kind, EndedKind::kJoints);
     EXPECT_TRUE(ends.emplace(end.order, end.how).second) << end.order;
   }
   EXPECT_EQ(ends[kCommands], EndedHow::kDone);
