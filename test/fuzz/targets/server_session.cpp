@@ -387,7 +387,7 @@ class Server {
   void finishFileJob() {
     if (!files_.isFree()) {
       const FileResult& result = files_.doJob();
-      session_.FileDone(result);
+      session_.FileDone(result, now_);
       if (session_.OwesFile()) {
         Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
         require(result.size > 0 && session_.EncodeFileHeader(result.size, header.data()) <= header.size(),
