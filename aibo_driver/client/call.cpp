@@ -99,6 +99,30 @@ void Call::dropFrom(CommandOutbox* commands) const {
   }
 }
 
+std::optional<RefusedRequest> refusedRequest(char letter) {
+  switch (letter) {
+    case version2::REQUEST_JOINTS:
+      return RefusedRequest::kJoints;
+    case version2::REQUEST_SPEED_LIMITS:
+      return RefusedRequest::kSpeedLimits;
+    case version2::REQUEST_STEER:
+      return RefusedRequest::kWalk;
+    case version2::REQUEST_LEDS:
+    case protocol::REQUEST_FACE_LEDS:
+      return RefusedRequest::kLeds;
+    case version2::REQUEST_EARS:
+      return RefusedRequest::kEars;
+    case version2::REQUEST_SOUND:
+      return RefusedRequest::kMicrophone;
+    case version2::REQUEST_PLAY:
+      return RefusedRequest::kMotion;
+    case version2::REQUEST_POSTURE:
+      return RefusedRequest::kPosture;
+    default:
+      return std::nullopt;
+  }
+}
+
 std::string describe(const Call& call) {
   return call.object.empty() ? call.request.words : call.request.words + (" " + call.object);
 }
@@ -216,19 +240,23 @@ Call callToDeletePicture(const std::string& name) {
 }
 
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples) {
+  Call call = makeCall(version2::PLAY_SOUND);
+  setSamples(part, samples, &call);
+  return call;
+}
+
+void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call) {
   Call::Bytes bytes(samples.size() * version2::BYTES_PER_SAMPLE);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     protocol::encodeBigEndian16(static_cast<unsigned short>(samples[i]), &bytes[i * version2::BYTES_PER_SAMPLE]);
   }
-  Call call = makeCall(version2::PLAY_SOUND);
-  call.id = version2::SOUND_SPEAKER;
-  call.payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
-  call.sound_part = part;
-  call.read_answer =
+  call->id = version2::SOUND_SPEAKER;
+  call->payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
+  call->sound_part = part;
+  call->read_answer =
       readAs<version2::SpeakerRoom>([sound = part.sound](const version2::SpeakerRoom& room, Answer* answer) {
         answer->sound = {sound, std::min(room.samples, version2::SPEAKER_CAPACITY)};
       });
-  return call;
 }
 
 Call callForVolume(int volume) {

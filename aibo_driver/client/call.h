@@ -89,10 +89,10 @@ struct Call {
   void dropFrom(CommandOutbox* commands) const;
 };
 
-/// How the refusal of a call that is an order is told.
-inline RefusedRequest refusedRequest(const Call& call) {
-  return call.request.letter == protocol::version2::REQUEST_PLAY ? RefusedRequest::kMotion : RefusedRequest::kPosture;
-}
+/// How the refusal of such a request is told, in both versions of the protocol.
+/// @param letter the letter of the request
+/// @return empty if its refusal is only logged, or only told to its caller
+std::optional<RefusedRequest> refusedRequest(char letter);
 
 /// Describes the request in words that follow "refused to ".
 std::string describe(const Call& call);
@@ -148,6 +148,7 @@ Call callToFetchPicture(const std::string& name);
 Call callToDeletePicture(const std::string& name);
 /// @param samples the samples to play; an empty list stops the sound
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
+void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call);
 Call callForVolume(int volume);
 /// @param request SHUT_DOWN or REBOOT
 Call callToGoOff(const protocol::version2::Request& request);

@@ -59,32 +59,26 @@ std::vector<JointCommand> JointCommands::add(JointCommand command) {
 }
 
 std::vector<JointCommand> JointCommands::takeTooOld(TimePoint now) {
-  std::vector<JointCommand> taken;
-  for (JointCommand& command : commands_) {
-    if (command.terms.not_after < now) {
-      taken.push_back(takeTargets(&command, [](int) { return true; }));
-    }
-  }
-  removeEmpty();
-  return taken;
+  return take([now](const JointCommand& command, int) { return command.terms.not_after < now; });
 }
 
 std::vector<JointCommand> JointCommands::takeJoints(const std::function<bool(int id)>& condition) {
+  return take([&condition](const JointCommand&, int id) { return condition(id); });
+}
+
+template <typename Condition>
+std::vector<JointCommand> JointCommands::take(const Condition& condition) {
   std::vector<JointCommand> taken;
   for (JointCommand& command : commands_) {
-    JointCommand part = takeTargets(&command, condition);
+    JointCommand part = takeTargets(&command, [&](int id) { return condition(command, id); });
     if (!part.targets.empty()) {
       taken.push_back(std::move(part));
     }
   }
-  removeEmpty();
-  return taken;
-}
-
-void JointCommands::removeEmpty() {
   commands_.erase(std::remove_if(commands_.begin(), commands_.end(),
                                  [](const JointCommand& command) { return command.targets.empty(); }),
                   commands_.end());
+  return taken;
 }
 
 bool JointCommands::has(std::uint64_t order) const {

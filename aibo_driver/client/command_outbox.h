@@ -112,7 +112,8 @@ class JointCommands {
   JointCommand takeTargetAfter(int id, TimePoint now);
 
  private:
-  void removeEmpty();
+  template <typename Condition>
+  std::vector<JointCommand> take(const Condition& condition);
 
   std::deque<JointCommand> commands_;  // each has a target
 };

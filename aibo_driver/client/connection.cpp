@@ -128,7 +128,7 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
 /// The user follows a numbered order by its number, whether or not a caller waits for the answer.
 void Connection::tellRefused(const Call& call, RefusalCause cause, const std::string& reason) {
   if (call.order() != 0) {
-    context.notifier.refused({refusedRequest(call), cause, {}, reason, call.order()});
+    context.notifier.refused({refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
   }
 }
 

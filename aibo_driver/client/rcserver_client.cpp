@@ -1,5 +1,6 @@
 #include "aibo_client/rcserver_client.h"
 
+#include <functional>
 #include <future>
 #include <memory>
 #include <type_traits>
@@ -38,50 +39,51 @@ void throwUnlessDone(const Answer& answer) {
   }
 }
 
-/// @param purpose what the request is for, in words
-/// @param is_known true if version 1 has the request
+/// @param words what the request is for
 /// @throw CommandException this server does not know the request
 void requireRequest(const ConnectionLoop& loop, const Shared& shared, const version2::Request& request,
-                    const std::string& purpose, bool is_known_to_version1) {
+                    const std::string& words, bool is_known_to_version1) {
   const ConnectionStatus& status = shared.status;
   if (status.protocol_version == 1 && !is_known_to_version1) {
-    throw CommandException(loop.address() + " speaks version 1 of the protocol, which cannot " + purpose +
+    throw CommandException(loop.address() + " speaks version 1 of the protocol, which cannot " + words +
                            ". It needs an RCServer that speaks version 2.");
   }
   if (status.protocol_version > 1 && request.has(version2::MOVES_BODY) &&
       !status.robot.hasCapability(std::string(1, request.letter))) {
-    throw CommandException(loop.address() + " (" + status.robot.server + ") has no request to " + purpose +
+    throw CommandException(loop.address() + " (" + status.robot.server + ") cannot " + words +
                            ": its robot does not walk");
   }
 }
 
 /// Hands a call to the client's thread.
-/// @param make makes the call; it sees the shared state
 /// @param read makes the result of the call from its answer
+/// @param complete called last, with the shared state and the call
 /// @return becomes ready with the result, or with the exception that says why the call has failed
-/// @throw the exceptions of RcServerClient::beginMotors(); then nothing is changed
-template <typename MakeCall, typename Read, typename Result = std::invoke_result_t<Read, Answer>>
-std::future<Result> begin(ConnectionLoop* loop, milliseconds timeout, const MakeCall& make, const Read& read) {
+/// @throw the exceptions of RcServerClient::beginMotors(); then there is no call
+template <typename Read, typename Result = std::invoke_result_t<Read, Answer>>
+std::future<Result> begin(
+    ConnectionLoop* loop, Call call, milliseconds timeout, const Read& read,
+    const std::function<void(Shared*, Call*)>& complete = [](Shared*, Call*) {}) {
   checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
   const auto promise = std::make_shared<std::promise<Result>>();
+  call.timeout = timeout;
+  call.deadline = steady_clock::now() + timeout;
+  call.end = [promise, read](Answer answer) {
+    try {
+      throwUnlessDone(answer);
+      if constexpr (std::is_void_v<Result>) {
+        promise->set_value();
+      } else {
+        promise->set_value(read(std::move(answer)));
+      }
+    } catch (...) {
+      promise->set_exception(std::current_exception());
+    }
+  };
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
-    Call call = make(shared);
     requireRequest(*loop, shared, call.request, describe(call), isKnownToVersion1(call));
-    call.timeout = timeout;
-    call.deadline = steady_clock::now() + timeout;
-    call.end = [promise, read](Answer answer) {
-      try {
-        throwUnlessDone(answer);
-        if constexpr (std::is_void_v<Result>) {
-          promise->set_value();
-        } else {
-          promise->set_value(read(std::move(answer)));
-        }
-      } catch (...) {
-        promise->set_exception(std::current_exception());
-      }
-    };
+    complete(&shared, &call);
     call.dropFrom(&shared.commands);
     shared.calls.push_back(std::move(call));
   });
@@ -100,23 +102,12 @@ auto waitFor(const ConnectionLoop& loop, const std::string& caller, const Begin&
 
 /// Hands a call to the client's thread, and waits for its answer.
 /// @param caller the name of the function, for messages
-/// @param make as for begin()
-template <typename MakeCall>
-Answer askWith(ConnectionLoop* loop, const MakeCall& make, milliseconds timeout, const std::string& caller) {
-  return waitFor(*loop, caller, [&] { return begin(loop, timeout, make, [](Answer answer) { return answer; }); });
-}
-
-Answer ask(ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller) {
-  return askWith(
-      loop, [&call](const Shared&) { return std::move(call); }, timeout, caller);
-}
-
-/// Begins an order, which can be too old.
-template <typename Read>
-auto beginOrder(ConnectionLoop* loop, Call call, const OrderTerms& terms, milliseconds timeout, const Read& read) {
-  call.terms = terms;
-  return begin(
-      loop, timeout, [&call](const Shared&) { return std::move(call); }, read);
+/// @param complete as for begin()
+Answer ask(
+    ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller,
+    const std::function<void(Shared*, Call*)>& complete = [](Shared*, Call*) {}) {
+  const auto read = [](Answer answer) { return answer; };
+  return waitFor(*loop, caller, [&] { return begin(loop, std::move(call), timeout, read, complete); });
 }
 
 /// Hands a command to the client's thread.
@@ -288,9 +279,7 @@ std::future<bool> RcServerClient::beginMotors(bool on, milliseconds timeout, con
   if (on) {
     call.terms = {terms.not_after, 0};
   }
-  return begin(
-      loop_.get(), timeout, [&call](const Shared&) { return std::move(call); },
-      [](const Answer& answer) { return answer.motors_on; });
+  return begin(loop_.get(), std::move(call), timeout, [](const Answer& answer) { return answer.motors_on; });
 }
 
 void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
@@ -299,8 +288,7 @@ void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) 
 
 std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, milliseconds timeout) {
   checkJointsToHold(joints);
-  return begin(
-      loop_.get(), timeout, [&joints](const Shared&) { return callToHold(joints); }, readNothing);
+  return begin(loop_.get(), callToHold(joints), timeout, readNothing);
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -321,7 +309,9 @@ void RcServerClient::takePosture(Posture posture, milliseconds timeout, const Or
 }
 
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  return beginOrder(loop_.get(), callForPosture(toProtocol(posture)), terms, timeout, readNothing);
+  Call call = callForPosture(toProtocol(posture));
+  call.terms = terms;
+  return begin(loop_.get(), std::move(call), timeout, readNothing);
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
@@ -343,8 +333,9 @@ std::string RcServerClient::playMotion(const std::string& name, int repetitions,
 std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
                                                      const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
-  return beginOrder(loop_.get(), callToPlay(checkedMotionName(name), repetitions, motion_bits_), terms, timeout,
-                    [](const Answer& answer) { return answer.changes; });
+  Call call = callToPlay(checkedMotionName(name), repetitions, motion_bits_);
+  call.terms = terms;
+  return begin(loop_.get(), std::move(call), timeout, [](const Answer& answer) { return answer.changes; });
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
@@ -399,18 +390,15 @@ void RcServerClient::rebootRobot(milliseconds timeout) {
 SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                                           milliseconds timeout) {
   checkRange("samples", static_cast<long long>(samples.size()), 1, kMostSamplesAtOnce);
-  const auto make_call = [&](Shared& shared) {
-    return callToPlaySamples(placeOf(samples.size(), sound, is_last, &shared), samples);
+  const auto complete = [&](Shared* shared, Call* call) {
+    setSamples(placeOf(samples.size(), sound, is_last, shared), samples, call);
   };
-  return askWith(loop_.get(), make_call, timeout, "playSamples()").sound;
+  return ask(loop_.get(), makeCall(version2::PLAY_SOUND), timeout, "playSamples()", complete).sound;
 }
 
 void RcServerClient::stopSound(milliseconds timeout) {
-  const auto make_call = [](Shared& shared) {
-    shared.sound = SoundPart();
-    return callToPlaySamples({0, 0, 0, true}, {});
-  };
-  askWith(loop_.get(), make_call, timeout, "stopSound()");
+  const auto complete = [](Shared* shared, Call* /*call*/) { shared->sound = SoundPart(); };
+  ask(loop_.get(), callToPlaySamples({0, 0, 0, true}, {}), timeout, "stopSound()", complete);
 }
 
 int RcServerClient::setVolume(int volume, milliseconds timeout) {

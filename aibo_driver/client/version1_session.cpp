@@ -63,22 +63,6 @@ constexpr char kJointFault[] = "the joint does not follow its commands";
 // Version 1 does not say when something has ended.
 constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it ends";
 
-std::optional<RefusedRequest> kindOf(char letter) {
-  switch (letter) {
-    case protocol::REQUEST_JOINT:
-      return RefusedRequest::kJoints;
-    case protocol::REQUEST_MAX_VELOCITY:
-      return RefusedRequest::kSpeedLimits;
-    case protocol::REQUEST_LED:
-    case protocol::REQUEST_FACE_LEDS:
-      return RefusedRequest::kLeds;
-    case protocol::REQUEST_EARS:
-      return RefusedRequest::kEars;
-    default:
-      return std::nullopt;
-  }
-}
-
 short toCentidegrees(double radian) {
   return protocol::centidegreesFromMicroradians(toMicro(radian));
 }
@@ -335,7 +319,7 @@ void Version1Session::onValueRefused(int code) {
     poll_.drop({request.letter, request.id});
   }
   const std::string what = describe(request.letter, request.id);
-  const std::optional<RefusedRequest> kind = kindOf(request.letter);
+  const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
     connection_.refusals.refused(request.letter, what + ": " + describeError(code));
     return;

@@ -373,8 +373,7 @@ Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint no
   const version2::MicrophoneSettings settings = {static_cast<unsigned char>(mode),
                                                  static_cast<unsigned char>(wanted.channels),
                                                  static_cast<unsigned short>(wanted.samples_per_second)};
-  return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone,
-                 Order{RefusedRequest::kMicrophone, {}, 0});
+  return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone);
 }
 
 Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
@@ -397,7 +396,7 @@ Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
   Bytes frame = makeFrame(call->request.letter, call->id, call->payload);
   call->request_number = last_number_;
   if (call->has(version2::STARTS_MOVEMENT)) {
-    remember({refusedRequest(*call), {}, call->order()}, describe(*call), call->request.letter);
+    remember({call->request, {}, call->order()});
   }
   connection_.callSent(*call, frame.size(), now);
   return frame;
@@ -445,8 +444,7 @@ Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   for (const JointSpeedLimit& limit : wanted) {
     limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
   }
-  return request(version2::LIMIT_SPEEDS, 0, encoded(limits), now, nullptr,
-                 Order{RefusedRequest::kSpeedLimits, idsOf(wanted), 0});
+  return request(version2::LIMIT_SPEEDS, 0, encoded(limits), now, nullptr, idsOf(wanted));
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
@@ -458,7 +456,7 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
     targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
   }
   return request(version2::MOVE_JOINTS, 0, encoded(order), now, &Version2Session::onJointsAccepted,
-                 Order{RefusedRequest::kJoints, idsOf(command.targets), command.terms.number});
+                 idsOf(command.targets), command.terms.number);
 }
 
 /// @param command must not be empty. If its velocity is 0, it is sent even if the robot's frame is not known
@@ -467,8 +465,8 @@ Session::Bytes Version2Session::requestSteering(std::optional<SteeringCommand>* 
   const WalkVelocity& wanted = taken.velocity;
   const version2::SteeringOrder order = {frames_.notAfter(taken.terms.not_after, now).value_or(0),
                                          {wanted.forward, wanted.left, wanted.turn}};
-  return request(version2::STEER, taken.options, encoded(order), now, &Version2Session::onSteered,
-                 Order{RefusedRequest::kWalk, {}, taken.terms.number});
+  return request(version2::STEER, taken.options, encoded(order), now, &Version2Session::onSteered, {},
+                 taken.terms.number);
 }
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
@@ -478,8 +476,7 @@ Session::Bytes Version2Session::requestLeds(TimePoint now) {
     values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
                                    led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
   }
-  return request(version2::SET_LEDS, 0, encoded(values), now, &Version2Session::onLedsAccepted,
-                 Order{RefusedRequest::kLeds, idsOf(wanted), 0});
+  return request(version2::SET_LEDS, 0, encoded(values), now, &Version2Session::onLedsAccepted, idsOf(wanted));
 }
 
 // Both ears are always commanded together.
@@ -489,29 +486,26 @@ Session::Bytes Version2Session::requestEars(TimePoint now) {
   for (const EarCommand& ear : wanted) {
     (ear.id == EarCommand::kLeft ? positions.left : positions.right) = ear.drawn;
   }
-  return request(version2::MOVE_EARS, 0, encoded(positions), now, nullptr,
-                 Order{RefusedRequest::kEars, idsOf(wanted), 0});
+  return request(version2::MOVE_EARS, 0, encoded(positions), now, nullptr, idsOf(wanted));
 }
 
 /// A request whose answer is due soon.
 Session::Bytes Version2Session::request(const version2::Request& request, int id, const Bytes& payload, TimePoint now,
-                                        OnAnswer on_answer, const std::optional<Order>& order) {
+                                        OnAnswer on_answer, const std::vector<int>& ids, std::uint64_t order) {
   Bytes frame = makeFrame(request.letter, id, payload);
   exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, false};
-  if (order) {
-    remember(*order, request.words, request.letter);
+  if (refusedRequest(request.letter)) {
+    remember({request, ids, order});
   }
   return frame;
 }
 
 /// Remembers what the request that was made last is for.
-void Version2Session::remember(Order order, const std::string& words, char letter) {
+void Version2Session::remember(const Order& order) {
   if (orders_.size() >= kMostOrders) {
     throw ProtocolException("it has ended none of " + std::to_string(kMostOrders) + " orders");
   }
-  order.words = words;
-  order.letter = letter;
-  orders_[last_number_] = std::move(order);
+  orders_[last_number_] = order;
 }
 
 Session::Bytes Version2Session::makeFrame(char kind, int id, const Bytes& payload) {
@@ -538,7 +532,7 @@ std::optional<char> Version2Session::kindOf(int number) const {
     return exchange->second.request.letter;
   }
   if (const auto order = orders_.find(number); order != orders_.end()) {
-    return order->second.letter;
+    return order->second.request.letter;
   }
   const Call* const call = connection_.calls.find(number);
   return call != nullptr ? std::optional<char>(call->request.letter) : std::nullopt;
@@ -903,11 +897,12 @@ void Version2Session::onError(int number, const Payload& payload) {
     connection_.refuse(*call, cause, problem, now_);
   } else if (refused) {
     const Order& order = refused.mapped();
-    if (order.kind == RefusedRequest::kSpeedLimits) {
+    const char letter = order.request.letter;
+    if (letter == version2::REQUEST_SPEED_LIMITS) {
       connection_.forgetSpeedLimits(order.ids);
     }
-    connection_.refusals.refused(order.letter, "to " + order.words,
-                                 {order.kind, cause, order.ids, problem, order.number});
+    connection_.refusals.refused(letter, std::string("to ") + order.request.words,
+                                 {refusedRequest(letter).value(), cause, order.ids, problem, order.number});
   } else {
     onRefusal(exchanges_.at(number), problem);
   }

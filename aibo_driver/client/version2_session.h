@@ -59,11 +59,9 @@ class Version2Session final : public Session {
   /// A request of the user that no call waits for, or an order that goes on after the answer. The user is told if the
   /// robot refuses it, and when it ends.
   struct Order {
-    RefusedRequest kind;
+    protocol::version2::Request request;
     std::vector<int> ids;  ///< the ids of the joints, LEDs or ears
     std::uint64_t number;  ///< OrderTerms::number
-    std::string words{};   ///< what the robot does, in words that follow "refused to "
-    char letter = 0;       ///< of the request
   };
 
   /// A request that has to be answered soon. A call may take as long as its caller allows.
@@ -102,8 +100,8 @@ class Version2Session final : public Session {
   Bytes requestLeds(TimePoint now);
   Bytes requestEars(TimePoint now);
   Bytes request(const protocol::version2::Request& request, int id, const Bytes& payload, TimePoint now,
-                OnAnswer on_answer = nullptr, const std::optional<Order>& order = std::nullopt);
-  void remember(Order order, const std::string& words, char letter);
+                OnAnswer on_answer = nullptr, const std::vector<int>& ids = {}, std::uint64_t order = 0);
+  void remember(const Order& order);
   Bytes makeFrame(char kind, int id, const Bytes& payload);
   int nextNumber();
   bool serves(char request) const { return served_.test(static_cast<unsigned char>(request)); }

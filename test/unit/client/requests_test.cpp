@@ -245,8 +245,9 @@ TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
 TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
   const ScriptedPeer peer = connectVersion2("F W");
   const std::vector<std::pair<std::function<void()>, std::string>> rows = {
-      {[this] { client_.steer(kWalk); }, "no request to walk: its robot does not walk"},
-      {[this] { client_.takePosture(Posture::kSit, seconds(1)); }, "no request to take the posture sit: its robot"},
+      {[this] { client_.steer(kWalk); }, "cannot walk: its robot does not walk"},
+      {[this] { client_.takePosture(Posture::kSit, seconds(1)); },
+       "cannot take the posture sit: its robot does not walk"},
   };
   for (const auto& [call, reason] : rows) {
     EXPECT_THAT(complaintOf<CommandException>(call), AllOf(HasSubstr("(a test 1.0)"), HasSubstr(reason)));

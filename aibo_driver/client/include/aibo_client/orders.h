@@ -33,7 +33,7 @@ enum class RefusedRequest {
   kLeds,
   kEars,
   kMicrophone,
-  kMotion,  ///< only with an OrderTerms::number, in addition to the call's exception
+  kMotion,  ///< not if it has no OrderTerms::number and a call waits; that call throws in any case
   kPosture  ///< likewise
 };
 

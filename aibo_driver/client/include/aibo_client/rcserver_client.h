@@ -233,8 +233,7 @@ class RcServerClient {
   /// @throw Exception the function was called from a callback
   void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
-  /// Does the same as hold(), but does not wait. When it returns, what the hold drops has been dropped, and the request
-  /// is sent before everything that waits.
+  /// Does the same as hold(), but does not wait.
   /// @return becomes ready with what hold() throws, within the timeout
   /// @throw Exception the exceptions of beginMotors(); also InvalidArgumentException an argument is out of range
   std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
