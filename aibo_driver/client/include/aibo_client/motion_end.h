@@ -31,8 +31,8 @@ enum class EndedHow {
 };
 
 /// Reports that something has ended on the robot. It is reported once for each order that the robot has accepted,
-/// unless the connection ends first. A server of version 1 reports no ends. There, commands to joints and motions end
-/// with EndedHow::kUnknown once the robot has accepted them.
+/// unless the connection ends first. A server of version 1 reports no ends. There, orders with a number end with
+/// EndedHow::kUnknown once the robot has accepted them, or with kRefused if it has accepted only some of the joints.
 struct MotionEnd {
   EndedKind kind = EndedKind::kUnknown;
   EndedHow how = EndedHow::kUnknown;
