@@ -246,7 +246,7 @@ class StepsTest(unittest.TestCase):
         self.assertIn('no such file\n', errors)
         self.assertIn('roslaunch did not start', errors)
         self.assertNotIn('wait_for_end', self.waits(), 'nothing has to be waited for')
-        self.play('roslaunch', PLAYS['roslaunch'].replace('while True:\n    signal.pause()', 'listener.accept()'))
+        self.play('roslaunch', PLAYS['roslaunch'].replace('while True:\n    signal.pause()', 'listener.accept()[0].recv(1)'))
         self.assertIn('the nodes did not start, or stopped by themselves', self.demo(status=1))
         self.play('build', 'sys.exit(1)')
         (self.home / 'log').unlink()
