@@ -13,7 +13,7 @@ import unittest
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = PROJECT / "scripts" / "openr_object"
 EXAMPLE = PROJECT / "aibo_rcserver" / "example"
-LIMIT = 60  # seconds, in case of an error
+LIMIT = 300  # seconds, in case of an error
 
 
 class Robot:
