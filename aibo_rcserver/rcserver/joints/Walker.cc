@@ -2,7 +2,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include <algorithm>
@@ -21,8 +20,6 @@ using protocol::version2::POSTURE_STAND;
 using protocol::version2::POSTURE_WALK;
 using protocol::version2::Velocity;
 using protocol::version2::WALK_NAME;
-using robot_model::JOINTS_OF_A_LEG;
-using robot_model::Leg;
 using robot_model::LegAngles;
 using robot_model::NO_JOINT;
 using robot_model::NUMBER_OF_LEGS;
@@ -30,9 +27,6 @@ using robot_model::NUMBER_OF_LEGS;
 namespace {
 
 const double FRAME = robot_model::FRAME_MILLISECONDS * 1e-3;  // s
-const int LEG_JOINTS = NUMBER_OF_LEGS * JOINTS_OF_A_LEG;
-
-const double MICRO = 1e-6;
 
 // Frames until joints have followed their commands. Commands are up to 8 frames ahead, and servos lag. Our choice.
 const unsigned FRAMES_TO_FOLLOW = 25;
@@ -94,10 +88,6 @@ double Balanced(double shift, double lean) {
   return std::min(std::max(next, -BALANCE_LIMIT), BALANCE_LIMIT);
 }
 
-double AngleOf(const LegAngles& leg, int number) {
-  return number == 0 ? leg.rotator : number == 1 ? leg.elevator : leg.knee;
-}
-
 Velocity Following(const Velocity& value, const Velocity& target, double time, double seconds) {
   const Velocity result = {Following(value.forward, target.forward, time, seconds),
                            Following(value.left, target.left, time, seconds),
@@ -109,10 +99,6 @@ Velocity Towards(const Velocity& value, const Velocity& target, const Velocity& 
   const Velocity result = {Towards(value.forward, target.forward, step.forward),
                            Towards(value.left, target.left, step.left), Towards(value.turn, target.turn, step.turn)};
   return result;
-}
-
-int Microradians(double angle) {
-  return static_cast<int>(floor(angle / MICRO + 0.5));
 }
 
 }  // namespace
@@ -128,52 +114,19 @@ Walker::Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, Ord
       postures_(gait_),
       guard_(gait_),
       orders_(orders),
-      can_walk_(FindJoints()),
+      legs_(planner, robot),
+      head_(planner, robot),
       activity_(IDLE),
       has_legs_(false),
-      is_resting_(false),
-      has_rested_(false),
       goes_soft_(false),
       has_softened_(false),
-      measured_(0),
-      rests_since_(0),
+      rest_(),
       order_(OrderBook::NO_ORDER),
       is_walk_(false),
       posture_(POSTURE_STAND),
-      way_size_(0),
-      way_begun_(0),
-      gets_up_(false),
-      rolls_(false),
-      attempts_(0),
-      plans_again_(false),
-      frames_to_settle_(0),
-      is_guarded_(false),
-      ends_(false),
-      end_reason_(DONE),
-      has_next_(false),
-      next_(POSTURE_STAND),
-      wanted_(NO_VELOCITY),
-      pace_(),
-      frames_since_steered_(0) {
+      way_(),
+      walk_() {
   problem_[0] = '\0';
-  static const char* const HEAD[LEVELLED] = {"neck_tilt", "head_pan", "head_tilt"};
-  for (int i = 0; i < LEVELLED; ++i) {
-    head_[i] = findJointByName(robot_, HEAD[i]);
-    levels_[i] = false;
-  }
-}
-
-// False if the robot does not have the legs of an ERS-7.
-bool Walker::FindJoints() {
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    const int number = i % JOINTS_OF_A_LEG;
-    const Leg leg = static_cast<Leg>(i / JOINTS_OF_A_LEG);
-    joints_[leg][number] = findJointByIdentifier(robot_, legJointIdentifier(leg, number));
-    if (joints_[leg][number] == NO_JOINT) {
-      return false;
-    }
-  }
-  return strcmp(robot_.design, "ERS-7") == 0;
 }
 
 const char* Walker::Problem(Posture posture) {
@@ -213,42 +166,39 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded, unsigned short numb
     EndWalkInStand(DONE);
     return NO_VELOCITY;
   }
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    const int joint = joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG];
-    planner_.SetSpeedLimit(joint, robot_.joints[joint].highest_speed);
-  }
-  std::fill(levels_, levels_ + LEVELLED, false);
-  if (!IsWalk() || ends_) {
+  legs_.ResetSpeedLimits();
+  head_.Begin(false);
+  if (!IsWalk() || walk_.ends) {
     ReplaceOrder(WALK_BEGAN, ENDED_WALK, number, WALK_NAME);
   }
   if (!IsWalk()) {
     Begin(true, POSTURE_STAND);
   }
-  has_next_ = false;
-  ends_ = false;
-  frames_since_steered_ = 0;
+  walk_.has_next = false;
+  walk_.ends = false;
+  walk_.frames_since_steered = 0;
   if (!guarded) {  // meanwhile it does not look
     guard_.Forget();
   }
-  is_guarded_ = guarded;
+  walk_.is_guarded = guarded;
   Velocity asked = wanted;
   if (guarded) {  // faster, it could not stop before what it sees
     asked.forward = std::min(asked.forward, gait_.Parameters().highest.forward);
   }
-  wanted_ = gait_.Limited(asked);
-  return wanted_;
+  walk_.wanted = gait_.Limited(asked);
+  return walk_.wanted;
 }
 
 void Walker::Take(Posture posture, unsigned short number) {
-  std::fill(levels_, levels_ + LEVELLED, NeedsLevelHead(posture));
+  head_.Begin(NeedsLevelHead(posture));
   ReplaceOrder(POSTURE_BEGAN, ENDED_POSTURE, number, postureName(posture));
   if (activity_ != WALKING) {
     Begin(false, posture);
     return;
   }
-  ends_ = true;
-  has_next_ = true;
-  next_ = posture;
+  walk_.ends = true;
+  walk_.has_next = true;
+  walk_.next = posture;
 }
 
 void Walker::Stop(const EndReason& reason) {
@@ -259,85 +209,55 @@ void Walker::Stop(const EndReason& reason) {
 
 void Walker::MotorsGoOff(const EndReason& reason) {
   has_softened_ = has_softened_ || goes_soft_;
-  Stop(has_rested_ ? DONE : reason);
+  Stop(rest_.is_over ? DONE : reason);
 }
 
 void Walker::Brake(const EndReason& reason) {
   if (!IsActive()) {
     return;
   }
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    planner_.Hold(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG]);
-  }
+  legs_.Hold();
   Finish(reason);
 }
 
 void Walker::ClientGone() {
-  const bool rests =
-      activity_ == WALKING ? has_next_ && next_ == POSTURE_REST : IsActive() && !is_walk_ && posture_ == POSTURE_REST;
+  const bool rests = activity_ == WALKING ? walk_.has_next && walk_.next == POSTURE_REST
+                                          : IsActive() && !is_walk_ && posture_ == POSTURE_REST;
   if (activity_ != WALKING && !rests) {
     Stop(CLIENT_GONE);
-  } else if (activity_ == WALKING && has_next_ && !rests) {
-    has_next_ = false;
+  } else if (activity_ == WALKING && walk_.has_next && !rests) {
+    walk_.has_next = false;
     orders_.End(order_, CLIENT_GONE);
     order_ = OrderBook::NO_ORDER;
-  } else if (activity_ == WALKING && !has_next_) {
-    ends_ = true;
-    end_reason_ = CLIENT_GONE;
+  } else if (activity_ == WALKING && !walk_.has_next) {
+    walk_.ends = true;
+    walk_.end_reason = CLIENT_GONE;
   }
   has_softened_ = false;
-}
-
-bool Walker::Moves(int joint) const {
-  for (int i = 0; can_walk_ && i < LEG_JOINTS; ++i) {
-    if (joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG] == joint) {
-      return true;
-    }
-  }
-  return false;
 }
 
 bool Walker::NeedsLevelHead(Posture posture) const {
   return posture == POSTURE_REST || HasFallen();
 }
 
-bool Walker::IsOfHead(int joint) const {
-  return std::find(head_, head_ + LEVELLED, joint) != head_ + LEVELLED;
-}
-
-bool Walker::Levels(int joint) const {
-  for (int i = 0; i < LEVELLED; ++i) {
-    if (head_[i] == joint && levels_[i]) {
-      return true;
-    }
-  }
-  return false;
-}
-
-void Walker::LeaveAlone(int joint) {
-  for (int i = 0; i < LEVELLED; ++i) {
-    levels_[i] = levels_[i] && head_[i] != joint;
-  }
-}
-
 void Walker::NextFrame() {
   if (!IsMoving()) {
     return;
   }
-  if (is_walk_ && ++frames_since_steered_ >= STEERING_FRAMES) {
+  if (is_walk_ && ++walk_.frames_since_steered >= STEERING_FRAMES) {
     EndWalkInStand(NOT_STEERED);
   }
-  if (activity_ == TAKING_POSTURE && plans_again_) {
+  if (activity_ == TAKING_POSTURE && way_.plans_again) {
     PlanWay(true);
     BeginNextStage();
   } else if (activity_ == TAKING_POSTURE && HaveArrived()) {
     BeginNextStage();
   }
   if (activity_ == WALKING) {
-    const int slow = FindSlowJoint();
+    const int slow = legs_.FindSlow();  // the gait comes close to the highest speeds
     if (slow != NO_JOINT) {
       const EndReason reason = {END_REFUSED, "the speed limit of %s is too low for walking", robot_.joints[slow].name};
-      if (!ends_) {
+      if (!walk_.ends) {
         orders_.DemandLettingGo(reason);
       }
       EndWalkInStand(reason);
@@ -347,18 +267,17 @@ void Walker::NextFrame() {
 }
 
 void Walker::Measured(const FallWatch::Reading& reading, const int* positions, unsigned frame) {
-  measured_ = frame;
-  if (!can_walk_) {
+  if (!CanWalk()) {
     return;
   }
   LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(positions, legs);
+  legs_.Find(positions, legs);
   fall_watch_.Look(reading, postures_.Stands(legs), frame);
   const FallWatch::Verdict fall = fall_watch_.Now();
   const bool lies = FallWatch::IsFallen(fall);
-  if (gets_up_ && lies && attempts_ < ATTEMPTS) {
-    plans_again_ = plans_again_ || (!rolls_ && FallWatch::IsFallen(fall_watch_.Last()));
-  } else if (gets_up_ && lies && (rolls_ || !FallWatch::IsFallen(fall_watch_.Last()))) {
+  if (way_.gets_up && lies && way_.attempts < ATTEMPTS) {
+    way_.plans_again = way_.plans_again || (!way_.rolls && FallWatch::IsFallen(fall_watch_.Last()));
+  } else if (way_.gets_up && lies && (way_.rolls || !FallWatch::IsFallen(fall_watch_.Last()))) {
     // This is the last attempt, or the robot is on its belly already, and the verdict is late.
   } else if (fall != FallWatch::UPRIGHT) {
     const EndReason reason = EndReason::Of(END_FELL, FallWatch::Words(fall));
@@ -366,36 +285,36 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
     Brake(reason);
   }
   if (activity_ == WALKING) {
-    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(pace_.velocity));
+    const unsigned frames = walked_.Measured(legs, reading.paws, frame, gait_.UnseenWay(walk_.pace.velocity));
     CompareVelocity(frames);
     FeelLean(reading, frames);
-    if (is_guarded_) {
-      guard_.HaveWalked(walked_.Now(), pace_.velocity, frames);
+    if (walk_.is_guarded) {
+      guard_.HaveWalked(walked_.Now(), walk_.pace.velocity, frames);
     }
   }
-  goes_soft_ = has_legs_ && !gets_up_ && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
-  rests_since_ = is_resting_ ? rests_since_ : frame;
-  has_rested_ = is_resting_ && frame - rests_since_ >= FRAMES_TO_FOLLOW;
+  goes_soft_ = has_legs_ && !way_.gets_up && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
+  rest_.since = rest_.lies ? rest_.since : frame;
+  rest_.is_over = rest_.lies && frame - rest_.since >= FRAMES_TO_FOLLOW;
 }
 
 // A robot that has been somewhere else knows nothing about the ground around it.
 void Walker::HaveLooked(const WalkGuard::Reading& reading) {
-  if (!can_walk_ || !is_guarded_) {
+  if (!CanWalk() || !walk_.is_guarded) {
     return;
   }
   LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(legs);
+  legs_.Find(legs);
   if (fall_watch_.Now() != FallWatch::UPRIGHT || !has_legs_ || (activity_ != WALKING && !postures_.Stands(legs))) {
     guard_.Forget();
     return;
   }
-  const StepParameters step = gait_.StepAt(pace_.velocity);
-  guard_.Look(reading, legs, pace_.phase, activity_ == WALKING ? &step : NULL);
-  if (activity_ != WALKING || ends_) {
+  const StepParameters step = gait_.StepAt(walk_.pace.velocity);
+  guard_.Look(reading, legs, walk_.pace.phase, activity_ == WALKING ? &step : NULL);
+  if (activity_ != WALKING || walk_.ends) {
     return;
   }
-  const char* objection = guard_.Objection(pace_.velocity);
-  objection = objection == NULL ? guard_.Objection(wanted_) : objection;
+  const char* objection = guard_.Objection(walk_.pace.velocity);
+  objection = objection == NULL ? guard_.Objection(walk_.wanted) : objection;
   if (objection != NULL) {
     const EndReason reason = {END_REFUSED, objection, ""};
     orders_.DemandLettingGo(reason);
@@ -404,10 +323,10 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
 }
 
 bool Walker::TriesAnotherWay(int joint) {
-  if (activity_ != TAKING_POSTURE || is_resting_ || !Moves(joint) || attempts_ >= ATTEMPTS) {
+  if (activity_ != TAKING_POSTURE || rest_.lies || !Moves(joint) || way_.attempts >= ATTEMPTS) {
     return false;
   }
-  plans_again_ = true;
+  way_.plans_again = true;
   return true;
 }
 
@@ -429,11 +348,11 @@ protocol::version2::Posture Walker::Now(const int* positions) const {
     case FallWatch::UPRIGHT:
       break;
   }
-  if (activity_ == WALKING || !can_walk_) {
-    return can_walk_ ? POSTURE_WALK : POSTURE_UNKNOWN;
+  if (activity_ == WALKING || !CanWalk()) {
+    return CanWalk() ? POSTURE_WALK : POSTURE_UNKNOWN;
   }
   LegAngles legs[NUMBER_OF_LEGS];
-  FindLegs(positions, legs);
+  legs_.Find(positions, legs);
   if (postures_.Stands(legs)) {
     return POSTURE_STAND;
   }
@@ -450,186 +369,135 @@ protocol::version2::WalkState Walker::State() const {
   return activity_ == WALKING ? protocol::version2::WALK_STATE_WALKS : protocol::version2::WALK_STATE_GETS_READY;
 }
 
-// The gait comes close to the highest speeds of the joints.
-int Walker::FindSlowJoint() const {
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    const int joint = joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG];
-    if (planner_.SpeedLimit(joint) < robot_.joints[joint].highest_speed) {
-      return joint;
-    }
-  }
-  return NO_JOINT;
-}
-
-// The planned angles of the legs.
-void Walker::FindLegs(LegAngles* legs) const {
-  int positions[robot_model::MAX_JOINTS];
-  for (int i = 0; i < robot_.number_of_joints; ++i) {
-    positions[i] = planner_.Position(i);
-  }
-  FindLegs(positions, legs);
-}
-
-void Walker::FindLegs(const int* positions, LegAngles* legs) const {
-  for (int i = 0; i < NUMBER_OF_LEGS; ++i) {
-    legs[i].rotator = positions[joints_[i][0]] * MICRO;
-    legs[i].elevator = positions[joints_[i][1]] * MICRO;
-    legs[i].knee = positions[joints_[i][2]] * MICRO;
-  }
-}
-
 // Begins an order in place of what is being done. A walk that was to end anyway ends for its own reason.
 void Walker::ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name) {
-  orders_.End(order_, IsWalk() && ends_ && !has_next_ ? end_reason_ : reason);
+  orders_.End(order_, IsWalk() && walk_.ends && !walk_.has_next ? walk_.end_reason : reason);
   order_ = orders_.Begin(what, number, name);
 }
 
 void Walker::Begin(bool is_walk, Posture posture) {
   activity_ = TAKING_POSTURE;
   has_legs_ = true;
-  is_resting_ = false;
-  has_rested_ = false;
+  rest_.lies = false;
+  rest_.is_over = false;
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
-  gets_up_ = HasFallen();
-  attempts_ = 0;
-  pace_ = Pace();
+  way_ = Way();
+  way_.gets_up = HasFallen();
+  walk_.pace = Pace();
   PlanWay(false);
   BeginNextStage();
 }
 
 // Finds the way from here to the posture, or to the belly.
 void Walker::PlanWay(bool lies_down) {
-  plans_again_ = false;
-  way_begun_ = 0;
-  rolls_ = gets_up_ && FallWatch::IsFallen(fall_watch_.Last());
-  if (rolls_) {
-    way_size_ = Postures::FindWayToBelly(fall_watch_.Last(), attempts_, way_);
+  way_.plans_again = false;
+  way_.begun = 0;
+  way_.rolls = way_.gets_up && FallWatch::IsFallen(fall_watch_.Last());
+  if (way_.rolls) {
+    way_.size = Postures::FindWayToBelly(fall_watch_.Last(), way_.attempts, way_.stages);
   } else {
     LegAngles legs[NUMBER_OF_LEGS];
-    FindLegs(legs);
-    way_size_ = postures_.FindWay(legs, posture_, lies_down, way_);
+    legs_.Find(legs);
+    way_.size = postures_.FindWay(legs, posture_, lies_down, way_.stages);
   }
-  ++attempts_;
+  ++way_.attempts;
 }
 
 // Begins the next stage of the way. After the last one, finishes the order.
 void Walker::BeginNextStage() {
-  if (way_begun_ == way_size_) {
+  if (way_.begun == way_.size) {
     FinishWay();
     return;
   }
-  const Postures::Stage next = way_[way_begun_++];
-  const LegAngles* const legs = postures_.Legs(next);
-  int farthest = 0;
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    const int number = i % JOINTS_OF_A_LEG;
-    if (Postures::Moves(next, number)) {
-      const int joint = joints_[i / JOINTS_OF_A_LEG][number];
-      const int target = Microradians(AngleOf(legs[i / JOINTS_OF_A_LEG], number));
-      planner_.Aim(joint, target);
-      farthest = std::max(farthest, abs(target - planner_.Position(joint)));
-    }
-  }
+  const Postures::Stage next = way_.stages[way_.begun++];
+  const bool moves[] = {Postures::Moves(next, 0), Postures::Moves(next, 1), Postures::Moves(next, 2)};
+  const int farthest = legs_.Aim(postures_.Legs(next), moves);
   const int milliseconds = static_cast<int>(static_cast<double>(farthest) / SpeedIn(next) * 1000);
   planner_.Go(milliseconds);
-  frames_to_settle_ = rolls_ && way_begun_ == way_size_ ? FRAMES_TO_SETTLE : 0;
+  way_.frames_to_settle = way_.rolls && way_.begun == way_.size ? FRAMES_TO_SETTLE : 0;
   const bool rests = !is_walk_ && posture_ == POSTURE_REST && next == Postures::REST;
-  if (rests || rolls_) {
-    LevelHead(milliseconds);
+  if (rests || way_.rolls) {
+    head_.Go(milliseconds);
   }
 }
 
 int Walker::SpeedIn(Postures::Stage stage) const {
   const int speed = Postures::IsPosture(stage) ? POSTURE_SPEED : UNLOADED_SPEED;
   const bool pushes = stage == Postures::PUSH_LEFT || stage == Postures::PUSH_RIGHT;
-  return gets_up_ && !pushes ? 2 * speed : speed;
+  return way_.gets_up && !pushes ? 2 * speed : speed;
 }
 
 void Walker::FinishWay() {
   const bool still_lies = FallWatch::IsFallen(fall_watch_.Last());
-  if (rolls_ && !(still_lies && attempts_ >= ATTEMPTS)) {
+  if (way_.rolls && !(still_lies && way_.attempts >= ATTEMPTS)) {
     PlanWay(true);
     BeginNextStage();
-  } else if (rolls_) {
+  } else if (way_.rolls) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall_watch_.Now())));
-  } else if (is_walk_ && !ends_) {
+  } else if (is_walk_ && !walk_.ends) {
     walked_.Begin();
     activity_ = WALKING;
   } else if (!is_walk_ && posture_ == POSTURE_REST) {
-    is_resting_ = true;
+    rest_.lies = true;
   } else {
-    Finish(is_walk_ ? end_reason_ : DONE);
+    Finish(is_walk_ ? walk_.end_reason : DONE);
   }
 }
 
 bool Walker::HaveArrived() {
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    if (planner_.FramesLeft(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG]) > 0) {
-      return false;
-    }
-  }
-  return frames_to_settle_-- <= 0;
-}
-
-// A head that hangs down would hit the floor, or keep the robot from rolling over.
-void Walker::LevelHead(int milliseconds) {
-  for (int i = 0; i < LEVELLED; ++i) {
-    if (levels_[i]) {
-      planner_.Aim(head_[i], i == 0 ? -174533 : 0);  // the neck 10 degrees forward
-    }
-  }
-  planner_.Go(milliseconds);
+  return legs_.HaveArrived() && way_.frames_to_settle-- <= 0;
 }
 
 // Only the first reason is kept.
 void Walker::EndWalkInStand(const EndReason& reason) {
-  if (IsWalk() && !ends_) {
-    ends_ = true;
-    end_reason_ = reason;
+  if (IsWalk() && !walk_.ends) {
+    walk_.ends = true;
+    walk_.end_reason = reason;
   }
 }
 
 void Walker::Walk() {
   ChangeVelocity();
-  const bool stops = ends_ && pace_.velocity.isZero() && pace_.correction.isZero();
-  if (stops && pace_.effort == 0) {
-    if (has_next_) {
-      has_next_ = false;
-      Begin(false, next_);
+  const bool stops = walk_.ends && walk_.pace.velocity.isZero() && walk_.pace.correction.isZero();
+  if (stops && walk_.pace.effort == 0) {
+    if (walk_.has_next) {
+      walk_.has_next = false;
+      Begin(false, walk_.next);
     } else {
-      Finish(end_reason_);
+      Finish(walk_.end_reason);
     }
     return;
   }
-  const Velocity sum = {pace_.velocity.forward + pace_.correction.forward, pace_.velocity.left + pace_.correction.left,
-                        pace_.velocity.turn + pace_.correction.turn};
-  const Velocity velocity = gait_.LimitedForLegs(sum, pace_.velocity.forward);
+  const Velocity sum = {walk_.pace.velocity.forward + walk_.pace.correction.forward,
+                        walk_.pace.velocity.left + walk_.pace.correction.left,
+                        walk_.pace.velocity.turn + walk_.pace.correction.turn};
+  const Velocity velocity = gait_.LimitedForLegs(sum, walk_.pace.velocity.forward);
   const double period = gait_.StepAt(velocity).period;
-  pace_.effort = Towards(pace_.effort, stops ? 0 : 1, FRAME / (period / 2));
-  pace_.phase += FRAME / period;
-  pace_.phase -= floor(pace_.phase);
-  pace_.shift.x = Balanced(pace_.shift.x, pace_.lean.x);
-  pace_.shift.y = Balanced(pace_.shift.y, pace_.lean.y);
+  walk_.pace.effort = Towards(walk_.pace.effort, stops ? 0 : 1, FRAME / (period / 2));
+  walk_.pace.phase += FRAME / period;
+  walk_.pace.phase -= floor(walk_.pace.phase);
+  walk_.pace.shift.x = Balanced(walk_.pace.shift.x, walk_.pace.lean.x);
+  walk_.pace.shift.y = Balanced(walk_.pace.shift.y, walk_.pace.lean.y);
   SetFeet(velocity);
 }
 
 void Walker::ChangeVelocity() {
   const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
-  Velocity target = ends_ ? NO_VELOCITY : wanted_;
-  if (is_guarded_) {
+  Velocity target = walk_.ends ? NO_VELOCITY : walk_.wanted;
+  if (walk_.is_guarded) {
     target.forward = std::min(target.forward, guard_.HighestForward());
   }
-  if (std::max(fabs(pace_.shift.x), fabs(pace_.shift.y)) > STEEP) {
+  if (std::max(fabs(walk_.pace.shift.x), fabs(walk_.pace.shift.y)) > STEEP) {
     target.forward = std::min(target.forward, limits.forward);
   }
-  const bool is_back = pace_.velocity.forward < 0 || (pace_.velocity.forward == 0 && target.forward < 0);
+  const bool is_back = walk_.pace.velocity.forward < 0 || (walk_.pace.velocity.forward == 0 && target.forward < 0);
   const double step = SPEED_CHANGE * FRAME;
   const Velocity most = {step * (is_back ? limits.back : limits.forward), step * limits.left, step * limits.turn};
-  pace_.velocity = gait_.LimitedInWalk(Towards(pace_.velocity, target, most));
-  if (ends_) {
-    pace_.correction = Towards(pace_.correction, NO_VELOCITY, most);
+  walk_.pace.velocity = gait_.LimitedInWalk(Towards(walk_.pace.velocity, target, most));
+  if (walk_.ends) {
+    walk_.pace.correction = Towards(walk_.pace.correction, NO_VELOCITY, most);
   } else {
     CorrectVelocity();
   }
@@ -638,46 +506,43 @@ void Walker::ChangeVelocity() {
 // A little in each frame: a foot must not jump.
 void Walker::CorrectVelocity() {
   const protocol::version2::WalkLimits& limits = gait_.Parameters().highest;
-  pace_.correction.forward = Corrected(pace_.correction.forward, pace_.missing.forward, limits.forward);
-  pace_.correction.left = Corrected(pace_.correction.left, pace_.missing.left, limits.left);
-  pace_.correction.turn = Corrected(pace_.correction.turn, pace_.missing.turn, limits.turn);
+  walk_.pace.correction.forward = Corrected(walk_.pace.correction.forward, walk_.pace.missing.forward, limits.forward);
+  walk_.pace.correction.left = Corrected(walk_.pace.correction.left, walk_.pace.missing.left, limits.left);
+  walk_.pace.correction.turn = Corrected(walk_.pace.correction.turn, walk_.pace.missing.turn, limits.turn);
 }
 
 // Compares the measured velocity with the commanded one, which the legs follow with a delay.
 void Walker::CompareVelocity(unsigned frames) {
   const double seconds = frames * FRAME;
   const Velocity& now = walked_.Now();
-  pace_.expected = Following(pace_.expected, pace_.velocity, DELAY, seconds);
-  const Velocity missing = {pace_.expected.forward - now.forward, pace_.expected.left - now.left,
-                            pace_.expected.turn - now.turn};
-  pace_.missing = Following(pace_.missing, missing, SMOOTHING, seconds);
+  walk_.pace.expected = Following(walk_.pace.expected, walk_.pace.velocity, DELAY, seconds);
+  const Velocity missing = {walk_.pace.expected.forward - now.forward, walk_.pace.expected.left - now.left,
+                            walk_.pace.expected.turn - now.turn};
+  walk_.pace.missing = Following(walk_.pace.missing, missing, SMOOTHING, seconds);
 }
 
 // The accelerometer measures gravity only on average, because each foot that touches down shakes the body.
 void Walker::FeelLean(const FallWatch::Reading& reading, unsigned frames) {
   if (reading.up > 0) {  // it is 0 without an accelerometer
-    const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(pace_.velocity);
-    pace_.lean.x = Following(pace_.lean.x, ahead, SMOOTHING, frames * FRAME);
-    pace_.lean.y = Following(pace_.lean.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);
+    const double ahead = -reading.forward / GRAVITY - gait_.NoseDown(walk_.pace.velocity);
+    walk_.pace.lean.x = Following(walk_.pace.lean.x, ahead, SMOOTHING, frames * FRAME);
+    walk_.pace.lean.y = Following(walk_.pace.lean.y, -reading.left / GRAVITY, SMOOTHING, frames * FRAME);
   }
 }
 
 void Walker::SetFeet(const Velocity& velocity) {
   LegAngles legs[NUMBER_OF_LEGS];
-  gait_.FindPosture(pace_.phase, velocity, pace_.effort, legs, pace_.shift);
-  for (int i = 0; i < LEG_JOINTS; ++i) {
-    planner_.Aim(joints_[i / JOINTS_OF_A_LEG][i % JOINTS_OF_A_LEG],
-                 Microradians(AngleOf(legs[i / JOINTS_OF_A_LEG], i % JOINTS_OF_A_LEG)));
-  }
+  gait_.FindPosture(walk_.pace.phase, velocity, walk_.pace.effort, legs, walk_.pace.shift);
+  legs_.Aim(legs);
   planner_.Follow();
 }
 
 void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
-  gets_up_ = false;
-  is_resting_ = false;
-  has_rested_ = false;
-  has_next_ = false;
+  way_.gets_up = false;
+  rest_.lies = false;
+  rest_.is_over = false;
+  walk_.has_next = false;
   orders_.End(order_, reason);
   order_ = OrderBook::NO_ORDER;
 }

@@ -5,6 +5,8 @@
 
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
+#include "rcserver/joints/HeadLevel.h"
+#include "rcserver/joints/LegJoints.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/OrderBook.h"
 #include "rcserver/walk/FallWatch.h"
@@ -50,7 +52,7 @@ class Walker {
   Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// False if the robot's legs are not an ERS-7's. Then only functions that read the state may be called.
-  bool CanWalk() const { return can_walk_; }
+  bool CanWalk() const { return legs_.AreThere(); }
 
   /// The numbers of the gait, with its limits.
   const GaitParameters& Parameters() const { return gait_.Parameters(); }
@@ -73,7 +75,7 @@ class Walker {
                                      unsigned short number = 0);
 
   /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
-  unsigned short WalkNumber() const { return IsWalk() && !has_next_ ? orders_.Number(order_) : 0; }
+  unsigned short WalkNumber() const { return IsWalk() && !walk_.has_next ? orders_.Number(order_) : 0; }
 
   /// Takes a posture. The order to walk ends at once, but the legs first walk to the stand. Call it only if there is no
   /// Problem() with it.
@@ -91,25 +93,25 @@ class Walker {
   void ClientGone();
 
   /// True if this is a joint of a leg.
-  bool Moves(int joint) const;
+  bool Moves(int joint) const { return legs_.Has(joint); }
 
   /// True if the head has to be levelled for a posture, because the robot lies down to rest or gets up.
   bool NeedsLevelHead(protocol::version2::Posture posture) const;
 
   /// True if this joint is one of those that are levelled then.
-  bool IsOfHead(int joint) const;
+  bool IsOfHead(int joint) const { return head_.Has(joint); }
 
   /// True if this joint is levelled in the posture that the robot was told to take last.
-  bool Levels(int joint) const;
+  bool Levels(int joint) const { return head_.Levels(joint); }
 
   /// Call when the joint gets another command. It is not levelled any more.
-  void LeaveAlone(int joint);
+  void LeaveAlone(int joint) { head_.LeaveAlone(joint); }
 
   /// True while the robot walks or takes a posture.
   bool IsActive() const { return activity_ != IDLE; }
 
   /// The same, but false while the robot only waits for its motors to go off.
-  bool IsMoving() const { return activity_ != IDLE && !is_resting_; }
+  bool IsMoving() const { return activity_ != IDLE && !rest_.lies; }
 
   /// Call when a joint does not follow.
   /// @return true if it may give way, because the robot now tries another way to its posture
@@ -128,7 +130,7 @@ class Walker {
   void HaveLooked(const WalkGuard::Reading& reading);
 
   /// True if the motors must go off because the robot has lain down to rest or GoesSoft(). MotorsGoOff() confirms.
-  bool WantsMotorsOff() const { return has_rested_ || goes_soft_; }
+  bool WantsMotorsOff() const { return rest_.is_over || goes_soft_; }
 
   /// True if the robot has been lying on its side or its back for a second, does not get up, and this class moved the
   /// legs last. The legs must not push against obstacles.
@@ -146,7 +148,7 @@ class Walker {
   /// @name What telemetry says
   /// @{
   protocol::version2::WalkState State() const;
-  double Phase() const { return activity_ == WALKING ? pace_.phase : 0; }
+  double Phase() const { return activity_ == WALKING ? walk_.pace.phase : 0; }
 
   /// The average velocity since the last call (WalkedVelocity::Take()).
   protocol::version2::Velocity TakeVelocity() { return walked_.Take(activity_ == WALKING); }
@@ -167,15 +169,42 @@ class Walker {
     double phase;
   };
 
+  /// The way to a posture or, if it rolls, onto the belly.
+  struct Way {
+    Postures::Stage stages[Postures::MAX_WAY];
+    int size;
+    int begun;             ///< number of its stages that have begun
+    bool gets_up;          ///< from a side or its back
+    bool rolls;            ///< the way ends on the belly
+    int attempts;          ///< ways that have begun
+    bool plans_again;      ///< a joint did not follow
+    int frames_to_settle;  ///< until the robot lies still at the way's end
+  };
+
+  /// A robot that has lain down to rest.
+  struct Rest {
+    bool lies;       ///< it lies, and waits until the joints have followed
+    bool is_over;    ///< the joints have followed
+    unsigned since;  ///< frame of the last measurement before it lay
+  };
+
+  /// The walk that goes on, or the last one.
+  struct Steering {
+    bool is_guarded;
+    bool ends;  ///< it ends in the stand, for end_reason
+    EndReason end_reason;
+    bool has_next;  ///< the posture next follows the walk, and is the order
+    protocol::version2::Posture next;
+    protocol::version2::Velocity wanted;
+    Pace pace;
+    int frames_since_steered;
+  };
+
   Walker(const Walker&);
   Walker& operator=(const Walker&);
 
   bool HasFallen() const { return FallWatch::IsFallen(fall_watch_.Now()) && FallWatch::IsFallen(fall_watch_.Last()); }
-  bool FindJoints();
   bool IsWalk() const { return IsActive() && is_walk_; }
-  int FindSlowJoint() const;
-  void FindLegs(robot_model::LegAngles* legs) const;
-  void FindLegs(const int* positions, robot_model::LegAngles* legs) const;
   void Brake(const EndReason& reason);
   void ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name);
   void Begin(bool is_walk, protocol::version2::Posture posture);
@@ -184,7 +213,6 @@ class Walker {
   void FinishWay();
   int SpeedIn(Postures::Stage stage) const;
   bool HaveArrived();
-  void LevelHead(int milliseconds);
   void EndWalkInStand(const EndReason& reason);
   void Walk();
   void ChangeVelocity();
@@ -202,47 +230,19 @@ class Walker {
   WalkGuard guard_;
   FallWatch fall_watch_;
   OrderBook& orders_;
-  int joints_[robot_model::NUMBER_OF_LEGS][robot_model::JOINTS_OF_A_LEG];  ///< indices in the robot's table
-  bool can_walk_;
+  const LegJoints legs_;
+  HeadLevel head_;
   Activity activity_;
-  bool has_legs_;    ///< nothing else has moved the legs since
-  bool is_resting_;  ///< the robot lies, and waits until the joints have followed
-  bool has_rested_;  ///< the joints have followed
+  bool has_legs_;  ///< nothing else has moved the legs since
   bool goes_soft_;
   bool has_softened_;
-  unsigned measured_;     ///< frame
-  unsigned rests_since_;  ///< frame
+  Rest rest_;
   char problem_[OrderBook::MAX_TEXT_SIZE];
-
-  /// @name What is being done
-  /// @{
   int order_;  ///< NO_ORDER if nothing is done, or if its client has gone
   bool is_walk_;
   protocol::version2::Posture posture_;  ///< if this is not a walk
-  Postures::Stage way_[Postures::MAX_WAY];
-  int way_size_;
-  int way_begun_;         ///< number of its stages that have begun
-  bool gets_up_;          ///< from a side or its back
-  bool rolls_;            ///< the way ends on the belly
-  int attempts_;          ///< ways that have begun
-  bool plans_again_;      ///< a joint did not follow
-  int frames_to_settle_;  ///< until the robot lies still at the way's end
-  static const int LEVELLED = 3;
-  int head_[LEVELLED];     ///< the joints that are levelled
-  bool levels_[LEVELLED];  ///< whether each is still to be levelled
-  /// @}
-
-  /// @name The walk
-  /// @{
-  bool is_guarded_;
-  bool ends_;  ///< the walk ends in the stand, for end_reason_
-  EndReason end_reason_;
-  bool has_next_;  ///< the posture next_ follows the walk, and is the order
-  protocol::version2::Posture next_;
-  protocol::version2::Velocity wanted_;
-  Pace pace_;
-  int frames_since_steered_;
-  /// @}
+  Way way_;
+  Steering walk_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
