@@ -57,8 +57,6 @@ const char* ReasonOf(TCPEndpointError error) {
 }  // namespace
 
 const longword RCServer::HEARTBEAT_FRAMES;
-const longword RCServer::LYING_DOWN_FRAMES;
-const longword RCServer::FILE_FRAMES;
 const longword RCServer::FIRST_REQUEST_FRAMES;
 const longword RCServer::SIGN_FRAMES;
 const longword RCServer::LONGEST_PICTURE_WAIT;
@@ -72,13 +70,10 @@ RCServer::RCServer()
       has_asked_(false),
       has_asked_since_(0),
       body_(NULL),
-      power_order_(POWER_STAYS_ON),
-      goes_off_(false),
-      goes_off_since_(0),
+      power_down_(file_desk_),
       session_(NULL),
       now_(0),
       last_picture_(0),
-      lies_down_since_(0),
       signs_(0),
       last_attempt_(0),
       strangers_(0),
@@ -92,11 +87,12 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
     return oFAIL;
   }
   body_ = new Body();
+  power_down_.Begin(body_);
   body_->Voice().Start(subject[sbjSpeaker]);  // the speaker may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
-                       body_->Camera(), body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
-                       power_order_,    file_desk_,      held_up_};
+  const Robot robot = {body_->Design(),     body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
+                       body_->Camera(),     body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
+                       power_down_.Order(), file_desk_,      held_up_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -245,7 +241,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   connection->Accepted(*answer);
   if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
     TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
-  } else if (power_order_ != POWER_STAYS_ON) {
+  } else if (power_down_.IsOrdered()) {
     TurnAway(connection, "the robot goes off");
   } else if (client_ == NULL) {
     Admit(connection);
@@ -348,97 +344,18 @@ void RCServer::ObservePower() {
   Obey(power_supply_.LookNow());
 }
 
-void RCServer::Obey(PowerSupply::Alarm alarm) {
-  switch (alarm) {
-    case PowerSupply::NO_ALARM:
-      break;
-    case PowerSupply::PAUSE_PRESSED:
-      if (power_order_ == POWER_STAYS_ON && body_->Joints().Walking().IsMoving()) {
-        GoOff(POWER_LIE_DOWN, "the pause button was pressed: the robot lies down and shuts down");
-        break;
-      }
-      body_->CutMotors();
-      GoOff(POWER_SHUT_DOWN, "the pause button was pressed: motors off, the robot shuts down");
-      break;
-    case PowerSupply::BATTERY_LOW:
-      if (power_order_ == POWER_STAYS_ON) {
-        GoOff(POWER_LIE_DOWN, "the battery is low: the robot lies down and shuts down");
-      }
-      break;
-  }
-}
-
 // A client is told first. DropClient() then carries out the order.
-void RCServer::GoOff(PowerOrder order, const char* reason) {
-  OSYSPRINT(("RCServer: %s\n", reason));
-  power_order_ = order;
+void RCServer::Obey(PowerSupply::Alarm alarm) {
+  const char* const reason = power_down_.Obey(alarm);
+  if (reason == NULL) {
+    return;
+  }
   if (client_ == NULL) {
-    CarryOutPowerOrder();
+    power_down_.CarryOut(now_);
     return;
   }
   session_->RobotGoesOff(reason);
   ServeClient();
-}
-
-void RCServer::CarryOutPowerOrder() {
-  NoteOrder();
-  if (power_order_ == POWER_LIE_DOWN && body_->Motors().AreOn()) {
-    LieDown();
-  } else if (power_order_ != POWER_STAYS_ON && !MustWaitForFiles()) {
-    SwitchOff();
-  }
-}
-
-// The motors are switched off without waiting for the client or the memory stick.
-void RCServer::NoteOrder() {
-  if (power_order_ == POWER_STAYS_ON || goes_off_) {
-    return;
-  }
-  goes_off_ = true;
-  goes_off_since_ = now_;
-  if (power_order_ != POWER_LIE_DOWN) {
-    body_->CutMotors();
-  }
-}
-
-bool RCServer::MustWaitForFiles() const {
-  return file_desk_.IsThere() && !file_desk_.IsFree() && now_ - goes_off_since_ < FILE_FRAMES;
-}
-
-// The order stays in force until the robot is off, unless the robot refuses it.
-void RCServer::SwitchOff() {
-  const bool reboots = power_order_ == POWER_REBOOT;
-  power_order_ = reboots ? POWER_REBOOT : POWER_SHUT_DOWN;
-  if (!body_->SwitchOff(reboots)) {
-    power_order_ = POWER_STAYS_ON;
-    goes_off_ = false;
-  }
-}
-
-void RCServer::LieDown() {
-  Walker& walker = body_->Joints().Walking();
-  const char* const problem = walker.CanWalk() ? walker.Problem(protocol::version2::POSTURE_REST)
-                                               : "this kind of robot has no known way to lie down";
-  lies_down_since_ = now_;
-  if (problem == NULL) {
-    body_->Joints().Take(protocol::version2::POSTURE_REST);
-  } else {
-    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: %s", problem));
-  }
-}
-
-// The motors go off when the robot has lain down. No client commands it meanwhile, so it has lain down as soon as it
-// stops moving.
-void RCServer::ContinueGoingOff() {
-  if (power_order_ == POWER_LIE_DOWN && body_->Joints().Walking().IsActive()) {
-    if (now_ - lies_down_since_ < LYING_DOWN_FRAMES) {
-      return;
-    }
-    OSYSLOG1((osyslogERROR, "RCServer: the robot does not lie down: it takes longer than 10 s"));
-  } else if (MustWaitForFiles()) {
-    return;
-  }
-  SwitchOff();
 }
 
 void RCServer::PassTime(longword frame) {
@@ -456,15 +373,15 @@ void RCServer::PassTime(longword frame) {
   CheckGuest();
   if (client_ != NULL) {
     CheckClient();
-  } else if (power_order_ != POWER_STAYS_ON) {
-    ContinueGoingOff();
+  } else {
+    power_down_.Continue(now_);
   }
 }
 
 // A silent client of version 1 may be alive or lost. So its motions end, and it loses its place if another client
 // connects.
 void RCServer::CheckClient() {
-  if (goes_off_ && now_ - goes_off_since_ >= FILE_FRAMES) {
+  if (power_down_.IsOverdue(now_)) {
     DropClient(session_->EndReason(), true);
     return;
   }
@@ -576,7 +493,7 @@ void RCServer::CheckGuest() {
 }
 
 void RCServer::AdmitGuest() {
-  if (power_order_ != POWER_STAYS_ON) {
+  if (power_down_.IsOrdered()) {
     TurnAway(guest_, "the robot goes off");
     return;
   }
@@ -635,7 +552,7 @@ void RCServer::ForgetClient() {
   pictures_.Forget();
   picture_.Release();
   file_.Release();
-  CarryOutPowerOrder();
+  power_down_.CarryOut(now_);
   body_->SendCommands(subject[sbjEffector]);
 }
 
@@ -658,7 +575,7 @@ void RCServer::ServeClient() {
       OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
     }
   }
-  NoteOrder();
+  power_down_.Note(now_);
   pictures_.ReportStream(session_->Camera(), now_, &reports_);
   if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
     picture_.Release();

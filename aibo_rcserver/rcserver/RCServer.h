@@ -12,8 +12,8 @@
 
 #include "rcserver/Connection.h"
 #include "rcserver/FrameClock.h"
+#include "rcserver/PowerDown.h"
 #include "rcserver/ReportLimit.h"
-#include "rcserver/Robot.h"
 #include "rcserver/Session.h"
 #include "rcserver/SystemMilliseconds.h"
 #include "rcserver/body/Body.h"
@@ -44,14 +44,6 @@ class RCServer : public OObject {
  public:
   /// A client of version 2 that has sent nothing for this many frames is dropped: 5 s.
   static const longword HEARTBEAT_FRAMES = 625;
-
-  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice what lying down takes
-  /// from any posture or walk.
-  static const longword LYING_DOWN_FRAMES = 1250;
-
-  /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. A file that is being
-  /// replaced could be lost otherwise.
-  static const longword FILE_FRAMES = 375;
 
   /// A client that has not sent a whole request within this many frames loses its place if another one connects: 2 s.
   static const longword FIRST_REQUEST_FRAMES = 250;
@@ -130,13 +122,6 @@ class RCServer : public OObject {
   bool CreateRegions();
   void ObservePower();
   void Obey(PowerSupply::Alarm alarm);
-  void GoOff(PowerOrder order, const char* reason);
-  void CarryOutPowerOrder();
-  void NoteOrder();
-  bool MustWaitForFiles() const;
-  void SwitchOff();
-  void LieDown();
-  void ContinueGoingOff();
   void PassTime(longword frame);
   void CheckClient();
   bool IsClientSilent() const;
@@ -198,12 +183,10 @@ class RCServer : public OObject {
   longword has_asked_since_;
   Body* body_;  ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
-  PowerOrder power_order_;  ///< given by the client, the pause button or the battery
-  bool goes_off_;           ///< the order has been noted
-  longword goes_off_since_;
   FrameClock clock_;
   HoldUpWatch held_up_;
   FileDesk file_desk_;
+  PowerDown power_down_;
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client
   PictureTaker pictures_;
   HeldRegion<EncodedPicture> picture_;  ///< the picture that is sent to the client
@@ -213,7 +196,6 @@ class RCServer : public OObject {
   Session* session_;       ///< from DoInit to DoDestroy
   longword now_;           ///< the last frame in which something was taken or measured
   longword last_picture_;  ///< when one was sent
-  longword lies_down_since_;
   Signs signs_;
   longword last_attempt_;   ///< frame of the last attempt to listen
   unsigned strangers_;      ///< aborted since the last report on the console

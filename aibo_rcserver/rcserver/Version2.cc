@@ -190,7 +190,10 @@ void Version2::AskForSign() {
 void Version2::PushReports() {
   PushJointFaults();
   PushRecoveries();
-  PushEnds();
+  if (outbox_.HasRoom()) {
+    PushEnds();
+  }
+  PushFall();
   PushSoundEnds();
 }
 
@@ -221,12 +224,12 @@ void Version2::Send(char kind, unsigned short request_number, const unsigned cha
 
 // Answers the request with the payload in Payload(), after what it has ended.
 void Version2::FinishReply(size_t payload_size) {
-  SendOrderEnds();
+  PushEnds();
   outbox_.Add(message_, Frame(replyKind(request_.kind), request_.id, request_.request_number, payload_size));
 }
 
 void Version2::Refuse(unsigned short code, const char* text) {
-  SendOrderEnds();
+  PushEnds();
   SendError(request_.request_number, code, text);
 }
 
@@ -239,22 +242,6 @@ void Version2::SendEnd(unsigned char what, unsigned char how, unsigned short ord
                        const char* reason) {
   const EndMessage end = {what, how, order, name, strlen(name), reason, strlen(reason)};
   Send(END_PUSH, 0, end);
-}
-
-void Version2::SendOrderEnd(const OrderBook::Ended& end) {
-  if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
-    char text[MAX_ERROR_TEXT_SIZE];
-    sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
-    SendError(0, CODE_JOINT_FAULT, text);
-  }
-  SendEnd(end.what, end.how, end.number, end.name, end.reason);
-}
-
-void Version2::SendOrderEnds() {
-  OrderBook::Ended end;
-  while (robot_.joints.Orders().Take(OrderBook::CLIENT, &end)) {
-    SendOrderEnd(end);
-  }
 }
 
 // Refuses the request if its decoder has found a problem.
@@ -670,11 +657,20 @@ void Version2::PushRecoveries() {
   }
 }
 
-// An end that does not fit in the outbox is pushed the next time.
+// Call it only if there is room.
 void Version2::PushEnds() {
-  if (outbox_.HasRoom()) {
-    SendOrderEnds();
+  OrderBook::Ended end;
+  while (robot_.joints.Orders().Take(OrderBook::CLIENT, &end)) {
+    if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
+      char text[MAX_ERROR_TEXT_SIZE];
+      sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
+      SendError(0, CODE_JOINT_FAULT, text);
+    }
+    SendEnd(end.what, end.how, end.number, end.name, end.reason);
   }
+}
+
+void Version2::PushFall() {
   if (outbox_.HasRoom() && robot_.joints.Walking().TakeSoftened()) {
     SendError(0, CODE_REFUSED, "the robot has fallen: its motors are off, so that its legs are limp");
   }

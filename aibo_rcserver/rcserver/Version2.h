@@ -96,8 +96,6 @@ class Version2 {
   }
   void Refuse(unsigned short code, const char* text);
   void SendEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
-  void SendOrderEnd(const OrderBook::Ended& end);
-  void SendOrderEnds();
   void SendError(unsigned short request_number, unsigned short code, const char* text);
   /// @}
 
@@ -151,6 +149,7 @@ class Version2 {
   void PushJointFaults();
   void PushRecoveries();
   void PushEnds();
+  void PushFall();
   void PushSoundEnds();
   void PushMotorsAndPosture();
   void PushTelemetry(unsigned frame);

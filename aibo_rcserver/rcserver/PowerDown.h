@@ -1,0 +1,72 @@
+/// @file PowerDown.h
+/// Switches the robot off.
+#ifndef AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
+#define AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
+
+#include "rcserver/Robot.h"
+#include "rcserver/body/Body.h"
+#include "rcserver/body/PowerSupply.h"
+#include "rcserver/files/FileJobs.h"
+
+/// Carries out an order about the robot's power, of a client, of the pause button, or because the battery is low. The
+/// client is told and has gone before the robot lies down or goes off. Only the motors go off at once, unless the robot
+/// has to lie down.
+///
+/// Times are OPEN-R frames.
+class PowerDown {
+ public:
+  /// If the robot has not lain down after this many frames, its motors go off anyway: 10 s, twice what lying down takes
+  /// from any posture or walk.
+  static const longword LYING_DOWN_FRAMES = 1250;
+
+  /// Longest time, in frames, that a shutdown waits for the memory stick: 3 s, our choice. A file that is being
+  /// replaced could be lost otherwise.
+  static const longword FILE_FRAMES = 375;
+
+  /// @param files must outlive this
+  explicit PowerDown(const FileDesk& files)
+      : files_(files), body_(NULL), order_(POWER_STAYS_ON), is_noted_(false), noted_since_(0), lies_down_since_(0) {}
+
+  /// Call before anything else.
+  /// @param body must outlive this
+  void Begin(Body* body) { body_ = body; }
+
+  /// The order in force. A client's requests set it.
+  PowerOrder& Order() { return order_; }
+
+  /// True if the robot goes off. Nobody commands it any more.
+  bool IsOrdered() const { return order_ != POWER_STAYS_ON; }
+
+  /// Gives the order that follows from an alarm. The console says so.
+  /// @return the reason, to be told to the client; NULL if nothing changes
+  const char* Obey(PowerSupply::Alarm alarm);
+
+  /// Call when an order may have been given. The motors go off, unless the robot has to lie down.
+  void Note(longword now);
+
+  /// True if a client that waits for the memory stick must be dropped.
+  bool IsOverdue(longword now) const { return is_noted_ && now - noted_since_ >= FILE_FRAMES; }
+
+  /// Call when there is no client any more: the robot lies down or goes off, if this has been ordered.
+  void CarryOut(longword now);
+
+  /// Call again and again while there is no client.
+  void Continue(longword now);
+
+ private:
+  PowerDown(const PowerDown&);
+  PowerDown& operator=(const PowerDown&);
+
+  bool MustWaitForFiles(longword now) const;
+  void LieDown(longword now);
+  void SwitchOff();
+
+  const FileDesk& files_;
+  Body* body_;
+  PowerOrder order_;
+  bool is_noted_;
+  longword noted_since_;
+  longword lies_down_since_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
