@@ -138,6 +138,20 @@ TEST_P(PairTest, WhatWaitedForAFrozenServerIsRefusedAndWhatComesAfterItIsNot) {
   EXPECT_TRUE(user.await([&] { return user.positions_[kHeadPan] > before + 0.4; }));
 }
 
+// Each attempt makes the robot ask the client for a sign.
+TEST(PairOfVersion2Test, ASecondProgramDoesNotTakeThePlaceOfAClientThatLives) {
+  SimulatedRobot robot;
+  User user(robot);
+  user.connect();
+  User other(robot);
+  other.client().start();
+  EXPECT_TRUE(other.await([&] { return !other.reason_.empty(); })) << "it is turned away";
+  EXPECT_FALSE(other.was_connected_);
+  EXPECT_EQ(user.reason_, "");
+  user.client().commandJoints({{kHeadPan, 0.4}}, milliseconds(0));
+  EXPECT_TRUE(user.await([&] { return user.positions_[kHeadPan] > 0.3; }));
+}
+
 // The robot names the order, however fast it ends.
 TEST(PairOfVersion2Test, EachCommandEndsOnceWithItsNumber) {
   SimulatedRobot robot;
