@@ -17,8 +17,7 @@
 /// It always ends as a whole, because half a motion can make the robot fall.
 class MotionPlayer {
  public:
-  /// Most motions at once: head, tail, mouth and legs.
-  static const int MAX_PLAYING = 4;
+  static const int MAX_PLAYING = OrderBook::MAX_MOTIONS;
 
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;

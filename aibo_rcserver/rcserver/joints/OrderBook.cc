@@ -4,6 +4,7 @@
 #include <string.h>
 
 const int OrderBook::NO_ORDER;
+const int OrderBook::MAX_MOTIONS;
 const int OrderBook::MAX_LIVE;
 const unsigned OrderBook::MAX_ENDS;
 const int OrderBook::MAX_TEXT_SIZE;

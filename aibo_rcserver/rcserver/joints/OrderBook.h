@@ -33,8 +33,11 @@ class OrderBook {
   /// In place of an order: there is none.
   static const int NO_ORDER = -1;
 
-  /// Orders that can live at a time: each joint in a command of its own, four motions, and a walk or a posture.
-  static const int MAX_LIVE = robot_model::MAX_JOINTS + 4 + 1;
+  /// Most motions at once: head, tail, mouth and legs.
+  static const int MAX_MOTIONS = 4;
+
+  /// Orders that can live at a time: each joint in a command of its own, motions, and a walk or a posture.
+  static const int MAX_LIVE = robot_model::MAX_JOINTS + MAX_MOTIONS + 1;
 
   /// Ends that can wait for a client: those of all that live, and of one that ends as soon as it begins. A request must
   /// be carried out only if none waits. Without a client of version 2, the oldest is forgotten.

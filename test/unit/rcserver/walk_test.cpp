@@ -18,7 +18,6 @@ using namespace protocol::version2;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 std::string steering(int forward, int left = 0, int turn = 0) {
   const protocol::version2::Velocity velocity = {forward * 1e-3, left * 1e-3, turn * 1e-3};

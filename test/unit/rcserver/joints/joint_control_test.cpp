@@ -172,6 +172,19 @@ TEST(JointOrders, AreJudgedFromTheEndOfTheirPlannedWaysForTwoSeconds) {
   }
 }
 
+// The neck moves the head out of its way.
+TEST(JointOrders, AreRefusedIfACoupledJointKeepsTheirsFromItsTarget) {
+  OrderedJoints ordered(0);
+  ordered.pass(1000);
+  const std::pair<const char*, int> commands[] = {{"head_tilt", -80000}, {"neck_tilt", -1200000}};
+  for (const auto& [name, position] : commands) {
+    JointTargets target = {0, 1, {{ordered.joints.Identifier(findJointByName(ers7(), name)), position}}};
+    ordered.joints.SetTargets(&target, target.joints[0].id);
+  }
+  EXPECT_EQ(ordered.pass(1000), "1 0: ");
+  EXPECT_EQ(ordered.pass(1000), "3 3: head_tilt stays 0.167 rad from its target");
+}
+
 TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
   const auto command = [](OrderedJoints& ordered, int joint) {
     JointTargets targets = {0, 1, {{ordered.joints.Identifier(joint), -200000}}};
