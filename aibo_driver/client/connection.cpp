@@ -12,20 +12,6 @@ namespace {
 // An answer may have to wait behind a picture, so it gets at least this much time, even if pictures get less.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
-std::string effectOfMissing(Connection::Missing what) {
-  switch (what) {
-    case Connection::Missing::kStreamFormat:
-      return "for resolution and rate of the stream: it sends every image of its camera, at 208x160";
-    case Connection::Missing::kCameraSettings:
-      return "to set the camera: its settings stay as they are";
-    case Connection::Missing::kColors:
-      return "to detect colours: nothing is detected";
-    case Connection::Missing::kMicrophone:
-      break;
-  }
-  return "for its microphones: nothing is heard";
-}
-
 }  // namespace
 
 void RefusalLog::refused(char letter, const std::string& problem) {
@@ -129,15 +115,6 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
 void Connection::tellRefused(const Call& call, RefusalCause cause, const std::string& reason) {
   if (call.order() != 0) {
     context.notifier.refused({refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
-  }
-}
-
-void Connection::warnOfMissing(Missing what, bool wanted) {
-  if (!wanted) {
-    missing_.erase(what);
-  } else if (missing_.insert(what).second) {
-    context.warn((robot.server.empty() ? "speaks version 1 of the protocol, which" : "(" + robot.server + ")") +
-                 " has no request " + effectOfMissing(what));
   }
 }
 

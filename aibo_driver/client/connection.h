@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdint>
 #include <map>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -97,12 +96,6 @@ struct Connection {
   /// When a picture that is due now will be overdue.
   TimePoint pictureDeadline() const;
 
-  /// What older servers have no request for.
-  enum class Missing { kStreamFormat, kCameraSettings, kColors, kMicrophone };
-
-  /// Logs that this server has no request for something, each time that it becomes wanted.
-  void warnOfMissing(Missing what, bool wanted);
-
   /// Logs that the pictures come by TCP although UDP is wanted, or why they cannot come by UDP.
   /// @param why the reason in words that follow a colon
   /// @param level kWarn if the user wants UDP and nothing else
@@ -134,7 +127,6 @@ struct Connection {
   void tellRefused(const Call& call, RefusalCause cause, const std::string& reason);
 
   std::map<int, double> speed_limits_;  // rad/s, by the joint's id
-  std::set<Missing> missing_;           // what is wanted
 };
 
 }  // namespace aibo_client

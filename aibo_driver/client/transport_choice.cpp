@@ -20,14 +20,10 @@ TransportChoice::Step TransportChoice::next(const Situation& situation, TimePoin
   if (!is_possible || port_ == situation.port) {
     return Step::kNone;
   }
-  if (!situation.is_served) {
-    problem_ = "its server has no request for it";
-  } else if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
+  if (port_ != 0 || trials_.has_passed || (insists() && !trials_.given_up)) {
     return begin(situation.port, now);
-  } else if (situation.streaming) {
-    return test(now);
   }
-  return Step::kNone;
+  return situation.streaming ? test(now) : Step::kNone;
 }
 
 TransportChoice::Step TransportChoice::begin(int port, TimePoint now) {

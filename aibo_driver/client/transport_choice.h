@@ -31,7 +31,6 @@ class TransportChoice {
     unsigned changes;  ///< how often the user has changed `wanted`
     int port;          ///< the client's port for datagrams; 0 if there is none
     bool streaming;
-    bool is_served;  ///< the robot knows the request
   };
 
   /// What to ask the robot for.
@@ -58,7 +57,7 @@ class TransportChoice {
   /// True if the user wants UDP and nothing else.
   bool insists() const { return wanted_ == PictureTransport::kUdp; }
 
-  /// Why UDP cannot even be tried, or why it was not after the last tests. It is empty if there is no such reason.
+  /// Why UDP was not tried after the last tests. It is empty if there is no such reason.
   const std::string& problem() const { return problem_; }
 
   /// The latest time to call next() again.

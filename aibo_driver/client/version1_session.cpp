@@ -60,6 +60,13 @@ constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint 
 // The server reports a joint's fault by refusing the next request about this joint, whatever that request is.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
+// What version 1 has no request for, and what follows from that.
+constexpr char kStreamFormats[] =
+    "for resolution and rate of the stream: it sends every image of its camera, at 208x160";
+constexpr char kCameraSettings[] = "to set the camera: its settings stay as they are";
+constexpr char kColorDetection[] = "to detect colours: nothing is detected";
+constexpr char kMicrophones[] = "for its microphones: nothing is heard";
+
 // Version 1 does not say when something has ended.
 constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it ends";
 
@@ -105,10 +112,10 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
 // picture has which quality. `F` is never sent while the stream runs.
 Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   poll_wanted_ = wish.telemetry_period > 0;
-  connection_.warnOfMissing(Connection::Missing::kStreamFormat, wish.format != StreamFormat());
-  connection_.warnOfMissing(Connection::Missing::kCameraSettings, wish.camera != CameraSettings());
-  connection_.warnOfMissing(Connection::Missing::kColors, wish.colors.on);
-  connection_.warnOfMissing(Connection::Missing::kMicrophone, wish.microphone.on);
+  warnOfMissing(kStreamFormats, wish.format != StreamFormat());
+  warnOfMissing(kCameraSettings, wish.camera != CameraSettings());
+  warnOfMissing(kColorDetection, wish.colors.on);
+  warnOfMissing(kMicrophones, wish.microphone.on);
   endJointOrders();
   if (isAnswerOwed()) {
     return {};
@@ -127,6 +134,15 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   }
   Call* const call = connection_.calls.nextForRobot(true);
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
+}
+
+/// Logs that this version has no such request, each time that it becomes wanted.
+void Version1Session::warnOfMissing(const char* request, bool wanted) {
+  if (!wanted) {
+    missing_.erase(request);
+  } else if (missing_.insert(request).second) {
+    connection_.context.warn(std::string("speaks version 1 of the protocol, which has no request ") + request);
+  }
 }
 
 // A connection can also be made to a server that is frozen, or whose robot has just gone out of reach. Pictures are the

@@ -68,6 +68,7 @@ class Version1Session final : public Session {
   Call* owedCall() const { return connection_.calls.find(kOwed); }
   Call* owedPicture() const;
   bool isAnswerOwed() const { return value_owed_ || is_trial_owed_ || owedCall() != nullptr; }
+  void warnOfMissing(const char* request, bool wanted);
   Bytes requestTrial(const Wish& wish, TimePoint now);
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
@@ -108,6 +109,7 @@ class Version1Session final : public Session {
   LedMode led_mode_ = LedMode::kA;                    // the mode of all LEDs, as last accepted
   bool joints_turn_ = true;                           // true: joints are next; false: waiting LEDs and ears are next
   ValuePoll poll_;
+  std::set<const char*> missing_;  // the requests that are wanted and that this version does not have
   std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;
   bool ready_;                  // the server has answered

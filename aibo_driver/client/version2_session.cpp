@@ -263,10 +263,6 @@ StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
 
 // Settings are sent one by one, and before the stream starts, so that its first picture has them.
 Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
-  if (!serves(version2::REQUEST_CAMERA)) {
-    connection_.warnOfMissing(Connection::Missing::kCameraSettings, wish.camera != CameraSettings());
-    return {};
-  }
   const auto wanted = valuesOf(wish.camera);
   const auto different = std::mismatch(wanted.begin(), wanted.end(), camera_.begin());
   if (different.first == wanted.end()) {
@@ -290,9 +286,8 @@ Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
 }
 
 Session::Bytes Version2Session::requestTransport(const Wish& wish, TimePoint now) {
-  const TransportChoice::Step step = transport_.next(
-      {wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming, serves(version2::REQUEST_DATAGRAMS)},
-      now);
+  const TransportChoice::Step step =
+      transport_.next({wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming}, now);
   if (!transport_.problem().empty()) {
     connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   }
@@ -337,10 +332,6 @@ Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now
 
 // Tables go first, so that the first push has all of them.
 Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
-  if (!serves(version2::REQUEST_COLORS)) {
-    connection_.warnOfMissing(Connection::Missing::kColors, wish.colors.on);
-    return {};
-  }
   if (wish.colors.on && wish.color_tables != color_tables_) {
     const auto different = std::mismatch(wish.color_tables.begin(), wish.color_tables.end(), color_tables_.begin());
     *different.second = *different.first;
@@ -359,10 +350,6 @@ Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
 // A server starts with its microphones off.
 Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint now) {
   const MicrophoneSettings& wanted = wish.microphone;
-  if (!serves(version2::REQUEST_SOUND)) {
-    connection_.warnOfMissing(Connection::Missing::kMicrophone, wanted.on);
-    return {};
-  }
   const MicrophoneSettings& asked = connection_.sound.asked();
   if (wanted == asked || (!wanted.on && !asked.on && wanted.before_pictures == asked.before_pictures)) {
     return {};
@@ -677,12 +664,6 @@ void Version2Session::onHello(const Payload& payload) {
     robot_frame_time_ = sent;
   }
   frames_.told(hello.frame_number, now_);
-  served_.reset();
-  for (const std::string& word : connection_.robot.capabilities) {
-    if (word.size() == 1) {
-      served_.set(static_cast<unsigned char>(word.front()));
-    }
-  }
   ready_ = true;
 }
 

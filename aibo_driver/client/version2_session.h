@@ -3,7 +3,6 @@
 #define AIBO_DRIVER_CLIENT_VERSION2_SESSION_H
 
 #include <array>
-#include <bitset>
 #include <cstdint>
 #include <deque>
 #include <map>
@@ -80,7 +79,6 @@ class Version2Session final : public Session {
     bool about_body;  ///< for example, the robot lies on its side; over when it walks or takes a posture again
   };
 
-  Bytes chooseRequest(const Wish& wish, TimePoint now);
   Bytes requestHello(TimePoint now);
   StreamFormat possibleFormat(const Wish& wish) const;
   Bytes requestStream(const Wish& wish, TimePoint now);
@@ -104,7 +102,6 @@ class Version2Session final : public Session {
   void remember(const Order& order);
   Bytes makeFrame(char kind, int id, const Bytes& payload);
   int nextNumber();
-  bool serves(char request) const { return served_.test(static_cast<unsigned char>(request)); }
 
   void onFrame();
   void onPush(char kind, const Payload& payload);
@@ -158,7 +155,6 @@ class Version2Session final : public Session {
   RobotFrames frames_;
 
   bool ready_ = false;
-  std::bitset<256> served_;        // letters of the requests that this server knows
   std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to a hello
   TimePoint robot_frame_time_;     ///< when that hello was sent: that frame was not over yet
   TimePoint next_hello_;

@@ -181,7 +181,9 @@ void PictureServer::answerVersion2(const Request& request, Peer* peer) {
     default:
       break;
   }
-  append(version2_frames::makeFrame(version2::replyKind(request.kind), request.number, reply), peer);
+  Bytes frame = version2_frames::makeFrame(version2::replyKind(request.kind), request.number, reply);
+  frame[1] = static_cast<std::uint8_t>(request.id);
+  append(frame, peer);
   if (request.kind == version2::REQUEST_JOINTS) {
     const Bytes end = version2_frames::makeEnd(version2::ENDED_JOINTS, version2::END_DONE, "", "", request.number);
     append(version2_frames::makeFrame(version2::END_PUSH, 0, end), peer);

@@ -92,6 +92,13 @@ void ScriptedPeer::agreeToVersion2(const std::string& capabilities) {
   send({'x', 2, 0, 0});
   const int number = readFrame().header.request_number;
   send(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities)));
+  for (int i = 0; i < protocol::version2::NUMBER_OF_CAMERA_SETTINGS; ++i) {
+    const version2_frames::Frame setting = readFrame();
+    camera_ += version2_frames::textOf(setting) + ";";
+    Bytes reply = version2_frames::makeFrame('g', setting.header.request_number, setting.payload);
+    reply[1] = setting.header.id;
+    send(reply);
+  }
 }
 
 void ScriptedPeer::send(const Bytes& bytes) {

@@ -35,8 +35,11 @@ class ScriptedPeer {
   /// Waits for the next frame that is not a heartbeat, and answers heartbeats.
   version2_frames::Frame readRequest();
 
-  /// Agrees to version 2 of the protocol, and says hello.
+  /// Agrees to version 2 of the protocol, and says hello. Then the client sets the camera.
   void agreeToVersion2(const std::string& capabilities = "F W J V T");
+
+  /// How the client has set the camera, as in "G 1 3;G 2 2;".
+  const std::string& camera() const { return camera_; }
 
   /// Waits for this many bytes.
   Bytes read(std::size_t size);
@@ -57,6 +60,7 @@ class ScriptedPeer {
 
  private:
   aibo_client::FileDescriptor socket_;
+  std::string camera_;
 };
 
 /// A server on a free port of 127.0.0.1.

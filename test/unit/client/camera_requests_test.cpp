@@ -22,7 +22,7 @@ class CameraRequestsTest : public Version2SessionFixture {
 };
 
 TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWheneverItShouldDiffer) {
-  begin("H F W");
+  begin();
   wish_.streaming = true;
   const struct {
     int quality;
@@ -46,7 +46,7 @@ TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWheneverItShouldDiffer) {
 }
 
 TEST_F(CameraRequestsTest, ARobotWithoutDoubleResolutionStreamsHighOneAndTheLogSaysSo) {
-  begin("H F W");
+  begin();
   wish_.streaming = true;
   wish_.format = {Resolution::kDouble, 2};
   EXPECT_EQ("W 73 1 3 0 2", request());
@@ -63,7 +63,7 @@ TEST_F(CameraRequestsTest, ARobotWithoutDoubleResolutionStreamsHighOneAndTheLogS
 }
 
 TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
-  begin("H F W");
+  begin();
   wish_.format.every_nth_image = 15;
   stream();
   live(milliseconds(500 + 14 * 48 - 1));
@@ -71,7 +71,7 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
 }
 
 TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
-  begin("H F W");
+  begin();
   wish_.format.resolution = Resolution::kLow;
   takePictureOf(std::nullopt);
   EXPECT_EQ("F 73 2", request());
@@ -80,7 +80,7 @@ TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
 }
 
 TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsForItsCallerAlone) {
-  begin("H F W");
+  begin();
   stream();
   const auto delivered_for = [this](Resolution resolution) {
     const std::size_t before = pictures_.size();
@@ -99,7 +99,7 @@ TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsFor
 }
 
 TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {
-  begin("H F W G");
+  sayHello();
   wish_.streaming = true;
   wish_.camera.gain = 3;
   for (const char* each : {"G 1 3", "G 2 3", "G 3 2", "G 4 0", "G 5 0", "W 73 1 0 0 1", ""}) {
@@ -113,25 +113,15 @@ TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {
 }
 
 TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) {
-  begin("H F W G");
+  sayHello();
   EXPECT_EQ("G 1 3", request());
   refuse("it does not");
   EXPECT_EQ(1, logged("refused to set its camera"));
   EXPECT_EQ("G 2 2", request());
 }
 
-TEST_F(CameraRequestsTest, AServerWithoutCameraSettingsIsNotSentAnyAndTheLogSaysSoOnce) {
-  begin("H F W");
-  EXPECT_EQ("", request());
-  EXPECT_EQ(0, logged("to set the camera"));
-  wish_.camera.gain = 1;
-  EXPECT_EQ("", request());
-  EXPECT_EQ("", request());
-  EXPECT_EQ(1, logged("to set the camera"));
-}
-
 TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
-  begin("H F W");
+  begin();
   stream();
   Bytes payload = version2_frames::makePicture(test_pictures::makeNumbered(1), 1);
   for (const std::uint8_t settings : Bytes{0, 0x9b, 0x7d}) {  // docs/protocol.md

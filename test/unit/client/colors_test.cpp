@@ -52,7 +52,7 @@ class ColorsTest : public Version2SessionFixture {
 
   /// The detection is on for every third image; channel 6 detects a ball, and two others something else.
   void detectBall(bool with_mask = false) {
-    begin("H F W Z");
+    begin();
     wish_.colors = {true, 3, with_mask};
     for (const auto& [channel, name] : {std::pair(4, "goal"), {6, "ball"}, {7, "box"}}) {
       wish_.color_tables.at(static_cast<std::size_t>(channel)) = tableNamed(name);
@@ -71,7 +71,7 @@ class ColorsTest : public Version2SessionFixture {
 };
 
 TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
-  begin("H F W Z");
+  begin();
   wish_.color_tables[0] = tableNamed("ball");
   wish_.color_tables[6] = tableNamed("box");
   EXPECT_EQ("", request()) << "nobody wants to know";
@@ -201,7 +201,7 @@ TEST_F(ColorsTest, AnImpossiblePlaneIsDropped) {
 }
 
 TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
-  begin("H F W Z");
+  begin();
   push(regionsOf({kBall}));
   EXPECT_THAT(colors_, IsEmpty()) << "the detection is off";
   wish_.colors.on = true;
@@ -229,15 +229,6 @@ TEST_F(ColorsTest, ARefusalIsLogged) {
   request();
   refuse("it does not");
   EXPECT_EQ(logged("to detect colours: it does not"), 1);
-}
-
-TEST_F(ColorsTest, AServerThatDetectsNoColoursIsNotAskedAndTheLogSaysSoOnce) {
-  begin("H F W");
-  wish_.colors.on = true;
-  wish_.color_tables[0] = tableNamed("ball");
-  EXPECT_EQ("", request());
-  EXPECT_EQ("", request());
-  EXPECT_EQ(logged("has no request to detect colours"), 1);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ inline test_pictures::Bytes makeJpeg(unsigned seed) {
 /// A robot that sends its pictures as datagrams.
 class DatagramsFixture : public Version2SessionFixture {
  public:
-  DatagramsFixture() { begin("F W B"); }
+  DatagramsFixture() { begin(); }
 
   /// The kind of the request that the session sends now, which is not answered; 0 if there is none.
   char request() {

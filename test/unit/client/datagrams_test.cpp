@@ -673,18 +673,6 @@ TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
   EXPECT_TRUE(eventually([&] { return client.statistics().foreign_datagrams == 1; }));
 }
 
-TEST_F(DatagramClientTest, AServerWithoutTheRequestSendsByTcpAndTheReasonIsTold) {
-  client_.setPictureTransport(PictureTransport::kUdp);
-  client_.setStreaming(true);
-  ScriptedPeer peer = connectVersion2("F W");
-  EXPECT_EQ('W', peer.readRequest().header.kind);
-  EXPECT_TRUE(recorder_.waitForStatus([](const ConnectionStatus& status) {
-    return status.state == ConnectionState::kConnected &&
-           status.transport_problem.find("no request for it") != std::string::npos;
-  }));
-  EXPECT_EQ(1, recorder_.logged("by TCP, not by UDP"));
-}
-
 TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
   client_.setStreaming(true);
   ScriptedPeer peer = connectVersion2("F W B");

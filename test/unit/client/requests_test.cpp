@@ -345,9 +345,9 @@ TEST_F(Requests, OfSettingsAreSentOverEachConnection) {
   EXPECT_EQ(60, client_.jpegQuality());
   EXPECT_TRUE(client_.streamFormat() == (StreamFormat{Resolution::kLow, 3}));
   for (int connection = 1; connection <= 2; ++connection) {
-    ScriptedPeer peer = connectVersion2("F W G Z A T");
-    for (const std::string each : {"G 1 1", "G 2 3", "G 3 1", "G 4 1", "G 5 0", "W 60 1 2 0 3", "T 1 0 4",
-                                   "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0", "A 1 1 1 31 64"}) {
+    ScriptedPeer peer = connectVersion2();
+    EXPECT_EQ("G 1 1;G 2 3;G 3 1;G 4 1;G 5 0;", peer.camera());
+    for (const std::string each : {"W 60 1 2 0 3", "T 1 0 4", "Z 2 5 0 0 0 1 2 3 4", "Z 1 0 4 1 0", "A 1 1 1 31 64"}) {
       EXPECT_EQ(each, version2_frames::textOf(peer.readRequest(), 8)) << connection;
     }
   }

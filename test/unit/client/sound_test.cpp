@@ -32,8 +32,6 @@ class SoundTest : public Version2SessionFixture {
  public:
   SoundTest() : Version2SessionFixture(true) {}
 
-  void begin() { Version2SessionFixture::begin("H F W A I"); }
-
   /// Has the microphones switched on. The robot does something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
     begin();
@@ -114,14 +112,6 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
     EXPECT_EQ(sent, request());
     EXPECT_EQ("", request());
   }
-}
-
-TEST_F(SoundTest, AServerWithoutSoundIsNotAskedForItAndTheLogSaysSoOnce) {
-  Version2SessionFixture::begin("H F W");
-  wish_.microphone.on = true;
-  EXPECT_EQ("", request());
-  EXPECT_EQ("", request());
-  EXPECT_EQ(1, logged("for its microphones: nothing is heard"));
 }
 
 TEST_F(SoundTest, ARefusalToListenIsToldAndTheRequestIsNotRepeated) {

@@ -142,7 +142,7 @@ TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain
 
 TEST(TransportChoicePauseTest, ThePauseDoesNotGrowForEver) {
   TransportChoice choice(false, 5);
-  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true, true};
+  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true};
   TransportChoice::TimePoint now(seconds(1000));
   std::vector<long> pauses;
   for (int i = 0; i < 6; ++i) {

@@ -16,8 +16,15 @@ class Version2SessionFixture : public SessionFixture {
 
   aibo_client::Session& session() override { return session_; }
 
-  /// The robot says hello.
-  void begin(const std::string& capabilities) {
+  /// The robot says hello. Then it is told the settings of its camera.
+  void begin(const std::string& capabilities = "") {
+    sayHello(capabilities);
+    for (int i = 0; i < protocol::version2::NUMBER_OF_CAMERA_SETTINGS; ++i) {
+      EXPECT_EQ('G', request()[0]);
+      answer(frame_.payload);
+    }
+  }
+  void sayHello(const std::string& capabilities = "") {
     capabilities_ = capabilities;
     EXPECT_EQ("H 0", request());
     answer(version2_frames::makeHello(capabilities_, kFrame));

@@ -1,6 +1,6 @@
 /// @file colors.h
-/// The colour detection of the robot's camera: which colours to detect, and what was detected. A server cannot detect
-/// colours if it speaks version 1 of the protocol or lacks the capability `Z`.
+/// The colour detection of the robot's camera: which colours to detect, and what was detected. A server of version 1
+/// cannot detect colours.
 #ifndef AIBO_CLIENT_COLORS_H
 #define AIBO_CLIENT_COLORS_H
 

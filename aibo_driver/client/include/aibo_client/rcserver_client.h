@@ -96,8 +96,8 @@ class RcServerClient {
   /// The last format that setStreamFormat() set.
   StreamFormat streamFormat() const;
 
-  /// Sets how the pictures of the stream come. It takes effect as setStreaming() does. If the server speaks version 1
-  /// or lacks the capability `B`, the pictures come by TCP, and the log says so.
+  /// Sets how the pictures of the stream come. It takes effect as setStreaming() does. If the server speaks
+  /// version 1, the pictures come by TCP, and the log says so.
   ///
   /// A datagram is accepted only from the robot's address. A picture is delivered when all its datagrams have come, but
   /// never after a newer picture. The pictures come by TCP if nothing comes by UDP for 1 s although TCP works, or if 20
@@ -107,13 +107,13 @@ class RcServerClient {
   void setPictureTransport(PictureTransport transport);
 
   /// Sets the camera. It takes effect as setStreaming() does. The robot resets the camera when the connection ends.
-  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 or lacks the
-  /// capability `G` cannot set its camera, and a robot may refuse a setting. The log then says so.
+  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 cannot
+  /// set its camera, and a robot may refuse a setting. The log then says so.
   /// @throw InvalidArgumentException a setting is out of range
   void setCameraSettings(const CameraSettings& settings);
 
   /// Switches the detection of colours on or off. It takes effect as setStreaming() does, and does not need the stream.
-  /// A server that speaks version 1 or lacks the capability `Z` detects nothing. The log then says so once.
+  /// A server that speaks version 1 detects nothing. The log then says so once.
   /// @throw InvalidArgumentException every_nth_image is out of range
   void setColorDetection(const ColorDetection& detection);
 
@@ -128,7 +128,7 @@ class RcServerClient {
 
   /// Switches the robot's microphones on or off. It takes effect as setStreaming() does, and does not need the stream.
   /// Two channels at 16000 samples/s take 520 kbit/s. The robot refuses unless its RCSERVER.CFG allows it
-  /// (ALLOW_MICROPHONE); on_refused tells. A server that speaks version 1 or lacks the capability `A` hears nothing.
+  /// (ALLOW_MICROPHONE); on_refused tells. A server that speaks version 1 hears nothing.
   /// The log then says so once.
   /// @throw InvalidArgumentException there is no such number of channels, or no such rate
   void setMicrophone(const MicrophoneSettings& settings);

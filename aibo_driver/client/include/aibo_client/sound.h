@@ -1,6 +1,5 @@
 /// @file sound.h
-/// What the robot hears, and what it plays. A server has neither if it speaks version 1 of the protocol or lacks the
-/// capability `A`.
+/// What the robot hears, and what it plays. A server of version 1 has neither.
 #ifndef AIBO_CLIENT_SOUND_H
 #define AIBO_CLIENT_SOUND_H
 
