@@ -72,6 +72,16 @@ std::vector<std::string> JointTable::namesOfLegs() const {
   return names;
 }
 
+std::vector<int> JointTable::identifiersOfLegs() const {
+  std::vector<int> identifiers;
+  for (const JointProperties& joint : joints_) {
+    if (joint.is_of_leg) {
+      identifiers.push_back(joint.id);
+    }
+  }
+  return identifiers;
+}
+
 std::vector<JointSpeedLimit> JointTable::ownSpeedsOfLegs() const {
   std::vector<JointSpeedLimit> limits;
   for (const JointProperties& joint : joints_) {

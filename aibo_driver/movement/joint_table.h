@@ -52,6 +52,7 @@ class JointTable {
 
   /// The joints of the legs.
   std::vector<std::string> namesOfLegs() const;
+  std::vector<int> identifiersOfLegs() const;
 
   /// How fast the joints of the legs can move by themselves, without speed limits.
   std::vector<aibo_client::JointSpeedLimit> ownSpeedsOfLegs() const;

@@ -38,11 +38,6 @@ constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
 
-// True if an order of a trajectory ends by itself, with its joints at its targets or not.
-bool isAboutArrival(EndedHow how) {
-  return how == EndedHow::kDone || how == EndedHow::kNotReached || how == EndedHow::kUnknown;
-}
-
 std::string nameOf(Posture posture) {
   switch (posture) {
     case Posture::kStand:
@@ -68,16 +63,6 @@ std::vector<std::string> namesOf(const JointTargets& targets, const JointTable& 
     }
   }
   return names;
-}
-
-std::vector<int> identifiersOfLegs(const JointTable& table) {
-  std::vector<int> identifiers;
-  for (const JointProperties& joint : table.joints()) {
-    if (joint.is_of_leg) {
-      identifiers.push_back(joint.id);
-    }
-  }
-  return identifiers;
 }
 
 OrderTerms termsOf(const Order& order, std::uint64_t number) {
@@ -466,7 +451,7 @@ void Mover::sendZeros() {
 template <typename Condition, typename Ask>
 auto Mover::halt(const Condition& condition, const std::string& reason, const Ask& ask) {
   std::vector<MovementId> halted;
-  auto answer = change([&] {
+  const auto halt_and_ask = [&] {
     ++halts_;
     filter_.interruptApproach(clock_());
     auto future = futureOf(ask);
@@ -475,7 +460,7 @@ auto Mover::halt(const Condition& condition, const std::string& reason, const As
       halt(find(id), {EndedHow::kStopped, reason});
     }
     return future;
-  });
+  };
   const auto end_as = [&](EndedHow how, const std::string& why) {
     change([&] {
       --halts_;
@@ -484,15 +469,9 @@ auto Mover::halt(const Condition& condition, const std::string& reason, const As
       }
     });
   };
+  const auto answer = change(halt_and_ask).share();
   try {
-    if constexpr (std::is_void_v<decltype(answer.get())>) {
-      answer.get();
-      end_as(EndedHow::kStopped, reason);
-    } else {
-      const auto result = answer.get();
-      end_as(EndedHow::kStopped, reason);
-      return result;
-    }
+    answer.get();
   } catch (const aibo_client::TimeoutException& error) {
     end_as(EndedHow::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
     throw;
@@ -503,6 +482,8 @@ auto Mover::halt(const Condition& condition, const std::string& reason, const As
     end_as(EndedHow::kUnknown, reason + ", but " + reasonOf(error));
     throw;
   }
+  end_as(EndedHow::kStopped, reason);
+  return answer.get();
 }
 
 // Overrules everything that was asked for before, and ends everything that moves the robot.
@@ -555,7 +536,7 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
   const auto hold_joints = [&] {
     const Record* const record = find(movement);
     const bool is_posture = record != nullptr && record->movement.kind == Kind::kPosture;
-    const std::vector<int> joints = is_posture ? identifiersOfLegs(table_) : plan_.identifiersOf(movement);
+    const std::vector<int> joints = is_posture ? table_.identifiersOfLegs() : plan_.identifiersOf(movement);
     return joints.empty() ? std::async(std::launch::deferred, [] {}) : hold(joints, movement);
   };
   halt([movement](const Record& each) { return each.id() == movement; }, reason, hold_joints);
@@ -694,16 +675,16 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
 
 void Mover::refused(const aibo_client::Refusal& refusal) {
   change([&] {
-    const bool is_too_old = refusal.cause == RefusalCause::kTooOld;
-    const bool is_refused = refusal.cause == RefusalCause::kRobot || is_too_old;
+    const bool is_robots = refusal.cause == RefusalCause::kRobot;
+    const bool is_stopped = refusal.cause == RefusalCause::kStopped;
+    const bool is_refused = is_robots || refusal.cause == RefusalCause::kTooOld;
     const bool is_walk = refusal.request == aibo_client::RefusedRequest::kWalk;
     if (is_refused && refusal.request == aibo_client::RefusedRequest::kJoints) {
       filter_.startApproach();
     }
     Record* const record = ownerOf(refusal.order);
-    const bool never_walked = is_walk && record != nullptr && record->orders.size() == 1;
-    if (is_walk &&
-        (refusal.cause == RefusalCause::kRobot || (refusal.cause == RefusalCause::kStopped && never_walked))) {
+    const bool never_walks = is_walk && is_stopped && record != nullptr && record->orders.size() == 1;
+    if (never_walks || (is_walk && is_robots)) {
       streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
     }
     if (record == nullptr) {
@@ -711,17 +692,14 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     }
     // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
     const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
-    if (!record->halt && is_refused && (is_trajectory || (is_walk && !is_too_old))) {
+    if (!record->halt && ((is_trajectory && is_refused) || (is_walk && is_robots))) {
       halt(record, {EndedHow::kRefused, refusal.reason});
     }
-    if (is_refused) {
-      leave(record, refusal.order, EndedHow::kRefused, refusal.reason);
-    } else if (refusal.cause == RefusalCause::kStopped) {
-      leave(record, refusal.order, EndedHow::kStopped, refusal.reason);
-    } else if (is_walk && record->halt) {
+    if (is_walk && record->halt && refusal.cause == RefusalCause::kReplaced) {
       leave(record, refusal.order, EndedHow::kStopped, kNeverWalked);
     } else {
-      leave(record, refusal.order, EndedHow::kReplaced, refusal.reason);
+      const EndedHow how = is_stopped ? EndedHow::kStopped : is_refused ? EndedHow::kRefused : EndedHow::kReplaced;
+      leave(record, refusal.order, how, refusal.reason);
     }
   });
 }
@@ -771,31 +749,29 @@ std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime
 
 std::vector<std::string> Mover::jointsOf(MovementId id) const {
   const Lock lock(mutex_);
-  const std::vector<std::string> joints = plan_.jointsOf(id);
   const auto record =
       std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id() == id; });
-  return joints.empty() && record != records_.end() ? record->movement.joints : joints;
+  return record == records_.end() ? std::vector<std::string>() : whole(*record).joints;
 }
 
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
   State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy(), gate_.overruled()};
-  const SteadyTime now = clock_();
   for (const Record& record : records_) {
     state.movements.push_back(whole(record));
-    const std::vector<std::string> joints = plan_.jointsOf(record.id());
-    if (!joints.empty()) {
-      state.movements.back().joints = joints;
-      state.movements.back().end = plan_.endOf(record.id(), now);
-    }
   }
   return state;
 }
 
-// With all nodes that it is from.
-Movement Mover::whole(const Record& record) {
+// With all nodes that it is from, and with the joints that it still moves.
+Movement Mover::whole(const Record& record) const {
   Movement movement = record.movement;
   movement.source += record.rival.empty() ? "" : ", " + record.rival;
+  std::vector<std::string> joints = plan_.jointsOf(record.id());
+  if (!joints.empty()) {
+    movement.joints = std::move(joints);
+    movement.end = plan_.endOf(record.id(), clock_());
+  }
   return movement;
 }
 
@@ -856,18 +832,18 @@ void Mover::leave(Record* record, OrderNumber order, EndedHow how, std::string r
     return;
   }
   const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
-  const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
   const bool has_failed = how == EndedHow::kRefused || how == EndedHow::kNotReached || how == EndedHow::kFell;
+  const bool is_measured =
+      (how == EndedHow::kNotReached || how == EndedHow::kUnknown) && plan_.isMeasured(record->id());
   if (record->halt) {
+    const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
     const bool is_halted = how == EndedHow::kStopped || (has_more_to_do && !has_failed);
     if (is_halted && !record->halt->reason.empty()) {
       how = record->halt->how;
       reason = record->halt->reason;
     }
-  } else if (is_trajectory && plan_.isMeasured(record->id()) && isAboutArrival(how)) {
-    record->trouble = how == EndedHow::kNotReached ? reason : record->trouble;
-    return;
-  } else if (is_trajectory && how == EndedHow::kDone && plan_.goesOn(record->id())) {
+  } else if (is_trajectory && (how == EndedHow::kDone ? plan_.goesOn(record->id()) : is_measured)) {
+    record->trouble = has_failed ? reason : record->trouble;
     return;
   } else if (record->steered && how == EndedHow::kDone) {
     how = EndedHow::kStopped;
@@ -885,10 +861,7 @@ std::string Mover::withTrouble(const Record& record, EndedHow how, const std::st
 }
 
 void Mover::forgetTrajectory(Record* record) {
-  const std::vector<std::string> joints = plan_.jointsOf(record->id());
-  if (!joints.empty()) {
-    record->movement.joints = joints;
-  }
+  record->movement.joints = whole(*record).joints;
   plan_.forget(record->id());
 }
 
@@ -899,12 +872,12 @@ void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
   if (record == records_.end()) {
     return;
   }
-  if (record->movement.kind == Kind::kTrajectory) {
-    forgetTrajectory(&*record);
-  } else if (how != EndedHow::kDone && how != EndedHow::kUnknown) {
-    plan_.forget(id);  // its joints are not on their way any more
+  EndedMovement ended = endOf(whole(*record), how, reason);
+  ended.movement.end.reset();
+  const bool may_be_on_its_way = how == EndedHow::kDone || how == EndedHow::kUnknown;
+  if (record->movement.kind == Kind::kTrajectory || !may_be_on_its_way) {
+    plan_.forget(id);
   }
-  const EndedMovement ended = endOf(whole(*record), how, reason);
   record->promise.set_value(ended);
   records_.erase(record);
   note(ended);

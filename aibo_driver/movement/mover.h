@@ -277,7 +277,7 @@ class Mover {
   void takeLegsFromWalks(const Movement& movement);
   void freeLegs(const std::string& reason);
   std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
-  static Movement whole(const Record& record);
+  Movement whole(const Record& record) const;
   static Begun begunOf(const Record& record) { return {record.id(), record.end, false, ""}; }
   template <typename Act>
   Begun give(const Order& order, Movement movement, const Act& act, bool may_act_while_stopped = false);

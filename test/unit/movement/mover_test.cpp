@@ -71,7 +71,7 @@ struct Robot {
     mover.setListener({nullptr, nullptr, [this](const EndedMovement& ended) { told_ends.push_back(ended); },
                        [this](const std::string& text) { warnings.push_back(text); }});
     mover.connected();
-    mover.robotChanged({MotorState::kOn, PostureNow::kStanding});
+    says(MotorState::kOn, PostureNow::kStanding);
     measure(0);
     now += 1ms;
   }
@@ -114,6 +114,7 @@ struct Robot {
     begins();
     return begun;
   }
+  void says(MotorState motors, PostureNow posture) { mover.robotChanged({motors, posture}); }
   // The robot begins to walk with the last velocity.
   void begins() {
     walk_order = client.order();
@@ -150,10 +151,7 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"empty trajectory", [](Robot& robot) { robot.mover.hold(robot.order(), "an empty trajectory came"); }},
     {"motors off", [](Robot& robot) { robot.mover.setMotors(robot.order("/panel"), false); }},
     {"motors on", [](Robot& robot) { robot.mover.setMotors(robot.order("/panel"), true); }},
-    {"motors go off",
-     [](Robot& robot) {
-       robot.mover.robotChanged({MotorState::kOff, PostureNow::kStanding});
-     }},
+    {"motors go off", [](Robot& robot) { robot.says(MotorState::kOff, PostureNow::kStanding); }},
     {"rest", [](Robot& robot) { robot.mover.takePosture(robot.order("/panel"), Posture::kRest); }},
     {"sit", [](Robot& robot) { robot.sit(); }},
     {"head command", [](Robot& robot) { robot.command("head_pan", 0.1, "/other"); }},
@@ -161,7 +159,6 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"leg command", [](Robot& robot) { robot.command("left_front_knee", 0.1, "/other"); }},
     {"leg trajectory", [](Robot& robot) { robot.follow("left_front_knee", 0.1); }},
     {"motion", [](Robot& robot) { robot.play("WAG.MTN"); }},
-    {"motions stopped", [](Robot& robot) { robot.mover.stopMotion(robot.order(), ""); }},
     {"velocity", [](Robot& robot) { robot.steer(0.05); }},
     {"goal", [](Robot& robot) { robot.walkToGoal(); }},
     {"disconnected", [](Robot& robot) { robot.mover.disconnected(); }},
@@ -182,14 +179,8 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"an ERS-210", [](Robot& robot) { robot.client.present.robot.design = "ERS-210"; }},
     {"no telemetry", [](Robot& robot) { robot.telemetry_wanted = false; }},
     {"time passes", [](Robot& robot) { robot.pass(600ms); }},
-    {"fallen",
-     [](Robot& robot) {
-       robot.mover.robotChanged({MotorState::kOn, PostureNow::kFallen});
-     }},
-    {"lifted",
-     [](Robot& robot) {
-       robot.mover.robotChanged({MotorState::kOn, PostureNow::kCarried});
-     }},
+    {"fallen", [](Robot& robot) { robot.says(MotorState::kOn, PostureNow::kFallen); }},
+    {"lifted", [](Robot& robot) { robot.says(MotorState::kOn, PostureNow::kCarried); }},
     {"walk fell", [](Robot& robot) { robot.walkEnds(EndedHow::kFell, "it fell"); }},
     {"walk done", [](Robot& robot) { robot.walkEnds(EndedHow::kDone); }},
     {"walk not steered", [](Robot& robot) { robot.walkEnds(EndedHow::kStopped, "it was not steered for 500 ms"); }},
