@@ -412,7 +412,7 @@ void Mover::steerOn(Record* walk, const WalkVelocity& velocity, SteadyTime from)
   const OrderTerms terms{from + OrderGate::kLongestWait, number};
   try {
     if (walk->orders.empty()) {
-      client_.steer({}, terms);
+      client_.steer({}, {terms.not_after, 0});
     }
     client_.steer(velocity, terms);
     walk->orders.insert(number);
@@ -658,10 +658,11 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
     // A velocity of 0 and silence are steering's ends. They overrule nobody.
     const bool is_walk = end.kind == EndedKind::kWalk;
     const bool is_steerings = end.how == EndedHow::kDone || end.how == EndedHow::kStopped;
-    if (is_walk && !is_steerings) {
-      streams_.overrule(clock_(), end.reason);
-    }
     Record* const record = ownerOf(end.order);
+    if (is_walk && !is_steerings) {
+      const bool is_halted = record != nullptr && record->halt && !record->halt->reason.empty();
+      streams_.overrule(clock_(), is_halted ? record->halt->reason : end.reason);
+    }
     if (record == nullptr) {
       return;
     }

@@ -127,7 +127,9 @@ void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms
   if (!velocity.isZero()) {
     fake(this).terms = terms;
   }
-  tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn));
+  const bool is_named_zero = velocity.isZero() && terms.number != 0;  // zeros are no order
+  tell(this, "steer " + number(velocity.forward) + " " + number(velocity.left) + " " + number(velocity.turn) +
+                 (is_named_zero ? " with a number" : ""));
 }
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
   constexpr const char* kNames[] = {"stand", "sit", "rest"};
