@@ -840,8 +840,9 @@ void Mover::leave(Record* record, OrderNumber order, EndedHow how, std::string r
     const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
     const bool is_halted = how == EndedHow::kStopped || (has_more_to_do && !has_failed);
     if (is_halted && !record->halt->reason.empty()) {
-      how = record->halt->how;
-      reason = record->halt->reason;
+      const Halt halt = *record->halt;
+      close(record->id(), halt.how, halt.reason);
+      return;
     }
   } else if (is_trajectory && (how == EndedHow::kDone ? plan_.goesOn(record->id()) : is_measured)) {
     record->trouble = has_failed ? reason : record->trouble;

@@ -373,6 +373,10 @@ TEST_F(MoverTest, AMovementWhoseNewestOrderIsRefusedGoesOnWithAnOlderOne) {
     ends(EndedKind::kJoints, row.how, row.how == EndedHow::kDone ? "" : "a jam", older);
     EXPECT_EQ(textOf(moved), row.end);
   }
+  const auto stopped = command("head_pan", 0.5);
+  command("head_pan", 0.4);
+  happen(*this, {"joints refused", "stop"});
+  EXPECT_EQ(textOf(stopped), "STOPPED /panel called stop");
 }
 
 TEST_F(MoverTest, EachMovementHasANumberOfItsOwn) {
