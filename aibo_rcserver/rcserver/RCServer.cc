@@ -264,6 +264,9 @@ void RCServer::SendCont(ANTENVMSG msg) {
     return;
   }
   signs_.last_sign_of_life = now_;
+  if (!signs_.is_question_out) {
+    has_asked_since_ = now_;
+  }
   if (!client_->Sent()) {
     DropClient("the IPStack does not send", true);
     return;
@@ -448,6 +451,7 @@ void RCServer::AskClientForSign() {
   has_asked_ = true;
   has_asked_since_ = now_;
   signs_.is_asked = true;
+  signs_.is_question_out = false;
   session_->AskForSign();
   ServeClient();
 }
@@ -604,6 +608,7 @@ bool RCServer::SendOutput() {
   if (file_.IsThere()) {
     return SendFile();
   }
+  signs_.is_question_out = true;
   return !session_->HasOutput() || client_->Send(session_->TakeOutput(client_->SendBuffer()), false);
 }
 

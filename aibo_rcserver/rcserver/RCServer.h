@@ -49,7 +49,8 @@ class RCServer : public OObject {
   static const longword FIRST_REQUEST_FRAMES = 250;
 
   /// A client of version 2 is asked for a sign when a newcomer from its address has sent a request. If it sends nothing
-  /// within this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection.
+  /// within this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection. What
+  /// is sent before the question, such as a large picture, does not count while the client takes part after part of it.
   static const longword SIGN_FRAMES = 38;
 
   /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
@@ -163,7 +164,8 @@ class RCServer : public OObject {
           last_not_over(now),
           is_announced(false),
           was_silent(false),
-          is_asked(false) {}
+          is_asked(false),
+          is_question_out(false) {}
 
     longword admitted;             ///< frame in which it was admitted
     longword last_bytes_received;  ///< from it
@@ -172,6 +174,7 @@ class RCServer : public OObject {
     bool is_announced;       ///< the console has named it
     bool was_silent;         ///< at the last check
     bool is_asked;           ///< for a sign, and has sent nothing since
+    bool is_question_out;    ///< the IPStack has it
   };
 
   Connection connections_[NUMBER_OF_CONNECTIONS];

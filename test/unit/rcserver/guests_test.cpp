@@ -72,6 +72,26 @@ TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesAfterASignOfTheClient) {
   }
 }
 
+TEST_F(GuestsTest, TakeNoPlaceWhileALargePictureDelaysTheQuestionForASign) {
+  connectBehindAPicture();
+  auto other = comeWith(request('X', 2));
+  unsigned passed = 0;
+  for (; arrived('h').empty() && passed < 500; passed += 20) {
+    passFrames(20);  // it takes a part of the picture each time
+  }
+  EXPECT_GT(passed, 2 * kSign);
+  EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
+  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
+}
+
+TEST_F(GuestsTest, TakeThePlaceOfAClientThatTakesNothingOfALargePictureAnyMore) {
+  connectBehindAPicture();
+  passFrames(100);
+  auto back = comeWith(request('X', 2));
+  passFrames(kSign + 4);
+  EXPECT_TRUE(isAgreedToVersion2(*back));
+}
+
 TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesWhileAClientOfVersion1IsThere) {
   disconnect();
   client_ = connectServed();
