@@ -96,6 +96,7 @@ void JointControl::StopAll() {
   walker_.Stop(reason);
   orders_.DemandLettingGo(reason);
   planner_.HoldAll();
+  std::fill(ordered_, ordered_ + robot_model::MAX_JOINTS, true);
 }
 
 Velocity JointControl::Steer(const Velocity& wanted, bool guarded, unsigned short number) {
