@@ -650,15 +650,20 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
 }
 
 void Mover::ended(const aibo_client::MotionEnd& end) {
+  const bool is_not_reached = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
+  const EndedHow how = is_not_reached ? EndedHow::kNotReached : end.how;
+  if (end.kind == EndedKind::kJoints && endOlder(end.order, how, end.reason)) {
+    return;
+  }
   change([&] {
     if (end.kind == EndedKind::kWalk || end.kind == EndedKind::kPosture) {
       // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
       filter_.startApproach();
     }
+    Record* const record = ownerOf(end.order);
     // A velocity of 0 and silence are steering's ends. They overrule nobody.
     const bool is_walk = end.kind == EndedKind::kWalk;
     const bool is_steerings = end.how == EndedHow::kDone || end.how == EndedHow::kStopped;
-    Record* const record = ownerOf(end.order);
     if (is_walk && !is_steerings) {
       const bool is_halted = record != nullptr && record->halt && !record->halt->reason.empty();
       streams_.overrule(clock_(), is_halted ? record->halt->reason : end.reason);
@@ -669,9 +674,19 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
     if (is_walk && (!is_steerings || record->steered)) {
       record->orders = {end.order};  // what was sent since begins no walk for it
     }
-    const bool is_not_reached = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
-    leave(record, end.order, is_not_reached ? EndedHow::kNotReached : end.how, end.reason);
+    leave(record, end.order, how, end.reason);
   });
+}
+
+// Nobody is told if a newer command has replaced it, which may happen hundreds of times a second.
+bool Mover::endOlder(OrderNumber order, EndedHow how, const std::string& reason) {
+  const Lock lock(mutex_);
+  Record* const record = ownerOf(order);
+  const bool is_older = record != nullptr && record->orders.size() > 1;
+  if (is_older) {
+    leave(record, order, how, reason);
+  }
+  return is_older;
 }
 
 void Mover::refused(const aibo_client::Refusal& refusal) {

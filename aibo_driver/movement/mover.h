@@ -286,6 +286,7 @@ class Mover {
   bool isRepeated(const EndedMovement& refused);
   void note(const EndedMovement& ended);
   void leave(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
+  bool endOlder(OrderNumber order, aibo_client::EndedHow how, const std::string& reason);
   static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
   void forgetTrajectory(Record* record);
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);

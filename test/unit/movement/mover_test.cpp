@@ -1233,6 +1233,11 @@ TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
   command("head_pan", 0.5);
   EXPECT_EQ(changes, 1);
   EXPECT_FALSE(mover.goOn());
+  const std::uint64_t older = client.order();
+  command("head_pan", 0.4);
+  changes = 0;
+  ends(EndedKind::kJoints, EndedHow::kReplaced, "", older);
+  EXPECT_EQ(changes, 0) << "the movement goes on as before";
   follow("head_pan", 0.5);
   EXPECT_EQ(begins, 1);
   EXPECT_TRUE(mover.goOn());
