@@ -862,6 +862,27 @@ TEST(Trajectory, EndsByItsLastStepOrByWhatInterruptsIt) {
   }
 }
 
+TEST_F(MoverTest, ATrajectoryOfWhichAStepIsRefusedSendsNoMore) {
+  const auto trajectory = follow("head_pan", 0.5);
+  const std::uint64_t older = client.order();
+  pass(JointPlan::kPeriod);
+  happen(*this, {"joints refused"});
+  told();
+  pass(320ms);
+  EXPECT_THAT(told(), IsEmpty());
+  ends(EndedKind::kJoints, EndedHow::kDone, "", older);
+  EXPECT_EQ(textOf(trajectory), "REFUSED no");
+}
+
+TEST_F(MoverTest, ATrajectoryBeginsWhereALegIsThatAPostureHasTaken) {
+  command("left_front_knee", 1.0);
+  sit();
+  pass(320ms);
+  const auto trajectory = follow("left_front_knee", 0.5);
+  const double measured_there = measured.find(*table.findByName("left_front_knee"))->position;
+  EXPECT_NEAR(mover.wantedBy(trajectory.id, now).at(0).position, measured_there, 1e-9);
+}
+
 TEST_F(MoverTest, ATrajectoryOfWhichPartIsTakenGoesOnWithTheRest) {
   const auto both = mover.follow(order(), {{"head_pan", "mouth"}, {{1.0, {0.5, -0.2}, {}}}}, 0ms);
   const std::uint64_t older = client.order();
@@ -1058,6 +1079,14 @@ TEST(Walk, ThatHasNotBegunEndsByItsRefusalOrWhenItIsLetGo) {
     EXPECT_EQ(robot.lastEnd(), end);
     EXPECT_THAT(robot.mover.state().movements, IsEmpty()) << end;
   }
+}
+
+TEST_F(MoverTest, AWalkThatFellDoesNotWaitForVelocitiesThatAreStillOnTheirWay) {
+  walk();
+  steer(0.2);
+  happen(*this, {"walk fell"});
+  EXPECT_EQ(lastEnd(), "FELL it fell");
+  EXPECT_THAT(mover.state().movements, IsEmpty());
 }
 
 TEST_F(MoverTest, AWalkThatTheRobotDoesNotGoOnWithIsRefusedWhenItStands) {
