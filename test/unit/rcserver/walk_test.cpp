@@ -126,6 +126,15 @@ TEST_F(WalkTest, HelloHasItsLimits) {
   EXPECT_DOUBLE_EQ(hello.walk.turn, gait.highest.turn);
 }
 
+TEST_F(WalkTest, VelocityInForceCanBeSentBackUnchanged) {
+  Steered steered = {};
+  const Frame answer = answerTo('S', 0, steering(50, -5, 100));
+  ASSERT_EQ(decode(answer.payload.data(), answer.payload.size(), &steered), nullptr);
+  EXPECT_DOUBLE_EQ(steered.velocity.forward, 0.05);
+  EXPECT_DOUBLE_EQ(steered.velocity.left, -0.005);
+  EXPECT_DOUBLE_EQ(steered.velocity.turn, 0.1);
+}
+
 TEST_F(WalkTest, TelemetryTellsHowItWalks) {
   EXPECT_EQ(answerTo('T', TELEMETRY_PLAIN, std::string("\0\4", 2)).header.id, TELEMETRY_PLAIN);
   pass(20);
