@@ -42,6 +42,7 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks
   shared_.wish.jpeg_quality = options.jpeg_quality;
   shared_.wish.transport = options.picture_transport;
   shared_.status.reason = "the client has not been started";
+  transport_->setListener([this] { notifier_.awake(); });
 }
 
 void ConnectionLoop::start() {

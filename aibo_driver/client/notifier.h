@@ -63,6 +63,8 @@ class Notifier {
 
   void soundEnded(const SoundEnd& end) const noexcept { call(callbacks_.on_sound_ended, "on_sound_ended", end); }
 
+  void awake() const noexcept { call(callbacks_.on_awake, "on_awake"); }
+
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
       const RateLimit::Admission admission = log_limit_.admit(clock_(), kLogPeriod);

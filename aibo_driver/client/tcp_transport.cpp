@@ -13,6 +13,7 @@
 #include <thread>
 #include <utility>
 
+#include "aibo_client/callbacks.h"
 #include "aibo_client/options.h"
 #include "client/fault.h"
 
@@ -85,7 +86,7 @@ void add(int epoll, int socket, std::size_t index) {
 
 int pollTimeout(TimePoint deadline) {
   const auto left = std::chrono::ceil<milliseconds>(deadline - steady_clock::now());
-  return static_cast<int>(std::clamp(left, milliseconds(0), milliseconds(60000)).count());
+  return static_cast<int>(std::clamp(left, milliseconds(0), kLongestSleep).count());
 }
 
 }  // namespace
@@ -256,6 +257,7 @@ short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, i
   // poll() skips a descriptor of -1.
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
   const int count = ::poll(polled, 3, pollTimeout(deadline));
+  on_awake_();
   if (count < 0 && errno != EINTR) {
     std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory, so do not try again at once
   }

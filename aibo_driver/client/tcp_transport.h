@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/datagram_socket.h"
@@ -25,6 +27,9 @@ class TcpTransport {
  public:
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
+  /// @param on_awake called whenever the thread has waited here, at least every kLongestSleep
+  void setListener(std::function<void()> on_awake) { on_awake_ = std::move(on_awake); }
+
   /// Connects. If it fails, it leaves nothing behind.
   /// @throw Fault there is no connection at the deadline, or it is clear earlier that there will be none
   /// @throw StoppedException abort() was called
@@ -32,7 +37,7 @@ class TcpTransport {
 
   /// Waits until receive() has bytes or a fault to report, wakeUp() is called, or the deadline passes. Without a
   /// connection it only waits for the last two. Meanwhile it sends what send() has left, and it may return early after
-  /// that.
+  /// that, or after kLongestSleep.
   /// @return true if receive() has something to report
   /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
@@ -77,6 +82,7 @@ class TcpTransport {
   void sendOn();
   [[noreturn]] void throwFault(int error) const;
 
+  std::function<void()> on_awake_ = [] {};
   NameLookup name_lookup_;
   Event wake_up_;
   std::atomic<bool> aborted_{false};

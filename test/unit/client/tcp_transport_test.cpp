@@ -116,6 +116,16 @@ TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
 }
 
+TEST(TcpTransportTest, AWaitIsShortAndItsEndIsTold) {
+  TcpTransport transport;
+  int times_awake = 0;
+  transport.setListener([&times_awake] { ++times_awake; });
+  const TimePoint end = soon();
+  EXPECT_FALSE(transport.wait(end));
+  EXPECT_LT(steady_clock::now(), end);
+  EXPECT_EQ(1, times_awake);
+}
+
 TEST(TcpTransportTest, WakeUpEndsAWaitEvenIfItCameBefore) {
   TcpTransport transport;
   transport.wakeUp();

@@ -2,6 +2,7 @@
 #ifndef AIBO_CLIENT_CALLBACKS_H
 #define AIBO_CLIENT_CALLBACKS_H
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -20,6 +21,9 @@
 #include "aibo_client/walk.h"
 
 namespace aibo_client {
+
+/// The longest time between two calls of Callbacks::on_awake, unless the process or the computer is held up.
+constexpr std::chrono::milliseconds kLongestSleep{250};
 
 /// The functions that the client calls. Any of them may be empty.
 ///
@@ -82,6 +86,9 @@ struct Callbacks {
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;
+  /// The client's thread runs: it has waited for the robot, for kLongestSleep at most. From start() to stop(), whether
+  /// or not there is a connection, this is called after each such wait.
+  std::function<void()> on_awake;
   LogSink log;
 };
 
