@@ -24,8 +24,8 @@ class Action {
   Action& operator=(const Action&) = delete;
 };
 
-// In all these functions, one thread has to serve the callback queue of the handle. Everything else must outlive the
-// action.
+// In all these functions, the callbacks of the handle's queue have to run one after the other. Everything else must
+// outlive the action.
 
 /// Starts play_motion. Several motions of different joints may play at the same time. If a motion does not begin, its
 /// goal is rejected. Otherwise the goal ends with the motion. Cancelling the goal stops the motion.
@@ -43,7 +43,7 @@ std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, con
                                               const movement::MeasuredJoints& measured, movement::Mover& mover);
 
 /// Starts go_to. A goal ends with its walk, and cancelling it stops the walk.
-/// @param handle its thread also calls all other functions of `walks`
+/// @param handle its queue also calls all other functions of `walks`
 std::unique_ptr<Action> startGoTo(const ros::NodeHandle& handle, GoalWalks& walks);
 
 /// Starts take_posture. A goal ends when the robot has taken the posture. When it is cancelled, the legs hold.

@@ -20,14 +20,12 @@ using aibo_client::LogLevel;
 
 namespace {
 
-// This many callers of take_picture may wait at the same time. The next caller waits for one of them.
-constexpr int kPictureThreads = 4;
-
 // Calls of stop and of motors do not wait for each other.
 constexpr int kStopThreads = 2;
 
-// A new posture ends the one before it, so it must not wait until that one has answered.
-constexpr int kPostureThreads = 2;
+// Four callers of take_picture, one call of each sequence, and three postures do not hold each other up. A new posture
+// ends the one before it, so it must not wait until that one has answered.
+constexpr int kPoolThreads = 10;
 
 // The time between two diagnostic messages, as REP 107 says, and between two messages of link_quality. One timer serves
 // both, because each timer wakes two threads several times.
@@ -115,12 +113,11 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       parameters_(readDriverParameters(handle_, private_handle)),
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       stop_threads_(handle_, receipts_, kStopThreads),
-      joint_thread_(handle_, receipts_),
-      motion_thread_(handle_, receipts_),
-      body_thread_(handle_, receipts_),
-      posture_threads_(handle_, receipts_, kPostureThreads),
-      sound_thread_(handle_, receipts_),
-      picture_threads_(handle_, receipts_, kPictureThreads),
+      order_thread_(handle_, receipts_),
+      pool_(handle_, receipts_, kPoolThreads),
+      motion_calls_(pool_, receipts_),
+      stick_calls_(pool_, receipts_),
+      sound_calls_(pool_, receipts_),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
       joint_table_(parameters_.robot, parameters_.joint_speed_limit, parameters_.motion_speed_limit),
       measured_joints_(joint_table_),
@@ -170,10 +167,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   mover_.setListener(makeListener());
   stayStopped();
   warnOfMissingModel(parameters_.robot);
-  joints_.subscribe(joint_thread_.handle());
-  walk_.subscribe(joint_thread_.handle());
-  goal_.subscribe(joint_thread_.handle());
-  expression_.subscribe(body_thread_.handle());
+  joints_.subscribe(order_thread_.handle());
+  walk_.subscribe(order_thread_.handle());
+  goal_.subscribe(order_thread_.handle());
+  expression_.subscribe(order_thread_.handle());
   color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
   startActions();
@@ -185,15 +182,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
-  receipts_.start();
   own_thread_.start();
   stop_threads_.start();
-  joint_thread_.start();
-  motion_thread_.start();
-  body_thread_.start();
-  posture_threads_.start();
-  sound_thread_.start();
-  picture_threads_.start();
+  order_thread_.start();
+  pool_.start();
 }
 
 // The client stops first, because that ends a service that waits for the robot. The threads stop before the members go,
@@ -206,12 +198,8 @@ AiboDriver::~AiboDriver() {
   player_.finish();
   own_thread_.stop();
   stop_threads_.stop();
-  joint_thread_.stop();
-  motion_thread_.stop();
-  body_thread_.stop();
-  posture_threads_.stop();
-  sound_thread_.stop();
-  picture_threads_.stop();
+  order_thread_.stop();
+  pool_.stop();
 }
 
 void AiboDriver::advertiseServices() {
@@ -219,12 +207,12 @@ void AiboDriver::advertiseServices() {
   advertise(handle_, streamServices(parameters_, client_, policy_));
   advertise(handle_, color_tables_.services());
   advertise(stop_threads_.handle(), stopServices(mover_));
-  advertise(motion_thread_.handle(), motionServices(mover_));
-  advertise(posture_threads_.handle(), postureServices(mover_));
-  advertise(body_thread_.handle(), robotServices(client_, mover_));
-  advertise(body_thread_.handle(), stickPictureServices(parameters_, client_, wished_quality));
-  advertise(sound_thread_.handle(), soundServices(client_, player_));
-  advertise(picture_threads_.handle(),
+  advertise(motion_calls_.handle(), motionServices(mover_));
+  advertise(pool_.handle(), postureServices(mover_));
+  advertise(stick_calls_.handle(), robotServices(client_, mover_));
+  advertise(stick_calls_.handle(), stickPictureServices(parameters_, client_, wished_quality));
+  advertise(sound_calls_.handle(), soundServices(client_, player_));
+  advertise(pool_.handle(),
             takePictureServices(parameters_, client_, wished_quality,
                                 [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }));
 }
@@ -237,11 +225,11 @@ void AiboDriver::advertise(ros::NodeHandle handle, Services services) {
 
 void AiboDriver::startActions() {
   repeatStateOfActionsRarely(handle_);
-  actions_.push_back(startPlayMotion(motion_thread_.handle(), mover_));
-  actions_.push_back(startFollowTrajectory(joint_thread_.handle(), joint_table_, measured_joints_, mover_));
-  actions_.push_back(startPlaySound(sound_thread_.handle(), player_));
-  actions_.push_back(startGoTo(joint_thread_.handle(), goal_walks_));
-  actions_.push_back(startTakePosture(motion_thread_.handle(), mover_));
+  actions_.push_back(startPlayMotion(motion_calls_.handle(), mover_));
+  actions_.push_back(startFollowTrajectory(order_thread_.handle(), joint_table_, measured_joints_, mover_));
+  actions_.push_back(startPlaySound(sound_calls_.handle(), player_));
+  actions_.push_back(startGoTo(order_thread_.handle(), goal_walks_));
+  actions_.push_back(startTakePosture(motion_calls_.handle(), mover_));
 }
 
 aibo_client::Callbacks AiboDriver::makeCallbacks() {
@@ -269,6 +257,7 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
       get_up_->update(state, mover_.state().overruled);
     }
   };
+  callbacks.on_awake = [this] { receipts_.alive(std::chrono::steady_clock::now()); };
   callbacks.log = logForClient;
   return callbacks;
 }
@@ -296,8 +285,8 @@ void AiboDriver::letItGetUp(const std::string& source) {
     ROS_INFO("The robot has fallen, and gets up.");
     mover_.takePosture({source, std::chrono::steady_clock::now()}, aibo_client::Posture::kStand);
   };
-  get_up_timer_ = ros::NodeHandle(posture_threads_.handle())
-                      .createSteadyTimer(ros::WallDuration(kAtOnce), stand, kOneShot, kAutostart);
+  get_up_timer_ =
+      ros::NodeHandle(pool_.handle()).createSteadyTimer(ros::WallDuration(kAtOnce), stand, kOneShot, kAutostart);
   get_up_.emplace(source, [this] {
     get_up_timer_.stop();  // a timer that has run out starts again only if it has been stopped
     get_up_timer_.start();

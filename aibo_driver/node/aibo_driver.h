@@ -56,8 +56,8 @@ namespace aibo_driver::node {
 
 /// The whole driver. The node and the nodelet wrap it. docs/ros_interface.md describes it from outside.
 ///
-/// Services that wait for the robot have callback queues of their own, so they delay nothing else. The queue of the
-/// handle serves everything that does not wait.
+/// What stops the robot, what orders it to move, and what waits has threads of its own each, so none of them delays
+/// another. The queue of the handle serves everything else, which does not wait.
 class AiboDriver {
  public:
   /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.
@@ -101,19 +101,20 @@ class AiboDriver {
 
   // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
   ReceiptClock receipts_;
-  CallbackThreads own_thread_;  ///< for what needs none of the others: settings, reports, subscribers that come and go
+  /// For settings, reports, and subscribers that come and go. It is not in the pool, because enough callers that wait
+  /// would hold it up.
+  CallbackThreads own_thread_;
   ros::NodeHandle handle_;
   const OnlyDriver only_driver_;
   const DriverParameters parameters_;
   const robot_model::RobotModel& model_;
 
-  CallbackThreads stop_threads_;     ///< for stop, release and motors, which wait for nothing else
-  CallbackThreads joint_thread_;     ///< for commands to joints, trajectories and cmd_vel, in order
-  CallbackThreads motion_thread_;    ///< waits until the robot plays a motion
-  CallbackThreads body_thread_;      ///< waits for the memory stick, up to 15 s
-  CallbackThreads posture_threads_;  ///< each waits until the robot has taken a posture
-  CallbackThreads sound_thread_;     ///< waits for espeak-ng, and until the robot plays
-  CallbackThreads picture_threads_;  ///< each waits for a single picture of one caller
+  CallbackThreads stop_threads_;   ///< for stop, release and motors, which wait for nothing else
+  CallbackThreads order_thread_;   ///< for all orders to move that do not wait for the robot, LEDs and ears, in order
+  CallbackThreads pool_;           ///< for what waits: take_picture, postures, and the sequences below
+  CallbackSequence motion_calls_;  ///< wait until the robot plays a motion, or begins a posture
+  CallbackSequence stick_calls_;   ///< wait for the memory stick, up to 15 s
+  CallbackSequence sound_calls_;   ///< wait for espeak-ng, and until the robot plays
 
   // The client's callbacks need these members.
   robot_time::RobotClock robot_clock_;
@@ -134,7 +135,7 @@ class AiboDriver {
   std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if it is wanted
   OdometryPublisher odometry_;
   LedStatePublisher led_states_;
-  ros::SteadyTimer get_up_timer_;  ///< runs out on posture_threads_ when the robot is to get up
+  ros::SteadyTimer get_up_timer_;  ///< runs out on pool_ when the robot is to get up
   std::optional<GetUp> get_up_;    ///< only if it is wanted
 
   aibo_client::RcServerClient client_;

@@ -28,9 +28,9 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
   static constexpr std::size_t kLongestId = 1000;
 
   /// Call start() afterwards.
-  /// @param handle whose callback queue one thread serves
+  /// @param handle the callbacks of its queue run one after the other
   /// @param name of the action
-  /// @param accept, cancel see actionlib::ActionServer; called by that thread
+  /// @param accept, cancel see actionlib::ActionServer
   template <typename Accept, typename Cancel>
   BoundedActionServer(const ros::NodeHandle& handle, const std::string& name, const Accept& accept,
                       const Cancel& cancel)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -41,47 +42,41 @@ class Received : public ros::CallbackInterface {
   const ReceiptClock::TimePoint time_;
 };
 
+/// Runs some work once.
+class Task : public ros::CallbackInterface {
+ public:
+  explicit Task(std::function<void()> work) : work_(std::move(work)) {}
+
+  CallResult call() override {
+    work_();
+    return Success;
+  }
+
+ private:
+  const std::function<void()> work_;
+};
+
 }  // namespace
 
-void ReceiptClock::start() {
-  expectLife(steady_clock::now());
-  thread_ = std::thread([this] {
-    std::unique_lock<std::mutex> lock(mutex_);
-    while (!stopping_.wait_for(lock, kPeriod, [this] { return stops_; })) {
-      noteLife(steady_clock::now());
-    }
-  });
-}
-
-void ReceiptClock::stop() {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stops_ = true;
-  }
-  stopping_.notify_all();
-  if (thread_.joinable()) {
-    thread_.join();
-  }
-}
-
-void ReceiptClock::expectLife(TimePoint now) {
+void ReceiptClock::alive(TimePoint now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  life_expected_ = true;
-  last_ = now;
+  noteLife(now);
 }
 
 ReceiptClock::TimePoint ReceiptClock::receipt(TimePoint now) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  noteLife(now);
+  if (last_) {
+    noteLife(now);
+  }
   return now < caught_up_ ? before_gap_ : now;
 }
 
 void ReceiptClock::noteLife(TimePoint now) {
-  if (life_expected_ && now - last_ > kLongestGap) {
-    before_gap_ = last_;
+  if (last_ && now - *last_ > kLongestGap) {
+    before_gap_ = *last_;
     caught_up_ = now + kCatchingUp;
   }
-  last_ = std::max(last_, now);
+  last_ = std::max(last_.value_or(now), now);
 }
 
 ReceiptClock::TimePoint receivedAt() {
@@ -112,6 +107,24 @@ void CallbackThreads::run() {
   while (!stopping_) {
     queue_.callOne(ros::WallDuration(3600));
   }
+}
+
+void SequenceQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+  StampedQueue::addCallback(callback, owner);
+  if (left_++ == 0) {
+    runLater();
+  }
+}
+
+void SequenceQueue::runOne() {
+  callOne();
+  if (--left_ > 0) {
+    runLater();
+  }
+}
+
+void SequenceQueue::runLater() {
+  runner_.addCallback(boost::make_shared<Task>([this] { runOne(); }), 0);
 }
 
 }  // namespace aibo_driver::node

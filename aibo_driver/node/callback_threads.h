@@ -7,55 +7,42 @@
 
 #include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
 namespace aibo_driver::node {
 
 /// Knows when messages and calls came. If a process was held up, it reads the messages that waited for it only
-/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did.
+/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did. Any thread may
+/// call any function.
 class ReceiptClock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// The time between two signs of life.
-  static constexpr std::chrono::milliseconds kPeriod{200};
-  /// After a longer gap between two signs of life, the process was held up.
+  /// After a longer gap between two signs of life, the process was held up. It is twice aibo_client::kLongestSleep.
   static constexpr std::chrono::milliseconds kLongestGap{500};
   /// After such a gap, everything that waited has been read within this time.
   static constexpr std::chrono::milliseconds kCatchingUp{200};
 
-  ReceiptClock() = default;
-  ~ReceiptClock() { stop(); }
+  /// A sign of life. After the first one, the next is expected within kLongestGap.
+  /// @param now the time of the steady clock
+  void alive(TimePoint now);
 
-  ReceiptClock(const ReceiptClock&) = delete;
-  ReceiptClock& operator=(const ReceiptClock&) = delete;
-
-  /// Starts a thread that gives the signs of life.
-  void start();
-  void stop();
-
-  /// The time when something that is read now came, or the earliest possible time if that is not known.
+  /// The time when something that is read now came, or the earliest possible time if that is not known. Before the
+  /// first sign of life it is `now`.
   /// @param now the time of the steady clock
   TimePoint receipt(TimePoint now);
-
-  /// From now on, signs of life are expected. Before this call, receipt() returns `now`.
-  void expectLife(TimePoint now);
 
  private:
   void noteLife(TimePoint now);
 
   std::mutex mutex_;
-  std::condition_variable stopping_;
-  bool stops_ = false;
-  bool life_expected_ = false;
-  TimePoint last_;        ///< the last sign of life
-  TimePoint before_gap_;  ///< the last sign of life before the process was held up
-  TimePoint caught_up_;   ///< messages that are read before this time may be old
-  std::thread thread_;
+  std::optional<TimePoint> last_;  ///< the last sign of life
+  TimePoint before_gap_;           ///< the last sign of life before the process was held up
+  TimePoint caught_up_;            ///< messages that are read before this time may be old
 };
 
 /// The time when the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it
@@ -93,6 +80,7 @@ class CallbackThreads {
   CallbackThreads& operator=(const CallbackThreads&) = delete;
 
   const ros::NodeHandle& handle() const { return handle_; }
+  StampedQueue& queue() { return queue_; }
 
   /// No callback runs before this call.
   void start();
@@ -108,6 +96,42 @@ class CallbackThreads {
   ros::NodeHandle handle_;
   std::atomic<bool> stopping_{false};
   std::vector<std::thread> threads_;
+};
+
+/// A callback queue whose callbacks run one after the other, in order, in a queue of others. So they occupy at most one
+/// thread of that queue, however many wait.
+class SequenceQueue : public StampedQueue {
+ public:
+  /// @param runner, clock must outlive this; the runner must not call callbacks any more when this is destroyed
+  SequenceQueue(StampedQueue& runner, ReceiptClock& clock) : StampedQueue(clock), runner_(runner) {}
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override;
+
+ private:
+  void runOne();
+  void runLater();
+
+  StampedQueue& runner_;
+  std::atomic<int> left_{0};  ///< how many callbacks have been added and have not run yet
+};
+
+/// A handle whose callbacks run one after the other on the threads of others.
+class CallbackSequence {
+ public:
+  /// @param threads, clock must outlive this; stop the threads before this is destroyed
+  CallbackSequence(CallbackThreads& threads, ReceiptClock& clock)
+      : queue_(threads.queue(), clock), handle_(threads.handle()) {
+    handle_.setCallbackQueue(&queue_);
+  }
+
+  CallbackSequence(const CallbackSequence&) = delete;
+  CallbackSequence& operator=(const CallbackSequence&) = delete;
+
+  /// It has the namespace of the threads' handle.
+  const ros::NodeHandle& handle() const { return handle_; }
+
+ private:
+  SequenceQueue queue_;
+  ros::NodeHandle handle_;
 };
 
 }  // namespace aibo_driver::node

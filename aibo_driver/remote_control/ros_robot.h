@@ -110,7 +110,7 @@ class RosRobot : public Robot {
   std::vector<std::string> found_drivers_;
   MasterState master_;
 
-  node::ReceiptClock receipts_;  ///< is not started, because the age of messages does not matter here
+  node::ReceiptClock receipts_;  ///< gets no signs of life, because the age of messages does not matter here
   node::CallbackThreads callbacks_;
   node::MasterWatch master_watch_;
   std::thread manager_;

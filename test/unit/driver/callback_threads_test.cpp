@@ -4,8 +4,12 @@
 
 #include <boost/make_shared.hpp>
 
+#include <algorithm>
+#include <atomic>
 #include <functional>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 namespace aibo_driver::node {
 namespace {
@@ -62,17 +66,49 @@ TEST_F(CallbackThreadsTest, AnExceptionOfACallbackDoesNotEndTheProcess) {
   EXPECT_GE(receivedAt(), before) << "no callback runs any more";
 }
 
+TEST_F(CallbackThreadsTest, ASequenceRunsOneCallbackAfterTheOtherWhicheverThreadsServeIt) {
+  SequenceQueue sequence(queue_, clock_);
+  std::atomic<bool> runs{false};
+  std::atomic<bool> was_disturbed{false};
+  std::vector<int> order;
+  std::atomic<int> ran{0};
+  constexpr int kCallbacks = 200;
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back([&] {
+      while (ran < kCallbacks) {
+        queue_.callOne(ros::WallDuration(0.01));
+      }
+    });
+  }
+  for (int i = 0; i < kCallbacks; ++i) {
+    sequence.addCallback(boost::make_shared<Callback>([&, i] {
+                           was_disturbed = was_disturbed || runs.exchange(true);
+                           order.push_back(i);
+                           std::this_thread::yield();
+                           runs = false;
+                           ++ran;
+                         }),
+                         0);
+  }
+  for (std::thread& thread : threads) {
+    thread.join();
+  }
+  EXPECT_FALSE(was_disturbed);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+}
+
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   ReceiptClock clock;
   const TimePoint begin = TimePoint() + std::chrono::hours(2);
   EXPECT_EQ(clock.receipt(begin - std::chrono::hours(1)), begin - std::chrono::hours(1)) << "nobody gives signs yet";
-  clock.expectLife(begin);
+  clock.alive(begin);
   EXPECT_EQ(clock.receipt(begin + milliseconds(400)), begin + milliseconds(400));
   const TimePoint woken = begin + milliseconds(6400);
   EXPECT_EQ(clock.receipt(woken), begin + milliseconds(400));
   EXPECT_EQ(clock.receipt(woken + milliseconds(199)), begin + milliseconds(400));
   EXPECT_EQ(clock.receipt(woken + milliseconds(200)), woken + milliseconds(200));
-  clock.receipt(woken + milliseconds(190));  // another thread was quicker
+  clock.alive(woken + milliseconds(190));  // another thread was quicker
   EXPECT_EQ(clock.receipt(woken + milliseconds(700)), woken + milliseconds(700)) << "no sign of life is missing";
   EXPECT_EQ(clock.receipt(woken + milliseconds(2000)), woken + milliseconds(700)) << "held up again";
   EXPECT_EQ(clock.receipt(woken + milliseconds(2199)), woken + milliseconds(700));
