@@ -84,8 +84,8 @@ StopClient::Connection StopClient::connect(const std::string& service) {
 void StopClient::keepConnection() {
   Lock lock(mutex_);
   while (!is_ending_) {
+    is_wanted_ = false;
     if (!isOpen(connection_)) {
-      is_wanted_ = false;
       lock.unlock();
       const Connection made = isAdvertised(service_, ended_) ? connect(service_) : nullptr;
       lock.lock();
