@@ -252,7 +252,9 @@ void ConnectionLoop::listen() {
   for (const Session::Bytes& reply : session_->takeReplies(now)) {
     transport_->datagrams().reply(reply.data(), reply.size());
   }
-  updateMotorsAndPosture(connection_->motors_and_posture);
+  if (session_->ready()) {  // the robot may tell it before it has said hello
+    updateMotorsAndPosture(connection_->motors_and_posture);
+  }
   reportSession();
 }
 
