@@ -311,6 +311,8 @@ TEST_F(RemoteControlRosTest, GoesOnWhenTheDriverHasHungOrWasStartedAgain) {
   driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port(), kPatient);
   EXPECT_TRUE(user_.waitForConnection());
   EXPECT_TRUE(user_.click("stop", "stop: The robot holds"));
+  // Otherwise it could come after the fixture has forgotten it, for the next driver.
+  EXPECT_TRUE(user_.waitFor([] { return ros::param::has("/remote/stopped_by"); }));
 }
 
 // Another node pretends to be the driver, faster than the window can show it, and with long texts.
