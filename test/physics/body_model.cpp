@@ -4,7 +4,6 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <sstream>

@@ -4,10 +4,8 @@
 
 namespace {
 
-using physics::Bench;
 using physics::End;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 namespace version2 = protocol::version2;
 
@@ -25,7 +23,7 @@ class Fall : public ::testing::Test {
     ASSERT_EQ(bench_.step().state, version2::WALK_STATE_WALKS);
   }
 
-  Bench bench_;
+  physics::Bench bench_;
 };
 
 // Pushed over, it stops walking at once, and after a second its legs no longer push against whatever is there.
@@ -52,7 +50,7 @@ TEST_F(Fall, IsNotSeenInAPushThatTheRobotWithstands) {
   passSeconds(0.3);
   bench_.robot().push({0, 0, 0});
   passSeconds(3);
-  EXPECT_THAT(bench_.ends(), IsEmpty());
+  EXPECT_THAT(bench_.ends(), testing::IsEmpty());
   EXPECT_LT(bench_.robot().tilt(), 0.2);
 }
 

@@ -4,8 +4,6 @@
 
 namespace {
 
-using Eigen::Quaterniond;
-using Eigen::Vector3d;
 using physics::PhysicalErs7;
 using physics::World;
 
@@ -98,7 +96,7 @@ TEST(PhysicalErs7, FeelsGravityWithSonysSigns) {
   EXPECT_NEAR(acceleration(robot, kFrontBack), 0, 0.5);
 
   // On its right side, gravity points to its right.
-  robot.place({}, Quaterniond(Eigen::AngleAxisd(90 * kDegree, Vector3d::UnitX())));
+  robot.place({}, Eigen::Quaterniond(Eigen::AngleAxisd(90 * kDegree, Eigen::Vector3d::UnitX())));
   passSeconds(robot, 3);
   EXPECT_GT(acceleration(robot, kRightLeft), 0.8 * kGravity);
 }

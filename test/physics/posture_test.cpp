@@ -1,15 +1,10 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <vector>
-
 #include "trial.h"
 
 namespace {
 
 using physics::Bench;
-using physics::End;
 using physics::World;
 
 namespace version2 = protocol::version2;
@@ -35,7 +30,7 @@ class PostureTaker {
     }
     ASSERT_GT(bench_.ends().size(), before)
         << "it does not arrive: " << (bench_.errors().empty() ? "no error" : bench_.errors().back());
-    const End& end = bench_.ends().back();
+    const physics::End& end = bench_.ends().back();
     EXPECT_EQ(end.what, version2::ENDED_POSTURE);
     EXPECT_EQ(end.how, version2::END_DONE) << end.reason;
     EXPECT_EQ(end.name, postureName(posture));

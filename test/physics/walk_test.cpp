@@ -1,11 +1,7 @@
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
-#include <string>
-#include <vector>
 
 #include "trial.h"
 
@@ -13,7 +9,6 @@ namespace {
 
 using physics::Record;
 using physics::World;
-using ::testing::IsEmpty;
 
 namespace version2 = protocol::version2;
 
@@ -40,7 +35,7 @@ void expectNoHarm(const Record& record) {
   EXPECT_LT(record.legs_touch, 0.1);
   EXPECT_GT(record.usual_lift, 0.002);
   EXPECT_EQ(record.beyond_limits, 0);
-  EXPECT_THAT(record.errors, IsEmpty());
+  EXPECT_THAT(record.errors, testing::IsEmpty());
   for (const physics::End& end : record.ends) {
     EXPECT_EQ(end.how, version2::END_DONE) << end.reason;  // it was steered to stand
   }

@@ -1,6 +1,5 @@
 #include "world.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <numeric>

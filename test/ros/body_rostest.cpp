@@ -18,12 +18,8 @@
 #include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "support/memory_stick.h"
 #include "support/ros/driver_user.h"
@@ -38,21 +34,15 @@ using aibo_driver::Leds;
 using aibo_driver::LedStates;
 using aibo_driver::ListMotions;
 using aibo_driver::PlayMotion;
-using aibo_driver::StopMotion;
-using aibo_driver::TakePictureOnRobot;
 using aibo_driver::Touch;
 using aibo_driver::UploadMotion;
 using sensor_msgs::BatteryState;
 using sensor_msgs::Imu;
-using test_support::DriverProcess;
 using test_support::DriverUser;
 using test_support::JointListener;
-using test_support::MemoryStick;
-using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::Contains;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 // All tests share a master, and this topic has the same name for all drivers.
 std::string ownTf(const std::string& name_space) {
@@ -104,12 +94,12 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
 }
 
 TEST(Footprint, IsNotPublishedIfItIsNotWanted) {
-  SimulatedRobot robot;
+  test_support::SimulatedRobot robot;
   Footprints footprints("/no_footprint");
   TopicListener<Imu> accelerations("/no_footprint/imu/data_raw");
   TopicListener<nav_msgs::Odometry> odom("/no_footprint/odom");
-  DriverProcess driver("/no_footprint", robot.port(),
-                       {"_publish_footprint:=false", "_publish_odom_tf:=false", ownTf("/no_footprint")});
+  test_support::DriverProcess driver("/no_footprint", robot.port(),
+                                     {"_publish_footprint:=false", "_publish_odom_tf:=false", ownTf("/no_footprint")});
   ASSERT_GE(accelerations.waitForCount(30).size(), 30u);
   ASSERT_TRUE(odom.waitForNext());
   EXPECT_EQ(footprints.count(), 0u) << "neither the footprint nor the odometry";
@@ -170,7 +160,7 @@ bool moves(JointListener& joints) {
 }
 
 TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
-  const MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
+  const test_support::MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
   BodyUser user("/upload", {"--memory-stick", stick.path()});
   UploadMotion::Request upload;
   upload.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
@@ -181,12 +171,12 @@ TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
   JointListener joints("/upload");
   EXPECT_TRUE(user.play("mine", 5).success);
   EXPECT_TRUE(moves(joints));
-  EXPECT_TRUE(user.call<StopMotion>("stop_motion").success);
+  EXPECT_TRUE(user.call<aibo_driver::StopMotion>("stop_motion").success);
   DeleteMotion::Request request;
   request.name = "mine";
   const auto deleted = user.call<DeleteMotion>("delete_motion", request);
   EXPECT_TRUE(deleted.success) << deleted.message;
-  EXPECT_THAT(user.call<ListMotions>("list_motions").names, Not(Contains("MINE.MTN")));
+  EXPECT_THAT(user.call<ListMotions>("list_motions").names, testing::Not(Contains("MINE.MTN")));
 }
 
 TEST(Services, ThatAVersion1ServerDoesNotSupportSaySo) {
@@ -197,7 +187,7 @@ TEST(Services, ThatAVersion1ServerDoesNotSupportSaySo) {
     EXPECT_THAT(answer.message, HasSubstr("version 1"));
   };
   is_unsupported(user.call<ListMotions>("list_motions"));
-  is_unsupported(user.call<TakePictureOnRobot>("take_picture_on_robot"));
+  is_unsupported(user.call<aibo_driver::TakePictureOnRobot>("take_picture_on_robot"));
   is_unsupported(user.call<std_srvs::SetBool>("motors"));
   is_unsupported(user.call<std_srvs::Trigger>("sit"));
 }

@@ -4,11 +4,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
-#include <algorithm>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "node/camera/color_table_file.h"
 #include "protocol/color_requests.h"
 #include "support/process.h"
@@ -21,15 +16,12 @@
 
 namespace {
 
-using aibo_driver::ColorRegion;
 using aibo_driver::ColorRegions;
 using test_support::DriverProcess;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::SimulatedRobot;
-using test_support::TemporaryFolder;
 using test_support::TopicListener;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 using RegionsListener = TopicListener<ColorRegions>;
@@ -46,7 +38,7 @@ TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
   EXPECT_EQ(found->header.frame_id, "left/camera_optical_frame");
   EXPECT_EQ(found->width, 208U);
   ASSERT_EQ(found->regions.size(), 1U);
-  const ColorRegion& ball = found->regions[0];
+  const aibo_driver::ColorRegion& ball = found->regions[0];
   EXPECT_EQ(ball.channel, 0);
   EXPECT_EQ(ball.name, "pink_ball");
   EXPECT_GE(ball.x, ball.box.x_offset);
@@ -117,7 +109,7 @@ class ColorTableTest : public ::testing::Test {
     return process.output();
   }
 
-  const TemporaryFolder folder_;
+  const test_support::TemporaryFolder folder_;
 };
 
 TEST_F(ColorTableTest, HoldsTheColorsOfAPartOfAPictureOfAnyEncoding) {
@@ -129,7 +121,7 @@ TEST_F(ColorTableTest, HoldsTheColorsOfAPartOfAPictureOfAnyEncoding) {
     const std::string file = folder_.path(encoding + ".yaml");
     EXPECT_THAT(
         run({"--topic", "/painted/" + encoding, "--region", "20,20,12,16", "--name", "red", "--output", file}, 0),
-        AllOf(HasSubstr("contains 100.0 % of the region"), HasSubstr("It is in " + file)));
+        testing::AllOf(HasSubstr("contains 100.0 % of the region"), HasSubstr("It is in " + file)));
     tables[encoding == "rgb8" ? 0 : 1] = aibo_driver::node::loadColorTable(file);
   }
   EXPECT_EQ(tables[0].name, "red");

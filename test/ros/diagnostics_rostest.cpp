@@ -10,13 +10,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <algorithm>
 #include <chrono>
-#include <cstddef>
-#include <functional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
@@ -39,7 +33,6 @@ using test_support::FaultProxy;
 using test_support::PictureServer;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 
 double numberIn(const DiagnosticStatus& status, const std::string& key) {
@@ -211,7 +204,7 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
   SimulatedRobot robot;
   DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
   Watch watch("jam");
-  TopicPublishers topics("/jam");
+  test_support::TopicPublishers topics("/jam");
   watch.waitFor("joints", DiagnosticStatus::OK, "measurements/s");
   // Again and again, because a driver that is held up drops commands.
   const auto moves_until = [&](double position, int level, const std::string& text) {

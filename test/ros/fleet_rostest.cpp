@@ -11,13 +11,8 @@
 #include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <memory>
-#include <string>
-#include <vector>
 
 #include "support/good_calibration.h"
 #include "support/process.h"
@@ -32,8 +27,6 @@
 
 namespace {
 
-using test_support::DiagnosticsListener;
-using test_support::DriverProcess;
 using test_support::JointListener;
 using test_support::Process;
 using test_support::SimulatedRobot;
@@ -149,8 +142,8 @@ TEST(WrongRobot, GetsNoCommandsAndTheReasonIsSaid) {
   SimulatedRobot robot;
   JointListener joints("/wrong");
   TopicListener<sensor_msgs::CameraInfo> camera_infos("/wrong/camera/camera_info");
-  DiagnosticsListener diagnostics;
-  DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
+  test_support::DiagnosticsListener diagnostics;
+  test_support::DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
   TopicPublishers user("/wrong");
   const auto status = diagnostics.waitFor("wrong/aibo_driver: joints", [](const auto& joint_status) {
     return joint_status.level == diagnostic_msgs::DiagnosticStatus::ERROR;

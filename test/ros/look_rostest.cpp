@@ -15,14 +15,10 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
 #include <thread>
-#include <tuple>
 
 #include "support/ros/joint_user.h"
 
@@ -30,7 +26,6 @@ namespace {
 
 using aibo_driver::LookAtResult;
 using aibo_driver::MotionState;
-using aibo_driver::Movement;
 using geometry_msgs::PointStamped;
 using test_support::JointUser;
 using test_support::Process;
@@ -142,7 +137,7 @@ TEST(LookAt, KnowsWhereTheCameraWasWhenItTookThePicture) {
     return user.seesInItsMiddle(point("base_link", place->x(), place->y(), place->z()), std::chrono::seconds(5));
   }));
   EXPECT_TRUE(motion.waitFor([](const MotionState& state) {
-    return !state.movements.empty() && state.movements[0].kind == Movement::LOOK_AT &&
+    return !state.movements.empty() && state.movements[0].kind == aibo_driver::Movement::LOOK_AT &&
            state.movements[0].source == "/look/aibo_look_at";
   })) << "it is told from other commands";
 }

@@ -15,19 +15,12 @@
 #include <topic_tools/shape_shifter.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <fstream>
 #include <future>
-#include <map>
-#include <memory>
 #include <mutex>
 #include <regex>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "node/xmlrpc_peer.h"
 #include "support/memory_stick.h"
@@ -44,7 +37,6 @@ using test_support::nodeletHost;
 using test_support::Process;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using XmlRpc::XmlRpcValue;
@@ -285,7 +277,7 @@ TEST(Log, OfStrangersIsPlainAndShort) {
   }
   const std::string printed = driver.output();
   ASSERT_LT(printed.size(), 1'000'000U);
-  EXPECT_THAT(printed, AllOf(Not(HasSubstr("\x1b[2J")), HasSubstr("?[2J?[FATAL] forged")));
+  EXPECT_THAT(printed, testing::AllOf(Not(HasSubstr("\x1b[2J")), HasSubstr("?[2J?[FATAL] forged")));
   std::size_t said = 0;
   for (const auto& each : rosout.waitForCount(0)) {
     said += each->name == "/logs/aibo_driver" ? each->msg.size() : 0;

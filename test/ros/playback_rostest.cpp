@@ -20,10 +20,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
-#include <set>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "support/process.h"
 #include "support/ros/joint_messages.h"
@@ -35,13 +31,10 @@
 namespace {
 
 using aibo_driver::Connection;
-using aibo_driver::EndedMovement;
 using aibo_driver::MotionState;
-using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using test_support::kSafetyNet;
 using test_support::Process;
-using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
 
@@ -174,7 +167,7 @@ class PlaybackTest : public ::testing::Test {
   }
 
  private:
-  TemporaryFolder folder_;
+  test_support::TemporaryFolder folder_;
   int complaints_ = 0;
 };
 
@@ -361,10 +354,10 @@ class AliveUser : public test_support::JointUser {
     publish("joint_command", test_support::command({{"tail_pan", 0.1}}));
     std::set<std::string> sources;
     EXPECT_TRUE(motion.waitFor([&sources](const MotionState& state) {
-      for (const Movement& each : state.movements) {
+      for (const aibo_driver::Movement& each : state.movements) {
         sources.insert(each.source);
       }
-      for (const EndedMovement& each : state.ended) {
+      for (const aibo_driver::EndedMovement& each : state.ended) {
         sources.insert(each.movement.source);
       }
       return !state.ended.empty() && state.ended.back().movement.joints == std::vector<std::string>{"tail_pan"};

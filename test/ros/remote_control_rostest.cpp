@@ -27,12 +27,6 @@
 #include <QUrl>
 #include <QtTest/QTest>
 #include <csignal>
-#include <functional>
-#include <memory>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "node/xmlrpc_peer.h"
 #include "remote_control/axis_pad.h"
@@ -51,7 +45,6 @@ namespace {
 using aibo_driver::Connection;
 using aibo_driver::LookAtResult;
 using aibo_driver::remote_control::AxisPad;
-using aibo_driver::remote_control::JointSlider;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
@@ -59,7 +52,6 @@ using test_support::FaultProxy;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::SimulatedRobot;
-using test_support::TemporaryFolder;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
 
@@ -154,7 +146,7 @@ TEST_F(RemoteControlRosTest, ShowsTheRobot) {
 }
 
 TEST_F(RemoteControlRosTest, CommandsTheRobot) {
-  const TemporaryFolder folder;
+  const test_support::TemporaryFolder folder;
   user_.window.setFolder(QString::fromStdString(folder.path().string()) + "/new");
   EXPECT_TRUE(user_.click("take_picture", "take picture: "));
   ASSERT_TRUE(user_.waitFor([this] { return user_.find<QWidget>("thumbnail")->isEnabled(); }));
@@ -170,7 +162,7 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
 
   // Again and again, because the driver may not have subscribed yet.
   user_.open("Joints");
-  auto* slider = user_.find<JointSlider>("tail_pan")->slider();
+  auto* slider = user_.find<aibo_driver::remote_control::JointSlider>("tail_pan")->slider();
   EXPECT_TRUE(user_.waitFor([&] {
     slider->setValue(slider->value() == 400 ? 300 : 400);
     return user_.textOf("movement").contains("tail_pan");

@@ -15,9 +15,7 @@
 #include <sensor_msgs/JointState.h>
 
 #include <chrono>
-#include <limits>
 #include <numeric>
-#include <string>
 
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
@@ -27,17 +25,12 @@
 namespace {
 
 using aibo_driver::CameraState;
-using aibo_driver::Connection;
-using aibo_driver::LinkQuality;
 using aibo_driver::MotionState;
 using dynamic_reconfigure::Config;
 using dynamic_reconfigure::Reconfigure;
 using test_support::DriverUser;
-using test_support::JointListener;
 using test_support::positionOf;
 using test_support::TopicListener;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 // A setting that was changed stays on the parameter server, for the next driver of the same name.
 constexpr const char* kFullSpeed = "_speed_scale:=1";
@@ -125,14 +118,15 @@ TEST(Settings, BeginWithTheParametersAndStayInForceWhenRosparamSetsThem) {
   ros::param::set("/settings_rosparam/aibo_driver/jpeg_quality", 50);
   user.waitForLog("jpeg_quality was set to '50', but '40' stays in force");
   EXPECT_EQ(user.valueOf(user.set(Config()), "jpeg_quality"), 40);
-  EXPECT_THAT(user.driver.output(), Not(HasSubstr("speed_scale was set to"))) << "dynamic_reconfigure did it";
+  EXPECT_THAT(user.driver.output(), testing::Not(testing::HasSubstr("speed_scale was set to")))
+      << "dynamic_reconfigure did it";
 }
 
 TEST(Settings, OfTheStreamChangeItWhileItRuns) {
   TopicListener<sensor_msgs::CompressedImage> pictures("/settings_stream/camera/image_raw/compressed");
   TopicListener<sensor_msgs::CameraInfo> infos("/settings_stream/camera/camera_info");
-  TopicListener<Connection> connections("/settings_stream/connection");
-  TopicListener<LinkQuality> links("/settings_stream/link_quality");
+  TopicListener<aibo_driver::Connection> connections("/settings_stream/connection");
+  TopicListener<aibo_driver::LinkQuality> links("/settings_stream/link_quality");
   SettingsUser user("/settings_stream", {"_jpeg_quality:=100"});
   EXPECT_TRUE(connections.waitFor([](const auto& each) { return each.transport == "udp"; })) << "the usual way";
   const auto before = pictures.waitForNext();
@@ -170,7 +164,7 @@ TEST(Settings, TelemetryRateChangesJointStates) {
 }
 
 TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
-  JointListener joints("/settings_trajectory");
+  test_support::JointListener joints("/settings_trajectory");
   SettingsUser user("/settings_trajectory", {"_joint_speed_limit:=0.5", kFullSpeed});
   const auto passes = [&joints](double position) {
     return joints.messages().waitFor([=](const auto& state) { return positionOf(state, "head_pan") > position; });

@@ -10,13 +10,9 @@
 
 #include <chrono>
 #include <cstdint>
-#include <memory>
 #include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "protocol/sound_requests.h"
 #include "support/ros/diagnostics_listener.h"
@@ -35,7 +31,6 @@ using aibo_driver::SetVolume;
 using aibo_driver::Sound;
 using test_support::DriverProcess;
 using test_support::TopicListener;
-using ::testing::HasSubstr;
 
 using SoundGoal = test_support::GoalWatch<aibo_driver::PlaySoundAction>;
 using State = actionlib::TerminalState;
@@ -194,7 +189,7 @@ TEST(PlaySoundGoal, SucceedsAtTheEndOfItsSoundAndStopsOnlyThisWhenItIsCancelled)
   EXPECT_EQ(next->waitForEnd(), State::SUCCEEDED);
   for (const auto& rejected : {begin(""), begin("short.wav", "hello")}) {
     EXPECT_EQ(rejected->waitForEnd(), State::REJECTED);
-    EXPECT_THAT(rejected->result()->message, HasSubstr("give a file or a text"));
+    EXPECT_THAT(rejected->result()->message, testing::HasSubstr("give a file or a text"));
   }
 }
 

@@ -17,11 +17,6 @@
 
 #include <chrono>
 #include <csignal>
-#include <cstddef>
-#include <map>
-#include <string>
-#include <tuple>
-#include <vector>
 
 #include "support/ros/driver_user.h"
 #include "support/ros/fake_driver.h"
@@ -29,13 +24,8 @@
 namespace {
 
 using aibo_driver::EndedMovement;
-using aibo_driver::MotionState;
-using aibo_driver::Movement;
-using aibo_driver::PlayMotion;
 using aibo_driver::RobotState;
-using aibo_driver::TakePicture;
 using geometry_msgs::Twist;
-using std_srvs::Trigger;
 using test_support::DriverUser;
 using test_support::FakeDriver;
 using test_support::kSafetyNet;
@@ -43,7 +33,6 @@ using test_support::Process;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
 using ::testing::ContainsRegex;
-using ::testing::HasSubstr;
 using ::testing::Not;
 
 bool goes(const Twist& twist) {
@@ -109,10 +98,10 @@ TEST_F(KeyboardTest, EndsWithAStopAndLeavesTheTerminalAsItWas) {
 }
 
 TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
-  MotionState state;
+  aibo_driver::MotionState state;
   const auto end = [&state](const char* source, const char* reason) {
     EndedMovement& ended = state.ended.emplace_back();
-    ended.movement.kind = Movement::WALK;
+    ended.movement.kind = aibo_driver::Movement::WALK;
     ended.movement.source = source;
     ended.how = EndedMovement::REFUSED;
     ended.reason = reason;
@@ -256,10 +245,10 @@ TEST(GamepadTest, EachButtonCallsItsService) {
     return handle.advertiseService(name, note);
   };
   const ros::ServiceServer services[] = {
-      serve("sit", Trigger(), [](const auto&) { return "sit"; }),
-      serve("play_motion", PlayMotion(),
+      serve("sit", std_srvs::Trigger(), [](const auto&) { return "sit"; }),
+      serve("play_motion", aibo_driver::PlayMotion(),
             [](auto& order) { return order.name + " " + std::to_string(order.repetitions); }),
-      serve("take_picture", TakePicture(), [](const auto& order) { return order.save_to; })};
+      serve("take_picture", aibo_driver::TakePicture(), [](const auto& order) { return order.save_to; })};
   ros::param::set("/pad/aibo_teleop_joy/motions", std::map<std::string, int>{{"NOD", 6}});
   ros::param::set("/pad/aibo_teleop_joy/postures", std::map<std::string, int>{{"sit", 7}});
   Gamepad pad("/pad");
@@ -287,7 +276,7 @@ TEST(GamepadTest, SaysWhoHasStoppedTheRobotAndReleasesItWithTheDeadManButton) {
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});  // nobody has stopped the robot
   pad.press({Gamepad::kStop});
   pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
-  EXPECT_THAT(pad.teleop().output(), Not(HasSubstr("/release: ")));
+  EXPECT_THAT(pad.teleop().output(), Not(testing::HasSubstr("/release: ")));
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
   pad.teleop().waitForOutput("The robot may move again", kSafetyNet);

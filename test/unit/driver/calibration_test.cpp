@@ -8,10 +8,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <functional>
-#include <iterator>
-#include <limits>
-#include <string>
 
 #include "aibo_client/exceptions.h"
 #include "support/good_calibration.h"
@@ -22,7 +18,6 @@ namespace {
 
 using sensor_msgs::CameraInfo;
 using test_support::goodCalibration;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -56,7 +51,7 @@ TEST(CalibrationFile, IsInRosHomeByDefault) {
   ::setenv("ROS_HOME", "/var/ros", 1);
   EXPECT_EQ(calibrationFile("", "left"), "/var/ros/camera_info/left.yaml");
   ::unsetenv("ROS_HOME");
-  EXPECT_THAT(calibrationFile("", "left"), EndsWith("/.ros/camera_info/left.yaml"));
+  EXPECT_THAT(calibrationFile("", "left"), testing::EndsWith("/.ros/camera_info/left.yaml"));
   if (ros_home != nullptr) {
     ::setenv("ROS_HOME", before.c_str(), 1);
   }

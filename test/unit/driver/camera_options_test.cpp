@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <type_traits>
-#include <utility>
-
 #include "node/camera/camera_state_publisher.h"
 
 namespace aibo_driver::node {

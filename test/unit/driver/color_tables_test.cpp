@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <string>
-#include <vector>
 
 #include "node/camera/color_messages.h"
 #include "node/camera/color_table_file.h"

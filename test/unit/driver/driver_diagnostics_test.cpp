@@ -6,9 +6,7 @@ namespace aibo_driver::node {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 using ::testing::Pair;
-using ::testing::SizeIs;
 
 TEST(DiagnosticCounts, AreEachUnderTheirName) {
   aibo_client::ClientStatistics client;
@@ -51,9 +49,9 @@ TEST(DiagnosticCounts, AreEachUnderTheirName) {
 
 TEST(DiagnosticCounts, OfDatagramsAreThereOnceAnyHasCome) {
   aibo_client::ClientStatistics client;
-  EXPECT_THAT(datagramCounts(client), IsEmpty());
+  EXPECT_THAT(datagramCounts(client), testing::IsEmpty());
   client.foreign_datagrams = 6;
-  EXPECT_THAT(datagramCounts(client), SizeIs(8));
+  EXPECT_THAT(datagramCounts(client), testing::SizeIs(8));
   client.datagrams = 1;
   client.lost_datagrams = 2;
   client.reordered_datagrams = 3;

@@ -4,9 +4,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "movement/mover.h"
 #include "support/fake_client.h"

@@ -5,7 +5,6 @@
 #include <ros/time.h>
 
 #include <cmath>
-#include <limits>
 
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
@@ -15,7 +14,6 @@ namespace aibo_driver::node {
 namespace {
 
 using aibo_client::EndedHow;
-using std::chrono::seconds;
 using ::testing::HasSubstr;
 
 class GoalWalksTest : public ::testing::Test {
@@ -71,7 +69,7 @@ class GoalWalksTest : public ::testing::Test {
   }
 
   std::uint64_t walk_order_ = 0;  // of the velocity that began the walk
-  movement::SteadyTime now_ = movement::SteadyTime(seconds(1000));
+  movement::SteadyTime now_ = movement::SteadyTime(std::chrono::seconds(1000));
   const movement::Mover::Clock clock_ = [this] { return now_; };
   std::optional<PlanePose> here_ = PlanePose{1, 0, 0};
   DriverParameters parameters_;

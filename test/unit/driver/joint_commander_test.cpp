@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <map>
-#include <string>
 
 #include "support/fake_client.h"
 #include "support/ros/log_listener.h"
@@ -13,8 +11,6 @@ namespace aibo_driver::node {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 constexpr int kPan = 2;
 
@@ -85,7 +81,7 @@ TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   commander_.receive(message, order());
   ASSERT_EQ(mover_.state().ended.size(), 1u);
   EXPECT_EQ(mover_.state().ended[0].how, aibo_client::EndedHow::kRefused);
-  EXPECT_THAT(mover_.state().ended[0].reason, HasSubstr("header.stamp"));
+  EXPECT_THAT(mover_.state().ended[0].reason, testing::HasSubstr("header.stamp"));
   EXPECT_EQ(mover_.state().ended[0].movement.kind, movement::Movement::Kind::kTrajectory);
   EXPECT_THAT(mover_.state().ended[0].movement.joints, ElementsAre("head_pan"));
 }
@@ -122,7 +118,7 @@ TEST_F(JointCommanderTest, ATrajectoryBeginsAtItsStamp) {
   message.points[0].time_from_start = ros::Duration(2);
   commander_.receive(message, order());
   EXPECT_EQ(mover_.state().movements.back().kind, movement::Movement::Kind::kTrajectory);
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(JointCommanderTest, KnowsACommandOfLookAt) {

@@ -3,11 +3,8 @@
 #include <gmock/gmock.h>
 #include <turbojpeg.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 namespace aibo_driver::node {
 namespace {

@@ -2,10 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <set>
-#include <string>
-
 namespace aibo_driver::node {
 
 using aibo_client::EndedHow;

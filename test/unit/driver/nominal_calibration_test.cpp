@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <Eigen/Core>
-#include <utility>
 
 #include "simulator/ers7/camera/camera_optics.h"
 #include "support/good_calibration.h"

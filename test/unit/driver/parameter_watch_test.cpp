@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <optional>
-#include <string>
-#include <vector>
 
 using namespace aibo_driver::node;
 using testing::AllOf;

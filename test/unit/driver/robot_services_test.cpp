@@ -9,9 +9,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "node/services.h"
 #include "support/fake_client.h"

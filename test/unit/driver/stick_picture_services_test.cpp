@@ -6,8 +6,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <memory>
-#include <string>
 
 #include "node/services.h"
 #include "support/fake_client.h"
@@ -21,7 +19,6 @@ namespace {
 using namespace std::chrono_literals;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class StickPictureServicesTest : public ::testing::Test {
  protected:
@@ -125,7 +122,7 @@ TEST_F(StickPictureServicesTest, ANameIsNeeded) {
   EXPECT_THAT(fetch("").message,
               HasSubstr("There is no picture: give the name of a picture. list_pictures lists them"));
   EXPECT_THAT(remove("").message, HasSubstr("Nothing was deleted: give the name of a picture"));
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(StickPictureServicesTest, EachSaysWhyItFailed) {

@@ -14,7 +14,6 @@ using test_support::LogListener;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 class StreamAdapterTest : public ::testing::Test {
  protected:
@@ -76,7 +75,7 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
   publish(200ms);
   client_.told.clear();
   adapter_.setWish(wish(true));
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
   StreamAdapter::Wish patient = wish(true);
   patient.max_picture_age = 1;
   adapter_.setWish(patient);

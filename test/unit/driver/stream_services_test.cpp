@@ -4,8 +4,6 @@
 #include <std_srvs/Trigger.h>
 
 #include <filesystem>
-#include <memory>
-#include <string>
 
 #include "node/services.h"
 #include "support/fake_client.h"

@@ -11,8 +11,6 @@
 namespace aibo_driver::color_table {
 namespace {
 
-using ::testing::HasSubstr;
-
 // The part of the picture with the color, and the means of its color.
 constexpr Region kRegion{31, 12, 20, 15};
 constexpr int kY = 150;
@@ -100,7 +98,7 @@ TEST(TableMaker, SaysWhatIsWrongWithARegion) {
   EXPECT_EQ(refusalOf({85, 12, 20, 15}), "the region 85,12,20,15 is not within the picture, which has 104x80 pixels");
   for (const Region& region : {Region{31, 66, 20, 15}, Region{-1, 12, 20, 15}, Region{31, -1, 20, 15},
                                Region{0, 0, 2147483647, 15}, Region{0, 0, 20, 2147483647}}) {
-    EXPECT_THAT(refusalOf(region), HasSubstr("not within")) << region.left << "," << region.top;
+    EXPECT_THAT(refusalOf(region), testing::HasSubstr("not within")) << region.left << "," << region.top;
   }
   EXPECT_EQ(refusalOf({31, 12, 3, 5}), "the region has 15 pixels; it must have at least 16");
 }

@@ -2,16 +2,12 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
-#include <string>
-
 #include "aibo_client/exceptions.h"
 #include "node/orders.h"
 
 namespace aibo_driver::node {
 namespace {
 
-using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 
 constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
@@ -28,7 +24,7 @@ std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
 }
 
 TEST(WaitBeforeStart, IsTheTimeUntilTheStamp) {
-  EXPECT_EQ(waitBeforeStart(ros::Time(), kArrival), milliseconds(0));
+  EXPECT_EQ(waitBeforeStart(ros::Time(), kArrival), std::chrono::milliseconds(0));
   EXPECT_NEAR(static_cast<double>(waitBeforeStart(kArrival - ros::Duration(0.9), kArrival).count()), -0.9e9, 1e3);
   EXPECT_NEAR(static_cast<double>(waitBeforeStart(kArrival + ros::Duration(2.5), kArrival).count()), 2.5e9, 1e3);
 }

@@ -4,9 +4,6 @@
 #include <gmock/gmock.h>
 #include <std_srvs/Trigger.h>
 
-#include <cmath>
-#include <limits>
-
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/ros/call_service.h"
@@ -18,9 +15,7 @@ using aibo_client::EndedKind;
 
 namespace {
 
-using std::chrono::milliseconds;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using Kind = movement::Movement::Kind;
 
@@ -90,7 +85,7 @@ class WalkCommanderTest : public ::testing::Test {
     settings.scale = 1.25;
     settings.side_scale = 0.5;
     settings.turn_scale = 2;
-    settings.timeout = milliseconds(400);
+    settings.timeout = std::chrono::milliseconds(400);
     return settings;
   }
 
@@ -162,7 +157,7 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   client_.meanwhile = [this] { mover_.disconnected(); };
   response = take("rest");
   EXPECT_FALSE(response.success);
-  EXPECT_THAT(response.message, HasSubstr("does not rest: the connection to the robot was lost"));
+  EXPECT_THAT(response.message, testing::HasSubstr("does not rest: the connection to the robot was lost"));
   client_.problem = "there is no robot";
   response = take("sit");
   EXPECT_FALSE(response.success);

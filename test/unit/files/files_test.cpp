@@ -13,10 +13,7 @@
 #include <filesystem>
 #include <fstream>
 #include <future>
-#include <iterator>
-#include <string>
 #include <system_error>
-#include <vector>
 
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
@@ -25,8 +22,6 @@ namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::AnyOf;
-using ::testing::ElementsAre;
 using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -82,7 +77,7 @@ class LoadFileTest : public FilesTest {
 };
 
 TEST_F(LoadFileTest, ReadsAWholeFileUpToTheLengthAllowed) {
-  EXPECT_THAT(loadFile(write("abc"), 3), ElementsAre('a', 'b', 'c'));
+  EXPECT_THAT(loadFile(write("abc"), 3), testing::ElementsAre('a', 'b', 'c'));
   EXPECT_THAT(loadFile(write(""), 3), SizeIs(0));
 }
 
@@ -269,7 +264,7 @@ TEST_F(SaveJpegTest, AFolderThatIsRemovedMeanwhileIsNamed) {
     }
   });
   for (int i = 0; i < 300; ++i) {
-    EXPECT_THAT(saveRefusal("album/picture.jpg"), AnyOf("not refused", HasSubstr("cannot ")));
+    EXPECT_THAT(saveRefusal("album/picture.jpg"), testing::AnyOf("not refused", HasSubstr("cannot ")));
   }
   goes_on = false;
   other.get();

@@ -5,15 +5,10 @@
 #include <sys/wait.h>
 
 #include <array>
-#include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
 #include "support/temporary_folder.h"
 
@@ -24,8 +19,6 @@ using motion_tool::fileNameOf;
 using motion_tool::readArchive;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::testing::Not;
-using ::testing::SizeIs;
 
 namespace fs = std::filesystem;
 
@@ -76,7 +69,7 @@ const std::vector<ArchivedFile> kFiles = {
 
 TEST(Archive, IsReadWithNamesTypesAndContents) {
   const std::vector<ArchivedFile> files = readArchive(archiveOf(kFiles));
-  ASSERT_THAT(files, SizeIs(kFiles.size()));
+  ASSERT_THAT(files, testing::SizeIs(kFiles.size()));
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(files[i].name, kFiles[i].name);
     EXPECT_EQ(files[i].type, kFiles[i].type);
@@ -204,7 +197,7 @@ TEST_F(AiboMtn, UnpacksAnArchive) {
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("a_sit_wave.mtn"));
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()),
-              AllOf(HasSubstr("already exists; --force"), Not(HasSubstr("bark.wav  (bark)"))));
+              AllOf(HasSubstr("already exists; --force"), testing::Not(HasSubstr("bark.wav  (bark)"))));
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("growl.wav  (growl)\n0"));
 }
 

@@ -2,11 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <climits>
 #include <cmath>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "motion_tool/motion_tool.h"
 

@@ -2,13 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <sstream>
-#include <string>
-#include <vector>
-
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 // What a function of motion_tool.h says of a motion of an ERS-7 on this robot.
@@ -58,7 +53,7 @@ TEST(MotionCheck, FindsWhatAnErs7CannotDo) {
     }
   }
   EXPECT_THAT(obstaclesOf("at 0 head_pan 0\n", "ERS-210"),
-              ElementsAre(HasSubstr("an ERS-210 has no joint PRM:/r1/c1/c2-Joint2:12")));
+              testing::ElementsAre(HasSubstr("an ERS-210 has no joint PRM:/r1/c1/c2-Joint2:12")));
 }
 
 TEST(MotionCheck, SaysInOneLineWhatARobotDoesDifferently) {

@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "motion_tool/motion_tool.h"
 #include "sample_motion.h"

@@ -2,15 +2,11 @@
 #include <gmock/gmock.h>
 
 #include <fstream>
-#include <iterator>
-#include <string>
 
 #include "motion_tool/motion_tool.h"
 #include "mtn/motion.h"
 
 namespace {
-
-using ::testing::IsEmpty;
 
 const char* const kMotions[] = {"LIE", "NOD", "WAG", "SIT"};
 
@@ -32,7 +28,7 @@ TEST(ShippedMotions, CanBeDoneByAnErs7AndEndWhereTheyBegan) {
     const std::string bytes = fileOf(name);
     mtn::Motion motion;
     ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
-    EXPECT_THAT(motion_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), IsEmpty()) << name;
+    EXPECT_THAT(motion_tool::findObstacles(motion, *robot_model::findRobotModel("ERS-7")), testing::IsEmpty()) << name;
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
       EXPECT_EQ(motion.position(motion.numberOfKeyFrames() - 1, joint), motion.position(0, joint)) << name << joint;
     }

@@ -2,9 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <sstream>
 #include <stdexcept>
-#include <string>
 
 #include "sample_motion.h"
 

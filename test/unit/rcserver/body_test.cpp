@@ -1,10 +1,7 @@
 // Sensors, LEDs, ears and power, in both versions of the protocol.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "protocol/units.h"
 #include "protocol/version1.h"
@@ -20,10 +17,8 @@ using robot_model::Sensor;
 using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
-using ::testing::Eq;
 using ::testing::Field;
 using ::testing::HasSubstr;
-using ::testing::Not;
 
 constexpr int kHeadTouch = 5;
 constexpr int kPawLeftFront = 14;
@@ -312,7 +307,7 @@ TEST_F(BodyVersion2Test, TelemetryHasAllSensorsThatMeasureInMillionths) {
   passFrames(kUntilMeasured);
   const std::vector<TelemetryEntry> sensors = sensorTelemetry();
   EXPECT_EQ(sensors.size(), 17U);
-  EXPECT_THAT(sensors, Not(Contains(Field(&TelemetryEntry::id, Eq(55)))));
+  EXPECT_THAT(sensors, testing::Not(Contains(Field(&TelemetryEntry::id, testing::Eq(55)))));
   EXPECT_THAT(sensors, Contains(IsSensor(kRangeNear, 123456)));
   EXPECT_THAT(sensors, Contains(IsSensor(kHeadTouch, 17000000)));
   EXPECT_THAT(sensors, Contains(IsSensor(kPawLeftFront, 1)));

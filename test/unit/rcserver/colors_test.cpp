@@ -2,8 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "protocol/color_requests.h"
 #include "rcserver/camera/ColorCounter.h"

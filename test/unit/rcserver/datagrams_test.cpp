@@ -1,10 +1,6 @@
 // Pictures by UDP.
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <string>
-#include <vector>
-
 #include "picture_checks.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/version2.h"

@@ -6,10 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <memory>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "support/camera_image_fixture.h"
 

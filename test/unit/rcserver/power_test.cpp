@@ -2,11 +2,9 @@
 // OPENR::Shutdown() until the pause button is pressed again.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <thread>
 
 #include "motion_bytes.h"
@@ -15,8 +13,6 @@
 
 namespace {
 
-using ::testing::Each;
-using ::testing::Field;
 using ::testing::HasSubstr;
 
 constexpr int kPowerCode = 4;
@@ -239,7 +235,7 @@ TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   EXPECT_EQ(answerTo('O', 0, order("\1")).header.kind, 'o');
   passFrames(kUntilMeasured);
   EXPECT_TRUE(robot_.powered);
-  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
+  EXPECT_THAT(robot_.joints, testing::Each(testing::Field(&FakeRobot::FakeJoint::gain, true)));
 }
 
 }  // namespace

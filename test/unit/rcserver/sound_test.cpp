@@ -1,12 +1,7 @@
 // Microphone and speaker (`A`). Level2 Reference Guide, pages 44, 62 and 63; Model Information ERS-7, 3.1.2 and 3.2.2.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
-#include <functional>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "protocol/sound_requests.h"
 #include "rcserver_fixture.h"
@@ -14,13 +9,9 @@
 namespace {
 
 using namespace protocol::version2;
-using ::testing::AllOf;
 using ::testing::Each;
-using ::testing::ElementsAre;
-using ::testing::Ge;
 using ::testing::IsEmpty;
 using ::testing::Le;
-using ::testing::Not;
 using ::testing::SizeIs;
 
 using Samples = std::vector<sword>;
@@ -212,7 +203,8 @@ TEST_F(SoundTest, AtEightKilohertzHighTonesDoNotComeBackAsLowOnes) {
       pass(126);
       EXPECT_THAT(heard_, SizeIs(channels));
       for (const auto& [channel, heard] : heard_) {
-        EXPECT_THAT(levelOf(heard), AllOf(Ge(lowest), Le(highest))) << frequency << " in channel " << channel;
+        EXPECT_THAT(levelOf(heard), testing::AllOf(testing::Ge(lowest), Le(highest)))
+            << frequency << " in channel " << channel;
         EXPECT_NEAR(static_cast<double>(heard.size()), 8000, 150);
       }
     }
@@ -224,7 +216,7 @@ TEST_F(SoundTest, OneChannelIsTheMeanOfBoth) {
   listen(1);
   pass(10);
   EXPECT_THAT(heard_[0], Each(300));
-  EXPECT_THAT(heard_[0], Not(IsEmpty()));
+  EXPECT_THAT(heard_[0], testing::Not(IsEmpty()));
 }
 
 TEST_F(SoundTest, TheReplyTellsHowMuchMayFollow) {
@@ -301,7 +293,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
   for (const SoundEnd& end : ends_) {
     how.push_back(end.how);
   }
-  EXPECT_THAT(how, ElementsAre(END_REPLACED, END_DONE, END_STOPPED, END_REFUSED));
+  EXPECT_THAT(how, testing::ElementsAre(END_REPLACED, END_DONE, END_STOPPED, END_REFUSED));
   EXPECT_THAT(ends_[2].samples, Le(2 * kVector));
   EXPECT_NEAR(ends_[3].missing, 2 * kRate, 2 * kVector) << "no sample came for two seconds";
   const size_t played = robot_.played.size();

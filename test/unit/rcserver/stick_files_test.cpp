@@ -5,8 +5,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "motion_bytes.h"
 #include "support/memory_stick.h"
@@ -14,7 +12,6 @@
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 class FilesOnTheStick : public ::testing::Test {
  protected:
@@ -84,7 +81,7 @@ TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   EXPECT_TRUE(store("hop.MTN", "new"));
   EXPECT_THAT(inFolder(), ElementsAre("Hop.mtn"));
   EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
-  EXPECT_THAT(inFolder(), IsEmpty());
+  EXPECT_THAT(inFolder(), testing::IsEmpty());
 }
 
 TEST_F(FilesOnTheStick, ListsOnlyMotionsSortedByName) {

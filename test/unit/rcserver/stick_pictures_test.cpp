@@ -1,10 +1,7 @@
 // Pictures on the memory stick: the requests `M` and `Y`.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "file_keeper/FileJob.h"
 #include "motion_bytes.h"

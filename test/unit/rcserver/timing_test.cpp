@@ -2,15 +2,12 @@
 // 14 ms to compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <chrono>
 
 #include "picture_checks.h"
 #include "rcserver_fixture.h"
 
 namespace {
-
-using std::chrono::milliseconds;
 
 constexpr unsigned char kPanJoint = 2;
 
@@ -20,7 +17,7 @@ class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface
   void SetUp() override {
     handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
       const bool encodes = object == "PictureEncoder" && entry == openr_host::Entry::kNotify;
-      return milliseconds(encodes ? GetParam() : 0);
+      return std::chrono::milliseconds(encodes ? GetParam() : 0);
     };
     start();
     connectVersion2();

@@ -5,8 +5,6 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-using ::testing::ElementsAre;
-
 constexpr const char* kConnection = "aibo_driver/Connection";
 constexpr const char* kSettings = "dynamic_reconfigure/Config";
 
@@ -29,7 +27,7 @@ TEST(DriverSearch, FindsDriversByTheirTopicAndItsType) {
                  {"/lab/right/connection", kConnection},
                  {"/other/connection", "std_msgs/Bool"},
                  {"/left/camera_connection", kConnection}};
-  EXPECT_THAT(driversIn(state), ElementsAre("/lab/right", "/left"));
+  EXPECT_THAT(driversIn(state), testing::ElementsAre("/lab/right", "/left"));
 }
 
 TEST(DriverSearch, TriesOneDriverAfterTheOther) {

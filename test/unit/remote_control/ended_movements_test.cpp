@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-
 namespace aibo_driver::remote_control {
 namespace {
 

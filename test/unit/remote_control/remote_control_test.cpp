@@ -22,13 +22,6 @@
 #include <QToolTip>
 #include <QWheelEvent>
 #include <QtTest/QTest>
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <set>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "remote_control/axis_pad.h"
 #include "remote_control/joint_slider.h"

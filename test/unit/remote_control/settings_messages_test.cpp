@@ -3,9 +3,6 @@
 #include <aibo_driver/AiboDriverConfig.h>
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <tuple>
-
 namespace aibo_driver::remote_control {
 namespace {
 

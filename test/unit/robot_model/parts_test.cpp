@@ -1,8 +1,5 @@
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
 #include "robot_model/robot_model.h"
 
 namespace robot_model {

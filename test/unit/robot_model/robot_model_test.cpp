@@ -5,15 +5,9 @@
 #include <array>
 #include <cmath>
 #include <random>
-#include <string>
-#include <vector>
 
 namespace robot_model {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::Ge;
-using ::testing::Le;
 
 using Posture = std::array<int, MAX_JOINTS>;
 
@@ -230,7 +224,8 @@ TEST(ClampPosture, DoesNotChangeAnAllowedPosture) {
       clampPosture(model, posture.data());
       for (int i = 0; i < model.number_of_joints; ++i) {
         EXPECT_THAT(posture[static_cast<size_t>(i)],
-                    AllOf(Ge(lowestPosition(model, i, posture.data())), Le(model.joints[i].highest)));
+                    testing::AllOf(testing::Ge(lowestPosition(model, i, posture.data())),
+                                   testing::Le(model.joints[i].highest)));
       }
       Posture again = posture;
       clampPosture(model, again.data());

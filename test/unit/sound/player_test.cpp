@@ -3,14 +3,10 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <future>
-#include <memory>
 #include <mutex>
-#include <utility>
-#include <vector>
 
 #include "aibo_client/exceptions.h"
 #include "support/fake_client.h"

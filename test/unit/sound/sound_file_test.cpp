@@ -8,8 +8,6 @@
 #include <filesystem>
 #include <fstream>
 #include <numeric>
-#include <string>
-#include <vector>
 
 #include "files/files.h"
 #include "sound/recording.h"
@@ -20,8 +18,6 @@ using namespace aibo_driver::sound;
 using aibo_driver::files::FileException;
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
-using testing::SizeIs;
 
 namespace {
 
@@ -154,10 +150,10 @@ TEST_F(SoundFileTest, AFileOfFourGigabytesBeginsAtOnce) {
 TEST_F(SoundFileTest, AFileThatIsCutOffWhileItPlaysEnds) {
   writeSoundFile(path("a.wav"), Samples(100000, 7));
   const auto source = openSoundFile(path("a.wav"));
-  EXPECT_THAT(source->read(1000), SizeIs(1000));
+  EXPECT_THAT(source->read(1000), testing::SizeIs(1000));
   std::filesystem::resize_file(path("a.wav"), 44);
   EXPECT_GT(50000U, source->read(100000).size());
-  EXPECT_THAT(source->read(1), IsEmpty());
+  EXPECT_THAT(source->read(1), testing::IsEmpty());
 }
 
 TEST_F(SoundFileTest, APipeIsNotOpened) {

@@ -6,8 +6,6 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
-#include <string>
 
 #include "files/files.h"
 #include "support/temporary_folder.h"

@@ -2,12 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <functional>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
-
 namespace teleop {
 namespace {
 

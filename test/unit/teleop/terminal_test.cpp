@@ -7,14 +7,12 @@
 
 #include <cstring>
 #include <stdexcept>
-#include <string>
 
 #include "tools/teleop/key_steering.h"
 
 namespace teleop {
 namespace {
 
-using std::chrono::milliseconds;
 using std::chrono::seconds;
 
 // A pseudo terminal: what the user types, and the program's end.
@@ -57,7 +55,7 @@ TEST_F(TerminalTest, GivesEachKeyAtOnce) {
   type("ij");
   EXPECT_EQ(terminal.readKey(seconds(20)), 'i');
   EXPECT_EQ(terminal.readKey(seconds(20)), 'j');
-  EXPECT_EQ(terminal.readKey(milliseconds(1)), std::nullopt);
+  EXPECT_EQ(terminal.readKey(std::chrono::milliseconds(1)), std::nullopt);
 }
 
 TEST_F(TerminalTest, DoesNotShowTheKeysAndIsThenAsBefore) {

@@ -2,10 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <map>
 #include <random>
-#include <set>
-#include <string>
 
 #include "robot_model/head.h"
 #include "robot_model/legs.h"

@@ -3,9 +3,6 @@
 #include <OPENR/OFbkImage.h>
 #include <gtest/gtest.h>
 
-#include <set>
-#include <utility>
-
 #include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {

@@ -5,8 +5,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using ::testing::ElementsAre;
-
 OCdtVectorData tablesOf(OCdtChannel channel) {
   OCdtVectorData tables{};
   tables.SetNumData(1);
@@ -41,7 +39,7 @@ TEST_F(ColorDetectionTest, APixelBelongsToTheRangesOfItsSegment) {
   }
   EXPECT_EQ(pixelOf(15, 200, 150), 0);
   EXPECT_EQ(pixelOf(24, 200, 150), 0);
-  EXPECT_THAT(counts_, ElementsAre(0, 0, 0, 4, 0, 0, 0, 0));
+  EXPECT_THAT(counts_, testing::ElementsAre(0, 0, 0, 4, 0, 0, 0, 0));
 }
 
 TEST_F(ColorDetectionTest, AnErs7HasNoChannel7) {

@@ -4,9 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include <string>
-#include <vector>
-
 #include "effector_command.h"
 #include "robot_model/robot_model.h"
 
@@ -14,7 +11,6 @@ namespace simulated_ers7 {
 namespace {
 
 using testing::HasSubstr;
-using testing::StartsWith;
 
 class ConsoleCommands : public testing::Test {
  protected:
@@ -73,7 +69,7 @@ TEST_F(ConsoleCommands, WithAWrongWordAreAnsweredWithTheRightOnes) {
       {"hear nothing.wav", {"nothing.wav", "cannot be read"}},
   };
   for (const auto& [line, parts] : rows) {
-    EXPECT_THAT(say(line), StartsWith("error: ")) << line;
+    EXPECT_THAT(say(line), testing::StartsWith("error: ")) << line;
     for (const std::string& part : parts) {
       EXPECT_THAT(say(line), HasSubstr(part)) << line;
     }

@@ -7,9 +7,6 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <memory>
-#include <string>
 
 namespace simulated_ers7 {
 namespace {

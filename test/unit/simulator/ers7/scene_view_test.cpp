@@ -11,7 +11,6 @@ namespace simulated_ers7 {
 namespace {
 
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 
 const double kDegree = std::acos(-1.0) / 180;
 
@@ -46,7 +45,7 @@ TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   for (const HeadAngles& head : {degrees(-25, 0, 10), degrees(-35, 12, 10), degrees(-20, -10, 0)}) {
     view.setHead(head);
     const YCrCbImage& picture = view.picture(0.3, 1, CameraSettings());
-    const Vector3d seen = view.camera().inverse() * scene.ballCenter();
+    const Eigen::Vector3d seen = view.camera().inverse() * scene.ballCenter();
     // By hand: 208 pixels over 56.9 degrees, 160 over 45.2.
     const Vector2d expected(104 - 104 / std::tan(28.45 * kDegree) * seen.y() / seen.x(),
                             80 - 80 / std::tan(22.6 * kDegree) * seen.z() / seen.x());

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/scene/scene.h"

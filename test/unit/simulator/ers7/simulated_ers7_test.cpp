@@ -6,11 +6,6 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <set>
-#include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "effector_command.h"
 #include "robot_model/robot_model.h"

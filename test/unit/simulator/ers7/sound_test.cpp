@@ -8,9 +8,6 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
-#include <iterator>
-#include <string>
-#include <utility>
 
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"
@@ -19,7 +16,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using openr_host::MicrophoneFrame;
 using openr_host::SpeakerFrame;
 using testing::HasSubstr;
 
@@ -96,7 +92,7 @@ TEST_F(SimulatedSoundTest, WhatTheSpeakerPlaysCanBeHeardFromAFile) {
   EXPECT_EQ(samples[255].R, -11943) << "8 dB less";
 
   EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
-  const MicrophoneFrame heard = robot_.passSound(100, nullptr);
+  const openr_host::MicrophoneFrame heard = robot_.passSound(100, nullptr);
   EXPECT_EQ(heard[127].L, -30000);
   EXPECT_EQ(robot_.passSound(101, nullptr)[127].R, -11943);
   EXPECT_EQ(robot_.passSound(102, nullptr)[0].L, 0) << "once";

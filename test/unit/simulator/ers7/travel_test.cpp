@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "robot_model/legs.h"
 #include "simulator/openr_host/clock.h"

@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "simulator/openr_host/configuration/memory_stick.h"
 #include "support/temporary_folder.h"

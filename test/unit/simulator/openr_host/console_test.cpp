@@ -3,10 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <memory>
-#include <sstream>
-#include <string>
-#include <vector>
 
 #include "simulator/openr_host/machine.h"
 #include "support/test_client.h"

@@ -8,9 +8,7 @@
 #include <TCPEndpointMsg.h>
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <sstream>
 
 #include "fake_robot.h"
 #include "support/temporary_folder.h"
@@ -21,7 +19,6 @@ namespace openr_host {
 namespace {
 
 using test_support::TestClient;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 constexpr std::uint16_t kEchoPort = 7000;
@@ -222,7 +219,7 @@ TEST_F(MachineTest, DeliversTheImagesThatAreDue) {
     clock_.step();
     machine.runPending();
   }
-  EXPECT_THAT(robot_.frames_captured, ElementsAre(4, 8, 13));
+  EXPECT_THAT(robot_.frames_captured, testing::ElementsAre(4, 8, 13));
   EXPECT_THAT(console_.str(), HasSubstr("image 4\nimage 8\nimage 13\n"));
   EXPECT_EQ(robot_.image()->NumberOfReference(), 1);
 }

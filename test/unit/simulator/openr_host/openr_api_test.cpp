@@ -8,9 +8,7 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
-#include <string>
 
 #include "support/temporary_folder.h"
 #include "test_system.h"

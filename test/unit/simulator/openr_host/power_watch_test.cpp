@@ -11,7 +11,6 @@ namespace openr_host {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   TestSystem test;
@@ -32,7 +31,7 @@ TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   });
   test.system.watchPower();
   test.run();
-  EXPECT_THAT(seen, IsEmpty());
+  EXPECT_THAT(seen, testing::IsEmpty());
   test.robot.power_status.robotStatus = orsbPAUSE;
   test.system.watchPower();
   test.run();

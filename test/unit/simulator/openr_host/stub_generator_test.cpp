@@ -1,8 +1,6 @@
 // Reads stub.cfg. That def.h, entry.h and the description are right shows in RCServer, which is made from them.
 #include <gmock/gmock.h>
 
-#include <sstream>
-
 #include "simulator/openr_host/stub_generator/stub.h"
 
 namespace openr_host {

@@ -12,7 +12,6 @@ namespace openr_host {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 constexpr uint32 kSharedSize = 64 * 1024;
 const IPAddress kThisComputer(127, 0, 0, 1);
@@ -91,7 +90,7 @@ TEST_F(UdpEndpointTest, APacketArrivesWithTheAddressOfItsSender) {
   const Port client_port = bind(client);
   receive(server, 100);
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty());
+  EXPECT_THAT(answers_, testing::IsEmpty());
   sendTo(client, server_port, "hello");
   ASSERT_TRUE(haveAnswers(2));
   EXPECT_THAT(answers_,

@@ -5,19 +5,14 @@
 #include <gmock/gmock.h>
 
 #include <cstring>
-#include <functional>
 #include <numeric>
-#include <string>
-#include <utility>
 
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
 
-using testing::AllOf;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::SizeIs;
 
 constexpr OPrimitiveID kSpeaker = 30;
@@ -168,13 +163,13 @@ TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonA
     const int readies = readies_;
     test_.output.str("");
     send({vector});
-    EXPECT_THAT(test_.output.str(), AllOf(HasSubstr("ERROR"), HasSubstr("OVirtualRobotAudioComm"),
-                                          HasSubstr("sound vector refused: " + message)));
+    EXPECT_THAT(test_.output.str(), testing::AllOf(HasSubstr("ERROR"), HasSubstr("OVirtualRobotAudioComm"),
+                                                   HasSubstr("sound vector refused: " + message)));
     EXPECT_EQ(readies_, readies) << message;
     pass(1);
     EXPECT_EQ(readies_, readies + 1) << message;
   }
-  EXPECT_THAT(test_.robot.played, IsEmpty());
+  EXPECT_THAT(test_.robot.played, testing::IsEmpty());
 }
 
 // So a file that the microphones hear begins when a client listens, not at boot.

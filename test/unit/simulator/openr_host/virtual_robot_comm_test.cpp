@@ -4,11 +4,7 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cstring>
-#include <functional>
-#include <string>
-#include <utility>
 
 #include "test_system.h"
 
@@ -17,7 +13,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Pair;
 
 /// The commands for one joint, frame by frame.
@@ -92,7 +87,7 @@ class VirtualRobotCommTest : public testing::Test {
 
 TEST_F(VirtualRobotCommTest, ACommandVectorIsPlayedInOrderOneValuePerFrame) {
   send({makeVector({{1, {10, 20, 30}}, {2, {-10, -20, -30}}})});
-  EXPECT_THAT(robot_.commanded, IsEmpty());
+  EXPECT_THAT(robot_.commanded, testing::IsEmpty());
   pass(5);
   EXPECT_THAT(robot_.commanded, ElementsAre(Pair(100, ElementsAre(Pair(1, 10), Pair(2, -10))),
                                             Pair(101, ElementsAre(Pair(1, 20), Pair(2, -20))),
