@@ -75,17 +75,11 @@ TEST(DecodeJpeg, RefusesDamagedCompressedDataInsteadOfReturningHalfAPicture) {
   EXPECT_THAT(decodingRefusal(jpeg), HasSubstr("the compressed data is damaged"));
 }
 
-TEST(DecodeJpeg, RefusesWhatIsNotAJpeg) {
-  EXPECT_NE(decodingRefusal({}), "decoded");
-  EXPECT_NE(decodingRefusal(std::vector<std::uint8_t>(5000, 0x55)), "decoded");
-}
-
-TEST(DecodeJpeg, RefusesASizeThatTheCameraCannotHave) {
-  EXPECT_NE(decodingRefusal(encode(640, 480)), "decoded");
-}
-
-TEST(DecodeJpeg, RefusesProgressivePictures) {
-  EXPECT_NE(decodingRefusal(encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)), "decoded");
+TEST(DecodeJpeg, RefusesWhatNoCameraSends) {
+  for (const std::vector<std::uint8_t>& other : {std::vector<std::uint8_t>(), std::vector<std::uint8_t>(5000, 0x55),
+                                                 encode(640, 480), encode(kWidth, kHeight, TJFLAG_PROGRESSIVE)}) {
+    EXPECT_NE(decodingRefusal(other), "decoded") << other.size();
+  }
 }
 
 TEST(DecodeJpeg, DoesNotDecodeAPictureWithATableOfThePictureBefore) {

@@ -35,7 +35,7 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   state.movements = {
       {Kind::kCommand, "", "/sliders", {"mouth"}, {}, 42},
       {Kind::kTrajectory, "", "/planner", {"head_pan", "neck_tilt"}, kSteadyNow + std::chrono::seconds(2)},
-      {Kind::kMotion, "NOD.MTN", "", {}, {}},
+      {Kind::kMotion, "NOD.MTN", "", {}, kSteadyNow - std::chrono::seconds(2)},
       {Kind::kWalk, "to x 1.00 m", "/navigator", {}, {}},
       {Kind::kWalk, "", "/teleop", {}, {}},
       {Kind::kPosture, "sit", "", {}, {}}};
@@ -52,15 +52,10 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_THAT(message.movements[1].joints, ElementsAre("head_pan", "neck_tilt"));
   EXPECT_EQ(message.movements[1].end, kNow + ros::Duration(2));
   EXPECT_EQ(message.movements[2].name, "NOD.MTN");
+  EXPECT_EQ(message.movements[2].end, kNow) << "nothing ends in the past";
   EXPECT_EQ(message.text,
             "moved by /sliders (command of mouth) and /planner (trajectory of head_pan, neck_tilt) and motion NOD.MTN "
             "and /navigator (walk to x 1.00 m) and /teleop (walk) and posture sit");
-}
-
-TEST(MotionStateMessage, NothingIsSaidToEndInThePast) {
-  movement::Mover::State state;
-  state.movements = {{Kind::kTrajectory, "", "/planner", {"head_pan"}, kSteadyNow - std::chrono::seconds(2)}};
-  EXPECT_EQ(messageOf(state).movements.at(0).end, kNow);
 }
 
 TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {

@@ -190,19 +190,15 @@ TEST_F(RobotServicesTest, ListTheMotions) {
   EXPECT_THAT(response.names, ElementsAre("NOD.MTN", "SIT.MTN"));
 }
 
-TEST_F(RobotServicesTest, UploadDataUnderItsName) {
-  EXPECT_EQ(upload("wag", "", {1, 2, 3}).message, "WAG.MTN is on the robot, 3 bytes.");
-  EXPECT_THAT(client_.told, ElementsAre("upload WAG.MTN 3"));
-}
-
-TEST_F(RobotServicesTest, UploadAFileUnderItsOwnNameUnlessThereIsAnother) {
+TEST_F(RobotServicesTest, UploadDataOrAFileUnderItsOwnNameUnlessThereIsAnother) {
   const test_support::TemporaryFolder folder;
   const std::string file = folder.path("bow.mtn").string();
   std::filesystem::copy_file(kMotion, file);
+  EXPECT_EQ(upload("wag", "", {1, 2, 3}).message, "WAG.MTN is on the robot, 3 bytes.");
   EXPECT_TRUE(upload("", file, {}).success);
   EXPECT_TRUE(upload("wag", file, {}).success);
   const std::string size = std::to_string(std::filesystem::file_size(kMotion));
-  EXPECT_THAT(client_.told, ElementsAre("upload BOW.MTN " + size, "upload WAG.MTN " + size));
+  EXPECT_THAT(client_.told, ElementsAre("upload WAG.MTN 3", "upload BOW.MTN " + size, "upload WAG.MTN " + size));
 }
 
 TEST_F(RobotServicesTest, UploadNoFileThatIsNotAWholeMotion) {

@@ -17,13 +17,6 @@ class StreamPolicyTest : public ::testing::Test {
   std::optional<bool> streaming_;
 };
 
-TEST_F(StreamPolicyTest, StreamsFromTheStartWhenWanted) {
-  StreamPolicy policy(true, false);
-  EXPECT_FALSE(streaming_.has_value());
-  start(policy);
-  EXPECT_EQ(streaming_, true);
-}
-
 TEST_F(StreamPolicyTest, DoesNotStreamFromTheStartWhenNotWanted) {
   StreamPolicy policy(false, false);
   start(policy);
