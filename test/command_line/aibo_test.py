@@ -260,21 +260,11 @@ class OnBothVersions:
         name, = os.listdir(self.folder)
         self.assertTrue(begin <= name <= now(), name)
 
-    def test_writes_a_picture_to_a_pipe(self):
-        self.assertEqual(self.aibo("picture", "-o", "-").stdout[:3], b"\xff\xd8\xff")
-        self.assertEqual(os.listdir(self.folder), [])
-
     def test_replaces_nothing_but_jpegs(self):
         (self.folder / "a.jpg").write_text("precious")
         self.assertIn("not a JPEG", self.aibo("picture", "-o", "a.jpg", status=FAILED).errors)
         self.assertIn("that does not name a file", self.aibo("picture", "-o", "", status=FAILED).errors)
         self.assertEqual((self.folder / "a.jpg").read_text(), "precious")
-
-    def test_shows_the_joints(self):
-        joints = self.json("joints")["joints"]
-        self.assertEqual(len(joints), 18)
-        for joint in joints:
-            self.assertTrue(joint["lowest"] - 0.05 <= joint["position"] <= joint["highest"] + 0.05, joint)
 
     def test_moves_joints_until_they_have_arrived(self):
         moved = self.aibo("--json", "move", "head_pan=20deg", "tail_pan=-0.2rad", "--speed", "120deg/s")
@@ -287,7 +277,9 @@ class OnBothVersions:
         self.assertAlmostEqual(self.position("head_pan"), 0.349, delta=0.03)  # and they stay
 
     def position(self, name):
-        return next(joint["position"] for joint in self.json("joints")["joints"] if joint["name"] == name)
+        joint = next(joint for joint in self.json("joints")["joints"] if joint["name"] == name)
+        self.assertTrue(joint["lowest"] - 0.05 <= joint["position"] <= joint["highest"] + 0.05, joint)
+        return joint["position"]
 
     def test_says_what_was_clamped(self):
         result = self.aibo("--json", "move", "tail_pan=1deg", "mouth=30deg", "head_tilt=-15deg", "--speed", "120deg/s")
@@ -380,16 +372,23 @@ class OnBothVersions:
             words += f"   age {1000 * stream['age']:3.0f} ms (worst {1000 * stream['worst_age']:3.0f})"
         return words + ("" if stream["loss"] is None else f"   loss {100 * stream['loss']:.1f} %")
 
+    def said_at_last(self, words, *command):
+        """What a command prints when it says this, because on a busy computer, `watch` may have lost the robot."""
+        limit = time.monotonic() + 60
+        while words not in (said := (result := run(*command, port=self.robot.port)).stdout + result.stderr).decode():
+            self.assertLess(time.monotonic(), limit, said)
+        self.assertEqual(result.returncode, UNREACHABLE, result)
+        return result.stdout
+
     def test_a_busy_robot_is_called_busy(self):
         with start("watch", port=self.robot.port) as other:
             try:
                 other.stdout.readline()
-                self.assertIn("Is another client connected?", self.aibo("joints", status=UNREACHABLE).errors)
+                self.said_at_last("Is another client connected?", "joints")
+                advice = f"On this computer, aibo (process {other.pid}) is connected to the robot: end it."
                 for host in "127.0.0.1", "localhost":
-                    report = self.json("doctor", host, status=UNREACHABLE)
-                    self.assertFalse(report["good"])
-                    self.assertEqual(report["findings"][-1]["advice"], f"On this computer, aibo (process {other.pid}) is "
-                                                                       "connected to the robot: end it.")
+                    report = json.loads(self.said_at_last(advice, "--json", "doctor", host, "--seconds", "1"))
+                    self.assertEqual((report["good"], report["findings"][-1]["advice"]), (False, advice))
             finally:
                 other.kill()
 
@@ -464,10 +463,6 @@ class Version1(OnBothVersions, TestCase):
             commands = [piece[2:] for piece in witness.sent if piece[:2] == b"J" + joint and len(piece) == 4]
             self.assertLess(struct.unpack("<h", commands[-1])[0], farthest)
 
-    def test_tells_neither_age_nor_loss(self):
-        stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
-        self.assertEqual((stream["age"], stream["loss"]), (None, None))
-
 
 class Version2(OnBothVersions, TestCase):
     SERVER = " on an ERS-7, version 2 of the protocol$"
@@ -511,12 +506,6 @@ class Version2(OnBothVersions, TestCase):
 
     def check_hold(self, witness):
         self.assertEqual(witness.take("I"), [("I", 1, b"\2\x33")])
-
-    def test_measures_age_and_loss(self):
-        stream = json.loads(self.text("--json", "watch", "--seconds", "1"))["stream"]
-        self.assertLess(0, stream["age"])
-        self.assertLess(stream["age"], stream["worst_age"])
-        self.assertIsNotNone(stream["loss"])
 
 
 class Asked(TestCase):
@@ -1176,12 +1165,13 @@ class WrongUsage(TestCase):
                       ["move", "mouth=0deg", "--duration", "61"], ["walk", "forward=1cm/s", "--seconds", "61"],
                       ["listen", "--seconds", "0"], ["doctor", "--seconds", "601"], ["joints", "--timeout", "61"],
                       ["play", "nod", "--times", "0"], ["play-sound", "missing.wav", "--volume", "4"],
-                      ["say", "hello", "--volume", "-1"], ["--json", "fly"]):
+                      ["say", "hello", "--volume", "-1"], ["\x1b[2J"], ["--json", "fly"]):
             with self.subTest(words):
                 result = subprocess.run([AIBO, *words], capture_output=True, timeout=60, env=environment(),
                                         check=False)
                 self.assertEqual(result.returncode, WRONG_USAGE, result)
                 self.assertTrue(result.stderr.startswith(b"aibo: "), result.stderr)
+                self.assertNotRegex(result.stderr, CONTROL)
                 self.assertEqual(result.stdout != b"", "--json" in words)
 
     def test_says_which_names_can_be_given(self):
@@ -1218,10 +1208,6 @@ class WrongUsage(TestCase):
         result = subprocess.run([AIBO, "help", "fly"], capture_output=True, timeout=60, check=False)
         self.assertEqual(result.returncode, WRONG_USAGE)
         self.assertIn(b"there is no command 'fly'", result.stderr)
-
-    def test_what_was_typed_is_shown_without_control_characters(self):
-        result = subprocess.run([AIBO, "\x1b[2J"], capture_output=True, timeout=60, check=False)
-        self.assertNotIn(b"\x1b", result.stderr)
 
 
 class Documents(unittest.TestCase):

@@ -1,47 +1,33 @@
-// The robot's body except its joints: sensors, LEDs and ears, and motions.
+// The robot's body except its joints: sensors and LEDs.
 
-#include <aibo_driver/DeleteMotion.h>
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
-#include <aibo_driver/ListMotions.h>
 #include <aibo_driver/PlayMotion.h>
-#include <aibo_driver/StopMotion.h>
-#include <aibo_driver/TakePictureOnRobot.h>
 #include <aibo_driver/Touch.h>
-#include <aibo_driver/UploadMotion.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
 #include <ros/ros.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Imu.h>
-#include <std_srvs/SetBool.h>
-#include <std_srvs/Trigger.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
 #include <cstdint>
 
-#include "support/memory_stick.h"
 #include "support/ros/driver_user.h"
-#include "support/ros/joint_listener.h"
 #include "support/ros/topic_listener.h"
 #include "support/simulated_robot.h"
 
 namespace {
 
-using aibo_driver::DeleteMotion;
 using aibo_driver::Leds;
 using aibo_driver::LedStates;
-using aibo_driver::ListMotions;
 using aibo_driver::PlayMotion;
 using aibo_driver::Touch;
-using aibo_driver::UploadMotion;
 using sensor_msgs::BatteryState;
 using sensor_msgs::Imu;
 using test_support::DriverUser;
-using test_support::JointListener;
 using test_support::TopicListener;
-using ::testing::Contains;
 using ::testing::HasSubstr;
 
 // All tests share a master, and this topic has the same name for all drivers.
@@ -53,13 +39,6 @@ class BodyUser : public DriverUser {
  public:
   explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
       : DriverUser(name_space, {"_stream_on_start:=false", ownTf(name_space)}, robot_options) {}
-
-  PlayMotion::Response play(const std::string& name, int repetitions) {
-    PlayMotion::Request request;
-    request.name = name;
-    request.repetitions = static_cast<std::uint16_t>(repetitions);
-    return call<PlayMotion>("play_motion", request);
-  }
 };
 
 // The transforms from base_footprint to base_link.
@@ -89,7 +68,9 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
   Footprints footprints("/footprint");
   BodyUser user("/footprint");
   EXPECT_TRUE(footprints.waitFor(0.12, 0.15, -3, 3));
-  EXPECT_TRUE(user.play("sit", 1).success);
+  PlayMotion::Request sit;
+  sit.name = "sit";
+  EXPECT_TRUE(user.call<PlayMotion>("play_motion", sit).success);
   EXPECT_TRUE(footprints.waitFor(0.08, 0.13, -28, -22)) << "leaning back by 25 degrees";
 }
 
@@ -143,53 +124,6 @@ TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
   EXPECT_EQ(shown->modes.at(6), LedStates::MODE_B);
   user.robot.kill();
   EXPECT_TRUE(states.waitFor(are_all(NAN)));
-}
-
-// How far any joint moves from where it was, in radians.
-bool moves(JointListener& joints) {
-  joints.messages().clear();
-  const auto first = joints.messages().waitForNext();
-  return first && joints.messages().waitFor([&first](const sensor_msgs::JointState& message) {
-    for (std::size_t i = 0; i < message.position.size(); ++i) {
-      if (std::abs(message.position[i] - first->position.at(i)) > 0.1) {
-        return true;
-      }
-    }
-    return false;
-  });
-}
-
-TEST(MotionFiles, AreUploadedPlayedAndDeletedIfTheRobotAllowsIt) {
-  const test_support::MemoryStick stick("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\n");
-  BodyUser user("/upload", {"--memory-stick", stick.path()});
-  UploadMotion::Request upload;
-  upload.file = stick.path("OPEN-R/MW/DATA/P/WAG.MTN");
-  upload.name = "mine";
-  const auto uploaded = user.call<UploadMotion>("upload_motion", upload);
-  ASSERT_TRUE(uploaded.success) << uploaded.message;
-  EXPECT_THAT(user.call<ListMotions>("list_motions").names, Contains("MINE.MTN"));
-  JointListener joints("/upload");
-  EXPECT_TRUE(user.play("mine", 5).success);
-  EXPECT_TRUE(moves(joints));
-  EXPECT_TRUE(user.call<aibo_driver::StopMotion>("stop_motion").success);
-  DeleteMotion::Request request;
-  request.name = "mine";
-  const auto deleted = user.call<DeleteMotion>("delete_motion", request);
-  EXPECT_TRUE(deleted.success) << deleted.message;
-  EXPECT_THAT(user.call<ListMotions>("list_motions").names, testing::Not(Contains("MINE.MTN")));
-}
-
-TEST(Services, ThatAVersion1ServerDoesNotSupportSaySo) {
-  BodyUser user("/version_1", {"--protocol-version", "1"});
-  EXPECT_TRUE(user.play("nod", 1).success) << "this one is supported";
-  const auto is_unsupported = [](const auto& answer) {
-    EXPECT_FALSE(answer.success);
-    EXPECT_THAT(answer.message, HasSubstr("version 1"));
-  };
-  is_unsupported(user.call<ListMotions>("list_motions"));
-  is_unsupported(user.call<aibo_driver::TakePictureOnRobot>("take_picture_on_robot"));
-  is_unsupported(user.call<std_srvs::SetBool>("motors"));
-  is_unsupported(user.call<std_srvs::Trigger>("sit"));
 }
 
 }  // namespace

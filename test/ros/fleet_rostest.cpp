@@ -4,9 +4,6 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
-#include <sensor_msgs/Imu.h>
-#include <sensor_msgs/Range.h>
-#include <sensor_msgs/SetCameraInfo.h>
 #include <signal.h>
 #include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
@@ -14,7 +11,6 @@
 #include <chrono>
 #include <cmath>
 
-#include "support/good_calibration.h"
 #include "support/process.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_user.h"
@@ -64,13 +60,6 @@ class FleetTest : public ::testing::Test {
     home_.reset();
   }
 
-  template <typename Message>
-  static std::string frameOf(const std::string& topic) {
-    TopicListener<Message> listener(topic);
-    const auto messages = listener.waitForCount(1, kTimeToStart);
-    return messages.empty() ? "no message on " + topic : messages.front()->header.frame_id;
-  }
-
   static std::vector<std::unique_ptr<SimulatedRobot>> robots_;
   static std::unique_ptr<TemporaryFolder> home_;
   static std::unique_ptr<Process> fleet_;
@@ -79,14 +68,6 @@ class FleetTest : public ::testing::Test {
 std::vector<std::unique_ptr<SimulatedRobot>> FleetTest::robots_;
 std::unique_ptr<TemporaryFolder> FleetTest::home_;
 std::unique_ptr<Process> FleetTest::fleet_;
-
-TEST_F(FleetTest, EveryMessageIsInAFrameOfItsOwnRobot) {
-  for (const std::string& name : kNames) {
-    EXPECT_EQ(frameOf<sensor_msgs::CameraInfo>("/" + name + "/camera/camera_info"), name + "/camera_optical_frame");
-    EXPECT_EQ(frameOf<sensor_msgs::Imu>("/" + name + "/imu/data_raw"), name + "/imu_link");
-    EXPECT_EQ(frameOf<sensor_msgs::Range>("/" + name + "/range/chest"), name + "/range_chest_link");
-  }
-}
 
 // From the root of the tree to its leaves.
 TEST_F(FleetTest, TheLinksOfEachRobotHaveFramesOfTheirOwnInOneTree) {
@@ -124,18 +105,6 @@ TEST_F(FleetTest, ACommandMovesOnlyItsRobot) {
     return laika.waitForPositions({{"head_pan", 0.5}}, std::chrono::seconds(5)).empty();
   }));
   EXPECT_NEAR(rex.position("head_pan"), before, JointListener::kTolerance);
-}
-
-TEST_F(FleetTest, ACalibrationIsStoredForItsRobotAlone) {
-  const std::string service = "/rex/camera/set_camera_info";
-  ASSERT_TRUE(ros::service::waitForService(service, ros::Duration(60)));
-  sensor_msgs::SetCameraInfo call;
-  call.request.camera_info = test_support::goodCalibration();
-  ASSERT_TRUE(ros::service::call(service, call));
-  EXPECT_THAT(call.response.status_message, HasSubstr("camera_info/rex.yaml"));
-  const auto info = TopicListener<sensor_msgs::CameraInfo>("/bello/camera/camera_info").waitForNext(kTimeToStart);
-  ASSERT_TRUE(info);
-  EXPECT_NEAR(info->K[0], 191.9, 0.1) << "the nominal one";
 }
 
 TEST(WrongRobot, GetsNoCommandsAndTheReasonIsSaid) {

@@ -19,10 +19,10 @@
 #include <vector>
 
 #include "robot_model/robot_model.h"
+#include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
-#include "support/ros/motion_states.h"
 #include "support/ros/topic_listener.h"
 
 namespace {

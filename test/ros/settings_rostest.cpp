@@ -11,11 +11,9 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
-#include <sensor_msgs/Image.h>
 #include <sensor_msgs/JointState.h>
 
 #include <chrono>
-#include <numeric>
 
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
@@ -199,18 +197,11 @@ TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
   }));
 }
 
-TEST(Settings, OfTheCameraAreSeenInItsStateAndItsPictures) {
-  TopicListener<sensor_msgs::Image> images("/settings_camera/camera/image_raw");
+TEST(Settings, OfTheCameraAreSeenInItsState) {
   TopicListener<CameraState> states("/settings_camera/camera/state");
   SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2"});
   ASSERT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_MID; }));
-  const auto brightness_of = [](const sensor_msgs::Image& image) {
-    return std::accumulate(image.data.begin(), image.data.end(), 0.0) / static_cast<double>(image.data.size());
-  };
-  ASSERT_TRUE(images.waitForNext());
-  const double usual = brightness_of(*images.waitForNext());
   user.set(change(&Config::ints, "shutter_speed", int(CameraState::SHUTTER_FAST)));
-  EXPECT_TRUE(images.waitFor([&](const auto& image) { return brightness_of(image) < 0.9 * usual; }));
   user.set(change(&Config::ints, "gain", int(CameraState::GAIN_HIGH)));
   user.set(change(&Config::ints, "white_balance", int(CameraState::WB_OUTDOOR_MODE)));
   user.set(change(&Config::bools, "auto_exposure", true));

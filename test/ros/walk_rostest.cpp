@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
+#include "support/ros/driver_user.h"
 #include "support/ros/goal_watch.h"
 #include "support/ros/joint_user.h"
-#include "support/ros/motion_states.h"
 #include "support/temporary_folder.h"
 
 namespace {

@@ -3,6 +3,7 @@
 #define TEST_SUPPORT_ROS_DRIVER_USER_H
 
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/MotionState.h>
 #include <geometry_msgs/Twist.h>
 #include <gtest/gtest.h>
 #include <ros/service.h>
@@ -21,6 +22,11 @@
 #include "support/simulated_robot.h"
 
 namespace test_support {
+
+/// The movement that has ended last; its kind is NONE if nothing has ended yet.
+inline aibo_driver::EndedMovement lastEnd(const aibo_driver::MotionState& state) {
+  return state.ended.empty() ? aibo_driver::EndedMovement() : state.ended.back();
+}
 
 /// Robot, proxy and driver, connected with each other, and a user. Unless a test says otherwise, frames have the prefix
 /// "rex", and pictures the quality 83.
