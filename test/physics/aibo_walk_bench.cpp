@@ -4,9 +4,6 @@
 #include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <map>
-#include <string>
-#include <vector>
 
 #include "trial.h"
 

@@ -1,9 +1,6 @@
 #include "bench.h"
 
-#include <stdexcept>
-
 #include "objects/HostSettings.h"
-#include "protocol/version1.h"
 #include "simulator/object_catalog.h"
 
 namespace physics {

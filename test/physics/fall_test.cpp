@@ -4,9 +4,6 @@
 
 namespace {
 
-using physics::End;
-using ::testing::HasSubstr;
-
 namespace version2 = protocol::version2;
 
 class Fall : public ::testing::Test {
@@ -34,10 +31,10 @@ TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
     bench_.passFrame();
   }
   bench_.robot().push({0, 0, 0});
-  const End end = bench_.awaitEnd(version2::ENDED_WALK, 4);
+  const physics::End end = bench_.awaitEnd(version2::ENDED_WALK, 4);
   EXPECT_GT(bench_.robot().tilt(), 1);
   EXPECT_EQ(end.how, version2::END_FELL);
-  EXPECT_THAT(end.reason, HasSubstr("the robot lies on its"));
+  EXPECT_THAT(end.reason, testing::HasSubstr("the robot lies on its"));
   EXPECT_TRUE(bench_.robot().motorsPull());
   passSeconds(1.2);
   EXPECT_FALSE(bench_.robot().motorsPull());
@@ -57,9 +54,9 @@ TEST_F(Fall, IsNotSeenInAPushThatTheRobotWithstands) {
 TEST_F(Fall, InAHandTheWalkEnds) {
   walk();
   bench_.robot().hold(0.3);
-  const End end = bench_.awaitEnd(version2::ENDED_WALK, 3);
+  const physics::End end = bench_.awaitEnd(version2::ENDED_WALK, 3);
   EXPECT_EQ(end.how, version2::END_FELL);
-  EXPECT_THAT(end.reason, HasSubstr("carried"));
+  EXPECT_THAT(end.reason, testing::HasSubstr("carried"));
 }
 
 }  // namespace

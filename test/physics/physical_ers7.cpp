@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <functional>
 
 #include "simulator/ers7/body/joints.h"
 #include "simulator/ers7/body/sensor_frame_writer.h"

@@ -5,7 +5,6 @@
 namespace {
 
 using physics::PhysicalErs7;
-using physics::World;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kGravity = 9.81;
@@ -55,7 +54,7 @@ TEST(PhysicalErs7, MovesAJointInTheAirAtItsHighestSpeedAtMost) {
 TEST(PhysicalErs7, HangsUnderALoadByWhatItsTorqueAllows) {
   double sag[2];
   for (const bool is_weak : {false, true}) {
-    World world;
+    physics::World world;
     world.stall_torque = is_weak ? 0.5 : 1.5;
     PhysicalErs7 robot(world);
     holdAll(robot);
@@ -71,7 +70,7 @@ TEST(PhysicalErs7, HangsUnderALoadByWhatItsTorqueAllows) {
 
 TEST(PhysicalErs7, SlidesUnderAPushThatFrictionCannotHold) {
   for (const double friction : {0.3, 0.8}) {
-    World world;
+    physics::World world;
     world.friction = friction;
     PhysicalErs7 robot(world);
     holdAll(robot);

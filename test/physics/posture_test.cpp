@@ -4,7 +4,6 @@
 
 namespace {
 
-using physics::Bench;
 using physics::World;
 
 namespace version2 = protocol::version2;
@@ -41,7 +40,7 @@ class PostureTaker {
     highest_tilt_ = 0;
   }
 
-  Bench& bench() { return bench_; }
+  physics::Bench& bench() { return bench_; }
 
  private:
   void passFrame() {
@@ -49,7 +48,7 @@ class PostureTaker {
     highest_tilt_ = std::max(highest_tilt_, bench_.robot().tilt());
   }
 
-  Bench bench_;
+  physics::Bench bench_;
   double highest_tilt_ = 0;
 };
 

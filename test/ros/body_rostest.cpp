@@ -12,33 +12,25 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <cmath>
-#include <cstdint>
 
 #include "support/ros/driver_user.h"
-#include "support/ros/topic_listener.h"
-#include "support/simulated_robot.h"
 
 namespace {
 
-using aibo_driver::Leds;
 using aibo_driver::LedStates;
-using aibo_driver::PlayMotion;
-using aibo_driver::Touch;
 using sensor_msgs::BatteryState;
 using sensor_msgs::Imu;
-using test_support::DriverUser;
 using test_support::TopicListener;
-using ::testing::HasSubstr;
 
 // All tests share a master, and this topic has the same name for all drivers.
 std::string ownTf(const std::string& name_space) {
   return "/tf:=" + name_space + "/tf";
 }
 
-class BodyUser : public DriverUser {
+class BodyUser : public test_support::DriverUser {
  public:
   explicit BodyUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : DriverUser(name_space, {"_stream_on_start:=false", ownTf(name_space)}, robot_options) {}
+      : test_support::DriverUser(name_space, {"_stream_on_start:=false", ownTf(name_space)}, robot_options) {}
 };
 
 // The transforms from base_footprint to base_link.
@@ -68,9 +60,9 @@ TEST(Footprint, OfARobotThatStandsAndThenSitsIsUnderItsFeet) {
   Footprints footprints("/footprint");
   BodyUser user("/footprint");
   EXPECT_TRUE(footprints.waitFor(0.12, 0.15, -3, 3));
-  PlayMotion::Request sit;
+  aibo_driver::PlayMotion::Request sit;
   sit.name = "sit";
-  EXPECT_TRUE(user.call<PlayMotion>("play_motion", sit).success);
+  EXPECT_TRUE(user.call<aibo_driver::PlayMotion>("play_motion", sit).success);
   EXPECT_TRUE(footprints.waitFor(0.08, 0.13, -28, -22)) << "leaning back by 25 degrees";
 }
 
@@ -90,13 +82,13 @@ TEST(Sensors, FollowWhatTheRobotFeels) {
   for (const std::string version : {"1", "2"}) {
     const std::string name_space = "/feels" + version;
     const BodyUser user(name_space, {"--protocol-version", version});
-    TopicListener<Touch> touch(name_space + "/touch");
+    TopicListener<aibo_driver::Touch> touch(name_space + "/touch");
     TopicListener<BatteryState> battery(name_space + "/battery");
     TopicListener<Imu> accelerations(name_space + "/imu/data_raw");
     EXPECT_TRUE(accelerations.waitFor([](const Imu& each) { return each.linear_acceleration.z > 8; })) << version;
-    ASSERT_THAT(user.robot.type("press chin"), HasSubstr("ok"));
-    EXPECT_TRUE(touch.waitFor([](const Touch& each) { return each.chin && !each.back_rear; })) << version;
-    ASSERT_THAT(user.robot.type("battery 40"), HasSubstr("ok"));
+    ASSERT_THAT(user.robot.type("press chin"), testing::HasSubstr("ok"));
+    EXPECT_TRUE(touch.waitFor([](const aibo_driver::Touch& each) { return each.chin && !each.back_rear; })) << version;
+    ASSERT_THAT(user.robot.type("battery 40"), testing::HasSubstr("ok"));
     EXPECT_TRUE(battery.waitFor([](const BatteryState& each) { return std::abs(each.percentage - 0.4) < 0.02; }))
         << version;
   }
@@ -112,10 +104,10 @@ TEST(LedStatesTopic, FollowsWhatTheRobotAcceptedAndTheConnection) {
   BodyUser user("/led_states");
   TopicListener<LedStates> states("/led_states/led_states");
   ASSERT_TRUE(states.waitFor(are_all(0)));
-  Leds message;
+  aibo_driver::Leds message;
   message.names = {"face_1", "wireless"};
   message.intensities = {0.2F};
-  message.mode = Leds::MODE_B;
+  message.mode = aibo_driver::Leds::MODE_B;
   user.publish("leds", message);
   const auto shown = states.waitFor([](const LedStates& each) { return each.intensities.at(5) == 1; });
   ASSERT_TRUE(shown);

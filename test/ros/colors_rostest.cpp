@@ -6,31 +6,21 @@
 
 #include "node/camera/color_table_file.h"
 #include "protocol/color_requests.h"
-#include "support/process.h"
-#include "support/proxy/recording_proxy.h"
 #include "support/ros/driver_user.h"
-#include "support/ros/topic_listener.h"
-#include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 
 namespace {
 
 using aibo_driver::ColorRegions;
-using test_support::DriverProcess;
-using test_support::kSafetyNet;
-using test_support::Process;
-using test_support::SimulatedRobot;
-using test_support::TopicListener;
-using ::testing::HasSubstr;
 
-using RegionsListener = TopicListener<ColorRegions>;
-using MaskListener = TopicListener<sensor_msgs::Image>;
+using RegionsListener = test_support::TopicListener<ColorRegions>;
+using MaskListener = test_support::TopicListener<sensor_msgs::Image>;
 
 // The ball of the simulated robot rolls to and fro before it.
 TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
-  SimulatedRobot robot;
-  DriverProcess driver("/ball", robot.port(), {"_stream_on_start:=false", "_frame_prefix:=left"});
+  test_support::SimulatedRobot robot;
+  test_support::DriverProcess driver("/ball", robot.port(), {"_stream_on_start:=false", "_frame_prefix:=left"});
   RegionsListener regions("/ball/color_regions");
   const auto found = regions.waitFor(
       [](const ColorRegions& message) { return !message.regions.empty() && message.regions[0].pixels > 100; });
@@ -56,9 +46,9 @@ TEST(Colors, TheBallIsFoundWithTheTableThatIsThereFromTheStart) {
 
 TEST(Colors, TheRobotDetectsAndSendsTheMaskOnlyWhileSomebodyWantsIt) {
   namespace version2 = protocol::version2;
-  SimulatedRobot robot;
+  test_support::SimulatedRobot robot;
   const test_support::RecordingProxy proxy(robot.port());
-  DriverProcess driver("/no_mask", proxy.port(), {"_color_rate:=10"});
+  test_support::DriverProcess driver("/no_mask", proxy.port(), {"_color_rate:=10"});
   // Whether the last request is this one, leaving out those that load a table.
   const auto asks = [&proxy](int id, const std::vector<std::uint8_t>& settings) {
     return test_support::DriverUser::becomesTrue([&] {
@@ -104,8 +94,8 @@ class ColorTableTest : public ::testing::Test {
 
   // What it prints, and how it ends.
   static std::string run(const std::vector<std::string>& words, int status) {
-    Process process(command(words));
-    EXPECT_EQ(process.waitForExit(kSafetyNet), status) << process.output();
+    test_support::Process process(command(words));
+    EXPECT_EQ(process.waitForExit(test_support::kSafetyNet), status) << process.output();
     return process.output();
   }
 
@@ -121,7 +111,7 @@ TEST_F(ColorTableTest, HoldsTheColorsOfAPartOfAPictureOfAnyEncoding) {
     const std::string file = folder_.path(encoding + ".yaml");
     EXPECT_THAT(
         run({"--topic", "/painted/" + encoding, "--region", "20,20,12,16", "--name", "red", "--output", file}, 0),
-        testing::AllOf(HasSubstr("contains 100.0 % of the region"), HasSubstr("It is in " + file)));
+        testing::AllOf(testing::HasSubstr("contains 100.0 % of the region"), testing::HasSubstr("It is in " + file)));
     tables[encoding == "rgb8" ? 0 : 1] = aibo_driver::node::loadColorTable(file);
   }
   EXPECT_EQ(tables[0].name, "red");
@@ -156,10 +146,10 @@ TEST_F(ColorTableTest, WhatCannotBeMadeIsExplained) {
       {{"--region", "0,0,9,9", "--topic", "/painted/nothing"}, 1, "no image came on /painted/nothing within 10 s"},
   };
   for (const auto& [words, status, text] : rows) {
-    EXPECT_THAT(run(words, status), HasSubstr(text));
+    EXPECT_THAT(run(words, status), testing::HasSubstr(text));
   }
-  Process without_master(command({"--region", "0,0,9,9"}), {{"ROS_MASTER_URI", "http://127.0.0.1:1"}});
-  EXPECT_NO_THROW(without_master.waitForOutput("there is no ROS master", kSafetyNet));
+  test_support::Process without_master(command({"--region", "0,0,9,9"}), {{"ROS_MASTER_URI", "http://127.0.0.1:1"}});
+  EXPECT_NO_THROW(without_master.waitForOutput("there is no ROS master", test_support::kSafetyNet));
 }
 
 }  // namespace

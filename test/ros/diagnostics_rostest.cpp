@@ -2,7 +2,6 @@
 // names have blanks instead of slashes.
 
 #include <aibo_driver/Sound.h>
-#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
@@ -10,13 +9,10 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
-
 #include "support/picture_server.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
-#include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
 #include "support/scripted_server.h"
 #include "support/simulated_robot.h"
@@ -24,16 +20,13 @@
 namespace {
 
 using namespace std::chrono_literals;
-using diagnostic_msgs::DiagnosticArray;
 using diagnostic_msgs::DiagnosticStatus;
 using test_support::Bytes;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::FaultProxy;
-using test_support::PictureServer;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
-using ::testing::HasSubstr;
 
 double numberIn(const DiagnosticStatus& status, const std::string& key) {
   const std::string value = DiagnosticsListener::value(status, key);
@@ -65,12 +58,12 @@ class Watch {
 };
 
 TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
-  TopicListener<DiagnosticArray> tree("/diagnostics_agg");
+  TopicListener<diagnostic_msgs::DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
   DriverProcess driver("/tree", robot.port(), {"_jpeg_quality:=40", "_frame_rate:=15", "_read_timeout:=20"});
   for (const char* const name : {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream",
                                  "Joints/tree aibo_driver: joints", "Power/tree aibo_driver: power"}) {
-    EXPECT_TRUE(tree.waitFor([name](const DiagnosticArray& array) {
+    EXPECT_TRUE(tree.waitFor([name](const diagnostic_msgs::DiagnosticArray& array) {
       return std::any_of(array.status.begin(), array.status.end(), [name](const DiagnosticStatus& status) {
         return status.name == std::string("/Aibo/") + name && status.level == DiagnosticStatus::OK;
       });
@@ -127,7 +120,7 @@ Bytes cutBeforeItsEnd(Bytes jpeg) {
 const std::vector<std::string> kWithoutRobotTime = {"_use_robot_time:=false", "_read_timeout:=20"};
 
 TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
-  PictureServer server(2, 20ms);
+  test_support::PictureServer server(2, 20ms);
   DriverProcess driver("/damage", server.port(), kWithoutRobotTime);
   Watch watch("damage");
   TopicListener<sensor_msgs::Image> viewer("/damage/camera/image_raw");
@@ -150,7 +143,7 @@ TEST(StreamDiagnostics, WarnOfAStreamThatIsSlowOrStandsStill) {
       {200ms, "of 30.0 pictures/s: is the radio link weak"},
   };
   for (const auto& [interval, warning] : rows) {
-    PictureServer server(2, interval);
+    test_support::PictureServer server(2, interval);
     DriverProcess driver("/slow_stream", server.port(), kWithoutRobotTime);
     Watch("slow_stream").waitFor("stream", DiagnosticStatus::WARN, warning);
   }
@@ -215,9 +208,9 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
       return status.level == level && status.message.find(text) != std::string::npos;
     });
   };
-  ASSERT_THAT(robot.type("jam head_pan"), HasSubstr("ok"));
+  ASSERT_THAT(robot.type("jam head_pan"), testing::HasSubstr("ok"));
   EXPECT_TRUE(moves_until(1, DiagnosticStatus::ERROR, "head_pan is jammed"));
-  ASSERT_THAT(robot.type("free head_pan"), HasSubstr("ok"));
+  ASSERT_THAT(robot.type("free head_pan"), testing::HasSubstr("ok"));
   EXPECT_TRUE(moves_until(0.5, DiagnosticStatus::OK, "measurements/s"));
 }
 

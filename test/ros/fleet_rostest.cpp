@@ -8,17 +8,12 @@
 #include <std_msgs/Float64.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <chrono>
 #include <cmath>
 
-#include "support/process.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
-#include "support/ros/topic_listener.h"
-#include "support/ros/topic_publishers.h"
-#include "support/simulated_robot.h"
 #include "support/temporary_folder.h"
 
 namespace {
@@ -28,8 +23,6 @@ using test_support::Process;
 using test_support::SimulatedRobot;
 using test_support::TemporaryFolder;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
-using ::testing::HasSubstr;
 
 constexpr std::chrono::seconds kTimeToStart{60};
 
@@ -54,7 +47,7 @@ class FleetTest : public ::testing::Test {
   static void TearDownTestSuite() {
     fleet_->signal(SIGINT);
     EXPECT_TRUE(fleet_->waitForExit(std::chrono::seconds(60))) << "Ctrl-C does not end the fleet";
-    EXPECT_THAT(fleet_->output(), ::testing::Not(HasSubstr("new node registered with same name")));
+    EXPECT_THAT(fleet_->output(), ::testing::Not(testing::HasSubstr("new node registered with same name")));
     fleet_.reset();
     robots_.clear();
     home_.reset();
@@ -97,7 +90,7 @@ TEST_F(FleetTest, ACommandMovesOnlyItsRobot) {
   JointListener laika("/laika");
   ASSERT_FALSE(rex.messages().waitForCount(1, kTimeToStart).empty());
   const double before = rex.position("head_pan");
-  TopicPublishers user("/laika");
+  test_support::TopicPublishers user("/laika");
   EXPECT_TRUE(test_support::DriverUser::becomesTrue([&] {
     std_msgs::Float64 position;
     position.data = 0.5;
@@ -113,11 +106,11 @@ TEST(WrongRobot, GetsNoCommandsAndTheReasonIsSaid) {
   TopicListener<sensor_msgs::CameraInfo> camera_infos("/wrong/camera/camera_info");
   test_support::DiagnosticsListener diagnostics;
   test_support::DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
-  TopicPublishers user("/wrong");
+  test_support::TopicPublishers user("/wrong");
   const auto status = diagnostics.waitFor("wrong/aibo_driver: joints", [](const auto& joint_status) {
     return joint_status.level == diagnostic_msgs::DiagnosticStatus::ERROR;
   });
-  EXPECT_THAT(status.message, HasSubstr("commands are refused: the robot says that it is an ERS-7"));
+  EXPECT_THAT(status.message, testing::HasSubstr("commands are refused: the robot says that it is an ERS-7"));
   const std::string reason = "the robot says that it is an ERS-7, but the driver's parameter robot is ERS-210";
   user.publish("joint_command", test_support::command({{"head_pan", 0.5}}));
   EXPECT_NO_THROW(driver.waitForOutput("is refused: " + reason, kTimeToStart));

@@ -2,35 +2,27 @@
 
 #include <aibo_driver/CameraState.h>
 #include <aibo_driver/ColorRegions.h>
-#include <aibo_driver/Connection.h>
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
-#include <aibo_driver/MotionState.h>
 #include <geometry_msgs/PointStamped.h>
 #include <gmock/gmock.h>
-#include <ros/ros.h>
 #include <tf2_ros/buffer.h>
 #include <tf2_ros/transform_listener.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <cmath>
-#include <optional>
-#include <thread>
 
 #include "support/ros/joint_user.h"
 
 namespace {
 
 using aibo_driver::LookAtResult;
-using aibo_driver::MotionState;
 using geometry_msgs::PointStamped;
 using test_support::JointUser;
 using test_support::Process;
 using test_support::TopicListener;
-using test_support::TopicPublishers;
 using ::testing::HasSubstr;
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
@@ -123,7 +115,7 @@ TEST(LookAt, TurnsTheCameraToPointsInAnyFrame) {
 // that is slow gets another chance.
 TEST(LookAt, KnowsWhereTheCameraWasWhenItTookThePicture) {
   LookUser user("/look");
-  TopicListener<MotionState> motion("/look/motion_state");
+  TopicListener<aibo_driver::MotionState> motion("/look/motion_state");
   EXPECT_TRUE(user.becomesTrue([&] {
     EXPECT_TRUE(user.turnsTo(point("base_link", 1, 0.5, 0.1)));
     PointStamped clicked = point("camera_optical_frame", 0.1, 0.05, 1);
@@ -136,7 +128,7 @@ TEST(LookAt, KnowsWhereTheCameraWasWhenItTookThePicture) {
     user.publish("look_at", clicked);
     return user.seesInItsMiddle(point("base_link", place->x(), place->y(), place->z()), std::chrono::seconds(5));
   }));
-  EXPECT_TRUE(motion.waitFor([](const MotionState& state) {
+  EXPECT_TRUE(motion.waitFor([](const aibo_driver::MotionState& state) {
     return !state.movements.empty() && state.movements[0].kind == aibo_driver::Movement::LOOK_AT &&
            state.movements[0].source == "/look/aibo_look_at";
   })) << "it is told from other commands";
@@ -202,7 +194,7 @@ aibo_driver::ColorRegions ballAt(float x, float y, int pixels = 300) {
 TEST(BallFollowerExample, LooksAtTheBallWhereItWasSeen) {
   TopicListener<PointStamped> points("/ball/look_at");
   const Process node({BALL_FOLLOWER, "__ns:=/ball", "_name:=pink_ball", "_fewest_pixels:=300"});
-  TopicPublishers robot("/ball");
+  test_support::TopicPublishers robot("/ball");
   const auto is_seen = [&](const aibo_driver::ColorRegions& regions) {
     robot.publish("color_regions", regions);
     return points.waitForCount(1, std::chrono::milliseconds(300)).size() > 0;
@@ -293,7 +285,7 @@ class RoomTest : public ::testing::Test {
 
   const Process node_{{AIBO_ROOM, "__ns:=/furnished"}};
   TopicListener<Marker> balls_{"/furnished/room/ball"};
-  TopicPublishers robot_{"/furnished"};
+  test_support::TopicPublishers robot_{"/furnished"};
 };
 
 TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {

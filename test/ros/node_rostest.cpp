@@ -1,6 +1,5 @@
 // The nodes and nodelets as a user starts them, and the names, types and latching of docs/ros_interface.md.
 
-#include <aibo_driver/Connection.h>
 #include <gmock/gmock.h>
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
@@ -15,11 +14,7 @@
 #include <topic_tools/shape_shifter.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
-#include <chrono>
-#include <cstdint>
-#include <fstream>
 #include <future>
-#include <mutex>
 #include <regex>
 
 #include "node/xmlrpc_peer.h"
@@ -38,7 +33,6 @@ using test_support::Process;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
-using ::testing::Not;
 using XmlRpc::XmlRpcValue;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
@@ -277,11 +271,11 @@ TEST(Log, OfStrangersIsPlainAndShort) {
   }
   const std::string printed = driver.output();
   ASSERT_LT(printed.size(), 1'000'000U);
-  EXPECT_THAT(printed, testing::AllOf(Not(HasSubstr("\x1b[2J")), HasSubstr("?[2J?[FATAL] forged")));
+  EXPECT_THAT(printed, testing::AllOf(testing::Not(HasSubstr("\x1b[2J")), HasSubstr("?[2J?[FATAL] forged")));
   std::size_t said = 0;
   for (const auto& each : rosout.waitForCount(0)) {
     said += each->name == "/logs/aibo_driver" ? each->msg.size() : 0;
-    EXPECT_THAT(each->msg, Not(HasSubstr("\x1b")));
+    EXPECT_THAT(each->msg, testing::Not(HasSubstr("\x1b")));
   }
   EXPECT_LT(said, 1'000'000U);
 }

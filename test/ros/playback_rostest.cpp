@@ -1,42 +1,26 @@
 // Recordings, played again by aibo_playback.
 
-#include <aibo_driver/Connection.h>
-#include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
-#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
-#include <ros/ros.h>
 #include <rosbag/bag.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/Imu.h>
-#include <sensor_msgs/JointState.h>
-#include <std_srvs/SetBool.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <chrono>
 #include <csignal>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
 
-#include "support/process.h"
-#include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
-#include "support/ros/topic_listener.h"
 #include "support/temporary_folder.h"
 #include "tools/playback/recording.h"
 
 namespace {
 
 using aibo_driver::Connection;
-using aibo_driver::MotionState;
-using aibo_driver::RobotState;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TopicListener;
-using ::testing::HasSubstr;
 
 const ros::Time kBegin(1'032'146'825, 900'000'000);
 constexpr double kSpeed = 0.1;   // m/s
@@ -57,7 +41,7 @@ class WalkBag {
   }
 
   void report(const std::string& stopped_by) {
-    RobotState state;
+    aibo_driver::RobotState state;
     state.stopped_by = stopped_by;
     writeLatched("robot_state", state);
   }
@@ -225,7 +209,7 @@ TEST_F(PlaybackTest, BeginsWhenSomebodyWatchesAtTheTimeThatIsAskedFor) {
     bag.walk(2);
   }
   TopicListener<nav_msgs::Odometry> odom("/other/odom");
-  TopicListener<RobotState> state("/other/robot_state");
+  TopicListener<aibo_driver::RobotState> state("/other/robot_state");
   TopicListener<tf2_msgs::TFMessage> tf("/other/tf");
   Process playback(command(path("left.bag"), "/other", {"_start:=2", "_frame_prefix:=left", "_wait:=3600"}));
   EXPECT_EQ(playback.waitForExit(std::chrono::milliseconds(1500)), std::nullopt) << "nobody watches yet";
@@ -302,7 +286,7 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
       {"walk.bag", {"_frame_prefix:=left"}, "play it with frame_prefix:=none."},
   };
   for (const auto& [bag, parameters, complaint] : rows) {
-    EXPECT_THAT(complaintAbout(path(bag), parameters), HasSubstr(complaint)) << bag;
+    EXPECT_THAT(complaintAbout(path(bag), parameters), testing::HasSubstr(complaint)) << bag;
   }
 }
 
@@ -339,7 +323,7 @@ TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {
   }
   Process playback(command(whole, "/damaged", {"_wait:=0", "_rate:=100"}));
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
-  EXPECT_THAT(playback.output(), HasSubstr("walk.bag is damaged at 0:"));
+  EXPECT_THAT(playback.output(), testing::HasSubstr("walk.bag is damaged at 0:"));
 }
 
 /// A live robot. A bag is played beside it.
@@ -353,7 +337,7 @@ class AliveUser : public test_support::JointUser {
     motion.clear();
     publish("joint_command", test_support::command({{"tail_pan", 0.1}}));
     std::set<std::string> sources;
-    EXPECT_TRUE(motion.waitFor([&sources](const MotionState& state) {
+    EXPECT_TRUE(motion.waitFor([&sources](const aibo_driver::MotionState& state) {
       for (const aibo_driver::Movement& each : state.movements) {
         sources.insert(each.source);
       }
@@ -366,7 +350,7 @@ class AliveUser : public test_support::JointUser {
   }
 
   TopicListener<nav_msgs::Odometry> odom;
-  TopicListener<MotionState> motion;
+  TopicListener<aibo_driver::MotionState> motion;
 };
 
 TEST_F(PlaybackTest, MovesNoRobotWhateverNamesAreInTheBag) {
@@ -416,7 +400,7 @@ TEST_F(PlaybackTest, IsNotPlayedWhereADriverRuns) {
   const ros::Publisher driver = ros::NodeHandle("/drives").advertise<Connection>("connection", 1);
   Process playback(command(recordAWalk(), "/drives", {}));
   EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_FAILURE);
-  EXPECT_THAT(playback.output(), HasSubstr("There is a driver in the namespace /drives already"));
+  EXPECT_THAT(playback.output(), testing::HasSubstr("There is a driver in the namespace /drives already"));
 }
 
 }  // namespace

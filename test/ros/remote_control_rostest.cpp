@@ -33,7 +33,6 @@
 #include "remote_control/joint_slider.h"
 #include "remote_control/remote_control.h"
 #include "remote_control/ros_robot.h"
-#include "support/process.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
@@ -43,19 +42,14 @@
 namespace {
 
 using aibo_driver::Connection;
-using aibo_driver::LookAtResult;
 using aibo_driver::remote_control::AxisPad;
 using aibo_driver::remote_control::RemoteControl;
 using aibo_driver::remote_control::RosRobot;
 using test_support::DriverProcess;
-using test_support::FaultProxy;
 using test_support::kSafetyNet;
 using test_support::Process;
-using test_support::SimulatedRobot;
-using test_support::TopicListener;
-using ::testing::HasSubstr;
 
-FaultProxy* master = nullptr;  ///< between the windows of this process and the ROS master
+test_support::FaultProxy* master = nullptr;  ///< between the windows of this process and the ROS master
 
 constexpr int kTimeout = 1000 * kSafetyNet.count();  // ms
 
@@ -123,7 +117,7 @@ class RemoteControlRosTest : public ::testing::Test {
     ros::param::del("/remote/stopped_by");
   }
 
-  SimulatedRobot simulated_;
+  test_support::SimulatedRobot simulated_;
   std::unique_ptr<DriverProcess> driver_;
   User user_;
 };
@@ -136,7 +130,7 @@ TEST_F(RemoteControlRosTest, ShowsTheRobot) {
   QObject::connect(&user_.robot, &RosRobot::pictureArrived, &user_.window,
                    [&has_picture](const QImage& picture) { has_picture = picture.size() == QSize(208, 160); });
   EXPECT_TRUE(user_.waitFor([&has_picture] { return has_picture; }));
-  ASSERT_THAT(simulated_.type("press chin"), HasSubstr("ok"));
+  ASSERT_THAT(simulated_.type("press chin"), testing::HasSubstr("ok"));
   const ros::Publisher touch = ros::NodeHandle("/remote").advertise<aibo_driver::Touch>("touch", 1);
   user_.open("Sensors");
   EXPECT_TRUE(user_.waitFor([this] { return user_.find<QLabel>("chin")->property("touched").toBool(); }));
@@ -173,7 +167,7 @@ TEST_F(RemoteControlRosTest, CommandsTheRobot) {
     user_.find<QAbstractButton>("face_3")->click();
     return shines;
   }));
-  TopicListener<aibo_driver::Ears> ears("/remote/ears");
+  test_support::TopicListener<aibo_driver::Ears> ears("/remote/ears");
   EXPECT_TRUE(user_.waitFor([&] {
     user_.find<QAbstractButton>("Left ear")->click();
     return ears.count() > 0;
@@ -215,7 +209,7 @@ TEST_F(RemoteControlRosTest, SaysWhyItsWalkHasEndedAndForgetsThisWithTheNextDriv
   auto* pad = user_.find<AxisPad>("drive_pad");
   QTest::mousePress(pad, Qt::LeftButton, {}, QPoint(pad->width() / 2, pad->height() / 4));
   EXPECT_TRUE(user_.waitForText("condition", "walks"));
-  ASSERT_THAT(simulated_.type("lift on"), HasSubstr("ok"));
+  ASSERT_THAT(simulated_.type("lift on"), testing::HasSubstr("ok"));
   EXPECT_TRUE(user_.waitForText("status", "walk: "));
   EXPECT_TRUE(user_.waitForText("condition", "is carried"));
   user_.window.useDriver("/nowhere");
@@ -225,8 +219,8 @@ TEST_F(RemoteControlRosTest, SaysWhyItsWalkHasEndedAndForgetsThisWithTheNextDriv
 
 // The camera is the nominal one.
 TEST_F(RemoteControlRosTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResultIsTold) {
-  TopicListener<geometry_msgs::PointStamped> points("/remote/look_at");
-  ros::Publisher results = ros::NodeHandle("/remote").advertise<LookAtResult>("look_at_result", 10, true);
+  test_support::TopicListener<geometry_msgs::PointStamped> points("/remote/look_at");
+  ros::Publisher results = ros::NodeHandle("/remote").advertise<aibo_driver::LookAtResult>("look_at_result", 10, true);
   EXPECT_TRUE(user_.waitFor([&] {  // until the camera is known
     user_.robot.lookAt({0.75, 0.25});
     return points.count() > 0;
@@ -239,7 +233,7 @@ TEST_F(RemoteControlRosTest, AClickIsAPointInFrontOfTheCameraAndOnlyItsOwnResult
   EXPECT_EQ(point->point.z, 1);
   QObject::connect(&user_.robot, &RosRobot::answered, &user_.window,
                    [](bool, const QString& text) { EXPECT_FALSE(text.contains("no point of this window")); });
-  LookAtResult result;
+  aibo_driver::LookAtResult result;
   result.success = 1;
   result.message = "no point of this window";
   results.publish(result);
@@ -343,7 +337,7 @@ TEST(RemoteControlRos, WaitsForADriverThatHasNotBeenHeardAndForTheMaster) {
 
 // The master may still know drivers that were killed, such as those of the tests above.
 TEST(RemoteControlRos, FindsADriverByItselfAndKeepsItUntilAnotherIsChosen) {
-  const SimulatedRobot simulated;
+  const test_support::SimulatedRobot simulated;
   DriverProcess driver("/somewhere", simulated.port());
   User user("");
   EXPECT_TRUE(user.waitForConnection());
@@ -371,7 +365,7 @@ TEST(RemoteControlProgram, ShowsTheDriverOfItsNamespaceOrAnyUntilCtrlC) {
 TEST(RemoteControlProgram, SaysThatThereIsNoDisplay) {
   Process program({AIBO_REMOTE_CONTROL}, {{"QT_QPA_PLATFORM", "xcb"}, {"DISPLAY", ""}});
   EXPECT_EQ(program.waitForExit(kSafetyNet), 1);
-  EXPECT_THAT(program.output(), HasSubstr("there is no display for its window (DISPLAY is not set)"));
+  EXPECT_THAT(program.output(), testing::HasSubstr("there is no display for its window (DISPLAY is not set)"));
 }
 
 TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
@@ -411,7 +405,7 @@ TEST(PanelOfRviz, KeepsDriverAndFolderAndFitsOnTheScreen) {
 int main(int argc, char** argv) {
   qputenv("QT_QPA_PLATFORM", "offscreen");
   const QByteArray real_master = qgetenv("ROS_MASTER_URI");
-  FaultProxy proxy(QUrl(real_master).port());
+  test_support::FaultProxy proxy(QUrl(real_master).port());
   master = &proxy;
   qputenv("ROS_MASTER_URI", "http://127.0.0.1:" + QByteArray::number(proxy.port()));
   ros::init(argc, argv, "remote_control_rostest", ros::init_options::AnonymousName);

@@ -1,32 +1,22 @@
 // Settings that can be changed while the driver runs, with dynamic_reconfigure.
 
 #include <aibo_driver/CameraState.h>
-#include <aibo_driver/Connection.h>
 #include <aibo_driver/LinkQuality.h>
-#include <aibo_driver/MotionState.h>
 #include <dynamic_reconfigure/ConfigDescription.h>
 #include <dynamic_reconfigure/Reconfigure.h>
-#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/CompressedImage.h>
-#include <sensor_msgs/JointState.h>
-
-#include <chrono>
 
 #include "support/ros/driver_user.h"
 #include "support/ros/joint_listener.h"
 #include "support/ros/joint_messages.h"
-#include "support/ros/topic_listener.h"
 
 namespace {
 
 using aibo_driver::CameraState;
-using aibo_driver::MotionState;
 using dynamic_reconfigure::Config;
-using dynamic_reconfigure::Reconfigure;
-using test_support::DriverUser;
 using test_support::positionOf;
 using test_support::TopicListener;
 
@@ -43,15 +33,15 @@ Config change(Entries Config::*entries, const std::string& name, const Value& va
   return config;
 }
 
-class SettingsUser : public DriverUser {
+class SettingsUser : public test_support::DriverUser {
  public:
-  using DriverUser::DriverUser;
+  using test_support::DriverUser::DriverUser;
 
   /// @return the settings in force afterwards
   Config set(const Config& config) {
-    Reconfigure::Request request;
+    dynamic_reconfigure::Reconfigure::Request request;
     request.config = config;
-    return call<Reconfigure>("aibo_driver/set_parameters", request).config;
+    return call<dynamic_reconfigure::Reconfigure>("aibo_driver/set_parameters", request).config;
   }
 
   /// NaN without this setting.
@@ -182,7 +172,7 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
 
 // The robot sees no floor behind it, so with the guard it refuses. Otherwise the walk ends because nobody steers on.
 TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
-  TopicListener<MotionState> motions("/settings_guard/motion_state");
+  TopicListener<aibo_driver::MotionState> motions("/settings_guard/motion_state");
   SettingsUser user("/settings_guard", {"_guard:=true"});
   user.set(change(&Config::bools, "guard", false));
   geometry_msgs::Twist back;
@@ -190,7 +180,7 @@ TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
   EXPECT_TRUE(user.becomesTrue([&] {
     user.publish("cmd_vel", back);
     return motions.waitFor(
-               [](const MotionState& state) {
+               [](const aibo_driver::MotionState& state) {
                  return !state.ended.empty() && state.ended.back().how != aibo_driver::EndedMovement::REFUSED;
                },
                std::chrono::seconds(2)) != nullptr;

@@ -8,28 +8,20 @@
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 
-#include <chrono>
-#include <cstdint>
 #include <numeric>
-#include <optional>
-#include <stdexcept>
 
 #include "protocol/sound_requests.h"
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_user.h"
 #include "support/ros/goal_watch.h"
-#include "support/ros/topic_listener.h"
 #include "support/scripted_server.h"
 #include "support/temporary_folder.h"
-#include "support/version2_frames.h"
 #include "unit/sound/wav_files.h"
 
 namespace {
 
 using aibo_driver::PlaySound;
-using aibo_driver::SetVolume;
 using aibo_driver::Sound;
-using test_support::DriverProcess;
 using test_support::TopicListener;
 
 using SoundGoal = test_support::GoalWatch<aibo_driver::PlaySoundAction>;
@@ -82,7 +74,7 @@ bool isSwitchedOn(test_support::ScriptedPeer* robot) {
 
 TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConnection) {
   test_support::ScriptedServer server;
-  DriverProcess driver("/listens", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
+  test_support::DriverProcess driver("/listens", server.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
   std::optional<test_support::ScriptedPeer> robot(server.accept());
   robot->agreeToVersion2("F A");
   for (int time = 0; time < 2; ++time) {
@@ -104,7 +96,7 @@ TEST(Microphone, IsOnOnlyWhileSomebodyListensAlsoTheSecondTimeAndOverTheNextConn
 TEST(Microphone, IsOpenedWithItsParametersAndAGapIsSilenceInAudio) {
   namespace version2 = protocol::version2;
   test_support::ScriptedServer server;
-  DriverProcess driver(
+  test_support::DriverProcess driver(
       "/gap", server.port(),
       {"_stream_on_start:=false", "_read_timeout:=20", "_microphone_channels:=1", "_sound_priority:=true"}, {},
       AIBO_DRIVER_NODE_WITH_ALL);
@@ -160,9 +152,9 @@ TEST(SoundServices, PlayAndStopASoundAndSetTheVolume) {
   EXPECT_TRUE(says_playing("yes"));
   EXPECT_TRUE(user.play("").success) << "it stops the sound";
   EXPECT_TRUE(says_playing("no"));
-  SetVolume::Request volume;
+  aibo_driver::SetVolume::Request volume;
   volume.volume = 2;
-  const auto answer = user.call<SetVolume>("set_volume", volume);
+  const auto answer = user.call<aibo_driver::SetVolume>("set_volume", volume);
   EXPECT_TRUE(answer.success) << answer.message;
   EXPECT_EQ(answer.volume, 2);
 }

@@ -1,21 +1,13 @@
 // The programs that steer: from the keys of a terminal, and from a gamepad. The driver is a fake.
 
-#include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
-#include <aibo_driver/RobotState.h>
 #include <aibo_driver/TakePicture.h>
-#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <pty.h>
-#include <ros/ros.h>
-#include <sensor_msgs/JointState.h>
 #include <sensor_msgs/Joy.h>
 #include <std_msgs/String.h>
-#include <std_srvs/Trigger.h>
 #include <termios.h>
-#include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 
 #include "support/ros/driver_user.h"
@@ -23,17 +15,14 @@
 
 namespace {
 
-using aibo_driver::EndedMovement;
 using aibo_driver::RobotState;
 using geometry_msgs::Twist;
-using test_support::DriverUser;
 using test_support::FakeDriver;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
 using ::testing::ContainsRegex;
-using ::testing::Not;
 
 bool goes(const Twist& twist) {
   return twist.linear.x != 0 || twist.linear.y != 0 || twist.angular.z != 0;
@@ -100,10 +89,10 @@ TEST_F(KeyboardTest, EndsWithAStopAndLeavesTheTerminalAsItWas) {
 TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
   aibo_driver::MotionState state;
   const auto end = [&state](const char* source, const char* reason) {
-    EndedMovement& ended = state.ended.emplace_back();
+    aibo_driver::EndedMovement& ended = state.ended.emplace_back();
     ended.movement.kind = aibo_driver::Movement::WALK;
     ended.movement.source = source;
-    ended.how = EndedMovement::REFUSED;
+    ended.how = aibo_driver::EndedMovement::REFUSED;
     ended.reason = reason;
   };
   Process teleop(command("__ns:=/refused __name:=keys"));
@@ -117,7 +106,7 @@ TEST_F(KeyboardTest, SaysOnceWhyAKeyDoesNotMoveTheRobot) {
     driver.publish("motion_state", state);
   }
   teleop.waitForOutput("does not walk: the floor ends ahead.\n(.|\n)*does not walk: it fell\\.", kSafetyNet);
-  EXPECT_THAT(teleop.output(), Not(ContainsRegex("before|another|let go")));
+  EXPECT_THAT(teleop.output(), testing::Not(ContainsRegex("before|another|let go")));
 }
 
 TEST_F(KeyboardTest, SaysWhoHasStoppedTheRobotAndReleasesIt) {
@@ -211,7 +200,7 @@ TEST(GamepadTest, EachAxisHasItsDirectionAndSpeed) {
     sensor_msgs::JointState measured;
     measured.name = {"head_tilt", "head_pan"};
     measured.position = {0.2, 0.3};
-    ASSERT_TRUE(DriverUser::becomesTrue([&] {
+    ASSERT_TRUE(test_support::DriverUser::becomesTrue([&] {
       robot.publish("joint_states", measured);
       pad.press({Gamepad::kDeadMan}, row.axes);  // again, as joysticks do
       walks.waitForNext(std::chrono::milliseconds(50));
@@ -254,7 +243,7 @@ TEST(GamepadTest, EachButtonCallsItsService) {
   Gamepad pad("/pad");
   // Again and again, because the call before may not have ended yet.
   const auto calls_with = [&](std::vector<std::size_t> pressed, std::size_t button, const std::string& pattern) {
-    return DriverUser::becomesTrue([&] {
+    return test_support::DriverUser::becomesTrue([&] {
       pad.press(pressed);
       std::vector<std::size_t> both = pressed;
       both.push_back(button);
@@ -276,7 +265,7 @@ TEST(GamepadTest, SaysWhoHasStoppedTheRobotAndReleasesItWithTheDeadManButton) {
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});  // nobody has stopped the robot
   pad.press({Gamepad::kStop});
   pad.teleop().waitForOutput("/caller has stopped the robot.*together with the dead-man button", kSafetyNet);
-  EXPECT_THAT(pad.teleop().output(), Not(testing::HasSubstr("/release: ")));
+  EXPECT_THAT(pad.teleop().output(), testing::Not(testing::HasSubstr("/release: ")));
   pad.press({Gamepad::kDeadMan});
   pad.press({Gamepad::kDeadMan, Gamepad::kRelease});
   pad.teleop().waitForOutput("The robot may move again", kSafetyNet);

@@ -6,8 +6,6 @@
 
 #include <csignal>
 #include <cstdint>
-#include <cstdlib>
-#include <filesystem>
 
 #include "aibo_client/exceptions.h"
 #include "support/good_calibration.h"

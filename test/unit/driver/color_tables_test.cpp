@@ -1,8 +1,6 @@
 // Tables of the colour detection: files, the service, and what is published of the colours detected.
 #include <gmock/gmock.h>
 
-#include <fstream>
-
 #include "node/camera/color_messages.h"
 #include "node/camera/color_table_file.h"
 #include "node/camera/color_table_service.h"
@@ -20,7 +18,6 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::Pair;
 
 constexpr char kPink[] =
@@ -166,8 +163,8 @@ TEST_F(ColorTableServiceTest, WhatCannotBeLoadedLeavesTheChannelAsItIs) {
   EXPECT_THAT(load(0, "/no/such/file.yaml").message, HasSubstr("/no/such/file.yaml"));
   EXPECT_THAT(load(0, "pink_ball", kPink).message, HasSubstr("both given"));
   EXPECT_FALSE(load(0, "", "nonsense").success);
-  EXPECT_THAT(client_.told, IsEmpty());
-  EXPECT_THAT(loaded_, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
+  EXPECT_THAT(loaded_, testing::IsEmpty());
 }
 
 TEST_F(ColorTableServiceTest, SaysWhenTheRobotDoesNotHaveItYet) {

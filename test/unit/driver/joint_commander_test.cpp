@@ -2,8 +2,6 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
-
 #include "support/fake_client.h"
 #include "support/ros/log_listener.h"
 

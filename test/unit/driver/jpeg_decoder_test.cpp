@@ -9,8 +9,6 @@
 namespace aibo_driver::node {
 namespace {
 
-using ::testing::HasSubstr;
-
 constexpr int kWidth = 208;  // report, section 2.1.2
 constexpr int kHeight = 160;
 
@@ -72,7 +70,7 @@ TEST(DecodeJpeg, RefusesDamagedCompressedDataInsteadOfReturningHalfAPicture) {
   std::vector<std::uint8_t> jpeg = encode(kWidth, kHeight);
   // The decoder only warns of an end-of-image marker in the middle.
   jpeg.erase(jpeg.begin() + static_cast<std::ptrdiff_t>(jpeg.size() - jpeg.size() / 3), jpeg.end() - 2);
-  EXPECT_THAT(decodingRefusal(jpeg), HasSubstr("the compressed data is damaged"));
+  EXPECT_THAT(decodingRefusal(jpeg), testing::HasSubstr("the compressed data is damaged"));
 }
 
 TEST(DecodeJpeg, RefusesWhatNoCameraSends) {
@@ -90,7 +88,7 @@ TEST(DecodeJpeg, DoesNotDecodeAPictureWithATableOfThePictureBefore) {
   const auto last = std::find_end(jpeg.begin(), jpeg.end(), kQuantizationTable.begin(), kQuantizationTable.end());
   ASSERT_NE(last, jpeg.end());
   *(last + 1) = kApplicationData;
-  EXPECT_THAT(decodingRefusal(jpeg), HasSubstr("the compressed data is damaged"));
+  EXPECT_THAT(decodingRefusal(jpeg), testing::HasSubstr("the compressed data is damaged"));
 }
 
 }  // namespace

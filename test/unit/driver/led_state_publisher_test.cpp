@@ -10,9 +10,6 @@ using aibo_client::LedMode;
 
 namespace {
 
-using ::testing::Each;
-using ::testing::SizeIs;
-
 class LedMemoryTest : public ::testing::Test {
  protected:
   bool connect(int protocol_version) {
@@ -31,15 +28,15 @@ class LedMemoryTest : public ::testing::Test {
 };
 
 TEST_F(LedMemoryTest, KnowsNothingWithoutAConnection) {
-  EXPECT_THAT(memory_.states().names, SizeIs(26));
-  EXPECT_THAT(memory_.states().intensities, SizeIs(26));
-  EXPECT_THAT(memory_.states().intensities, Each(::testing::IsNan()));
+  EXPECT_THAT(memory_.states().names, testing::SizeIs(26));
+  EXPECT_THAT(memory_.states().intensities, testing::SizeIs(26));
+  EXPECT_THAT(memory_.states().intensities, testing::Each(::testing::IsNan()));
   EXPECT_FALSE(disconnect()) << "nothing is different";
 }
 
 TEST_F(LedMemoryTest, KnowsThatARobotThatWasConnectedHasSwitchedThemOff) {
   EXPECT_TRUE(connect(2));
-  EXPECT_THAT(memory_.states().intensities, Each(0));
+  EXPECT_THAT(memory_.states().intensities, testing::Each(0));
   EXPECT_TRUE(memory_.accept({{7, 255, LedMode::kB}}));
   EXPECT_FALSE(connect(2)) << "the status changes for many reasons";
   EXPECT_EQ(intensity(7), 1);

@@ -10,9 +10,6 @@ using aibo_client::PostureNow;
 
 namespace {
 
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 using Kind = movement::Movement::Kind;
 
 const ros::Time kNow(1800000000, 0);
@@ -24,8 +21,8 @@ MotionState messageOf(const movement::Mover::State& state) {
 
 TEST(MotionStateMessage, SaysThatNothingMoves) {
   const MotionState message = messageOf({});
-  EXPECT_THAT(message.movements, IsEmpty());
-  EXPECT_THAT(message.ended, IsEmpty());
+  EXPECT_THAT(message.movements, testing::IsEmpty());
+  EXPECT_THAT(message.ended, testing::IsEmpty());
   EXPECT_EQ(message.text, "nothing moves the robot");
   EXPECT_EQ(message.header.stamp, kNow);
 }
@@ -40,7 +37,7 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
       {Kind::kWalk, "", "/teleop", {}, {}},
       {Kind::kPosture, "sit", "", {}, {}}};
   const MotionState message = messageOf(state);
-  ASSERT_THAT(message.movements, SizeIs(6));
+  ASSERT_THAT(message.movements, testing::SizeIs(6));
   EXPECT_EQ(message.movements[3].source, "/navigator");
   EXPECT_EQ(message.movements[4].kind, Movement::WALK);
   EXPECT_EQ(message.movements[5].kind, Movement::POSTURE);
@@ -49,7 +46,7 @@ TEST(MotionStateMessage, NamesWhatMovesAndUntilWhen) {
   EXPECT_EQ(message.movements[0].source, "/sliders");
   EXPECT_TRUE(message.movements[0].end.isZero());
   EXPECT_EQ(message.movements[1].kind, Movement::TRAJECTORY);
-  EXPECT_THAT(message.movements[1].joints, ElementsAre("head_pan", "neck_tilt"));
+  EXPECT_THAT(message.movements[1].joints, testing::ElementsAre("head_pan", "neck_tilt"));
   EXPECT_EQ(message.movements[1].end, kNow + ros::Duration(2));
   EXPECT_EQ(message.movements[2].name, "NOD.MTN");
   EXPECT_EQ(message.movements[2].end, kNow) << "nothing ends in the past";
@@ -65,12 +62,12 @@ TEST(MotionStateMessage, SaysHowTheLatestMovementsEnded) {
   state.ended.push_back(
       {{Kind::kLookAt, "", "/look_at", {"head_pan"}, {}}, EndedHow::kNotReached, "head_pan is 0.50 rad off"});
   const MotionState message = messageOf(state);
-  ASSERT_THAT(message.ended, SizeIs(2));
+  ASSERT_THAT(message.ended, testing::SizeIs(2));
   EXPECT_EQ(message.ended[0].movement.name, "NOD.MTN");
   EXPECT_EQ(message.ended[0].how, EndedMovement::DONE);
   EXPECT_EQ(message.ended[1].movement.kind, Movement::LOOK_AT);
   EXPECT_EQ(message.ended[1].movement.source, "/look_at");
-  EXPECT_THAT(message.ended[1].movement.joints, ElementsAre("head_pan"));
+  EXPECT_THAT(message.ended[1].movement.joints, testing::ElementsAre("head_pan"));
   EXPECT_EQ(message.ended[1].how, EndedMovement::NOT_REACHED);
   EXPECT_EQ(message.ended[1].reason, "head_pan is 0.50 rad off");
   EXPECT_EQ(message.text, "nothing moves the robot; last ended: look_at of head_pan: head_pan is 0.50 rad off");
@@ -84,10 +81,10 @@ TEST(MotionStateMessage, SeveralTellOfEndsThatDoNotFitIntoOne) {
   }
   for (const int fresh : {0, 1, 8, 9, 16, 17, kEnds}) {
     const auto messages = toMessages(state, static_cast<std::size_t>(fresh), kSteadyNow, kNow);
-    EXPECT_THAT(messages, SizeIs(std::max(1, (fresh + 7) / 8))) << fresh;
+    EXPECT_THAT(messages, testing::SizeIs(std::max(1, (fresh + 7) / 8))) << fresh;
     std::set<std::string> told;
     for (const MotionState& message : messages) {
-      EXPECT_THAT(message.ended, SizeIs(kEndsInMessage)) << fresh;
+      EXPECT_THAT(message.ended, testing::SizeIs(kEndsInMessage)) << fresh;
       for (const EndedMovement& end : message.ended) {
         told.insert(end.movement.name);
       }

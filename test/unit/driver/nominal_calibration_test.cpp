@@ -11,9 +11,6 @@ namespace aibo_driver::node {
 namespace {
 
 using sensor_msgs::CameraInfo;
-using ::testing::DoubleNear;
-using ::testing::ElementsAre;
-using ::testing::Pointwise;
 
 // Where a point in front of the camera appears according to the P of a calibration; x to the right, y down.
 std::pair<double, double> project(const CameraInfo& info, double x, double y, double z) {
@@ -29,9 +26,9 @@ TEST(NominalCalibration, OfTheErs7IsThatOfItsFieldOfView) {
   EXPECT_DOUBLE_EQ(info.K[2], 103.5);
   EXPECT_DOUBLE_EQ(info.K[5], 79.5);
   EXPECT_EQ(info.distortion_model, "plumb_bob");
-  EXPECT_THAT(info.D, ElementsAre(0, 0, 0, 0, 0));
-  EXPECT_THAT(info.R, ElementsAre(1, 0, 0, 0, 1, 0, 0, 0, 1));
-  EXPECT_THAT(info.P, ElementsAre(info.K[0], 0, info.K[2], 0, 0, info.K[4], info.K[5], 0, 0, 0, 1, 0));
+  EXPECT_THAT(info.D, testing::ElementsAre(0, 0, 0, 0, 0));
+  EXPECT_THAT(info.R, testing::ElementsAre(1, 0, 0, 0, 1, 0, 0, 0, 1));
+  EXPECT_THAT(info.P, testing::ElementsAre(info.K[0], 0, info.K[2], 0, 0, info.K[4], info.K[5], 0, 0, 0, 1, 0));
 }
 
 TEST(NominalCalibration, IsThatOfTheSimulatedCamera) {
@@ -64,8 +61,8 @@ TEST(ScaleCalibration, FitsPicturesOfAMultipleOrAFractionOfTheSize) {
     const CameraInfo wanted = nominalCalibration("ERS-7", width, height);
     EXPECT_EQ(scaled->width, width);
     EXPECT_EQ(scaled->height, height);
-    EXPECT_THAT(scaled->K, Pointwise(DoubleNear(1e-9), wanted.K));
-    EXPECT_THAT(scaled->P, Pointwise(DoubleNear(1e-9), wanted.P));
+    EXPECT_THAT(scaled->K, testing::Pointwise(testing::DoubleNear(1e-9), wanted.K));
+    EXPECT_THAT(scaled->P, testing::Pointwise(testing::DoubleNear(1e-9), wanted.P));
     EXPECT_EQ(scaled->D, info.D) << "the coefficients do not depend on the size";
   }
 }

@@ -7,9 +7,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
-#include <filesystem>
-
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/ros/call_service.h"
@@ -20,11 +17,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using test_support::callService;
-using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
-using ::testing::StartsWith;
 
 const std::string kMotion = std::string(MEMORY_STICK) + "/OPEN-R/MW/DATA/P/NOD.MTN";
 
@@ -109,7 +103,7 @@ TEST_F(RobotServicesTest, NeitherShutDownNorRebootAStoppedRobotWhichMightFall) {
   client_.told.clear();
   EXPECT_EQ(call("shut_down").message, "The robot does not shut down: stopped by /user; call release.");
   EXPECT_EQ(call("reboot").message, "The robot does not reboot: stopped by /user; call release.");
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(RobotServicesTest, StopWithoutARobot) {
@@ -133,10 +127,10 @@ TEST_F(RobotServicesTest, SayThatTheMotorsDidNotSwitch) {
   client_.motors_work = false;
   const auto on = setMotors(true);
   EXPECT_FALSE(on.success);
-  EXPECT_THAT(on.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still off")));
+  EXPECT_THAT(on.message, testing::AllOf(testing::StartsWith("The motors were not switched"), HasSubstr("still off")));
   const auto off = setMotors(false);
   EXPECT_FALSE(off.success) << "somebody might take hold of a joint that moves";
-  EXPECT_THAT(off.message, AllOf(StartsWith("The motors were not switched"), HasSubstr("still on")));
+  EXPECT_THAT(off.message, testing::AllOf(testing::StartsWith("The motors were not switched"), HasSubstr("still on")));
 }
 
 TEST_F(RobotServicesTest, PlayAMotionAsOftenAsAskedFor) {
@@ -179,7 +173,7 @@ TEST_F(RobotServicesTest, DoNotPlayWithoutAName) {
   const auto answer = play("");
   EXPECT_FALSE(answer.success);
   EXPECT_THAT(answer.message, HasSubstr("list_motions"));
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(RobotServicesTest, ListTheMotions) {
@@ -208,14 +202,14 @@ TEST_F(RobotServicesTest, UploadNoFileThatIsNotAWholeMotion) {
   std::filesystem::copy_file(kMotion, file);
   std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
   EXPECT_THAT(upload("", file, {}).message, HasSubstr("cut.mtn' is not a motion file: section 3"));
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(RobotServicesTest, UploadNothingWithoutExactlyOneSource) {
   EXPECT_EQ(upload("wag", "", {}).message, "Nothing was uploaded: give a file or data");
   EXPECT_EQ(upload("wag", "bow.mtn", {1}).message, "Nothing was uploaded: give a file or data, not both");
   EXPECT_THAT(upload("wag", "/no/such/file", {}).message, HasSubstr("there is no such file on the computer "));
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
@@ -233,7 +227,7 @@ TEST_F(RobotServicesTest, AnswerWithTheReasonIfTheRobotCannotBeAsked) {
 TEST_F(RobotServicesTest, AnswerInPlainTextOfLimitedLength) {
   client_.problem = "\x1b[2J" + std::string(5000, 'x');
   const std::string message = remove("nod").message;
-  EXPECT_THAT(message, StartsWith("Nothing was deleted: ?[2Jxx"));
+  EXPECT_THAT(message, testing::StartsWith("Nothing was deleted: ?[2Jxx"));
   EXPECT_EQ(message.size(), 4000U);
 }
 

@@ -11,8 +11,6 @@ using aibo_client::Telemetry;
 namespace {
 
 using namespace std::chrono_literals;
-using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 using Readings = std::vector<std::pair<std::string, double>>;  // by the names of the robot's sensors
 
 constexpr double kGravity = 9.81;
@@ -48,10 +46,10 @@ TEST(JointStatesTest, NamesTheJointsThatWereMeasured) {
   measured.update(telemetry);
   const auto message = states.read(telemetry);
   ASSERT_TRUE(message);
-  EXPECT_THAT(message->name, ElementsAre("head_pan"));
-  EXPECT_THAT(message->position, ElementsAre(0.5));
-  EXPECT_THAT(message->velocity, ElementsAre(0.0));
-  EXPECT_THAT(message->effort, IsEmpty());
+  EXPECT_THAT(message->name, testing::ElementsAre("head_pan"));
+  EXPECT_THAT(message->position, testing::ElementsAre(0.5));
+  EXPECT_THAT(message->velocity, testing::ElementsAre(0.0));
+  EXPECT_THAT(message->effort, testing::IsEmpty());
 }
 
 TEST(JointStatesTest, HaveTheDutyAsEffortIfItIsKnownOfAllJoints) {
@@ -61,10 +59,10 @@ TEST(JointStatesTest, HaveTheDutyAsEffortIfItIsKnownOfAllJoints) {
   Telemetry telemetry;
   telemetry.joints = {{1, 0.5, 0.25}, {2, 0.1, -1}};
   measured.update(telemetry);
-  EXPECT_THAT(states.read(telemetry)->effort, ElementsAre(0.25, -1));
+  EXPECT_THAT(states.read(telemetry)->effort, testing::ElementsAre(0.25, -1));
   telemetry.joints[0].duty.reset();
   measured.update(telemetry);
-  EXPECT_THAT(states.read(telemetry)->effort, IsEmpty());
+  EXPECT_THAT(states.read(telemetry)->effort, testing::IsEmpty());
 }
 
 class RangeFinderTest : public ::testing::Test {

@@ -11,7 +11,6 @@ namespace aibo_driver::node {
 namespace {
 
 using Eigen::Vector3d;
-using ::testing::Each;
 
 constexpr double kDegree = 0.017453292519943295;
 const Vector3d kLevel(0, 0, 9.81);
@@ -46,13 +45,13 @@ TEST(StanceTest, ARobotThatStandsIsLevelWithAllFeetOnTheFloor) {
   EXPECT_NEAR(pitchOf(stance), 0, 2 * kDegree);
   EXPECT_NEAR(stance.body.translation().z(), 0.13, 0.02);
   EXPECT_EQ(stance.body.translation().head<2>(), Eigen::Vector2d(0, 0));
-  EXPECT_THAT(stance.foot_on_floor, Each(true));
+  EXPECT_THAT(stance.foot_on_floor, testing::Each(true));
 }
 
 TEST(StanceTest, ARobotThatSitsLeansBackAndHasItsFeetOnTheFloorToo) {
   const Stance stance = estimateStance(kSitting, accelerationAt(0, -25 * kDegree));
   EXPECT_NEAR(pitchOf(stance), -25 * kDegree, 1 * kDegree);
-  EXPECT_THAT(stance.foot_on_floor, Each(true));
+  EXPECT_THAT(stance.foot_on_floor, testing::Each(true));
   for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG, robot_model::RIGHT_FRONT_LEG,
                         robot_model::RIGHT_HIND_LEG}) {
     EXPECT_NEAR(heightOfFoot(stance, kSitting, leg), 0, 1e-3) << leg;
@@ -89,7 +88,7 @@ TEST(StanceTest, WithItsLegsSpreadTheRobotLiesOnItsBelly) {
   const Stance stance = estimateStance(legsAt(spread, spread), kLevel);
   EXPECT_NEAR(stance.body.translation().z(), 0.045, 1e-9);
   EXPECT_NEAR(pitchOf(stance), 0, 1e-9);
-  EXPECT_THAT(stance.foot_on_floor, Each(false));
+  EXPECT_THAT(stance.foot_on_floor, testing::Each(false));
 }
 
 geometry_msgs::Vector3 vectorMessage(const Vector3d& vector) {

@@ -4,9 +4,6 @@
 #include <aibo_driver/TakePictureOnRobot.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
-#include <filesystem>
-
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/ros/call_service.h"
@@ -17,7 +14,6 @@ namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class StickPictureServicesTest : public ::testing::Test {
@@ -77,13 +73,13 @@ TEST_F(StickPictureServicesTest, TakeAPictureOfTheDriversQualityOrAnother) {
   EXPECT_THAT(answer.message, HasSubstr("AIBO0001.JPG is on the robot's memory stick, at quality 77."));
   takePicture(30);
   takePicture(255);
-  EXPECT_THAT(client_.told, ElementsAre("picture on robot 77", "picture on robot 30", "picture on robot 100"));
+  EXPECT_THAT(client_.told, testing::ElementsAre("picture on robot 77", "picture on robot 30", "picture on robot 100"));
 }
 
 TEST_F(StickPictureServicesTest, ListPictures) {
   const auto answer = list();
   EXPECT_TRUE(answer.success);
-  EXPECT_THAT(answer.names, ElementsAre("AIBO0001.JPG", "MINE.JPG"));
+  EXPECT_THAT(answer.names, testing::ElementsAre("AIBO0001.JPG", "MINE.JPG"));
   EXPECT_EQ(answer.message, "Pictures on the robot: 2.");
 }
 
@@ -96,7 +92,7 @@ TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
     EXPECT_EQ(answer.image.header.frame_id, "left/camera_optical_frame");
     EXPECT_TRUE(answer.image.header.stamp.isZero());
   }
-  EXPECT_THAT(client_.told, ElementsAre("fetch MINE.JPG", "fetch MINE.JPG", "fetch MINE.JPG"));
+  EXPECT_THAT(client_.told, testing::ElementsAre("fetch MINE.JPG", "fetch MINE.JPG", "fetch MINE.JPG"));
 }
 
 TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
@@ -115,7 +111,7 @@ TEST_F(StickPictureServicesTest, DeleteAPicture) {
   const auto answer = remove("mine");
   EXPECT_TRUE(answer.success);
   EXPECT_EQ(answer.message, "MINE.JPG was deleted from the robot.");
-  EXPECT_THAT(client_.told, ElementsAre("delete MINE.JPG"));
+  EXPECT_THAT(client_.told, testing::ElementsAre("delete MINE.JPG"));
 }
 
 TEST_F(StickPictureServicesTest, ANameIsNeeded) {

@@ -9,9 +9,6 @@ namespace aibo_driver::node {
 namespace {
 
 using namespace std::chrono_literals;
-using test_support::listenToLog;
-using test_support::LogListener;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -49,25 +46,25 @@ TEST_F(StreamAdapterTest, WithoutAdaptiveTheStreamIsThatOfTheWish) {
 }
 
 TEST_F(StreamAdapterTest, OldPicturesLowerTheStreamButNotTakePicture) {
-  const LogListener& listener = listenToLog();
+  const test_support::LogListener& listener = test_support::listenToLog();
   adapter_.setWish(wish(true));
   EXPECT_EQ(adapter_.describe(), "not lowered");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   for (int i = 0; i < 20; ++i) {
     publish(200ms);
   }
-  EXPECT_THAT(client_.told, Contains("quality 70"));
+  EXPECT_THAT(client_.told, testing::Contains("quality 70"));
   EXPECT_EQ(client_.told.back(), "format 3 15");
   EXPECT_EQ(adapter_.wishedQuality(), 80);
   EXPECT_EQ(adapter_.describe(), "lowered to quality 50 of 80 and 2.0 of 15.0 pictures/s");
   EXPECT_THAT(listener.texts,
-              Contains(HasSubstr("is 200 ms old, and at most 130 ms are allowed: the stream is lowered")));
+              testing::Contains(HasSubstr("is 200 ms old, and at most 130 ms are allowed: the stream is lowered")));
   client_.told.clear();
   for (int i = 0; i < 300; ++i) {
     publish(10ms);
   }
   EXPECT_EQ(adapter_.describe(), "not lowered");
-  EXPECT_THAT(client_.told, Contains("quality 80")) << "and the robot knows";
+  EXPECT_THAT(client_.told, testing::Contains("quality 80")) << "and the robot knows";
 }
 
 TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
@@ -85,7 +82,7 @@ TEST_F(StreamAdapterTest, OnlyAnotherWishBeginsAnew) {
 }
 
 TEST_F(StreamAdapterTest, PicturesOfUnknownAgeChangeNothingAndAreNamedOnceForEachWish) {
-  const LogListener& listener = listenToLog();
+  const test_support::LogListener& listener = test_support::listenToLog();
   for (const bool adaptive : {true, false, true}) {
     adapter_.setWish(wish(adaptive));
     for (int i = 0; i < 100; ++i) {

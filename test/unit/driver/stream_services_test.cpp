@@ -3,8 +3,6 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
-#include <filesystem>
-
 #include "node/services.h"
 #include "support/fake_client.h"
 #include "support/ros/call_service.h"

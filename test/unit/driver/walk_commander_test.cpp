@@ -16,7 +16,6 @@ using aibo_client::EndedKind;
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 using Kind = movement::Movement::Kind;
 
 class WalkCommanderTest : public ::testing::Test {
@@ -114,12 +113,12 @@ TEST_F(WalkCommanderTest, RefusesWhatIsNotANumber) {
     commander_.receive(twist, order("/teleop"));
     EXPECT_EQ(last().reason, "it has a value that is NaN or infinite. Without a good message the robot stops");
   }
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(WalkCommanderTest, StopsWhenNothingCameForAWhile) {
   commander_.runOut();
-  EXPECT_THAT(client_.told, IsEmpty());
+  EXPECT_THAT(client_.told, testing::IsEmpty());
   walk(0.1);
   commander_.runOut();
   EXPECT_THAT(toldToWalk(), ElementsAre("steer 0.00 0.00 0.00"));
@@ -144,7 +143,7 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
   client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
   EXPECT_EQ(take("rest").message, "The robot lies down, and its motors are off.");
   EXPECT_THAT(toldToWalk(), ElementsAre("rest"));
-  EXPECT_THAT(kindsMoving(), IsEmpty());
+  EXPECT_THAT(kindsMoving(), testing::IsEmpty());
   client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
   EXPECT_EQ(take("stand").message, "The robot stands.");
 }
@@ -162,7 +161,7 @@ TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {
   response = take("sit");
   EXPECT_FALSE(response.success);
   EXPECT_EQ(response.message, "The robot does not sit: there is no robot.");
-  EXPECT_THAT(kindsMoving(), IsEmpty());
+  EXPECT_THAT(kindsMoving(), testing::IsEmpty());
 }
 
 }  // namespace

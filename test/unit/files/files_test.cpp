@@ -4,16 +4,10 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <atomic>
 #include <csignal>
-#include <cstdint>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <future>
-#include <system_error>
 
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
@@ -22,9 +16,7 @@ namespace aibo_driver::files {
 namespace {
 
 namespace fs = std::filesystem;
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
-using ::testing::SizeIs;
 
 class FilesTest : public ::testing::Test {
  protected:
@@ -78,13 +70,13 @@ class LoadFileTest : public FilesTest {
 
 TEST_F(LoadFileTest, ReadsAWholeFileUpToTheLengthAllowed) {
   EXPECT_THAT(loadFile(write("abc"), 3), testing::ElementsAre('a', 'b', 'c'));
-  EXPECT_THAT(loadFile(write(""), 3), SizeIs(0));
+  EXPECT_THAT(loadFile(write(""), 3), testing::SizeIs(0));
 }
 
 TEST_F(LoadFileTest, SaysWhyItFails) {
-  EXPECT_THAT(loadRefusal(write("abc"), 2), EndsWith("nod.mtn': it has more than the 2 bytes allowed"));
+  EXPECT_THAT(loadRefusal(write("abc"), 2), testing::EndsWith("nod.mtn': it has more than the 2 bytes allowed"));
   EXPECT_THAT(loadRefusal((folder_ / "missing").string()), HasSubstr("no such file on the computer "));
-  EXPECT_THAT(loadRefusal("a/missing"), EndsWith("(working directory: " + fs::current_path().string() + ")"));
+  EXPECT_THAT(loadRefusal("a/missing"), testing::EndsWith("(working directory: " + fs::current_path().string() + ")"));
   EXPECT_THAT(loadRefusal(folder_.string()), HasSubstr("not a regular file"));
   EXPECT_THAT(loadRefusal("/dev/zero"), HasSubstr("not a regular file"));
   ASSERT_EQ(::mkfifo((folder_ / "pipe").c_str(), 0600), 0);
@@ -97,7 +89,7 @@ TEST_F(LoadFileTest, SaysWhyItFails) {
 TEST_F(LoadFileTest, ReadsNothingOfTheKernelsFiles) {
   for (const std::string path : {"/proc/kmsg", "/proc/self/environ", "/proc/self/pagemap"}) {
     if (fs::exists(path)) {
-      EXPECT_THAT(loadFile(path, 1000), SizeIs(0)) << path;
+      EXPECT_THAT(loadFile(path, 1000), testing::SizeIs(0)) << path;
     }
   }
 }
@@ -357,7 +349,7 @@ TEST(WithoutComments, ADamagedPictureIsRefused) {
     withoutComments({0xFF, 0xD8, 0xFF, 0xFE, 0, 3, 'a', 0xFF, 0xFE, 0, 1, 0xFF, 0xDA, 0, 2});
     FAIL();
   } catch (const FileException& error) {
-    EXPECT_THAT(error.what(), EndsWith("a segment at byte 7 is damaged"));
+    EXPECT_THAT(error.what(), testing::EndsWith("a segment at byte 7 is damaged"));
   }
 }
 
@@ -376,7 +368,7 @@ TEST(LoadMotion, ReadsAMotionAndNothingElse) {
     loadMotion(MEMORY_STICK "/OPEN-R/MW/CONF/RCSERVER.CFG");
     FAIL();
   } catch (const FileException& error) {
-    EXPECT_THAT(error.what(), EndsWith("/RCSERVER.CFG' is not a motion file: it does not begin with OMTN"));
+    EXPECT_THAT(error.what(), testing::EndsWith("/RCSERVER.CFG' is not a motion file: it does not begin with OMTN"));
   }
 }
 

@@ -5,9 +5,6 @@
 #include <sys/wait.h>
 
 #include <array>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "support/temporary_folder.h"
@@ -16,7 +13,6 @@ namespace {
 
 using motion_tool::ArchivedFile;
 using motion_tool::fileNameOf;
-using motion_tool::readArchive;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -52,7 +48,7 @@ std::string archiveOf(const std::vector<ArchivedFile>& files) {
 
 std::string problemOf(const std::string& bytes) {
   try {
-    readArchive(bytes);
+    motion_tool::readArchive(bytes);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -68,7 +64,7 @@ const std::vector<ArchivedFile> kFiles = {
     {"a_sit#wave", "OMTN", "OMTN..."}, {"bark", "WAVE", "RIFF"}, {"growl", "WAVE", "RIF"}};
 
 TEST(Archive, IsReadWithNamesTypesAndContents) {
-  const std::vector<ArchivedFile> files = readArchive(archiveOf(kFiles));
+  const std::vector<ArchivedFile> files = motion_tool::readArchive(archiveOf(kFiles));
   ASSERT_THAT(files, testing::SizeIs(kFiles.size()));
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(files[i].name, kFiles[i].name);

@@ -4,8 +4,6 @@
 
 namespace {
 
-using ::testing::HasSubstr;
-
 // What a function of motion_tool.h says of a motion of an ERS-7 on this robot.
 template <typename Result>
 Result verdict(Result (*function)(const mtn::Motion&, const robot_model::RobotModel&), const std::string& key_frames,
@@ -49,11 +47,11 @@ TEST(MotionCheck, FindsWhatAnErs7CannotDo) {
     const std::vector<std::string> found = obstaclesOf(row.motion);
     ASSERT_EQ(found.size(), row.obstacles.size()) << row.motion;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_THAT(found[i], HasSubstr(row.obstacles[i]));
+      EXPECT_THAT(found[i], testing::HasSubstr(row.obstacles[i]));
     }
   }
   EXPECT_THAT(obstaclesOf("at 0 head_pan 0\n", "ERS-210"),
-              testing::ElementsAre(HasSubstr("an ERS-210 has no joint PRM:/r1/c1/c2-Joint2:12")));
+              testing::ElementsAre(testing::HasSubstr("an ERS-210 has no joint PRM:/r1/c1/c2-Joint2:12")));
 }
 
 TEST(MotionCheck, SaysInOneLineWhatARobotDoesDifferently) {

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 
-#include "motion_tool/motion_tool.h"
 #include "sample_motion.h"
 
 namespace {

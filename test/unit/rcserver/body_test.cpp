@@ -1,24 +1,17 @@
 // Sensors, LEDs, ears and power, in both versions of the protocol.
 #include <gmock/gmock.h>
 
-#include <optional>
-
 #include "protocol/units.h"
-#include "protocol/version1.h"
-#include "protocol/version2.h"
 #include "rcserver/body/LightDriver.h"
-#include "rcserver/settings/Settings.h"
 #include "rcserver_fixture.h"
 
 namespace {
 
 using namespace protocol::version2;
 using robot_model::Sensor;
-using ::testing::AnyOf;
 using ::testing::Contains;
 using ::testing::Each;
 using ::testing::Field;
-using ::testing::HasSubstr;
 
 constexpr int kHeadTouch = 5;
 constexpr int kPawLeftFront = 14;
@@ -84,7 +77,7 @@ TEST_F(BodyTest, APartThatDoesNotOpenIsNamedAndTheOthersWork) {
                                     "PRM:/r1/c1/c2/c3/c4-Joint2:14"}) {
     robot_.missing_locator = locator;
     start();
-    EXPECT_THAT(console_.str(), HasSubstr(locator));
+    EXPECT_THAT(console_.str(), testing::HasSubstr(locator));
     expectAnswer(request('S', 55), 's', 55, robot_.missing_locator == "PRM:/p1-Sensor:p1" ? 0 : 22);
     expectAnswer(request('L', 0, 200), 'l', 0, 200);
     expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
@@ -157,12 +150,12 @@ TEST_F(BodyTest, EveryLedIsSetByItsIdentifier) {
 TEST_F(BodyTest, AllLedsAndTheFaceWithAMode) {
   expectAnswer(request('L', 0, 200), 'l', 0, 200);
   passFrames(kUntilMeasured);
-  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, AnyOf(1, 200))));
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, testing::AnyOf(1, 200))));
   EXPECT_EQ(robot_.led("face_14").intensity, 200);
   EXPECT_EQ(robot_.led("wireless").intensity, 1);
   expectAnswer(request('Y', 2, 100), 'y', 2, 100);
   passFrames(kUntilMeasured);
-  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, AnyOf(1, 100))));
+  EXPECT_THAT(robot_.leds, Each(Field(&FakeRobot::FakeLed::intensity, testing::AnyOf(1, 100))));
   EXPECT_EQ(robot_.led("face_1").intensity, 100);
   EXPECT_EQ(robot_.led("face_1").mode, oled3_MODE_B);
   for (const int led : {kFace1, 0}) {
@@ -334,7 +327,7 @@ TEST_F(BodyVersion2Test, MotorsThatCannotBeSwitchedOnStayOffUntilTheyCan) {
     fault = true;
     expectRefusal(answerTo('O', 0, order(on_)), CODE_REFUSED, "cannot switch its motors on");
     expectRefusal(answerTo('E', POSTURE_STAND, order()), CODE_REFUSED, "cannot switch its motors on");
-    EXPECT_THAT(console_.str(), HasSubstr(words));
+    EXPECT_THAT(console_.str(), testing::HasSubstr(words));
     passFrames(kUntilMeasured);
     EXPECT_EQ(textOf(answerTo('O', 0)), off_) << words;
     EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false))) << words;

@@ -1,8 +1,6 @@
 // The camera's colour detection (`Z`).
 #include <gmock/gmock.h>
 
-#include <optional>
-
 #include "protocol/color_requests.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver_fixture.h"
@@ -10,9 +8,6 @@
 namespace {
 
 using namespace protocol::version2;
-using ::testing::Each;
-using ::testing::IsEmpty;
-using ::testing::SizeIs;
 
 constexpr unsigned kWidth = 104;
 constexpr unsigned kHeight = 80;
@@ -90,7 +85,7 @@ class ColorsTest : public FakeRobotFixture {
     pushed();
     takeImage();
     const std::vector<Colors> all = pushed();
-    EXPECT_THAT(all, SizeIs(1));
+    EXPECT_THAT(all, testing::SizeIs(1));
     return all.empty() ? Colors() : all.back();
   }
 };
@@ -99,9 +94,9 @@ TEST_F(ColorsTest, TheCameraGetsTheTable) {
   ColorTable wanted = tableOf(2);
   wanted.segments[0] = {1, 2, 3, 4};
   load(wanted);
-  ASSERT_THAT(robot_.color_tables, SizeIs(1));
+  ASSERT_THAT(robot_.color_tables, testing::SizeIs(1));
   const std::vector<longword>& table = robot_.color_tables.at(ocdtCHANNEL2);
-  EXPECT_THAT(std::vector<longword>(table.begin() + 1, table.end() - 1), Each(ocdtINIT));
+  EXPECT_THAT(std::vector<longword>(table.begin() + 1, table.end() - 1), testing::Each(ocdtINIT));
   EXPECT_EQ(table.front(), longword{4} << 24 | longword{3} << 16 | longword{2} << 8 | longword{1});
   EXPECT_EQ(table.back(), longword{190} << 24 | longword{120} << 16 | longword{230} << 8 | longword{150});
 }
@@ -146,11 +141,11 @@ TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {
   for (int i = 0; i < 9; ++i) {
     takeImage();
   }
-  EXPECT_THAT(pushed(), SizeIs(3));
+  EXPECT_THAT(pushed(), testing::SizeIs(3));
   EXPECT_EQ(answerTo('Z', COLORS_OFF).header.kind, 'z');
   pushed();
   takeImage();
-  EXPECT_THAT(pushed(), IsEmpty());
+  EXPECT_THAT(pushed(), testing::IsEmpty());
 }
 
 TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
@@ -163,7 +158,7 @@ TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
     while (next && next->header.request_number != 2) {
       next = nextFrame();
     }
-    EXPECT_THAT(pushed(), IsEmpty());
+    EXPECT_THAT(pushed(), testing::IsEmpty());
   }
 }
 
@@ -177,7 +172,7 @@ TEST_F(ColorsTest, AClientThatReadsLateGetsOnlyTheNewest) {
   ColorRegions regions{};
   EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &regions), nullptr);
   EXPECT_EQ(regions.image_count, robot_.lastImage());
-  EXPECT_THAT(pushed(), IsEmpty());
+  EXPECT_THAT(pushed(), testing::IsEmpty());
 }
 
 TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
@@ -188,7 +183,7 @@ TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
   ColorTable empty = tableOf(0);
   empty.segments[31] = EMPTY_COLOR_SEGMENT;
   load(empty);
-  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), testing::Each(ocdtINIT));
   switchOn();
   const Colors colors = nextImage();
   ASSERT_EQ(colors.regions.count, 1);
@@ -198,13 +193,13 @@ TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
 TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {
   load(tableOf(0));
   load(tableOf(6));
-  EXPECT_THAT(robot_.color_tables, SizeIs(2));
+  EXPECT_THAT(robot_.color_tables, testing::SizeIs(2));
   switchOn();
   reconnect();
-  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), Each(ocdtINIT));
-  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL6), Each(ocdtINIT));
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL0), testing::Each(ocdtINIT));
+  EXPECT_THAT(robot_.color_tables.at(ocdtCHANNEL6), testing::Each(ocdtINIT));
   takeImage();
-  EXPECT_THAT(pushed(), IsEmpty());
+  EXPECT_THAT(pushed(), testing::IsEmpty());
   switchOn();
   EXPECT_EQ(nextImage().regions.count, 0);
 }

@@ -3,7 +3,6 @@
 
 #include "picture_checks.h"
 #include "protocol/picture_datagram.h"
-#include "protocol/version2.h"
 #include "rcserver_fixture.h"
 #include "support/udp_socket.h"
 
@@ -11,9 +10,7 @@ namespace {
 
 using namespace protocol::version2;
 using test_support::UdpSocket;
-using ::testing::Each;
 using ::testing::IsEmpty;
-using ::testing::Le;
 
 std::string orderPayload(int port, bool is_test = false, unsigned sequence = 5000, unsigned picture = 700) {
   return payloadOf(DatagramOrder{static_cast<unsigned short>(port), is_test, sequence, picture});
@@ -126,7 +123,7 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
     EXPECT_EQ(parts[i].header.image.image_count, robot_.lastImage());
     EXPECT_EQ(parts[i].header.image.width, 208);
   }
-  EXPECT_THAT(sizes_, Each(Le(1372U)));
+  EXPECT_THAT(sizes_, testing::Each(testing::Le(1372U)));
   const std::vector<uint8_t> jpeg = joined(parts);
   EXPECT_EQ(jpeg.size(), parts[0].header.jpeg_size);
   EXPECT_EQ(std::vector<uint8_t>(jpeg.end() - 2, jpeg.end()), (std::vector<uint8_t>{0xff, 0xd9}));
@@ -180,7 +177,7 @@ TEST_F(DatagramsTest, AfterALossEachGroupOfPartsIsFollowedByItsParity) {
   receiver.reply(lossReport(700));
   const std::vector<ReceivedPart> parts = nextPicture(receiver);
   ASSERT_GT(parts.size(), 2 * PARTS_PER_PARITY) << "the test needs several groups";
-  EXPECT_THAT(sizes_, Each(Le(1372U)));
+  EXPECT_THAT(sizes_, testing::Each(testing::Le(1372U)));
   unsigned part = 0;
   std::vector<uint8_t> sum;
   for (size_t i = 0; i < parts.size(); ++i) {

@@ -4,9 +4,6 @@
 #include <turbojpeg.h>
 
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <random>
 
 #include "support/camera_image_fixture.h"
 

@@ -2,9 +2,7 @@
 // OPENR::Shutdown() until the pause button is pressed again.
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <cmath>
-#include <cstdlib>
 #include <thread>
 
 #include "motion_bytes.h"
@@ -12,8 +10,6 @@
 #include "support/safety_net.h"
 
 namespace {
-
-using ::testing::HasSubstr;
 
 constexpr int kPowerCode = 4;
 constexpr int kSmallBuffer = 4096;
@@ -89,7 +85,7 @@ TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   passUntilOff(kFramesASecond);
   EXPECT_FALSE(machine_->isOn());
   EXPECT_TRUE(endsFor(*client_));
-  EXPECT_THAT(console_.str(), HasSubstr("the pause button was pressed"));
+  EXPECT_THAT(console_.str(), testing::HasSubstr("the pause button was pressed"));
 }
 
 // The press that has booted the robot must not switch it off.
@@ -208,12 +204,12 @@ TEST_F(PowerTest, NoClientIsServedWhileTheRobotLiesDown) {
   const auto newcomer = connect();
   machine_->runPending();
   EXPECT_TRUE(endsFor(*newcomer));
-  EXPECT_THAT(console_.str(), HasSubstr("is turned away: the robot goes off"));
+  EXPECT_THAT(console_.str(), testing::HasSubstr("is turned away: the robot goes off"));
 }
 
 TEST_F(PowerTest, PowerMonitorCanBeSwitchedOff) {
   startWith("POWER_MONITOR=no");
-  EXPECT_THAT(console_.str(), HasSubstr("POWERMON.BIN"));
+  EXPECT_THAT(console_.str(), testing::HasSubstr("POWERMON.BIN"));
   raise(orsbPAUSE | orsbBATTERY_CAPACITY_LOW);
   passFrames(200);
   EXPECT_TRUE(machine_->isOn());
@@ -230,7 +226,7 @@ TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   startWith("MOTORS_AT_BOOT=no");
   passFrames(100);
   EXPECT_TRUE(isLimp());
-  EXPECT_THAT(console_.str(), HasSubstr("MOTORS_AT_BOOT"));
+  EXPECT_THAT(console_.str(), testing::HasSubstr("MOTORS_AT_BOOT"));
   connectVersion2();
   EXPECT_EQ(answerTo('O', 0, order("\1")).header.kind, 'o');
   passFrames(kUntilMeasured);

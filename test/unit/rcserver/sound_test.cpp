@@ -9,9 +9,6 @@
 namespace {
 
 using namespace protocol::version2;
-using ::testing::Each;
-using ::testing::IsEmpty;
-using ::testing::Le;
 using ::testing::SizeIs;
 
 using Samples = std::vector<sword>;
@@ -163,7 +160,7 @@ TEST_F(SoundTest, AToneIsTheSameAfterSpeakerAndMicrophone) {
   playAll(sound, 10 * kRate);
   Samples heard = heardSince(sound(0));
   ASSERT_GE(heard.size(), 10 * kRate);
-  EXPECT_THAT(Samples(heard.begin() + 10 * kRate, heard.end()), Each(0));
+  EXPECT_THAT(Samples(heard.begin() + 10 * kRate, heard.end()), testing::Each(0));
   heard.resize(10 * kRate);
   EXPECT_EQ(heard, samplesOf(sound, 0, 10 * kRate));
   EXPECT_EQ(heard_[0], heard_[1]);
@@ -203,7 +200,7 @@ TEST_F(SoundTest, AtEightKilohertzHighTonesDoNotComeBackAsLowOnes) {
       pass(126);
       EXPECT_THAT(heard_, SizeIs(channels));
       for (const auto& [channel, heard] : heard_) {
-        EXPECT_THAT(levelOf(heard), testing::AllOf(testing::Ge(lowest), Le(highest)))
+        EXPECT_THAT(levelOf(heard), testing::AllOf(testing::Ge(lowest), testing::Le(highest)))
             << frequency << " in channel " << channel;
         EXPECT_NEAR(static_cast<double>(heard.size()), 8000, 150);
       }
@@ -215,8 +212,8 @@ TEST_F(SoundTest, OneChannelIsTheMeanOfBoth) {
   robot_.sound = [](size_t) { return OSoundSampleStereo16{1000, -400}; };
   listen(1);
   pass(10);
-  EXPECT_THAT(heard_[0], Each(300));
-  EXPECT_THAT(heard_[0], testing::Not(IsEmpty()));
+  EXPECT_THAT(heard_[0], testing::Each(300));
+  EXPECT_THAT(heard_[0], testing::Not(testing::IsEmpty()));
 }
 
 TEST_F(SoundTest, TheReplyTellsHowMuchMayFollow) {
@@ -294,7 +291,7 @@ TEST_F(SoundTest, EachSoundEndsOnceInAWayThatIsTold) {
     how.push_back(end.how);
   }
   EXPECT_THAT(how, testing::ElementsAre(END_REPLACED, END_DONE, END_STOPPED, END_REFUSED));
-  EXPECT_THAT(ends_[2].samples, Le(2 * kVector));
+  EXPECT_THAT(ends_[2].samples, testing::Le(2 * kVector));
   EXPECT_NEAR(ends_[3].missing, 2 * kRate, 2 * kVector) << "no sample came for two seconds";
   const size_t played = robot_.played.size();
   pass(20);
@@ -369,14 +366,14 @@ TEST_F(SoundTest, AClientThatGoesFallsSilentAndTheNextOneBeginsAnew) {
   heard_.clear();
   ends_.clear();
   pass(20);
-  EXPECT_THAT(heard_, IsEmpty());
-  EXPECT_THAT(ends_, IsEmpty());
+  EXPECT_THAT(heard_, testing::IsEmpty());
+  EXPECT_THAT(ends_, testing::IsEmpty());
   EXPECT_EQ(play(0, {}), SPEAKER_CAPACITY) << "a question";
 }
 
 TEST_F(SoundTest, TheVolumeIsTheRobotsUntilAClientSetsOne) {
   EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, "")).step, 2);
-  EXPECT_THAT(robot_.speaker_requests, IsEmpty()) << "reading leaves the speaker alone";
+  EXPECT_THAT(robot_.speaker_requests, testing::IsEmpty()) << "reading leaves the speaker alone";
   const std::map<int, longword> volumes = {{0, ospkvolinfdB}, {1, ospkvol25dB}, {2, ospkvol18dB}, {3, ospkvol10dB}};
   for (const auto& [step, volume] : volumes) {
     EXPECT_EQ(payloadIn<Volume>(ask(SOUND_VOLUME, payloadOf(Volume{static_cast<unsigned char>(step)}))).step, step);

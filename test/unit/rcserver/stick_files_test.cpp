@@ -4,14 +4,11 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <filesystem>
 
 #include "motion_bytes.h"
 #include "support/memory_stick.h"
 
 namespace {
-
-using ::testing::ElementsAre;
 
 class FilesOnTheStick : public ::testing::Test {
  protected:
@@ -77,9 +74,9 @@ TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   std::string content;
   EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
-  EXPECT_THAT(listed(), ElementsAre("HOP.MTN"));
+  EXPECT_THAT(listed(), testing::ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
-  EXPECT_THAT(inFolder(), ElementsAre("Hop.mtn"));
+  EXPECT_THAT(inFolder(), testing::ElementsAre("Hop.mtn"));
   EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), testing::IsEmpty());
 }
@@ -88,7 +85,7 @@ TEST_F(FilesOnTheStick, ListsOnlyMotionsSortedByName) {
   for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
     stick_.write(std::string(DATA_FOLDER) + "/" + name, "");
   }
-  EXPECT_THAT(listed(), ElementsAre("A.MTN", "B.MTN", "C.MTN"));
+  EXPECT_THAT(listed(), testing::ElementsAre("A.MTN", "B.MTN", "C.MTN"));
 }
 
 TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
@@ -114,7 +111,7 @@ TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {
   setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, SIG_DFL);
   EXPECT_FALSE(is_stored);
-  EXPECT_THAT(inFolder(), ElementsAre("HOP.MTN"));
+  EXPECT_THAT(inFolder(), testing::ElementsAre("HOP.MTN"));
   EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
 }
 

@@ -1,8 +1,6 @@
 // Pictures on the memory stick: the requests `M` and `Y`.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "file_keeper/FileJob.h"
 #include "motion_bytes.h"
 #include "picture_checks.h"
@@ -13,7 +11,6 @@ namespace {
 
 using namespace protocol::version2;
 using ::testing::ElementsAre;
-using ::testing::IsEmpty;
 
 class StickPicturesTest : public FakeRobotFixture {
  protected:
@@ -204,8 +201,8 @@ TEST_F(StickPicturesTest, AreDeletedOnlyIfDeletingIsAllowed) {
 TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {
   send(frame('M', 85, 1));
   reconnect();
-  EXPECT_THAT(pass(20).answers, IsEmpty());
-  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_THAT(pass(20).answers, testing::IsEmpty());
+  EXPECT_THAT(files(), testing::IsEmpty());
   EXPECT_EQ(take(), "AIBO0001.JPG");
 }
 
@@ -216,7 +213,7 @@ TEST_F(StickPicturesTest, APictureThatIsBeingStoredStaysWithoutItsClient) {
   ASSERT_TRUE(file_keeper_.hasJob());
   reconnect();
   file_keeper_.speedUp();
-  EXPECT_THAT(pass(20).answers, IsEmpty());
+  EXPECT_THAT(pass(20).answers, testing::IsEmpty());
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
   EXPECT_EQ(take(), "AIBO0002.JPG");
 }

@@ -2,8 +2,6 @@
 // 14 ms to compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
 #include <gmock/gmock.h>
 
-#include <chrono>
-
 #include "picture_checks.h"
 #include "rcserver_fixture.h"
 

@@ -3,19 +3,15 @@
 
 #include <gmock/gmock.h>
 
-#include <chrono>
 #include <condition_variable>
-#include <future>
 #include <mutex>
 
-#include "aibo_client/exceptions.h"
 #include "support/fake_client.h"
 #include "support/safety_net.h"
 
 using namespace aibo_driver::sound;
 using aibo_client::EndedHow;
 using aibo_client::kMostSamplesAtOnce;
-using testing::HasSubstr;
 
 namespace {
 
@@ -74,7 +70,7 @@ TEST_F(PlayerTest, AllSamplesAreSentInPieces) {
   player_.ended({41, EndedHow::kDone, 4196, 2, 16000});
   ASSERT_TRUE(playback->end());
   EXPECT_EQ(EndedHow::kDone, playback->end()->how);
-  EXPECT_THAT(playback->end()->message, HasSubstr("2 gaps, 1.0 s"));
+  EXPECT_THAT(playback->end()->message, testing::HasSubstr("2 gaps, 1.0 s"));
   EXPECT_FALSE(player_.isPlaying());
 }
 
@@ -147,7 +143,7 @@ TEST_F(PlayerTest, WhyNoMoreSamplesWereSentIsInTheEnd) {
   fails.get_future().wait();
   player_.finish();
   player_.ended({41, EndedHow::kRefused, 0, 0, 0});
-  EXPECT_THAT(playback->end()->message, HasSubstr("The robot has ended it: the answer did not come"));
+  EXPECT_THAT(playback->end()->message, testing::HasSubstr("The robot has ended it: the answer did not come"));
 }
 
 TEST_F(PlayerTest, WithoutAConnectionNothingPlays) {

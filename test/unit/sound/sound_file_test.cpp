@@ -4,9 +4,6 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <numeric>
 
 #include "files/files.h"
@@ -15,8 +12,6 @@
 #include "wav_files.h"
 
 using namespace aibo_driver::sound;
-using aibo_driver::files::FileException;
-using testing::ElementsAre;
 using testing::HasSubstr;
 
 namespace {
@@ -55,7 +50,7 @@ class SoundFileTest : public testing::Test {
   std::string complaintAbout(const std::string& name) const {
     try {
       openSoundFile(path(name));
-    } catch (const FileException& error) {
+    } catch (const aibo_driver::files::FileException& error) {
       return error.what();
     }
     return "none";
@@ -76,9 +71,9 @@ TEST_F(SoundFileTest, AFileWithTheRobotsRateIsPlayedBitByBit) {
 
 TEST_F(SoundFileTest, OfSeveralChannelsTheMeanIsPlayed) {
   writeSoundFile(path("a.wav"), {100, 300, -100, 0}, 16000, 2);
-  EXPECT_THAT(readAll("a.wav"), ElementsAre(200, -50));
+  EXPECT_THAT(readAll("a.wav"), testing::ElementsAre(200, -50));
   writeSoundFile(path("most.wav"), {800, 0, 0, 0, 0, 0, 0, 80}, 16000, 8);
-  EXPECT_THAT(readAll("most.wav"), ElementsAre(110));
+  EXPECT_THAT(readAll("most.wav"), testing::ElementsAre(110));
 }
 
 TEST_F(SoundFileTest, OtherRatesAreConverted) {
@@ -131,7 +126,7 @@ TEST_F(SoundFileTest, SamplesThatAreNoNumbersAreSilence) {
   SNDFILE* const file = ::sf_open(path("a.wav").c_str(), SFM_WRITE, &info);
   ::sf_write_float(file, samples, 5);
   ::sf_close(file);
-  EXPECT_THAT(readAll("a.wav"), ElementsAre(0, 32767, -32768, 32767, 16384));
+  EXPECT_THAT(readAll("a.wav"), testing::ElementsAre(0, 32767, -32768, 32767, 16384));
 }
 
 // Its size costs neither time nor memory.
@@ -176,7 +171,7 @@ TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
     recording.add(sound);
     EXPECT_EQ(4.0 / 16000, recording.seconds());
   }
-  EXPECT_THAT(readAll("heard.wav"), ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
+  EXPECT_THAT(readAll("heard.wav"), testing::ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
 }
 
 TEST_F(SoundFileTest, ALongGapIsAsLongInARecording) {
@@ -192,7 +187,7 @@ TEST_F(SoundFileTest, ALongGapIsAsLongInARecording) {
 
 TEST_F(SoundFileTest, ARecordingReplacesNoFile) {
   std::ofstream(path("mine.wav")) << "mine";
-  EXPECT_THROW(Recording(path("mine.wav"), {}), FileException);
+  EXPECT_THROW(Recording(path("mine.wav"), {}), aibo_driver::files::FileException);
 }
 
 }  // namespace

@@ -4,15 +4,11 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
-#include <fstream>
-
 #include "files/files.h"
 #include "support/temporary_folder.h"
 #include "wav_files.h"
 
 using aibo_client::InvalidArgumentException;
-using aibo_driver::files::FileException;
 using aibo_driver::sound::speak;
 
 namespace {
@@ -58,7 +54,7 @@ TEST_F(SpeechTest, AFailureIsReported) {
     try {
       speak("hello", "xx");
       FAIL() << "it has spoken";
-    } catch (const FileException& error) {
+    } catch (const aibo_driver::files::FileException& error) {
       EXPECT_THAT(error.what(), testing::HasSubstr("is there a voice 'xx'?"));
     }
   }
@@ -69,7 +65,7 @@ TEST_F(SpeechTest, WithoutTheProgramTheAnswerSaysWhatToInstall) {
   try {
     speak("hello", "");
     FAIL() << "it has spoken";
-  } catch (const FileException& error) {
+  } catch (const aibo_driver::files::FileException& error) {
     EXPECT_THAT(error.what(), testing::HasSubstr("sudo apt install espeak-ng"));
   }
 }

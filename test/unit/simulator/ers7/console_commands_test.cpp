@@ -10,8 +10,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using testing::HasSubstr;
-
 class ConsoleCommands : public testing::Test {
  protected:
   std::string say(const std::string& line) { return obeyConsole(robot_, line).value_or("no command"); }
@@ -48,7 +46,7 @@ TEST_F(ConsoleCommands, AreEachAnsweredWithTheirWords) {
     EXPECT_EQ(say(line), "ok: " + line + "\n");
   }
   EXPECT_EQ(say("  release   chin "), "ok: release chin\n");
-  EXPECT_THAT(say("help"), HasSubstr("battery PERCENT"));
+  EXPECT_THAT(say("help"), testing::HasSubstr("battery PERCENT"));
 }
 
 TEST_F(ConsoleCommands, WithAWrongWordAreAnsweredWithTheRightOnes) {
@@ -71,7 +69,7 @@ TEST_F(ConsoleCommands, WithAWrongWordAreAnsweredWithTheRightOnes) {
   for (const auto& [line, parts] : rows) {
     EXPECT_THAT(say(line), testing::StartsWith("error: ")) << line;
     for (const std::string& part : parts) {
-      EXPECT_THAT(say(line), HasSubstr(part)) << line;
+      EXPECT_THAT(say(line), testing::HasSubstr(part)) << line;
     }
   }
   EXPECT_EQ(power().remainingCapacity, 100);

@@ -5,9 +5,6 @@
 #include <sys/stat.h>
 #include <turbojpeg.h>
 
-#include <filesystem>
-#include <fstream>
-
 namespace simulated_ers7 {
 namespace {
 

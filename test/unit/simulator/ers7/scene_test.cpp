@@ -5,8 +5,6 @@
 namespace simulated_ers7 {
 namespace {
 
-using Eigen::Vector3d;
-
 TEST(Scene, ATableHasAnEdgeAndABoard) {
   const Scene scene(true);
   EXPECT_EQ(scene.groundAt({0, 0}), kTableHeight);
@@ -26,9 +24,9 @@ TEST(Scene, ATableHasAnEdgeAndABoard) {
 TEST(Scene, TheBallRollsToAndFro) {
   Scene scene;
   scene.setTime(0);
-  const Vector3d start = scene.ballCenter();
+  const Eigen::Vector3d start = scene.ballCenter();
   scene.setTime(kBallPeriod / 4);
-  const Vector3d left = scene.ballCenter();
+  const Eigen::Vector3d left = scene.ballCenter();
   EXPECT_NEAR(left.y() - start.y(), kBallSwing, 1e-9);
   scene.setTime(kBallPeriod * 3 / 4);
   EXPECT_NEAR(scene.ballCenter().y() - start.y(), -kBallSwing, 1e-9);

@@ -1,7 +1,6 @@
 // The robot as objects see it: docs/simulated_robot.md, and OPEN-R SDK Level2 Reference Guide.
 #include "simulator/ers7/simulated_ers7.h"
 
-#include <OPENR/ODataFormats.h>
 #include <OPENR/OFbkImage.h>
 #include <gmock/gmock.h>
 

@@ -2,12 +2,10 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"

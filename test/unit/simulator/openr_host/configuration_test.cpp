@@ -1,8 +1,6 @@
 // The configuration files of a memory stick.
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
 #include "simulator/openr_host/configuration/memory_stick.h"
 #include "support/temporary_folder.h"
 

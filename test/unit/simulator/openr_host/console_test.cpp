@@ -2,8 +2,6 @@
 #include <OPENR/OSyslog.h>
 #include <gmock/gmock.h>
 
-#include <chrono>
-
 #include "simulator/openr_host/machine.h"
 #include "support/test_client.h"
 #include "test_system.h"
@@ -12,7 +10,6 @@ namespace openr_host {
 namespace {
 
 using test_support::TestClient;
-using testing::HasSubstr;
 
 class ConsoleTest : public testing::Test {
  protected:
@@ -48,7 +45,7 @@ TEST_F(ConsoleTest, PrintsToItsStreamAndToEveryListener) {
     return listener.received().find("42 and text\n") != std::string::npos;
   };
   EXPECT_TRUE(test_.runUntil([&] { return has_it(first) && has_it(second); }));
-  EXPECT_THAT(test_.output.str(), HasSubstr("42 and text\n"));
+  EXPECT_THAT(test_.output.str(), testing::HasSubstr("42 and text\n"));
 }
 
 TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {
@@ -186,14 +183,14 @@ TEST_F(ConsoleClockTest, AListenerThatTypesNothingForAMinuteLosesItsPlaceToTheNi
   TestClient too_early(port_);
   run();
   EXPECT_TRUE(too_early.isAtEnd());
-  EXPECT_THAT(too_early.received(), HasSubstr("8 listeners already"));
+  EXPECT_THAT(too_early.received(), testing::HasSubstr("8 listeners already"));
   now_ += std::chrono::seconds(1);
   TestClient newcomer(port_);
   run();
   EXPECT_FALSE(newcomer.ended());
   EXPECT_FALSE(listeners[0]->ended()) << "it has typed";
   EXPECT_TRUE(listeners[1]->isAtEnd());
-  EXPECT_THAT(listeners[1]->received(), HasSubstr("was idle"));
+  EXPECT_THAT(listeners[1]->received(), testing::HasSubstr("was idle"));
   EXPECT_FALSE(listeners[2]->ended()) << "one place is enough";
 }
 

@@ -1,5 +1,4 @@
 // Handlers that take time: a busy object gets no other message (Level2 Reference Guide, chapter 1).
-#include <ant.h>
 #include <gmock/gmock.h>
 
 #include <thread>
@@ -12,7 +11,6 @@ namespace openr_host {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::ElementsAre;
 
 class HandlerTimeTest : public testing::Test {
  protected:
@@ -95,12 +93,12 @@ TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {
   takeImageAt(milliseconds(0));
   takeImageAt(milliseconds(8));
   takeImageAt(milliseconds(16));
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0)));
+  EXPECT_THAT(encoded_, testing::ElementsAre(milliseconds(0)));
   passTo(milliseconds(20));
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "the newest image is kept";
+  EXPECT_THAT(encoded_, testing::ElementsAre(milliseconds(0), milliseconds(20))) << "the newest image is kept";
   passTo(milliseconds(40));
-  EXPECT_THAT(received_, ElementsAre(milliseconds(20), milliseconds(40)));
-  EXPECT_THAT(encoded_, ElementsAre(milliseconds(0), milliseconds(20))) << "one image was kept, not two";
+  EXPECT_THAT(received_, testing::ElementsAre(milliseconds(20), milliseconds(40)));
+  EXPECT_THAT(encoded_, testing::ElementsAre(milliseconds(0), milliseconds(20))) << "one image was kept, not two";
 }
 
 }  // namespace

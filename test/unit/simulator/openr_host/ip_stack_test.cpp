@@ -1,11 +1,7 @@
 // TCP endpoints on real sockets, from an object's point of view (OPEN-R SDK Internet Protocol Version4).
 #include <EndpointTypes.h>
 #include <gmock/gmock.h>
-#include <netinet/tcp.h>
 #include <sys/resource.h>
-
-#include <cstring>
-#include <optional>
 
 #include "support/test_client.h"
 #include "test_system.h"
@@ -14,7 +10,6 @@ namespace openr_host {
 namespace {
 
 using test_support::TestClient;
-using testing::IsEmpty;
 
 constexpr Port kRobotPort = 7000;
 constexpr char kClientAddress[] = "127.0.0.3";
@@ -142,7 +137,7 @@ class IpStackTest : public testing::Test {
 TEST_F(IpStackTest, AListenIsAnsweredWithTheAddressOfTheClient) {
   listen(createEndpoint(), 7);
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty());
+  EXPECT_THAT(answers_, testing::IsEmpty());
   const TestClient client(host_port_, 0, kClientAddress);
   expectAnswers({is(antOperation_TCPListen, TCP_SUCCESS)});
   EXPECT_EQ(answers_.at(0).continuation, reinterpret_cast<void*>(7));
@@ -156,7 +151,7 @@ TEST_F(IpStackTest, AReceiveIsAnsweredWhenTheMinimumHasArrivedAndTakesAtMostTheM
   receive(endpoint, 3, 4);
   client_->send("ab");
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty());
+  EXPECT_THAT(answers_, testing::IsEmpty());
   client_->send("cdefg");
   ASSERT_TRUE(haveAnswers(1));
   EXPECT_EQ(inBuffer(answers_.at(0).size), "abcd");
@@ -172,7 +167,7 @@ TEST_F(IpStackTest, ALargeSendArrivesCompletelyThroughASmallSendBuffer) {
   }
   send(endpoint, kBufferSize);
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty()) << "4 MiB cannot fit into 16 KiB while nobody reads";
+  EXPECT_THAT(answers_, testing::IsEmpty()) << "4 MiB cannot fit into 16 KiB while nobody reads";
   ASSERT_TRUE(test_.runUntil([&] { return client_->received().size() == kBufferSize; }));
   EXPECT_EQ(client_->received(), inBuffer(kBufferSize));
   expectAnswers({is(antOperation_TCPSend, TCP_SUCCESS)});
@@ -232,7 +227,7 @@ TEST_F(IpStackTest, ACloseIsAnsweredWhenTheClientHasClosedToo) {
   close(endpoint);
   ASSERT_TRUE(test_.runUntil([&] { return client_->isAtEnd(); }));
   test_.runPending();
-  EXPECT_THAT(answers_, IsEmpty()) << "the client has not closed yet";
+  EXPECT_THAT(answers_, testing::IsEmpty()) << "the client has not closed yet";
   client_->close();
   expectAnswers({is(antOperation_TCPClose, TCP_SUCCESS)});
   send(endpoint, 1);

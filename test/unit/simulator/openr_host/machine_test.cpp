@@ -2,15 +2,10 @@
 #include "simulator/openr_host/machine.h"
 
 #include <EndpointTypes.h>
-#include <OPENR/ODataFormats.h>
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>
-#include <TCPEndpointMsg.h>
 #include <gmock/gmock.h>
 
-#include <filesystem>
-
-#include "fake_robot.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
 #include "test_system.h"
@@ -18,7 +13,6 @@
 namespace openr_host {
 namespace {
 
-using test_support::TestClient;
 using testing::HasSubstr;
 
 constexpr std::uint16_t kEchoPort = 7000;
@@ -140,13 +134,13 @@ class MachineTest : public testing::Test {
     return "no error";
   }
   bool echoes(Machine& machine, const std::string& text) {
-    TestClient client(machine.hostPort(kEchoPort));
+    test_support::TestClient client(machine.hostPort(kEchoPort));
     client.send(text);
     return machine.runUntil([&] { return client.received() == text; });
   }
   /// A client asks the object to shut the robot down.
   void ask(Machine& machine, const std::string& word) {
-    TestClient client(machine.hostPort(kEchoPort));
+    test_support::TestClient client(machine.hostPort(kEchoPort));
     client.send(word);
     EXPECT_TRUE(machine.runUntil([&] { return client.ended(); }) || !machine.isOn());
   }

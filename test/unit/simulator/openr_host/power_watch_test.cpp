@@ -4,13 +4,10 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include "simulator/openr_host/object_description.h"
 #include "test_system.h"
 
 namespace openr_host {
 namespace {
-
-using testing::ElementsAre;
 
 TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   TestSystem test;
@@ -35,7 +32,7 @@ TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   test.robot.power_status.robotStatus = orsbPAUSE;
   test.system.watchPower();
   test.run();
-  EXPECT_THAT(seen, ElementsAre(orsbPAUSE));
+  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
   test.as(object, [&] {
     EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oSUCCESS);
     EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oINVALID_ARG);
@@ -43,7 +40,7 @@ TEST(ObservePowerStatusTest, CallsTheEntryOfTheObjectWithTheStatus) {
   test.robot.power_status.robotStatus = 0;
   test.system.watchPower();
   test.run();
-  EXPECT_THAT(seen, ElementsAre(orsbPAUSE));
+  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
 }
 
 }  // namespace

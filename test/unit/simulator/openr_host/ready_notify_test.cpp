@@ -9,7 +9,6 @@ namespace openr_host {
 namespace {
 
 using testing::ElementsAre;
-using testing::IsEmpty;
 
 class ReadyNotifyTest : public testing::Test {
  protected:
@@ -54,7 +53,7 @@ TEST_F(ReadyNotifyTest, DataForAnObserverThatHasSaidNothingIsKeptUntilItIsReady)
   boot();
   notify("kept");
   test_.run();
-  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(received_, testing::IsEmpty());
   assertReady(receiver_);
   EXPECT_THAT(received_, ElementsAre("kept"));
 }
@@ -85,7 +84,7 @@ TEST_F(ReadyNotifyTest, DataForAnObserverThatWantsNoneIsDeletedIncludingKeptData
   assertReady(other_receiver_);
   EXPECT_THAT(other_received_, ElementsAre("deleted")) << "it was kept for this observer";
   assertReady(receiver_);
-  EXPECT_THAT(received_, IsEmpty());
+  EXPECT_THAT(received_, testing::IsEmpty());
 }
 
 TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) {

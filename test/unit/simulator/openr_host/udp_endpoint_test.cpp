@@ -1,9 +1,6 @@
 // UDP endpoints on real sockets, from an object's point of view (OPEN-R SDK Internet Protocol Version4, chapter 3).
 #include <EndpointTypes.h>
-#include <UDPEndpointMsg.h>
 #include <gmock/gmock.h>
-
-#include <cstring>
 
 #include "support/udp_socket.h"
 #include "test_system.h"

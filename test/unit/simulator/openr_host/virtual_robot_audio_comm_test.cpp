@@ -4,7 +4,6 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include <cstring>
 #include <numeric>
 
 #include "test_system.h"
@@ -13,7 +12,6 @@ namespace openr_host {
 namespace {
 
 using testing::HasSubstr;
-using testing::SizeIs;
 
 constexpr OPrimitiveID kSpeaker = 30;
 
@@ -136,7 +134,7 @@ TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirst
   pass(5);
   EXPECT_EQ(readies_, 4);
   EXPECT_EQ(test_.robot.played[104], numbers(513, 128));
-  EXPECT_THAT(test_.robot.played, SizeIs(5));
+  EXPECT_THAT(test_.robot.played, testing::SizeIs(5));
   EXPECT_FALSE(comm_.isActive());
 }
 
@@ -182,7 +180,7 @@ TEST_F(VirtualRobotAudioCommTest, TheMicrophoneIsHeardEvery16MillisecondsWhileSo
   EXPECT_TRUE(comm_.isActive());
   pass(5);  // 110 to 114
   EXPECT_EQ(test_.robot.sound_frames, 5);
-  ASSERT_THAT(heard_, SizeIs(2));
+  ASSERT_THAT(heard_, testing::SizeIs(2));
   EXPECT_EQ(heard_[0].frame, 110U);
   EXPECT_EQ(heard_[1].frame, 112U);
   EXPECT_EQ(heard_[0].samples.back().L, 111 * 128 + 127);

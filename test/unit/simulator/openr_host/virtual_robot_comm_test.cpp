@@ -4,8 +4,6 @@
 #include <OPENR/OPENRAPI.h>
 #include <gmock/gmock.h>
 
-#include <cstring>
-
 #include "test_system.h"
 
 namespace openr_host {
