@@ -48,7 +48,6 @@ double errorOf(const Record& record, double commanded, std::size_t axis) {
 
 TEST(Walk, GoesInAllDirectionsOnManyRobotsAndFloors) {
   const std::vector<World> worlds = physics::sampleOfWorlds(kWorlds, 1);
-  physics::printHeader(std::cout);
   for (const physics::Direction& direction : physics::directionsWithin(physics::walkLimits())) {
     SCOPED_TRACE(direction.name);
     std::vector<double> lifts;
@@ -57,7 +56,6 @@ TEST(Walk, GoesInAllDirectionsOnManyRobotsAndFloors) {
     for (const World& world : worlds) {
       SCOPED_TRACE(describe(world));
       const Record record = physics::walk(world, physics::always(direction.velocity), kSecondsOfDirection);
-      physics::print(direction.name, record, std::cout);
       expectNoHarm(record);
       lifts.push_back(-record.usual_lift);
       for (std::size_t axis = 0; axis < Record::kAxes; ++axis) {
@@ -78,7 +76,6 @@ TEST(Walk, GoesStraightAheadAndBackForLong) {
   const auto limits = physics::walkLimits();
   for (const double forward : {limits.forward, 0.2, 0.2 / 3, -limits.back, -limits.back / 3}) {
     const Record record = physics::walk(World(), physics::always({forward, 0, 0}), 45);
-    physics::print(std::to_string(forward), record, std::cout);
     SCOPED_TRACE(forward);
     expectNoHarm(record);
     EXPECT_NEAR(record.gain[0], 1, 0.1);
@@ -94,7 +91,6 @@ TEST(Walk, IsSlowWithWeakMotorsToo) {
     world.stall_torque = 0.7;
     SCOPED_TRACE(describe(world));
     const Record record = physics::walk(world, physics::always({0.03, 0, 0}), kSecondsOfDirection);
-    physics::print("30 mm/s", record, std::cout);
     EXPECT_FALSE(record.fell);
     missing.push_back(errorOf(record, 0.03, 0));
   }
@@ -109,7 +105,6 @@ TEST(Walk, KeepsItsBalanceOnSlopes) {
     for (const World& world : physics::sampleOfWorlds(kWorlds, 1)) {
       const World slope = onFloor(world, physics::unevenFloors()[floor]);
       const Record record = physics::walk(slope, physics::always({0.1, 0, 0}), kSecondsOfDirection);
-      physics::print("slope", record, std::cout, false);
       EXPECT_FALSE(record.fell) << describe(slope);
       missing.push_back(errorOf(record, 0.1, 0));
       turns.push_back(errorOf(record, 0, 2));
@@ -121,7 +116,6 @@ TEST(Walk, KeepsItsBalanceOnSlopes) {
 
 TEST(Walk, FollowsRandomCommands) {
   const Record record = physics::walk(World(), physics::randomly(physics::walkLimits(), 1), 120);
-  physics::print("random", record, std::cout);
   expectNoHarm(record);
   EXPECT_GT(record.usual_lift, 0.005);
   EXPECT_LT(record.legs_touch, 0.005);

@@ -145,19 +145,14 @@ class BagTest(unittest.TestCase):
         self.assertRegex(words, r' -f mjpeg -framerate 30 -i - .* -f mp4 \S+/walk\.mp4\.part$')
 
     def test_a_film_needs_ffmpeg(self):
-        self.fail_with('sudo apt install ffmpeg', 'mp4', self.record(), self.path('walk.mp4'), PATH='/nonexistent')
-        broken = self.folder / 'ffmpeg'
-        broken.write_text('#!/bin/sh\necho "no such encoder" >&2\nexit 1\n')
-        broken.chmod(0o755)
-        self.fail_with('ffmpeg failed: no such encoder', 'mp4', self.path('walk.bag'), self.path('walk.mp4'),
-                       PATH='%s:%s' % (self.folder, os.environ['PATH']))
-
-    def test_ffmpeg_may_complain_much(self):
-        complainer = self.folder / 'ffmpeg'
-        complainer.write_text('#!/bin/sh\nhead -c 1000000 /dev/zero >&2\ncat > /dev/null\nexit 1\n')
-        complainer.chmod(0o755)
-        self.fail_with('ffmpeg failed', 'mp4', self.record(), self.path('walk.mp4'),
-                       PATH='%s:%s' % (self.folder, os.environ['PATH']))
+        walk = self.record()
+        self.fail_with('sudo apt install ffmpeg', 'mp4', walk, self.path('walk.mp4'), PATH='/nonexistent')
+        program = self.folder / 'ffmpeg'
+        for text, problem in (('echo "no such encoder" >&2', 'ffmpeg failed: no such encoder'),
+                              ('head -c 1000000 /dev/zero >&2\ncat > /dev/null', 'ffmpeg failed')):
+            program.write_text('#!/bin/sh\n%s\nexit 1\n' % text)
+            program.chmod(0o755)
+            self.fail_with(problem, 'mp4', walk, self.path('walk.mp4'), PATH='%s:%s' % (self.folder, os.environ['PATH']))
 
     def test_joints_are_a_table(self):
         self.succeed('joints', self.record(), self.path('walk.csv'))

@@ -76,11 +76,13 @@ TEST_F(StickPictureServicesTest, TakeAPictureOfTheDriversQualityOrAnother) {
   EXPECT_THAT(client_.told, testing::ElementsAre("picture on robot 77", "picture on robot 30", "picture on robot 100"));
 }
 
-TEST_F(StickPictureServicesTest, ListPictures) {
+TEST_F(StickPictureServicesTest, ListAndDeletePictures) {
   const auto answer = list();
   EXPECT_TRUE(answer.success);
-  EXPECT_THAT(answer.names, testing::ElementsAre("AIBO0001.JPG", "MINE.JPG"));
+  EXPECT_THAT(answer.names, ElementsAre("AIBO0001.JPG", "MINE.JPG"));
   EXPECT_EQ(answer.message, "Pictures on the robot: 2.");
+  EXPECT_EQ(remove("mine").message, "MINE.JPG was deleted from the robot.");
+  EXPECT_THAT(client_.told, ElementsAre("delete MINE.JPG"));
 }
 
 TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
@@ -105,13 +107,6 @@ TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
   EXPECT_THAT(unsaved.message, HasSubstr("Got MINE.JPG"));
   EXPECT_THAT(unsaved.message, HasSubstr("It was not saved: "));
   EXPECT_EQ(unsaved.image.data, client_.picture->jpeg) << "the caller has it all the same";
-}
-
-TEST_F(StickPictureServicesTest, DeleteAPicture) {
-  const auto answer = remove("mine");
-  EXPECT_TRUE(answer.success);
-  EXPECT_EQ(answer.message, "MINE.JPG was deleted from the robot.");
-  EXPECT_THAT(client_.told, testing::ElementsAre("delete MINE.JPG"));
 }
 
 TEST_F(StickPictureServicesTest, ANameIsNeeded) {

@@ -29,11 +29,8 @@ TEST(WaitBeforeStart, IsTheTimeUntilTheStamp) {
   EXPECT_NEAR(static_cast<double>(waitBeforeStart(kArrival + ros::Duration(2.5), kArrival).count()), 2.5e9, 1e3);
 }
 
-TEST(WaitBeforeStart, IsRefusedForAnOldStamp) {
-  EXPECT_THAT(refusalOf(kArrival - ros::Duration(1.5), kArrival), HasSubstr("1.500000 s ago"));
-}
-
 TEST(WaitBeforeStart, IsRefusedForAStampThatCannotBeMeant) {
+  EXPECT_THAT(refusalOf(kArrival - ros::Duration(1.5), kArrival), HasSubstr("1.500000 s ago"));
   EXPECT_THAT(refusalOf(kArrival + ros::Duration(4000), kArrival), HasSubstr("4000.000000 s ahead"));
   ros::Time garbage;
   garbage.sec = garbage.nsec = kHighest;

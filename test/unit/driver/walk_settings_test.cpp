@@ -16,37 +16,30 @@ void expectNear(const WalkVelocity& velocity, const WalkVelocity& expected) {
   EXPECT_NEAR(velocity.turn, expected.turn, 1e-12);
 }
 
-TEST(WalkSettings, SendAVelocityWithinTheLimitsAsItIs) {
-  expectNear(velocityToSend({0.1, -0.05, 1}, {}, kRobot), {0.1, -0.05, 1});
-  expectNear(velocityToSend({-0.1, 0.06, -1.2}, {}, kRobot), {-0.1, 0.06, -1.2});
-}
-
-TEST(WalkSettings, SlowDownAllOfAVelocityThatIsTooFastForTheRobot) {
-  expectNear(velocityToSend({0.3, 0, 1}, {}, kRobot), {0.15, 0, 0.5});
-  expectNear(velocityToSend({-0.3, 0.03, 0}, {}, kRobot), {-0.1, 0.01, 0});
-  expectNear(velocityToSend({0.1, 0.12, -1.2}, {}, kRobot), {0.05, 0.06, -0.6});
-  expectNear(velocityToSend({0.1, 0, 12}, {}, kRobot), {0.01, 0, 1.2});
-}
-
-TEST(WalkSettings, SlowItDownToTheUsersLimits) {
-  WalkSettings settings;
-  settings.speed_limit = 0.05;
-  settings.side_limit = 0.02;
-  settings.turn_limit = 0.5;
-  expectNear(velocityToSend({0.1, 0, 0.2}, settings, kRobot), {0.05, 0, 0.1});
-  expectNear(velocityToSend({-0.1, 0, 0}, settings, kRobot), {-0.05, 0, 0});
-  expectNear(velocityToSend({0, 0.04, 0}, settings, kRobot), {0, 0.02, 0});
-  expectNear(velocityToSend({0, 0, -1}, settings, kRobot), {0, 0, -0.5});
-}
-
-TEST(WalkSettings, LeaveOutADirectionThatIsNotAllowed) {
-  WalkSettings settings;
-  settings.side_limit = 0;
-  expectNear(velocityToSend({0.1, 0.05, 0.2}, settings, kRobot), {0.1, 0, 0.2});
-}
-
-TEST(WalkSettings, LeaveTheLimitsToARobotThatDoesNotSayThem) {
-  expectNear(velocityToSend({0.3, 0.3, 2}, {}, {}), {0.3, 0.3, 2});
+TEST(WalkSettings, SlowDownAllOfAVelocityThatIsTooFastForTheRobotOrTheUser) {
+  WalkSettings slow;
+  slow.speed_limit = 0.05;
+  slow.side_limit = 0.02;
+  slow.turn_limit = 0.5;
+  WalkSettings straight;
+  straight.side_limit = 0;
+  const std::tuple<WalkVelocity, WalkSettings, aibo_client::WalkLimits, WalkVelocity> rows[] = {
+      {{0.1, -0.05, 1}, {}, kRobot, {0.1, -0.05, 1}},
+      {{-0.1, 0.06, -1.2}, {}, kRobot, {-0.1, 0.06, -1.2}},
+      {{0.3, 0, 1}, {}, kRobot, {0.15, 0, 0.5}},
+      {{-0.3, 0.03, 0}, {}, kRobot, {-0.1, 0.01, 0}},
+      {{0.1, 0.12, -1.2}, {}, kRobot, {0.05, 0.06, -0.6}},
+      {{0.1, 0, 12}, {}, kRobot, {0.01, 0, 1.2}},
+      {{0.3, 0.3, 2}, {}, {}, {0.3, 0.3, 2}},  // a robot that does not say its limits
+      {{0.1, 0, 0.2}, slow, kRobot, {0.05, 0, 0.1}},
+      {{-0.1, 0, 0}, slow, kRobot, {-0.05, 0, 0}},
+      {{0, 0.04, 0}, slow, kRobot, {0, 0.02, 0}},
+      {{0, 0, -1}, slow, kRobot, {0, 0, -0.5}},
+      {{0.1, 0.05, 0.2}, straight, kRobot, {0.1, 0, 0.2}},  // a limit of 0 leaves a direction out
+  };
+  for (const auto& [wanted, settings, robot, expected] : rows) {
+    expectNear(velocityToSend(wanted, settings, robot), expected);
+  }
 }
 
 TEST(WalkSettings, CorrectEachAxis) {

@@ -298,8 +298,6 @@ TEST(PictureFolder, IsTheChosenOneOrPicturesOrThatOfRos) {
   EXPECT_EQ(pictureFolder(""), home.path("Pictures"));
 }
 
-// ---------------------------------------------------------------------------------------- what is left out of pictures
-
 using Bytes = std::vector<std::uint8_t>;
 
 Bytes withSegment(const Bytes& jpeg, std::uint8_t marker, const std::string& content, std::size_t at = 2) {

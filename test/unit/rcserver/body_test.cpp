@@ -51,8 +51,6 @@ class BodyTest : public FakeRobotFixture {
   }
 };
 
-// ------------------------------------------------------------------------------------------------ version 1: sensors
-
 TEST_F(BodyTest, SensorsAndJointsAreReadInTheUnitsOfVersion1) {
   robot_.sensor("range_near") = 123456;
   robot_.sensor("acceleration_up_down") = -9806650;
@@ -131,8 +129,6 @@ TEST_F(SensorBlockTest, HoldsJointsAndSensorsByAscendingIdentifierUnlessTheyAreL
   EXPECT_EQ(readBlock(36), readOneByOne({}));
 }
 
-// ---------------------------------------------------------------------------------------------------- version 1: LEDs
-
 TEST_F(BodyTest, EveryLedIsSetByItsIdentifier) {
   for (size_t i = 0; i < robot_.leds.size(); ++i) {
     const robot_model::Led& led = robot_.model.leds[i];
@@ -183,8 +179,6 @@ TEST_F(BodyTest, LedsGoOffAndEarsAreLetGoWhenTheClientGoes) {
   EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
 }
 
-// ---------------------------------------------------------------------------------------------------- version 1: ears
-
 TEST_F(BodyTest, EarIsDrawnForItsTimeAndLetGo) {
   expectAnswer(request('K', kRightEar, 1), 'k', kRightEar, 1);
   passFrames(100);
@@ -208,8 +202,6 @@ TEST_F(BodyTest, EarIsLetGoAtOnceAndCannotBeDrawnWhileItRests) {
   EXPECT_LT(framesDrawn(kLeftEar), LightDriver::EAR_FRAMES);
   expectAnswer(request('K', kLeftEar, 1), 'k', kLeftEar, 1);
 }
-
-// --------------------------------------------------------------------------------------------------- version 1: power
 
 TEST_F(BodyTest, ShuttingDownAndRebootingAreRefusedUnlessTheSettingsAllowThem) {
   expectError(request('Q', 0, 0));
@@ -259,8 +251,6 @@ TEST_F(BodyTest, UploadOfAnObjectIsAlwaysRefused) {
   expectError(request('C', 0) + std::string("RCSERVER.BIN\0\0\2\0", 16) + "WW");
   expectAnswer(request('S', kBattery), 's', kBattery, 87);
 }
-
-// ----------------------------------------------------------------------------------------------------------- version 2
 
 class BodyVersion2Test : public BodyTest {
  protected:

@@ -74,8 +74,6 @@ class PowerTest : public FakeRobotFixture {
   }
 };
 
-// ------------------------------------------------------------------------------------------------------ pause button
-
 TEST_F(PowerTest, PauseCutsTheMotorsAtOnceTellsTheClientAndShutsDown) {
   connectVersion2();
   playSitForEver();
@@ -107,8 +105,6 @@ TEST_F(PowerTest, ClientThatDoesNotReadDelaysTheShutdownByAtMostASecond) {
   EXPECT_LE(passUntilOff(1000), kFramesASecond + 4);
   EXPECT_FALSE(machine_->isOn());
 }
-
-// ------------------------------------------------------------------------------------------------------ memory stick
 
 // A rename that is cut can lose the file that it replaces.
 TEST_F(PowerTest, AnUploadInProgressIsFinishedAndAnsweredWhileTheMotorsAreOff) {
@@ -152,8 +148,6 @@ TEST_F(PowerTest, AMemoryStickThatHangsDelaysTheShutdownByThreeSeconds) {
     robot_.power_status.robotStatus = 0;
   }
 }
-
-// ----------------------------------------------------------------------------------------------------------- battery
 
 TEST_F(PowerTest, LowBatteryIsReportedAtOnceAndTheMotorsStayOnForNow) {
   connectVersion2();
@@ -215,8 +209,6 @@ TEST_F(PowerTest, PowerMonitorCanBeSwitchedOff) {
   EXPECT_TRUE(machine_->isOn());
   EXPECT_TRUE(robot_.powered);
 }
-
-// ------------------------------------------------------------------------------------------------------ motors at boot
 
 TEST_F(PowerTest, MotorsStayOffAtBootIfTheSettingsSaySo) {
   for (FakeRobot::FakeJoint& joint : robot_.joints) {

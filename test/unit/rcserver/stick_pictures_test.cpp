@@ -76,8 +76,6 @@ class StickPicturesTest : public FakeRobotFixture {
   size_t room_ = 100 * 1024 * 1024;
 };
 
-// ------------------------------------------------------------------------------------------------------- taking
-
 TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
   const unsigned image = robot_.lastImage();
   const Frame answer = ask('M', 40);
@@ -126,8 +124,6 @@ TEST_F(StickPicturesTest, OwedPicturesComeFirstAndTheStreamGoesOn) {
   EXPECT_EQ(counts.pictures, 7) << "ten images; each of the three takes one";
 }
 
-// ------------------------------------------------------------------------------------- what is wrong with the stick
-
 TEST_F(StickPicturesTest, AFullStickIsNamedAndNothingIsLeftOnIt) {
   put("AIBO0001.JPG", "old");
   for (const size_t room : {size_t{0}, size_t{100}, PICTURE_RESERVE - 1}) {
@@ -161,8 +157,6 @@ TEST_F(StickPicturesTest, AStickThatIsMissingOrWriteProtectedIsNamed) {
   EXPECT_EQ(take(), "AIBO0002.JPG") << "it is back";
 }
 
-// --------------------------------------------------------------------------------------- listing, fetching, deleting
-
 TEST_F(StickPicturesTest, AreListedFetchedAndDeleted) {
   expectReply(ask('Y', LIST_PICTURES), 'y', "");
   take();
@@ -195,8 +189,6 @@ TEST_F(StickPicturesTest, AreDeletedOnlyIfDeletingIsAllowed) {
   expectRefusal(ask('Y', DELETE_PICTURE, "AIBO0001.JPG"), CODE_REFUSED, "ALLOW_DELETE=yes in RCSERVER.CFG");
   EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
 }
-
-// -------------------------------------------------------------------------------------- waiting, and clients that go
 
 TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {
   send(frame('M', 85, 1));

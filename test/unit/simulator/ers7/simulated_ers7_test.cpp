@@ -79,8 +79,6 @@ EffectorCommand faceCommand(OPrimitiveID id, int intensity) {
   return effectorCommand(id, odataLED_COMMAND3, OLEDCommandValue3{static_cast<sword>(intensity), oled3_MODE_B, 1, 0});
 }
 
-// ---- Primitives
-
 TEST_F(SimulatedErs7Test, APrimitiveStaysOpenUntilItIsClosedAsOftenAsOpened) {
   const OPrimitiveID camera = open(kCameraLocator);
   EXPECT_EQ(open(kCameraLocator), camera);
@@ -106,8 +104,6 @@ TEST_F(SimulatedErs7Test, CallsForClosedPrimitivesOrOthersThanMeantAreRefused) {
   }
 }
 
-// ---- Joints
-
 TEST_F(SimulatedErs7Test, CommandsForClosedPrimitivesOrOfTheWrongTypeChangeNothing) {
   EffectorCommand led = jointCommand(drive("head_pan"), 100000);
   led.type = odataLED_COMMAND2;
@@ -117,8 +113,6 @@ TEST_F(SimulatedErs7Test, CommandsForClosedPrimitivesOrOfTheWrongTypeChangeNothi
   EXPECT_EQ(positionOf("head_pan"), 0);
   EXPECT_EQ(positionOf("tail_pan"), 0);
 }
-
-// ---- Camera
 
 TEST_F(SimulatedErs7Test, TheCameraAcceptsItsSettingsOnly) {
   const OPrimitiveID camera = open(kCameraLocator);
@@ -165,8 +159,6 @@ TEST_F(SimulatedErs7Test, ItsCameraSeesTheRoomFromWhereHeadAndLegsPutIt) {
     }
   }
 }
-
-// ---- Sensors
 
 // Level2 Reference Guide, pages 53 to 57.
 TEST_F(SimulatedErs7Test, TheSensorVectorHasTheLastFourFramesOfAllJointsAndSensors) {
@@ -226,8 +218,6 @@ TEST_F(SimulatedErs7Test, APawIsPressedWhileItsFootIsOnTheFloor) {
     pass(100, {jointCommand(knee, restingPosition(leg + "_knee"))});
   }
 }
-
-// ---- LEDs, ears, battery
 
 TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommand) {
   const OPrimitiveID white = open(kWhiteLed);
@@ -299,8 +289,6 @@ TEST_F(SimulatedErs7Test, TheBatteryIsLowAtTenPercent) {
   }
 }
 
-// ---- A reboot
-
 TEST_F(SimulatedErs7Test, AfterARebootNothingThatAProgramHasSetIsLeft) {
   const OPrimitiveID camera = open(kCameraLocator);
   control(camera, oprmreqCAM_SET_GAIN, 3);
@@ -337,8 +325,6 @@ TEST_F(SimulatedErs7Test, WhatPeopleHaveDoneWithItOutlastsAReboot) {
   EXPECT_NE(power().robotStatus & orsbPAUSE, 0U);
   EXPECT_EQ(robot_.stick().status(), omemorystickWRITE_PROTECTED);
 }
-
-// ---- Options
 
 TEST(SimulatedErs7OnATable, StandsOnItsTop) {
   SimulatedErs7Options options;
