@@ -106,6 +106,14 @@ class Workshop(unittest.TestCase):
     def make_stick(self, *options):
         return self.run_script("--sdk", self.sdk, "--libjpeg", self.libjpeg, "--output", self.stick, *options)
 
+    def make_stick_with_few_programs(self):
+        path = self.folder / "path"
+        path.mkdir()
+        for name in ("sh", "gzip"):
+            (path / name).symlink_to(shutil.which(name))
+        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
+            return self.make_stick()
+
     def expect_stick(self, *options):
         done = self.make_stick(*options)
         self.assertEqual(done.returncode, 0, done.stderr)
@@ -257,12 +265,7 @@ class AnIncompleteSdk(Workshop):
         self.expect_stick()
 
     def test_on_a_computer_without_the_programs_that_it_needs(self):
-        path = self.folder / "path"
-        path.mkdir()
-        for name in ("sh", "gzip"):
-            (path / name).symlink_to(shutil.which(name))
-        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
-            said = self.make_stick()
+        said = self.make_stick_with_few_programs()
         self.expect_failure(said, "there is no perl on this computer", "apt-get install perl")
         self.expect_failure(said, "there is no make on this computer", "apt-get install make")
 
@@ -536,12 +539,7 @@ class DebiansCompiler(Workshop):
 
     def test_needs_the_c_library_and_says_all_that_is_missing(self):
         shutil.rmtree(str(self.sdk / "bin"))
-        path = self.folder / "path"
-        path.mkdir()
-        for name in ("sh", "gzip"):
-            (path / name).symlink_to(shutil.which(name))
-        with unittest.mock.patch.dict(os.environ, PATH=str(path)):
-            said = self.make_stick()
+        said = self.make_stick_with_few_programs()
         self.expect_failure(said, "lacks the C library, GNU's newlib: mipsel-linux/lib/libc-.a", "newlib 1.10 to 1.15")
         self.expect_failure(said, "lacks libgcc.a", "instructions that the robot's processor does not know")
         self.expect_failure(said, "Debian's cross compiler is not on this computer", "install_dependencies stick")

@@ -115,29 +115,15 @@ void Bench::hearTelemetry(const test_support::Frame& frame) {
   if (decode(frame.payload.data(), frame.payload.size(), &telemetry) != nullptr) {
     throw std::runtime_error("the server sends telemetry that cannot be read");
   }
-  for (size_t i = 0; i < telemetry.count; ++i) {
-    const version2::TelemetryEntry& entry = telemetry.entries[i];
-    if (entry.group != version2::GROUP_WALK) {
-      continue;
-    }
-    switch (entry.id) {
-      case version2::WALK_FORWARD:
-        step_.velocity.forward = entry.value * 1e-6;
-        break;
-      case version2::WALK_LEFT:
-        step_.velocity.left = entry.value * 1e-6;
-        break;
-      case version2::WALK_TURN:
-        step_.velocity.turn = entry.value * 1e-6;
-        break;
-      case version2::WALK_PHASE:
-        step_.phase = entry.value * 1e-6;
-        break;
-      case version2::WALK_STATE:
-        step_.state = entry.value;
-        break;
-      default:
-        break;
+  const std::map<int, double*> values = {{version2::WALK_FORWARD, &step_.velocity.forward},
+                                         {version2::WALK_LEFT, &step_.velocity.left},
+                                         {version2::WALK_TURN, &step_.velocity.turn},
+                                         {version2::WALK_PHASE, &step_.phase}};
+  for (const version2::TelemetryEntry& entry : std::vector(telemetry.entries, telemetry.entries + telemetry.count)) {
+    if (entry.group == version2::GROUP_WALK && values.count(entry.id) > 0) {
+      *values.at(entry.id) = entry.value * 1e-6;
+    } else if (entry.group == version2::GROUP_WALK && entry.id == version2::WALK_STATE) {
+      step_.state = entry.value;
     }
   }
 }

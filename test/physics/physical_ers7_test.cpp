@@ -25,31 +25,6 @@ std::size_t joint(const PhysicalErs7& robot, const char* name) {
   return static_cast<std::size_t>(robot_model::findJointByName(robot.model(), name));
 }
 
-double acceleration(PhysicalErs7& robot, const char* locator) {
-  OPrimitiveID id = 0;
-  EXPECT_EQ(robot.openPrimitive(locator, &id), oSUCCESS);
-  OSensorValue value = {};
-  EXPECT_EQ(robot.getSensorValue(id, &value), oSUCCESS);
-  return value.value * 1e-6;
-}
-
-// A motor that is slower than its command has full duty, and does not exceed its highest speed without a load.
-TEST(PhysicalErs7, MovesAJointInTheAirAtItsHighestSpeedAtMost) {
-  PhysicalErs7 robot;
-  holdAll(robot);
-  robot.hold(0.3);
-  passSeconds(robot, 1);
-  const std::size_t rotator = joint(robot, "left_front_rotator");
-  double fastest = 0;
-  robot.drive(rotator, 1.5);
-  for (int frame = 0; frame < 125; ++frame) {
-    robot.passFrame();
-    fastest = std::max(fastest, robot.jointSpeed(rotator));
-  }
-  EXPECT_NEAR(fastest, robot.highestSpeed(rotator), 0.2 * robot.highestSpeed(rotator));
-  EXPECT_NEAR(robot.jointPosition(rotator), 1.5, 0.05);
-}
-
 // Stretched forward from the shoulder, the leg hangs lower with a weaker motor: by its torque over the stiffness.
 TEST(PhysicalErs7, HangsUnderALoadByWhatItsTorqueAllows) {
   double sag[2];
@@ -81,23 +56,6 @@ TEST(PhysicalErs7, SlidesUnderAPushThatFrictionCannotHold) {
     const double slipped = robot.footPosition(robot_model::LEFT_FRONT_LEG).y() - before;
     EXPECT_EQ(slipped > 0.01, friction < 0.4) << friction << ": " << slipped;
   }
-}
-
-TEST(PhysicalErs7, FeelsGravityWithSonysSigns) {
-  const char* const kFrontBack = "PRM:/a1-Sensor:a1";
-  const char* const kRightLeft = "PRM:/a2-Sensor:a2";
-  const char* const kUpDown = "PRM:/a3-Sensor:a3";
-  PhysicalErs7 robot;
-  holdAll(robot);
-  passSeconds(robot, 2);
-  EXPECT_NEAR(acceleration(robot, kUpDown), -kGravity, 0.2);
-  EXPECT_NEAR(acceleration(robot, kRightLeft), 0, 0.2);
-  EXPECT_NEAR(acceleration(robot, kFrontBack), 0, 0.5);
-
-  // On its right side, gravity points to its right.
-  robot.place({}, Eigen::Quaterniond(Eigen::AngleAxisd(90 * kDegree, Eigen::Vector3d::UnitX())));
-  passSeconds(robot, 3);
-  EXPECT_GT(acceleration(robot, kRightLeft), 0.8 * kGravity);
 }
 
 }  // namespace

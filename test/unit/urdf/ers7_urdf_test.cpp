@@ -68,48 +68,11 @@ TEST_F(Ers7Urdf, HasTheLimitsAndSpeedsOfTheTable) {
   }
 }
 
-// Below, positions are in millimetres. The links are those of the kinematic table:
-//   head: neck joint at (67.5, 0, 19.5); head joints 80 up the neck; camera 81.06 ahead of them and 14.6 below.
-//   legs: rotator and elevator at (+-65, +-62.5, 0); knee 69.5 down the leg, 9 ahead in front, 9 behind at the back;
-//         ball of the foot, from the knee, in front 65.434 * sin 4.4088 = 5.0300 behind and 65.434 * cos 4.4088 =
-//         65.2404 below, at the back 67.647 * sin 11.537 = 13.5294 ahead and 67.647 * cos 11.537 = 66.2803 below;
-//         4.7 to the outside.
-//   tail: joints at (-102, 0, 33); at zero it points up.
-
-// With straight legs and neck, the lengths add up.
-TEST_F(Ers7Urdf, WithAllJointsAtZeroEverythingIsStraight) {
-  expectPose("camera_optical_frame", {}, {67.5 + 81.06, 0, 19.5 + 80 - 14.6}, -left_, forward_);
-  expectPose("left_front_foot_link", {}, {65 + 9 - 5.0300, 62.5 + 4.7, -69.5 - 65.2404}, forward_, up_);
-  expectPose("right_hind_foot_link", {}, {-65 - 9 + 13.5294, -62.5 - 4.7, -69.5 - 66.2803}, forward_, up_);
-  expectPose("tail_pan_link", {}, {-102, 0, 33}, forward_, up_);
-}
-
-// Every joint at a right angle, so that each link is parallel to an axis of the body, even if the robot cannot do that.
-TEST_F(Ers7Urdf, WithAllJointsAtARightAngleEverythingIsParallelToAnAxis) {
+// The tail's joints are at (-102, 0, 33). At zero it points up; tilted, forward; and then panned, to the left. Its own
+// x is turned down by the tilt and left there by the pan.
+TEST_F(Ers7Urdf, HasItsTailBehindAndTurnsItFirstForwardThenToTheLeft) {
   const double right_angle = 90 * kDegree;
-
-  // Neck down to the front: the head joints are 80 ahead, the head's up is forward, its forward is down. Pan to the
-  // left about the neck: its forward is left. Tilt up: its forward is what was up, forward; its up is what was back,
-  // right.
-  expectPose("camera_optical_frame",
-             {{"neck_tilt", -right_angle}, {"head_pan", right_angle}, {"head_tilt", right_angle}},
-             {67.5 + 80 + 81.06, 14.6, 19.5}, -up_, forward_);
-
-  // Rotator forward: the leg points ahead, its front is up. Elevator outwards: it points left, its outside is back.
-  // Knee: the shank points where the leg's front is, up; the shank's front is where the leg came from, right.
-  expectPose(
-      "left_front_foot_link",
-      {{"left_front_rotator", right_angle}, {"left_front_elevator", right_angle}, {"left_front_knee", right_angle}},
-      {65 - 4.7, 62.5 + 69.5 + 5.0300, 9 + 65.2404}, -left_, -up_);
-
-  // Rotator forward: the leg points ahead, its front is up. Elevator outwards: it points right, its outside is back.
-  // Hind knee: the shank points where the leg's back is, down; the shank's front is where the leg points, right.
-  expectPose(
-      "right_hind_foot_link",
-      {{"right_hind_rotator", right_angle}, {"right_hind_elevator", right_angle}, {"right_hind_knee", right_angle}},
-      {-65 - 4.7, -62.5 - 69.5 - 13.5294, -9 - 66.2803}, -left_, up_);
-
-  // Tilt: the tail points forward. Pan: it points left. Its own x is turned down by the tilt and left there by the pan.
+  expectPose("tail_pan_link", {}, {-102, 0, 33}, forward_, up_);
   expectPose("tail_pan_link", {{"tail_tilt", right_angle}, {"tail_pan", right_angle}}, {-102, 0, 33}, -up_, left_);
 }
 
