@@ -5,6 +5,7 @@
 #include "node/camera/color_table_file.h"
 #include "node/camera/color_table_service.h"
 #include "support/fake_client.h"
+#include "support/refusal.h"
 #include "support/ros/call_service.h"
 #include "support/temporary_folder.h"
 
@@ -27,12 +28,7 @@ constexpr char kPink[] =
     "- {y: [160, 255], cr: [160, 230], cb: [120, 190]}\n";
 
 std::string tableRefusal(const std::string& text) {
-  try {
-    parseColorTable(text, "FILE");
-  } catch (const ColorTableException& error) {
-    return error.what();
-  }
-  return "";
+  return test_support::refusalOf<ColorTableException>([&] { parseColorTable(text, "FILE"); });
 }
 
 TEST(ColorTableFile, HasRangesForStepsOfBrightness) {
@@ -95,12 +91,9 @@ TEST(ColorTableFile, PutsOnlyPlainAndShortTextIntoTopicsAndMessages) {
 TEST(ColorTableFile, OfThisPackageIsFoundByItsName) {
   EXPECT_EQ(loadColorTable("pink_ball").segments[31], (ColorRange{160, 230, 120, 190}));
   EXPECT_THROW(loadColorTable("no_such_table"), ColorTableException);
-  try {
-    loadColorTable("no_such.yaml");
-    FAIL() << "it was read";
-  } catch (const ColorTableException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("'no_such.yaml'")) << "a file in the working directory";
-  }
+  EXPECT_THAT(test_support::refusalOf<ColorTableException>([&] { loadColorTable("no_such.yaml"); }),
+              HasSubstr("'no_such.yaml'"))
+      << "a file in the working directory";
 }
 
 TEST(ColorTableFile, StandsForItsColor) {
@@ -186,13 +179,10 @@ TEST_F(ColorTableServiceTest, TablesOfTheStartAreForTheChannelsInTurn) {
 }
 
 TEST_F(ColorTableServiceTest, ATableOfTheStartThatCannotBeLoadedIsAnError) {
-  try {
-    service_.loadAtStart("pink_ball no_such_table");
-    FAIL() << "accepted";
-  } catch (const aibo_client::InvalidArgumentException& error) {
-    EXPECT_THAT(error.what(), HasSubstr("Parameter color_tables names the table 'no_such_table'"));
-    EXPECT_THAT(error.what(), HasSubstr("there is no such file"));
-  }
+  const std::string problem = test_support::refusalOf<aibo_client::InvalidArgumentException>(
+      [&] { service_.loadAtStart("pink_ball no_such_table"); });
+  EXPECT_THAT(problem, HasSubstr("Parameter color_tables names the table 'no_such_table'"));
+  EXPECT_THAT(problem, HasSubstr("there is no such file"));
 }
 
 aibo_client::DetectedColors someColors() {

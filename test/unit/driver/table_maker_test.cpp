@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "aibo_client/exceptions.h"
+#include "support/refusal.h"
 
 namespace aibo_driver::color_table {
 namespace {
@@ -50,12 +51,8 @@ node::BgrImage pinkSquare() {
 }
 
 std::string refusalOf(const Region& region) {
-  try {
-    makeTable(pinkSquare(), region, "a", 6);
-  } catch (const aibo_client::InvalidArgumentException& error) {
-    return error.what();
-  }
-  return "";
+  return test_support::refusalOf<aibo_client::InvalidArgumentException>(
+      [&] { makeTable(pinkSquare(), region, "a", 6); });
 }
 
 TEST(TableMaker, TheTableHasTheColorsOfTheRegionAndNoOthers) {

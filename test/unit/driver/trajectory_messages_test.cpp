@@ -4,6 +4,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "node/orders.h"
+#include "support/refusal.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -15,12 +16,7 @@ constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
 const ros::Time kArrival(1800000000, 500000000);
 
 std::string refusalOf(const ros::Time& stamp, const ros::Time& now) {
-  try {
-    waitBeforeStart(stamp, now);
-  } catch (const aibo_client::InvalidArgumentException& error) {
-    return error.what();
-  }
-  return "none";
+  return test_support::refusalOf<aibo_client::InvalidArgumentException>([&] { waitBeforeStart(stamp, now); });
 }
 
 TEST(WaitBeforeStart, IsTheTimeUntilTheStamp) {

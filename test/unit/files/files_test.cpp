@@ -9,6 +9,7 @@
 #include <csignal>
 #include <future>
 
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
 
@@ -47,12 +48,7 @@ class FilesTest : public ::testing::Test {
 
   template <typename Function>
   static std::string refusalOf(const Function& function) {
-    try {
-      function();
-    } catch (const FileException& error) {
-      return error.what();
-    }
-    return "not refused";
+    return test_support::refusalOf<FileException>([&] { function(); });
   }
 
   fs::path folder_;
@@ -343,12 +339,10 @@ TEST(WithoutComments, ADamagedPictureIsRefused) {
                  FileException)
         << size;
   }
-  try {
-    withoutComments({0xFF, 0xD8, 0xFF, 0xFE, 0, 3, 'a', 0xFF, 0xFE, 0, 1, 0xFF, 0xDA, 0, 2});
-    FAIL();
-  } catch (const FileException& error) {
-    EXPECT_THAT(error.what(), testing::EndsWith("a segment at byte 7 is damaged"));
-  }
+  EXPECT_THAT(test_support::refusalOf<FileException>([&] {
+                withoutComments({0xFF, 0xD8, 0xFF, 0xFE, 0, 3, 'a', 0xFF, 0xFE, 0, 1, 0xFF, 0xDA, 0, 2});
+              }),
+              testing::EndsWith("a segment at byte 7 is damaged"));
 }
 
 TEST(FileNameOnRobot, HasCapitalsAndAnEnding) {
@@ -362,12 +356,8 @@ TEST(FileNameOnRobot, HasCapitalsAndAnEnding) {
 
 TEST(LoadMotion, ReadsAMotionAndNothingElse) {
   EXPECT_FALSE(loadMotion(MEMORY_STICK "/OPEN-R/MW/DATA/P/NOD.MTN").empty());
-  try {
-    loadMotion(MEMORY_STICK "/OPEN-R/MW/CONF/RCSERVER.CFG");
-    FAIL();
-  } catch (const FileException& error) {
-    EXPECT_THAT(error.what(), testing::EndsWith("/RCSERVER.CFG' is not a motion file: it does not begin with OMTN"));
-  }
+  EXPECT_THAT(test_support::refusalOf<FileException>([&] { loadMotion(MEMORY_STICK "/OPEN-R/MW/CONF/RCSERVER.CFG"); }),
+              testing::EndsWith("/RCSERVER.CFG' is not a motion file: it does not begin with OMTN"));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace {
@@ -47,12 +48,7 @@ std::string archiveOf(const std::vector<ArchivedFile>& files) {
 }
 
 std::string problemOf(const std::string& bytes) {
-  try {
-    motion_tool::readArchive(bytes);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test_support::refusalOf<std::runtime_error>([&] { motion_tool::readArchive(bytes); });
 }
 
 std::string contentOf(const fs::path& path) {
@@ -119,12 +115,7 @@ TEST(Archive, NoNameLeadsOutOfTheFolder) {
 class UnpackedArchive : public ::testing::Test {
  protected:
   std::string problemOf(const std::vector<ArchivedFile>& files, bool overwrite = false) const {
-    try {
-      motion_tool::unpack(files, folder_, overwrite);
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    return test_support::refusalOf<std::runtime_error>([&] { motion_tool::unpack(files, folder_, overwrite); });
   }
 
   std::ptrdiff_t numberOfFiles() const {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sample_motion.h"
+#include "support/refusal.h"
 
 namespace {
 
@@ -18,12 +19,7 @@ KeyFrameMotion parse(const std::string& text) {
 }
 
 std::string problemOf(const std::string& text) {
-  try {
-    motion_tool::encodeMtn(parse(text));
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test_support::refusalOf<std::runtime_error>([&] { motion_tool::encodeMtn(parse(text)); });
 }
 
 std::string print(const std::string& bytes) {

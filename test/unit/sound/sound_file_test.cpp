@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "sound/recording.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "wav_files.h"
 
@@ -48,12 +49,7 @@ class SoundFileTest : public testing::Test {
   }
 
   std::string complaintAbout(const std::string& name) const {
-    try {
-      openSoundFile(path(name));
-    } catch (const aibo_driver::files::FileException& error) {
-      return error.what();
-    }
-    return "none";
+    return test_support::refusalOf<aibo_driver::files::FileException>([&] { openSoundFile(path(name)); });
   }
 
   test_support::TemporaryFolder folder_;

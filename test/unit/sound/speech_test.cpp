@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "files/files.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "wav_files.h"
 
@@ -51,23 +52,15 @@ TEST_F(SpeechTest, TheTextIsSpokenAndNeverAnOption) {
 TEST_F(SpeechTest, AFailureIsReported) {
   for (const std::string end : {"exit 1", "kill -KILL $$"}) {
     install("cat speech.wav > \"$5\"; " + end);
-    try {
-      speak("hello", "xx");
-      FAIL() << "it has spoken";
-    } catch (const aibo_driver::files::FileException& error) {
-      EXPECT_THAT(error.what(), testing::HasSubstr("is there a voice 'xx'?"));
-    }
+    EXPECT_THAT(test_support::refusalOf<aibo_driver::files::FileException>([&] { speak("hello", "xx"); }),
+                testing::HasSubstr("is there a voice 'xx'?"));
   }
 }
 
 TEST_F(SpeechTest, WithoutTheProgramTheAnswerSaysWhatToInstall) {
   ::setenv("PATH", "/nowhere", 1);
-  try {
-    speak("hello", "");
-    FAIL() << "it has spoken";
-  } catch (const aibo_driver::files::FileException& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("sudo apt install espeak-ng"));
-  }
+  EXPECT_THAT(test_support::refusalOf<aibo_driver::files::FileException>([&] { speak("hello", ""); }),
+              testing::HasSubstr("sudo apt install espeak-ng"));
 }
 
 TEST_F(SpeechTest, ImpossibleTextsAndVoicesAreRefused) {

@@ -1,4 +1,5 @@
 #include "simulator/ers7/camera/photographs.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 #include <gmock/gmock.h>
@@ -53,12 +54,7 @@ class PhotographTest : public testing::Test {
   }
 
   std::string errorOf(const std::function<void()>& action) {
-    try {
-      action();
-    } catch (const PhotographError& error) {
-      return error.what();
-    }
-    return "no error";
+    return test_support::refusalOf<PhotographError>([&] { action(); });
   }
 
   const test_support::TemporaryFolder temporary_;

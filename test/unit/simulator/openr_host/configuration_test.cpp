@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "simulator/openr_host/configuration/memory_stick.h"
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 
 namespace openr_host {
@@ -13,12 +14,7 @@ using testing::StartsWith;
 
 template <typename Function>
 std::string problemOf(const Function& function) {
-  try {
-    function();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "no error";
+  return test_support::refusalOf<std::exception>([&] { function(); });
 }
 
 std::vector<std::string> objects(const std::string& text, const std::string& design = "ERS-7") {

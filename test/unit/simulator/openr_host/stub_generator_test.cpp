@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "simulator/openr_host/stub_generator/stub.h"
+#include "support/refusal.h"
 
 namespace openr_host {
 namespace {
@@ -24,12 +25,7 @@ StubConfiguration parse(const std::string& text) {
 }
 
 std::string errorOf(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const ConfigurationError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test_support::refusalOf<ConfigurationError>([&] { parse(text); });
 }
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
