@@ -12,20 +12,8 @@
 #include <sensor_msgs/CompressedImage.h>
 #include <pluginlib/class_loader.hpp>
 
-#include <QAbstractButton>
-#include <QApplication>
-#include <QComboBox>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QProgressBar>
-#include <QScreen>
-#include <QSlider>
-#include <QSpinBox>
-#include <QTabWidget>
-#include <QThread>
-#include <QUrl>
 #include <QtTest/QTest>
+#include <QtWidgets>
 #include <csignal>
 
 #include "node/xmlrpc_peer.h"

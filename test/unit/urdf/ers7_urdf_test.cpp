@@ -1,14 +1,17 @@
 #include <gmock/gmock.h>
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 
 #include "robot_model/head.h"
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/body/head_kinematics.h"
-#include "urdf_model.h"
 
 namespace {
 
@@ -16,6 +19,49 @@ using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
+
+/// Positions by joint, in radian. Joints that are not named are at zero.
+using Posture = std::map<std::string, double>;
+
+Isometry3d toIsometry(const urdf::Pose& pose) {
+  const urdf::Rotation& rotation = pose.rotation;
+  return Eigen::Translation3d(pose.position.x, pose.position.y, pose.position.z) *
+         Eigen::Quaterniond(rotation.w, rotation.x, rotation.y, rotation.z);
+}
+
+Eigen::AngleAxisd turn(const urdf::Joint& joint, const Posture& posture) {
+  const auto position = posture.find(joint.name);
+  const Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
+  return Eigen::AngleAxisd(position == posture.end() ? 0 : position->second, axis.normalized());
+}
+
+/// A URDF file and the poses of its links when its joints are moved.
+class UrdfModel {
+ public:
+  explicit UrdfModel(const std::string& file) : model_(urdf::parseURDFFile(file)) {
+    if (!model_) {
+      throw std::runtime_error(file + " is not a URDF");
+    }
+  }
+
+  const urdf::ModelInterface& model() const { return *model_; }
+
+  /// Pose of a link in the root link, in metres.
+  Isometry3d linkPose(const std::string& link, const Posture& posture) const {
+    Isometry3d pose = Isometry3d::Identity();
+    for (urdf::JointConstSharedPtr joint = model_->links_.at(link)->parent_joint; joint;
+         joint = model_->links_.at(joint->parent_link_name)->parent_joint) {
+      if (joint->type == urdf::Joint::REVOLUTE) {
+        pose = turn(*joint, posture) * pose;
+      }
+      pose = toIsometry(joint->parent_to_joint_origin_transform) * pose;
+    }
+    return pose;
+  }
+
+ private:
+  const urdf::ModelInterfaceSharedPtr model_;
+};
 
 // The file's numbers have six decimals.
 constexpr double kPrecision = 2e-6;
