@@ -5,7 +5,6 @@
 #include <iomanip>
 #include <ostream>
 #include <random>
-#include <sstream>
 
 namespace physics {
 namespace {
@@ -229,9 +228,7 @@ Rise standUp(Bench& bench) {
 }
 
 std::string percent(double part) {
-  std::ostringstream text;
-  text << std::lround(100 * part) << " %";
-  return text.str();
+  return std::to_string(std::lround(100 * part)) + " %";
 }
 
 }  // namespace

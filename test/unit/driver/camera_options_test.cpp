@@ -5,10 +5,9 @@
 #include "node/camera/camera_state_publisher.h"
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::Resolution;
-
-namespace {
 
 TEST(CameraOptions, AResolutionIsOneOfTheCamerasLayersOrDouble) {
   EXPECT_EQ(resolutionOf("52x40"), Resolution::kLow);

@@ -10,13 +10,11 @@
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::ColorRange;
 using aibo_client::ColorTable;
 using aibo_client::ConnectionState;
-
-namespace {
-
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Pair;

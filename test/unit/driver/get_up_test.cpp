@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::EndedHow;
 using aibo_client::MotorState;
 using aibo_client::PostureNow;
 using movement::Movement;
-
-namespace {
 
 class GetUpTest : public ::testing::Test {
  protected:

@@ -5,10 +5,9 @@
 #include <cmath>
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::LedMode;
-
-namespace {
 
 class LedMemoryTest : public ::testing::Test {
  protected:

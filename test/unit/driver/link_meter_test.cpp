@@ -5,11 +5,9 @@
 #include "node/camera/camera_options.h"
 
 namespace aibo_driver::node {
-
-using aibo_client::Picture;
-
 namespace {
 
+using aibo_client::Picture;
 using std::chrono::milliseconds;
 
 class LinkMeterTest : public ::testing::Test {

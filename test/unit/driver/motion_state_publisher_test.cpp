@@ -3,13 +3,11 @@
 #include <gmock/gmock.h>
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::EndedHow;
 using aibo_client::MotorState;
 using aibo_client::PostureNow;
-
-namespace {
-
 using Kind = movement::Movement::Kind;
 
 const ros::Time kNow(1800000000, 0);

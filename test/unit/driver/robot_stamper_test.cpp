@@ -6,12 +6,10 @@
 #include <cstdint>
 
 namespace aibo_driver::node {
-
-using aibo_client::Picture;
-
 namespace {
 
 using namespace std::chrono_literals;
+using aibo_client::Picture;
 
 Picture pictureOf(RobotStamper::SteadyTime arrival) {
   Picture picture;

@@ -5,12 +5,10 @@
 #include <cmath>
 
 namespace aibo_driver::node {
-
-using aibo_client::Telemetry;
-
 namespace {
 
 using namespace std::chrono_literals;
+using aibo_client::Telemetry;
 using Readings = std::vector<std::pair<std::string, double>>;  // by the names of the robot's sensors
 
 constexpr double kGravity = 9.81;

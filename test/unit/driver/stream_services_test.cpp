@@ -9,11 +9,9 @@
 #include "support/temporary_folder.h"
 
 namespace aibo_driver::node {
-
-using aibo_client::Picture;
-
 namespace {
 
+using aibo_client::Picture;
 using test_support::callService;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

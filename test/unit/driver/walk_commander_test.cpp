@@ -1,5 +1,4 @@
 #include "node/walk/walk_commander.h"
-#include "node/services.h"
 
 #include <gmock/gmock.h>
 #include <std_srvs/Trigger.h>
@@ -9,12 +8,10 @@
 #include "support/ros/call_service.h"
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::EndedHow;
 using aibo_client::EndedKind;
-
-namespace {
-
 using ::testing::ElementsAre;
 using Kind = movement::Movement::Kind;
 

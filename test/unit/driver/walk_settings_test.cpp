@@ -3,10 +3,9 @@
 #include <gmock/gmock.h>
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::WalkVelocity;
-
-namespace {
 
 constexpr aibo_client::WalkLimits kRobot{0.15, 0.1, 0.06, 1.2};
 

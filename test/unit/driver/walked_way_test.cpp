@@ -7,12 +7,11 @@
 #include "node/walk/odometry_publisher.h"
 
 namespace aibo_driver::node {
+namespace {
 
 using aibo_client::EndedHow;
 using aibo_client::EndedKind;
 using aibo_client::PostureNow;
-
-namespace {
 
 class WalkedWayTest : public ::testing::Test {
  protected:

@@ -92,16 +92,10 @@ TEST(TextForm, NamesTheLineOfAMistake) {
   const std::string begin = "robot ERS-7\nat 0 head_pan 1\n";
   EXPECT_EQ(problemOf(begin), "");
   EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame must be at 0 ms"));
-  EXPECT_THAT(problemOf(begin + "at soon\n"), HasSubstr("line 3: \"soon\" is not a number of milliseconds"));
   EXPECT_THAT(problemOf(begin + "at 0\n"), HasSubstr("line 3: the key frames are not in the order"));
   EXPECT_THAT(problemOf(begin + "at 32\nat 16\n"), HasSubstr("line 4: the key frames are not in the order"));
-  EXPECT_THAT(problemOf(begin + "at 20\n"),
-              HasSubstr("line 3: 20 ms is not a multiple of a frame, which has 16 ms; 16 and 32 are"));
   EXPECT_THAT(problemOf(begin + "at 16 head_pan\n"), HasSubstr("line 3: head_pan has no angle"));
-  EXPECT_THAT(problemOf(begin + "at 16 head_pan 1x\n"), HasSubstr("line 3: \"1x\" is not a number of degrees"));
-  EXPECT_THAT(problemOf(begin + "at 16 head_pan 361\n"), HasSubstr("line 3: head_pan is more than a turn away"));
   EXPECT_THAT(problemOf(begin + "at 16 tail_pan 1\n"), HasSubstr("line 3: tail_pan is not in the first key frame"));
-  EXPECT_THAT(problemOf(begin + "at 16 left_wing 1\n"), HasSubstr("line 3: an ERS-7 has no joint \"left_wing\""));
   EXPECT_THAT(problemOf(begin + "at 160000\n"), HasSubstr("more than 60 s"));
   for (const std::string frame : {"0", "-1", "7", "1001", "65552"}) {  // 65552 is 16 in the two bytes of a motion file
     EXPECT_THAT(problemOf("frame " + frame + "\n" + begin), HasSubstr("a frame of " + frame + " ms"));

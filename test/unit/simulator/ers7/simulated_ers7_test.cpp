@@ -208,17 +208,6 @@ TEST_F(SimulatedErs7Test, ButtonsAreReportedWhileTheyArePressed) {
   }
 }
 
-TEST_F(SimulatedErs7Test, APawIsPressedWhileItsFootIsOnTheFloor) {
-  for (const std::string leg : {"left_front", "left_hind", "right_front", "right_hind"}) {
-    const OPrimitiveID knee = drive((leg + "_knee").c_str());
-    pass(100, {jointCommand(knee, 1900000)});
-    for (const std::string paw : {"left_front", "left_hind", "right_front", "right_hind"}) {
-      EXPECT_EQ(sensor("paw_" + paw), paw != leg) << leg;
-    }
-    pass(100, {jointCommand(knee, restingPosition(leg + "_knee"))});
-  }
-}
-
 TEST_F(SimulatedErs7Test, LedsKeepTheirLastCommand) {
   const OPrimitiveID white = open(kWhiteLed);
   const OPrimitiveID face = open(kFaceLed);

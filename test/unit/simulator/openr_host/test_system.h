@@ -7,12 +7,6 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <functional>
-#include <memory>
-#include <sstream>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "fake_robot.h"
 #include "simulator/openr_host/objects/system.h"
