@@ -1,6 +1,4 @@
 // Sensors, LEDs, ears and power, in both versions of the protocol.
-#include <gmock/gmock.h>
-
 #include "protocol/units.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver_fixture.h"

@@ -1,6 +1,4 @@
 // The camera's colour detection (`Z`).
-#include <gmock/gmock.h>
-
 #include "protocol/color_requests.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver_fixture.h"

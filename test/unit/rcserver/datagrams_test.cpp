@@ -1,6 +1,4 @@
 // Pictures by UDP.
-#include <gmock/gmock.h>
-
 #include "picture_checks.h"
 #include "protocol/picture_datagram.h"
 #include "rcserver_fixture.h"

@@ -1,6 +1,5 @@
 // The pause button and a low battery switch the robot off, as POWERMON.BIN of the SDK does: motors off, then
 // OPENR::Shutdown() until the pause button is pressed again.
-#include <gmock/gmock.h>
 
 #include <cmath>
 #include <thread>

@@ -1,5 +1,4 @@
 // Microphone and speaker (`A`). Level2 Reference Guide, pages 44, 62 and 63; Model Information ERS-7, 3.1.2 and 3.2.2.
-#include <gmock/gmock.h>
 
 #include <cmath>
 

@@ -1,6 +1,4 @@
 // Pictures on the memory stick: the requests `M` and `Y`.
-#include <gmock/gmock.h>
-
 #include "file_keeper/FileJob.h"
 #include "motion_bytes.h"
 #include "picture_checks.h"

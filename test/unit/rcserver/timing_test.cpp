@@ -1,6 +1,5 @@
 // Joints are commanded in time whatever the camera does, on a processor as slow as the robot's. An ERS-7 needs 9 to
 // 14 ms to compress a picture, by counted instructions; the report of 2006 measured 32 to 64 ms.
-#include <gmock/gmock.h>
 
 #include "picture_checks.h"
 #include "rcserver_fixture.h"
