@@ -82,7 +82,7 @@ TEST_F(StickPictureServicesTest, ListAndDeletePictures) {
   EXPECT_THAT(answer.names, testing::ElementsAre("AIBO0001.JPG", "MINE.JPG"));
   EXPECT_EQ(answer.message, "Pictures on the robot: 2.");
   EXPECT_EQ(remove("mine").message, "MINE.JPG was deleted from the robot.");
-  EXPECT_THAT(client_.told, testing::ElementsAre("delete MINE.JPG"));
+  EXPECT_THAT(client_.told, testing::ElementsAre("list pictures", "delete MINE.JPG"));
 }
 
 TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
