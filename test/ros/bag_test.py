@@ -147,12 +147,12 @@ class BagTest(unittest.TestCase):
     def test_a_film_needs_ffmpeg(self):
         walk = self.record()
         self.fail_with('sudo apt install ffmpeg', 'mp4', walk, self.path('walk.mp4'), PATH='/nonexistent')
-        program = self.folder / 'ffmpeg'
+        program, search = self.folder / 'ffmpeg', '%s:%s' % (self.folder, os.environ['PATH'])
         for text, problem in (('echo "no such encoder" >&2', 'ffmpeg failed: no such encoder'),
                               ('head -c 1000000 /dev/zero >&2\ncat > /dev/null', 'ffmpeg failed')):
             program.write_text('#!/bin/sh\n%s\nexit 1\n' % text)
             program.chmod(0o755)
-            self.fail_with(problem, 'mp4', walk, self.path('walk.mp4'), PATH='%s:%s' % (self.folder, os.environ['PATH']))
+            self.fail_with(problem, 'mp4', walk, self.path('walk.mp4'), PATH=search)
 
     def test_joints_are_a_table(self):
         self.succeed('joints', self.record(), self.path('walk.csv'))

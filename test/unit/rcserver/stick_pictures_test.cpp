@@ -1,8 +1,8 @@
 // Pictures on the memory stick: the requests `M` and `Y`.
+#include "protocol/stick_pictures.h"
 #include "file_keeper/FileJob.h"
 #include "motion_bytes.h"
 #include "picture_checks.h"
-#include "protocol/stick_pictures.h"
 #include "rcserver_fixture.h"
 
 namespace {
