@@ -30,13 +30,16 @@ void RefusalLog::refused(char letter, const std::string& problem, const Refusal&
 }
 
 void Connection::dropTooOld(TimePoint now) {
-  const std::string reason = "too old: it could not be sent to " + context.address + " in time";
-  commands.dropTooOld(now, reason);
-  reportDropped();
+  // The words are made only when they are needed, because this is called whenever the client's thread wakes.
+  const auto reason = [this] { return "too old: it could not be sent to " + context.address + " in time"; };
+  if (!commands.joints.empty() || commands.steering) {
+    commands.dropTooOld(now, reason());
+    reportDropped();
+  }
   calls.endIf([now](const Call& call) { return call.request_number == 0 && call.terms && call.terms->not_after < now; },
               [&](const Call& call) {
-                tellRefused(call, RefusalCause::kTooOld, reason);
-                return makeFailure(CallOutcome::kRefused, "The order to " + describe(call) + " is " + reason + ".");
+                tellRefused(call, RefusalCause::kTooOld, reason());
+                return makeFailure(CallOutcome::kRefused, "The order to " + describe(call) + " is " + reason() + ".");
               });
 }
 
