@@ -64,13 +64,13 @@ void warnOfMissingModel(const std::string& design) {
 }
 
 // actionlib publishes the state of each action, latched, at every change. Unless this parameter says otherwise, it also
-// repeats the state five times a second. These repetitions took a third of an idle driver's wake-ups.
-void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
+// repeats the state five times a second. Even once a second, the repetitions took half of an idle driver's wake-ups.
+void repeatStateOfActionsOnlyIfWanted(const ros::NodeHandle& handle) {
   constexpr const char* kParameter = "actionlib_status_frequency";
-  constexpr double kTimesASecond = 1;
+  constexpr double kNever = 0;
   std::string found;
   if (!handle.searchParam(kParameter, found)) {
-    handle.setParam(kParameter, kTimesASecond);
+    handle.setParam(kParameter, kNever);
   }
 }
 
@@ -224,7 +224,7 @@ void AiboDriver::advertise(ros::NodeHandle handle, Services services) {
 }
 
 void AiboDriver::startActions() {
-  repeatStateOfActionsRarely(handle_);
+  repeatStateOfActionsOnlyIfWanted(handle_);
   actions_.push_back(startPlayMotion(motion_calls_.handle(), mover_));
   actions_.push_back(startFollowTrajectory(order_thread_.handle(), joint_table_, measured_joints_, mover_));
   actions_.push_back(startPlaySound(sound_calls_.handle(), player_));
