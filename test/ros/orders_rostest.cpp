@@ -3,11 +3,13 @@
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/PlayMotion.h>
 #include <aibo_driver/RobotState.h>
+#include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
+#include <trajectory_msgs/JointTrajectory.h>
 
 #include <algorithm>
 #include <chrono>
@@ -32,6 +34,7 @@ using aibo_driver::MotionState;
 using aibo_driver::Movement;
 using aibo_driver::PlayMotion;
 using aibo_driver::RobotState;
+using geometry_msgs::Twist;
 using sensor_msgs::JointState;
 using std::chrono::milliseconds;
 using std_srvs::Trigger;
@@ -45,6 +48,7 @@ using test_support::lastEnd;
 using test_support::Posture;
 using test_support::TopicListener;
 using test_support::trajectory;
+using trajectory_msgs::JointTrajectory;
 
 // More than the noise of a joint that stands.
 constexpr double kStill = 0.02;  // rad
@@ -143,18 +147,40 @@ TEST_P(OrdersTest, AreDoneWhenTheJointIsMeasuredThere) {
   EXPECT_TRUE(user.waitForEnd(Movement::TRAJECTORY, EndedMovement::DONE));
 }
 
+// Orders wait in the sockets of a driver that is frozen. Afterwards, none of them reaches the robot.
+void expectOldOrdersToBeRefused(DriverUser* user, TopicListener<MotionState>* states) {
+  user->publisherOf<JointState>("joint_command");
+  user->publisherOf<JointTrajectory>("joint_trajectory");
+  user->publisherOf<Twist>("cmd_vel");
+  for (const int freeze : {600, 1000, 3000}) {
+    const std::uint64_t newest = lastEnd(*states->waitForCount(1).back()).movement.order;
+    user->driver.signal(SIGSTOP);
+    std::this_thread::sleep_for(milliseconds(50));
+    user->publish("joint_command", command({{"head_pan", 0.5}}));
+    user->publish("joint_trajectory", trajectory({{"tail_pan", 0.5}}, 1.0));
+    user->publish("cmd_vel", DriverUser::twist(0.1));
+    std::this_thread::sleep_for(milliseconds(freeze - 50));
+    user->driver.signal(SIGCONT);
+    for (const auto kind : {Movement::COMMAND, Movement::TRAJECTORY, Movement::WALK}) {
+      EXPECT_TRUE(states->waitFor([&](const MotionState& state) {
+        return std::any_of(state.ended.begin(), state.ended.end(), [&](const EndedMovement& each) {
+          return each.movement.kind == kind && each.movement.order > newest && each.how == EndedMovement::REFUSED;
+        });
+      })) << static_cast<int>(kind)
+          << " after " << freeze << " ms";
+    }
+    EXPECT_EQ(user->proxy.requestsFromDriver("JS").size(), 0U) << freeze << " ms";
+  }
+}
+
 TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   OrderUser user(nameSpace("frozen"), options());
-  user.publisherOf<JointState>("joint_command");
-  user.driver.signal(SIGSTOP);
-  std::this_thread::sleep_for(milliseconds(300));
-  user.publish("joint_command", command({{"head_pan", 0.5}}));
-  user.publish("joint_command", command({{"left_front_knee", 0.5}}));
-  std::this_thread::sleep_for(milliseconds(1200));  // longer than 0.5 s
-  user.driver.signal(SIGCONT);
-  EXPECT_TRUE(user.waitForEnd(Movement::COMMAND, EndedMovement::REFUSED));
+  expectOldOrdersToBeRefused(&user, &user.states);
   EXPECT_LT(user.wayWithin(milliseconds(700)), kStill);
   EXPECT_TRUE(user.reaches({{"head_pan", 0.5}}, "joint_command", command({{"head_pan", 0.5}}))) << "later ones do";
+  DriverUser unmeasured(nameSpace("unmeasured"), {"_stream_on_start:=false", "_telemetry_rate:=0"}, options());
+  TopicListener<MotionState> states(nameSpace("unmeasured") + "/motion_state");
+  expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
 TEST(Orders, AreRefusedWithoutMotors) {
