@@ -183,6 +183,20 @@ TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
+// To the driver, its user is silent meanwhile.
+TEST(Orders, AHeldJoystickIsNotLetGoWhileTheDriverIsFrozen) {
+  OrderUser user("/held");
+  user.steer(0.1);
+  EXPECT_TRUE(user.becomesTrue([&user] { return user.wayWithin(milliseconds(300)) > 0.2; }));
+  EXPECT_TRUE(user.call<Trigger>("stop").success);
+  EXPECT_TRUE(user.call<Trigger>("release").success);
+  EXPECT_TRUE(user.comesToRest());
+  user.driver.signal(SIGSTOP);
+  std::this_thread::sleep_for(milliseconds(1000));
+  user.driver.signal(SIGCONT);
+  EXPECT_LT(user.wayWithin(milliseconds(2000)), kStill);
+}
+
 TEST(Orders, AreRefusedWithoutMotors) {
   OrderUser user("/limp");
   EXPECT_TRUE(user.setMotors(false).success);
