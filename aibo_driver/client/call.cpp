@@ -85,7 +85,7 @@ Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fa
 bool Call::cancels(const Call& other) const {
   const bool stops_it = has(version2::STOPS_MOTIONS) && other.request.letter == version2::REQUEST_PLAY &&
                         (object.empty() || object == other.object);
-  return other.has(version2::STARTS_MOVEMENT) && (has(version2::STOPS_ROBOT) || stops_it);
+  return other.terms && (has(version2::STOPS_ROBOT) || stops_it);
 }
 
 void Call::dropFrom(CommandOutbox* commands) const {

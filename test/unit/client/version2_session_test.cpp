@@ -748,13 +748,12 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     session.limitSpeed({{2, 1.0}});
     session.commandLeds({{1, 255}});
     auto picture = session.takePicture(10);
-    auto motors = session.add(callForMotors(true));
     auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}, 0));
     auto stop = session.add(letter == 'I' ? callToHold({}) : callForMotors(false));
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
     EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
-    EXPECT_EQ("HWFVOUTL", session.requests()) << "without J, which came before";
+    EXPECT_EQ("HWFVUTL", session.requests()) << "without J, which came before";
   }
 }
 
@@ -775,6 +774,12 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
        })},
       {"motion NOD", [](NewSession& session) { return session.order(callToPlay("NOD.MTN", 1, 0)); }},
       {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_SIT)); }},
+      {"motors on",
+       [](NewSession& session) {
+         Call call = callForMotors(true);
+         call.terms = {session.now_ + kLongestOrderWait, 0};
+         return session.add(std::move(call));
+       }},
       {"velocity 0", command([](NewSession& session) { session.steer({}); })},
   };
   const struct {
@@ -782,33 +787,34 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
     Order give;
     std::string dropped;  // x: this order of `waiting` is not carried out
   } rows[] = {
-      {"hold everything", [](NewSession& session) { return session.add(callToHold({})); }, "xxxxxx"},
-      {"hold joint 2", [](NewSession& session) { return session.add(callToHold({2})); }, "x--xx-"},
+      {"hold everything", [](NewSession& session) { return session.add(callToHold({})); }, "xxxxxxx"},
+      {"hold joint 2", [](NewSession& session) { return session.add(callToHold({2})); }, "x--xxx-"},
       {"hold joint 11",
        [](NewSession& session) {
          return session.add(callToHold({3, 11}));
        },
-       "-xxxxx"},
-      {"motors off", [](NewSession& session) { return session.add(callForMotors(false)); }, "xxxxxx"},
-      {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx----"},
-      {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_STAND)); }, "xxx--x"},
-      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN", 1, 0)); }, "xxx--x"},
-      {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x--"},
-      {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "------"},
-      {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x--"},
+       "-xxxxxx"},
+      {"motors off", [](NewSession& session) { return session.add(callForMotors(false)); }, "xxxxxxx"},
+      {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx-----"},
+      {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_STAND)); },
+       "xxx---x"},
+      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN", 1, 0)); }, "xxx---x"},
+      {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x---"},
+      {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-------"},
+      {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x---"},
       {"joint 2", command([](NewSession& session) {
          session.commandJoints({{2, 0.2}});
        }),
-       "x-----"},
+       "x------"},
       {"joint 11", command([](NewSession& session) {
          session.commandJoints({{11, 0.2}});
        }),
-       "-xx--x"},
-      {"velocity 0", command([](NewSession& session) { session.steer({}); }), "--x--x"},
+       "-xx---x"},
+      {"velocity 0", command([](NewSession& session) { session.steer({}); }), "--x---x"},
       {"walk", command([](NewSession& session) {
          session.steer({0.2, 0, 0});
        }),
-       "-xx---"},
+       "-xx----"},
   };
   for (const auto& row : rows) {
     std::string dropped;

@@ -194,8 +194,7 @@ class RcServerClient {
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
   /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
-  /// switch them off is sent before everything that waits. Motions, and commands to the joints, that have not been sent
-  /// are dropped.
+  /// switch them off is sent before everything that waits. Orders that have not been sent are dropped.
   /// @param on true: on; false: off
   /// @param timeout the longest time to wait, 1 ms..1 h
   /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
@@ -219,8 +218,8 @@ class RcServerClient {
 
   /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
   /// them end. This request is sent before everything that waits. Commands to these joints that have not been sent are
-  /// dropped. Motions that have not been sent are dropped, too: their callers get a CommandException. It returns when
-  /// the robot has answered.
+  /// dropped. Motions, postures and requests to switch the motors on that have not been sent are dropped, too: their
+  /// callers get a CommandException. It returns when the robot has answered.
   /// @param joints 0..32 identifiers of joints; each appears once. If it is empty, everything that moves stops
   /// @param timeout the longest time to wait, 1 ms..1 h
   /// @throw InvalidArgumentException an argument is out of range
