@@ -93,9 +93,8 @@ void Call::dropFrom(CommandOutbox* commands) const {
   if (has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS)) {
     commands->stopJoints(joints, reason);
   }
-  const bool takes_legs = has(version2::ENDS_WALK) || has(version2::STARTS_MOVEMENT);
-  if (takes_legs && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
-    commands->stopWalk(reason);
+  if (has(version2::ENDS_WALK) && (joints.empty() || std::any_of(joints.begin(), joints.end(), isOfLeg))) {
+    commands->stopWalk(has(version2::STOPS_ROBOT), reason);
   }
 }
 

@@ -128,7 +128,7 @@ void CommandOutbox::command(JointCommand newer) {
   const bool takes_legs = std::any_of(newer.targets.begin(), newer.targets.end(),
                                       [](const JointTarget& target) { return isOfLeg(target.id); });
   if (takes_legs) {
-    dropSteering(RefusalCause::kReplaced, "the legs were commanded before it was sent");
+    drop(&steering, RefusalCause::kReplaced, "the legs were commanded before it was sent");
   }
   std::vector<JointCommand> replaced = joints.add(std::move(newer));
   replaced.erase(std::remove_if(replaced.begin(), replaced.end(),
@@ -156,6 +156,13 @@ void CommandOutbox::stopJoints(const std::vector<int>& ids, const std::string& r
   drop(joints.takeJoints(is_meant), RefusalCause::kStopped, reason);
 }
 
+void CommandOutbox::stopWalk(bool with_zero, const std::string& reason) {
+  drop(&steering, RefusalCause::kStopped, reason);
+  if (with_zero) {
+    drop(&let_go, RefusalCause::kStopped, reason);
+  }
+}
+
 void CommandOutbox::dropTooOld(TimePoint now, const std::string& reason) {
   drop(joints.takeTooOld(now), RefusalCause::kTooOld, reason);
   if (steering && steering->terms.not_after < now) {
@@ -173,17 +180,12 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
   }
 }
 
-// Losing a velocity of 0 does no harm: whatever takes the legs ends the walk, too. Only its order has to end.
+// Losing a velocity of 0 does no harm: a stop or another one takes its place. Only its order has to end.
 void CommandOutbox::drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason) {
   const std::optional<SteeringCommand> gone = std::exchange(*velocity, std::nullopt);
   if (gone && (!gone->velocity.isZero() || gone->terms.number != 0)) {
     dropped.push_back({RefusedRequest::kWalk, cause, {}, reason, gone->terms.number});
   }
-}
-
-void CommandOutbox::dropSteering(RefusalCause cause, const std::string& reason) {
-  drop(&let_go, cause, reason);
-  drop(&steering, cause, reason);
 }
 
 }  // namespace aibo_client

@@ -129,7 +129,7 @@ struct SteeringCommand {
 struct CommandOutbox {
   LatestById<JointSpeedLimit> speed_limits;
   JointCommands joints;
-  std::optional<SteeringCommand> let_go;    ///< a velocity of 0; it is sent before `steering`, which came after it
+  std::optional<SteeringCommand> let_go;    ///< a velocity of 0; only what stops the robot is sent before it
   std::optional<SteeringCommand> steering;  ///< the newest velocity, which is not 0
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
@@ -144,8 +144,8 @@ struct CommandOutbox {
   /// Adds a command to joints. If it moves a leg, a walk that waits is dropped.
   void command(JointCommand newer);
 
-  /// Adds a velocity, which drops those that wait. The exception is a velocity of 0 that waits: it stays. Commands to
-  /// the legs that wait are dropped, unless this velocity is 0.
+  /// Adds a velocity, which drops those that wait. The exception is a velocity of 0 that waits: only another one drops
+  /// it. Commands to the legs that wait are dropped, unless this velocity is 0.
   void steer(const SteeringCommand& newer);
 
   /// Drops the commands to these joints.
@@ -153,8 +153,9 @@ struct CommandOutbox {
   /// @param reason the reason in words, without a full stop
   void stopJoints(const std::vector<int>& ids, const std::string& reason);
 
-  /// Drops the velocities to walk with, also one of 0.
-  void stopWalk(const std::string& reason) { dropSteering(RefusalCause::kStopped, reason); }
+  /// Drops the velocity to walk with.
+  /// @param with_zero also the velocity of 0, for a request that is sent before it and ends the walk
+  void stopWalk(bool with_zero, const std::string& reason);
 
   /// Drops all commands that are too old to be sent now.
   void dropTooOld(JointCommands::TimePoint now, const std::string& reason);
@@ -162,7 +163,6 @@ struct CommandOutbox {
  private:
   void drop(const std::vector<JointCommand>& commands, RefusalCause cause, const std::string& reason);
   void drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason);
-  void dropSteering(RefusalCause cause, const std::string& reason);
 };
 
 }  // namespace aibo_client

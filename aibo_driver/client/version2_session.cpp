@@ -214,6 +214,9 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (ready_ && stop != nullptr) {
     return requestCall(stop, now);
   }
+  if (ready_ && connection_.commands.let_go) {
+    return requestSteering(&connection_.commands.let_go, now);
+  }
   if (now >= next_hello_) {
     return requestHello(now);
   }
@@ -401,9 +404,6 @@ bool Version2Session::mayCommandJoints() const {
 
 Session::Bytes Version2Session::nextCommand(TimePoint now) {
   CommandOutbox& commands = connection_.commands;
-  if (commands.let_go) {
-    return requestSteering(&commands.let_go, now);
-  }
   const bool may_order = frames_.present(now).has_value();
   if (commands.steering && may_order && commands.speed_limits.empty() && outstanding(version2::REQUEST_STEER) == 0) {
     return requestSteering(&commands.steering, now);

@@ -493,7 +493,7 @@ TEST(Version2Session, SendsTheExpiryOfEachKindOfOrder) {
       session.answer(Bytes(8));
     }
   }
-  EXPECT_EQ("EPOSSJ", kinds);
+  EXPECT_EQ("SEPOSJ", kinds);
 }
 
 TEST(Version2Session, SendsNoOrderWithoutAFrameOfTheLast2S) {
@@ -514,7 +514,7 @@ TEST(Version2Session, SendsNoOrderWithoutAFrameOfTheLast2S) {
   other.now_ += milliseconds(2001);
   giveAllOrders(&other, &answers);
   other.pushPicture(1, 300);
-  EXPECT_EQ("HEPOSJ", other.requests()) << "a picture tells the frame, too";
+  EXPECT_EQ("SHEPOJ", other.requests()) << "a picture tells the frame, too";
 }
 
 TEST(Version2Session, TakesALateMessageForAnEarlierFrameAndATimelyOneAtOnce) {
@@ -653,6 +653,16 @@ TEST_F(Version2RefusalsTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
   expectRefusals({});
 }
 
+TEST_F(Version2RefusalsTest, OnlyAStopIsSentBeforeZeros) {
+  wish_.streaming = true;
+  commandJoints({{11, 0.1}});
+  auto motion = order(callToPlay("NOD.MTN", 1, 0));
+  steer({});
+  auto held = add(callToHold({2}));
+  auto posture = order(callForPosture(version2::POSTURE_SIT));
+  EXPECT_EQ("ISWE", requests());
+}
+
 TEST_F(Version2RefusalsTest, ZerosAreSentAtOnceAndBeforeAVelocityThatCameAfterThem) {
   steer({0.1, 0, 0});
   EXPECT_EQ("S", requests());
@@ -753,7 +763,7 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
     EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
-    EXPECT_EQ("HWFVUTL", session.requests()) << "without J, which came before";
+    EXPECT_EQ("HWFUTVL", session.requests()) << "without J, which came before";
   }
 }
 
@@ -797,8 +807,8 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"motors off", [](NewSession& session) { return session.add(callForMotors(false)); }, "xxxxxxx"},
       {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx-----"},
       {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_STAND)); },
-       "xxx---x"},
-      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN", 1, 0)); }, "xxx---x"},
+       "xxx----"},
+      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN", 1, 0)); }, "xx-----"},
       {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x---"},
       {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-------"},
       {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x---"},
@@ -809,7 +819,7 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"joint 11", command([](NewSession& session) {
          session.commandJoints({{11, 0.2}});
        }),
-       "-xx---x"},
+       "-xx----"},
       {"velocity 0", command([](NewSession& session) { session.steer({}); }), "--x---x"},
       {"walk", command([](NewSession& session) {
          session.steer({0.2, 0, 0});

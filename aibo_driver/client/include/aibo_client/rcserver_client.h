@@ -245,11 +245,12 @@ class RcServerClient {
   ///
   /// A walk begins only after a velocity of 0, which says that the user let go of the controls. It has to come after
   /// the connection was made, after anything else that took or held a leg, after a fall, and after an end or a refusal
-  /// by the robot. It is sent even if another velocity is given before it could be sent.
+  /// by the robot. It is sent before everything else that waits but what stops the robot, so nothing but that and a
+  /// newer one drops it.
   ///
   /// Only the newest velocity counts. on_refused tells if an older one was dropped before it was sent. It also tells if
-  /// hold(), takePosture(), playMotion(), motors off or a command to the legs came before it was sent. These drop a
-  /// velocity of 0, too. Without a connection a velocity is refused, and nothing is repeated after a reconnect.
+  /// hold(), takePosture(), motors off or a command to the legs came before it was sent. Without a connection a
+  /// velocity is refused, and nothing is repeated after a reconnect.
   ///
   /// @param velocity at most 32.767 m/s and rad/s; the robot keeps its limits (RobotInfo::walk_limits)
   /// @param terms until when the velocity may reach the robot, and its number; a velocity of 0 is never too old
