@@ -10,6 +10,7 @@
 #include "aibo_client/jpeg_inspector.h"
 #include "client/argument_checks.h"
 #include "client/connection_loop.h"
+#include "client/units.h"
 
 namespace aibo_client {
 
@@ -293,10 +294,12 @@ std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, mill
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
   checkWalkVelocity(velocity);
+  const WalkVelocity rounded = {wholeThousandths(velocity.forward), wholeThousandths(velocity.left),
+                                wholeThousandths(velocity.turn)};
   loop_->change([&](Shared& shared) {
     loop_->requireConnection(shared);
     requireRequest(*loop_, shared, version2::STEER, version2::STEER.words, false);
-    shared.commands.steer({velocity, terms, steering_bits_});
+    shared.commands.steer({rounded, terms, steering_bits_});
   });
 }
 

@@ -21,7 +21,11 @@ inline double fromMicro(int value) {
   return value * 1e-6;
 }
 
-/// Version 2 counts velocities of a walk in mm/s and mrad/s.
+/// Version 2 counts velocities of a walk in mm/s and mrad/s. This is the velocity that is sent.
+inline double wholeThousandths(double value) {
+  return std::round(value * 1000) / 1000;
+}
+
 /// @param design the robot's design. If this design is not known to have the sensor, the sensor counts as one with a
 ///   unit
 inline robot_model::SensorKind sensorKind(const std::string& design, int id) {

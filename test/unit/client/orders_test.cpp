@@ -10,6 +10,7 @@
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_support::kSafetyNet;
+using testing::EndsWith;
 using testing::HasSubstr;
 using version2_frames::makeFrame;
 using version2_frames::textOf;
@@ -49,6 +50,8 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
   auto motion = client_.beginMotion("NOD.MTN", 1, kSafetyNet, {never, 74});
   refuse('P');
   EXPECT_THROW(motion.get(), CommandException);
+  client_.steer({0.0004, 0, -0.0004}, {TimePoint(), 79});
+  EXPECT_THAT(textOf(peer.readRequest()), EndsWith(" 0 0 0 0 0 0 0 0")) << "zeros are never too old";
   client_.commandJoints({{2, 0.1}}, milliseconds(0), {TimePoint(), 75});
   client_.steer({0, 0.1, 0}, {TimePoint(), 76});
   const std::string address = "127.0.0.1:" + std::to_string(server_.port());
