@@ -68,7 +68,7 @@ RCServer::RCServer()
       guest_(NULL),
       guest_since_(0),
       has_asked_(false),
-      has_asked_since_(0),
+      quiet_since_(0),
       body_(NULL),
       power_down_(file_desk_),
       session_(NULL),
@@ -249,6 +249,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     guest_ = connection;
     guest_since_ = now_;
     has_asked_ = false;
+    quiet_since_ = now_;
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -264,9 +265,10 @@ void RCServer::SendCont(ANTENVMSG msg) {
     return;
   }
   signs_.last_sign_of_life = now_;
-  if (!signs_.is_question_out) {
-    has_asked_since_ = now_;
+  if (signs_.last_given != now_) {  // it has waited until the client took something
+    quiet_since_ = now_;
   }
+  signs_.last_given = now_;
   if (!client_->Sent()) {
     DropClient("the IPStack does not send", true);
     return;
@@ -294,7 +296,9 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   client_->Received(static_cast<size_t>(answer->sizeMin));
   signs_.last_sign_of_life = now_;
   signs_.last_bytes_received = now_;
-  signs_.is_asked = false;
+  if (guest_ != NULL && has_asked_) {
+    TurnAwayWhileBusy(guest_);
+  }
   ServeClient();
 }
 
@@ -447,15 +451,6 @@ bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
   return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
 }
 
-void RCServer::AskClientForSign() {
-  has_asked_ = true;
-  has_asked_since_ = now_;
-  signs_.is_asked = true;
-  signs_.is_question_out = false;
-  session_->AskForSign();
-  ServeClient();
-}
-
 // Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
 void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
   if (answer.error != TCP_SUCCESS) {
@@ -486,13 +481,13 @@ void RCServer::CheckGuest() {
     if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
       TurnAwayWhileBusy(guest_);
     }
-  } else if (!is_silent && !has_asked_) {
-    AskClientForSign();
-  } else if (is_silent || (signs_.is_asked && now_ - has_asked_since_ >= SIGN_FRAMES)) {
+  } else if (!is_silent && !has_asked_ && session_->AskForSign()) {
+    has_asked_ = true;
+    quiet_since_ = now_;
+    ServeClient();
+  } else if (is_silent || now_ - quiet_since_ >= SIGN_FRAMES) {
     DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
     AdmitGuest();
-  } else if (!signs_.is_asked) {
-    TurnAwayWhileBusy(guest_);
   }
 }
 
@@ -599,6 +594,7 @@ bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
+  signs_.last_given = now_;
   if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(now_)) {
     return SendLeftOver(*left_over);
   }
@@ -608,7 +604,6 @@ bool RCServer::SendOutput() {
   if (file_.IsThere()) {
     return SendFile();
   }
-  signs_.is_question_out = true;
   return !session_->HasOutput() || client_->Send(session_->TakeOutput(client_->SendBuffer()), false);
 }
 

@@ -49,8 +49,9 @@ class RCServer : public OObject {
   static const longword FIRST_REQUEST_FRAMES = 250;
 
   /// A client of version 2 is asked for a sign when a newcomer from its address has sent a request. If it sends nothing
-  /// within this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection. What
-  /// is sent before the question, such as a large picture, does not count while the client takes part after part of it.
+  /// for this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection. Over a
+  /// slow link, the question may come late. So the time begins anew whenever the client has made room for something
+  /// that waited at the IPStack.
   static const longword SIGN_FRAMES = 38;
 
   /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
@@ -131,7 +132,6 @@ class RCServer : public OObject {
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
   bool MayBeClientAgain(const Connection& newcomer) const;
-  void AskClientForSign();
   void GuestReceived(const TCPEndpointReceiveMsg& answer);
   void CheckGuest();
   void AdmitGuest();
@@ -164,8 +164,7 @@ class RCServer : public OObject {
           last_not_over(now),
           is_announced(false),
           was_silent(false),
-          is_asked(false),
-          is_question_out(false) {}
+          last_given(now) {}
 
     longword admitted;             ///< frame in which it was admitted
     longword last_bytes_received;  ///< from it
@@ -173,8 +172,7 @@ class RCServer : public OObject {
     longword last_not_over;  ///< last frame in which the session was not over
     bool is_announced;       ///< the console has named it
     bool was_silent;         ///< at the last check
-    bool is_asked;           ///< for a sign, and has sent nothing since
-    bool is_question_out;    ///< the IPStack has it
+    longword last_given;     ///< frame in which the IPStack was given something for it
   };
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
@@ -182,9 +180,9 @@ class RCServer : public OObject {
   Connection* client_;  ///< the client's connection; NULL if there is no client
   Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
-  bool has_asked_;  ///< the client, for a sign: the guest has sent a request
-  longword has_asked_since_;
-  Body* body_;  ///< from DoInit to DoDestroy
+  bool has_asked_;        ///< the client, for a sign: the guest has sent a request
+  longword quiet_since_;  ///< frame in which the client was asked, or has last made room at the IPStack
+  Body* body_;            ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   FrameClock clock_;
   HoldUpWatch held_up_;

@@ -70,12 +70,6 @@ void Session::RobotGoesOff(const char* reason) {
   }
 }
 
-void Session::AskForSign() {
-  if (talk_.version == protocol::version2::VERSION) {
-    version2_.AskForSign();
-  }
-}
-
 void Session::Measured(unsigned frame) {
   if (talk_.version == protocol::version2::VERSION) {
     version2_.Measured(frame);

@@ -87,7 +87,8 @@ class Session {
   void RobotGoesOff(const char* reason);
 
   /// Asks a client of version 2 for a sign of life: it answers an empty `h` at once.
-  void AskForSign();
+  /// @return false if there is no room for the question
+  bool AskForSign() { return version2_.AskForSign(); }
 
   /// All joints have been measured.
   /// @param frame in which

@@ -181,10 +181,12 @@ void Version2::PushPowerOff(const char* reason) {
   }
 }
 
-void Version2::AskForSign() {
-  if (outbox_.HasRoom()) {
+bool Version2::AskForSign() {
+  const bool has_room = outbox_.HasRoom();
+  if (has_room) {
     Send(replyKind(REQUEST_HELLO), 0, NULL, 0);
   }
+  return has_room;
 }
 
 void Version2::PushReports() {

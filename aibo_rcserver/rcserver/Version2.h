@@ -52,7 +52,8 @@ class Version2 {
   void PushPowerOff(const char* reason);
 
   /// Pushes an empty `h`, if there is room in the outbox. The client answers at once.
-  void AskForSign();
+  /// @return false if there is no room
+  bool AskForSign();
 
   /// True if the client has switched on colour detection and this image is due.
   bool WantsColors(unsigned image_count) const {

@@ -9,7 +9,9 @@
 
 namespace {
 
+using ::testing::Gt;
 using ::testing::HasSubstr;
+using ::testing::SizeIs;
 
 constexpr unsigned kSign = 38;  // frames: 0.3 s
 
@@ -89,6 +91,16 @@ TEST_F(GuestsTest, TakeThePlaceOfAClientThatTakesNothingOfALargePictureAnyMore) 
   passFrames(100);
   auto back = comeWith(request('X', 2));
   passFrames(kSign + 4);
+  EXPECT_TRUE(isAgreedToVersion2(*back));
+}
+
+// What an outage leaves behind: the IPStack still takes what the client cannot get.
+TEST_F(GuestsTest, TakeThePlaceOfAClientWhoseIPStackTakesTelemetryForIt) {
+  answerTo('T', 0, payloadOf(protocol::version2::TelemetryPeriod{4}));
+  passFrames(4);
+  auto back = comeWith(request('X', 2));
+  passFrames(kSign + 4);
+  EXPECT_THAT(arrived('t'), SizeIs(Gt(6)));
   EXPECT_TRUE(isAgreedToVersion2(*back));
 }
 
