@@ -100,7 +100,7 @@ void JointControl::StopAll() {
 }
 
 Velocity JointControl::Steer(const Velocity& wanted, bool guarded, unsigned short number) {
-  if (!walker_.IsActive() && !wanted.isZero()) {
+  if (walker_.BeginsOrder(wanted)) {
     TakeLegs();
   }
   return walker_.Steer(wanted, guarded, number);

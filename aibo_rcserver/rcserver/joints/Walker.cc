@@ -168,7 +168,7 @@ Velocity Walker::Steer(const Velocity& wanted, bool guarded, unsigned short numb
   }
   legs_.ResetSpeedLimits();
   head_.Begin(false);
-  if (!IsWalk() || walk_.ends) {
+  if (BeginsOrder(wanted)) {
     ReplaceOrder(WALK_BEGAN, ENDED_WALK, number, WALK_NAME);
   }
   if (!IsWalk()) {

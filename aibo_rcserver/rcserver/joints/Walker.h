@@ -74,6 +74,11 @@ class Walker {
   protocol::version2::Velocity Steer(const protocol::version2::Velocity& wanted, bool guarded = false,
                                      unsigned short number = 0);
 
+  /// True if Steer() would begin an order.
+  bool BeginsOrder(const protocol::version2::Velocity& wanted) const {
+    return !wanted.isZero() && (!IsWalk() || walk_.ends);
+  }
+
   /// The number of the request that began the walk; 0 without a walk, or if the walk ends for a posture.
   unsigned short WalkNumber() const { return IsWalk() && !walk_.has_next ? orders_.Number(order_) : 0; }
 

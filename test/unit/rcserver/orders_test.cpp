@@ -297,6 +297,21 @@ TEST_F(OrdersTest, ZerosDoNotEndAPostureThatWaitsForAWalk) {
   EXPECT_THAT(heard(), ElementsAre("s3", "i2 0"));
 }
 
+TEST_F(OrdersTest, ToWalkRefuseAMotionOfTheLegsWhoseFileIsReadLater) {
+  for (const Asked& before : {kMovePan, kSit}) {
+    answersTo(1, before);
+    file_keeper_.slowDown();
+    ask(2, kPlayLegs);
+    answersTo(3, kLetGo);
+    EXPECT_THAT(answersTo(4, kWalk), Contains("s4"));
+    file_keeper_.speedUp();
+    passFrames(4);
+    EXPECT_THAT(heard(), Contains(HasSubstr("e2 0 left_front_knee was commanded while the file"))) << before.kind;
+    EXPECT_EQ(walkAfter(5, kWalk), 4) << "the walk goes on";
+    answersTo(6, kHoldAll);
+  }
+}
+
 TEST_F(OrdersTest, AFallEndsAWalkAndSteeringIsRefusedAfterwards) {
   beginWalk(1);
   robot_.layOnSide();
