@@ -68,7 +68,7 @@ bool OrderBook::Take(Reader reader, Ended* end) {
   while (taken != added_) {
     *end = ends_[taken % MAX_ENDS];
     ++taken;
-    if (reader == CONSOLE || end->number != 0 || end->what != protocol::version2::ENDED_WALK) {
+    if (reader == CONSOLE || end->number != 0 || end->what == protocol::version2::ENDED_POSTURE) {
       return true;
     }
   }

@@ -75,8 +75,8 @@ class OrderBook {
   /// The number of the order's request; 0 if it has none, or for NO_ORDER.
   unsigned short Number(int order) const { return order == NO_ORDER ? 0 : live_[order].end.number; }
 
-  /// Returns each end once to each reader, the oldest first. The client is not told of a walk without a number, which
-  /// an earlier client has begun.
+  /// Returns each end once to each reader, the oldest first. Without a number, the client is told only of a posture: an
+  /// earlier client has begun a rest. A motion without a number was begun in version 1, which tells no ends.
   /// @return false if there is none
   bool Take(Reader reader, Ended* end);
 

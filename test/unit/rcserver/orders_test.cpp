@@ -209,6 +209,21 @@ TEST_F(OrdersTest, OfAClientThatHasGoneAreNotToldButForARestThatGoesOn) {
   EXPECT_THAT(heard(), ElementsAre("i0 0"));
 }
 
+TEST_F(OrdersTest, OfVersion1AreNotToldInVersion2) {
+  disconnect();
+  client_ = connectServed();
+  for (const char* const name : {"HEAD.MTN", "LEGS.MTN"}) {
+    client_->send(fileRequest('P', name, 100));
+    EXPECT_EQ(await(*client_)->value.letter, 'p');
+  }
+  client_->send(fileRequest('P', "LEGS.MTN", 0));
+  EXPECT_EQ(await(*client_)->value.letter, 'p');
+  client_->send(request('X', 2));
+  EXPECT_TRUE(agreesToVersion2(await(*client_)->value));
+  passFrames(4);
+  EXPECT_THAT(answersTo(1, kHoldAll), ElementsAre("i1"));
+}
+
 // Four motions, and every other joint in an order of its own, end at once, and the client does not read.
 TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
   connectBehindAPicture();

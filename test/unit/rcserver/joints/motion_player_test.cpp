@@ -50,7 +50,7 @@ class AMotion : public ::testing::Test {
     std::memcpy(room, bytes.data(), bytes.size());
     protocol::MotionName motion_name;
     EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, leave_out, commanded);
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, leave_out, commanded, 1);
     return problem != nullptr ? problem : "";
   }
 

@@ -124,7 +124,7 @@ struct WalkingRobot {
     ASSERT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
     const std::string motion = motionBytes(key_frames);
     motion.copy(reinterpret_cast<char*>(joints.Motions().FindRoom()), motion.size());
-    ASSERT_EQ(joints.Motions().Play(motion_name, motion.size(), 1000, false, nullptr), nullptr);
+    ASSERT_EQ(joints.Motions().Play(motion_name, motion.size(), 1000, false, nullptr, 1), nullptr);
     joints.MotionHasBegun();
   }
   void take(Posture posture) {
