@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <random>
 #include <sstream>
 #include <utility>
@@ -72,19 +71,6 @@ std::vector<int> idsOf(const std::vector<Item>& items) {
 template <typename Element, typename Predicate>
 void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
   elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
-}
-
-/// True if the text contains this whole word.
-bool hasWord(const std::string& text, const std::string& word) {
-  const auto is_of_name = [&text](std::size_t i) {
-    return i < text.size() && (std::isalnum(static_cast<unsigned char>(text[i])) != 0 || text[i] == '_');
-  };
-  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-    if ((at == 0 || !is_of_name(at - 1)) && !is_of_name(at + word.size())) {
-      return true;
-    }
-  }
-  return false;
 }
 
 /// @throw ProtocolException if a decoder has found a problem
@@ -951,9 +937,10 @@ void Version2Session::onMotorsAndPosture(const Payload& payload) {
                                     is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
 }
 
-// This ends the reports of the joint's fault, and of motions that were stopped because of it.
+// The report of a joint's fault begins with its name.
 void Version2Session::jointFollowsAgain(const std::string& joint) {
-  removeIf(&reports_, [&joint](const Report& each) { return each.joint_fault && hasWord(each.text, joint); });
+  removeIf(&reports_,
+           [&joint](const Report& each) { return each.joint_fault && each.text.rfind(joint + " ", 0) == 0; });
   connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
   connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }

@@ -12,7 +12,6 @@
 #include "protocol/version2.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/camera/ColorCounter.h"
-#include "rcserver/joints/MotionPlayer.h"
 #include "rcserver/joints/OrderBook.h"
 
 /// A message that is replaced by any newer one of its kind.
@@ -83,12 +82,12 @@ class Outbox {
   static const size_t MAX_REFUSAL_SIZE =
       protocol::version2::FRAME_HEADER_SIZE + protocol::version2::MAX_ERROR_MESSAGE_SIZE;
 
-  /// Bytes of the messages before a reply: the ends of all orders, with an error for each motion that ends, and the
-  /// refusal of a motion whose file is being read.
+  /// Bytes of the messages before a reply: the ends of all orders, and the refusal of a motion whose file is being
+  /// read.
   static const size_t MAX_ENDS_SIZE =
       OrderBook::MAX_ENDS *
           (protocol::version2::FRAME_HEADER_SIZE + 4 + protocol::MAX_FILE_NAME_SIZE + 1 + OrderBook::MAX_TEXT_SIZE) +
-      (MotionPlayer::MAX_PLAYING + 1) * MAX_REFUSAL_SIZE;
+      MAX_REFUSAL_SIZE;
 
   /// Room for a reply and the messages before it.
   static const size_t ROOM = MAX_ENDS_SIZE + MAX_REPLY_SIZE;

@@ -663,11 +663,6 @@ void Version2::PushRecoveries() {
 void Version2::PushEnds() {
   OrderBook::Ended end;
   while (robot_.joints.Orders().Take(OrderBook::CLIENT, &end)) {
-    if (end.what == ENDED_MOTION && end.how == END_REFUSED) {
-      char text[MAX_ERROR_TEXT_SIZE];
-      sprintf(text, "%s is stopped: %s. Its joints hold where they are", end.name, end.reason);
-      SendError(0, CODE_JOINT_FAULT, text);
-    }
     SendEnd(end.what, end.how, end.number, end.name, end.reason);
   }
 }
