@@ -21,12 +21,9 @@ void RefusalLog::refused(char letter, const std::string& problem) {
   }
 }
 
-void RefusalLog::refused(char letter, const std::string& problem, const Refusal& refusal) {
-  if (context_.notifier.refused(refusal)) {
-    ++context_.counters.refusals;
-  } else {
-    refused(letter, problem + ": " + refusal.reason);
-  }
+void RefusalLog::refused(const Refusal& refusal) {
+  ++context_.counters.refusals;
+  context_.notifier.refused(refusal);
 }
 
 void Connection::dropTooOld(TimePoint now) {
@@ -59,11 +56,7 @@ void Connection::forgetSpeedLimits(const std::vector<int>& joints) {
 
 void Connection::reportDropped() {
   for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
-    if (!context.notifier.refused(refusal)) {
-      const char* const order =
-          refusal.request == RefusedRequest::kWalk ? "A velocity to walk with" : "A joint command";
-      context.notifier.log(LogLevel::kWarn, std::string(order) + " was dropped: " + refusal.reason + ".");
-    }
+    context.notifier.refused(refusal);
   }
 }
 

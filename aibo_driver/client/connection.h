@@ -22,8 +22,8 @@
 
 namespace aibo_client {
 
-/// Reports requests that the robot refused although no call waits for them. It tells the client's user or the log, once
-/// for each problem.
+/// Reports requests that the robot refused although no call waits for them. The client's user is told of orders. Others
+/// are logged, each problem once.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
@@ -32,9 +32,8 @@ class RefusalLog {
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(char letter, const std::string& problem);
 
-  /// Reports the refusal of an order. The order's user can be told.
-  /// @param problem what was refused, in words that follow "refused "; the reason follows them
-  void refused(char letter, const std::string& problem, const Refusal& refusal);
+  /// Reports the refusal of an order.
+  void refused(const Refusal& refusal);
 
   /// Call this when the robot has accepted such a request. Its next refusal is then logged again.
   void accepted(char letter) { last_problems_.erase(letter); }

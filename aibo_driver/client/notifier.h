@@ -47,11 +47,7 @@ class Notifier {
 
   void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
-  /// @return false if there is no callback for refusals
-  bool refused(const Refusal& refusal) const noexcept {
-    call(callbacks_.on_refused, "on_refused", refusal);
-    return callbacks_.on_refused != nullptr;
-  }
+  void refused(const Refusal& refusal) const noexcept { call(callbacks_.on_refused, "on_refused", refusal); }
 
   void motorsAndPosture(const MotorsAndPosture& state) const noexcept {
     call(callbacks_.on_motors_and_posture, "on_motors_and_posture", state);

@@ -334,10 +334,9 @@ void Version1Session::onValueRefused(int code) {
     }
     poll_.drop({request.letter, request.id});
   }
-  const std::string what = describe(request.letter, request.id);
   const std::optional<RefusedRequest> kind = refusedRequest(request.letter);
   if (!request.set || !kind) {
-    connection_.refusals.refused(request.letter, what + ": " + describeError(code));
+    connection_.refusals.refused(request.letter, describe(request.letter, request.id) + ": " + describeError(code));
     return;
   }
   if (*kind == RefusedRequest::kSpeedLimits) {
@@ -354,7 +353,7 @@ void Version1Session::onValueRefused(int code) {
       joint_orders_.erase(order);
     }
   }
-  connection_.refusals.refused(request.letter, what, {*kind, RefusalCause::kRobot, {request.id}, reason, number});
+  connection_.refusals.refused({*kind, RefusalCause::kRobot, {request.id}, reason, number});
 }
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {

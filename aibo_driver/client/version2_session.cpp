@@ -868,8 +868,7 @@ void Version2Session::onError(int number, const Payload& payload) {
     if (letter == version2::REQUEST_SPEED_LIMITS) {
       connection_.forgetSpeedLimits(order.ids);
     }
-    connection_.refusals.refused(letter, std::string("to ") + order.request.words,
-                                 {refusedRequest(letter).value(), cause, order.ids, problem, order.number});
+    connection_.refusals.refused({refusedRequest(letter).value(), cause, order.ids, problem, order.number});
   } else {
     onRefusal(exchanges_.at(number), problem);
   }

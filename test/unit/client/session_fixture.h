@@ -25,9 +25,7 @@ constexpr char kSilentStream[] = "robot:54321 sent nothing for 500 ms while a pi
 /// The robot's end of a session, in stepped time: no sockets, no waiting.
 class SessionFixture : public testing::Test {
  public:
-  /// @param is_told_of_refusals else they are logged
-  explicit SessionFixture(bool is_told_of_refusals = false)
-      : notifier_(record(is_told_of_refusals), [this] { return now_; }) {}
+  SessionFixture() : notifier_(record(), [this] { return now_; }) {}
 
   using TimePoint = aibo_client::Session::TimePoint;
   using Bytes = test_pictures::Bytes;
@@ -183,7 +181,7 @@ class SessionFixture : public testing::Test {
     replies_.insert(replies_.end(), replies.begin(), replies.end());
   }
 
-  aibo_client::Callbacks record(bool is_told_of_refusals) {
+  aibo_client::Callbacks record() {
     aibo_client::Callbacks callbacks;
     callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { pictures_.push_back(picture); };
     callbacks.on_telemetry = [this](const aibo_client::Telemetry& telemetry) { telemetry_.push_back(telemetry); };
@@ -206,9 +204,7 @@ class SessionFixture : public testing::Test {
     callbacks.on_colors = [this](const aibo_client::DetectedColors& colors) { colors_.push_back(colors); };
     callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { heard_.push_back(sound); };
     callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { sound_ends_.push_back(end); };
-    if (is_told_of_refusals) {
-      callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refusals_.push_back(refusal); };
-    }
+    callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refusals_.push_back(refusal); };
     callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_client::LogLevel level, const std::string& line) {
       log_.push_back((level == aibo_client::LogLevel::kWarn   ? ""

@@ -30,8 +30,6 @@ const std::vector<std::int16_t> kSixteenMilliseconds(512, 1000);  // two channel
 
 class SoundTest : public Version2SessionFixture {
  public:
-  SoundTest() : Version2SessionFixture(true) {}
-
   /// Has the microphones switched on. The robot does something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
     begin();

@@ -265,7 +265,7 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("7=255A ", leds_);
   EXPECT_EQ("L8=10", command()) << "the latest";
   receive({'e', 0, 0, 0});
-  EXPECT_EQ(1, logged("refused the request 'L' for LED 8: error code 0"));
+  expectRefusals({{RefusedRequest::kLeds, RefusalCause::kRobot, {8}, "error code 0", 0}});
   EXPECT_EQ("7=255A ", leds_);
   EXPECT_EQ("", command());
 }
@@ -422,10 +422,8 @@ TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
   EXPECT_EQ(1u, pictures_.size());
 }
 
-/// The user is told of refusals.
 class Version1RefusalsTest : public SessionFixture {
  public:
-  Version1RefusalsTest() : SessionFixture(true) {}
   Session& session() override { return session_; }
   char request() {
     const Bytes bytes = session_.nextRequest(wish_, now_);

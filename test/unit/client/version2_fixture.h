@@ -12,8 +12,6 @@
 /// The robot's end of a session of version 2.
 class Version2SessionFixture : public SessionFixture {
  public:
-  using SessionFixture::SessionFixture;
-
   aibo_client::Session& session() override { return session_; }
 
   /// The robot says hello. Then it is told the settings of its camera.

@@ -28,19 +28,11 @@ namespace {
 
 class Version2SessionTest : public Version2SessionFixture {
  public:
-  explicit Version2SessionTest(bool is_told_of_refusals = false) : Version2SessionFixture(is_told_of_refusals) {
-    begin("F W J V T");
-  }
-};
-
-/// The user is told of refusals; else they are logged.
-class Version2RefusalsTest : public Version2SessionTest {
- public:
-  Version2RefusalsTest() : Version2SessionTest(true) {}
+  Version2SessionTest() { begin("F W J V T"); }
 };
 
 /// For the rows of tables.
-struct NewSession : public Version2RefusalsTest {
+struct NewSession : public Version2SessionTest {
   void TestBody() override {}
 };
 
@@ -542,7 +534,7 @@ TEST(Version2Session, TakesALateMessageForAnEarlierFrameAndATimelyOneAtOnce) {
 
 // ---- How orders end
 
-TEST_F(Version2RefusalsTest, EachOrderEndsOnceByItsNumber) {
+TEST_F(Version2SessionTest, EachOrderEndsOnceByItsNumber) {
   const auto end = [this](int what, int number) {
     push('i', version2_frames::makeEnd(what, version2::END_DONE, "", "", number));
     return ended_.back().order;
@@ -569,7 +561,7 @@ TEST_F(Version2RefusalsTest, EachOrderEndsOnceByItsNumber) {
   expectRefusals({});
 }
 
-TEST_F(Version2RefusalsTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
+TEST_F(Version2SessionTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
   using Kind = RefusedRequest;
   for (const int code : {0, 5}) {
     const RefusalCause cause = code == 5 ? RefusalCause::kTooOld : RefusalCause::kRobot;
@@ -595,7 +587,7 @@ TEST_F(Version2RefusalsTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
   }
 }
 
-TEST_F(Version2RefusalsTest, AnOrderThatCannotBeSentIsWithdrawn) {
+TEST_F(Version2SessionTest, AnOrderThatCannotBeSentIsWithdrawn) {
   auto upload = add(callToStore("NOD.MTN", {1, 2, 3}, 0), milliseconds(10000));
   EXPECT_EQ('U', request()[0]);
   const Frame sent = frame_;
@@ -622,7 +614,7 @@ TEST_F(Version2RefusalsTest, AnOrderThatCannotBeSentIsWithdrawn) {
             old.get().problem);
 }
 
-TEST_F(Version2RefusalsTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
+TEST_F(Version2SessionTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
   const auto steered = [this](int walk) {
     answer({0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(walk >> 8), static_cast<std::uint8_t>(walk)});
     return steered_orders_.back();
@@ -653,7 +645,7 @@ TEST_F(Version2RefusalsTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
   expectRefusals({});
 }
 
-TEST_F(Version2RefusalsTest, OnlyAStopIsSentBeforeZeros) {
+TEST_F(Version2SessionTest, OnlyAStopIsSentBeforeZeros) {
   wish_.streaming = true;
   commandJoints({{11, 0.1}});
   auto motion = order(callToPlay("NOD.MTN", 1, 0));
@@ -663,7 +655,7 @@ TEST_F(Version2RefusalsTest, OnlyAStopIsSentBeforeZeros) {
   EXPECT_EQ("ISWE", requests());
 }
 
-TEST_F(Version2RefusalsTest, ZerosAreSentAtOnceAndBeforeAVelocityThatCameAfterThem) {
+TEST_F(Version2SessionTest, ZerosAreSentAtOnceAndBeforeAVelocityThatCameAfterThem) {
   steer({0.1, 0, 0});
   EXPECT_EQ("S", requests());
   const Frame first = frame_;
@@ -678,7 +670,7 @@ TEST_F(Version2RefusalsTest, ZerosAreSentAtOnceAndBeforeAVelocityThatCameAfterTh
 }
 
 // Each answer and each push goes through a number of 16 bits.
-TEST_F(Version2RefusalsTest, TheNumbersOfOrdersThatGoOnAreNotUsedAgain) {
+TEST_F(Version2SessionTest, TheNumbersOfOrdersThatGoOnAreNotUsedAgain) {
   steer({0.1, 0, 0});
   EXPECT_EQ("S", requests());
   const auto walk = frame_.header.request_number;
@@ -707,7 +699,7 @@ TEST_F(Version2RefusalsTest, TheNumbersOfOrdersThatGoOnAreNotUsedAgain) {
   }
 }
 
-TEST_F(Version2RefusalsTest, AServerThatEndsNoOrdersIsGivenUp) {
+TEST_F(Version2SessionTest, AServerThatEndsNoOrdersIsGivenUp) {
   const auto command = [this] {
     commandJoints({{2, 0.1}});
     EXPECT_EQ("J", requests());
@@ -721,14 +713,7 @@ TEST_F(Version2RefusalsTest, AServerThatEndsNoOrdersIsGivenUp) {
 
 // ---- Refusals
 
-TEST_F(Version2SessionTest, ARefusalIsLoggedIfNobodyIsTold) {
-  commandLeds({{99, 1}});
-  request();
-  refuse("there is no LED 99");
-  EXPECT_EQ(1, logged("refused to set LEDs: there is no LED 99"));
-}
-
-TEST_F(Version2RefusalsTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
+TEST_F(Version2SessionTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
   commandJoints({{2, 0.5}, {1, -0.1}});
   steer({0.1, 0, 0});
   limitSpeed({{3, 1}, {2, 5}});
@@ -839,7 +824,7 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
   }
 }
 
-TEST_F(Version2RefusalsTest, WhatAStopComesBeforeIsToldWithTheReason) {
+TEST_F(Version2SessionTest, WhatAStopComesBeforeIsToldWithTheReason) {
   auto posture = order(callForPosture(version2::POSTURE_SIT));
   commandJoints({{2, 0.5}, {3, 0.5}});
   auto held = add(callToHold({2}));

@@ -72,8 +72,8 @@ struct Callbacks {
   /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
   /// and nothing is called. Ends that a request causes are told before the request's own answer.
   std::function<void(const MotionEnd& end)> on_ended;
-  /// A request was refused or dropped. If this callback is not set, the client logs the refusal. A request without an
-  /// OrderTerms::number may be replaced by a newer one before it is sent, without a call.
+  /// A request was refused or dropped. A request without an OrderTerms::number may be replaced by a newer one before it
+  /// is sent, without a call.
   std::function<void(const Refusal& refusal)> on_refused;
   /// A version 2 server says that the motors or the posture have changed. This is also called soon after the connection
   /// is made and, with everything unknown, when a connection ends.
