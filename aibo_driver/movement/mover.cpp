@@ -241,7 +241,7 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
   std::future<std::string> answer;
   const auto act = [&](Movement* movement) {
     const std::string cause = order.source + " plays " + name;
-    haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, {EndedHow::kReplaced, cause});
+    endTrajectories(cause);
     // Otherwise the robot would keep lower limits of earlier commands.
     limitSpeeds(table_.motionSpeedLimits());
     const OrderNumber number = nextNumber();
@@ -260,6 +260,7 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
   std::future<void> answer;
   const auto act = [&](Movement* movement) {
     const std::string cause = order.source + " called " + movement->name;
+    endTrajectories(cause);  // also those of the head, which the robot may level on its way
     freeLegs(cause);
     const OrderNumber number = nextNumber();
     answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
@@ -1007,6 +1008,10 @@ void Mover::takeLegsFromWalks(const Movement& movement) {
   if (leg != legs.end()) {
     overruleWalks({EndedHow::kReplaced, movement.source + " moves " + *leg});
   }
+}
+
+void Mover::endTrajectories(const std::string& reason) {
+  haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, {EndedHow::kReplaced, reason});
 }
 
 // Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed

@@ -126,8 +126,8 @@ class Mover {
   /// until the robot has begun.
   Begun play(const Order& order, const std::string& name, int repetitions);
 
-  /// Makes the robot take a posture. It ends whatever moves the robot's legs and waits until the robot has begun. Rest
-  /// is possible even if the robot is stopped.
+  /// Makes the robot take a posture. It ends the trajectories and whatever moves the robot's legs, and waits until the
+  /// robot has begun. Rest is possible even if the robot is stopped.
   Begun takePosture(const Order& order, aibo_client::Posture posture);
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
@@ -275,6 +275,7 @@ class Mover {
   void haltEach(const Condition& condition, const Halt& halt);
   void overruleWalks(const Halt& halt);
   void takeLegsFromWalks(const Movement& movement);
+  void endTrajectories(const std::string& reason);
   void freeLegs(const std::string& reason);
   std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
   Movement whole(const Record& record) const;

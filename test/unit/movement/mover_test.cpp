@@ -287,6 +287,7 @@ TEST(Ends, OfWhatAnOrderHasTakenOverComeFromTheRobotAndNameTheOrder) {
       {"trajectory", "head command", EndedHow::kReplaced, "REPLACED a command moves its joints"},
       {"trajectory", "head trajectory", EndedHow::kReplaced, "REPLACED a newer trajectory moves its joints"},
       {"trajectory", "motion", EndedHow::kDone, "REPLACED /user plays WAG.MTN"},
+      {"trajectory", "sit", EndedHow::kReplaced, "REPLACED /user called sit"},
       {"trajectory", "motors go off", EndedHow::kStopped, "STOPPED the motors are off"},
       {"leg's trajectory", "sit", EndedHow::kReplaced, "REPLACED /user called sit"},
       {"leg's trajectory", "velocity", EndedHow::kReplaced, "REPLACED /teleop lets the robot walk"},
@@ -607,9 +608,9 @@ TEST_F(MoverTest, AWalkThatBeginsAfterItsMovementHasEndedIsStopped) {
 }
 
 TEST_F(MoverTest, CancellingEndsOneMovementAndHoldsItsJoints) {
+  const auto posture = sit();
   const auto trajectory = follow("head_pan", 0.5);
   const auto waiting = mover.follow(order(), {{"mouth"}, {{1.0, {-0.2}, {}}}}, 5s);
-  const auto posture = sit();
   told();
   mover.cancel(trajectory.id, "the goal was cancelled");
   EXPECT_EQ(textOf(trajectory), "STOPPED the goal was cancelled");
