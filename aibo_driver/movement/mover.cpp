@@ -537,7 +537,11 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
   const auto hold_joints = [&] {
     const Record* const record = find(movement);
     const bool is_posture = record != nullptr && record->movement.kind == Kind::kPosture;
-    const std::vector<int> joints = is_posture ? table_.identifiersOfLegs() : plan_.identifiersOf(movement);
+    const std::vector<int> legs = table_.identifiersOfLegs();
+    const std::vector<int> joints = is_posture ? legs : plan_.identifiersOf(movement);
+    if (std::find_first_of(joints.begin(), joints.end(), legs.begin(), legs.end()) != joints.end()) {
+      streams_.overrule(clock_(), reason);  // so does the robot when a leg is held
+    }
     return joints.empty() ? std::async(std::launch::deferred, [] {}) : hold(joints, movement);
   };
   halt([movement](const Record& each) { return each.id() == movement; }, reason, hold_joints);

@@ -154,6 +154,14 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"motors go off", [](Robot& robot) { robot.says(MotorState::kOff, PostureNow::kStanding); }},
     {"rest", [](Robot& robot) { robot.mover.takePosture(robot.order("/panel"), Posture::kRest); }},
     {"sit", [](Robot& robot) { robot.sit(); }},
+    {"posture cancelled",
+     [](Robot& robot) {
+       for (const Movement& movement : robot.mover.state().movements) {
+         if (movement.kind == Kind::kPosture) {
+           robot.mover.cancel(movement.order, "it was cancelled");
+         }
+       }
+     }},
     {"head command", [](Robot& robot) { robot.command("head_pan", 0.1, "/other"); }},
     {"head trajectory", [](Robot& robot) { robot.follow("head_pan", 0.1); }},
     {"leg command", [](Robot& robot) { robot.command("left_front_knee", 0.1, "/other"); }},
@@ -958,6 +966,7 @@ TEST(Walk, HasToBeLetGoFirstAfterTheseEvents) {
       {"an empty trajectory came", {"empty trajectory"}},
       {"the connection is a new one", {"reconnected"}},
       {"/user called sit", {"sit"}},
+      {"it was cancelled", {"sit", "velocity of 0", "velocity", "posture cancelled"}},
       {"/panel switched the motors off", {"motors off"}},
       {"the motors are off", {"motors go off"}},
       {"/other moves left_front_knee", {"leg command"}},
