@@ -580,10 +580,7 @@ bool Mover::setMotors(const Order& order, bool on) {
   } else {
     is_on = haltAll(order, cause, [&] { return client_.beginMotors(false, kTimeout, termsOf(order, 0)); });
   }
-  change([&] {
-    filter_.startApproach();
-    robot_.motors = is_on ? MotorState::kOn : MotorState::kOff;
-  });
+  change([&] { filter_.startApproach(); });
   return is_on;
 }
 

@@ -665,10 +665,11 @@ TEST_F(MoverTest, AVersion1ServerIsToldToEndItsMotionsIfOneWasPlayed) {
 
 TEST_F(MoverTest, TheMotorsAreWhatTheRobotSaysAndUnknownWithoutAConnection) {
   EXPECT_TRUE(mover.setMotors(order(), true));
-  EXPECT_EQ(mover.state().robot.motors, MotorState::kOn);
+  client.meanwhile = [this] { says(MotorState::kOff, PostureNow::kStanding); };
+  EXPECT_TRUE(mover.setMotors(order(), true));
+  EXPECT_EQ(mover.state().robot.motors, MotorState::kOff) << "the robot has said so since";
   client.motors_work = false;
   EXPECT_FALSE(mover.setMotors(order(), true));
-  EXPECT_EQ(mover.state().robot.motors, MotorState::kOff);
   mover.disconnected();
   EXPECT_EQ(mover.state().robot, aibo_client::MotorsAndPosture());
 }
