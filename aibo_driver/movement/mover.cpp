@@ -708,6 +708,8 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     if (record == nullptr) {
       return;
     }
+    // What waited for the memory stick is refused because of a stop, or of whatever else has halted it.
+    const bool was_halted = record->halt && !record->halt->reason.empty();
     // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
     const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
     if (!record->halt && ((is_trajectory && is_refused) || (is_walk && is_robots))) {
@@ -716,7 +718,9 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     if (is_walk && record->halt && refusal.cause == RefusalCause::kReplaced) {
       leave(record, refusal.order, EndedHow::kStopped, kNeverWalked);
     } else {
-      const EndedHow how = is_stopped ? EndedHow::kStopped : is_refused ? EndedHow::kRefused : EndedHow::kReplaced;
+      const EndedHow how = is_stopped || (is_robots && was_halted) ? EndedHow::kStopped
+                           : is_refused                            ? EndedHow::kRefused
+                                                                   : EndedHow::kReplaced;
       leave(record, refusal.order, how, refusal.reason);
     }
   });

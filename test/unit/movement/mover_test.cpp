@@ -598,6 +598,22 @@ TEST_F(MoverTest, WhatTheRobotAndTheClientReportDuringAStopHasTheReasonOfTheStop
   EXPECT_THAT(told_ends, SizeIs(2));
 }
 
+TEST_F(MoverTest, AMotionThatTheRobotRefusesBecauseItIsStoppedHasTheReasonOfTheUser) {
+  const std::pair<const char*, std::function<void()>> rows[] = {
+      {"STOPPED /panel called stop", [this] { mover.stop(order("/panel")); }},
+      {"STOPPED /panel stopped it", [this] { mover.stopMotion(order("/panel"), ""); }}};
+  for (const auto& [end, stop] : rows) {
+    mover.release(order());
+    const auto motion = play("NOD.MTN");
+    client.meanwhile = [&] {
+      refuses(RefusedRequest::kMotion, RefusalCause::kRobot, "it was stopped before it was read");
+      EXPECT_EQ(textOf(motion), end);
+    };
+    stop();
+    EXPECT_EQ(textOf(motion), end);
+  }
+}
+
 TEST_F(MoverTest, WhatHadEndedBeforeAStopEndsAsItDid) {
   const auto motion = play("NOD.MTN");
   client.meanwhile = [&] { ends(EndedKind::kMotion, EndedHow::kDone); };
