@@ -701,12 +701,12 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
       filter_.startApproach();
     }
     Record* const record = ownerOf(refusal.order);
-    const bool never_walks = is_walk && is_stopped && record != nullptr && record->orders.size() == 1;
-    if (never_walks || (is_walk && is_robots)) {
-      streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
-    }
     if (record == nullptr) {
       return;
+    }
+    const bool never_walks = is_walk && is_stopped && record->orders.size() == 1;
+    if (never_walks || (is_walk && is_robots)) {
+      streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
     }
     // What waited for the memory stick is refused because of a stop, or of whatever else has halted it.
     const bool was_halted = record->halt && !record->halt->reason.empty();

@@ -1116,6 +1116,18 @@ TEST_F(MoverTest, AWalkThatFellDoesNotWaitForVelocitiesThatAreStillOnTheirWay) {
   EXPECT_THAT(mover.state().movements, IsEmpty());
 }
 
+TEST_F(MoverTest, ALateRefusalOfAVelocityOfAnEarlierWalkOverrulesNobody) {
+  walk();
+  steer(0.2);
+  const std::uint64_t late = client.order();
+  happen(*this, {"walk fell", "velocity of 0", "velocity"});
+  begins();
+  told();
+  refuses(RefusedRequest::kWalk, RefusalCause::kRobot, "no", late);
+  steer(0.1);
+  EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
+}
+
 TEST_F(MoverTest, AWalkThatTheRobotDoesNotGoOnWithIsRefusedWhenItStands) {
   walk();
   steer(0.2);
