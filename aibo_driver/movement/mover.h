@@ -44,7 +44,8 @@ namespace aibo_driver::movement {
 /// connection are lost, and no movement goes on over another connection.
 ///
 /// Any thread may call every member function. The functions that wait for the robot have a timeout. Meanwhile other
-/// threads may call the other functions.
+/// threads may call the other functions. The client's callbacks must not call play(), takePosture(), stop(), hold(),
+/// cancel(), stopMotion() or setMotors(): these wait for answers that come on the thread of the callbacks.
 class Mover {
  public:
   /// How long a call waits for the robot to hold, to switch its motors, or to begin a motion or a posture.
