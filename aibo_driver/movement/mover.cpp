@@ -652,7 +652,9 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
 }
 
 void Mover::ended(const aibo_client::MotionEnd& end) {
-  const bool is_not_reached = end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused;
+  // With version 1, it says that some of the joints were refused.
+  const bool is_not_reached =
+      end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused && client_.status().protocol_version != 1;
   const EndedHow how = is_not_reached ? EndedHow::kNotReached : end.how;
   if (end.kind == EndedKind::kJoints && endOlder(end.order, how, end.reason)) {
     return;

@@ -250,6 +250,13 @@ TEST(Ends, OfACommandAreThoseOfTheTable) {
   }
 }
 
+TEST_F(MoverTest, ACommandOfWhichAVersion1ServerRefusesPartIsRefused) {
+  happen(*this, {"version 1"});
+  const auto begun = mover.command(order(), {"head_pan", "mouth"}, {0.5, -0.2}, {});
+  ends(EndedKind::kJoints, EndedHow::kRefused, "mouth is missing");
+  EXPECT_EQ(textOf(begun), "REFUSED mouth is missing");
+}
+
 const std::map<std::string, std::function<void(Robot&)>> kMovements = {
     {"command", [](Robot& robot) { robot.command("head_pan", 0.5); }},
     {"trajectory", [](Robot& robot) { robot.follow("head_pan", 0.5); }},
