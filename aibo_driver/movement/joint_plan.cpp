@@ -125,22 +125,16 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
 
 JointTargets JointPlan::holdingTargets(SteadyTime now, std::optional<MovementId> only) const {
   JointTargets targets;
-  for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
-    const std::optional<Command>& command = commands_[joint];
-    if (command && isRecent(*command, now)) {
-      const double position = command->positionAt(seconds(now - command->begin));
-      targets[table_[joint].id] = {table_[joint].id, position, command->speed};
+  for (std::size_t i = 0; i < jobs_.size(); ++i) {
+    if (jobs_[i].run && (!only || jobs_[i].id == *only)) {
+      targets.merge(targetsOf(i));
     }
   }
-  for (std::size_t i = 0; i < jobs_.size(); ++i) {
-    const Job& job = jobs_[i];
-    if (!job.run || job.run->sent.empty() || (only && job.id != *only)) {
-      continue;
-    }
-    for (const std::string& joint : job.names()) {
-      if (!isSentByNewer(i, joint)) {
-        targets[table_[*table_.findByName(joint)].id] = targetFor(joint, job.run->sent[*job.placeOf(joint)]);
-      }
+  for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
+    const std::optional<Command>& command = commands_[joint];
+    if (command && isUnderWay(*command, now, kLongestQueue)) {
+      const double position = command->positionAt(seconds(now - command->begin));
+      targets.try_emplace(table_[joint].id, aibo_client::JointTarget{table_[joint].id, position, command->speed});
     }
   }
   return targets;
@@ -168,25 +162,10 @@ std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
   if (const Job* const job = find(id)) {
     return job->names();
   }
-  std::vector<std::string> joints;
-  for (std::size_t joint = 0; joint < commands_.size(); ++joint) {
-    if (commands_[joint] && commands_[joint]->id == id) {
-      joints.push_back(table_[joint].name);
-    }
-  }
-  return joints;
-}
-
-std::vector<int> JointPlan::identifiersOf(MovementId trajectory) const {
-  std::vector<int> ids;
-  for (std::size_t i = 0; i < jobs_.size(); ++i) {
-    for (const std::string& joint : jobs_[i].names()) {
-      if (jobs_[i].run && jobs_[i].id == trajectory && !isSentByNewer(i, joint)) {
-        ids.push_back(table_[*table_.findByName(joint)].id);
-      }
-    }
-  }
-  return ids;
+  return table_.namesOf([&](const JointProperties& joint) {
+    const std::optional<Command>& command = commands_[*table_.findById(joint.id)];
+    return command && command->id == id;
+  });
 }
 
 std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now) const {
@@ -214,14 +193,14 @@ std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, Steady
   return states;
 }
 
-bool JointPlan::goesOn(MovementId trajectory) const {
+bool JointPlan::goesOnAfter(MovementId trajectory, EndedHow how) const {
   const Job* const job = find(trajectory);
-  return job != nullptr && (job->arrival.is_measured || !job->run || !job->run->end_sent);
-}
-
-bool JointPlan::isMeasured(MovementId trajectory) const {
-  const Job* const job = find(trajectory);
-  return job != nullptr && job->arrival.is_measured;
+  if (job == nullptr) {
+    return false;
+  }
+  const bool is_done = how == EndedHow::kDone;
+  const bool is_judged = is_done || how == EndedHow::kNotReached || how == EndedHow::kUnknown;
+  return job->arrival.is_measured ? is_judged : is_done && (!job->run || !job->run->end_sent);
 }
 
 const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
@@ -241,7 +220,7 @@ std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTim
     }
   }
   const std::optional<Command>& command = commands_[joint];
-  if (!command || !isUnderWay(*command, now)) {
+  if (!command || !isUnderWay(*command, now, kSettling)) {
     return std::nullopt;
   }
   const double time = seconds(now - command->begin) + ahead;
@@ -250,12 +229,8 @@ std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTim
   return Trajectory::Start{joint, command->positionAt(time), arrived ? 0 : velocity};
 }
 
-bool JointPlan::isUnderWay(const Command& command, SteadyTime now) {
-  return seconds(now - command.begin) < command.duration() + kSettling;
-}
-
-bool JointPlan::isRecent(const Command& command, SteadyTime now) {
-  return seconds(now - command.begin) < command.duration() + kLongestQueue;
+bool JointPlan::isUnderWay(const Command& command, SteadyTime now, double delay) {
+  return seconds(now - command.begin) < command.duration() + delay;
 }
 
 Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
@@ -379,9 +354,21 @@ void JointPlan::takeJoints(const Job& newer, Job* older) {
   }
 }
 
-bool JointPlan::isSentByNewer(std::size_t index, const std::string& joint) const {
-  return std::any_of(jobs_.begin() + static_cast<std::ptrdiff_t>(index) + 1, jobs_.end(),
-                     [&joint](const Job& job) { return job.run && job.placeOf(joint); });
+// Where the joints of a trajectory that has begun were last sent, unless a newer one sends them.
+JointTargets JointPlan::targetsOf(std::size_t index) const {
+  const auto first_newer = jobs_.begin() + static_cast<std::ptrdiff_t>(index) + 1;
+  const Job& job = jobs_[index];
+  JointTargets targets;
+  for (const std::string& name : job.names()) {
+    if (std::none_of(first_newer, jobs_.end(),
+                     [&name](const Job& newer) { return newer.run && newer.placeOf(name); })) {
+      const std::size_t joint = *table_.findByName(name);
+      const double position =
+          std::clamp(job.run->sent[*job.placeOf(name)], table_[joint].lowest, table_[joint].highest);
+      targets[table_[joint].id] = {table_[joint].id, position, table_.speedLimit(joint)};
+    }
+  }
+  return targets;
 }
 
 JointStep JointPlan::next(std::size_t index, SteadyTime now) {
@@ -400,21 +387,7 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   const double ahead = std::clamp(left, 0.0, seconds(kLookahead));
   run.end_sent = left <= ahead;
   run.sent = run.trajectory.sample(run.clock.at(now) + ahead);
-  JointStep step;
-  step.movement = job.id;
-  step.duration = milliseconds(std::lround(1000 * ahead));
-  for (const std::string& joint : job.names()) {
-    if (!isSentByNewer(index, joint)) {
-      step.targets[table_[*table_.findByName(joint)].id] = targetFor(joint, run.sent[*job.placeOf(joint)]);
-    }
-  }
-  return step;
-}
-
-aibo_client::JointTarget JointPlan::targetFor(const std::string& joint, double position) const {
-  const std::size_t index = *table_.findByName(joint);
-  return {table_[index].id, std::clamp(position, table_[index].lowest, table_[index].highest),
-          table_.speedLimit(index)};
+  return {job.id, targetsOf(index), milliseconds(std::lround(1000 * ahead))};
 }
 
 void JointPlan::endThoseThatArrived(SteadyTime now) {

@@ -115,9 +115,6 @@ class JointPlan {
   /// The joints that a movement moves, or will move when it begins. There are none if it has ended.
   std::vector<std::string> jointsOf(MovementId id) const;
 
-  /// The identifiers of the joints that a trajectory moves. There are none before its beginning.
-  std::vector<int> identifiersOf(MovementId trajectory) const;
-
   /// When a trajectory will be over. It is empty before the trajectory's beginning.
   std::optional<SteadyTime> endOf(MovementId trajectory, SteadyTime now) const;
 
@@ -125,11 +122,9 @@ class JointPlan {
   /// @return empty before the trajectory's beginning and after its end
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime now) const;
 
-  /// True if the plan itself will end a trajectory that has arrived, or if not all of its steps have been sent.
-  bool goesOn(MovementId trajectory) const;
-
-  /// True if its arrival is measured here.
-  bool isMeasured(MovementId trajectory) const;
+  /// True if a trajectory goes on after an order of it has ended so: if steps are left, or its arrival is measured
+  /// here.
+  bool goesOnAfter(MovementId trajectory, EndedHow how) const;
 
   /// True if there is no trajectory.
   bool empty() const { return jobs_.empty(); }
@@ -154,7 +149,7 @@ class JointPlan {
     Trajectory trajectory;
     TrajectoryClock clock;
     std::vector<bool> moves;   // by place in the request; false if something newer moves this joint
-    std::vector<double> sent;  // rad, where the joints were last sent; empty at first
+    std::vector<double> sent;  // rad, where the joints were last sent; advance() sets it at once
     bool end_sent = false;
     std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
   };
@@ -174,8 +169,7 @@ class JointPlan {
   };
 
   std::optional<Trajectory::Start> stateOf(std::size_t joint, SteadyTime now, double ahead) const;
-  static bool isUnderWay(const Command& command, SteadyTime now);
-  static bool isRecent(const Command& command, SteadyTime now);
+  static bool isUnderWay(const Command& command, SteadyTime now, double delay);
   const Job* find(MovementId trajectory) const;
   Trajectory plan(const Job& job, SteadyTime now) const;
   void checkFresh(const Job& job, SteadyTime now) const;
@@ -184,9 +178,8 @@ class JointPlan {
   void beginDue(SteadyTime now);
   void handOver(SteadyTime now);
   void takeJoints(const Job& newer, Job* older);
-  bool isSentByNewer(std::size_t index, const std::string& joint) const;
+  JointTargets targetsOf(std::size_t index) const;
   JointStep next(std::size_t index, SteadyTime now);
-  aibo_client::JointTarget targetFor(const std::string& joint, double position) const;
   void endThoseThatArrived(SteadyTime now);
   void judge(Job* job, SteadyTime now);
   void removeEnded();

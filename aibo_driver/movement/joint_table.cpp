@@ -62,16 +62,6 @@ std::vector<JointSpeedLimit> JointTable::motionSpeedLimits() const {
   return limits;
 }
 
-std::vector<std::string> JointTable::namesOfLegs() const {
-  std::vector<std::string> names;
-  for (const JointProperties& joint : joints_) {
-    if (joint.is_of_leg) {
-      names.push_back(joint.name);
-    }
-  }
-  return names;
-}
-
 std::vector<int> JointTable::identifiersOfLegs() const {
   std::vector<int> identifiers;
   for (const JointProperties& joint : joints_) {

@@ -50,8 +50,22 @@ class JointTable {
   /// The speed limits of all joints while a motion file is played. Any thread may call it.
   std::vector<aibo_client::JointSpeedLimit> motionSpeedLimits() const;
 
+  /// The names of the joints for which a condition holds.
+  template <typename Condition>
+  std::vector<std::string> namesOf(const Condition& condition) const {
+    std::vector<std::string> names;
+    for (const JointProperties& joint : joints_) {
+      if (condition(joint)) {
+        names.push_back(joint.name);
+      }
+    }
+    return names;
+  }
+
   /// The joints of the legs.
-  std::vector<std::string> namesOfLegs() const;
+  std::vector<std::string> namesOfLegs() const {
+    return namesOf([](const JointProperties& joint) { return joint.is_of_leg; });
+  }
   std::vector<int> identifiersOfLegs() const;
 
   /// How fast the joints of the legs can move by themselves, without speed limits.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "aibo_client/exceptions.h"
+#include "text/number.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::movement {
@@ -50,23 +51,8 @@ std::string nameOf(Posture posture) {
   return "rest";
 }
 
-bool areSame(const EndedMovement& a, const EndedMovement& b) {
-  return a.movement.kind == b.movement.kind && a.movement.source == b.movement.source &&
-         a.movement.joints == b.movement.joints && a.reason == b.reason;
-}
-
-std::vector<std::string> namesOf(const JointTargets& targets, const JointTable& table) {
-  std::vector<std::string> names;
-  for (const JointProperties& joint : table.joints()) {
-    if (targets.count(joint.id) > 0) {
-      names.push_back(joint.name);
-    }
-  }
-  return names;
-}
-
 OrderTerms termsOf(const Order& order, std::uint64_t number) {
-  return {order.received + OrderGate::kLongestWait, number};
+  return {order.received + Mover::kLongestWait, number};
 }
 
 // Also of an exception that the question itself throws.
@@ -91,6 +77,13 @@ std::string reasonOf(std::string sentence) {
 
 std::string reasonOf(const std::exception& error) {
   return reasonOf(std::string(error.what()));
+}
+
+// The end of what could not be sent.
+EndedHow howOf(const Exception& error, EndedHow unless_lost) {
+  const bool is_lost = dynamic_cast<const NetworkException*>(&error) != nullptr &&
+                       dynamic_cast<const aibo_client::TimeoutException*>(&error) == nullptr;
+  return is_lost ? EndedHow::kLost : unless_lost;
 }
 
 // The sender of an order chooses a part of the reason. It is published, remembered, and sent to other nodes.
@@ -128,24 +121,19 @@ auto Mover::change(const Work& work) {
 }
 
 void Mover::tell() {
-  News news;
+  std::vector<std::function<void()>> news;
   {
     const Lock lock(mutex_);
     std::swap(news, news_);
   }
-  for (const EndedMovement& ended : news.ended) {
-    if (listener_.on_ended) {
-      listener_.on_ended(ended);
-    }
+  for (const std::function<void()>& each : news) {
+    each();
   }
-  for (const std::string& warning : news.warnings) {
-    if (listener_.on_warning) {
-      listener_.on_warning(warning);
-    }
-  }
-  if (listener_.on_change) {
-    listener_.on_change();
-  }
+  listener_.on_change();
+}
+
+void Mover::warn(const std::string& text) {
+  news_.push_back([this, text] { listener_.on_warning(text); });
 }
 
 // Gives an order, unless it must not act.
@@ -155,11 +143,12 @@ Mover::Begun Mover::give(const Order& order, Movement movement, const Act& act, 
   return change([&] {
     checkConnection();
     movement.source = order.source;
-    const std::string reason = refusalOf(order, movement, may_act_while_stopped);
+    const std::string reason = refusalOf(order, may_act_while_stopped);
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
     try {
+      requireDesign(client_, table_.design());
       return act(&movement);
     } catch (const Exception& error) {
       return refuse(std::move(movement), reasonOf(error));
@@ -180,16 +169,16 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     if (targets.empty()) {
       throw aibo_client::InvalidArgumentException(left_out);
     }
-    movement->joints = namesOf(targets, table_);
+    movement->joints = table_.namesOf([&targets](const JointProperties& joint) { return targets.count(joint.id) > 0; });
     const OrderNumber number = nextNumber();
     try {
-      send(targets, milliseconds(0), termsOf(order, number));
+      sendTargets(client_, table_.design(), targets, milliseconds(0), termsOf(order, number));
     } catch (const Exception&) {
       filter_.startApproach();
       throw;
     }
     if (!left_out.empty()) {
-      news_.warnings.push_back(left_out);
+      warn(left_out);
     }
     Record* const same = findCommand(*movement);
     Record& record = same != nullptr ? *same : begin(*movement);
@@ -212,8 +201,11 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
   }
   double stretch = 1;
   const auto act = [&](Movement* movement) {
-    checkTelemetry();
-    requireDesign(client_, table_.design());
+    if (!telemetry_wanted_()) {
+      throw aibo_client::InvalidArgumentException(
+          "telemetry_rate is 0, so it is not known where the joints are. Set it above 0: rosrun dynamic_reconfigure "
+          "dynparam set NODE telemetry_rate 31.25");
+    }
     if (plan_.empty()) {
       went_on_ = order.received;
     }
@@ -231,22 +223,20 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
   if (stretch > 1) {
     begun.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
   }
-  if (listener_.on_begin) {
-    listener_.on_begin();
-  }
+  listener_.on_begin();
   return begun;
 }
 
 Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
   std::future<std::string> answer;
   const auto act = [&](Movement* movement) {
+    requireRoom(movement->kind);
     const std::string cause = order.source + " plays " + name;
     endTrajectories(cause);
     // Otherwise the robot would keep lower limits of earlier commands.
-    limitSpeeds(table_.motionSpeedLimits());
+    client_.setJointSpeedLimits(table_.motionSpeedLimits());
     const OrderNumber number = nextNumber();
     answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
-    motions_connection_ = connections();
     if (findWalk() == nullptr) {
       streams_.overrule(clock_(), cause);  // it may need the legs; if there is a walk, the robot says whether it does
     }
@@ -259,12 +249,13 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
 Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
   std::future<void> answer;
   const auto act = [&](Movement* movement) {
+    requireRoom(movement->kind);
     const std::string cause = order.source + " called " + movement->name;
     endTrajectories(cause);  // also those of the head, which the robot may level on its way
     freeLegs(cause);
     const OrderNumber number = nextNumber();
     answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
-    gate_.overrule(order.received, cause);
+    overrule(order.received, cause);
     overruleWalks({EndedHow::kReplaced, cause});
     return begunOf(begin(*movement, number));
   };
@@ -273,14 +264,11 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
   return await(begun, &answer);
 }
 
-std::string Mover::refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const {
-  const std::string reason = gate_.refusal(order, clock_(), may_act_while_stopped);
-  const bool is_robots_own = movement.kind == Kind::kMotion || movement.kind == Kind::kPosture;
-  const auto is_alike = [&movement](const Record& other) { return other.movement.kind == movement.kind; };
-  if (!reason.empty() || !is_robots_own || idsOf(is_alike).size() < kMostOfAKind) {
-    return reason;
+void Mover::requireRoom(Kind kind) const {
+  if (idsOf([kind](const Record& each) { return each.movement.kind == kind; }).size() >= kMostOfAKind) {
+    throw CommandException(std::to_string(kMostOfAKind) +
+                           " others of its kind have not ended yet, and no more may begin.");
   }
-  return std::to_string(kMostOfAKind) + " others of its kind have not ended yet, and no more may begin";
 }
 
 Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std::string>& names,
@@ -290,7 +278,28 @@ Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std:
 
 std::string Mover::refusal(const Order& order) const {
   const Lock lock(mutex_);
-  return gate_.refusal(order, clock_());
+  return refusalOf(order);
+}
+
+// An order that waited in a queue, for whatever reason, moves nothing.
+std::string Mover::refusalOf(const Order& order, bool may_act_while_stopped) const {
+  if (stopped_by_ && !may_act_while_stopped) {
+    return "stopped by " + *stopped_by_ + "; call release";
+  }
+  if (order.received < overruled_) {
+    return "it came before " + overruled_by_;
+  }
+  const std::chrono::duration<double> age = clock_() - order.received;
+  return age <= kLongestWait
+             ? ""
+             : "too old: it has waited for " + text::decimal(age.count(), 1) + " s, and 0.5 s are allowed";
+}
+
+void Mover::overrule(SteadyTime received, const std::string& what) {
+  if (received > overruled_) {
+    overruled_ = received;
+    overruled_by_ = what;
+  }
 }
 
 // Waits for the robot's answer to a request that begins something. How it ends is told elsewhere.
@@ -320,7 +329,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
       stopWalk(order.source);
       return;
     }
-    std::string reason = gate_.refusal(order, clock_());
+    std::string reason = refusalOf(order);
     if (reason.empty() && !overruled_by.empty()) {
       reason = overruled_by + kLetGoFirst + ": 0, or nothing for 0.5 s";
     }
@@ -352,6 +361,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
   }
   const OrderNumber number = nextNumber();
   try {
+    requireDesign(client_, table_.design());
     freeLegs(order.source + " lets the robot walk");
     if (record == nullptr) {
       client_.steer({}, termsOf(order, 0));  // this node has let go; the robot may wait for it
@@ -374,8 +384,8 @@ void Mover::noteRival(Record* walk, const std::string& node) {
   const std::string rival = streams_.rivalOf(node, now);
   walk->rival = rival.empty() || walk->movement.source == node ? rival : node;
   if (!rival.empty() && now - std::exchange(contradicted_, now) > kRepeatedWithin) {
-    news_.warnings.push_back(node + " and " + rival + " both send cmd_vel and contradict each other. The newest " +
-                             "velocity counts, also a zero. Let only one of them send.");
+    warn(node + " and " + rival + " both send cmd_vel and contradict each other. The newest velocity counts, also a " +
+         "zero. Let only one of them send.");
   }
 }
 
@@ -392,36 +402,29 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
   return give(order, {Kind::kWalk, goal, "", {}, std::nullopt}, act);
 }
 
-bool Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
-  return change([&] {
+// The velocity is as old as the call before, because what it is computed from may be.
+void Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
+  change([&] {
     checkConnection();
     Record* const record = find(walk);
-    if (record != nullptr && !record->halt) {
-      steerOn(record, velocity, std::exchange(*record->steered, clock_()));
+    if (record == nullptr || record->halt) {
+      return;
     }
-    return find(walk) != nullptr;
+    const OrderTerms terms{std::exchange(*record->steered, clock_()) + kLongestWait, nextNumber()};
+    if (velocity.isZero()) {
+      letGo(record, {EndedHow::kDone, ""});
+      return;
+    }
+    try {
+      if (record->orders.empty()) {
+        client_.steer({}, {terms.not_after, 0});
+      }
+      client_.steer(velocity, terms);
+      record->orders.insert(terms.number);
+    } catch (const Exception& error) {
+      close(walk, howOf(error, EndedHow::kRefused), reasonOf(error));
+    }
   });
-}
-
-// The velocity is as old as the call before, because what it is computed from may be.
-void Mover::steerOn(Record* walk, const WalkVelocity& velocity, SteadyTime from) {
-  if (velocity.isZero()) {
-    letGo(walk, {EndedHow::kDone, ""});
-    return;
-  }
-  const OrderNumber number = nextNumber();
-  const OrderTerms terms{from + OrderGate::kLongestWait, number};
-  try {
-    if (walk->orders.empty()) {
-      client_.steer({}, {terms.not_after, 0});
-    }
-    client_.steer(velocity, terms);
-    walk->orders.insert(number);
-  } catch (const NetworkException& error) {
-    close(walk->id(), EndedHow::kLost, reasonOf(error));
-  } catch (const Exception& error) {
-    close(walk->id(), EndedHow::kRefused, reasonOf(error));
-  }
 }
 
 void Mover::stopWalking(const std::string& reason) {
@@ -442,7 +445,7 @@ void Mover::letGo(Record* walk, const Halt& halt) {
 
 void Mover::sendZeros() {
   try {
-    client_.steer({}, {clock_() + OrderGate::kLongestWait, 0});
+    client_.steer({}, {clock_() + kLongestWait, 0});
   } catch (const Exception&) {
     return;  // without a connection the robot stops by itself
   }
@@ -473,14 +476,9 @@ auto Mover::halt(const Condition& condition, const std::string& reason, const As
   const auto answer = change(halt_and_ask).share();
   try {
     answer.get();
-  } catch (const aibo_client::TimeoutException& error) {
-    end_as(EndedHow::kUnknown, reason + ", but the robot has not answered: " + reasonOf(error));
-    throw;
-  } catch (const NetworkException& error) {
-    end_as(EndedHow::kLost, reasonOf(error));
-    throw;
   } catch (const Exception& error) {
-    end_as(EndedHow::kUnknown, reason + ", but " + reasonOf(error));
+    const EndedHow how = howOf(error, EndedHow::kUnknown);
+    end_as(how, how == EndedHow::kLost ? reasonOf(error) : reason + ", but " + reasonOf(error));
     throw;
   }
   end_as(EndedHow::kStopped, reason);
@@ -491,7 +489,7 @@ auto Mover::halt(const Condition& condition, const std::string& reason, const As
 template <typename Ask>
 auto Mover::haltAll(const Order& by, const std::string& reason, const Ask& ask) {
   const auto overrule_and_ask = [&] {
-    gate_.overrule(by.received, reason);
+    overrule(by.received, reason);
     streams_.overrule(clock_(), reason);
     return ask();
   };
@@ -500,7 +498,7 @@ auto Mover::haltAll(const Order& by, const std::string& reason, const Ask& ask) 
 
 void Mover::stop(const Order& by) {
   haltAll(by, by.source + " called stop", [&] {
-    gate_.stop(by.source);
+    stopped_by_ = by.source;
     return hold({}, std::nullopt);
   });
 }
@@ -510,11 +508,11 @@ void Mover::release(const Order& by) {
     if (halts_ > 0) {
       throw CommandException("the robot is still being told to stop. Call release again.");
     }
-    if (gate_.stoppedBy()) {
+    if (stopped_by_) {
       streams_.overrule(clock_(), "the robot was stopped");
     }
-    gate_.release();
-    gate_.overrule(by.received, by.source + " called release");
+    stopped_by_.reset();
+    overrule(by.received, by.source + " called release");
   });
 }
 
@@ -538,7 +536,10 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
     const Record* const record = find(movement);
     const bool is_posture = record != nullptr && record->movement.kind == Kind::kPosture;
     const std::vector<int> legs = table_.identifiersOfLegs();
-    const std::vector<int> joints = is_posture ? legs : plan_.identifiersOf(movement);
+    std::vector<int> joints = is_posture ? legs : std::vector<int>();
+    for (const auto& [joint, target] : plan_.holdingTargets(clock_(), movement)) {
+      joints.push_back(joint);
+    }
     if (std::find_first_of(joints.begin(), joints.end(), legs.begin(), legs.end()) != joints.end()) {
       streams_.overrule(clock_(), reason);  // so does the robot when a leg is held
     }
@@ -569,11 +570,11 @@ bool Mover::setMotors(const Order& order, bool on) {
   bool is_on = false;
   if (on) {
     std::future<bool> answer = change([&] {
-      const std::string refusal = gate_.refusal(order, clock_());
+      const std::string refusal = refusalOf(order);
       if (!refusal.empty()) {
         throw CommandException(refusal + ".");
       }
-      gate_.overrule(order.received, cause);
+      overrule(order.received, cause);
       return client_.beginMotors(true, kTimeout, termsOf(order, 0));
     });
     is_on = answer.get();
@@ -587,7 +588,8 @@ bool Mover::setMotors(const Order& order, bool on) {
 // The movement sends nothing more.
 void Mover::halt(Record* record, const Halt& halt) {
   if (record->movement.kind == Kind::kTrajectory) {
-    forgetTrajectory(record);
+    record->movement.joints = whole(*record).joints;
+    plan_.forget(record->id());
   }
   record->halt = halt;
   if (record->orders.empty()) {
@@ -608,8 +610,7 @@ void Mover::overruleWalks(const Halt& halt) {
   haltEach([](const Record& each) { return each.movement.kind == Kind::kWalk; }, halt);
 }
 
-// A version 1 server cannot hold, and gets the places where the joints should be. If a motion was played, it is told to
-// end its motions.
+// A version 1 server cannot hold. It gets the places where the joints should be, and is told to end its motions.
 std::future<void> Mover::hold(const std::vector<int>& joints, std::optional<MovementId> only) {
   try {
     return client_.beginHold(joints, kTimeout);
@@ -618,10 +619,9 @@ std::future<void> Mover::hold(const std::vector<int>& joints, std::optional<Move
       throw;
     }
   }
-  send(plan_.holdingTargets(clock_(), only), milliseconds(0), {});
-  const bool motions_too = !only && motions_connection_ == connections();
-  return std::async(std::launch::deferred, [this, motions_too] {
-    if (motions_too) {
+  sendTargets(client_, table_.design(), plan_.holdingTargets(clock_(), only), milliseconds(0), {});
+  return std::async(std::launch::deferred, [this, only] {
+    if (!only) {
       client_.stopMotion("", kTimeout);
     }
   });
@@ -773,14 +773,17 @@ std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime
 
 std::vector<std::string> Mover::jointsOf(MovementId id) const {
   const Lock lock(mutex_);
-  const auto record =
-      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id() == id; });
-  return record == records_.end() ? std::vector<std::string>() : whole(*record).joints;
+  for (const Record& record : records_) {
+    if (record.id() == id) {
+      return whole(record).joints;
+    }
+  }
+  return {};
 }
 
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
-  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, gate_.stoppedBy(), gate_.overruled()};
+  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, stopped_by_, overruled_};
   for (const Record& record : records_) {
     state.movements.push_back(whole(record));
   }
@@ -822,20 +825,15 @@ Mover::Begun Mover::refuse(Movement movement, const std::string& reason) {
 }
 
 bool Mover::isRepeated(const EndedMovement& refused) {
+  const Movement& movement = refused.movement;
+  if (movement.kind != Kind::kCommand && movement.kind != Kind::kLookAt && movement.kind != Kind::kWalk) {
+    return false;
+  }
   const SteadyTime now = clock_();
-  const auto is_over = [now](const Refused& each) { return now - each.last >= kRepeatedWithin; };
-  refused_.erase(std::remove_if(refused_.begin(), refused_.end(), is_over), refused_.end());
-  const auto found = std::find_if(refused_.begin(), refused_.end(),
-                                  [&](const Refused& each) { return areSame(each.movement, refused); });
-  if (found != refused_.end()) {
-    found->last = now;
-    return true;
+  for (auto each = refused_.begin(); each != refused_.end();) {
+    each = now - each->second >= kRepeatedWithin ? refused_.erase(each) : std::next(each);
   }
-  const Kind kind = refused.movement.kind;
-  if (kind == Kind::kCommand || kind == Kind::kLookAt || kind == Kind::kWalk) {
-    refused_.push_back({refused, now});
-  }
-  return false;
+  return !refused_.insert_or_assign({movement.kind, movement.source, movement.joints, refused.reason}, now).second;
 }
 
 void Mover::note(const EndedMovement& ended) {
@@ -844,32 +842,29 @@ void Mover::note(const EndedMovement& ended) {
   if (ended_.size() > kEndsRemembered) {
     ended_.pop_front();
   }
-  news_.ended.push_back(ended);
+  news_.push_back([this, ended] { listener_.on_ended(ended); });
 }
 
-// An order has ended. The movement ends with its last one, unless it has more to do.
+// An order has ended. The movement goes on if others have not, or if a trajectory has more to send or to measure.
+// Otherwise it ends:
+// - with the reason why it was halted, if its order was stopped, or if it had more to do and has not failed
+// - stopped, if it is a walk to a goal that nobody has halted, because the robot was not steered
+// - or as the robot says
 void Mover::leave(Record* record, OrderNumber order, EndedHow how, std::string reason) {
   record->orders.erase(order);
-  if (!record->orders.empty()) {
-    const bool is_trouble = how == EndedHow::kRefused || how == EndedHow::kNotReached;
-    record->trouble = is_trouble ? reason : record->trouble;
-    return;
-  }
-  const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
   const bool has_failed = how == EndedHow::kRefused || how == EndedHow::kNotReached || how == EndedHow::kFell;
-  const bool is_measured =
-      (how == EndedHow::kNotReached || how == EndedHow::kUnknown) && plan_.isMeasured(record->id());
-  if (record->halt) {
-    const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
-    const bool is_halted = how == EndedHow::kStopped || (has_more_to_do && !has_failed);
-    if (is_halted && !record->halt->reason.empty()) {
-      const Halt halt = *record->halt;
-      close(record->id(), halt.how, halt.reason);
-      return;
-    }
-  } else if (is_trajectory && (how == EndedHow::kDone ? plan_.goesOn(record->id()) : is_measured)) {
+  const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
+  if (!record->orders.empty() || (is_trajectory && !record->halt && plan_.goesOnAfter(record->id(), how))) {
     record->trouble = has_failed ? reason : record->trouble;
     return;
+  }
+  const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
+  if (record->halt) {
+    if (!record->halt->reason.empty() && (how == EndedHow::kStopped || (has_more_to_do && !has_failed))) {
+      how = record->halt->how;
+      reason = record->halt->reason;
+      record->trouble.clear();
+    }
   } else if (record->steered && how == EndedHow::kDone) {
     how = EndedHow::kStopped;
     reason = "no velocity came to the robot for 0.5 s";
@@ -885,16 +880,10 @@ std::string Mover::withTrouble(const Record& record, EndedHow how, const std::st
   return record.trouble + (reason.empty() ? "" : " (" + reason + ")");
 }
 
-void Mover::forgetTrajectory(Record* record) {
-  record->movement.joints = whole(*record).joints;
-  plan_.forget(record->id());
-}
-
 // Does nothing if it has ended.
 void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
-  const auto record =
-      std::find_if(records_.begin(), records_.end(), [id](const Record& each) { return each.id() == id; });
-  if (record == records_.end()) {
+  Record* const record = find(id);
+  if (record == nullptr) {
     return;
   }
   EndedMovement ended = endOf(whole(*record), how, reason);
@@ -904,7 +893,7 @@ void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
     plan_.forget(id);
   }
   record->promise.set_value(ended);
-  records_.erase(record);
+  records_.remove_if([id](const Record& each) { return each.id() == id; });
   note(ended);
 }
 
@@ -965,7 +954,7 @@ Mover::Record* Mover::findWalk() {
 Mover::Record* Mover::findCommand(const Movement& movement) {
   return findIf([&](const Record& each) {
     return each.movement.kind == movement.kind && each.movement.source == movement.source && !each.halt &&
-           plan_.jointsOf(each.id()) == movement.joints;
+           each.movement.joints == movement.joints;
   });
 }
 
@@ -979,32 +968,20 @@ bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>&
 
 // The robot's joints among these names, in the robot's order.
 std::vector<std::string> Mover::known(const std::vector<std::string>& names) const {
-  std::vector<std::string> joints;
-  for (const JointProperties& joint : table_.joints()) {
-    if (std::find(names.begin(), names.end(), joint.name) != names.end()) {
-      joints.push_back(joint.name);
-    }
-  }
-  return joints;
+  return table_.namesOf([&names](const JointProperties& joint) {
+    return std::find(names.begin(), names.end(), joint.name) != names.end();
+  });
 }
 
 // After a new connection the robot may have any posture, and it has stopped whatever moved before.
 void Mover::checkConnection() {
-  const std::uint64_t present = connections();
+  const std::uint64_t present = client_.statistics().connections;
   if (connection_ != present) {
     connection_ = present;
     filter_.startApproach();
     closeAll(EndedHow::kLost, kConnectionLost);
-    gate_.overrule(clock_(), "the robot was connected");
+    overrule(clock_(), "the robot was connected");
     streams_.overrule(clock_(), "the connection is a new one");
-  }
-}
-
-void Mover::checkTelemetry() const {
-  if (!telemetry_wanted_()) {
-    throw aibo_client::InvalidArgumentException(
-        "telemetry_rate is 0, so it is not known where the joints are. Set it above 0: rosrun dynamic_reconfigure "
-        "dynparam set NODE telemetry_rate 31.25");
   }
 }
 
@@ -1024,27 +1001,12 @@ void Mover::endTrajectories(const std::string& reason) {
 // Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed
 // limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
-  requireDesign(client_, table_.design());
   const std::vector<std::string> legs = table_.namesOfLegs();
   haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
   plan_.forget(legs);
   if (client_.status().robot.hasCapability("S")) {
-    limitSpeeds(table_.ownSpeedsOfLegs());
+    client_.setJointSpeedLimits(table_.ownSpeedsOfLegs());
   }
-}
-
-void Mover::send(const JointTargets& targets, milliseconds duration, const aibo_client::OrderTerms& terms) {
-  sendTargets(client_, table_.design(), targets, duration, terms);
-}
-
-void Mover::limitSpeeds(const std::vector<aibo_client::JointSpeedLimit>& limits) {
-  requireDesign(client_, table_.design());
-  client_.setJointSpeedLimits(limits);
-}
-
-// If this number has changed, there is a new connection. Then nothing that was sent over the old one may be repeated.
-std::uint64_t Mover::connections() const {
-  return client_.statistics().connections;
 }
 
 // The steps are as old as the call before, because the robot's joints may have got somewhere else since.
@@ -1052,12 +1014,10 @@ void Mover::sendSteps(SteadyTime now) {
   for (const JointStep& step : plan_.advance(now)) {
     const OrderNumber number = nextNumber();
     try {
-      send(step.targets, step.duration, {went_on_ + OrderGate::kLongestWait, number});
+      sendTargets(client_, table_.design(), step.targets, step.duration, {went_on_ + kLongestWait, number});
       find(step.movement)->orders.insert(number);
-    } catch (const NetworkException& error) {
-      close(step.movement, EndedHow::kLost, reasonOf(error));
     } catch (const Exception& error) {
-      close(step.movement, EndedHow::kRefused, reasonOf(error));
+      close(step.movement, howOf(error, EndedHow::kRefused), reasonOf(error));
     }
   }
   takeEndsOfPlan();

@@ -8,10 +8,12 @@
 #include <functional>
 #include <future>
 #include <list>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,6 @@
 #include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
-#include "movement/order_gate.h"
 #include "movement/steering_streams.h"
 
 namespace aibo_driver::movement {
@@ -39,9 +40,9 @@ namespace aibo_driver::movement {
 /// robot has not ended yet. It ends when this set is empty, with the end that emptied it. So nothing is guessed from
 /// what an end is about. Only trajectories have more to send then, and only their own tolerances are judged here.
 ///
-/// While the robot is stopped, no order moves it. Every order has to pass an OrderGate, and is handed to the client
-/// under the same lock, so nothing is sent after a stop that the stop does not know. Orders that come without a
-/// connection are lost, and no movement goes on over another connection.
+/// An order is refused if the robot is stopped, if the order has waited for too long, or if something newer overrules
+/// it. It is judged and handed to the client under one lock, so nothing is sent after a stop that the stop does not
+/// know. Orders that come without a connection are lost, and no movement goes on over another connection.
 ///
 /// Any thread may call every member function. The functions that wait for the robot have a timeout. Meanwhile other
 /// threads may call the other functions. The client's callbacks must not call play(), takePosture(), stop(), hold(),
@@ -50,6 +51,8 @@ class Mover {
  public:
   /// How long a call waits for the robot to hold, to switch its motors, or to begin a motion or a posture.
   static constexpr std::chrono::milliseconds kTimeout{2000};
+  /// How old an order may be when it acts. The robot itself waits just as long for the next velocity of a walk.
+  static constexpr std::chrono::milliseconds kLongestWait{500};
   /// A trajectory begins only if its joints were measured within this time.
   static constexpr std::chrono::milliseconds kFresh{300};
   /// The same time with a version 1 server, which reports one joint after the other, each about once a second.
@@ -80,15 +83,16 @@ class Mover {
     std::size_t ends = 0;                   ///< how many have ended so far
     aibo_client::MotorsAndPosture robot;    ///< what the robot reports about itself
     std::optional<std::string> stopped_by;  ///< the node that has stopped the robot; empty unless it is stopped
-    SteadyTime overruled;                   ///< see OrderGate::overruled()
+    SteadyTime overruled;                   ///< when the newest order was received that overrules others
   };
 
   /// These functions are called on the thread of the call that caused them, without a lock.
   struct Listener {
-    std::function<void()> on_change;                          ///< called when state() may have changed
-    std::function<void()> on_begin;                           ///< called when goOn() has to be called from now on
-    std::function<void(const EndedMovement&)> on_ended;       ///< called for each end, in order
-    std::function<void(const std::string& text)> on_warning;  ///< called with what was left out of an order
+    std::function<void()> on_change = [] {};  ///< called when state() may have changed
+    std::function<void()> on_begin = [] {};   ///< called when goOn() has to be called from now on
+    std::function<void(const EndedMovement&)> on_ended = [](const auto&) {};  ///< called for each end, in order
+    /// Called with what was left out of an order.
+    std::function<void(const std::string& text)> on_warning = [](const auto&) {};
   };
 
   using Clock = std::function<SteadyTime()>;
@@ -142,9 +146,9 @@ class Mover {
   /// @param goal the goal in words
   Begun walkToGoal(const Order& order, const std::string& goal);
 
-  /// Steers a walk to a goal. Call this several times a second. A velocity of 0 ends the walk: it is done.
-  /// @return false if the walk has ended
-  bool walkOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
+  /// Steers a walk to a goal, unless it has ended. Call this several times a second. A velocity of 0 ends the walk: it
+  /// is done.
+  void walkOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
 
   /// Notes that an order is refused.
   /// @param names the names of joints
@@ -243,28 +247,18 @@ class Mover {
     MovementId id() const { return movement.order; }
   };
 
-  /// News that the listener has not been told yet.
-  struct News {
-    std::vector<EndedMovement> ended;
-    std::vector<std::string> warnings;
-  };
-
-  /// An order that was refused recently.
-  struct Refused {
-    EndedMovement movement;
-    SteadyTime last;
-  };
-
   template <typename Work>
   auto change(const Work& work);
   void tell();
-  std::string refusalOf(const Order& order, const Movement& movement, bool may_act_while_stopped) const;
+  void warn(const std::string& text);
+  std::string refusalOf(const Order& order, bool may_act_while_stopped = false) const;
+  void overrule(SteadyTime received, const std::string& what);
+  void requireRoom(Movement::Kind kind) const;
   template <typename Answer>
   static Begun await(Begun begun, std::future<Answer>* answer);
   void stopWalk(const std::string& node);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
   void noteRival(Record* walk, const std::string& node);
-  void steerOn(Record* walk, const aibo_client::WalkVelocity& velocity, SteadyTime from);
   void letGo(Record* walk, const Halt& halt);
   void sendZeros();
   template <typename Condition, typename Ask>
@@ -290,7 +284,6 @@ class Mover {
   void leave(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
   bool endOlder(OrderNumber order, aibo_client::EndedHow how, const std::string& reason);
   static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
-  void forgetTrajectory(Record* record);
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
   void closeAll(aibo_client::EndedHow how, const std::string& reason);
   void takeEndsOfPlan();
@@ -306,10 +299,6 @@ class Mover {
   std::vector<std::string> known(const std::vector<std::string>& names) const;
   OrderNumber nextNumber() { return ++last_number_; }
   void checkConnection();
-  void checkTelemetry() const;
-  void send(const JointTargets& targets, std::chrono::milliseconds duration, const aibo_client::OrderTerms& terms);
-  void limitSpeeds(const std::vector<aibo_client::JointSpeedLimit>& limits);
-  std::uint64_t connections() const;
   void sendSteps(SteadyTime now);
 
   const JointTable& table_;
@@ -321,20 +310,22 @@ class Mover {
   mutable std::mutex mutex_;  ///< guards everything below; never held while waiting for the robot
   JointCommandFilter filter_;
   JointPlan plan_;
-  OrderGate gate_;
+  std::optional<std::string> stopped_by_;
+  SteadyTime overruled_;  ///< orders that were received before are refused
+  std::string overruled_by_;
   SteeringStreams streams_;
   std::list<Record> records_;
   std::uint64_t last_number_ = 0;  ///< of a movement or an order
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
   SteadyTime went_on_;  ///< when goOn() was last called, or a trajectory was asked for since
-  std::vector<Refused> refused_;
-  News news_;
+  /// When an order was last refused: by its kind, node and joints, and the reason.
+  std::map<std::tuple<Movement::Kind, std::string, std::vector<std::string>, std::string>, SteadyTime> refused_;
+  std::vector<std::function<void()>> news_;  ///< that the listener has not been told yet
   aibo_client::MotorsAndPosture robot_;
-  int halts_ = 0;                         ///< calls that wait for the robot to halt
-  SteadyTime contradicted_;               ///< when two nodes last contradicted each other
-  std::uint64_t connection_ = 0;          ///< the connection over which all present movements were begun
-  std::uint64_t motions_connection_ = 0;  ///< the connection over which a motion was played that may still be playing
+  int halts_ = 0;                 ///< calls that wait for the robot to halt
+  SteadyTime contradicted_;       ///< when two nodes last contradicted each other
+  std::uint64_t connection_ = 0;  ///< the connection over which all present movements were begun
 };
 
 }  // namespace aibo_driver::movement

@@ -24,6 +24,7 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Key;
 using ::testing::SizeIs;
 
 constexpr int kPan = 2;
@@ -337,7 +338,7 @@ TEST_F(JointPlanTest, HoldsAJointOfATrajectoryWhereItWasSent) {
   EXPECT_NEAR(targets.at(kPan).position, sent_[kPan], 1e-9) << "not back to where it is";
   EXPECT_THAT(targets, SizeIs(2));
   EXPECT_THAT(plan_.holdingTargets(at(0.34), mouth), SizeIs(1));
-  EXPECT_THAT(plan_.identifiersOf(head), ElementsAre(kPan));
+  EXPECT_THAT(plan_.holdingTargets(at(0.34), head), ElementsAre(Key(kPan)));
 }
 
 TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
@@ -345,7 +346,7 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
   EXPECT_NEAR(duration<double>(*plan_.endOf(head, at(0.1)) - at(0)).count(), 2, 1e-6);
   follow(0, 1.95);
   EXPECT_THAT(plan_.jointsOf(head), ElementsAre("head_pan"));
-  EXPECT_TRUE(plan_.goesOn(head)) << "all is sent, but not measured";
+  EXPECT_TRUE(plan_.goesOnAfter(head, EndedHow::kDone)) << "all is sent, but not measured";
   follow(1.984, 2.1);
   EXPECT_EQ(endOf(head), EndedHow::kDone);
   EXPECT_TRUE(plan_.empty());
@@ -354,9 +355,9 @@ TEST_F(JointPlanTest, SaysWhatMovesUntilItIsMeasuredWhereItWasSent) {
 TEST_F(JointPlanTest, ATrajectoryWhoseArrivalIsNotMeasuredStaysUntilItIsForgotten) {
   const auto head = add(pan({{1, {0.5}, {}}}), 0, 0, {});
   follow(0, 0.8);
-  EXPECT_TRUE(plan_.goesOn(head));
+  EXPECT_TRUE(plan_.goesOnAfter(head, EndedHow::kDone));
   follow(0.832, 5);
-  EXPECT_FALSE(plan_.goesOn(head)) << "all is sent";
+  EXPECT_FALSE(plan_.goesOnAfter(head, EndedHow::kDone)) << "all is sent";
   EXPECT_FALSE(endOf(head));
   plan_.forget(head);
   EXPECT_TRUE(plan_.empty());
