@@ -178,19 +178,9 @@ std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now
 }
 
 std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, SteadyTime now) const {
-  std::vector<Trajectory::Start> states;
   const Job* const job = find(trajectory);
-  if (job == nullptr || !job->run || job->run->over || job->run->clock.at(now) < 0) {
-    return states;
-  }
-  const Trajectory& way = job->run->trajectory;
-  const double time = job->run->clock.at(now);
-  const std::vector<double> positions = way.sample(time);
-  const std::vector<double> velocities = way.velocities(time);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    states.push_back({way.joints()[i], positions[i], velocities[i]});
-  }
-  return states;
+  const double time = job != nullptr && job->run && !job->run->over ? job->run->clock.at(now) : -1;
+  return time < 0 ? std::vector<Trajectory::Start>() : job->run->trajectory.at(time);
 }
 
 bool JointPlan::goesOnAfter(MovementId trajectory, EndedHow how) const {
@@ -215,8 +205,7 @@ std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTim
     const std::optional<std::size_t> place = moves_now ? job->placeOf(table_[joint].name) : std::nullopt;
     const double time = place ? job->run->clock.at(now) + ahead : -1;
     if (time >= 0) {
-      return Trajectory::Start{joint, job->run->trajectory.sample(time)[*place],
-                               job->run->trajectory.velocities(time)[*place]};
+      return job->run->trajectory.at(time)[*place];
     }
   }
   const std::optional<Command>& command = commands_[joint];
@@ -364,7 +353,7 @@ JointTargets JointPlan::targetsOf(std::size_t index) const {
                      [&name](const Job& newer) { return newer.run && newer.placeOf(name); })) {
       const std::size_t joint = *table_.findByName(name);
       const double position =
-          std::clamp(job.run->sent[*job.placeOf(name)], table_[joint].lowest, table_[joint].highest);
+          std::clamp(job.run->sent[*job.placeOf(name)].position, table_[joint].lowest, table_[joint].highest);
       targets[table_[joint].id] = {table_[joint].id, position, table_.speedLimit(joint)};
     }
   }
@@ -386,7 +375,7 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   }
   const double ahead = std::clamp(left, 0.0, seconds(kLookahead));
   run.end_sent = left <= ahead;
-  run.sent = run.trajectory.sample(run.clock.at(now) + ahead);
+  run.sent = run.trajectory.at(run.clock.at(now) + ahead);
   return {job.id, targetsOf(index), milliseconds(std::lround(1000 * ahead))};
 }
 
@@ -404,7 +393,7 @@ void JointPlan::judge(Job* job, SteadyTime now) {
   std::vector<std::string> away;
   std::vector<std::string> unmeasured;
   const SteadyTime over = *job->run->over;
-  const std::vector<double> end = job->run->trajectory.sample(job->run->trajectory.duration());
+  const std::vector<Trajectory::Start> end = job->run->trajectory.at(job->run->trajectory.duration());
   for (const std::string& joint : job->names()) {
     const std::optional<MeasuredJoint> measured = measured_.find(*table_.findByName(joint));
     if (!measured || measured->arrival < over) {
@@ -413,7 +402,7 @@ void JointPlan::judge(Job* job, SteadyTime now) {
     }
     const auto own = job->arrival.tolerances.find(joint);
     const Tolerance tolerance = own == job->arrival.tolerances.end() ? Tolerance() : own->second;
-    const std::string problem = describeDistance(*measured, end[*job->placeOf(joint)], tolerance);
+    const std::string problem = describeDistance(*measured, end[*job->placeOf(joint)].position, tolerance);
     if (!problem.empty()) {
       away.push_back(joint + problem);
     }

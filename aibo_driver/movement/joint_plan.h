@@ -148,8 +148,8 @@ class JointPlan {
   struct Run {
     Trajectory trajectory;
     TrajectoryClock clock;
-    std::vector<bool> moves;   // by place in the request; false if something newer moves this joint
-    std::vector<double> sent;  // rad, where the joints were last sent; advance() sets it at once
+    std::vector<bool> moves;              // by place in the request; false if something newer moves this joint
+    std::vector<Trajectory::Start> sent;  // where the joints were last sent; advance() sets it at once
     bool end_sent = false;
     std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
   };

@@ -139,11 +139,16 @@ void Mover::warn(const std::string& text) {
 // Gives an order, unless it must not act.
 // @param act sends what the robot has to do, and begins the movement; what it throws is the reason for a refusal
 template <typename Act>
-Mover::Begun Mover::give(const Order& order, Movement movement, const Act& act, bool may_act_while_stopped) {
+Mover::Begun Mover::give(const Order& order, Kind kind, const std::string& name, const std::vector<std::string>& joints,
+                         const Act& act, bool may_act_while_stopped) {
   return change([&] {
     checkConnection();
-    movement.source = order.source;
-    const std::string reason = refusalOf(order, may_act_while_stopped);
+    Movement movement{kind, name, order.source, {}, std::nullopt};
+    std::string reason = describeTooMany(joints.size());
+    if (reason.empty()) {
+      movement.joints = known(joints);
+      reason = refusalOf(order, may_act_while_stopped);
+    }
     if (!reason.empty()) {
       return refuse(std::move(movement), reason);
     }
@@ -158,10 +163,6 @@ Mover::Begun Mover::give(const Order& order, Movement movement, const Act& act, 
 
 Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& names,
                             const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
-  const std::string too_many = describeTooMany(names.size());
-  if (!too_many.empty()) {
-    return refuse(order, kind, {}, too_many);
-  }
   const auto act = [&](Movement* movement) {
     const SteadyTime now = clock_();
     JointTargets targets;
@@ -190,15 +191,11 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     takeLegsFromWalks(*movement);
     return begunOf(record);
   };
-  return give(order, {kind, "", "", known(names), std::nullopt}, act);
+  return give(order, kind, "", names, act);
 }
 
 Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                            const Arrival& arrival) {
-  const std::string too_many = describeTooMany(request.joints.size());
-  if (!too_many.empty()) {
-    return refuse(order, Kind::kTrajectory, {}, too_many);
-  }
   double stretch = 1;
   const auto act = [&](Movement* movement) {
     if (!telemetry_wanted_()) {
@@ -219,7 +216,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
     sendSteps(now);
     return result;
   };
-  Begun begun = give(order, {Kind::kTrajectory, "", "", known(request.joints), std::nullopt}, act);
+  Begun begun = give(order, Kind::kTrajectory, "", request.joints, act);
   if (stretch > 1) {
     begun.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
   }
@@ -242,7 +239,7 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     }
     return begunOf(begin(*movement, number));
   };
-  const Begun begun = give(order, {Kind::kMotion, name, "", {}, std::nullopt}, act);
+  const Begun begun = give(order, Kind::kMotion, name, {}, act);
   return await(begun, &answer);
 }
 
@@ -259,8 +256,7 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
     overruleWalks({EndedHow::kReplaced, cause});
     return begunOf(begin(*movement, number));
   };
-  const Begun begun =
-      give(order, {Kind::kPosture, nameOf(posture), "", {}, std::nullopt}, act, posture == Posture::kRest);
+  const Begun begun = give(order, Kind::kPosture, nameOf(posture), {}, act, posture == Posture::kRest);
   return await(begun, &answer);
 }
 
@@ -399,7 +395,7 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
     record.steered = order.received;
     return begunOf(record);
   };
-  return give(order, {Kind::kWalk, goal, "", {}, std::nullopt}, act);
+  return give(order, Kind::kWalk, goal, {}, act);
 }
 
 // The velocity is as old as the call before, because what it is computed from may be.
@@ -452,14 +448,15 @@ void Mover::sendZeros() {
 }
 
 // Tells the robot to end movements. Those whose end it has not told when it answers end then.
-template <typename Condition, typename Ask>
-auto Mover::halt(const Condition& condition, const std::string& reason, const Ask& ask) {
+// @param only halts this movement; empty means all
+template <typename Ask>
+auto Mover::halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask) {
   std::vector<MovementId> halted;
   const auto halt_and_ask = [&] {
     ++halts_;
     filter_.interruptApproach(clock_());
     auto future = futureOf(ask);
-    halted = idsOf(condition);
+    halted = idsOf([only](const Record& each) { return !only || each.id() == *only; });
     for (const MovementId id : halted) {
       halt(find(id), {EndedHow::kStopped, reason});
     }
@@ -493,7 +490,7 @@ auto Mover::haltAll(const Order& by, const std::string& reason, const Ask& ask) 
     streams_.overrule(clock_(), reason);
     return ask();
   };
-  return halt([](const Record&) { return true; }, reason, overrule_and_ask);
+  return halt(std::nullopt, reason, overrule_and_ask);
 }
 
 void Mover::stop(const Order& by) {
@@ -545,7 +542,7 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
     }
     return joints.empty() ? std::async(std::launch::deferred, [] {}) : hold(joints, movement);
   };
-  halt([movement](const Record& each) { return each.id() == movement; }, reason, hold_joints);
+  halt(movement, reason, hold_joints);
 }
 
 void Mover::stopMotion(const Order& by, const std::string& name) {

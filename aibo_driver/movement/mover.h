@@ -261,8 +261,8 @@ class Mover {
   void noteRival(Record* walk, const std::string& node);
   void letGo(Record* walk, const Halt& halt);
   void sendZeros();
-  template <typename Condition, typename Ask>
-  auto halt(const Condition& condition, const std::string& reason, const Ask& ask);
+  template <typename Ask>
+  auto halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask);
   template <typename Ask>
   auto haltAll(const Order& by, const std::string& reason, const Ask& ask);
   void halt(Record* record, const Halt& halt);
@@ -276,7 +276,8 @@ class Mover {
   Movement whole(const Record& record) const;
   static Begun begunOf(const Record& record) { return {record.id(), record.end, false, ""}; }
   template <typename Act>
-  Begun give(const Order& order, Movement movement, const Act& act, bool may_act_while_stopped = false);
+  Begun give(const Order& order, Movement::Kind kind, const std::string& name, const std::vector<std::string>& joints,
+             const Act& act, bool may_act_while_stopped = false);
   Record& begin(Movement movement, std::optional<OrderNumber> order = std::nullopt);
   Begun refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);

@@ -93,30 +93,16 @@ double Trajectory::duration() const {
   return segments_.back().begin + segments_.back().length;
 }
 
-const Trajectory::Segment& Trajectory::segmentAt(double time) const {
+std::vector<Trajectory::Start> Trajectory::at(double time) const {
   const auto after = std::upper_bound(segments_.begin(), segments_.end(), time,
                                       [](double t, const Segment& segment) { return t < segment.begin; });
-  return after == segments_.begin() ? segments_.front() : *std::prev(after);
-}
-
-std::vector<double> Trajectory::sample(double time) const {
-  const Segment& segment = segmentAt(time);
+  const Segment& segment = after == segments_.begin() ? segments_.front() : *std::prev(after);
   const double t = std::clamp(time - segment.begin, 0.0, segment.length);
-  std::vector<double> positions;
-  for (const Cubic& cubic : segment.joints) {
-    positions.push_back(cubic.at(t));
+  std::vector<Start> states;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    states.push_back({joints_[i], segment.joints[i].at(t), time < duration() ? segment.joints[i].velocityAt(t) : 0});
   }
-  return positions;
-}
-
-std::vector<double> Trajectory::velocities(double time) const {
-  const Segment& segment = segmentAt(time);
-  const double t = std::clamp(time - segment.begin, 0.0, segment.length);
-  std::vector<double> velocities;
-  for (const Cubic& cubic : segment.joints) {
-    velocities.push_back(time < duration() ? cubic.velocityAt(t) : 0);
-  }
-  return velocities;
+  return states;
 }
 
 void Trajectory::findJoints(const TrajectoryRequest& request, const JointTable& table) {

@@ -36,7 +36,7 @@ TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age);
 /// a cubic polynomial. If that point has no velocities, the joint arrives there with the average velocity of this way.
 class Trajectory {
  public:
-  /// Where a joint is when the trajectory begins.
+  /// Where a joint is, and how fast it moves, when the trajectory begins or later.
   struct Start {
     std::size_t joint = 0;  ///< index in the table
     double position = 0;    ///< rad
@@ -58,17 +58,10 @@ class Trajectory {
   /// The factor by which it is slower than requested; 1 means as requested.
   double stretch() const { return stretch_; }
 
-  /// The joints' indices in the table.
-  const std::vector<std::size_t>& joints() const { return joints_; }
-
-  /// Where the joints should be.
+  /// Where the joints should be, and how fast they should move: not at all after the end.
   /// @param time in seconds; a time before the beginning means the beginning, one after the end means the end
-  /// @return one position for each joint, in radians, in the order of joints()
-  std::vector<double> sample(double time) const;
-
-  /// How fast the joints should move; 0 after the end.
-  /// @param time, return see sample(); the result is in rad/s
-  std::vector<double> velocities(double time) const;
+  /// @return one for each joint of the request, in its order
+  std::vector<Start> at(double time) const;
 
  private:
   /// c[0] + c[1] t + c[2] t^2 + c[3] t^3
@@ -87,7 +80,6 @@ class Trajectory {
     std::vector<Cubic> joints;
   };
 
-  const Segment& segmentAt(double time) const;
   void findJoints(const TrajectoryRequest& request, const JointTable& table);
   void checkPoints(const TrajectoryRequest& request, const JointTable& table) const;
   TrajectoryRequest::Point startingPoint(const JointTable& table, const std::vector<Start>& start) const;

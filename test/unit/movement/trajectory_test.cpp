@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "aibo_client/exceptions.h"
+#include "movement/movement.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -49,7 +50,8 @@ class TrajectoryTest : public ::testing::Test {
     constexpr double kStep = 0.0005;
     double highest = 0;
     for (double t = 0; t < trajectory.duration(); t += kStep) {
-      highest = std::max(highest, std::abs(trajectory.sample(t + kStep)[1] - trajectory.sample(t)[1]) / kStep);
+      highest =
+          std::max(highest, std::abs(trajectory.at(t + kStep)[1].position - trajectory.at(t)[1].position) / kStep);
     }
     return highest;
   }
@@ -68,33 +70,35 @@ TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
   const Trajectory trajectory = plan(pan({{1, {0.4}, {}}, {3, {-0.4}, {}}}));
   EXPECT_DOUBLE_EQ(trajectory.duration(), 3);
   EXPECT_DOUBLE_EQ(trajectory.stretch(), 1);
-  EXPECT_DOUBLE_EQ(trajectory.sample(0)[1], 0.2);
-  EXPECT_DOUBLE_EQ(trajectory.sample(0.5)[1], 0.3);
-  EXPECT_DOUBLE_EQ(trajectory.sample(1)[1], 0.4);
-  EXPECT_NEAR(trajectory.sample(2)[1], 0.0, 1e-12);
-  EXPECT_DOUBLE_EQ(trajectory.sample(3)[1], -0.4);
+  EXPECT_DOUBLE_EQ(trajectory.at(0)[1].position, 0.2);
+  EXPECT_DOUBLE_EQ(trajectory.at(0.5)[1].position, 0.3);
+  EXPECT_DOUBLE_EQ(trajectory.at(1)[1].position, 0.4);
+  EXPECT_NEAR(trajectory.at(2)[1].position, 0.0, 1e-12);
+  EXPECT_DOUBLE_EQ(trajectory.at(3)[1].position, -0.4);
 }
 
 TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
   const Trajectory trajectory = plan(pan({{1, {0.5}, {0.8}}, {2, {1.0}, {0}}}));
   const double step = 1e-5;
-  EXPECT_NEAR(trajectory.sample(1)[1], 0.5, 1e-12);
-  EXPECT_NEAR((trajectory.sample(1 + step)[1] - trajectory.sample(1)[1]) / step, 0.8, 1e-3);
-  EXPECT_NEAR((trajectory.sample(1)[1] - trajectory.sample(1 - step)[1]) / step, 0.8, 1e-3);
-  EXPECT_NEAR((trajectory.sample(step)[1] - trajectory.sample(0)[1]) / step, 0.0, 1e-3) << "it begins at rest";
-  EXPECT_NEAR((trajectory.sample(2)[1] - trajectory.sample(2 - step)[1]) / step, 0.0, 1e-3);
+  EXPECT_NEAR(trajectory.at(1)[1].position, 0.5, 1e-12);
+  EXPECT_NEAR((trajectory.at(1 + step)[1].position - trajectory.at(1)[1].position) / step, 0.8, 1e-3);
+  EXPECT_NEAR((trajectory.at(1)[1].position - trajectory.at(1 - step)[1].position) / step, 0.8, 1e-3);
+  EXPECT_NEAR((trajectory.at(step)[1].position - trajectory.at(0)[1].position) / step, 0.0, 1e-3)
+      << "it begins at rest";
+  EXPECT_NEAR((trajectory.at(2)[1].position - trajectory.at(2 - step)[1].position) / step, 0.0, 1e-3);
   for (const double time : {0.3, 1.0, 1.6}) {
-    EXPECT_NEAR(trajectory.velocities(time)[1], (trajectory.sample(time + step)[1] - trajectory.sample(time)[1]) / step,
-                1e-3);
+    EXPECT_NEAR(trajectory.at(time)[1].velocity,
+                (trajectory.at(time + step)[1].position - trajectory.at(time)[1].position) / step, 1e-3);
   }
-  EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).velocities(1)[1], 0) << "it is over";
+  EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).at(1)[1].velocity, 0) << "it is over";
 }
 
 TEST_F(TrajectoryTest, MovesAllItsJoints) {
   const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}});
-  EXPECT_THAT(trajectory.joints(), ::testing::ElementsAre(mouth_, pan_));
-  EXPECT_NEAR(trajectory.sample(0.5)[0], -0.6, 1e-12);
-  EXPECT_NEAR(trajectory.sample(0.5)[1], 0.2, 1e-12);
+  EXPECT_EQ(trajectory.at(0)[0].joint, mouth_);
+  EXPECT_EQ(trajectory.at(0)[1].joint, pan_);
+  EXPECT_NEAR(trajectory.at(0.5)[0].position, -0.6, 1e-12);
+  EXPECT_NEAR(trajectory.at(0.5)[1].position, 0.2, 1e-12);
 }
 
 TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
@@ -135,7 +139,7 @@ TEST_F(TrajectoryTest, RefusesVelocitiesThatCarryAJointBeyondItsLimitsBetweenTwo
 
 TEST_F(TrajectoryTest, LetsAJointThatIsBeyondItsLimitsComeBack) {
   present_pan_ = 1.6;
-  EXPECT_NEAR(plan(pan({{1, {0}, {0}}})).sample(0)[1], 1.6, 1e-12);
+  EXPECT_NEAR(plan(pan({{1, {0}, {0}}})).at(0)[1].position, 1.6, 1e-12);
 }
 
 TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
@@ -156,22 +160,22 @@ TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
   EXPECT_NEAR(plan({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}, true).stretch(), 5.0 / 3, 1e-9) << "any joint";
   const Trajectory curved = plan(pan({{0.2, {0.5}, {4}}, {0.4, {1}, {0}}}), true);
   EXPECT_NEAR(highestSpeed(curved), kSpeedLimit, 0.01);
-  EXPECT_NEAR(curved.sample(curved.duration())[1], 1, 1e-9);
+  EXPECT_NEAR(curved.at(curved.duration())[1].position, 1, 1e-9);
 }
 
 TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
   present_pan_ = 0.05;
   const Trajectory trajectory = plan(pan({{0, {0}, {}}, {1, {1}, {}}}));
-  EXPECT_DOUBLE_EQ(trajectory.sample(0)[1], 0.05);
-  EXPECT_DOUBLE_EQ(trajectory.sample(1)[1], 1);
+  EXPECT_DOUBLE_EQ(trajectory.at(0)[1].position, 0.05);
+  EXPECT_DOUBLE_EQ(trajectory.at(1)[1].position, 1);
   EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).duration(), 0);
-  EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).sample(0)[1], 0.05) << "it stays where it is";
+  EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).at(0)[1].position, 0.05) << "it stays where it is";
 }
 
 TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
   EXPECT_THAT(refusal(pan({{0, {1}, {}}, {1, {0}, {}}})), AllOf(HasSubstr("head_pan"), HasSubstr("time_from_start")));
   const Trajectory slow = plan(pan({{0, {1.5}, {}}, {1, {0}, {}}}), true);
-  EXPECT_DOUBLE_EQ(slow.sample(0)[1], 0);
+  EXPECT_DOUBLE_EQ(slow.at(0)[1].position, 0);
   EXPECT_NEAR(slow.duration(), 1.5, 1e-9);
   EXPECT_LE(highestSpeed(slow), kSpeedLimit * 1.01);
   table_.setSpeedScale(0.25);
@@ -184,6 +188,24 @@ TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
     EXPECT_NEAR(both.duration(), 3, 1e-9) << "it waits 1 s for the joint that needs most time, whatever its place";
     EXPECT_DOUBLE_EQ(both.stretch(), 1);
   }
+}
+
+SteadyTime at(int time) {
+  return SteadyTime(std::chrono::milliseconds(time));
+}
+
+TEST(TrajectoryClock, IsTheTimeSinceTheBeginningButStandsStillDuringALongGap) {
+  TrajectoryClock clock(at(5000), std::chrono::milliseconds(32));
+  EXPECT_DOUBLE_EQ(clock.attend(at(4000)), -1);
+  EXPECT_NEAR(clock.attend(at(5010)), 0.01, 1e-9);
+  EXPECT_NEAR(clock.attend(at(5042)), 0.042, 1e-9);
+  EXPECT_NEAR(clock.attend(at(5230)), 0.23, 1e-9) << "a little late: it catches up";
+  EXPECT_NEAR(clock.at(at(7230)), 0.262, 1e-9);
+  EXPECT_NEAR(clock.attend(at(7230)), 0.262, 1e-9);
+  EXPECT_NEAR(clock.attend(at(7262)), 0.294, 1e-9);
+  TrajectoryClock late(at(5000), std::chrono::milliseconds(32));
+  late.attend(at(4900));
+  EXPECT_NEAR(late.attend(at(6000)), 0.032, 1e-9) << "it begins later";
 }
 
 }  // namespace
