@@ -67,13 +67,13 @@ double JointPlan::Command::positionAt(double time) const {
 std::optional<std::size_t> JointPlan::Job::placeOf(const std::string& joint) const {
   const auto found = std::find(request.joints.begin(), request.joints.end(), joint);
   const auto place = static_cast<std::size_t>(found - request.joints.begin());
-  return found != request.joints.end() && moves(place) ? std::optional<std::size_t>(place) : std::nullopt;
+  return found != request.joints.end() && moves[place] ? std::optional<std::size_t>(place) : std::nullopt;
 }
 
 std::vector<std::string> JointPlan::Job::names() const {
   std::vector<std::string> names;
   for (std::size_t i = 0; i < request.joints.size(); ++i) {
-    if (moves(i)) {
+    if (moves[i]) {
       names.push_back(request.joints[i]);
     }
   }
@@ -95,11 +95,16 @@ void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime n
 
 double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
                       SteadyTime now, milliseconds oldest) {
-  Job job{id, request, arrival, start, oldest, std::nullopt};
+  Job job{id, request, arrival, start, oldest, std::vector<bool>(request.joints.size(), true), std::nullopt};
   checkWaiting(job, now);
   // This also refuses at once a request that could otherwise be refused only later.
   const double stretch = plan(job, now).stretch();
-  takeFromWaiting(job);
+  for (Job& older : jobs_) {
+    if (!older.run && older.start >= job.start) {
+      takeJoints(job, &older);
+    }
+  }
+  removeEnded();
   jobs_.push_back(std::move(job));
   return stretch;
 }
@@ -280,37 +285,20 @@ void JointPlan::checkWaiting(const Job& newer, SteadyTime now) const {
   check(waiting.size(), kMostWaiting, "");
 }
 
-// A newer trajectory takes its joints from those that would begin later.
-void JointPlan::takeFromWaiting(const Job& newer) {
-  for (Job& job : jobs_) {
-    if (job.run || job.start < newer.start) {
-      continue;
-    }
-    for (std::size_t i = job.request.joints.size(); i-- > 0;) {
-      if (newer.placeOf(job.request.joints[i])) {
-        removeJoint(i, &job.request);
-      }
-    }
-    if (job.request.joints.empty()) {
-      noteEnd(&job, EndedHow::kReplaced, kNewer);
-    }
-  }
-  removeEnded();
-}
-
 // A trajectory begins as early as its first positions have to be sent.
 void JointPlan::beginDue(SteadyTime now) {
   const auto is_due = [now](const Job& job) { return !job.run && job.start <= now + kLookahead; };
   for (auto due = jobs_.begin(); (due = std::find_if(jobs_.begin(), jobs_.end(), is_due)) != jobs_.end();) {
     Job job = std::move(*due);
     jobs_.erase(due);
+    for (std::size_t i = job.moves.size(); i-- > 0;) {
+      if (!job.moves[i]) {
+        removeJoint(i, &job.request);
+      }
+    }
+    job.moves.assign(job.request.joints.size(), true);
     try {
-      job.run = Run{plan(job, now),
-                    TrajectoryClock(std::max(job.start, now), kPeriod),
-                    std::vector<bool>(job.request.joints.size(), true),
-                    {},
-                    false,
-                    std::nullopt};
+      job.run = Run{plan(job, now), TrajectoryClock(std::max(job.start, now), kPeriod), {}, false, std::nullopt};
       jobs_.push_back(std::move(job));
     } catch (const aibo_client::InvalidArgumentException& error) {
       noteEnd(&job, EndedHow::kRefused, error.what());
@@ -334,9 +322,10 @@ void JointPlan::handOver(SteadyTime now) {
   removeEnded();
 }
 
+// If nothing is left to it, it ends.
 void JointPlan::takeJoints(const Job& newer, Job* older) {
   for (std::size_t i = 0; i < older->request.joints.size(); ++i) {
-    older->run->moves[i] = older->moves(i) && !newer.placeOf(older->request.joints[i]);
+    older->moves[i] = older->moves[i] && !newer.placeOf(older->request.joints[i]);
   }
   if (older->names().empty()) {
     noteEnd(older, EndedHow::kReplaced, kNewer);

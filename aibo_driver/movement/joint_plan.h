@@ -148,7 +148,6 @@ class JointPlan {
   struct Run {
     Trajectory trajectory;
     TrajectoryClock clock;
-    std::vector<bool> moves;              // by place in the request; false if something newer moves this joint
     std::vector<Trajectory::Start> sent;  // where the joints were last sent; advance() sets it at once
     bool end_sent = false;
     std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
@@ -160,10 +159,10 @@ class JointPlan {
     Arrival arrival;
     SteadyTime start;
     std::chrono::milliseconds oldest{0};
-    std::optional<Run> run;  // empty while the trajectory waits for its time
+    std::vector<bool> moves;  // by place in the request; false if something newer moves this joint
+    std::optional<Run> run;   // empty while the trajectory waits for its time
     bool has_ended = false;
 
-    bool moves(std::size_t place) const { return !run || run->moves[place]; }
     std::optional<std::size_t> placeOf(const std::string& joint) const;
     std::vector<std::string> names() const;
   };
@@ -174,7 +173,6 @@ class JointPlan {
   Trajectory plan(const Job& job, SteadyTime now) const;
   void checkFresh(const Job& job, SteadyTime now) const;
   void checkWaiting(const Job& newer, SteadyTime now) const;
-  void takeFromWaiting(const Job& newer);
   void beginDue(SteadyTime now);
   void handOver(SteadyTime now);
   void takeJoints(const Job& newer, Job* older);
