@@ -124,7 +124,12 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
       steps.push_back(std::move(step));
     }
   }
-  endThoseThatArrived(now);
+  for (Job& job : jobs_) {
+    if (job.arrival.is_measured && job.run && job.run->over) {
+      judge(&job, now);
+    }
+  }
+  removeEnded();
   return steps;
 }
 
@@ -228,25 +233,11 @@ bool JointPlan::isUnderWay(const Command& command, SteadyTime now, double delay)
 }
 
 Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
-  checkFresh(job, now);
   const double ahead = seconds(job.start - now);
   std::vector<Trajectory::Start> start;
   for (const std::string& name : job.request.joints) {
     const std::optional<std::size_t> joint = table_.findByName(name);
     const std::optional<Trajectory::Start> planned = joint ? stateOf(*joint, now, std::max(0.0, ahead)) : std::nullopt;
-    const std::optional<MeasuredJoint> measured = joint ? measured_.find(*joint) : std::nullopt;
-    if (planned) {
-      start.push_back(*planned);
-    } else if (measured) {
-      start.push_back({*joint, measured->position, 0});
-    }
-  }
-  return Trajectory(dropPassedPoints(job.request, -ahead), table_, start, slow_down_);
-}
-
-void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
-  for (const std::string& name : job.request.joints) {
-    const std::optional<std::size_t> joint = table_.findByName(name);
     const std::optional<MeasuredJoint> measured = joint ? measured_.find(*joint) : std::nullopt;
     if (measured && now - measured->arrival > job.oldest) {
       throw aibo_client::InvalidArgumentException(
@@ -254,7 +245,13 @@ void JointPlan::checkFresh(const Job& job, SteadyTime now) const {
           " s ago, and a trajectory needs to know where it is: at most " + text::decimal(seconds(job.oldest), 1) +
           " s are allowed. Does joint_states still come?");
     }
+    if (planned) {
+      start.push_back(*planned);
+    } else if (measured) {
+      start.push_back({*joint, measured->position, 0});
+    }
   }
+  return Trajectory(dropPassedPoints(job.request, -ahead), table_, start, slow_down_);
 }
 
 // What the newer trajectory would take from those that wait does not count.
@@ -366,15 +363,6 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   run.end_sent = left <= ahead;
   run.sent = run.trajectory.at(run.clock.at(now) + ahead);
   return {job.id, targetsOf(index), milliseconds(std::lround(1000 * ahead))};
-}
-
-void JointPlan::endThoseThatArrived(SteadyTime now) {
-  for (Job& job : jobs_) {
-    if (job.arrival.is_measured && job.run && job.run->over) {
-      judge(&job, now);
-    }
-  }
-  removeEnded();
 }
 
 // Ends a trajectory whose joints have arrived or should have arrived.

@@ -171,14 +171,12 @@ class JointPlan {
   static bool isUnderWay(const Command& command, SteadyTime now, double delay);
   const Job* find(MovementId trajectory) const;
   Trajectory plan(const Job& job, SteadyTime now) const;
-  void checkFresh(const Job& job, SteadyTime now) const;
   void checkWaiting(const Job& newer, SteadyTime now) const;
   void beginDue(SteadyTime now);
   void handOver(SteadyTime now);
   void takeJoints(const Job& newer, Job* older);
   JointTargets targetsOf(std::size_t index) const;
   JointStep next(std::size_t index, SteadyTime now);
-  void endThoseThatArrived(SteadyTime now);
   void judge(Job* job, SteadyTime now);
   void removeEnded();
   void noteEnd(Job* job, EndedHow how, const std::string& reason);

@@ -32,24 +32,12 @@ using std::chrono::milliseconds;
 // Orders that are repeated after shorter breaks are one order to their user.
 constexpr milliseconds kRepeatedWithin{500};
 
-constexpr const char* kConnectionLost = "the connection to the robot was lost; the movement will not be resumed";
-
 // Also the robot says it, of its own client: this driver.
 constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
 
-std::string nameOf(Posture posture) {
-  switch (posture) {
-    case Posture::kStand:
-      return "stand";
-    case Posture::kSit:
-      return "sit";
-    case Posture::kRest:
-      break;
-  }
-  return "rest";
-}
+constexpr const char* kPostures[] = {"stand", "sit", "rest"};  // in the order of aibo_client::Posture
 
 OrderTerms termsOf(const Order& order, std::uint64_t number) {
   return {order.received + Mover::kLongestWait, number};
@@ -106,26 +94,20 @@ Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_clien
 // Does some work with the lock, and then calls the listener without it.
 template <typename Work>
 auto Mover::change(const Work& work) {
-  const auto locked = [&] {
-    const Lock lock(mutex_);
-    return work();
-  };
+  std::unique_lock<std::mutex> lock(mutex_);
   if constexpr (std::is_void_v<decltype(work())>) {
-    locked();
-    tell();
+    work();
+    tell(&lock);
   } else {
-    auto result = locked();
-    tell();
+    auto result = work();
+    tell(&lock);
     return result;
   }
 }
 
-void Mover::tell() {
-  std::vector<std::function<void()>> news;
-  {
-    const Lock lock(mutex_);
-    std::swap(news, news_);
-  }
+void Mover::tell(std::unique_lock<std::mutex>* lock) {
+  const std::vector<std::function<void()>> news = std::exchange(news_, {});
+  lock->unlock();
   for (const std::function<void()>& each : news) {
     each();
   }
@@ -256,7 +238,8 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
     overruleWalks({EndedHow::kReplaced, cause});
     return begunOf(begin(*movement, number));
   };
-  const Begun begun = give(order, Kind::kPosture, nameOf(posture), {}, act, posture == Posture::kRest);
+  const Begun begun =
+      give(order, Kind::kPosture, kPostures[static_cast<int>(posture)], {}, act, posture == Posture::kRest);
   return await(begun, &answer);
 }
 
@@ -340,7 +323,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
 
 // Also a walk that brakes already is told again.
 void Mover::stopWalk(const std::string& node) {
-  if (!idsOf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.orders.empty(); }).empty()) {
+  if (findIf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.orders.empty(); }) != nullptr) {
     sendZeros();
   }
   if (Record* const walk = findWalk()) {
@@ -748,7 +731,7 @@ void Mover::connected() {
 
 void Mover::disconnected() {
   change([this] {
-    closeAll(EndedHow::kLost, kConnectionLost);
+    loseAll();
     robot_ = {};
   });
 }
@@ -894,9 +877,9 @@ void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
   note(ended);
 }
 
-void Mover::closeAll(EndedHow how, const std::string& reason) {
+void Mover::loseAll() {
   for (const MovementId id : idsOf([](const Record&) { return true; })) {
-    close(id, how, reason);
+    close(id, EndedHow::kLost, "the connection to the robot was lost; the movement will not be resumed");
   }
 }
 
@@ -976,7 +959,7 @@ void Mover::checkConnection() {
   if (connection_ != present) {
     connection_ = present;
     filter_.startApproach();
-    closeAll(EndedHow::kLost, kConnectionLost);
+    loseAll();
     overrule(clock_(), "the robot was connected");
     streams_.overrule(clock_(), "the connection is a new one");
   }

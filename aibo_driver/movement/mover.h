@@ -249,7 +249,7 @@ class Mover {
 
   template <typename Work>
   auto change(const Work& work);
-  void tell();
+  void tell(std::unique_lock<std::mutex>* lock);
   void warn(const std::string& text);
   std::string refusalOf(const Order& order, bool may_act_while_stopped = false) const;
   void overrule(SteadyTime received, const std::string& what);
@@ -286,7 +286,7 @@ class Mover {
   bool endOlder(OrderNumber order, aibo_client::EndedHow how, const std::string& reason);
   static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
-  void closeAll(aibo_client::EndedHow how, const std::string& reason);
+  void loseAll();
   void takeEndsOfPlan();
   template <typename Condition>
   std::vector<MovementId> idsOf(const Condition& condition) const;

@@ -215,6 +215,9 @@ const std::map<std::string, std::function<void(Robot&)>> kEvents = {
     {"velocity stopped",
      [](Robot& robot) { robot.refuses(RefusedRequest::kWalk, RefusalCause::kStopped, "a motion"); }},
     {"velocity of 0", [](Robot& robot) { robot.steer(0); }},
+    {"velocity begins", [](Robot& robot) { robot.begins(); }},
+    {"walk", [](Robot& robot) { robot.walk(); }},
+    {"nobody steers", [](Robot& robot) { robot.mover.stopWalking("no cmd_vel came for 0.5 s"); }},
 };
 
 void happen(Robot& robot, const std::vector<std::string>& events) {
@@ -583,31 +586,19 @@ TEST(Stop, ThatDoesNotReachTheRobotRefusesOrdersAllTheSame) {
 TEST_F(MoverTest, WhatTheRobotAndTheClientReportDuringAStopHasTheReasonOfTheStop) {
   const auto motion = play("NOD.MTN");
   const std::uint64_t playing = client.order();
+  const auto read = play("WAG.MTN");  // from the memory stick
+  const std::uint64_t reading = client.order();
   const auto head = command("head_pan", 0.4);
   client.meanwhile = [&] {
     ends(EndedKind::kMotion, EndedHow::kStopped, "the client holds it", playing);
+    refuses(RefusedRequest::kMotion, RefusalCause::kRobot, "it was stopped before it was read", reading);
     refuses(RefusedRequest::kJoints, RefusalCause::kStopped, "a stop came before it was sent");
-    EXPECT_EQ(textOf(motion), "STOPPED /panel called stop");
-    EXPECT_EQ(textOf(head), "STOPPED /panel called stop");
+    for (const auto& begun : {motion, read, head}) {
+      EXPECT_EQ(textOf(begun), "STOPPED /panel called stop");
+    }
   };
   mover.stop(order("/panel"));
-  EXPECT_THAT(told_ends, SizeIs(2));
-}
-
-TEST_F(MoverTest, AMotionThatTheRobotRefusesBecauseItIsStoppedHasTheReasonOfTheUser) {
-  const std::pair<const char*, std::function<void()>> rows[] = {
-      {"STOPPED /panel called stop", [this] { mover.stop(order("/panel")); }},
-      {"STOPPED /panel stopped it", [this] { mover.stopMotion(order("/panel"), ""); }}};
-  for (const auto& [end, stop] : rows) {
-    mover.release(order());
-    const auto motion = play("NOD.MTN");
-    client.meanwhile = [&] {
-      refuses(RefusedRequest::kMotion, RefusalCause::kRobot, "it was stopped before it was read");
-      EXPECT_EQ(textOf(motion), end);
-    };
-    stop();
-    EXPECT_EQ(textOf(motion), end);
-  }
+  EXPECT_THAT(told_ends, SizeIs(3));
 }
 
 TEST_F(MoverTest, WhatHadEndedBeforeAStopEndsAsItDid) {
@@ -1069,40 +1060,35 @@ TEST_F(MoverTest, AVelocityOf0IsNotSentToARobotThatDoesNotWalk) {
   EXPECT_THAT(told(), IsEmpty());
 }
 
-TEST_F(MoverTest, AWalkThatIsNotSteeredAnyMoreStopsAndSaysWhy) {
-  walk();
-  told();
-  mover.stopWalking("no cmd_vel came for 0.5 s");
-  EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00"));
-  walkEnds(EndedHow::kDone);
-  EXPECT_EQ(lastEnd(), "STOPPED no cmd_vel came for 0.5 s");
-  walk();
-  mover.stopWalking("no cmd_vel came for 0.5 s");
-  happen(*this, {"walk fell"});
-  EXPECT_EQ(lastEnd(), "FELL it fell") << "while it brakes";
-}
-
-TEST(Walk, ThatHasNotBegunEndsByItsRefusalOrWhenItIsLetGo) {
-  const std::pair<const char*, std::vector<std::string>> rows[] = {
-      {"REFUSED no; let go first: send zero velocities", {"walk refused"}},
-      {"REFUSED late", {"velocity too late"}},
-      {"STOPPED it was let go before the robot walked", {"velocity of 0", "velocity dropped"}},
+// "walk" has begun, and "velocity" is on its way.
+TEST(Walk, EndsAsTheseEventsSay) {
+  const std::string refused = "REFUSED no; let go first: send zero velocities";
+  const struct {
+    std::string end;
+    std::size_t left;  // walks that have not ended
+    std::vector<std::string> events;
+  } rows[] = {
+      {refused, 0, {"velocity", "walk refused"}},
+      {"REFUSED late", 0, {"velocity", "velocity too late"}},
+      {"STOPPED it was let go before the robot walked", 0, {"velocity", "velocity of 0", "velocity dropped"}},
+      {"FELL it fell", 0, {"walk", "velocity", "walk fell"}},
+      {"-", 1, {"walk", "velocity", "walk refused"}},
+      {refused, 0, {"walk", "velocity", "walk refused", "walk done"}},
+      {"DONE", 1, {"walk", "velocity of 0", "velocity", "walk done"}},  // another walk
+      {"-", 1, {"walk", "velocity", "walk done", "velocity begins"}},   // it crossed the end, and goes on
+      {"DONE", 0, {"walk", "velocity", "walk done", "velocity begins", "walk done"}},
+      {"-", 1, {"walk", "nobody steers"}},
+      {"STOPPED no cmd_vel came for 0.5 s", 0, {"walk", "nobody steers", "walk done"}},
+      {"FELL it fell", 0, {"walk", "nobody steers", "walk fell"}},
   };
-  for (const auto& [end, events] : rows) {
+  for (const auto& row : rows) {
     Robot robot;
-    robot.steer(0.1);
-    happen(robot, events);
-    EXPECT_EQ(robot.lastEnd(), end);
-    EXPECT_THAT(robot.mover.state().movements, IsEmpty()) << end;
+    happen(robot, row.events);
+    EXPECT_EQ(robot.lastEnd(), row.end) << ::testing::PrintToString(row.events);
+    EXPECT_THAT(robot.mover.state().movements, SizeIs(row.left)) << ::testing::PrintToString(row.events);
+    const bool is_let_go = row.events[1] == "nobody steers";
+    EXPECT_TRUE(!is_let_go || robot.told().back() == "steer 0.00 0.00 0.00");
   }
-}
-
-TEST_F(MoverTest, AWalkThatFellDoesNotWaitForVelocitiesThatAreStillOnTheirWay) {
-  walk();
-  steer(0.2);
-  happen(*this, {"walk fell"});
-  EXPECT_EQ(lastEnd(), "FELL it fell");
-  EXPECT_THAT(mover.state().movements, IsEmpty());
 }
 
 TEST_F(MoverTest, ALateRefusalOfAVelocityOfAnEarlierWalkOverrulesNobody) {
@@ -1115,38 +1101,6 @@ TEST_F(MoverTest, ALateRefusalOfAVelocityOfAnEarlierWalkOverrulesNobody) {
   refuses(RefusedRequest::kWalk, RefusalCause::kRobot, "no", late);
   steer(0.1);
   EXPECT_THAT(told(), ElementsAre("steer 0.10 0.00 0.00"));
-}
-
-TEST_F(MoverTest, AWalkThatTheRobotDoesNotGoOnWithIsRefusedWhenItStands) {
-  walk();
-  steer(0.2);
-  happen(*this, {"walk refused"});
-  EXPECT_EQ(lastEnd(), "-");
-  walkEnds(EndedHow::kDone);
-  EXPECT_THAT(lastEnd(), StartsWith("REFUSED no"));
-}
-
-TEST_F(MoverTest, WhoLetsGoAndSteersAgainBeginsAnotherWalk) {
-  walk();
-  const std::uint64_t first = walk_order;
-  steer(0);
-  steer(0.2);
-  EXPECT_THAT(mover.state().movements, SizeIs(2));
-  ends(EndedKind::kWalk, EndedHow::kDone, "", first);
-  EXPECT_EQ(lastEnd(), "DONE");
-  begins();
-  EXPECT_THAT(mover.state().movements, SizeIs(1));
-}
-
-// The velocity crosses the end on its way.
-TEST_F(MoverTest, AVelocityThatBeginsAWalkAfterTheEndOfTheLastOneGoesOnWithTheMovement) {
-  walk();
-  steer(0.2);
-  walkEnds(EndedHow::kDone);
-  begins();
-  EXPECT_THAT(told_ends, IsEmpty());
-  walkEnds(EndedHow::kDone);
-  EXPECT_EQ(lastEnd(), "DONE");
 }
 
 TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses) {
@@ -1202,45 +1156,34 @@ TEST_F(MoverTest, AGoalWhereTheRobotIsAlreadyIsDoneAtOnce) {
 TEST(Goal, IsNotWalkedToAfterTheseEvents) {
   const struct {
     const char* end;
+    bool has_begun;  // if the robot does not walk for it yet, nothing else could end it
     std::vector<std::string> events;
   } rows[] = {
-      {"STOPPED /panel called stop", {"stop"}},
-      {"LOST the connection to the robot was lost", {"reconnected"}},
-      {"LOST the connection to the robot was lost", {"reconnected unnoticed"}},
-      {"LOST there is no robot", {"no robot"}},
-      {"STOPPED no velocity came to the robot for 0.5 s", {"walk done"}},
-      {"STOPPED it was not steered for 500 ms", {"walk not steered"}},
-      {"REFUSED an edge", {"edge"}},
-      {"FELL it fell", {"walk fell"}},
-      {"REPLACED a leg", {"legs taken"}},
+      {"STOPPED /panel called stop", true, {"stop"}},
+      {"LOST the connection to the robot was lost", true, {"reconnected"}},
+      {"LOST the connection to the robot was lost", true, {"reconnected unnoticed"}},
+      {"LOST there is no robot", true, {"no robot"}},
+      {"STOPPED no velocity came to the robot for 0.5 s", true, {"walk done"}},
+      {"STOPPED it was not steered for 500 ms", true, {"walk not steered"}},
+      {"REFUSED an edge", true, {"edge"}},
+      {"FELL it fell", true, {"walk fell"}},
+      {"REPLACED a leg", true, {"legs taken"}},
+      {"REPLACED /user sends the robot to a goal", false, {"goal"}},
+      {"REPLACED /teleop steers now", false, {"velocity"}},
+      {"REPLACED /user called sit", false, {"sit"}},
+      {"REPLACED /other moves left_front_knee", false, {"leg command"}},
+      {"STOPPED the motors are off", false, {"motors go off"}},
+      {"STOPPED /panel called stop", false, {"stop"}},
+      {"FELL the robot was lifted", false, {"lifted"}},
   };
   for (const auto& row : rows) {
     Robot robot;
-    const auto goal = robot.walkToGoal();
+    const auto goal = row.has_begun ? robot.walkToGoal() : robot.mover.walkToGoal(robot.order(), "1 m ahead");
     happen(robot, row.events);
     robot.told();
     robot.mover.walkOn(goal.id, {0.1, 0, 0});
     EXPECT_THAT(robot.told(), Not(Contains("steer 0.10 0.00 0.00"))) << row.end;
     EXPECT_THAT(textOf(goal), StartsWith(row.end));
-  }
-}
-
-// The robot does not walk for it yet, so nothing else could end it.
-TEST(Goal, ThatIsNotWalkedToYetEndsAtOnceByTheseEvents) {
-  const std::pair<const char*, const char*> rows[] = {
-      {"REPLACED /user sends the robot to a goal", "goal"},
-      {"REPLACED /teleop steers now", "velocity"},
-      {"REPLACED /user called sit", "sit"},
-      {"REPLACED /other moves left_front_knee", "leg command"},
-      {"STOPPED the motors are off", "motors go off"},
-      {"STOPPED /panel called stop", "stop"},
-      {"FELL the robot was lifted", "lifted"},
-  };
-  for (const auto& [end, event] : rows) {
-    Robot robot;
-    const auto goal = robot.mover.walkToGoal(robot.order(), "1 m ahead");
-    happen(robot, {event});
-    EXPECT_EQ(textOf(goal), end);
   }
 }
 
