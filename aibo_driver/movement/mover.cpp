@@ -697,14 +697,10 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     if (!record->halt && ((is_trajectory && is_refused) || (is_walk && is_robots))) {
       halt(record, {EndedHow::kRefused, refusal.reason});
     }
-    if (is_walk && record->halt && refusal.cause == RefusalCause::kReplaced) {
-      leave(record, refusal.order, EndedHow::kStopped, kNeverWalked);
-    } else {
-      const EndedHow how = is_stopped || (is_robots && was_halted) ? EndedHow::kStopped
-                           : is_refused                            ? EndedHow::kRefused
-                                                                   : EndedHow::kReplaced;
-      leave(record, refusal.order, how, refusal.reason);
-    }
+    const bool is_let_go = is_walk && record->halt && refusal.cause == RefusalCause::kReplaced;
+    const bool is_users = is_stopped || is_let_go || (is_robots && was_halted);
+    const EndedHow how = is_users ? EndedHow::kStopped : is_refused ? EndedHow::kRefused : EndedHow::kReplaced;
+    leave(record, refusal.order, how, is_let_go ? kNeverWalked : refusal.reason);
   });
 }
 
