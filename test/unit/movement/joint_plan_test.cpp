@@ -109,9 +109,9 @@ class JointPlanTest : public ::testing::Test {
   }
 
   // As the driver does, from one time to another, with measurements.
-  void run(double from, double to) {
+  void run(double from, double to, double pan = 0) {
     for (double now = from; now <= to + 1e-9; now += 0.032) {
-      measure(now);
+      measure(now, pan);
       advance(now);
     }
   }
@@ -378,10 +378,7 @@ TEST_F(JointPlanTest, IsDoneWhereEachJointIsWithin50MilliradiansOfItsTarget) {
     const double start = place * 100;  // seconds, after the last one
     measure(start, place);
     const auto moved = add(pan({{0.1, {0.5}, {}}}), start, start);
-    for (double now = start; now < start + 3; now += 0.032) {
-      measure(now, place);
-      advance(now);
-    }
+    run(start, start + 3, place);
     EXPECT_EQ(endOf(moved), how) << place;
   }
 }
@@ -392,10 +389,7 @@ TEST_F(JointPlanTest, KeepsToTheTolerancesAndTheGraceOfATrajectory) {
   strict.grace = milliseconds(200);
   const auto followed = add(pan({{1, {0.5}, {}}}), 0, 0, strict);
   follow(0, 0.992);
-  for (double now = 1.024; now < 1.3; now += 0.032) {
-    measure(now, 0.502);
-    advance(now);
-  }
+  run(1.024, 1.3, 0.502);
   EXPECT_EQ(endOf(followed), EndedHow::kNotReached);
   Arrival loose = measured();
   loose.tolerances["mouth"].position = 10;

@@ -588,8 +588,12 @@ TEST_F(MoverTest, WhatTheRobotAndTheClientReportDuringAStopHasTheReasonOfTheStop
   const std::uint64_t playing = client.order();
   const auto read = play("WAG.MTN");  // from the memory stick
   const std::uint64_t reading = client.order();
+  const auto done = play("SIT.MTN");
+  const std::uint64_t playing_to_its_end = client.order();
   const auto head = command("head_pan", 0.4);
   client.meanwhile = [&] {
+    ends(EndedKind::kMotion, EndedHow::kDone, "", playing_to_its_end);
+    EXPECT_EQ(textOf(done), "DONE") << "before the stop";
     ends(EndedKind::kMotion, EndedHow::kStopped, "the client holds it", playing);
     refuses(RefusedRequest::kMotion, RefusalCause::kRobot, "it was stopped before it was read", reading);
     refuses(RefusedRequest::kJoints, RefusalCause::kStopped, "a stop came before it was sent");
@@ -598,14 +602,7 @@ TEST_F(MoverTest, WhatTheRobotAndTheClientReportDuringAStopHasTheReasonOfTheStop
     }
   };
   mover.stop(order("/panel"));
-  EXPECT_THAT(told_ends, SizeIs(3));
-}
-
-TEST_F(MoverTest, WhatHadEndedBeforeAStopEndsAsItDid) {
-  const auto motion = play("NOD.MTN");
-  client.meanwhile = [&] { ends(EndedKind::kMotion, EndedHow::kDone); };
-  mover.stop(order("/panel"));
-  EXPECT_EQ(textOf(motion), "DONE");
+  EXPECT_THAT(told_ends, SizeIs(4));
 }
 
 TEST_F(MoverTest, AWalkThatBeginsAfterItsMovementHasEndedIsStopped) {
