@@ -32,7 +32,7 @@ class GetUp {
   void ended(const movement::EndedMovement& ended, movement::SteadyTime now);
 
   /// The robot has reported its motors and its posture, or they are not known any more.
-  /// @param overruled see OrderGate::overruled()
+  /// @param overruled see Mover::State::overruled
   void update(const aibo_client::MotorsAndPosture& state, movement::SteadyTime overruled);
 
  private:
