@@ -303,7 +303,7 @@ Mover::Begun Mover::await(Begun begun, std::future<Answer>* answer) {
 void Mover::steer(const Order& order, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
-    const std::string overruled_by = streams_.receive(order, velocity.isZero());
+    const std::string overruled_by = streams_.receive(order, velocity.isZero(), clock_());
     if (velocity.isZero()) {
       stopWalk(order.source);
       return;

@@ -4,7 +4,7 @@
 
 namespace aibo_driver::movement {
 
-std::string SteeringStreams::receive(const Order& order, bool is_zero) {
+std::string SteeringStreams::receive(const Order& order, bool is_zero, SteadyTime now) {
   for (auto stream = streams_.begin(); stream != streams_.end();) {
     const bool has_ended = order.received - stream->second.last >= kPause;
     stream = has_ended ? streams_.erase(stream) : std::next(stream);
@@ -15,7 +15,7 @@ std::string SteeringStreams::receive(const Order& order, bool is_zero) {
     return "";
   }
   Stream& stream = streams_.try_emplace(order.source, Stream{order.received, {}, "", "", {}}).first->second;
-  stream.last = order.received;
+  stream.last = now;  // of what waits while this process is held up, only the receipt is long ago
   if (!stream.interrupted_by.empty()) {
     stream.rival = std::exchange(stream.interrupted_by, "");
     stream.rivalled = order.received;

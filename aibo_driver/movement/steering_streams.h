@@ -20,9 +20,10 @@ class SteeringStreams {
   /// A stream has ended when no velocity has come for this long.
   static constexpr std::chrono::milliseconds kPause{500};
 
-  /// Notes a velocity.
+  /// Notes a velocity. While this process was held up, its node has not paused.
+  /// @param now when the velocity is read
   /// @return what has overruled the velocity's stream; empty if the velocity counts
-  std::string receive(const Order& order, bool is_zero);
+  std::string receive(const Order& order, bool is_zero, SteadyTime now);
 
   /// Overrules all streams that have begun.
   /// @param what what overrules them, in words

@@ -16,7 +16,7 @@ class SteeringStreamsTest : public ::testing::Test {
   static SteadyTime at(int time) { return SteadyTime(milliseconds(100000 + time)); }
 
   std::string receive(int time, const std::string& node = "/a", bool is_zero = false) {
-    return streams_.receive({node, at(time)}, is_zero);
+    return streams_.receive({node, at(time)}, is_zero, at(time));
   }
 
   void overrule(int time, const std::string& what) { streams_.overrule(at(time), what); }
@@ -34,6 +34,13 @@ TEST_F(SteeringStreamsTest, AStreamThatWasOverruledCountsAgainAfterAZeroOrAPause
   overrule(450, "stop was called");
   EXPECT_EQ(receive(899), "stop was called");
   EXPECT_EQ(receive(1399), "");
+}
+
+TEST_F(SteeringStreamsTest, WhatWaitedWhileTheProcessWasHeldUpIsNoPause) {
+  receive(0);
+  overrule(50, "stop was called");
+  EXPECT_EQ(streams_.receive({"/a", at(100)}, false, at(1100)), "stop was called");
+  EXPECT_EQ(receive(1200), "stop was called");
 }
 
 TEST_F(SteeringStreamsTest, WhoLetsGoLetsGoForHimselfAlone) {
