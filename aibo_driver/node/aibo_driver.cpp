@@ -31,6 +31,9 @@ constexpr int kPoolThreads = 10;
 // both, because each timer wakes two threads several times.
 constexpr double kReportPeriod = 1.0;  // s
 
+// The parameters are looked at less often, because that takes longer than everything else that an idle driver reports.
+constexpr unsigned kReportsUntilParameters = 5;
+
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
 // Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
@@ -157,7 +160,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
           handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
                                     [this, name_space = private_handle.getNamespace()](const ros::SteadyTimerEvent&) {
                                       report();
-                                      reportChangedParameters(name_space);
+                                      if (++reports_ % kReportsUntilParameters == 0) {
+                                        reportChangedParameters(name_space);
+                                      }
                                     })) {
   raiseDescriptorLimit();
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {

@@ -159,6 +159,7 @@ class AiboDriver {
   std::vector<std::unique_ptr<Action>> actions_;
   DriverDiagnostics diagnostics_;
   ParameterWatch parameter_watch_;
+  unsigned reports_ = 0;  ///< only report_timer_ uses it
   ros::SteadyTimer report_timer_;
 };
 
