@@ -74,6 +74,8 @@ class HostileNode : public testing::Test {
   static constexpr std::size_t kMostLog = 64 * 1024;      // bytes, for an attack
   static constexpr std::size_t kMostMemory = 300 * 1024;  // KB more than before: messages of a million names wait
 
+  static void SetUpTestSuite() { ros::param::set("/victim/actionlib_status_frequency", 5.0); }
+
   void SetUp() override {
     ASSERT_TRUE(joints_.waitForNext());
     ASSERT_TRUE(ros::service::waitForService(stop_.service(), ros::Duration(kSafetyNet.count())));
