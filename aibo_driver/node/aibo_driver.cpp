@@ -68,12 +68,13 @@ void warnOfMissingModel(const std::string& design) {
 
 // actionlib publishes the state of each action, latched, at every change. Unless this parameter says otherwise, it also
 // repeats the state five times a second. Even once a second, the repetitions took half of an idle driver's wake-ups.
-void repeatStateOfActionsOnlyIfWanted(const ros::NodeHandle& handle) {
+// Some are needed: roscpp keeps a latched message only after sending it, so who subscribes in between does not get it.
+void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   constexpr const char* kParameter = "actionlib_status_frequency";
-  constexpr double kNever = 0;
+  constexpr double kEveryFiveSeconds = 0.2;
   std::string found;
   if (!handle.searchParam(kParameter, found)) {
-    handle.setParam(kParameter, kNever);
+    handle.setParam(kParameter, kEveryFiveSeconds);
   }
 }
 
@@ -229,7 +230,7 @@ void AiboDriver::advertise(ros::NodeHandle handle, Services services) {
 }
 
 void AiboDriver::startActions() {
-  repeatStateOfActionsOnlyIfWanted(handle_);
+  repeatStateOfActionsRarely(handle_);
   actions_.push_back(startPlayMotion(motion_calls_.handle(), mover_));
   actions_.push_back(startFollowTrajectory(order_thread_.handle(), joint_table_, measured_joints_, mover_));
   actions_.push_back(startPlaySound(sound_calls_.handle(), player_));
