@@ -56,7 +56,6 @@ class User {
   std::string reason_;
   std::map<int, double> positions_;
   std::vector<Refusal> refusals_;
-  std::vector<MotionEnd> ends_;   ///< of anything but walks
   std::vector<MotionEnd> walks_;  ///< ends of walks
 
  private:
@@ -91,7 +90,9 @@ class User {
     };
     callbacks.on_refused = [this](const Refusal& refusal) { change([&] { refusals_.push_back(refusal); }); };
     callbacks.on_ended = [this](const MotionEnd& end) {
-      change([&] { (end.kind == EndedKind::kWalk ? walks_ : ends_).push_back(end); });
+      if (end.kind == EndedKind::kWalk) {
+        change([&] { walks_.push_back(end); });
+      }
     };
     return callbacks;
   }
@@ -150,28 +151,6 @@ TEST(PairOfVersion2Test, ASecondProgramDoesNotTakeThePlaceOfAClientThatLives) {
   EXPECT_EQ(user.reason_, "");
   user.client().commandJoints({{kHeadPan, 0.4}}, milliseconds(0));
   EXPECT_TRUE(user.await([&] { return user.positions_[kHeadPan] > 0.3; }));
-}
-
-// The robot names the order, however fast it ends.
-TEST(PairOfVersion2Test, EachCommandEndsOnceWithItsNumber) {
-  SimulatedRobot robot;
-  User user(robot);
-  user.connect();
-  constexpr std::uint64_t kCommands = 20;
-  for (std::uint64_t number = 1; number <= kCommands; ++number) {
-    OrderTerms terms;
-    terms.number = number;
-    user.client().commandJoints({{kHeadPan, number % 2 == 0 ? 0.3 : -0.3}}, milliseconds(0), terms);
-    std::this_thread::sleep_for(milliseconds(10));  // so that each is sent
-  }
-  ASSERT_TRUE(user.await([&] { return user.ends_.size() + user.refusals_.size() >= kCommands; }));
-  std::map<std::uint64_t, EndedHow> ends;
-  for (const MotionEnd& end : user.ends_) {
-    EXPECT_EQ(end.kind, EndedKind::kJoints);
-    EXPECT_TRUE(ends.emplace(end.order, end.how).second) << end.order;
-  }
-  EXPECT_EQ(ends[kCommands], EndedHow::kDone);
-  EXPECT_EQ(ends[1], EndedHow::kReplaced);
 }
 
 // Steps of a trajectory wait for answers. A velocity does not, and would go before them.
