@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <optional>
@@ -177,15 +176,9 @@ class MotionsInVersion2 : public StickMotions {
     connectVersion2();
   }
 
-  static std::string frame(char kind, const std::string& payload) { return ::frame(kind, 0, 1, payload); }
-
   /// @param bits the id, of motion_requests.h
   static std::string play(const std::string& name, int repetitions, int bits = 0) {
-    return ::frame('P', bits, 1, playPayload(name, repetitions));
-  }
-
-  static std::string upload(const std::string& name, const std::string& content, int bits = 0) {
-    return ::frame('U', bits, 1, uploadPayload(name, content));
+    return frame('P', bits, 1, playPayload(name, repetitions));
   }
 
   // The next frame: its kind, the code if it is an error, and its payload.
@@ -249,29 +242,6 @@ TEST_F(MotionsInVersion2, ReportsAMotionThatAFaultyJointStops) {
   const int stopped_at = robot_.joint("head_tilt").position;
   passFrames(200);
   EXPECT_EQ(robot_.joint("head_tilt").position, stopped_at);
-}
-
-TEST_F(MotionsInVersion2, ReportsWhatHasStoppedAMotion) {
-  const std::string one_joint("\0\0\1\0\63\0\0\0\0\0\0\0", 12);
-  const std::pair<std::string, std::string> orders[] = {
-      {frame('J', order(one_joint)), "ended 1 1 WAG.MTN\ntail_pan was commanded"},
-      {play("WAG.MTN", 0), "ended 1 2 WAG.MTN\nthe client stopped it"},
-      {play("", 0), "ended 1 2 WAG.MTN\nthe client stopped it"},
-      {frame('I', ""), "ended 1 2 WAG.MTN\neverything was told to hold"},
-      {::frame('I', 1, 1, "\2\63"), "ended 1 2 WAG.MTN\ntail_pan was told to hold"},
-      {frame('O', order(std::string(1, '\0'))), "ended 1 2 WAG.MTN\nthe motors were switched off"}};
-  startVersion2("");
-  for (const auto& [order, end] : orders) {
-    EXPECT_EQ(answerTo(play("WAG.MTN", 1000)), "p");
-    passFrames(400);
-    client_->send(order);
-    EXPECT_EQ(answer(), end);
-    EXPECT_EQ(answer().substr(0, 1), std::string(1, static_cast<char>(std::tolower(order[0]))));
-    passFrames(100);
-    const int stopped_at = robot_.joint("tail_pan").position;
-    passFrames(100);
-    EXPECT_EQ(robot_.joint("tail_pan").position, stopped_at);
-  }
 }
 
 }  // namespace

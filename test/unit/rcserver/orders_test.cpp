@@ -191,13 +191,18 @@ TEST_F(OrdersTest, AreDoneWithTheirNumbers) {
   EXPECT_THAT(answersTo(6, {'J', 0, order(payloadOf(JointTargets{0, 0, {}}))}), ElementsAre("i6 0", "j6"));
 }
 
-TEST_F(OrdersTest, ThatAreRefusedEndByTheErrorAlone) {
+TEST_F(OrdersTest, ThatAreRefusedEndByTheErrorAloneAndMoveNothing) {
+  const std::vector<int> before = positions();
   answersTo(1, kOff);
   for (const Asked& asked : {kMovePan, kPlayHead, kWalk, kRest}) {
     EXPECT_THAT(answersTo(2, asked), ElementsAre(StartsWith("e2 0 the motors are off")));
     passFrames(20);
     EXPECT_THAT(heard(), IsEmpty());
   }
+  EXPECT_THAT(answersTo(3, kHoldAll), ElementsAre("i3")) << "there is nothing to stop";
+  answersTo(4, kOn);
+  passFrames(500);
+  EXPECT_EQ(positions(), before);
 }
 
 TEST_F(OrdersTest, OfAClientThatHasGoneAreNotToldButForARestThatGoesOn) {
@@ -303,15 +308,6 @@ TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
   }
 }
 
-TEST_F(OrdersTest, ZerosDoNotEndAPostureThatWaitsForAWalk) {
-  beginWalk(1);
-  ask(2, kSit);
-  EXPECT_THAT(heard(), ElementsAre("i1 1", "e2")) << "at once, although the legs first walk to the stand";
-  ask(3, kLetGo);
-  passFrames(800);
-  EXPECT_THAT(heard(), ElementsAre("s3", "i2 0"));
-}
-
 TEST_F(OrdersTest, ToWalkRefuseAMotionOfTheLegsWhoseFileIsReadLater) {
   for (const Asked& before : {kMovePan, kSit}) {
     answersTo(1, before);
@@ -325,15 +321,6 @@ TEST_F(OrdersTest, ToWalkRefuseAMotionOfTheLegsWhoseFileIsReadLater) {
     EXPECT_EQ(walkAfter(5, kWalk), 4) << "the walk goes on";
     answersTo(6, kHoldAll);
   }
-}
-
-TEST_F(OrdersTest, AFallEndsAWalkAndSteeringIsRefusedAfterwards) {
-  beginWalk(1);
-  robot_.layOnSide();
-  steer(900, 84);
-  EXPECT_THAT(heard(), Contains("i1 4"));
-  EXPECT_THAT(answersTo(2, kWalk), ElementsAre(HasSubstr("lies on its right side")));
-  EXPECT_EQ(walkAfter(3, kLetGo), 0);
 }
 
 TEST_F(OrdersTest, DemandLettingGoIfTheyTakeOrHoldALeg) {

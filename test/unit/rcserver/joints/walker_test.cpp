@@ -662,13 +662,7 @@ TEST_F(ClientThatGoes, LeavesARestThatHasBegunToTheRobot) {
 
 // --------------------------------------------------------------------------------------------------------------- falls
 
-class Fall : public ::testing::Test, protected WalkingRobot {
- protected:
-  void layOnSide() {
-    feels = kOnItsSide;
-    pass(100);
-  }
-};
+class Fall : public ::testing::Test, protected WalkingRobot {};
 
 TEST_F(Fall, StopsTheRobotAndItsLegsGoSoftAfterASecond) {
   steer(kAhead);
@@ -729,7 +723,8 @@ TEST_F(Fall, IsFollowedByAStandOverTheBelly) {
 }
 
 TEST_F(Fall, OfARobotThatCannotGetUpIsGivenUpAfterSixAttempts) {
-  layOnSide();
+  feels = kOnItsSide;
+  pass(100);
   joints.Take(POSTURE_STAND);
   EXPECT_GT(passUntilIdle(), 6 * kFramesASecond);
   EXPECT_THAT(ends(), ElementsAre("stand: the robot lies on its right side"));
