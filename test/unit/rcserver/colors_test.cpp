@@ -24,10 +24,6 @@ ColorTable tableOf(unsigned char channel) {
   return table;
 }
 
-std::string bytesOf(const ColorTable& table) {
-  return payloadOf(table);
-}
-
 // A plane with a bit in a rectangle.
 void draw(unsigned left, unsigned top, unsigned width, unsigned height, int channel, std::vector<byte>* plane) {
   for (unsigned y = top; y < top + height; ++y) {
@@ -35,10 +31,6 @@ void draw(unsigned left, unsigned top, unsigned width, unsigned height, int chan
       (*plane)[y * kWidth + x] = static_cast<byte>((*plane)[y * kWidth + x] | 1 << channel);
     }
   }
-}
-
-std::vector<byte> emptyPlane() {
-  return std::vector<byte>(kWidth * kHeight);
 }
 
 struct Colors {
@@ -49,12 +41,12 @@ struct Colors {
 class ColorsTest : public FakeRobotFixture {
  protected:
   void SetUp() override {
-    robot_.color_plane = emptyPlane();
+    robot_.color_plane.assign(kWidth * kHeight, 0);
     start();
     connectVersion2();
   }
 
-  void load(const ColorTable& table) { ASSERT_EQ(answerTo('Z', COLORS_TABLE, bytesOf(table)).header.kind, 'z'); }
+  void load(const ColorTable& table) { ASSERT_EQ(answerTo('Z', COLORS_TABLE, payloadOf(table)).header.kind, 'z'); }
 
   void switchOn(unsigned short every_nth_image = 1, bool with_plane = false) {
     ASSERT_EQ(answerTo('Z', COLORS_ON, colorSettings(every_nth_image, with_plane)).header.kind, 'z');
@@ -107,13 +99,13 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   draw(7, 22, 2, 1, 0, &robot_.color_plane);
   draw(30, 30, 3, 3, 1, &robot_.color_plane);  // has no table
   draw(12, 20, 4, 2, 6, &robot_.color_plane);  // partly the same pixels
-  switchOn();
+  switchOn(1, true);
   const Colors colors = nextImage();
   EXPECT_EQ(colors.regions.image_count, robot_.lastImage());
   EXPECT_EQ(colors.regions.frame_number, clock_.frame());
   EXPECT_EQ(colors.regions.width, kWidth);
   EXPECT_EQ(colors.regions.height, kHeight);
-  EXPECT_FALSE(colors.regions.has_plane);
+  EXPECT_EQ(colors.plane, robot_.color_plane);
   ASSERT_EQ(colors.regions.count, 2);
   const ColorRegion& first = colors.regions.regions[0];
   EXPECT_EQ(first.channel, 0);
@@ -147,7 +139,7 @@ TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {
 }
 
 TEST_F(ColorsTest, NoneFollowTheAnswerThatSwitchesThemOffOrLoadsAnotherTable) {
-  for (const std::string& change : {frame('Z', COLORS_OFF, 2), frame('Z', COLORS_TABLE, 2, bytesOf(tableOf(0)))}) {
+  for (const std::string& change : {frame('Z', COLORS_OFF, 2), frame('Z', COLORS_TABLE, 2, payloadOf(tableOf(0)))}) {
     connectBehindAPicture();
     send(frame('Z', COLORS_ON, 1, colorSettings(1)));
     takeImage();
@@ -186,6 +178,7 @@ TEST_F(ColorsTest, AnEmptyTableEndsTheChannel) {
   const Colors colors = nextImage();
   ASSERT_EQ(colors.regions.count, 1);
   EXPECT_EQ(colors.regions.regions[0].channel, 3);
+  EXPECT_FALSE(colors.regions.has_plane);
 }
 
 TEST_F(ColorsTest, NothingIsLeftForTheNextClient) {

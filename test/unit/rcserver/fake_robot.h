@@ -197,9 +197,6 @@ class FakeRobot : public openr_host::VirtualRobot {
     return oSUCCESS;
   }
   OStatus getPowerStatus(OPowerStatus* status) override {
-    if (refuses_power_status) {
-      return oFAIL;
-    }
     *status = power_status;
     return oSUCCESS;
   }
@@ -308,7 +305,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   bool refuses_power = false;
   std::optional<std::array<byte, 3>> detail{};  ///< of images, in LH, HL and HH; without it there are no such bands
   bool refuses_camera_settings = false;
-  bool refuses_power_status = false;
   std::map<OCdtChannel, std::vector<longword>> color_tables;  ///< as last set, of each channel
   std::vector<byte> color_plane;  ///< of images, as large as layer M; empty: images have no such plane
   std::vector<std::pair<OPrimitiveRequest, longword>> camera_requests;  ///< value 0 for those without one

@@ -104,13 +104,6 @@ TEST_F(GuestsTest, TakeThePlaceOfAClientWhoseIPStackTakesTelemetryForIt) {
   EXPECT_TRUE(isAgreedToVersion2(*back));
 }
 
-TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesWhileAClientOfVersion1IsThere) {
-  disconnect();
-  client_ = connectServed();
-  auto other = comeWith(request('X', 2));
-  EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
-}
-
 TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
   machine_.reset();
   startWith("ALLOWED_ADDRESSES=any\n");

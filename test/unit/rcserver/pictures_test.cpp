@@ -164,18 +164,11 @@ TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {
   EXPECT_THAT(sends_, ::testing::ElementsAre(picture->payload.size() + 8));
 }
 
-class UnreadPictureTest : public PicturesTest {
- protected:
-  // A client with small buffers, and large pictures.
-  void SetUp() override {
-    PicturesTest::SetUp();
-    disconnect();
-    robot_.showNoise();
-    connectVersion2(4096);
-  }
-};
-
-TEST_F(UnreadPictureTest, PictureIsFinishedAndTheNextOneIsTheNewest) {
+// A client with small buffers, and large pictures.
+TEST_F(PicturesTest, PictureThatIsReadLateIsFinishedAndTheNextOneIsTheNewest) {
+  disconnect();
+  robot_.showNoise();
+  connectVersion2(4096);
   send(frame('W', 100, 5, kStreamOn));
   takeImage();
   const unsigned first = robot_.lastImage();

@@ -200,6 +200,7 @@ const RequestNotAllowed kNotAllowed[] = {
     {'Y', LIST_PICTURES, "", "ALLOW_PICTURES=yes"},
     {'Y', FETCH_PICTURE, "A.JPG", "ALLOW_PICTURES=yes"},
     {'Y', DELETE_PICTURE, "A.JPG", "ALLOW_PICTURES=yes"},
+    {'Y', DELETE_PICTURE, "A.JPG", "ALLOW_DELETE=yes"},
     {'Q', 0, "", "ALLOW_SHUT_DOWN=yes"},
     {'R', 0, "", "ALLOW_REBOOT=yes"},
 };
@@ -252,6 +253,7 @@ TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
     passFrames(20);
     EXPECT_TRUE(machine_->isOn());
     EXPECT_TRUE(std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/NOD.MTN")));
+    EXPECT_TRUE(std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/A.JPG")));
     EXPECT_FALSE(std::filesystem::exists(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")));
   }
 }

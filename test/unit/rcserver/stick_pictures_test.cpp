@@ -180,14 +180,6 @@ TEST_F(StickPicturesTest, AreFetchedIfTheyHave1To128KiB) {
   expectReply(ask('Y', DELETE_PICTURE, "EMPTY.JPG"), 'y', "");
 }
 
-TEST_F(StickPicturesTest, AreDeletedOnlyIfDeletingIsAllowed) {
-  startWith("ALLOW_PICTURES=yes\n");
-  connectVersion2();
-  put("AIBO0001.JPG");
-  expectRefusal(ask('Y', DELETE_PICTURE, "AIBO0001.JPG"), CODE_REFUSED, "ALLOW_DELETE=yes in RCSERVER.CFG");
-  EXPECT_THAT(files(), ElementsAre("AIBO0001.JPG"));
-}
-
 TEST_F(StickPicturesTest, APictureThatHasNotBeenTakenIsForgottenWithItsClient) {
   send(frame('M', 85, 1));
   reconnect();
