@@ -310,6 +310,7 @@ TEST_F(Walk, EndsForEachOfTheseReasons) {
     robot.pass(row.then == Legs::kHold ? 40 : 0);
     EXPECT_EQ(robot.walker().IsActive(), row.then != Legs::kHold);
     EXPECT_EQ(robot.joints.AreMoving(), row.then != Legs::kHold);
+    robot.letGo();  // changes nothing, also for a posture that waits for the stand
     robot.passUntilIdle();
     EXPECT_THAT(robot.ends(), Contains(StartsWith("walk: " + row.why)));
     EXPECT_EQ(robot.isIn(POSTURE_STAND), row.then == Legs::kStand);
