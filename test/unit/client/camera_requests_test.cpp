@@ -4,13 +4,11 @@
 #include <string>
 
 #include "client/fault.h"
-#include "client/version1_session.h"
 #include "version2_fixture.h"
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
-using testing::IsEmpty;
 
 namespace {
 
@@ -139,32 +137,6 @@ TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {
   expected.auto_exposure = true;
   expected.auto_white_balance = false;
   EXPECT_TRUE(pictures_[2]->settings == expected);
-}
-
-class CameraRequestsVersion1Test : public SessionFixture {
- public:
-  Session& session() override { return session_; }
-
-  ServerHabits habits_;
-  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
-};
-
-TEST_F(CameraRequestsVersion1Test, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect) {
-  wish_.streaming = true;
-  EXPECT_EQ(Bytes({'W', 73}), session_.nextRequest(wish_, now_));
-  EXPECT_THAT(log_, IsEmpty());
-  wish_.format = {Resolution::kDouble, 4};
-  wish_.camera.gain = 3;
-  wish_.colors.on = true;
-  wish_.microphone.on = true;
-  wish_.transport = PictureTransport::kUdp;
-  wish_.datagram_port = 5000;
-  EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
-  EXPECT_TRUE(session_.nextRequest(wish_, now_).empty());
-  for (const char* each :
-       {"for resolution and rate", "to set the camera", "to detect colours", "for its microphones"}) {
-    EXPECT_EQ(1, logged(std::string("version 1 of the protocol, which has no request ") + each)) << each;
-  }
 }
 
 }  // namespace

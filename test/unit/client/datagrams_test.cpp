@@ -177,6 +177,7 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
       {"cut", Bytes(picture[0].begin(), picture[0].end() - 1)},
       {"a datagram of the far future", changed(picture[0], 4, 0x7f)},
       {"a picture of the far future", changed(picture[0], 8, 1)},
+      {"a part of another frame than those before", changed(picture[1], 23, 1)},
   };
   arrive(picture[0]);
   for (const auto& [name, datagram] : rows) {
@@ -188,17 +189,6 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   EXPECT_THAT(delivered(), ElementsAre(1));
   EXPECT_THAT(repliesOf('l'), IsEmpty());
   EXPECT_EQ(1, logged("that is dropped"));
-}
-
-TEST_F(DatagramsTest, APartThatContradictsTheOthersIsNoneOfThePicture) {
-  const std::vector<Bytes> picture = nextPicture();
-  Bytes contradiction = picture[1];
-  contradiction[23] ^= 1;  // its frame is another one
-  arrive(picture[0]);
-  arrive(contradiction);
-  EXPECT_EQ(1u, counters_.bad_datagrams);
-  arrive(picture);
-  EXPECT_THAT(delivered(), ElementsAre(1));
 }
 
 // Of pictures that the robot never sent, in its name: whole ones that are no JPEGs, and incomplete ones, whose numbers
@@ -271,19 +261,6 @@ TEST_F(DatagramsTest, APictureIsBelievedToBeAsFarAheadAsTheOutageWasLong) {
   beOutOfReach(milliseconds(800));
   arrive(nextPicture());
   EXPECT_THAT(delivered(), ElementsAre(1, 27));
-}
-
-TEST_F(DatagramsTest, WithoutADatagramForOneSecondThePicturesComeByTcp) {
-  const auto send_by_tcp = [this] { push('t', version2_frames::makeTelemetry(5000, {})); };  // hides nothing
-  live(milliseconds(960), send_by_tcp);
-  EXPECT_EQ("", connection_.transport_problem);
-  live(milliseconds(300), send_by_tcp);
-  EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram has come for 1 s, while TCP works"));
-  EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
-  EXPECT_TRUE(connection_.lets_no_datagram_through);
-  EXPECT_EQ(1, logged("by TCP, not by UDP"));
-  arriveByTcp(1, frameOf(1000));
-  EXPECT_EQ(1u, pictures_.size());
 }
 
 TEST_F(DatagramsTest, DatagramsThatStopComingDoNotMeanThatNoneGetsThrough) {
@@ -508,23 +485,6 @@ TEST_F(DatagramsTest, ParitiesAreRequestedOnlyWhereTheLinkHasTimeForThem) {
   }
 }
 
-// Somebody who does not hear the connection does not know the numbers. These count from 0, or as far as a guess may go.
-TEST_F(DatagramsTest, ForgedDatagramsChangeNothing) {
-  live(std::chrono::seconds(3), [this] {
-    for (const unsigned start : {0U, order_.first_picture ^ 0x40000000U}) {
-      unsigned sequence = start;
-      arrive(test_support::makeDatagrams(makeJpeg(7), start, frameOf(picture_ + 1), &sequence, true));
-    }
-    arrive(nextPicture());
-  });
-  EXPECT_EQ("", connection_.transport_problem);
-  EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
-  EXPECT_EQ(picture_, pictures_.size());
-  EXPECT_THAT(delivered(), Each(testing::Gt(0u)));
-  EXPECT_GE(counters_.bad_datagrams, picture_);
-  EXPECT_TRUE(repliesOf('l').empty()) << "nothing was lost";
-}
-
 TEST_F(DatagramsTest, EachOrderHasOtherNumbers) {
   const auto first = order_;
   wish_.datagram_port = kPort + 1;
@@ -616,30 +576,6 @@ class DatagramClientTest : public ClientFixture {
   unsigned sequence_ = 0;
 };
 
-TEST_F(DatagramClientTest, PicturesComeFromTheRobotsAddressAlone) {
-  client_.setPictureTransport(PictureTransport::kUdp);
-  client_.setStreaming(true);
-  ScriptedPeer peer = connectVersion2("F W B");
-  const int port = startStream(&peer);
-  ASSERT_GT(port, 0);
-  test_support::UdpSocket stranger("127.0.0.2");
-  test_support::UdpSocket robot;
-  unsigned sequence = sequence_;
-  const std::vector<Bytes> forged = test_support::makeDatagrams(makeJpeg(99), first_picture_, 100, &sequence);
-  for (const Bytes& datagram : forged) {
-    stranger.send(port, datagram);
-  }
-  EXPECT_TRUE(eventually([&] { return client_.statistics().foreign_datagrams == forged.size(); }));
-  sendUntilDelivered(client_, [&] { sendPicture(&robot, port); });
-  ASSERT_FALSE(recorder_.pictures().empty());
-  EXPECT_NE(makeJpeg(99), recorder_.pictures().front()->jpeg);
-  EXPECT_EQ(PictureTransport::kUdp, client_.status().transport);
-  std::optional<Bytes> reply;
-  EXPECT_TRUE(eventually([&] { return (reply = robot.next()).has_value(); }));
-  EXPECT_EQ('s', reply.value_or(Bytes{0}).at(0)) << "a status";
-  EXPECT_FALSE(stranger.next());
-}
-
 TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold) {
   client_.setStreaming(true);
   ScriptedPeer peer = connectVersion2("F W B");
@@ -658,6 +594,9 @@ TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold
   client_.setPictureTransport(PictureTransport::kTcp);
   client_.setPictureTransport(PictureTransport::kUdp);
   EXPECT_GT(orderIn(peer.readRequest()).port, 0);
+  client_.setPictureTransport(PictureTransport::kTcp);
+  EXPECT_EQ(0, orderIn(peer.readRequest()).port);
+  EXPECT_TRUE(eventually([&] { return client_.status().wanted_transport == PictureTransport::kTcp; }));
 }
 
 TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
@@ -671,21 +610,7 @@ TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
   peer.agreeToVersion2("F W B");
   test_support::UdpSocket("127.0.0.2").send(startStream(&peer), {0});
   EXPECT_TRUE(eventually([&] { return client.statistics().foreign_datagrams == 1; }));
-}
-
-TEST_F(DatagramClientTest, TheTransportCanBeChangedWhileTheStreamRuns) {
-  client_.setStreaming(true);
-  ScriptedPeer peer = connectVersion2("F W B");
-  confirm(&peer, peer.readRequest());
-  for (const PictureTransport way : {PictureTransport::kUdp, PictureTransport::kTcp}) {
-    client_.setPictureTransport(way);
-    const version2_frames::Frame request = peer.readRequest();
-    EXPECT_EQ('B', request.header.kind);
-    EXPECT_EQ(way == PictureTransport::kUdp, orderIn(request).port != 0);
-    EXPECT_TRUE(recorder_.waitForStatus([way](const auto& status) { return status.wanted_transport == way; }));
-    confirm(&peer, request);
-    EXPECT_TRUE(eventually([&] { return client_.status().transport == way; }));
-  }
+  EXPECT_EQ(0u, client.statistics().bad_datagrams) << "nobody reads it";
 }
 
 TEST_F(DatagramClientTest, WhereNoDatagramEverCameTheNextConnectionBeginsWithATest) {
@@ -751,6 +676,8 @@ TEST_F(DatagramClientTest, APictureThatHasWaitedForACallbackIsDroppedWhicheverWa
     std::this_thread::sleep_for(milliseconds(150));
     release.set_value();
     sendUntilDelivered(client, send_picture);
+    EXPECT_EQ(way, client.status().transport);
+    EXPECT_EQ(port != 0, robot.next().has_value()) << "a status";
     for (const PicturePtr& picture : recorder.pictures()) {
       EXPECT_NE(picture->jpeg, makeJpeg(waits));
     }

@@ -68,23 +68,6 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
               HasSubstr("is " + too_old));
 }
 
-TEST_F(Orders, AreNotRepeatedAfterAReconnect) {
-  ScriptedPeer peer = connectVersion2("U L K J S");
-  auto upload = std::async(std::launch::async, [this] { client_.uploadMotion("NOD.MTN", {1}, kSafetyNet); });
-  EXPECT_EQ('U', peer.readRequest().header.kind);
-  for (int i = 1; i < 10; ++i) {
-    client_.commandLeds({{i, 100}});  // one is sent, the others wait for its answer
-    client_.commandEars(true, true);
-    client_.commandJoints({{i, 0.1}}, milliseconds(0));  // four are sent
-    client_.steer({0.01 * i, 0, 0});
-  }
-  peer.close();
-  EXPECT_THROW(upload.get(), NetworkException);
-  ScriptedPeer next = connectVersion2("U L K J S");
-  client_.commandLeds({{200, 1}});
-  EXPECT_EQ("L 0 200 1 0 0", textOf(next.readRequest())) << "the first that is sent";
-}
-
 TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   ScriptedPeer peer = connectVersion2();
   const auto later = std::chrono::steady_clock::now() + kSafetyNet;
@@ -108,27 +91,9 @@ TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   EXPECT_EQ("", recorder_.orders());
 }
 
-TEST_F(Orders, AreRefusedByACallbackBeforeTheirFutureIsReady) {
-  std::atomic<bool> was_ready{true};
-  std::future<void> posture;
-  Callbacks callbacks = recorder_.callbacks();
-  callbacks.on_refused = [&](const Refusal&) {
-    was_ready = posture.wait_for(milliseconds(0)) == std::future_status::ready;
-  };
-  RcServerClient client(optionsFor(server_), callbacks);
-  client.start();
-  ScriptedPeer peer = server_.accept();
-  peer.agreeToVersion2("E");
-  client.waitForConnection(kSafetyNet);
-  posture = client.beginPosture(Posture::kSit, kSafetyNet, {std::chrono::steady_clock::now() + kSafetyNet, 7});
-  const int number = peer.readRequest().header.request_number;
-  peer.send(makeFrame('e', number, version2_frames::makeError(0, "no")));
-  posture.wait();
-  EXPECT_FALSE(was_ready);
-}
-
-// A velocity of 0 is sent at once, so the client's thread is kept in a callback until the connection has ended.
-TEST_F(Orders, OfAVelocityOf0DoNotOutliveTheConnection) {
+// Some are sent, some wait for an answer, and some have not reached the client's thread, which is kept in a callback
+// until the connection has ended.
+TEST_F(Orders, DoNotOutliveTheConnection) {
   std::promise<void> in_callback;
   std::promise<void> release;
   Callbacks callbacks = recorder_.callbacks();
@@ -139,20 +104,29 @@ TEST_F(Orders, OfAVelocityOf0DoNotOutliveTheConnection) {
   RcServerClient client(optionsFor(server_), callbacks);
   client.start();
   ScriptedPeer peer = server_.accept();
-  peer.agreeToVersion2("S");
+  peer.agreeToVersion2("L K J S");
   client.waitForConnection(kSafetyNet);
+  const auto give_orders = [&client] {
+    for (int i = 1; i < 10; ++i) {
+      client.commandLeds({{i, 100}});
+      client.commandEars(true, true);
+      client.commandJoints({{i, 0.1}}, milliseconds(0));
+      client.steer({});
+      client.steer({0.01 * i, 0, 0});
+    }
+  };
+  give_orders();
   peer.send(makeFrame('t', 0, version2_frames::makeTelemetry(7, {{'J', 1, 0}})));
   in_callback.get_future().wait();
-  client.steer({});
-  client.steer({0.1, 0, 0});
+  give_orders();
   peer.reset();
   release.set_value();
   EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
   ScriptedPeer next = server_.accept();
-  next.agreeToVersion2("S");
+  next.agreeToVersion2("L K J S");
   client.waitForConnection(kSafetyNet);
-  client.commandLeds({{7, 1}});
-  EXPECT_EQ('L', next.readRequest().header.kind);
+  client.commandLeds({{200, 1}});
+  EXPECT_EQ("L 0 200 1 0 0", textOf(next.readRequest())) << "the first that is sent";
 }
 
 // The client's thread is kept in a callback, so that it finds both orders at once.

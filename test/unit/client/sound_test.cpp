@@ -242,13 +242,6 @@ TEST_F(SoundTest, NoMoreIsMissingThanTimeHasPassed) {
 
 // ---- What the robot plays
 
-TEST_F(SoundTest, AStopGoesBeforeSoundsThatWait) {
-  begin();
-  const auto samples = add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}), milliseconds(2000));
-  const auto stop = add(callToHold({}));
-  EXPECT_EQ("I 0", request());
-}
-
 TEST_F(SoundTest, TheEndOfASoundIsToldOnceWithTheRobotsCounts) {
   begin();
   play({1, 0, 2048, false});

@@ -71,6 +71,8 @@ TEST_F(ACallThatWaits, FailsWithItsConnectionAndNamesTheReason) {
     EXPECT_TRUE(failure.was_sent);
     EXPECT_THAT(failure.text, HasSubstr(row.text));
   }
+  EXPECT_EQ(1u, client_.statistics().protocol_errors);
+  EXPECT_EQ(0u, client_.statistics().stalls);
 }
 
 TEST_F(ACallThatWaits, HasNoFaultOfItsOwnWhenItsTimeIsOverButItsConnectionHas) {
@@ -79,25 +81,6 @@ TEST_F(ACallThatWaits, HasNoFaultOfItsOwnWhenItsTimeIsOverButItsConnectionHas) {
   EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
   EXPECT_EQ(FaultKind::kSilent, client_.status().fault);
   EXPECT_EQ(1u, client_.statistics().stalls);
-}
-
-TEST_F(ACallThatWaits, IsToldTheQualityOfTheStreamThatAnswersIt) {
-  ScriptedPeer peer = startStream();
-  int quality = 0;
-  const auto take = [&] { return client_.takePicture(40, kSafetyNet, &quality); };
-  auto taken = std::async(std::launch::async, take);
-  EXPECT_TRUE(eventually([&] {
-    peer.sendPicture(test_pictures::makeNumbered(2));
-    return taken.wait_for(std::chrono::milliseconds(1)) == std::future_status::ready;
-  }));
-  EXPECT_EQ(73, quality);
-  client_.setStreaming(false);
-  expectCommand(&peer, 'W', 73);
-  taken = std::async(std::launch::async, take);
-  expectCommand(&peer, 'F', 40);
-  peer.sendPicture(test_pictures::makeNumbered(3));
-  EXPECT_EQ(test_pictures::makeNumbered(3), taken.get()->jpeg);
-  EXPECT_EQ(0, quality) << "it was taken for this call alone";
 }
 
 TEST_F(ACallThatWaits, IsRefusedFromACallbackInsteadOfWaitingForItself) {

@@ -65,55 +65,42 @@ TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
   EXPECT_EQ(FaultKind::kRefused, faultOf([&] { transport.connect("127.0.0.1", absent.port(), soon()); }));
   EXPECT_EQ(FaultKind::kNameNotFound, faultOf([&] { transport.connect("no.such.robot.invalid", 54321, soon()); }));
   EXPECT_EQ(FaultKind::kUnreachable, faultOf([&] { transport.connect("255.255.255.255", 54321, soon()); }));
-}
-
-TEST(TcpTransportTest, AnAddressThatDoesNotAnswerIsGivenUpAtTheDeadline) {
-  ScriptedServer server(ScriptedServer::Begin::kAbsent);
-  server.listen(0);
+  absent.listen(0);
   TcpTransport first;
-  first.connect("127.0.0.1", server.port(), soon());  // fills the backlog: the next one is not answered
-  TcpTransport second;
-  EXPECT_EQ(FaultKind::kNoAnswer, faultOf([&] { second.connect("127.0.0.1", server.port(), in(milliseconds(200))); }));
+  first.connect("127.0.0.1", absent.port(), soon());  // fills the backlog: the next one is not answered
+  EXPECT_EQ(FaultKind::kNoAnswer,
+            faultOf([&] { transport.connect("127.0.0.1", absent.port(), in(milliseconds(200))); }));
 }
 
-TEST(TcpTransportTest, TheNextAddressOfANameIsTriedIfTheFirstFails) {
+TEST(TcpTransportTest, AnAddressThatFailsOrDoesNotAnswerLeavesTimeForTheNextOne) {
   ScriptedServer absent(ScriptedServer::Begin::kAbsent);
-  ScriptedServer server;
-  TcpTransport transport([&](const std::string&, int) {
-    NameLookupResult result = resolveWithSystem("127.0.0.1", absent.port());
-    result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
-    return result;
-  });
-  transport.connect("robot", 54321, soon());
-  server.accept();
-}
-
-TEST(TcpTransportTest, AnAddressThatDoesNotAnswerLeavesTimeForTheNextOne) {
   ScriptedServer full(ScriptedServer::Begin::kAbsent);
   full.listen(0);
   TcpTransport other;
   other.connect("127.0.0.1", full.port(), soon());
   ScriptedServer server;
-  TcpTransport transport([&](const std::string&, int) {
-    NameLookupResult result = resolveWithSystem("127.0.0.1", full.port());
-    result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
-    return result;
-  });
-  EXPECT_NO_THROW(transport.connect("robot", 54321, in(seconds(4))));
+  for (const int port : {absent.port(), full.port()}) {
+    TcpTransport transport([&](const std::string&, int) {
+      NameLookupResult result = resolveWithSystem("127.0.0.1", port);
+      result.addresses.push_back(resolveWithSystem("127.0.0.1", server.port()).addresses.front());
+      return result;
+    });
+    EXPECT_NO_THROW(transport.connect("robot", 54321, in(seconds(4))));
+    server.accept();
+  }
 }
 
 TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   ScriptedServer server;
   TcpTransport transport;
   std::uint8_t buffer[16];
-  transport.connect("127.0.0.1", server.port(), soon());
-  server.accept().close();
-  ASSERT_TRUE(transport.wait(soon()));
-  EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
-  transport.connect("127.0.0.1", server.port(), soon());
-  server.accept().reset();
-  ASSERT_TRUE(transport.wait(soon()));
-  EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); }));
+  for (const bool resets : {false, true}) {
+    transport.connect("127.0.0.1", server.port(), soon());
+    ScriptedPeer peer = server.accept();
+    resets ? peer.reset() : peer.close();
+    ASSERT_TRUE(transport.wait(soon()));
+    EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); })) << resets;
+  }
 }
 
 TEST(TcpTransportTest, AWaitIsShortAndItsEndIsTold) {

@@ -20,7 +20,11 @@ namespace {
 /// A network that may or may not let datagrams through. The robot sends tests when it is asked to.
 class TransportChoiceTest : public DatagramsFixture {
  public:
-  TransportChoiceTest() { wish_.transport = PictureTransport::kAuto; }
+  TransportChoiceTest() {
+    wish_.transport = PictureTransport::kAuto;
+    wish_.streaming = true;
+    wish_.datagram_port = kPort;
+  }
 
   static Bytes testDatagram(const Bytes& request) {
     protocol::version2::DatagramOrder order = {};
@@ -67,16 +71,8 @@ class TransportChoiceTest : public DatagramsFixture {
     }
   }
 
-  void start() {
-    wish_.streaming = true;
-    wish_.datagram_port = kPort;
-    answerAll();
-  }
-
-  /// Wants a stream, and goes on until the robot is asked for a test.
+  /// Goes on until the robot is asked for a test.
   void beUntilTest() {
-    wish_.streaming = true;
-    wish_.datagram_port = kPort;
     char kind = request();
     while (kind != 'B' && kind != 0) {
       kind = request();
@@ -91,7 +87,7 @@ class TransportChoiceTest : public DatagramsFixture {
 };
 
 TEST_F(TransportChoiceTest, UdpIsUsedOnceATestDatagramHasCome) {
-  start();
+  answerAll();
   watch(seconds(2));
   EXPECT_EQ("U", ways_);
   EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
@@ -102,7 +98,7 @@ TEST_F(TransportChoiceTest, UdpIsUsedOnceATestDatagramHasCome) {
 
 TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
   lets_through_ = false;
-  start();
+  answerAll();
   watch(milliseconds(700));
   EXPECT_EQ("", connection_.transport_problem);
   watch(milliseconds(100));
@@ -117,7 +113,7 @@ TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
 
 TEST_F(TransportChoiceTest, UdpIsUsedTenSecondsAfterTheFirewallLetsItThrough) {
   lets_through_ = false;
-  start();
+  answerAll();
   watch(seconds(15));
   lets_through_ = true;
   watch(seconds(10));
@@ -127,7 +123,7 @@ TEST_F(TransportChoiceTest, UdpIsUsedTenSecondsAfterTheFirewallLetsItThrough) {
 }
 
 TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain) {
-  start();
+  answerAll();
   watch(seconds(1));
   lets_through_ = false;
   watch(milliseconds(1500));
@@ -199,7 +195,7 @@ TEST_F(TransportChoiceTest, PicturesByUdpWaitALittleForThoseThatWereSentByTcpBef
 
 // The robot sends by TCP what was not acknowledged when it was told to.
 TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
-  start();
+  answerAll();
   watch(seconds(1));
   std::vector<Bytes> cut = nextPicture();
   cut.pop_back();
@@ -220,7 +216,7 @@ TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
 
 TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   lets_through_ = false;
-  start();
+  answerAll();
   watch(seconds(2));
   lets_through_ = true;
   ++wish_.transport_changes;
@@ -231,7 +227,7 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
 TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
   wish_.transport = PictureTransport::kUdp;
   lets_through_ = false;
-  start();
+  answerAll();
   EXPECT_EQ("U", ways_);
   EXPECT_EQ(0, tests_);
   watch(milliseconds(1500));

@@ -22,10 +22,10 @@ namespace version2 = protocol::version2;
 namespace {
 
 class Version1SessionTest : public SessionFixture {
- protected:
+ public:
   Session& session() override { return session_; }
 
-  Bytes bytes() { return session_.nextRequest(wish_, now_); }
+  Bytes bytes() { return session().nextRequest(wish_, now_); }
 
   /// What the session sends now: "" or letter and identifier, as in "W73", and the value that is set, as in "J2=-100".
   std::string command() {
@@ -36,6 +36,9 @@ class Version1SessionTest : public SessionFixture {
     const std::string command = static_cast<char>(bytes[0]) + std::to_string(bytes[1]);
     return bytes.size() == 2 ? command : command + "=" + std::to_string(protocol::decodeValueReply(bytes.data()).value);
   }
+
+  /// The letter of what the session sends now; a blank if nothing.
+  char request() { return (command() + " ")[0]; }
 
   /// Receives the answer to a request that reads or sets a value.
   void receiveValue(const std::string& request, int value = 0) {
@@ -59,14 +62,6 @@ TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
     EXPECT_EQ(wish_.streaming, toggles % 2 == 1);
     EXPECT_EQ(wish_.streaming, connection_.pictures.streaming());
   }
-}
-
-TEST_F(Version1SessionTest, AStreamThatIsSilentIsGivenUpAtTheLimit) {
-  wish_.streaming = true;
-  command();
-  receivePicture(1);
-  pass(milliseconds(499));
-  EXPECT_EQ(kSilentStream, whyGivenUpWithin(milliseconds(1)));
 }
 
 TEST_F(Version1SessionTest, WithoutAStreamEachCallerGetsAPictureOfItsOwnQuality) {
@@ -370,11 +365,6 @@ class SilentServerTest : public Version1SessionTest {
  protected:
   Session& session() override { return silent_; }
 
-  std::string silentCommand() {
-    const Bytes bytes = silent_.nextRequest(wish_, now_);
-    return bytes.empty() ? "" : static_cast<char>(bytes[0]) + std::to_string(bytes[1]);
-  }
-
   Version1Session silent_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
@@ -382,31 +372,22 @@ class SilentServerTest : public Version1SessionTest {
 TEST_F(SilentServerTest, IsAskedForAPictureAndNotConnectedUntilItAnswers) {
   wish_.telemetry_period = 4;
   now_ += milliseconds(450);  // it was asked for version 2 first
-  EXPECT_EQ("F73", silentCommand());
-  EXPECT_EQ("", silentCommand());
+  EXPECT_EQ("F73", command());
+  EXPECT_EQ("", command());
   pass(milliseconds(499));
   EXPECT_FALSE(silent_.ready());
   EXPECT_EQ(kSilentStream, whyGivenUpWithin(milliseconds(1)));
 }
 
-// One that sends half a picture kept a processor busy.
-TEST_F(SilentServerTest, NothingIsDueWhileTheFirstPictureOfTheStreamIsAwaited) {
-  wish_.streaming = true;
-  wish_.telemetry_period = 4;
-  EXPECT_EQ("W73", silentCommand());
-  EXPECT_EQ("", silentCommand());
-  EXPECT_GT(silent_.nextDeadline(), now_);
-}
-
 TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
-  EXPECT_EQ("F73", silentCommand());
+  EXPECT_EQ("F73", command());
   receivePicture(1);
   EXPECT_TRUE(silent_.ready());
   EXPECT_TRUE(pictures_.empty());
-  EXPECT_EQ("", silentCommand());
+  EXPECT_EQ("", command());
   pass(milliseconds(10000));
   auto answer = takePicture(30);
-  EXPECT_EQ("F30", silentCommand());
+  EXPECT_EQ("F30", command());
   receivePicture(2);
   ASSERT_TRUE(done(answer));
   EXPECT_EQ(test_pictures::makeNumbered(2), answer.get().picture->jpeg);
@@ -414,32 +395,22 @@ TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
 
 TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
   wish_.streaming = true;
-  EXPECT_EQ("W73", silentCommand());
-  EXPECT_EQ("", silentCommand());
+  wish_.telemetry_period = 4;
+  EXPECT_EQ("W73", command());
+  EXPECT_EQ("", command());
+  EXPECT_GT(silent_.nextDeadline(), now_) << "nothing is due before";
   EXPECT_FALSE(silent_.ready());
   receivePicture(1);
   EXPECT_TRUE(silent_.ready());
   EXPECT_EQ(1u, pictures_.size());
 }
 
-class Version1RefusalsTest : public SessionFixture {
- public:
-  Session& session() override { return session_; }
-  char request() {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
-    return bytes.empty() ? ' ' : static_cast<char>(bytes[0]);
-  }
-
-  ServerHabits habits_;
-  Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
-};
-
 /// For the rows of tables.
-struct NewVersion1Session : public Version1RefusalsTest {
+struct NewVersion1Session : public Version1SessionTest {
   void TestBody() override {}
 };
 
-TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
+TEST_F(Version1SessionTest, TheOrderAndTheJointAreNamed) {
   commandJoints({{2, 0.5}});
   limitSpeed({{3, 0.5}});
   commandLeds({{7, 1}});
@@ -461,9 +432,10 @@ TEST_F(Version1RefusalsTest, TheOrderAndTheJointAreNamed) {
   EXPECT_TRUE(log_.empty());
 }
 
-TEST_F(Version1RefusalsTest, AnOrderEndsOnceAndNothingSaysHow) {
+TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
   using Kind = RefusedRequest;
   const std::string why = "error code 0; are its motors on, and can the joint move freely?";
+  const std::string late = "too old: it could not be sent to robot:54321 in time";
   const auto refusal = [&](int joint, std::uint64_t number) {
     return Refusal{Kind::kJoints, RefusalCause::kRobot, {joint}, why, number};
   };
@@ -477,17 +449,9 @@ TEST_F(Version1RefusalsTest, AnOrderEndsOnceAndNothingSaysHow) {
       {"-+", {EndedHow::kRefused}, {refusal(1, 0)}},
       {"--", {}, {refusal(1, 0), refusal(2, kFirstOrder)}},
       {"+s", {EndedHow::kUnknown}, {{Kind::kJoints, RefusalCause::kStopped, {2}, "a stop", 0}}},
-      {"+o",
-       {EndedHow::kUnknown},
-       {{Kind::kJoints, RefusalCause::kTooOld, {2}, "too old: it could not be sent to robot:54321 in time", 0}}},
+      {"+o", {EndedHow::kUnknown}, {{Kind::kJoints, RefusalCause::kTooOld, {2}, late, 0}}},
       {"ss", {}, {{Kind::kJoints, RefusalCause::kStopped, {1, 2}, "a stop", kFirstOrder}}},
-      {"oo",
-       {},
-       {{Kind::kJoints,
-         RefusalCause::kTooOld,
-         {1, 2},
-         "too old: it could not be sent to robot:54321 in time",
-         kFirstOrder}}},
+      {"oo", {}, {{Kind::kJoints, RefusalCause::kTooOld, {1, 2}, late, kFirstOrder}}},
   };
   for (const auto& row : rows) {
     NewVersion1Session robot;
@@ -519,7 +483,7 @@ TEST_F(Version1RefusalsTest, AnOrderEndsOnceAndNothingSaysHow) {
   }
 }
 
-TEST_F(Version1RefusalsTest, AMotionEndsWhenItHasBegun) {
+TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
   auto motion = order(callToPlay("NOD.MTN", 1, 0));
   EXPECT_EQ('P', request());
   receive({'p', 0, 0, 0});
@@ -561,6 +525,24 @@ TEST_F(Version1SessionTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) 
   run_until_asked(3);
 }
 
+TEST_F(Version1SessionTest, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect) {
+  wish_.streaming = true;
+  EXPECT_EQ("W73", command());
+  EXPECT_TRUE(log_.empty());
+  wish_.format = {Resolution::kDouble, 4};
+  wish_.camera.gain = 3;
+  wish_.colors.on = true;
+  wish_.microphone.on = true;
+  wish_.transport = PictureTransport::kUdp;
+  wish_.datagram_port = 5000;
+  EXPECT_EQ("", command());
+  EXPECT_EQ("", command());
+  for (const char* each :
+       {"for resolution and rate", "to set the camera", "to detect colours", "for its microphones"}) {
+    EXPECT_EQ(1, logged(std::string("version 1 of the protocol, which has no request ") + each)) << each;
+  }
+}
+
 class LateVersionAnswerTest : public Version1SessionTest {
  protected:
   Session& session() override { return late_; }
@@ -569,12 +551,7 @@ class LateVersionAnswerTest : public Version1SessionTest {
 };
 
 TEST_F(LateVersionAnswerTest, ALateAgreementEndsTheConnectionForTheServerSpeaksVersion2Now) {
-  std::string why;
-  try {
-    receive({'x', 2, 0, 0});
-  } catch (const Fault& fault) {
-    why = fault.what();
-  }
+  const std::string why = whyGivenUp([this] { receive({'x', 2, 0, 0}); });
   EXPECT_THAT(why, HasSubstr("agreed to version 2 of the protocol too late"));
 }
 

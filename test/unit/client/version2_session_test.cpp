@@ -122,6 +122,12 @@ TEST(Version2Session, EndsIfTheServerSendsWhatNoneSends) {
       {[](NewSession& session) { session.add(callForMotions()); },
        {'A', '/', '.', '.'},
        "bad answer to the request to list its mo"},
+      {[](NewSession& session) { session.add(callToSavePicture(85)); }, {}, "bad answer to the request to take a pic"},
+      {[](NewSession& session) { session.add(callToSavePicture(85)); },
+       {'.', '.', '/', 'A', '.', 'J', 'P', 'G'},
+       "bad answer to the request to take a pic"},
+      {[](NewSession& session) { session.add(callToFetchPicture("A.JPG")); },
+       Bytes(version2::MAX_STICK_PICTURE_SIZE + 1), "bad answer to the request to s"},
       {[](NewSession& session) { session.add(callToPlay("NOD.MTN", 1, 0)); },
        {0x1b, '[', 'J'},
        "bad answer to the request to p"},
@@ -713,6 +719,18 @@ TEST_F(Version2SessionTest, AServerThatEndsNoOrdersIsGivenUp) {
 
 // ---- Refusals
 
+TEST_F(Version2SessionTest, ARefusalIsToldBeforeItsCallEnds) {
+  std::size_t told = 0;
+  Call posture = callForPosture(version2::POSTURE_SIT);
+  posture.terms = terms();
+  posture.deadline = now_ + milliseconds(2000);
+  posture.end = [&](const Answer&) { told = refusals_.size(); };
+  connection_.add(std::move(posture));
+  EXPECT_EQ("E", requests());
+  refuse("no");
+  EXPECT_EQ(1u, told);
+}
+
 TEST_F(Version2SessionTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
   commandJoints({{2, 0.5}, {1, -0.1}});
   steer({0.1, 0, 0});
@@ -744,11 +762,12 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     session.commandLeds({{1, 255}});
     auto picture = session.takePicture(10);
     auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}, 0));
+    auto samples = session.add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}));
     auto stop = session.add(letter == 'I' ? callToHold({}) : callForMotors(false));
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
     EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
-    EXPECT_EQ("HWFUTVL", session.requests()) << "without J, which came before";
+    EXPECT_EQ("HWFUATVL", session.requests()) << "without J, which came before";
   }
 }
 
@@ -797,19 +816,6 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x---"},
       {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-------"},
       {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x---"},
-      {"joint 2", command([](NewSession& session) {
-         session.commandJoints({{2, 0.2}});
-       }),
-       "x------"},
-      {"joint 11", command([](NewSession& session) {
-         session.commandJoints({{11, 0.2}});
-       }),
-       "-xx----"},
-      {"velocity 0", command([](NewSession& session) { session.steer({}); }), "--x---x"},
-      {"walk", command([](NewSession& session) {
-         session.steer({0.2, 0, 0});
-       }),
-       "-xx----"},
   };
   for (const auto& row : rows) {
     std::string dropped;
@@ -870,29 +876,22 @@ TEST_F(Version2SessionTest, ACallThatCouldNotBeSentInTimeIsNotSentLater) {
   EXPECT_EQ("", request());
 }
 
-TEST_F(Version2SessionTest, BehindALargeUploadAnswersAndPicturesMayBeLate) {
-  stream();
-  auto upload = add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
-  EXPECT_EQ('U', request(0)[0]);
-  std::vector<Frame> sent = {frame_};
-  pass(milliseconds(1000));
-  EXPECT_EQ("H 0", request());
-  const Frame hello = frame_;
-  pass(milliseconds(900));
-  answer(sent[0], {});
-  answer(hello, version2_frames::makeHello());
-  live(milliseconds(499));
-  EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(1)); }))
-      << "it has been answered, so pictures are due again";
-}
-
-TEST_F(Version2SessionTest, AfterALargeUploadThatWasRefusedPicturesAreDueAsEver) {
-  stream();
-  auto upload = add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
-  EXPECT_EQ('U', request(0)[0]);
-  refuse("the memory stick is full");
-  live(milliseconds(499));
-  EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(1)); }));
+TEST(Version2Session, LetsAnswersAndPicturesBeLateUntilALargeUploadBeforeThemHasEnded) {
+  for (const bool is_refused : {false, true}) {
+    NewSession session;
+    session.stream();
+    auto upload = session.add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
+    EXPECT_EQ('U', session.request(0)[0]);
+    const version2_frames::Frame sent = session.frame_;
+    session.pass(milliseconds(1000));
+    EXPECT_EQ("H 0", session.request());
+    const version2_frames::Frame hello = session.frame_;
+    session.pass(milliseconds(900));
+    is_refused ? session.refuse(sent, "the memory stick is full") : session.answer(sent, {});
+    session.answer(hello, version2_frames::makeHello());
+    session.live(milliseconds(499));
+    EXPECT_EQ(kSilentStream, SessionFixture::whyGivenUp([&] { session.live(milliseconds(1)); }));
+  }
 }
 
 TEST_F(Version2SessionTest, BehindALargeFileAnswersMayBeLateButNotForEver) {
