@@ -1,24 +1,15 @@
-#include <dirent.h>
 #include <gmock/gmock.h>
 
 #include <chrono>
-#include <memory>
 
 #include "client_fixture.h"
+#include "support/resources.h"
 
 using namespace aibo_client;
 using test_pictures::Bytes;
+using test_support::Resources;
 
 namespace {
-
-std::size_t openDescriptors() {
-  const std::unique_ptr<DIR, int (*)(DIR*)> folder(::opendir("/proc/self/fd"), &::closedir);
-  std::size_t count = 0;
-  while (::readdir(folder.get()) != nullptr) {
-    ++count;
-  }
-  return count;
-}
 
 class ConnectionFaultsTest : public ClientFixture {};
 
@@ -90,8 +81,8 @@ TEST_F(ConnectionFaultsTest, LeaveNeitherDescriptorNorPartOfAPictureBehind) {
   std::size_t before = 0;
   for (int i = 0; i < 30; ++i) {
     ScriptedPeer peer = acceptStream();
-    before = before == 0 ? openDescriptors() : before;
-    EXPECT_EQ(before, openDescriptors());
+    before = before == 0 ? Resources::of().descriptors : before;
+    EXPECT_EQ(before, Resources::of().descriptors);
     if (i % 3 == 2) {
       peer.send({'?'});
       peer.waitUntilClosed();
@@ -105,7 +96,7 @@ TEST_F(ConnectionFaultsTest, LeaveNeitherDescriptorNorPartOfAPictureBehind) {
   const std::uint64_t failed = client_.statistics().failed_attempts;
   ASSERT_TRUE(eventually([&] { return client_.statistics().failed_attempts >= failed + 10; }));
   client_.stop();
-  EXPECT_LE(openDescriptors(), before);
+  EXPECT_LE(Resources::of().descriptors, before);
 }
 
 }  // namespace

@@ -87,7 +87,6 @@ TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
   for (int i = 0; i < 2; ++i) {
     sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
   }
-  EXPECT_TRUE(recorder.waitForPictures(2));
   EXPECT_TRUE(eventually([&] { return recorder.logged("on_picture threw an exception: the disk is full") == 2; }));
 }
 
