@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 namespace aibo_driver::node {
@@ -37,11 +38,14 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
       : actionlib::ActionServer<Action>(handle, name, accept, cancel, false), actions_(handle, name) {}
 
   // actionlib tells of neither a goal that was cancelled before it came nor a cancel of an unknown goal. So this
-  // listens to the same topics, and is called right after actionlib, which subscribed first.
+  // listens to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than
+  // actionlib's own would drop calls, and the last one could come before actionlib has read its last message.
   void start() {
+    constexpr std::uint32_t kQueueOfActionlib = 50;  // actionlib_server_sub_queue_size in action_server_imp.h
     actionlib::ActionServer<Action>::start();
-    watches_ = {actions_.subscribe<typename Action::_action_goal_type>("goal", 1, [this](auto) { forget(); }),
-                actions_.subscribe<actionlib_msgs::GoalID>("cancel", 1, [this](auto) { forget(); })};
+    watches_ = {
+        actions_.subscribe<typename Action::_action_goal_type>("goal", kQueueOfActionlib, [this](auto) { forget(); }),
+        actions_.subscribe<actionlib_msgs::GoalID>("cancel", kQueueOfActionlib, [this](auto) { forget(); })};
   }
 
  private:
