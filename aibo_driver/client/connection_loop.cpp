@@ -359,9 +359,16 @@ void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reaso
     status.reason = reason;
     status.advice = advice;
   });
-  change([](Shared& shared) { shared.sound = SoundPart(); });
+  std::vector<Call> unsent;
+  change([&unsent](Shared& shared) {
+    shared.sound = SoundPart();
+    shared.commands = CommandOutbox();
+    unsent = std::exchange(shared.calls, {});
+  });
   if (session_) {
-    takeNews(steady_clock::now());
+    for (Call& call : unsent) {
+      connection_->calls.add(std::move(call));  // on_refused is not called: orders end with the connection
+    }
     connection_->sound.connectionLost();
     connection_->calls.failAll(makeFailure(outcome, advice.empty() ? reason : reason + ". " + advice, kind));
   }
