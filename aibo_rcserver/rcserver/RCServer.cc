@@ -296,6 +296,7 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   client_->Received(static_cast<size_t>(answer->sizeMin));
   signs_.last_sign_of_life = now_;
   signs_.last_bytes_received = now_;
+  quiet_since_ = now_;
   if (guest_ != NULL && has_asked_) {
     TurnAwayWhileBusy(guest_);
   }

@@ -50,8 +50,8 @@ class RCServer : public OObject {
 
   /// A client of version 2 is asked for a sign when a newcomer from its address has sent a request. If it sends nothing
   /// for this many frames, it loses its place: 0.3 s, our choice. A radio outage has ended such a connection. Over a
-  /// slow link, the question may come late. So the time begins anew whenever the client has made room for something
-  /// that waited at the IPStack.
+  /// slow link, the question may arrive late. So the time begins again whenever the client has taken bytes that waited
+  /// in the IPStack.
   static const longword SIGN_FRAMES = 38;
 
   /// Pictures wait for sound no longer than this many frames after the last one: 0.25 s. Clients give up a robot that
@@ -181,7 +181,7 @@ class RCServer : public OObject {
   Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
   longword guest_since_;
   bool has_asked_;        ///< the client, for a sign: the guest has sent a request
-  longword quiet_since_;  ///< frame in which the client was asked, or has last made room at the IPStack
+  longword quiet_since_;  ///< frame in which the guest came, the client was asked, or last sent or took bytes
   Body* body_;            ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   FrameClock clock_;

@@ -184,7 +184,7 @@ void Version2::PushPowerOff(const char* reason) {
 bool Version2::AskForSign() {
   const bool has_room = outbox_.HasRoom();
   if (has_room) {
-    Send(replyKind(REQUEST_HELLO), 0, NULL, 0);
+    Send(replyKind(REQUEST_HELLO), 0, NoPayload());
   }
   return has_room;
 }
