@@ -229,9 +229,8 @@ void Walker::ClientGone() {
     walk_.has_next = false;
     orders_.End(order_, CLIENT_GONE);
     order_ = OrderBook::NO_ORDER;
-  } else if (activity_ == WALKING && !walk_.has_next) {
-    walk_.ends = true;
-    walk_.end_reason = CLIENT_GONE;
+  } else if (!rests) {
+    EndWalkInStand(CLIENT_GONE);
   }
   has_softened_ = false;
 }
