@@ -32,6 +32,7 @@ class Process {
 
   std::string output() const;
 
+  /// After SIGSTOP, waits until the process has stopped.
   void signal(int number) const;
 
   /// Ends it by SIGKILL, and reaps it.
