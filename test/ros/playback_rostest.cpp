@@ -373,6 +373,11 @@ TEST_F(PlaybackTest, RosbagMovesNoRobotWithWhatRecordLaunchHasRecorded) {
        steering.getNumSubscribers() < 2 && ros::Time::now() < end;) {
     ros::WallDuration(0.01).sleep();
   }
+  EXPECT_TRUE(user.becomesTrue([] {
+    Process node({"rosnode", "info", "/lives/record"});
+    node.waitForExit(kSafetyNet);
+    return node.output().find("topic: /lives/odom") != std::string::npos;  // in the list of its connections
+  }));
   user.steer(0.1);
   EXPECT_TRUE(user.odom.waitFor([](const nav_msgs::Odometry& each) { return each.pose.pose.position.x > 0.05; }));
   user.letGo();
