@@ -40,10 +40,8 @@ std::vector<Trial> allTrials(std::uint32_t seed) {
 }
 
 std::vector<Trial> shortTrials(std::uint32_t seed) {
-  return {lossTrial(11e6, 0, seed, milliseconds(2000)),
-          lossTrial(11e6, 0.05, seed, milliseconds(3000)),
+  return {lossTrial(11e6, 0, seed, milliseconds(2000)), lossTrial(11e6, 0.05, seed, milliseconds(3000)),
           outageTrial(milliseconds(1000), seed),
-          withRival(lossTrial(1e6, 0, seed, milliseconds(5000))),
           by(PictureTransport::kUdp, lossTrial(11e6, 0.05, seed, milliseconds(3000))),
           by(PictureTransport::kAuto, lossTrial(11e6, 0.05, seed, milliseconds(3000)))};
 }
