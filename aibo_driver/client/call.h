@@ -74,7 +74,7 @@ struct Call {
   std::optional<OrderTerms> terms;       ///< of a request that can be too old; otherwise empty
   TimePoint since;                       ///< a picture of the stream answers the call only if it began later
   int request_number = 0;                ///< the number of the request; 0 if it has not been sent
-  std::function<void(Answer)> end;       ///< called once
+  std::function<void(Answer)> end;       ///< called once, with the answer, by the client's thread
 
   bool isForPicture() const { return request.letter == protocol::version2::REQUEST_PICTURE; }
   bool has(protocol::version2::Trait trait) const { return request.has(trait); }
@@ -82,7 +82,7 @@ struct Call {
   /// True if `other` must not be sent any more. `other` was made before this call and has not been sent.
   bool cancels(const Call& other) const;
 
-  /// The number by which the order's end is told; 0 if it is none, or has none.
+  /// The order's OrderTerms::number. It is 0 if this call is no order, or if the order has no number.
   std::uint64_t order() const { return terms ? terms->number : 0; }
 
   /// Drops the commands that must not be sent any more, because they are older than this call.
@@ -148,6 +148,7 @@ Call callToFetchPicture(const std::string& name);
 Call callToDeletePicture(const std::string& name);
 /// @param samples the samples to play; an empty list stops the sound
 Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
+/// Makes a call of PLAY_SOUND send these samples. An empty list stops the sound.
 void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call);
 Call callForVolume(int volume);
 /// @param request SHUT_DOWN or REBOOT
@@ -167,7 +168,7 @@ class PendingCalls {
   Call* nextStop();
   /// The oldest other unsent call, or null. While the robot works on its memory stick, calls that need the stick wait
   /// here, not in the robot.
-  /// @param with_orders also those that can be too old
+  /// @param with_orders true: also calls that have terms
   Call* nextForRobot(bool with_orders);
 
   /// The call whose request was sent with this number; null if there is none. A request of number 0 was never sent.

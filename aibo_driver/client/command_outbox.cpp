@@ -134,7 +134,7 @@ void CommandOutbox::command(JointCommand newer) {
   replaced.erase(std::remove_if(replaced.begin(), replaced.end(),
                                 [](const JointCommand& command) { return command.terms.number == 0; }),
                  replaced.end());
-  drop(replaced, RefusalCause::kReplaced, "its joints were commanded anew before it was sent");
+  drop(replaced, RefusalCause::kReplaced, "newer commands took all its joints before it was sent");
 }
 
 void CommandOutbox::steer(const SteeringCommand& newer) {

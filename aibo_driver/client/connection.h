@@ -22,8 +22,8 @@
 
 namespace aibo_client {
 
-/// Reports requests that the robot refused although no call waits for them. The client's user is told of orders. Others
-/// are logged, each problem once.
+/// Reports requests that the robot refused although no call waits for them. Those of RefusedRequest are told to the
+/// client's user. Others are logged, each problem once.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
@@ -32,7 +32,7 @@ class RefusalLog {
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(char letter, const std::string& problem);
 
-  /// Reports the refusal of an order.
+  /// Tells the client's user of a refusal.
   void refused(const Refusal& refusal);
 
   /// Call this when the robot has accepted such a request. Its next refusal is then logged again.

@@ -58,9 +58,9 @@ void requireRequest(const ConnectionLoop& loop, const Shared& shared, const vers
 
 /// Hands a call to the client's thread.
 /// @param read makes the result of the call from its answer
-/// @param complete called last, with the shared state and the call
+/// @param complete called with the shared state and the call when the call can no longer be refused here
 /// @return becomes ready with the result, or with the exception that says why the call has failed
-/// @throw the exceptions of RcServerClient::beginMotors(); then there is no call
+/// @throw the exceptions of RcServerClient::beginMotors(). If it throws, it has handed over no call
 template <typename Read, typename Result = std::invoke_result_t<Read, Answer>>
 std::future<Result> begin(
     ConnectionLoop* loop, Call call, milliseconds timeout, const Read& read,

@@ -19,8 +19,8 @@ class RobotFrames {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// The present frame is computed from a message of this age at most, so that clocks that differ by 0.3 % do not
-  /// matter. This and kBetterOnly are our choice.
+  /// The present frame is computed from a message of this age at most, because clocks drift (docs/protocol.md): 0.3 %
+  /// of it is less than a frame. This and kBetterOnly are our choice.
   static constexpr std::chrono::seconds kLongestAge{2};
   /// A message of this age is replaced by any newer one. Before, only one that was less late replaces it.
   static constexpr std::chrono::seconds kBetterOnly{1};
@@ -51,7 +51,7 @@ class RobotFrames {
     if (!frame) {
       return std::nullopt;
     }
-    const auto frames = std::clamp<TimePoint::rep>((not_after - now) / kFrame, 0, kMostFrames);
+    const auto frames = std::min<TimePoint::rep>((std::max(not_after, now) - now) / kFrame, kMostFrames);
     return protocol::version2::notAfter(*frame, static_cast<int>(frames));
   }
 

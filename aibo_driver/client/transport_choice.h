@@ -57,7 +57,7 @@ class TransportChoice {
   /// True if the user wants UDP and nothing else.
   bool insists() const { return wanted_ == PictureTransport::kUdp; }
 
-  /// Why UDP was not tried after the last tests. It is empty if there is no such reason.
+  /// Why UDP does not work, if next() has just given up a series of tests; otherwise empty.
   const std::string& problem() const { return problem_; }
 
   /// The latest time to call next() again.

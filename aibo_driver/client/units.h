@@ -21,7 +21,8 @@ inline double fromMicro(int value) {
   return value * 1e-6;
 }
 
-/// Version 2 counts velocities of a walk in mm/s and mrad/s. This is the velocity that is sent.
+/// Rounds a velocity of a walk as version 2 sends it: to whole mm/s or mrad/s. So a velocity that is sent as 0 also
+/// counts as 0 here: it lets go, and is never too old.
 inline double wholeThousandths(double value) {
   return std::round(value * 1000) / 1000;
 }

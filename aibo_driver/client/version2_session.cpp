@@ -372,7 +372,7 @@ Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {
   Bytes frame = makeFrame(call->request.letter, call->id, call->payload);
   call->request_number = last_number_;
   if (call->has(version2::STARTS_MOVEMENT)) {
-    remember({call->request, {}, call->order()});
+    remember({call->request.letter, {}, call->order()});
   }
   connection_.callSent(*call, frame.size(), now);
   return frame;
@@ -468,7 +468,7 @@ Session::Bytes Version2Session::request(const version2::Request& request, int id
   Bytes frame = makeFrame(request.letter, id, payload);
   exchanges_[last_number_] = {request, now, connection_.answerDeadline(now), on_answer, false};
   if (refusedRequest(request.letter)) {
-    remember({request, ids, order});
+    remember({request.letter, ids, order});
   }
   return frame;
 }
@@ -505,7 +505,7 @@ std::optional<char> Version2Session::kindOf(int number) const {
     return exchange->second.request.letter;
   }
   if (const auto order = orders_.find(number); order != orders_.end()) {
-    return order->second.request.letter;
+    return order->second.letter;
   }
   const Call* const call = connection_.calls.find(number);
   return call != nullptr ? std::optional<char>(call->request.letter) : std::nullopt;
@@ -864,7 +864,7 @@ void Version2Session::onError(int number, const Payload& payload) {
     connection_.refuse(*call, cause, problem, now_);
   } else if (refused) {
     const Order& order = refused.mapped();
-    const char letter = order.request.letter;
+    const char letter = order.letter;
     if (letter == version2::REQUEST_SPEED_LIMITS) {
       connection_.forgetSpeedLimits(order.ids);
     }

@@ -31,7 +31,8 @@ class Version2Session final : public Session {
   /// How many commands to the joints may be unanswered. Further commands wait. Otherwise a link that stands still would
   /// fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
-  /// A robot has at most 25 orders that have not ended. A server that never ends them must not use up all numbers.
+  /// A robot has at most 23 orders that have not ended: 18 joints, four motions, and a walk or a posture. A server that
+  /// never ends them must not use up all numbers. The value is our choice.
   static constexpr std::size_t kMostOrders = 1000;
 
   Version2Session(Connection& connection, TimePoint connected);
@@ -58,7 +59,7 @@ class Version2Session final : public Session {
   /// A request of the user that no call waits for, or an order that goes on after the answer. The user is told if the
   /// robot refuses it, and when it ends.
   struct Order {
-    protocol::version2::Request request;
+    char letter;           ///< of the request
     std::vector<int> ids;  ///< the ids of the joints, LEDs or ears
     std::uint64_t number;  ///< OrderTerms::number
   };

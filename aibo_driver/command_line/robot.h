@@ -87,7 +87,7 @@ class Robot {
   /// The robot's design. A version 1 server does not report its design, so we assume an ERS-7.
   const robot_model::RobotModel& model() const;
 
-  /// The terms of a command's only order: the usual time, and kOrder.
+  /// The terms of a command's orders: the usual time, and kOrder. All velocities of a walk have this number.
   static aibo_client::OrderTerms terms();
 
   /// True if the robot reports when something has ended.

@@ -35,7 +35,7 @@ void showLevel(const aibo_client::HeardSound& sound, sound::Level* level, Output
 
 void requireSound(const Robot& robot) {
   if (!robot.received().status.robot.hasCapability("A")) {
-    throw aibo_client::CommandException("the robot's server has no sound, like all of version 1");
+    throw aibo_client::CommandException("the robot's server speaks version 1 of the protocol, which has no sound");
   }
 }
 

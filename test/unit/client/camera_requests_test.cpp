@@ -1,8 +1,6 @@
 // Resolution and rate of the stream, and the camera's settings.
 #include <gmock/gmock.h>
 
-#include <string>
-
 #include "client/fault.h"
 #include "version2_fixture.h"
 

@@ -128,7 +128,7 @@ TEST(CommandOutboxTest, AnOrderOfWhichNothingIsLeftIsReplaced) {
   outbox.command({milliseconds(100), {{1, 0.3}}, {at(1000), 0}});
   EXPECT_EQ("", takeDropped(&outbox)) << "joint 2 is left";
   outbox.command({milliseconds(100), {{1, 0.4}, {2, 0.4}}, {at(1000), 2}});
-  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 2 its joints were commanded anew before it was sent;",
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 2 newer commands took all its joints before it was sent;",
             takeDropped(&outbox))
       << "the one without a number is replaced silently";
 }
@@ -175,7 +175,7 @@ TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   newer.command({milliseconds(100), {{1, 0.3}, {43, 0.3}}, {at(1000), 4}});  // the head and the last joint of the legs
   outbox.append(newer);
   EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;J" +
-                std::to_string(kReplaced) + "#1 1 its joints were commanded anew before it was sent;",
+                std::to_string(kReplaced) + "#1 1 newer commands took all its joints before it was sent;",
             takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);
   outbox.steer({{}, {at(1000), 5}});

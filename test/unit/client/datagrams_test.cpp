@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <future>
-#include <optional>
 #include <string>
 #include <thread>
 #include <utility>

@@ -23,13 +23,14 @@
 namespace aibo_client {
 
 /// The longest time between two calls of Callbacks::on_awake, unless the process or the computer is held up.
+/// The value is our choice.
 constexpr std::chrono::milliseconds kLongestSleep{250};
 
 /// The functions that the client calls. Any of them may be empty.
 ///
 /// The client's thread calls them, one at a time. They must not block, and must not call stop() or a function that
-/// waits for the robot (those with a timeout): while one runs, nothing is read from the robot. An exception that one
-/// throws is logged. The rules of `log` are those of LogSink.
+/// waits for the robot (those with a timeout, except begin...()): while one runs, nothing is read from the robot. An
+/// exception that one throws is logged. The rules of `log` are those of LogSink.
 ///
 /// @code
 /// aibo_client::Callbacks callbacks;
@@ -65,8 +66,8 @@ struct Callbacks {
   /// The robot has accepted a velocity to walk with.
   /// @param in_force the velocity, within the robot's limits
   /// @param order the OrderTerms::number of the order that asked for it
-  /// @param walk the OrderTerms::number of the order that began the walk that goes on; 0 if there is no walk. If it is
-  ///   `order`, a walk has begun; otherwise this order has ended
+  /// @param walk tells which walk goes on: the OrderTerms::number of the order that began it; 0 if there is no walk. If
+  ///   it equals `order`, this order has begun the walk. Otherwise this order has ended
   std::function<void(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk)> on_steered;
   /// An order has ended. Each order with an OrderTerms::number ends once: by on_refused if the robot has not begun it,
   /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
@@ -86,8 +87,8 @@ struct Callbacks {
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;
-  /// The client's thread runs: it has waited for the robot, for kLongestSleep at most. From start() to stop(), whether
-  /// or not there is a connection, this is called after each such wait.
+  /// The client's thread is alive. It calls this after each wait, and waits for kLongestSleep at most: from start() to
+  /// stop(), with or without a connection.
   std::function<void()> on_awake;
   LogSink log;
 };

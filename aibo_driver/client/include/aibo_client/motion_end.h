@@ -30,15 +30,17 @@ enum class EndedHow {
   kLost = 7         ///< the connection broke
 };
 
-/// Reports that something has ended on the robot. It is reported once for each order that the robot has accepted,
-/// unless the connection ends first. A server of version 1 reports no ends. There, orders with a number end with
-/// EndedHow::kUnknown once the robot has accepted them, or with kRefused if it has accepted only some of the joints.
+/// Reports that something has ended on the robot. It is reported once for each order that the robot has begun, unless
+/// the connection ends first; Callbacks::on_steered says which velocities are reported. A server of version 1 reports
+/// no ends. There, the client ends an order with a number: with EndedHow::kRefused if the robot has refused a part of
+/// it, otherwise with EndedHow::kUnknown once the robot has accepted what was sent of it.
 struct MotionEnd {
   EndedKind kind = EndedKind::kUnknown;
   EndedHow how = EndedHow::kUnknown;
-  std::string name;         ///< the name of the motion's file, the posture or the joint; may be empty
-  std::string reason;       ///< in words for the user, such as which joint a command took; may be empty
-  std::uint64_t order = 0;  ///< OrderTerms::number; 0 if the order has none, or if it is none of this connection
+  std::string name;    ///< the name of the motion's file, the posture or the joint; may be empty
+  std::string reason;  ///< in words for the user, such as which joint a command took; may be empty
+  /// The order's OrderTerms::number; 0 if it has no number or was not given over this connection.
+  std::uint64_t order = 0;
 };
 
 }  // namespace aibo_client

@@ -42,7 +42,7 @@ enum class RefusalCause {
   kRobot,    ///< the robot has refused the request
   kTooOld,   ///< it was not sent until OrderTerms::not_after or within the call's time, or it reached the robot later
   kStopped,  ///< a stop, a posture, a motion or the motors' switch came before it was sent
-  kReplaced  ///< a later order took all its joints before it was sent
+  kReplaced  ///< before it was sent, a later order took its joints (`ids`), or a later velocity took its place
 };
 
 /// Reports that a request was refused, or was dropped before it was sent. An order that was refused never begins.

@@ -209,11 +209,11 @@ class RcServerClient {
   bool setMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Does the same as setMotors(), but does not wait.
-  /// @return becomes ready with what setMotors() returns or throws, within the timeout
+  /// @return gets the result of setMotors(), or its exception, within the timeout
   /// @throw InvalidArgumentException timeout is out of range
-  /// @throw NetworkException there is no connection
+  /// @throw NetworkException the robot is not connected. If the connection breaks later, the future gets the exception
   /// @throw CommandException the server speaks version 1
-  /// @throw StoppedException stop() was called
+  /// @throw StoppedException stop() was called before
   std::future<bool> beginMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
@@ -227,14 +227,14 @@ class RcServerClient {
   ///   obeyed
   /// @throw TimeoutException the robot is connected, but no answer came in time
   /// @throw CommandException the robot refused, or its server speaks version 1; nothing was sent or dropped then, and
-  ///   the message says what to do instead
+  ///   the message says what it needs
   /// @throw StoppedException stop() was called
   /// @throw Exception the function was called from a callback
   void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
   /// Does the same as hold(), but does not wait.
-  /// @return becomes ready with what hold() throws, within the timeout
-  /// @throw Exception the exceptions of beginMotors(); also InvalidArgumentException an argument is out of range
+  /// @return becomes ready when hold() would return, or gets its exception, within the timeout
+  /// @throw Exception as beginMotors(); InvalidArgumentException also if `joints` is out of range
   std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
   /// Makes the robot walk with a velocity. It returns without waiting for the answer. The answer goes to on_steered, or
@@ -284,8 +284,9 @@ class RcServerClient {
   /// Does the same as takePosture(), but does not wait. If the order has a number, on_refused or on_ended tells how it
   /// has ended, in addition to the future and before it becomes ready. An order that has not been sent within the
   /// timeout is withdrawn (RefusalCause::kTooOld).
-  /// @return becomes ready with what takePosture() throws, within the timeout
-  /// @throw Exception the exceptions of beginMotors(). Then there is no order, and no callback tells of one
+  /// @return becomes ready when takePosture() would return, or gets its exception, within the timeout
+  /// @throw Exception as beginMotors(); CommandException also if the robot does not walk. If this function throws, it
+  ///   has given no order, and no callback names the order
   std::future<void> beginPosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
@@ -298,7 +299,6 @@ class RcServerClient {
   /// @param leds 1..32 LEDs; each LED appears once
   /// @throw InvalidArgumentException an id, an intensity or the number of LEDs is out of range
   /// @throw NetworkException the robot is not connected; the message says why and what to check
-  /// @throw CommandException the server has no LEDs to command
   /// @throw StoppedException stop() was called
   void commandLeds(const std::vector<LedCommand>& leds);
 
@@ -336,9 +336,9 @@ class RcServerClient {
                          const OrderTerms& terms = {});
 
   /// Does the same as playMotion(), but does not wait. How the order ends is told as for beginPosture().
-  /// @return becomes ready with what playMotion() returns or throws, within the timeout
-  /// @throw Exception the exceptions of beginMotors(), but a version 1 server plays motions; also
-  ///   InvalidArgumentException an argument is out of range, or `name` is not the name of a motion
+  /// @return gets the result of playMotion(), or its exception, within the timeout
+  /// @throw Exception as beginMotors(), except that a version 1 server can play motions; InvalidArgumentException also
+  ///   if an argument is out of range, or `name` is not the name of a motion
   std::future<std::string> beginMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
                                        const OrderTerms& terms = {});
 
