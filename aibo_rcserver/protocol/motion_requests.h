@@ -19,8 +19,8 @@ const size_t MAX_MOTION_FILE_SIZE = MAX_PAYLOAD_TOWARDS_ROBOT - 1 - MAX_MOTION_N
 /// Bit of the id of `U` and `P`: do not refuse a motion of joints that the robot lacks.
 const unsigned char LEAVE_OUT_MISSING_JOINTS = 1;
 
-/// The file of a motion may take this long to be read, in frames (5 s): `P` is judged again afterwards, and may then be
-/// this much later.
+/// Frames (5 s) that reading the file of a motion may take. `P` is judged again when the file has been read, with so
+/// much more time. Our choice.
 const unsigned FILE_READING_FRAMES = 625;
 
 /// Payload of `U`: uint8 size of the name, the name, the content of the file. The reply has none.
@@ -72,8 +72,8 @@ const Request STOP_ALL_MOTIONS = {REQUEST_PLAY, "stop all motions", STOPS_MOTION
 
 const size_t MAX_MOTION_CHANGES_SIZE = 512;
 
-/// Payload of the reply to `P`: how playback differs from the file. Plain text (text.h), not
-/// zero-terminated, empty if there is no difference.
+/// Payload of the reply to `P`: how playback differs from the file. Plain text (text.h), not zero-terminated, empty
+/// if there is no difference.
 struct MotionChanges {
   const char* text;  ///< after decoding, points into the payload
   size_t text_size;  ///< bytes, 0..MAX_MOTION_CHANGES_SIZE

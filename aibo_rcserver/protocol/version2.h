@@ -479,17 +479,18 @@ enum {
 
 /// How it has ended. A receiver must accept unknown values.
 enum {
-  END_DONE = 0,  ///< it has reached its end; for a walk: the robot was steered to a stand; for a `J`: its joints were
-                 ///< measured within ARRIVED of their targets
-  END_REPLACED = 1,  ///< a command or another motion took its joints
-  END_STOPPED = 2,   ///< the client stopped it or switched the motors
+  END_DONE = 0,      ///< it has reached its end; for a walk: zeros have ended it; for a `J`: its joints were
+                     ///< measured within ARRIVED of their targets
+  END_REPLACED = 1,  ///< a command, a motion, a walk or a posture took its joints
+  END_STOPPED = 2,   ///< the client stopped it or did not steer for 500 ms, or the motors were switched off
   END_REFUSED = 3,   ///< the robot could not continue, for instance because a joint did not follow
   END_FELL = 4       ///< the robot fell or was lifted
 };
 
-/// Microradian, 0.05 rad: a joint this near its target has arrived. It must do so within this many frames (2 s) after
-/// its planned way. Both are our choice.
+/// A joint of a `J` has arrived if it is this near its target, in microradian: 0.05 rad. Our choice.
 const int ARRIVED = 50000;
+
+/// Frames (2 s) in which it must arrive. They begin 12 frames after its planned way (docs/protocol.md). Our choice.
 const unsigned ARRIVAL_FRAMES = 250;
 
 /// In bytes. Longer ones are cut after a whole character.

@@ -4,8 +4,8 @@
 #define AIBO_RCSERVER_RCSERVER_HOLD_UP_WATCH_H
 
 /// An event arrives at least every 40 ms: a joint report or a camera image. If no event has arrived for LONGEST_PAUSE,
-/// this object was held up, and the client's messages are waiting in the IPStack. They then arrive within CATCHING_UP.
-/// Both values are our choice. Orders of version 2 say themselves when they are too old.
+/// the server's process was held up, and the client's messages are waiting in the IPStack. They then arrive within
+/// CATCHING_UP. Both values are our choice. Orders of version 2 say themselves when they are too old.
 ///
 /// Times are in milliseconds, and may overflow.
 class HoldUpWatch {

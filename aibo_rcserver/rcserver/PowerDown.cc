@@ -80,7 +80,9 @@ void PowerDown::LieDown(longword now) {
 // The order stays in force until the robot is off, unless the robot refuses it.
 void PowerDown::SwitchOff() {
   const bool reboots = order_ == POWER_REBOOT;
-  order_ = reboots ? POWER_REBOOT : POWER_SHUT_DOWN;
+  if (!reboots) {
+    order_ = POWER_SHUT_DOWN;  // it has lain down
+  }
   if (!body_->SwitchOff(reboots)) {
     order_ = POWER_STAYS_ON;
     is_noted_ = false;

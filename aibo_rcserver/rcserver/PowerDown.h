@@ -8,9 +8,9 @@
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/files/FileJobs.h"
 
-/// Carries out an order about the robot's power, of a client, of the pause button, or because the battery is low. The
-/// client is told and has gone before the robot lies down or goes off. Only the motors go off at once, unless the robot
-/// has to lie down.
+/// Carries out an order to switch the robot off or to reboot it. A client, the pause button or a low battery gives the
+/// order. The motors go off at once, unless the robot has to lie down. The robot lies down or goes off when the client
+/// has been told and has gone.
 ///
 /// Times are OPEN-R frames.
 class PowerDown {
@@ -27,7 +27,7 @@ class PowerDown {
   explicit PowerDown(const FileDesk& files)
       : files_(files), body_(NULL), order_(POWER_STAYS_ON), is_noted_(false), noted_since_(0), lies_down_since_(0) {}
 
-  /// Call before anything else.
+  /// Call once, before all other functions but Order().
   /// @param body must outlive this
   void Begin(Body* body) { body_ = body; }
 
@@ -50,7 +50,8 @@ class PowerDown {
   /// Call when there is no client any more: the robot lies down or goes off, if this has been ordered.
   void CarryOut(longword now);
 
-  /// Call again and again while there is no client.
+  /// Call in each frame without a client. The robot goes off when it has lain down and the memory stick's job is done,
+  /// or when these take too long.
   void Continue(longword now);
 
  private:

@@ -14,7 +14,7 @@
 #include "rcserver/files/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
 
-/// An order about the robot's power. RCServer carries it out after the client has been told and has gone.
+/// An order about the robot's power. PowerDown carries it out after the client has been told and has gone.
 enum PowerOrder {
   POWER_STAYS_ON,
   POWER_SHUT_DOWN,

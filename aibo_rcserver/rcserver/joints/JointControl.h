@@ -144,11 +144,11 @@ class JointControl {
   /// Call when the motors are being switched off. All orders end.
   void MotorsGoOff();
 
-  /// Call when a motion is requested, whose file has to be read first.
+  /// Call when a motion is requested and its file has yet to be read.
   void ForgetOrders();
 
-  /// For each joint, true if clients' orders have taken or held it since ForgetOrders(). The motion that was requested
-  /// then must not move it.
+  /// For each joint, true if an order has taken it, or a hold has named it, since ForgetOrders(). The motion that was
+  /// requested then must not move such a joint.
   const bool* Ordered() const { return ordered_; }
 
   /// Advances by one frame. Afterwards, the planner's positions are those at the frame's end.

@@ -17,6 +17,7 @@
 /// It always ends as a whole, because half a motion can make the robot fall.
 class MotionPlayer {
  public:
+  /// Most motions at once.
   static const int MAX_PLAYING = OrderBook::MAX_MOTIONS;
 
   /// Room for a problem that Play() returns.

@@ -53,7 +53,8 @@ class OrderBook {
     unsigned char how;      ///< END_DONE and so on
     unsigned short number;  ///< of the request; 0 if it is not the present client's
     protocol::FileName name;
-    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; empty for END_DONE
+    char
+        reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE empty, or that it was held up
   };
 
   OrderBook();
@@ -96,7 +97,7 @@ class OrderBook {
   // An order that is being carried out.
   struct Live {
     bool is_used;
-    bool is_spoilt;  ///< end is complete
+    bool is_spoilt;  ///< end.how and end.reason are set
     Ended end;
   };
 

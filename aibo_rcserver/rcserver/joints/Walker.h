@@ -67,7 +67,8 @@ class Walker {
 
   /// Starts a walk, or changes its velocity. A zero velocity lets go: it ends the walk, and is ignored without a walk.
   /// Any other velocity is allowed only if there is no ProblemOfWalk(), and resets the speed limits of the legs to the
-  /// robot's own. It begins an order unless a walk goes on; the legs of a walk that was to end walk on.
+  /// robot's own. It begins an order, unless a walk goes on that is not ending. The legs
+  /// of a walk that is ending walk on without a stop.
   /// @param guarded true if the walk slows down and ends where WalkGuard objects
   /// @param number of the request of version 2, otherwise 0
   /// @return the velocity after Gait::Limited()
@@ -243,7 +244,7 @@ class Walker {
   bool has_softened_;
   Rest rest_;
   char problem_[OrderBook::MAX_TEXT_SIZE];
-  int order_;  ///< NO_ORDER if nothing is done, or if its client has gone
+  int order_;  ///< NO_ORDER if nothing is done, or if the client has gone before its posture could begin
   bool is_walk_;
   protocol::version2::Posture posture_;  ///< if this is not a walk
   Way way_;
