@@ -1,7 +1,6 @@
 #include "movement/mover.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <type_traits>
 #include <utility>
@@ -32,7 +31,7 @@ using std::chrono::milliseconds;
 // Orders that are repeated after shorter breaks are one order to their user.
 constexpr milliseconds kRepeatedWithin{500};
 
-// Also the robot says it, of its own client: this driver.
+// The robot says this, too, but it means its client: this driver.
 constexpr const char* kLetGoFirst = "; let go first";
 
 constexpr const char* kNeverWalked = "it was let go before the robot walked";
@@ -43,7 +42,7 @@ OrderTerms termsOf(const Order& order, std::uint64_t number) {
   return {order.received + Mover::kLongestWait, number};
 }
 
-// Also of an exception that the question itself throws.
+// If ask() throws, the future throws the same.
 template <typename Ask>
 auto futureOf(const Ask& ask) {
   try {
@@ -321,7 +320,7 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
   });
 }
 
-// Also a walk that brakes already is told again.
+// Zeros are sent even if the walk is braking already.
 void Mover::stopWalk(const std::string& node) {
   if (findIf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.orders.empty(); }) != nullptr) {
     sendZeros();
@@ -766,7 +765,7 @@ Mover::State Mover::state() const {
   return state;
 }
 
-// With all nodes that it is from, and with the joints that it still moves.
+// Returns the movement with all nodes that steer it, and with the joints that it still moves.
 Movement Mover::whole(const Record& record) const {
   Movement movement = record.movement;
   movement.source += record.rival.empty() ? "" : ", " + record.rival;

@@ -41,8 +41,9 @@ namespace aibo_driver::movement {
 /// what an end is about. Only trajectories have more to send then, and only their own tolerances are judged here.
 ///
 /// An order is refused if the robot is stopped, if the order has waited for too long, or if something newer overrules
-/// it. It is judged and handed to the client under one lock, so nothing is sent after a stop that the stop does not
-/// know. Orders that come without a connection are lost, and no movement goes on over another connection.
+/// it. It is judged and handed to the client under one lock. So a stop knows of every order that was sent before it,
+/// and no order is sent after it. Orders that come without a connection are lost, and no movement goes on over another
+/// connection.
 ///
 /// Any thread may call every member function. The functions that wait for the robot have a timeout. Meanwhile other
 /// threads may call the other functions. The client's callbacks must not call play(), takePosture(), stop(), hold(),
@@ -137,7 +138,7 @@ class Mover {
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
   /// velocity of 0 ends the walk, whoever sends it. It is sent only if there is a walk to end, so a robot that sits
-  /// goes on sitting. Before the first velocity of a node that may steer, the robot is told that somebody has let go.
+  /// goes on sitting. Before each new walk, the robot is told that its user has let go, because it may wait for that.
   /// If two nodes contradict each other, both are named as the walk's source, and in a warning.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 

@@ -68,7 +68,8 @@ void warnOfMissingModel(const std::string& design) {
 
 // actionlib publishes the state of each action, latched, at every change. Unless this parameter says otherwise, it also
 // repeats the state five times a second. Even once a second, the repetitions took half of an idle driver's wake-ups.
-// Some are needed: roscpp keeps a latched message only after sending it, so who subscribes in between does not get it.
+// Some are needed: roscpp sends a message before it keeps it as the latched one, so a node that subscribes in between
+// does not get it.
 void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   constexpr const char* kParameter = "actionlib_status_frequency";
   constexpr double kEveryFiveSeconds = 0.2;

@@ -56,8 +56,8 @@ namespace aibo_driver::node {
 
 /// The whole driver. The node and the nodelet wrap it. docs/ros_interface.md describes it from outside.
 ///
-/// What stops the robot, what orders it to move, and what waits has threads of its own each, so none of them delays
-/// another. The queue of the handle serves everything else, which does not wait.
+/// Three kinds of work have threads of their own, so that none delays another: what stops the robot, what orders it to
+/// move, and what waits. The queue of the handle serves everything else, which does not wait.
 class AiboDriver {
  public:
   /// Begins to connect and to publish. If the robot is not there, the driver goes on trying.

@@ -99,7 +99,8 @@ class CallbackThreads {
 };
 
 /// A callback queue whose callbacks run one after the other, in order, in a queue of others. So they occupy at most one
-/// thread of that queue, however many wait.
+/// thread of that queue, however many wait. They must be ready at once and not return TryAgain, because they are
+/// counted as run.
 class SequenceQueue : public StampedQueue {
  public:
   /// @param runner, clock must outlive this; the runner must not call callbacks any more when this is destroyed
@@ -111,7 +112,7 @@ class SequenceQueue : public StampedQueue {
   void runLater();
 
   StampedQueue& runner_;
-  std::atomic<int> left_{0};  ///< how many callbacks have been added and have not run yet
+  std::atomic<int> left_{0};  ///< how often runOne() still has to run; removed callbacks count, too
 };
 
 /// A handle whose callbacks run one after the other on the threads of others.

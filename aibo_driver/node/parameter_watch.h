@@ -21,7 +21,7 @@ class ParameterWatch {
   /// @param name_prefix the namespace of the parameters, with a slash at its end
   ParameterWatch(const XmlRpc::XmlRpcValue& at_start, const std::string& name_prefix);
 
-  /// Call this every few seconds.
+  /// Call this every few seconds. A change is told at the second call that sees it.
   /// @param present the parameters now
   /// @param in_force the settings of dynamic_reconfigure. Their parameters follow a change of the settings a moment
   ///   later, so a difference counts when it is seen a second time.
