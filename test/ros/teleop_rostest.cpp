@@ -15,7 +15,6 @@
 
 namespace {
 
-using aibo_driver::RobotState;
 using geometry_msgs::Twist;
 using test_support::FakeDriver;
 using test_support::kSafetyNet;

@@ -169,12 +169,10 @@ void PictureServer::answerVersion2(const Request& request, Peer* peer) {
       peer->telemetry = request.payload != Bytes{0, 0};
       break;
     case version2::REQUEST_JOINTS:
-    case version2::REQUEST_STEER:
     case version2::REQUEST_MOTORS:  // replies to orders are without their expiry
       reply.erase(reply.begin(),
                   reply.begin() + std::min<std::ptrdiff_t>(4, static_cast<std::ptrdiff_t>(reply.size())));
       break;
-    case version2::REQUEST_POSTURE:
     case version2::REQUEST_PLAY:
       reply.clear();
       break;

@@ -3,8 +3,6 @@
 #include <geometry_msgs/Vector3.h>
 #include <gmock/gmock.h>
 
-#include <cmath>
-
 #include "node/body/body_pose.h"
 
 namespace aibo_driver::node {
