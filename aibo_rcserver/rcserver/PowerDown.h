@@ -3,10 +3,10 @@
 #ifndef AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 #define AIBO_RCSERVER_RCSERVER_POWER_DOWN_H
 
-#include "rcserver/Robot.h"
 #include "rcserver/body/Body.h"
 #include "rcserver/body/PowerSupply.h"
-#include "rcserver/files/FileJobs.h"
+#include "rcserver/requests/FileJobs.h"
+#include "rcserver/requests/Robot.h"
 
 /// Carries out an order to switch the robot off or to reboot it. A client, the pause button or a low battery gives the
 /// order. The motors go off at once, unless the robot has to lie down. The robot lies down or goes off when the client

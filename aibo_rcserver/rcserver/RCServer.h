@@ -20,7 +20,7 @@
 #include "rcserver/body/PowerSupply.h"
 #include "rcserver/camera/PictureDatagrams.h"
 #include "rcserver/camera/PictureTaker.h"
-#include "rcserver/files/FileJobs.h"
+#include "rcserver/requests/FileJobs.h"
 #include "rcserver/settings/Settings.h"
 
 /// Serves the protocol (docs/protocol.md), versions 1 and 2, on TCP port 54321.

@@ -10,13 +10,13 @@
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
 #include "rcserver/Outbox.h"
-#include "rcserver/Robot.h"
-#include "rcserver/Version1.h"
-#include "rcserver/Version2.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/files/FileOrder.h"
-#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/requests/FileOrder.h"
+#include "rcserver/requests/MotionCommands.h"
+#include "rcserver/requests/Robot.h"
+#include "rcserver/requests/Version1.h"
+#include "rcserver/requests/Version2.h"
 #include "rcserver/settings/Settings.h"
 
 /// Splits received bytes into requests, carries them out in the client's protocol version, and keeps the answers until

@@ -7,14 +7,14 @@
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSubject.h>
 
-#include "rcserver/body/CameraControl.h"
-#include "rcserver/body/ColorTables.h"
 #include "rcserver/body/JointDriver.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/body/Primitives.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/body/Speaker.h"
+#include "rcserver/camera/CameraControl.h"
+#include "rcserver/camera/ColorTables.h"
 
 /// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///

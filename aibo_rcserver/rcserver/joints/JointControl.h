@@ -7,7 +7,7 @@
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
 #include "rcserver/joints/OrderBook.h"
-#include "rcserver/joints/Walker.h"
+#include "rcserver/walk/Walker.h"
 #include "robot_model/robot_model.h"
 
 /// Switches the motors of all joints at once.

@@ -1,4 +1,4 @@
-#include "rcserver/joints/Walker.h"
+#include "rcserver/walk/Walker.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "protocol/motion_requests.h"
 #include "protocol/stick_pictures.h"
-#include "rcserver/Version2.h"
+#include "rcserver/requests/Version2.h"
 
 using namespace protocol::version2;
 

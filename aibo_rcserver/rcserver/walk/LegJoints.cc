@@ -1,4 +1,4 @@
-#include "rcserver/joints/LegJoints.h"
+#include "rcserver/walk/LegJoints.h"
 
 #include <math.h>
 #include <stdlib.h>

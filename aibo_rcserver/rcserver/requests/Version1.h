@@ -1,14 +1,14 @@
 /// @file Version1.h
 /// What the server does for a client of version 1 of the protocol.
-#ifndef AIBO_RCSERVER_RCSERVER_VERSION1_H
-#define AIBO_RCSERVER_RCSERVER_VERSION1_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H
 
 #include "protocol/request_reader.h"
 #include "rcserver/Outbox.h"
-#include "rcserver/Robot.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/files/FileOrder.h"
-#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/requests/FileOrder.h"
+#include "rcserver/requests/MotionCommands.h"
+#include "rcserver/requests/Robot.h"
 #include "rcserver/settings/Settings.h"
 
 /// Carries out the requests of version 1 and answers them (docs/protocol.md).
@@ -101,4 +101,4 @@ class Version1 {
   size_t uploaded_;  ///< bytes in the buffer
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_VERSION1_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION1_H

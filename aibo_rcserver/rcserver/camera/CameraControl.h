@@ -1,7 +1,7 @@
 /// @file CameraControl.h
 /// The camera's settings.
-#ifndef AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H
-#define AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_CONTROL_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_CONTROL_H
 
 #include "protocol/camera_settings.h"
 #include "rcserver/body/Primitives.h"
@@ -41,4 +41,4 @@ class CameraControl {
   protocol::version2::CameraSettings settings_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_BODY_CAMERA_CONTROL_H
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_CAMERA_CONTROL_H

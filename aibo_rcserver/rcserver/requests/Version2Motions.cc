@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "protocol/motion_requests.h"
-#include "rcserver/Version2.h"
+#include "rcserver/requests/Version2.h"
 
 using namespace protocol::version2;
 

@@ -1,4 +1,4 @@
-#include "rcserver/Version1.h"
+#include "rcserver/requests/Version1.h"
 
 #include <ctype.h>
 #include <string.h>

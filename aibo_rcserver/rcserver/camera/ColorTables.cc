@@ -1,4 +1,4 @@
-#include "rcserver/body/ColorTables.h"
+#include "rcserver/camera/ColorTables.h"
 
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OSyslog.h>

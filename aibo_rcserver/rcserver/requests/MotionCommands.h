@@ -1,13 +1,13 @@
 /// @file MotionCommands.h
 /// The requests about motions, for both versions of the protocol.
-#ifndef AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
-#define AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H
 
 #include "mtn/fitted_motion.h"
 #include "mtn/motion.h"
 #include "protocol/text.h"
-#include "rcserver/files/FileOrder.h"
 #include "rcserver/joints/JointControl.h"
+#include "rcserver/requests/FileOrder.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
 /// FileOrder::Problem() tells the reason.
@@ -82,4 +82,4 @@ class MotionCommands {
   /// @}
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_MOTIONS_MOTION_COMMANDS_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_MOTION_COMMANDS_H

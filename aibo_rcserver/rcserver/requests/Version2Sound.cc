@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-#include "rcserver/Version2.h"
+#include "rcserver/requests/Version2.h"
 
 using namespace protocol::version2;
 

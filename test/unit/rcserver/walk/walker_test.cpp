@@ -1,5 +1,5 @@
 // Walks, postures and falls: docs/protocol.md, "Walking and postures".
-#include "rcserver/joints/Walker.h"
+#include "rcserver/walk/Walker.h"
 
 #include <gmock/gmock.h>
 

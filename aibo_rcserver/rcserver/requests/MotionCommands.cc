@@ -1,4 +1,4 @@
-#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/requests/MotionCommands.h"
 
 #include <OPENR/OSyslog.h>
 #include <string.h>

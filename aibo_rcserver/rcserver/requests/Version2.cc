@@ -1,4 +1,4 @@
-#include "rcserver/Version2.h"
+#include "rcserver/requests/Version2.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "rcserver/body/CameraControl.h"
+#include "rcserver/camera/CameraControl.h"
 
 #include <OPENR/OPENRAPI.h>
 #include <OPENR/OPrimitiveControl.h>

@@ -1,7 +1,7 @@
 /// @file FileJobs.h
 /// RCServer's side of the object FileKeeper.
-#ifndef AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H
-#define AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_JOBS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_JOBS_H
 
 #include <OPENR/OSubject.h>
 #include <stddef.h>
@@ -79,4 +79,4 @@ class FileDesk : public FileJobs {
   bool has_job_;  ///< a job is in memory but has not been sent
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_JOBS_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_JOBS_H

@@ -1,7 +1,7 @@
 /// @file HeadLevel.h
 /// Levels the head while the robot lies down or gets up.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_HEAD_LEVEL_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_HEAD_LEVEL_H
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_HEAD_LEVEL_H
+#define AIBO_RCSERVER_RCSERVER_WALK_HEAD_LEVEL_H
 
 #include <algorithm>
 
@@ -59,4 +59,4 @@ class HeadLevel {
   bool levels_[COUNT];
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_HEAD_LEVEL_H
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_HEAD_LEVEL_H

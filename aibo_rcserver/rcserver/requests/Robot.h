@@ -1,18 +1,18 @@
 /// @file Robot.h
 /// The parts of the robot that a client's requests act on.
-#ifndef AIBO_RCSERVER_RCSERVER_ROBOT_H
-#define AIBO_RCSERVER_RCSERVER_ROBOT_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 
 #include "rcserver/HoldUpWatch.h"
-#include "rcserver/body/CameraControl.h"
-#include "rcserver/body/ColorTables.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/body/SensorDriver.h"
 #include "rcserver/body/Speaker.h"
+#include "rcserver/camera/CameraControl.h"
+#include "rcserver/camera/ColorTables.h"
 #include "rcserver/camera/PictureDatagrams.h"
-#include "rcserver/files/FileJobs.h"
 #include "rcserver/joints/JointControl.h"
+#include "rcserver/requests/FileJobs.h"
 
 /// An order about the robot's power. PowerDown carries it out after the client has been told and has gone.
 enum PowerOrder {
@@ -39,4 +39,4 @@ struct Robot {
   const HoldUpWatch& held_up;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_ROBOT_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H

@@ -1,7 +1,7 @@
 // The request and the push of version 2 about the camera's colour detection.
 #include <stdio.h>
 
-#include "rcserver/Version2.h"
+#include "rcserver/requests/Version2.h"
 
 using namespace protocol::version2;
 

@@ -1,13 +1,13 @@
 /// @file FileOrder.h
 /// The request that waits for the memory stick.
-#ifndef AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
-#define AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H
 
 #include <stddef.h>
 
 #include "file_keeper/FileJob.h"
 #include "protocol/text.h"
-#include "rcserver/files/FileJobs.h"
+#include "rcserver/requests/FileJobs.h"
 
 /// There is one such request at a time, about a motion or a picture. It is PENDING from Prepare() or Post() until
 /// Finish() or a problem ends it.
@@ -78,4 +78,4 @@ class FileOrder {
   char problem_[MAX_PROBLEM_SIZE];
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_FILES_FILE_ORDER_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_FILE_ORDER_H

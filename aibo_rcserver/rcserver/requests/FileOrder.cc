@@ -1,4 +1,4 @@
-#include "rcserver/files/FileOrder.h"
+#include "rcserver/requests/FileOrder.h"
 
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /// @file LegJoints.h
 /// The joints of an ERS-7's legs.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_LEG_JOINTS_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_LEG_JOINTS_H
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_LEG_JOINTS_H
+#define AIBO_RCSERVER_RCSERVER_WALK_LEG_JOINTS_H
 
 #include <stddef.h>
 
@@ -55,4 +55,4 @@ class LegJoints {
   bool are_there_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_LEG_JOINTS_H
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_LEG_JOINTS_H

@@ -1,13 +1,13 @@
 /// @file ColorTables.h
 /// The tables of the camera's colour detection.
-#ifndef AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H
-#define AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H
+#ifndef AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H
+#define AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OPENR.h>
 
 #include "protocol/color_requests.h"
-#include "rcserver/body/CameraControl.h"
+#include "rcserver/camera/CameraControl.h"
 
 /// Loads tables into the camera, and knows which channels have one. The camera's primitive is opened for the first
 /// table.
@@ -45,4 +45,4 @@ class ColorTables {
   OCdtVectorData* vector_;  ///< created for the first table; NULL before
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_BODY_COLOR_TABLES_H
+#endif  // AIBO_RCSERVER_RCSERVER_CAMERA_COLOR_TABLES_H

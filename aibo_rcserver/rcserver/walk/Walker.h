@@ -1,16 +1,16 @@
 /// @file Walker.h
 /// Moves the legs when the robot walks or takes a posture.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
+#ifndef AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
+#define AIBO_RCSERVER_RCSERVER_WALK_WALKER_H
 
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
-#include "rcserver/joints/HeadLevel.h"
-#include "rcserver/joints/LegJoints.h"
 #include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/OrderBook.h"
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
+#include "rcserver/walk/HeadLevel.h"
+#include "rcserver/walk/LegJoints.h"
 #include "rcserver/walk/Postures.h"
 #include "rcserver/walk/WalkGuard.h"
 #include "rcserver/walk/WalkedVelocity.h"
@@ -251,4 +251,4 @@ class Walker {
   Steering walk_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_WALKER_H
+#endif  // AIBO_RCSERVER_RCSERVER_WALK_WALKER_H

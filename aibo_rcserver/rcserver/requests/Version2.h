@@ -1,17 +1,17 @@
 /// @file Version2.h
 /// What the server does for a client of version 2 of the protocol.
-#ifndef AIBO_RCSERVER_RCSERVER_VERSION2_H
-#define AIBO_RCSERVER_RCSERVER_VERSION2_H
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION2_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION2_H
 
 #include "protocol/hello.h"
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
 #include "rcserver/Outbox.h"
-#include "rcserver/Robot.h"
 #include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
-#include "rcserver/files/FileOrder.h"
-#include "rcserver/motions/MotionCommands.h"
+#include "rcserver/requests/FileOrder.h"
+#include "rcserver/requests/MotionCommands.h"
+#include "rcserver/requests/Robot.h"
 #include "rcserver/settings/Settings.h"
 
 /// Carries out the requests of version 2, answers them, and pushes telemetry, colours and faults (docs/protocol.md).
@@ -191,4 +191,4 @@ class Version2 {
   Client client_;
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_VERSION2_H
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_VERSION2_H
