@@ -17,6 +17,7 @@ const char SOUND_PUSH = 'a';     ///< what was heard, or how a sound ended, if r
 
 const Request LISTEN = {REQUEST_SOUND, "listen", 0, "ALLOW_MICROPHONE"};
 const Request PLAY_SOUND = {REQUEST_SOUND, "play sound", 0, "ALLOW_SOUND"};
+const Request TELL_VOLUME = {REQUEST_SOUND, "tell its volume", 0, NULL};
 const Request SET_VOLUME = {REQUEST_SOUND, "set its volume", 0, "ALLOW_SOUND"};
 
 /// The id of `A` and of `a`.

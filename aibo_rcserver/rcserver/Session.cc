@@ -57,7 +57,7 @@ void Session::FileDone(const FileResult& result, unsigned now) {
   if (talk_.version == 1) {
     version1_.FileDone(result);
   } else {
-    version2_.FileDone(result, now);
+    version2_.Stick().FileDone(result, now);
   }
   outbox_.Reserve(false);
 }
@@ -74,10 +74,6 @@ void Session::Measured(unsigned frame) {
   if (talk_.version == protocol::version2::VERSION) {
     version2_.Measured(frame);
   }
-}
-
-void Session::ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
-  version2_.ColorsDetected(plane, image_count, frame);
 }
 
 size_t Session::EncodePictureHeader(const PictureOrder& order, const protocol::version2::ImageHeader& image,

@@ -70,17 +70,17 @@ class Session {
 
   /// Call when the picture of an order for the memory stick has been made.
   void PictureTaken(const unsigned char* jpeg, size_t size) {
-    version2_.PictureTaken(jpeg, size);
+    version2_.Stick().PictureTaken(jpeg, size);
     outbox_.Reserve(files_.IsPending());
   }
 
   /// True if the file of the last FileDone() must be sent to the client.
-  bool OwesFile() const { return version2_.OwesFile(); }
+  bool OwesFile() const { return version2_.Stick().OwesFile(); }
 
   /// Writes the bytes that precede the file's content.
   /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
   /// @return the number of bytes
-  size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.EncodeFileHeader(size, out); }
+  size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.Stick().EncodeFileHeader(size, out); }
 
   /// Ends the session because the robot goes off. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
@@ -97,15 +97,17 @@ class Session {
   /// True if the client wants the colours that were detected in this image.
   /// @param image_count the camera's count of its images, with gaps if images were lost
   bool WantsColors(unsigned image_count) const {
-    return talk_.version == protocol::version2::VERSION && version2_.WantsColors(image_count);
+    return talk_.version == protocol::version2::VERSION && version2_.Colors().Wants(image_count);
   }
 
   /// Call when the camera has detected colours in an image, but only if WantsColors().
   /// @param frame in which the image was taken
-  void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame);
+  void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
+    version2_.Colors().Detected(plane, image_count, frame);
+  }
 
   /// The microphone has heard something.
-  void Heard(OSoundVectorData* vector) { version2_.Heard(vector); }
+  void Heard(OSoundVectorData* vector) { version2_.Sound().Heard(vector); }
 
   /// True if sound waits to be sent.
   bool SoundWaits() const { return outbox_.HasSound(); }

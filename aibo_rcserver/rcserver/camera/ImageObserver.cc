@@ -1,6 +1,7 @@
 #include "rcserver/camera/ImageObserver.h"
 
 const size_t ImageObserver::MAX_OWED;
+const char ImageObserver::TOO_MANY_OWED[] = "too many pictures are owed already; wait until some have come";
 
 ImageObserver::ImageObserver()
     : state_(IOS_IDLE),

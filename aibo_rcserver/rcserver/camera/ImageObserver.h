@@ -32,6 +32,9 @@ class ImageObserver {
   /// limit.
   static const size_t MAX_OWED = 256;
 
+  /// What to tell a client whose picture RequestPicture() refuses.
+  static const char TOO_MANY_OWED[];
+
   ImageObserver();
 
   ImageObserverState State() const { return state_; }

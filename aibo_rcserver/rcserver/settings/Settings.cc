@@ -226,6 +226,15 @@ void ReportWhoMayConnect(const AllowedAddresses& addresses) {
 
 }  // namespace
 
+bool Settings::Allows(const char* setting) const {
+  for (int i = 0; setting != NULL && i < NUMBER_OF_SETTINGS; ++i) {
+    if (strcmp(SETTINGS[i].name, setting) == 0) {
+      return this->*SETTINGS[i].value;
+    }
+  }
+  return setting == NULL;
+}
+
 void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
   Reader reader(settings);
   bool is_safe = true;

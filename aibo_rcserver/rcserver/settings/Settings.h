@@ -30,6 +30,10 @@ struct Settings {
         power_monitor(true),
         silent_client_seconds(10) {}
 
+  /// True if this setting is yes.
+  /// @param setting the name in the file of one that is yes or no; NULL: always true
+  bool Allows(const char* setting) const;
+
   bool allow_upload;                   ///< ALLOW_UPLOAD: files onto the memory stick
   bool allow_delete;                   ///< ALLOW_DELETE: files from the memory stick
   bool allow_pictures;                 ///< ALLOW_PICTURES: clients take pictures onto the memory stick and fetch them

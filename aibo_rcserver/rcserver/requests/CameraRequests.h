@@ -1,0 +1,33 @@
+/// @file CameraRequests.h
+/// The requests of version 2 for pictures, and about the camera's settings.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_CAMERA_REQUESTS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_CAMERA_REQUESTS_H
+
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/requests/Exchange.h"
+#include "rcserver/requests/Robot.h"
+
+/// A request for a picture is answered by the picture.
+class CameraRequests {
+ public:
+  /// All must outlive this.
+  CameraRequests(const Robot& robot, ImageObserver& camera, Exchange& exchange)
+      : robot_(robot), camera_(camera), exchange_(exchange) {}
+
+  void TakePicture();    ///< `F`
+  void Stream();         ///< `W`
+  void SetCamera();      ///< `G`
+  void SendDatagrams();  ///< `B`
+
+  /// The JPEG quality that the id of a request asks for.
+  static unsigned char JpegQuality(unsigned char id);
+
+ private:
+  bool MakesLayer(protocol::version2::Layer layer);
+
+  const Robot& robot_;
+  ImageObserver& camera_;
+  Exchange& exchange_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_CAMERA_REQUESTS_H

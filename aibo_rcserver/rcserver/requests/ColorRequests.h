@@ -1,0 +1,50 @@
+/// @file ColorRequests.h
+/// The request of version 2 about the camera's colour detection, and its push.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H
+
+#include "protocol/color_requests.h"
+#include "rcserver/camera/ColorCounter.h"
+#include "rcserver/camera/ColorTables.h"
+#include "rcserver/requests/Exchange.h"
+
+/// Loads the tables of colours, and pushes what the camera has detected with them.
+class ColorRequests {
+ public:
+  /// Both must outlive this.
+  ColorRequests(ColorTables& tables, Exchange& exchange);
+
+  /// A new client: no colours are pushed.
+  void Begin() { wish_ = Wish(); }
+
+  /// `Z`
+  void CarryOut();
+
+  /// True if the client has switched on colour detection and this image is due.
+  bool Wants(unsigned image_count) const {
+    return wish_.is_on && (!wish_.has_pushed || image_count - wish_.last >= wish_.settings.every_nth_image);
+  }
+
+  /// Pushes the colours detected in an image. They replace colours that still wait. Call it only if Wants(). If the
+  /// camera has no such plane, an error is pushed once instead.
+  /// @param frame in which the image was taken
+  void Detected(const ColorPlane& plane, unsigned image_count, unsigned frame);
+
+ private:
+  // Everything is 0 for a new client.
+  struct Wish {
+    bool is_on;
+    protocol::version2::ColorSettings settings;
+    bool has_pushed;  ///< with these settings
+    unsigned last;    ///< image count of the last image whose colours were pushed
+  };
+
+  void Switch(bool on, const protocol::version2::ColorSettings& settings);
+  void LoadTable();
+
+  ColorTables& tables_;
+  Exchange& exchange_;
+  Wish wish_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_COLOR_REQUESTS_H

@@ -1,0 +1,115 @@
+/// @file Exchange.h
+/// A request of version 2, its answer, and what is pushed.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_EXCHANGE_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_EXCHANGE_H
+
+#include "protocol/version2.h"
+#include "rcserver/Outbox.h"
+#include "rcserver/joints/OrderBook.h"
+#include "rcserver/settings/Settings.h"
+
+/// Decodes the request that is being handled, and writes the answer and pushed messages into the outbox.
+class Exchange {
+ public:
+  /// All must outlive this.
+  Exchange(const Settings& settings, OrderBook& orders, Outbox& outbox);
+
+  /// Begins to handle a request, or to answer one that has waited.
+  /// @param payload as many bytes as the header says; NULL for a request that has waited
+  /// @param now the present OPEN-R frame
+  void Begin(const protocol::version2::FrameHeader& request, const unsigned char* payload, unsigned now);
+
+  /// The request that is being handled, or the last one.
+  const protocol::version2::FrameHeader& Request() const { return request_; }
+  unsigned char Id() const { return request_.id; }
+  bool HasPayload() const { return request_.payload_size > 0; }
+
+  /// The OPEN-R frame of the last Begin().
+  unsigned Now() const { return now_; }
+
+  /// The answer has this id instead of the request's.
+  void AnswerWithId(unsigned char id) { request_.id = id; }
+
+  /// @name Checks. They refuse the request if they return false
+  /// @{
+  template <typename Content>
+  bool Decode(Content* content) {
+    return IsWellFormed(protocol::version2::decode(payload_, request_.payload_size, content));
+  }
+  bool HasNoPayload();
+  bool IsWellFormed(const char* problem);
+
+  /// @param setting a line of RCSERVER.CFG, or NULL, as in protocol::version2::Request
+  bool IsAllowed(const char* setting);
+
+  /// False for an order that has expired.
+  bool IsInTime(unsigned not_after);
+  /// @}
+
+  /// @name The answer. Each request gets one, after the ends that it has caused
+  /// @{
+  template <typename Content>
+  void Reply(const Content& content) {
+    FinishReply(encode(content, Payload()));
+  }
+  void ReplyWithoutPayload() { FinishReply(0); }
+
+  /// Answers with the payload in Payload().
+  void FinishReply(size_t payload_size);
+
+  void Refuse(unsigned short code, const char* text);
+
+  /// Refuses a request about a part that the robot does not have.
+  void RefuseMissing(const char* part, int identifier);
+
+  /// Refuses a request that has waited, while another one is being handled.
+  void RefuseOther(const protocol::version2::FrameHeader& other, const char* text);
+  /// @}
+
+  /// @name Pushed messages. Push them only if there is room, apart from those that replace older ones
+  /// @{
+  bool HasRoom() const { return outbox_.HasRoom(); }
+
+  template <typename Content>
+  void Push(char kind, const Content& content) {
+    Send(kind, 0, content);
+  }
+  void PushError(unsigned short code, const char* text) { SendError(0, code, text); }
+  void PushEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
+
+  /// Pushes the ends of orders.
+  void PushEnds();
+
+  /// Where the payload of a large message is written: room for the largest one in the outbox.
+  unsigned char* Payload() { return message_ + protocol::version2::FRAME_HEADER_SIZE; }
+
+  /// Completes the message whose payload has been written to Payload().
+  /// @return the size of Message()
+  size_t Complete(char kind, unsigned char id, unsigned short request_number, size_t payload_size);
+  const unsigned char* Message() const { return message_; }
+
+  Outbox& Out() { return outbox_; }
+  /// @}
+
+ private:
+  Exchange(const Exchange&);
+  Exchange& operator=(const Exchange&);
+
+  template <typename Content>
+  void Send(char kind, unsigned short request_number, const Content& content) {
+    unsigned char payload[protocol::version2::MAX_END_MESSAGE_SIZE];
+    Send(kind, request_number, payload, encode(content, payload));
+  }
+  void Send(char kind, unsigned short request_number, const unsigned char* payload, size_t size);
+  void SendError(unsigned short request_number, unsigned short code, const char* text);
+
+  const Settings& settings_;
+  OrderBook& orders_;
+  Outbox& outbox_;
+  protocol::version2::FrameHeader request_;
+  const unsigned char* payload_;  ///< of the request
+  unsigned now_;
+  unsigned char message_[Outbox::MAX_COLORS_SIZE];  ///< the message that is being written
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_EXCHANGE_H

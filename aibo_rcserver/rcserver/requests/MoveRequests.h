@@ -1,0 +1,50 @@
+/// @file MoveRequests.h
+/// The requests of version 2 that move the robot or stop it, and what is pushed about them.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H
+
+#include "protocol/walk_requests.h"
+#include "rcserver/requests/Exchange.h"
+#include "rcserver/requests/Robot.h"
+#include "rcserver/requests/StickRequests.h"
+
+/// Passes orders to joints, legs and motors, and tells how they end. StickRequests plays motions.
+class MoveRequests {
+ public:
+  /// All must outlive this.
+  /// @param stick ends a motion whose file is being read when the robot is stopped
+  MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange);
+
+  /// A new client has been told nothing.
+  void Begin() { has_told_motors_ = false; }
+
+  void MoveJoints();    ///< `J`
+  void LimitSpeeds();   ///< `V`
+  void SwitchMotors();  ///< `O`
+  void Hold();          ///< `I`
+  void Steer();         ///< `S`
+  void TakePosture();   ///< `E`
+
+  /// Pushes faults, recoveries, ends of orders and a fall. What does not fit in the outbox is pushed the next time.
+  void PushReports();
+
+  /// Pushes the state of the motors and the posture if they have changed.
+  void PushMotorsAndPosture();
+
+ private:
+  bool ArePositive(const protocol::version2::SpeedLimits& limits);
+  bool HasJoints(const protocol::version2::JointValue* joints, int count);
+  bool HasJoint(int identifier);
+  void HoldJoints();
+  bool MayTake(protocol::version2::Posture posture);
+  void PushJointFaults();
+  void PushRecoveries();
+
+  const Robot& robot_;
+  StickRequests& stick_;
+  Exchange& exchange_;
+  bool has_told_motors_;  ///< told_ has been pushed
+  protocol::version2::MotorsAndPosture told_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_MOVE_REQUESTS_H

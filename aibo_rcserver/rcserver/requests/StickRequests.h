@@ -1,0 +1,65 @@
+/// @file StickRequests.h
+/// The requests of version 2 that need the memory stick: motions and pictures on it.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H
+
+#include "protocol/motion_requests.h"
+#include "rcserver/camera/ImageObserver.h"
+#include "rcserver/requests/Exchange.h"
+#include "rcserver/requests/FileOrder.h"
+#include "rcserver/requests/MotionCommands.h"
+
+/// Only one request may wait for the memory stick. The others can then be handled at once, above all orders to stop.
+/// FileDone() answers the one that waits.
+class StickRequests {
+ public:
+  /// All must outlive this.
+  StickRequests(FileOrder& files, MotionCommands& motions, ImageObserver& camera, Exchange& exchange);
+
+  /// A new client: no request waits.
+  void Begin() { owes_file_ = false; }
+
+  void StoreMotion();    ///< `U`
+  void DeleteMotion();   ///< `D`
+  void PlayMotion();     ///< `P`
+  void ListMotions();    ///< `N`
+  void SavePicture();    ///< `M`
+  void HandlePicture();  ///< `Y`
+
+  /// Ends a `P` whose file is being read. The memory stick stays busy.
+  /// @param why follows the name of the motion, as in "NOD.MTN ..."
+  void EndWaitingMotion(const char* why);
+
+  /// Answers the request that has been waiting for the memory stick.
+  /// @param result that the FileOrder awaits
+  /// @param now the present OPEN-R frame
+  void FileDone(const FileResult& result, unsigned now);
+
+  /// The picture of an order for the memory stick has been made.
+  void PictureTaken(const unsigned char* jpeg, size_t size);
+
+  /// True if the file of the last FileDone() must be sent, after EncodeFileHeader().
+  bool OwesFile() const { return owes_file_; }
+
+  /// Writes the header of the frame that carries the file. The file is then no longer owed.
+  /// @param[out] out room for FRAME_HEADER_SIZE bytes
+  size_t EncodeFileHeader(size_t size, unsigned char* out);
+
+ private:
+  bool IsStickFree();
+  bool LeavesOutMissingJoints() const;
+  FileOrder::Outcome OrderPicture();
+  void MotionJobDone(const FileResult& result);
+  void PictureJobDone(const FileResult& result);
+  void Answer(FileOrder::Outcome outcome);
+
+  FileOrder& files_;
+  MotionCommands& motions_;
+  ImageObserver& camera_;
+  Exchange& exchange_;
+  bool owes_file_;                           ///< pending_ must be answered with a file
+  protocol::version2::FrameHeader pending_;  ///< the request that waits for the memory stick; kind 0: it has ended
+  unsigned play_not_after_;                  ///< of a `P` that waits
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_STICK_REQUESTS_H

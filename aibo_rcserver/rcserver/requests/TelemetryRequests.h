@@ -1,0 +1,39 @@
+/// @file TelemetryRequests.h
+/// The request of version 2 for telemetry, and its push.
+#ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
+#define AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
+
+#include "rcserver/requests/Exchange.h"
+#include "rcserver/requests/Robot.h"
+
+/// Pushes measured values at the client's period.
+class TelemetryRequests {
+ public:
+  /// Both must outlive this.
+  TelemetryRequests(const Robot& robot, Exchange& exchange);
+
+  /// A new client: no telemetry is pushed.
+  void Begin() { wish_ = Wish(); }
+
+  /// `T`
+  void SetPeriod();
+
+  /// Pushes telemetry if it is due. It replaces telemetry that still waits.
+  /// @param frame in which all joints were measured
+  void Measured(unsigned frame);
+
+ private:
+  // Everything is 0 for a new client.
+  struct Wish {
+    unsigned short period;  ///< in frames; 0: no telemetry
+    unsigned char content;  ///< bits of TelemetryContent
+    bool has_pushed;        ///< since the period was set
+    unsigned last;          ///< frame in which telemetry was last pushed
+  };
+
+  const Robot& robot_;
+  Exchange& exchange_;
+  Wish wish_;
+};
+
+#endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_TELEMETRY_REQUESTS_H
