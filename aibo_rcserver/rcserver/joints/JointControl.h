@@ -4,8 +4,8 @@
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_CONTROL_H
 
 #include "rcserver/joints/JointOrders.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "rcserver/joints/JointWatch.h"
-#include "rcserver/joints/MotionPlanner.h"
 #include "rcserver/joints/MotionPlayer.h"
 #include "rcserver/joints/OrderBook.h"
 #include "rcserver/walk/Walker.h"
@@ -39,8 +39,8 @@ class JointControl {
   /// @return the joint with this identifier of docs/protocol.md, or robot_model::NO_JOINT
   int Find(int identifier) const { return findJointByIdentifier(robot_, identifier); }
 
-  MotionPlanner& Planner() { return planner_; }
-  const MotionPlanner& Planner() const { return planner_; }
+  JointPlanner& Planner() { return planner_; }
+  const JointPlanner& Planner() const { return planner_; }
   OrderBook& Orders() { return orders_; }
   MotionPlayer& Motions() { return motions_; }
   Walker& Walking() { return walker_; }
@@ -49,7 +49,7 @@ class JointControl {
   /// @param number of the request of version 2, otherwise 0
   /// @{
 
-  /// Carries out a command with MotionPlanner::Go(). Motions, walks and postures that move one of these joints end.
+  /// Carries out a command with JointPlanner::Go(). Motions, walks and postures that move one of these joints end.
   /// With a number, it is an order, and JointOrders ends it.
   /// @param[in,out] targets of joints that the robot has; replaced by the positions accepted
   void SetTargets(protocol::version2::JointTargets* targets, unsigned short number = 0);
@@ -131,7 +131,7 @@ class JointControl {
   void TakeLegs();
 
   const robot_model::RobotModel& robot_;
-  MotionPlanner planner_;
+  JointPlanner planner_;
   OrderBook orders_;
   JointOrders commands_;
   MotionPlayer motions_;

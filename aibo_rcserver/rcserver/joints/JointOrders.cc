@@ -16,7 +16,7 @@ const EndReason DONE = {END_DONE, "", ""};
 
 const unsigned JointOrders::FRAMES_TO_FOLLOW;
 
-JointOrders::JointOrders(const MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book)
+JointOrders::JointOrders(const JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book)
     : planner_(planner), robot_(robot), book_(book) {
   const Way none = {OrderBook::NO_ORDER, 0, false, 0};
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {

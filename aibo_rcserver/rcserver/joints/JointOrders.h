@@ -3,7 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
 #define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H
 
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "rcserver/joints/OrderBook.h"
 #include "robot_model/robot_model.h"
 
@@ -19,7 +19,7 @@ class JointOrders {
   static const unsigned FRAMES_TO_FOLLOW = 12;
 
   /// All must outlive this.
-  JointOrders(const MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book);
+  JointOrders(const JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book);
 
   /// Begins a command. Its joints must have left earlier ones. Without joints, it is done.
   /// @param joints whose targets are the planner's
@@ -48,7 +48,7 @@ class JointOrders {
   bool HasJoint(int order) const;
   void Judge(int joint, int distance, unsigned frame);
 
-  const MotionPlanner& planner_;
+  const JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   OrderBook& book_;
   Way ways_[robot_model::MAX_JOINTS];

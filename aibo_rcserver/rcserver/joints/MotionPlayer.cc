@@ -17,7 +17,7 @@ const int MotionPlayer::MAX_PLAYING;
 const size_t MotionPlayer::MAX_PROBLEM_SIZE;
 const int MotionPlayer::HELD_UP;
 
-MotionPlayer::MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
+MotionPlayer::MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders)
     : planner_(planner), robot_(robot), orders_(orders), newest_(NULL), now_(0) {
   problem_[0] = '\0';
   changes_[0] = '\0';

@@ -4,7 +4,7 @@
 #define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLAYER_H
 
 #include "protocol/text.h"
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "rcserver/joints/OrderBook.h"
 #include "rcserver/joints/PlayedMotion.h"
 #include "robot_model/robot_model.h"
@@ -28,7 +28,7 @@ class MotionPlayer {
   static const int HELD_UP = 100;
 
   /// All must outlive this.
-  MotionPlayer(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
+  MotionPlayer(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// Where the file for Play() goes: room for mtn::MAX_FILE_SIZE bytes.
   /// @return NULL if MAX_PLAYING motions are being played
@@ -79,7 +79,7 @@ class MotionPlayer {
   /// @param now in milliseconds, on a clock that runs on while the robot's program is held up; may overflow
   void SetTime(unsigned now) { now_ = now; }
 
-  /// Call once in each frame, before MotionPlanner::NextFrame().
+  /// Call once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
 
  private:
@@ -93,7 +93,7 @@ class MotionPlayer {
   void Stop(PlayedMotion& motion, const EndReason& reason);
   void ReportDone(const PlayedMotion& motion);
 
-  MotionPlanner& planner_;
+  JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   OrderBook& orders_;
   PlayedMotion motions_[MAX_PLAYING];

@@ -49,7 +49,7 @@ void PlayedMotion::Start(int repetitions, int order) {
   played_ = 0;
 }
 
-void PlayedMotion::DescribeChanges(const MotionPlanner& planner, char* text) const {
+void PlayedMotion::DescribeChanges(const JointPlanner& planner, char* text) const {
   fitted_.describe(planner.SpeedLimits(), text);
 }
 
@@ -63,7 +63,7 @@ bool PlayedMotion::SharesJoint(const PlayedMotion& other, int* joint) const {
   return false;
 }
 
-void PlayedMotion::NextFrame(MotionPlanner& planner, unsigned now) {
+void PlayedMotion::NextFrame(JointPlanner& planner, unsigned now) {
   begun_ = played_ == 0 ? now : begun_;
   played_ += robot_model::FRAME_MILLISECONDS;
   if (phase_ == ARRIVING && HaveArrived(planner)) {
@@ -90,7 +90,7 @@ bool PlayedMotion::TakeFlick(int ear) {
   return flicks;
 }
 
-void PlayedMotion::Stop(MotionPlanner& planner) {
+void PlayedMotion::Stop(JointPlanner& planner) {
   phase_ = OVER;
   std::fill(flicks_, flicks_ + MAX_EARS, false);
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
@@ -98,7 +98,7 @@ void PlayedMotion::Stop(MotionPlanner& planner) {
   }
 }
 
-void PlayedMotion::Approach(MotionPlanner& planner) {
+void PlayedMotion::Approach(JointPlanner& planner) {
   fitted_.posture(0, end_);
   int farthest = 0;
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
@@ -110,7 +110,7 @@ void PlayedMotion::Approach(MotionPlanner& planner) {
 }
 
 // Moves the joints from the current key frame to this one, if the motion has it.
-void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
+void PlayedMotion::GoTo(int key_frame, const JointPlanner& planner) {
   key_frame_ = key_frame;
   if (key_frame < fitted_.numberOfKeyFrames()) {
     std::copy(end_, end_ + MAX_JOINTS, begin_);
@@ -120,7 +120,7 @@ void PlayedMotion::GoTo(int key_frame, const MotionPlanner& planner) {
 }
 
 // Finds the next key frame for this time, or the end of the repetition after the last one.
-void PlayedMotion::PassTime(const MotionPlanner& planner) {
+void PlayedMotion::PassTime(const JointPlanner& planner) {
   milliseconds_ += robot_model::FRAME_MILLISECONDS;
   while (phase_ == PLAYING) {
     if (key_frame_ == fitted_.numberOfKeyFrames()) {
@@ -159,7 +159,7 @@ bool PlayedMotion::IsClosed() const {
   return fitted_.numberOfKeyFrames() > 1 && std::equal(first, first + fitted_.numberOfJoints(), end_);
 }
 
-bool PlayedMotion::HaveArrived(const MotionPlanner& planner) const {
+bool PlayedMotion::HaveArrived(const JointPlanner& planner) const {
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
     if (planner.FramesLeft(fitted_.joint(i)) > 0) {
       return false;
@@ -176,7 +176,7 @@ int PlayedMotion::PositionNow(int i) const {
   return static_cast<int>(floor(begin_[i] + way * milliseconds_ / duration_ + 0.5));
 }
 
-void PlayedMotion::Follow(MotionPlanner& planner) const {
+void PlayedMotion::Follow(JointPlanner& planner) const {
   for (int i = 0; i < fitted_.numberOfJoints(); ++i) {
     planner.Aim(fitted_.joint(i), PositionNow(i));
   }

@@ -8,7 +8,7 @@
 #include "mtn/fitted_motion.h"
 #include "mtn/motion.h"
 #include "protocol/text.h"
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "robot_model/robot_model.h"
 
 /// Plays one motion file a number of times by setting the targets of its joints, frame by frame.
@@ -65,7 +65,7 @@ class PlayedMotion {
 
   /// How the motion differs from its file, in one line; see FittedMotion::describe().
   /// @param[out] text room for mtn::FittedMotion::MAX_DESCRIPTION_SIZE; empty if it does not differ
-  void DescribeChanges(const MotionPlanner& planner, char* text) const;
+  void DescribeChanges(const JointPlanner& planner, char* text) const;
 
   /// True if both move the same joint.
   /// @param[out] joint that one
@@ -73,14 +73,14 @@ class PlayedMotion {
 
   /// Sets the targets for the next frame. Call it only if IsPlaying().
   /// @param now in milliseconds, on any clock; may overflow
-  void NextFrame(MotionPlanner& planner, unsigned now);
+  void NextFrame(JointPlanner& planner, unsigned now);
 
   /// True once for each flick of an ear. An ear flicks at a key frame where its value changes.
   /// @param ear index in the robot's table
   bool TakeFlick(int ear);
 
   /// Ends the motion. Its joints brake, stop and hold.
-  void Stop(MotionPlanner& planner);
+  void Stop(JointPlanner& planner);
 
  private:
   enum Phase {
@@ -94,15 +94,15 @@ class PlayedMotion {
   PlayedMotion(const PlayedMotion&);
   PlayedMotion& operator=(const PlayedMotion&);
 
-  void Approach(MotionPlanner& planner);
-  void GoTo(int key_frame, const MotionPlanner& planner);
-  void PassTime(const MotionPlanner& planner);
+  void Approach(JointPlanner& planner);
+  void GoTo(int key_frame, const JointPlanner& planner);
+  void PassTime(const JointPlanner& planner);
   void FlickEars();
   void Repeat();
   bool IsClosed() const;
-  bool HaveArrived(const MotionPlanner& planner) const;
+  bool HaveArrived(const JointPlanner& planner) const;
   int PositionNow(int i) const;
-  void Follow(MotionPlanner& planner) const;
+  void Follow(JointPlanner& planner) const;
 
   Phase phase_;
   int order_;

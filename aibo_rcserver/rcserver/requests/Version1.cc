@@ -150,7 +150,7 @@ bool Version1::LimitJoint() {
   if (joint == NO_JOINT) {
     return false;
   }
-  MotionPlanner& planner = robot_.joints.Planner();
+  JointPlanner& planner = robot_.joints.Planner();
   const bool is_speed = request_.basic.command == REQUEST_MAX_VELOCITY;
   if (IsWrite()) {
     const int limit = microradiansFromCentidegrees(Value());

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "robot_model/robot_model.h"
 
 /// A head that hangs down would hit the floor, or keep the robot from rolling over. Joints that something else moves
@@ -13,7 +13,7 @@
 class HeadLevel {
  public:
   /// All must outlive this.
-  HeadLevel(MotionPlanner& planner, const robot_model::RobotModel& robot) : planner_(planner) {
+  HeadLevel(JointPlanner& planner, const robot_model::RobotModel& robot) : planner_(planner) {
     static const char* const NAMES[COUNT] = {"neck_tilt", "head_pan", "head_tilt"};
     for (int i = 0; i < COUNT; ++i) {
       joints_[i] = findJointByName(robot, NAMES[i]);
@@ -54,7 +54,7 @@ class HeadLevel {
  private:
   static const int COUNT = 3;
 
-  MotionPlanner& planner_;
+  JointPlanner& planner_;
   int joints_[COUNT];  ///< indices in the robot's table
   bool levels_[COUNT];
 };

@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "robot_model/legs.h"
 #include "robot_model/robot_model.h"
 
@@ -14,7 +14,7 @@
 class LegJoints {
  public:
   /// All must outlive this.
-  LegJoints(MotionPlanner& planner, const robot_model::RobotModel& robot);
+  LegJoints(JointPlanner& planner, const robot_model::RobotModel& robot);
 
   /// False if the robot does not have the legs of an ERS-7.
   bool AreThere() const { return are_there_; }
@@ -29,7 +29,7 @@ class LegJoints {
   /// The planned angles of the legs.
   void Find(robot_model::LegAngles* legs) const;
 
-  /// Aims the joints (MotionPlanner::Aim()) that move.
+  /// Aims the joints (JointPlanner::Aim()) that move.
   /// @param moves for the rotators, elevators and knees; NULL: all
   /// @return the longest way of a joint, in microradian
   int Aim(const robot_model::LegAngles* legs, const bool* moves = NULL) const;
@@ -49,7 +49,7 @@ class LegJoints {
  private:
   static const int COUNT = robot_model::NUMBER_OF_LEGS * robot_model::JOINTS_OF_A_LEG;
 
-  MotionPlanner& planner_;
+  JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   int joints_[COUNT];  ///< indices in the robot's table: rotator, elevator and knee of each leg
   bool are_there_;

@@ -5,7 +5,7 @@
 
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 #include "rcserver/joints/OrderBook.h"
 #include "rcserver/walk/FallWatch.h"
 #include "rcserver/walk/Gait.h"
@@ -49,7 +49,7 @@ class Walker {
       (static_cast<int>(protocol::version2::STEERING_TIMEOUT_MS) - 1) / robot_model::FRAME_MILLISECONDS + 1;
 
   /// All must outlive this.
-  Walker(MotionPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
+  Walker(JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& orders);
 
   /// False if the robot's legs are not an ERS-7's. Then only functions that read the state may be called.
   bool CanWalk() const { return legs_.AreThere(); }
@@ -123,7 +123,7 @@ class Walker {
   /// @return true if it may give way, because the robot now tries another way to its posture
   bool TriesAnotherWay(int joint);
 
-  /// Sets the targets for the next frame. Call once in each frame, before MotionPlanner::NextFrame().
+  /// Sets the targets for the next frame. Call once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
 
   /// Call for each report of the sensors. A robot that has fallen or is carried stops.
@@ -228,7 +228,7 @@ class Walker {
   void SetFeet(const protocol::version2::Velocity& velocity);
   void Finish(const EndReason& reason);
 
-  MotionPlanner& planner_;
+  JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   const Gait gait_;
   const Postures postures_;

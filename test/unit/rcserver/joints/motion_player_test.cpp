@@ -83,7 +83,7 @@ class AMotion : public ::testing::Test {
   }
 
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
-  MotionPlanner planner_{robot_};
+  JointPlanner planner_{robot_};
   OrderBook orders_;
   std::unique_ptr<MotionPlayer> player_ = std::make_unique<MotionPlayer>(planner_, robot_, orders_);
 };

@@ -1,9 +1,9 @@
-/// @file JointMotion.h
-/// The motion of one joint to its target.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H
+/// @file JointPath.h
+/// The path of one joint to its target.
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PATH_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PATH_H
 
-/// Computes the motion of one joint, frame by frame.
+/// Computes the path of one joint, frame by frame.
 ///
 /// All numbers are integers: positions in microradian, steps (speeds) in microradian per frame, accelerations in
 /// microradian per frame squared. So the joint reaches its target exactly, the limits hold exactly, and the robot
@@ -16,7 +16,7 @@
 ///
 /// Two consecutive steps differ by no more than the acceleration limit. A joint can stand still if its next step may be
 /// 0.
-class JointMotion {
+class JointPath {
  public:
   /// The range of positions that a joint passes while it brakes.
   struct Span {
@@ -25,7 +25,7 @@ class JointMotion {
   };
 
   /// The joint stands at its target 0. Both limits are 1.
-  JointMotion();
+  JointPath();
 
   /// Sets the joint at rest at a position, which becomes its target.
   void Place(int position);
@@ -99,4 +99,4 @@ class JointMotion {
   double fraction_of_step_;  ///< how far the joint lags because of rounding, in steps, 0..1
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_MOTION_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PATH_H

@@ -1,4 +1,4 @@
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 
 #include <gmock/gmock.h>
 
@@ -40,7 +40,7 @@ bool isFollower(int joint) {
 }
 
 // The positions of all joints.
-std::vector<int> postureOf(const MotionPlanner& planner) {
+std::vector<int> postureOf(const JointPlanner& planner) {
   std::vector<int> posture;
   for (const int i : allJoints()) {
     posture.push_back(planner.Position(i));
@@ -48,7 +48,7 @@ std::vector<int> postureOf(const MotionPlanner& planner) {
   return posture;
 }
 
-std::vector<int> targetsOf(const MotionPlanner& planner) {
+std::vector<int> targetsOf(const JointPlanner& planner) {
   std::vector<int> targets;
   for (const int i : allJoints()) {
     targets.push_back(planner.Target(i));
@@ -56,7 +56,7 @@ std::vector<int> targetsOf(const MotionPlanner& planner) {
   return targets;
 }
 
-std::vector<int> framesLeftOf(const MotionPlanner& planner, const std::vector<int>& joints) {
+std::vector<int> framesLeftOf(const JointPlanner& planner, const std::vector<int>& joints) {
   std::vector<int> frames;
   for (const int i : joints) {
     frames.push_back(planner.FramesLeft(i));
@@ -65,7 +65,7 @@ std::vector<int> framesLeftOf(const MotionPlanner& planner, const std::vector<in
 }
 
 // Frames until all joints have arrived; at most `patience`.
-int runUntilAllHaveArrived(MotionPlanner& planner, int patience = 100000) {
+int runUntilAllHaveArrived(JointPlanner& planner, int patience = 100000) {
   int frames = 0;
   const auto moving = [&planner] {
     const std::vector<int> left = framesLeftOf(planner, allJoints());
@@ -78,14 +78,14 @@ int runUntilAllHaveArrived(MotionPlanner& planner, int patience = 100000) {
   return frames;
 }
 
-void resetLimits(MotionPlanner& planner) {
+void resetLimits(JointPlanner& planner) {
   for (const int i : allJoints()) {
     planner.SetSpeedLimit(i, ers7().joints[i].highest_speed);
     planner.SetAccelerationLimit(i, defaultAcceleration(ers7().joints[i]));
   }
 }
 
-void run(MotionPlanner& planner, int frames) {
+void run(JointPlanner& planner, int frames) {
   for (int i = 0; i < frames; ++i) {
     planner.NextFrame();
   }
@@ -97,7 +97,7 @@ struct JointTarget {
 };
 
 // Sends joints to positions, which are replaced by those accepted.
-void setTargets(MotionPlanner& planner, std::vector<JointTarget>& targets, int duration) {
+void setTargets(JointPlanner& planner, std::vector<JointTarget>& targets, int duration) {
   for (const JointTarget& target : targets) {
     planner.Aim(target.joint, target.position);
   }
@@ -108,7 +108,7 @@ void setTargets(MotionPlanner& planner, std::vector<JointTarget>& targets, int d
 }
 
 // Returns the position accepted.
-int setTarget(MotionPlanner& planner, int joint, int position) {
+int setTarget(JointPlanner& planner, int joint, int position) {
   planner.Aim(joint, position);
   planner.Go(0);
   return planner.Target(joint);
@@ -152,14 +152,14 @@ class RandomClient {
     return targets;
   }
 
-  void follow(MotionPlanner& planner) {
+  void follow(JointPlanner& planner) {
     for (const JointTarget& target : targetsForAll()) {
       planner.Aim(target.joint, target.position);
     }
     planner.Follow();
   }
 
-  void command(MotionPlanner& planner) {
+  void command(JointPlanner& planner) {
     const int joint = between(0, ers7().number_of_joints - 1);
     switch (between(0, 9)) {
       case 0:
@@ -190,10 +190,10 @@ class RandomClient {
   std::mt19937 random_;
 };
 
-// Lets frames pass and checks the guarantees of MotionPlanner in each.
+// Lets frames pass and checks the guarantees of JointPlanner in each.
 class Inspector {
  public:
-  explicit Inspector(MotionPlanner& planner)
+  explicit Inspector(JointPlanner& planner)
       : planner_(planner),
         posture_(postureOf(planner)),
         steps_(posture_.size(), 0),
@@ -213,7 +213,7 @@ class Inspector {
     noteLimits();
     for (const int i : allJoints()) {
       int& acceleration = accelerations_[static_cast<size_t>(i)];
-      const int higher = robot_model::defaultAcceleration(ers7().joints[i]) * MotionPlanner::FOLLOWING;
+      const int higher = robot_model::defaultAcceleration(ers7().joints[i]) * JointPlanner::FOLLOWING;
       acceleration = following ? std::max(acceleration, higher) : acceleration;
     }
     planner_.NextFrame();
@@ -258,21 +258,21 @@ class Inspector {
     }
   }
 
-  MotionPlanner& planner_;
+  JointPlanner& planner_;
   std::vector<int> posture_;
   std::vector<int> steps_;
   std::vector<int> accelerations_;  // in force
 };
 
-TEST(MotionPlanner, AcceptsPositionsWithinTheLimits) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, AcceptsPositionsWithinTheLimits) {
+  JointPlanner planner(ers7());
   EXPECT_EQ(setTarget(planner, joint("head_pan"), 100000), 100000);
   EXPECT_EQ(setTarget(planner, joint("head_pan"), 2000000000), microradians(88));
   EXPECT_EQ(setTarget(planner, joint("head_pan"), -2000000000), microradians(-88));
 }
 
-TEST(MotionPlanner, AcceptsLimitsThatMakeSense) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, AcceptsLimitsThatMakeSense) {
+  JointPlanner planner(ers7());
   const int pan = joint("head_pan");
   EXPECT_EQ(planner.SetSpeedLimit(pan, 20000000), 10057460);
   EXPECT_EQ(planner.SetSpeedLimit(pan, 0), 125);
@@ -282,8 +282,8 @@ TEST(MotionPlanner, AcceptsLimitsThatMakeSense) {
   EXPECT_EQ(planner.SetAccelerationLimit(pan, 1234567), 1234567);
 }
 
-TEST(MotionPlanner, NeverExceedsALimitWhateverIsCommandedOrFollowed) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, NeverExceedsALimitWhateverIsCommandedOrFollowed) {
+  JointPlanner planner(ers7());
   RandomClient client(1);
   Inspector inspector(planner);
   for (int i = 0; i < 10000 && !HasFailure(); ++i) {
@@ -301,8 +301,8 @@ TEST(MotionPlanner, NeverExceedsALimitWhateverIsCommandedOrFollowed) {
   }
 }
 
-TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
+  JointPlanner planner(ers7());
   RandomClient client(2);
   for (int i = 0; i < 200; ++i) {
     for (int command = 0; command < 20; ++command) {
@@ -323,8 +323,8 @@ TEST(MotionPlanner, ArrivesExactlyWhateverWasCommandedBefore) {
   }
 }
 
-TEST(MotionPlanner, LetsJointsWithADurationArriveTogether) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, LetsJointsWithADurationArriveTogether) {
+  JointPlanner planner(ers7());
   std::vector<JointTarget> targets = {{joint("head_pan"), 1000000},
                                       {joint("tail_pan"), -300000},
                                       {joint("left_front_knee"), 2000000},
@@ -342,7 +342,7 @@ TEST(MotionPlanner, LetsJointsWithADurationArriveTogether) {
   }
 }
 
-TEST(MotionPlanner, FitsCoupledTargetsToEachOther) {
+TEST(JointPlanner, FitsCoupledTargetsToEachOther) {
   struct Row {
     std::vector<std::pair<const char*, double>> wanted;  // in degrees, commanded together
     const char* follower;
@@ -357,8 +357,8 @@ TEST(MotionPlanner, FitsCoupledTargetsToEachOther) {
       {{{"head_tilt", -15}, {"mouth", -50}}, "head_tilt", 5},
   };
   for (const Row& row : rows) {
-    MotionPlanner together(ers7());
-    MotionPlanner one_after_the_other(ers7());
+    JointPlanner together(ers7());
+    JointPlanner one_after_the_other(ers7());
     for (const auto& [name, degrees] : row.wanted) {
       together.Aim(joint(name), microradians(degrees));
       setTarget(one_after_the_other, joint(name), microradians(degrees));
@@ -370,8 +370,8 @@ TEST(MotionPlanner, FitsCoupledTargetsToEachOther) {
 }
 
 // The rotator moves to where the slow elevator is not yet high enough.
-TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
+  JointPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
   setTarget(planner, elevator, microradians(-10));
@@ -387,8 +387,8 @@ TEST(MotionPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
   EXPECT_EQ(planner.Position(elevator), microradians(-2));
 }
 
-TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
+  JointPlanner planner(ers7());
   const int rotator = joint("left_front_rotator");
   const int elevator = joint("left_front_elevator");
   setTarget(planner, elevator, microradians(-10));
@@ -402,8 +402,8 @@ TEST(MotionPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
   }
 }
 
-TEST(MotionPlanner, HoldsEveryJointWhereItWasFound) {
-  MotionPlanner planner(ers7());
+TEST(JointPlanner, HoldsEveryJointWhereItWasFound) {
+  JointPlanner planner(ers7());
   RandomClient client(7);
   std::vector<int> found;
   for (const int i : allJoints()) {
@@ -426,10 +426,10 @@ int depth(const std::vector<int>& posture, int joint) {
   return std::max(0, robot_model::lowestPosition(ers7(), joint, posture.data()) - posture[static_cast<size_t>(joint)]);
 }
 
-TEST(MotionPlanner, LeavesAForbiddenPostureWithoutGoingDeeper) {
+TEST(JointPlanner, LeavesAForbiddenPostureWithoutGoingDeeper) {
   RandomClient client(8);
   for (int i = 0; i < 300; ++i) {
-    MotionPlanner planner(ers7());
+    JointPlanner planner(ers7());
     for (const int joint : allJoints()) {
       planner.SetPosition(joint, client.position(joint));
     }

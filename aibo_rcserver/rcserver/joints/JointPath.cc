@@ -1,4 +1,4 @@
-#include "rcserver/joints/JointMotion.h"
+#include "rcserver/joints/JointPath.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,7 +20,7 @@ double SumUpTo(int n) {
 
 }  // namespace
 
-JointMotion::JointMotion()
+JointPath::JointPath()
     : position_(0),
       step_(0),
       target_(0),
@@ -31,31 +31,31 @@ JointMotion::JointMotion()
       is_following_(false),
       fraction_of_step_(0) {}
 
-void JointMotion::Place(int position) {
+void JointPath::Place(int position) {
   position_ = position;
   step_ = 0;
   Aim(position);
 }
 
-void JointMotion::LimitStep(int step) {
+void JointPath::LimitStep(int step) {
   step_limit_ = step;
   Review();
 }
 
-void JointMotion::LimitAcceleration(int acceleration) {
+void JointPath::LimitAcceleration(int acceleration) {
   wanted_acceleration_ = acceleration;
   acceleration_ = std::max(acceleration_, acceleration);
   Review();
 }
 
-void JointMotion::Aim(int target) {
+void JointPath::Aim(int target) {
   is_following_ = false;
   target_ = target;
   fraction_of_step_ = 0;
   frames_left_ = FewestFrames();
 }
 
-void JointMotion::Follow(int target, int acceleration) {
+void JointPath::Follow(int target, int acceleration) {
   acceleration_ = std::max(acceleration_, acceleration);
   target_ = target;
   fraction_of_step_ = 0;
@@ -63,12 +63,12 @@ void JointMotion::Follow(int target, int acceleration) {
   is_following_ = true;
 }
 
-void JointMotion::Stop(int acceleration) {
+void JointPath::Stop(int acceleration) {
   acceleration_ = std::max(acceleration_, acceleration);
   Aim(position_ + BrakingDistance(step_));
 }
 
-int JointMotion::WantedStep() {
+int JointPath::WantedStep() {
   if (is_following_) {
     return FollowingStep();
   }
@@ -89,24 +89,24 @@ int JointMotion::WantedStep() {
   return StepTowards(cruise);
 }
 
-int JointMotion::BrakingStep() const {
+int JointPath::BrakingStep() const {
   return step_ > 0 ? std::max(step_ - acceleration_, 0) : std::min(step_ + acceleration_, 0);
 }
 
-JointMotion::Span JointMotion::SpanAfter(int step) const {
+JointPath::Span JointPath::SpanAfter(int step) const {
   const int next = position_ + step;
   const int stop = next + BrakingDistance(step);
   const Span span = {std::min(next, stop), std::max(next, stop)};
   return span;
 }
 
-JointMotion::Span JointMotion::BrakingSpan() const {
+JointPath::Span JointPath::BrakingSpan() const {
   const int stop = position_ + BrakingDistance(step_);
   const Span span = {std::min(position_, stop), std::max(position_, stop)};
   return span;
 }
 
-void JointMotion::Advance(int step) {
+void JointPath::Advance(int step) {
   position_ += step;
   step_ = step;
   frames_left_ = std::max(frames_left_ - 1, 0);
@@ -116,7 +116,7 @@ void JointMotion::Advance(int step) {
 
 // Applies a lower acceleration limit as soon as possible, and plans a later arrival if the planned one has become
 // impossible.
-void JointMotion::Review() {
+void JointPath::Review() {
   const bool stops_within_a_frame = step_ >= -wanted_acceleration_ && step_ <= wanted_acceleration_;
   if (stops_within_a_frame) {
     acceleration_ = wanted_acceleration_;
@@ -128,7 +128,7 @@ void JointMotion::Review() {
 
 // The distance that the joint covers in this number of frames, stop included, with this cruising speed. It grows with
 // the speed. Valid only if the joint can stop in that many frames.
-double JointMotion::DistanceIn(int frames, int cruise) const {
+double JointPath::DistanceIn(int frames, int cruise) const {
   // Backward motion is mirrored forward motion.
   const int sign = cruise < 0 ? -1 : 1;
   const int speed = sign * step_;
@@ -151,13 +151,13 @@ double JointMotion::DistanceIn(int frames, int cruise) const {
 }
 
 // If this is true for a number of frames, it is also true for all higher numbers.
-bool JointMotion::CanArriveIn(int frames) const {
+bool JointPath::CanArriveIn(int frames) const {
   const bool can_stop = abs(step_) <= (frames + 1.0) * acceleration_;
   const double distance = target_ - position_;
   return can_stop && DistanceIn(frames, -step_limit_) <= distance && distance <= DistanceIn(frames, step_limit_);
 }
 
-int JointMotion::FewestFrames() const {
+int JointPath::FewestFrames() const {
   if (CanArriveIn(0)) {
     return 0;
   }
@@ -175,7 +175,7 @@ int JointMotion::FewestFrames() const {
 }
 
 // The highest cruising speed that does not take the joint past its target by the time of its arrival.
-int JointMotion::CruisingStep() const {
+int JointPath::CruisingStep() const {
   const double distance = target_ - position_;
   int low = -step_limit_;
   int too_high = step_limit_ + 1;
@@ -187,7 +187,7 @@ int JointMotion::CruisingStep() const {
 }
 
 // The first step of the motion whose distance is DistanceIn(frames_left_, cruise).
-int JointMotion::StepTowards(int cruise) const {
+int JointPath::StepTowards(int cruise) const {
   const int sign = cruise < 0 ? -1 : 1;
   const int speed = sign * step_;
   const int top = sign * cruise;
@@ -196,13 +196,13 @@ int JointMotion::StepTowards(int cruise) const {
 }
 
 // The step to the target, or the nearest one within the limits. A joint that is too fast brakes.
-int JointMotion::FollowingStep() const {
+int JointPath::FollowingStep() const {
   const int limit = step_limit_ - step_limit_ / 32;  // a motor at its highest speed has no torque left
   const int step = std::min(std::max(target_ - position_, -limit), limit);
   return std::min(std::max(step, step_ - acceleration_), step_ + acceleration_);
 }
 
-int JointMotion::BrakingDistance(int step) const {
+int JointPath::BrakingDistance(int step) const {
   const int frames = FramesOfRamp(abs(step), acceleration_);
   const double distance = static_cast<double>(frames) * abs(step) - acceleration_ * SumUpTo(frames);
   return static_cast<int>(step < 0 ? -distance : distance);

@@ -1,4 +1,4 @@
-#include "rcserver/joints/MotionPlanner.h"
+#include "rcserver/joints/JointPlanner.h"
 
 #include <algorithm>
 
@@ -6,7 +6,7 @@ using robot_model::Coupling;
 using robot_model::FRAME_MILLISECONDS;
 using robot_model::Joint;
 
-const int MotionPlanner::FOLLOWING;
+const int JointPlanner::FOLLOWING;
 
 namespace {
 
@@ -22,17 +22,17 @@ int Clamped(int value, int low, int high) {
 
 // The follower's lower limit if the leader may be anywhere in the span. The limit is highest at one end of the span
 // (robot_model::Coupling).
-int CoupledLowest(const Coupling& coupling, const JointMotion::Span& leader) {
+int CoupledLowest(const Coupling& coupling, const JointPath::Span& leader) {
   return std::max(coupledLowest(coupling, leader.low), coupledLowest(coupling, leader.high));
 }
 
 }  // namespace
 
-MotionPlanner::MotionPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(0) {
+JointPlanner::JointPlanner(const robot_model::RobotModel& robot) : robot_(robot), last_command_(0) {
   int posture[robot_model::MAX_JOINTS] = {0};
   clampPosture(robot_, posture);
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    motions_[i].Place(posture[i]);
+    paths_[i].Place(posture[i]);
     is_aimed_[i] = false;
     LeaveCommand(i);
   }
@@ -42,28 +42,28 @@ MotionPlanner::MotionPlanner(const robot_model::RobotModel& robot) : robot_(robo
   }
 }
 
-void MotionPlanner::SetPosition(int joint, int measured) {
+void JointPlanner::SetPosition(int joint, int measured) {
   const Joint& limits = robot_.joints[joint];
-  motions_[joint].Place(Clamped(measured, limits.mechanical_lowest, limits.mechanical_highest));
+  paths_[joint].Place(Clamped(measured, limits.mechanical_lowest, limits.mechanical_highest));
   LeaveCommand(joint);
   MakePartnersFit(joint);
 }
 
-void MotionPlanner::Aim(int joint, int position) {
+void JointPlanner::Aim(int joint, int position) {
   is_aimed_[joint] = true;
   aims_[joint] = position;
 }
 
-void MotionPlanner::Go(int duration) {
+void JointPlanner::Go(int duration) {
   FitAims();
   const int frames = duration > 0 ? (duration - 1) / FRAME_MILLISECONDS + 1 : 0;
   const unsigned common_command = ++last_command_;
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (is_aimed_[i]) {
       is_aimed_[i] = false;
-      motions_[i].Aim(aims_[i]);
+      paths_[i].Aim(aims_[i]);
       if (frames > 0) {
-        motions_[i].Delay(std::max(frames, FramesLeft(i)));
+        paths_[i].Delay(std::max(frames, FramesLeft(i)));
         commands_[i] = common_command;
       } else {
         LeaveCommand(i);
@@ -73,63 +73,63 @@ void MotionPlanner::Go(int duration) {
   ArriveTogether();
 }
 
-void MotionPlanner::Follow() {
+void JointPlanner::Follow() {
   FitAims();
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     if (is_aimed_[i]) {
       is_aimed_[i] = false;
-      motions_[i].Follow(aims_[i], defaultAcceleration(robot_.joints[i]) * FOLLOWING / ACCELERATION_UNIT);
+      paths_[i].Follow(aims_[i], defaultAcceleration(robot_.joints[i]) * FOLLOWING / ACCELERATION_UNIT);
       LeaveCommand(i);
     }
   }
 }
 
-void MotionPlanner::Hold(int joint) {
-  motions_[joint].Stop(defaultAcceleration(robot_.joints[joint]) / ACCELERATION_UNIT);
+void JointPlanner::Hold(int joint) {
+  paths_[joint].Stop(defaultAcceleration(robot_.joints[joint]) / ACCELERATION_UNIT);
   LeaveCommand(joint);
   MakePartnersFit(joint);
 }
 
-void MotionPlanner::HoldAll() {
+void JointPlanner::HoldAll() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     Hold(i);
   }
 }
 
-int MotionPlanner::SetSpeedLimit(int joint, int limit) {
+int JointPlanner::SetSpeedLimit(int joint, int limit) {
   speed_limits_[joint] = Clamped(limit, SPEED_UNIT, robot_.joints[joint].highest_speed);
-  motions_[joint].LimitStep(speed_limits_[joint] / SPEED_UNIT);
+  paths_[joint].LimitStep(speed_limits_[joint] / SPEED_UNIT);
   ArriveTogether();
   return speed_limits_[joint];
 }
 
-int MotionPlanner::SetAccelerationLimit(int joint, int limit) {
+int JointPlanner::SetAccelerationLimit(int joint, int limit) {
   const int highest = robot_.joints[joint].highest_speed * FRAMES_PER_SECOND;
   acceleration_limits_[joint] = Clamped(limit, ACCELERATION_UNIT, highest);
-  motions_[joint].LimitAcceleration(acceleration_limits_[joint] / ACCELERATION_UNIT);
+  paths_[joint].LimitAcceleration(acceleration_limits_[joint] / ACCELERATION_UNIT);
   ArriveTogether();
   return acceleration_limits_[joint];
 }
 
-void MotionPlanner::NextFrame() {
+void JointPlanner::NextFrame() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    const int wanted = motions_[i].WantedStep();
+    const int wanted = paths_[i].WantedStep();
     const int allowed = AllowedStep(i, wanted);
     if (allowed != wanted) {
       // It may have to wait for another joint of the same command, which must not wait for it in turn.
       LeaveCommand(i);
     }
-    motions_[i].Advance(allowed);
+    paths_[i].Advance(allowed);
   }
   ArriveTogether();
 }
 
-int MotionPlanner::Speed(int joint) const {
-  return motions_[joint].Step() * SPEED_UNIT;
+int JointPlanner::Speed(int joint) const {
+  return paths_[joint].Step() * SPEED_UNIT;
 }
 
 // Adapts what has been aimed to limits and couplings. A follower that is in the way is aimed, too.
-void MotionPlanner::FitAims() {
+void JointPlanner::FitAims() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     const Joint& limits = robot_.joints[i];
     aims_[i] = is_aimed_[i] ? Clamped(aims_[i], limits.lowest, limits.highest) : Target(i);
@@ -143,12 +143,12 @@ void MotionPlanner::FitAims() {
   }
 }
 
-void MotionPlanner::LeaveCommand(int joint) {
+void JointPlanner::LeaveCommand(int joint) {
   commands_[joint] = ++last_command_;
 }
 
 // The joint's target is now where it stands or stops. The targets of its partners may no longer fit.
-void MotionPlanner::MakePartnersFit(int joint) {
+void JointPlanner::MakePartnersFit(int joint) {
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
     const int lowest = coupledLowest(coupling, Target(coupling.leader));
@@ -159,9 +159,9 @@ void MotionPlanner::MakePartnersFit(int joint) {
       Hold(coupling.leader);
     } else if (coupling.leader == joint) {
       // A follower that was moved out of its limits by hand is not commanded.
-      const int stops_at = motions_[coupling.follower].BrakingSpan().low;
+      const int stops_at = paths_[coupling.follower].BrakingSpan().low;
       if (Target(coupling.follower) < stops_at) {
-        motions_[coupling.follower].Aim(std::min(lowest, stops_at));
+        paths_[coupling.follower].Aim(std::min(lowest, stops_at));
         LeaveCommand(coupling.follower);
       }
     }
@@ -169,33 +169,33 @@ void MotionPlanner::MakePartnersFit(int joint) {
 }
 
 // A joint that cannot arrive in time delays the others of the same command.
-void MotionPlanner::ArriveTogether() {
+void JointPlanner::ArriveTogether() {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
     for (int j = 0; j < robot_.number_of_joints; ++j) {
       if (commands_[i] == commands_[j]) {
-        motions_[i].Delay(std::max(FramesLeft(i), FramesLeft(j)));
+        paths_[i].Delay(std::max(FramesLeft(i), FramesLeft(j)));
       }
     }
   }
 }
 
 // The safe step that is nearest to the wanted one. Braking is always safe.
-int MotionPlanner::AllowedStep(int joint, int wanted) const {
-  if (IsAllowed(joint, motions_[joint].SpanAfter(wanted))) {
+int JointPlanner::AllowedStep(int joint, int wanted) const {
+  if (IsAllowed(joint, paths_[joint].SpanAfter(wanted))) {
     return wanted;
   }
-  int allowed = motions_[joint].BrakingStep();
+  int allowed = paths_[joint].BrakingStep();
   int refused = wanted;
   while (refused - allowed > 1 || allowed - refused > 1) {
     const int middle = allowed + (refused - allowed) / 2;
-    (IsAllowed(joint, motions_[joint].SpanAfter(middle)) ? allowed : refused) = middle;
+    (IsAllowed(joint, paths_[joint].SpanAfter(middle)) ? allowed : refused) = middle;
   }
   return allowed;
 }
 
 // After SetPosition(), two joints may touch, or a joint may be outside its limits. Then no joint may go farther out.
-bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
-  const JointMotion::Span now = motions_[joint].BrakingSpan();
+bool JointPlanner::IsAllowed(int joint, const JointPath::Span& next) const {
+  const JointPath::Span now = paths_[joint].BrakingSpan();
   const Joint& limits = robot_.joints[joint];
   if (next.low < std::min(now.low, limits.lowest) || next.high > std::max(now.high, limits.highest)) {
     return false;
@@ -203,12 +203,12 @@ bool MotionPlanner::IsAllowed(int joint, const JointMotion::Span& next) const {
   for (int i = 0; i < robot_.number_of_couplings; ++i) {
     const Coupling& coupling = robot_.couplings[i];
     if (coupling.follower == joint) {
-      const int lowest = CoupledLowest(coupling, motions_[coupling.leader].BrakingSpan());
+      const int lowest = CoupledLowest(coupling, paths_[coupling.leader].BrakingSpan());
       if (next.low < std::min(now.low, lowest)) {
         return false;
       }
     } else if (coupling.leader == joint) {
-      const int follower = motions_[coupling.follower].BrakingSpan().low;
+      const int follower = paths_[coupling.follower].BrakingSpan().low;
       if (CoupledLowest(coupling, next) > std::max(follower, CoupledLowest(coupling, now))) {
         return false;
       }

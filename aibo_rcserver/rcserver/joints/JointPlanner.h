@@ -1,12 +1,12 @@
-/// @file MotionPlanner.h
-/// Plans the motion of every joint for the next 8 ms.
-#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H
-#define AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H
+/// @file JointPlanner.h
+/// Plans the path of every joint for the next 8 ms.
+#ifndef AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PLANNER_H
+#define AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PLANNER_H
 
-#include "rcserver/joints/JointMotion.h"
+#include "rcserver/joints/JointPath.h"
 #include "robot_model/robot_model.h"
 
-/// Plans the motion of all joints of a robot, frame by frame, so that they follow their commands without hitting the
+/// Plans the paths of all joints of a robot, frame by frame, so that they follow their commands without hitting the
 /// body.
 ///
 /// Positions are in microradian, speeds in microradian/s, accelerations in microradian/s^2. Joints are numbered by
@@ -17,7 +17,7 @@
 /// - A joint is within its limits. It overshoots its target only if it was too fast to stop there when the target was
 ///   set.
 /// - Its speed and its change of speed are within its limits. A joint that is faster than a new limit brakes.
-/// - Its speed profile is a trapezoid (JointMotion.h). It reaches its target exactly, and takes a new target without a
+/// - Its speed profile is a trapezoid (JointPath.h). It reaches its target exactly, and takes a new target without a
 /// jump.
 /// - It does not hit the body: if the table couples two joints, the follower is never below the lower limit that
 ///   belongs to the leader's position. Targets are adapted to each other when they are set. On the way, each joint in
@@ -28,12 +28,12 @@
 /// Speeds are rounded down to whole microradians per frame, accelerations to whole microradians per frame squared.
 ///
 /// Not thread-safe.
-class MotionPlanner {
+class JointPlanner {
  public:
   /// All joints stand at 0, or as near to it as their limits allow, with the robot's highest speeds and default
   /// accelerations.
   /// @param robot must outlive the planner
-  explicit MotionPlanner(const robot_model::RobotModel& robot);
+  explicit JointPlanner(const robot_model::RobotModel& robot);
 
   /// Sets the joint at rest at this position. Call it for every joint before the gains go on. If the joint was moved by
   /// hand, the position may be outside its limits or touch the body. The joint then stays there until it is commanded,
@@ -89,14 +89,14 @@ class MotionPlanner {
   /// Advances by one frame. Afterwards, Position() is where each joint should be at the frame's end.
   void NextFrame();
 
-  int Position(int joint) const { return motions_[joint].Position(); }
-  int Target(int joint) const { return motions_[joint].Target(); }
+  int Position(int joint) const { return paths_[joint].Position(); }
+  int Target(int joint) const { return paths_[joint].Target(); }
 
   /// Speed of the last frame, in microradian/s.
   int Speed(int joint) const;
 
   /// Frames until the joint is at its target, as planned now; 0 if it is there.
-  int FramesLeft(int joint) const { return motions_[joint].FramesLeft(); }
+  int FramesLeft(int joint) const { return paths_[joint].FramesLeft(); }
 
  private:
   void FitAims();
@@ -104,10 +104,10 @@ class MotionPlanner {
   void MakePartnersFit(int joint);
   void ArriveTogether();
   int AllowedStep(int joint, int wanted) const;
-  bool IsAllowed(int joint, const JointMotion::Span& next) const;
+  bool IsAllowed(int joint, const JointPath::Span& next) const;
 
   const robot_model::RobotModel& robot_;
-  JointMotion motions_[robot_model::MAX_JOINTS];
+  JointPath paths_[robot_model::MAX_JOINTS];
   int speed_limits_[robot_model::MAX_JOINTS];         ///< microradian/s
   int acceleration_limits_[robot_model::MAX_JOINTS];  ///< microradian/s^2
   unsigned commands_[robot_model::MAX_JOINTS];        ///< joints with the same number arrive together
@@ -116,4 +116,4 @@ class MotionPlanner {
   int aims_[robot_model::MAX_JOINTS];       ///< valid if is_aimed_
 };
 
-#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_MOTION_PLANNER_H
+#endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_PLANNER_H

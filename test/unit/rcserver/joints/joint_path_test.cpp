@@ -1,4 +1,4 @@
-#include "rcserver/joints/JointMotion.h"
+#include "rcserver/joints/JointPath.h"
 
 #include <gmock/gmock.h>
 
@@ -10,22 +10,22 @@
 
 namespace {
 
-JointMotion standingAt(int position, int step_limit, int acceleration) {
-  JointMotion motion;
+JointPath standingAt(int position, int step_limit, int acceleration) {
+  JointPath motion;
   motion.LimitStep(step_limit);
   motion.LimitAcceleration(acceleration);
   motion.Place(position);
   return motion;
 }
 
-void advance(JointMotion& motion, int frames = 1) {
+void advance(JointPath& motion, int frames = 1) {
   for (int i = 0; i < frames; ++i) {
     motion.Advance(motion.WantedStep());
   }
 }
 
 // The steps until the joint stands.
-std::vector<int> stepsOf(JointMotion& motion) {
+std::vector<int> stepsOf(JointPath& motion) {
   std::vector<int> steps;
   while (motion.FramesLeft() > 0 && steps.size() < 100000) {
     advance(motion);
@@ -64,44 +64,44 @@ struct Row {
   int acceleration;
   int target;
   int frames;  // that pass before the order
-  std::function<void(JointMotion&)> order;
+  std::function<void(JointPath&)> order;
   std::vector<int> steps;  // until it stands
 };
 
-TEST(JointMotion, ChangesItsSpeedByItsAccelerationAtMost) {
+TEST(JointPath, ChangesItsSpeedByItsAccelerationAtMost) {
   const Row rows[] = {
-      {"speeds up, cruises and brakes", 30, 10, 150, 0, [](JointMotion&) {}, {10, 20, 30, 30, 30, 20, 10}},
-      {"reverses", 30, 10, 960, 5, [](JointMotion& m) { m.Aim(0); }, {20, 10, 0, -10, -20, -30, -30, -30, -20, -10}},
-      {"returns to where it cannot stop", 30, 10, 960, 3, [](JointMotion& m) { m.Aim(70); }, {20, 10, 0, -10, -10}},
-      {"stops", 35, 10, 1170, 4, [](JointMotion& m) { m.Stop(1); }, {25, 15, 5}},
-      {"stops faster than its low acceleration", 35, 1, 10000, 40, [](JointMotion& m) { m.Stop(10); }, {25, 15, 5}},
+      {"speeds up, cruises and brakes", 30, 10, 150, 0, [](JointPath&) {}, {10, 20, 30, 30, 30, 20, 10}},
+      {"reverses", 30, 10, 960, 5, [](JointPath& m) { m.Aim(0); }, {20, 10, 0, -10, -20, -30, -30, -30, -20, -10}},
+      {"returns to where it cannot stop", 30, 10, 960, 3, [](JointPath& m) { m.Aim(70); }, {20, 10, 0, -10, -10}},
+      {"stops", 35, 10, 1170, 4, [](JointPath& m) { m.Stop(1); }, {25, 15, 5}},
+      {"stops faster than its low acceleration", 35, 1, 10000, 40, [](JointPath& m) { m.Stop(10); }, {25, 15, 5}},
       {"brakes to a lower limit",
        30,
        10,
        150,
        3,
-       [](JointMotion& m) { m.LimitStep(5); },
+       [](JointPath& m) { m.LimitStep(5); },
        {20, 10, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5, 5}},
       {"takes a lower acceleration when it stands",
        30,
        10,
        150,
        3,
-       [](JointMotion& m) { m.LimitAcceleration(1); },
+       [](JointPath& m) { m.LimitAcceleration(1); },
        {30, 30, 20, 10}},
       {"takes a higher acceleration at the next target",
        30,
        1,
        960,
        1,
-       [](JointMotion& m) {
+       [](JointPath& m) {
          m.LimitAcceleration(10);
          m.Aim(147);
        },
        {11, 21, 28, 28, 28, 20, 10}},
   };
   for (const Row& row : rows) {
-    JointMotion motion = standingAt(0, row.step_limit, row.acceleration);
+    JointPath motion = standingAt(0, row.step_limit, row.acceleration);
     motion.Aim(row.target);
     advance(motion, row.frames);
     row.order(motion);
@@ -109,13 +109,13 @@ TEST(JointMotion, ChangesItsSpeedByItsAccelerationAtMost) {
   }
 }
 
-TEST(JointMotion, ArrivesInTheFewestFramesPossible) {
+TEST(JointPath, ArrivesInTheFewestFramesPossible) {
   std::mt19937 random(2);
   const auto between = [&random](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
   for (int round = 0; round < 300; ++round) {
     const int acceleration = between(1, 3);
     const int first_limit = between(1, 6);
-    JointMotion motion = standingAt(0, first_limit, acceleration);
+    JointPath motion = standingAt(0, first_limit, acceleration);
     motion.Aim(between(-20, 20));
     const int frames = between(0, 6);
     advance(motion, frames);
