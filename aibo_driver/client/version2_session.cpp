@@ -777,7 +777,7 @@ void Version2Session::onLedsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onSteered(const Payload& payload) {
-  const auto steered = decoded<version2::Steered>(payload, "reply to steering");
+  const auto steered = decoded<version2::SteeringReply>(payload, "reply to steering");
   bodyMovesAgain();
   const int number = reader_.header().request_number;
   const std::uint64_t order = orderOf(number);

@@ -46,7 +46,7 @@ struct SteeringOrder {
 };
 
 /// Payload of the reply to `S`: Velocity, uint16 walk.
-struct Steered {
+struct SteeringReply {
   Velocity velocity;    ///< in force, within the robot's WalkLimits
   unsigned short walk;  ///< number of the `S` that began the walk; 0 if there is no walk
 

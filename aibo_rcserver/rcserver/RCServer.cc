@@ -65,8 +65,8 @@ const longword RCServer::INTRODUCTION_FRAMES;
 RCServer::RCServer()
     : endpoints_(0),
       client_(NULL),
-      guest_(NULL),
-      guest_since_(0),
+      newcomer_(NULL),
+      newcomer_since_(0),
       has_asked_(false),
       quiet_since_(0),
       body_(NULL),
@@ -92,7 +92,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(),     body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
                        body_->Camera(),     body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
-                       power_down_.Order(), file_desk_,      held_up_};
+                       power_down_.Order(), file_desk_,      delays_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -246,8 +246,8 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   } else if (client_ == NULL) {
     Admit(connection);
   } else if (connection->Receive()) {
-    guest_ = connection;
-    guest_since_ = now_;
+    newcomer_ = connection;
+    newcomer_since_ = now_;
     has_asked_ = false;
     quiet_since_ = now_;
   } else {
@@ -278,11 +278,11 @@ void RCServer::SendCont(ANTENVMSG msg) {
 }
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
-  held_up_.Happens(SystemMilliseconds());
+  delays_.Happens(SystemMilliseconds());
   const TCPEndpointReceiveMsg* answer = static_cast<const TCPEndpointReceiveMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
-  if (connection != NULL && connection == guest_) {
-    GuestReceived(*answer);
+  if (connection != NULL && connection == newcomer_) {
+    NewcomerReceived(*answer);
     return;
   }
   if (client_ == NULL || connection != client_) {
@@ -297,8 +297,8 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
   signs_.last_sign_of_life = now_;
   signs_.last_bytes_received = now_;
   quiet_since_ = now_;
-  if (guest_ != NULL && has_asked_) {
-    TurnAwayWhileBusy(guest_);
+  if (newcomer_ != NULL && has_asked_) {
+    TurnAwayWhileBusy(newcomer_);
   }
   ServeClient();
 }
@@ -367,7 +367,7 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
 }
 
 void RCServer::PassTime(longword frame) {
-  held_up_.Happens(SystemMilliseconds());
+  delays_.Happens(SystemMilliseconds());
   clock_.Report(frame, SystemMilliseconds());
   if (static_cast<slongword>(frame - now_) > 0) {
     now_ = frame;
@@ -378,7 +378,7 @@ void RCServer::PassTime(longword frame) {
   if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
     ListenWhereClosed();
   }
-  CheckGuest();
+  CheckNewcomer();
   if (client_ != NULL) {
     CheckClient();
   } else {
@@ -452,35 +452,36 @@ bool RCServer::MayBeClientAgain(const Connection& newcomer) const {
   return session_->ExpectsHeartbeat() && newcomer.ClientAddress() == client_->ClientAddress();
 }
 
-// Handles a guest that has sent something or has gone. Further bytes are read after it has become the client.
-void RCServer::GuestReceived(const TCPEndpointReceiveMsg& answer) {
+// Handles a newcomer that has sent something or has gone. Further bytes are read after it has become the client.
+void RCServer::NewcomerReceived(const TCPEndpointReceiveMsg& answer) {
   if (answer.error != TCP_SUCCESS) {
-    CloseNewcomer(guest_, answer.error != TCP_CONNECTION_CLOSED);
+    CloseNewcomer(newcomer_, answer.error != TCP_CONNECTION_CLOSED);
     return;
   }
-  guest_->Received(static_cast<size_t>(answer.sizeMin));
-  if (IsStranger(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
-    AbortStranger(guest_);
+  newcomer_->Received(static_cast<size_t>(answer.sizeMin));
+  if (IsStranger(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
+    AbortStranger(newcomer_);
   } else {
-    CheckGuest();
+    CheckNewcomer();
   }
 }
 
 // A newcomer takes a client's place only with a whole request. Other newcomers wait for a frame, because the same
 // client may connect again before the server learns that its old connection has closed.
-void RCServer::CheckGuest() {
-  if (guest_ == NULL) {
+void RCServer::CheckNewcomer() {
+  if (newcomer_ == NULL) {
     return;
   }
   if (client_ == NULL) {
-    AdmitGuest();
+    AdmitNewcomer();
     return;
   }
   const bool is_silent = IsClientSilent();
-  const bool may_replace = is_silent || MayBeClientAgain(*guest_);
-  if (!may_replace || !protocol::RequestReader::beginsWithRequest(guest_->ReceivedBytes(), guest_->ReceivedSize())) {
-    if (now_ - guest_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
-      TurnAwayWhileBusy(guest_);
+  const bool may_replace = is_silent || MayBeClientAgain(*newcomer_);
+  if (!may_replace ||
+      !protocol::RequestReader::beginsWithRequest(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
+    if (now_ - newcomer_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
+      TurnAwayWhileBusy(newcomer_);
     }
   } else if (!is_silent && !has_asked_ && session_->AskForSign()) {
     has_asked_ = true;
@@ -488,18 +489,18 @@ void RCServer::CheckGuest() {
     ServeClient();
   } else if (is_silent || now_ - quiet_since_ >= SIGN_FRAMES) {
     DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
-    AdmitGuest();
+    AdmitNewcomer();
   }
 }
 
-void RCServer::AdmitGuest() {
+void RCServer::AdmitNewcomer() {
   if (power_down_.IsOrdered()) {
-    TurnAway(guest_, "the robot goes off");
+    TurnAway(newcomer_, "the robot goes off");
     return;
   }
-  Connection* const guest = guest_;
-  guest_ = NULL;
-  Admit(guest);
+  Connection* const newcomer = newcomer_;
+  newcomer_ = NULL;
+  Admit(newcomer);
 }
 
 void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
@@ -510,8 +511,8 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 
 void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
   newcomer->Close(abort, now_);
-  if (newcomer == guest_) {
-    guest_ = NULL;
+  if (newcomer == newcomer_) {
+    newcomer_ = NULL;
   }
 }
 

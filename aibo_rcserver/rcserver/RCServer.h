@@ -132,9 +132,9 @@ class RCServer : public OObject {
   Connection* FindConnection(const void* continuation);
   void Admit(Connection* newcomer);
   bool MayBeClientAgain(const Connection& newcomer) const;
-  void GuestReceived(const TCPEndpointReceiveMsg& answer);
-  void CheckGuest();
-  void AdmitGuest();
+  void NewcomerReceived(const TCPEndpointReceiveMsg& answer);
+  void CheckNewcomer();
+  void AdmitNewcomer();
   void TurnAwayWhileBusy(Connection* newcomer);
   void CloseNewcomer(Connection* newcomer, bool abort);
   void TurnAway(Connection* newcomer, const char* reason);
@@ -176,16 +176,16 @@ class RCServer : public OObject {
   };
 
   Connection connections_[NUMBER_OF_CONNECTIONS];
-  size_t endpoints_;    ///< number of endpoints created so far
-  Connection* client_;  ///< the client's connection; NULL if there is no client
-  Connection* guest_;   ///< a newcomer while there is a client; NULL if there is none
-  longword guest_since_;
-  bool has_asked_;        ///< the client, for a sign: the guest has sent a request
-  longword quiet_since_;  ///< frame in which the guest came, the client was asked, or last sent or took bytes
+  size_t endpoints_;      ///< number of endpoints created so far
+  Connection* client_;    ///< the client's connection; NULL if there is no client
+  Connection* newcomer_;  ///< a newcomer while there is a client; NULL if there is none
+  longword newcomer_since_;
+  bool has_asked_;        ///< the client, for a sign: the newcomer has sent a request
+  longword quiet_since_;  ///< frame in which the newcomer came, the client was asked, or last sent or took bytes
   Body* body_;            ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   FrameClock clock_;
-  HoldUpWatch held_up_;
+  DelayWatch delays_;
   FileDesk file_desk_;
   PowerDown power_down_;
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client

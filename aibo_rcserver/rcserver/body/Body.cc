@@ -146,7 +146,7 @@ double Body::Measured(const char* sensor) const {
 }
 
 void Body::ReportWalk() {
-  OrderBook::Ended end;
+  OrderBook::OrderEnd end;
   while (Joints().Orders().Take(OrderBook::CONSOLE, &end)) {
     if (end.what == protocol::version2::ENDED_WALK || end.what == protocol::version2::ENDED_POSTURE) {
       OSYSPRINT(("RCServer: %s has ended%s%s\n", end.name, end.reason[0] == '\0' ? "" : ": ", end.reason));

@@ -18,17 +18,17 @@ const unsigned JointOrders::FRAMES_TO_FOLLOW;
 
 JointOrders::JointOrders(const JointPlanner& planner, const robot_model::RobotModel& robot, OrderBook& book)
     : planner_(planner), robot_(robot), book_(book) {
-  const Way none = {OrderBook::NO_ORDER, 0, false, 0};
+  const OrderedJoint none = {OrderBook::NO_ORDER, 0, false, 0};
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
-    ways_[i] = none;
+    joints_[i] = none;
   }
 }
 
 void JointOrders::Begin(const int* joints, int count, unsigned short number) {
   const int order = book_.Begin(protocol::version2::ENDED_JOINTS, number, "");
   for (int i = 0; i < count; ++i) {
-    const Way way = {order, planner_.Target(joints[i]), false, 0};
-    ways_[joints[i]] = way;
+    const OrderedJoint joint = {order, planner_.Target(joints[i]), false, 0};
+    joints_[joints[i]] = joint;
   }
   if (count == 0) {
     book_.End(order, DONE);
@@ -36,11 +36,11 @@ void JointOrders::Begin(const int* joints, int count, unsigned short number) {
 }
 
 void JointOrders::Leave(int joint, const EndReason& reason) {
-  const int order = ways_[joint].order;
+  const int order = joints_[joint].order;
   if (order == OrderBook::NO_ORDER) {
     return;
   }
-  ways_[joint].order = OrderBook::NO_ORDER;
+  joints_[joint].order = OrderBook::NO_ORDER;
   if (reason.how == END_REFUSED) {
     book_.Spoil(order, reason);
   }
@@ -51,15 +51,15 @@ void JointOrders::Leave(int joint, const EndReason& reason) {
 
 void JointOrders::Measured(const int* positions, unsigned frame) {
   for (int i = 0; i < robot_.number_of_joints; ++i) {
-    if (ways_[i].order != OrderBook::NO_ORDER) {
-      Judge(i, abs(positions[i] - ways_[i].target), frame);
+    if (joints_[i].order != OrderBook::NO_ORDER) {
+      Judge(i, abs(positions[i] - joints_[i].target), frame);
     }
   }
 }
 
 bool JointOrders::HasJoint(int order) const {
   for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
-    if (ways_[i].order == order) {
+    if (joints_[i].order == order) {
       return true;
     }
   }
@@ -68,16 +68,16 @@ bool JointOrders::HasJoint(int order) const {
 
 // New limits or a coupling can delay a joint that was there already.
 void JointOrders::Judge(int joint, int distance, unsigned frame) {
-  Way& way = ways_[joint];
-  const bool was_over = way.is_over;
-  way.is_over = planner_.FramesLeft(joint) == 0;
-  way.since = was_over ? way.since : frame;
-  if (!way.is_over || frame - way.since < FRAMES_TO_FOLLOW) {
+  OrderedJoint& ordered = joints_[joint];
+  const bool was_over = ordered.is_over;
+  ordered.is_over = planner_.FramesLeft(joint) == 0;
+  ordered.since = was_over ? ordered.since : frame;
+  if (!ordered.is_over || frame - ordered.since < FRAMES_TO_FOLLOW) {
     return;
   }
   if (distance <= ARRIVED) {
     Leave(joint, DONE);
-  } else if (frame - way.since >= FRAMES_TO_FOLLOW + ARRIVAL_FRAMES) {
+  } else if (frame - ordered.since >= FRAMES_TO_FOLLOW + ARRIVAL_FRAMES) {
     char words[OrderBook::MAX_TEXT_SIZE];
     sprintf(words, "%s stays %d.%03d rad from its target", robot_.joints[joint].name, distance / 1000000,
             distance / 1000 % 1000);

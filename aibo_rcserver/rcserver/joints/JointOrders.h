@@ -35,7 +35,7 @@ class JointOrders {
 
  private:
   // A joint that is under way, or not.
-  struct Way {
+  struct OrderedJoint {
     int order;  ///< NO_ORDER if it is not under way
     int target;
     bool is_over;    ///< as planned
@@ -51,7 +51,7 @@ class JointOrders {
   const JointPlanner& planner_;
   const robot_model::RobotModel& robot_;
   OrderBook& book_;
-  Way ways_[robot_model::MAX_JOINTS];
+  OrderedJoint joints_[robot_model::MAX_JOINTS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_JOINTS_JOINT_ORDERS_H

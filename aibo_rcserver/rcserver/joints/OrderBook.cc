@@ -32,7 +32,7 @@ int OrderBook::Begin(unsigned char what, unsigned short number, const char* name
   while (live_[order].is_used) {
     ++order;
   }
-  Live& live = live_[order];
+  LiveOrder& live = live_[order];
   live.is_used = true;
   live.is_spoilt = false;
   live.end.what = what;
@@ -42,7 +42,7 @@ int OrderBook::Begin(unsigned char what, unsigned short number, const char* name
 }
 
 void OrderBook::Spoil(int order, const EndReason& reason) {
-  Live& live = live_[order];
+  LiveOrder& live = live_[order];
   if (!live.is_spoilt) {
     live.is_spoilt = true;
     live.end.how = reason.how;
@@ -60,7 +60,7 @@ void OrderBook::End(int order, const EndReason& reason) {
   ++added_;
 }
 
-bool OrderBook::Take(Reader reader, Ended* end) {
+bool OrderBook::Take(Reader reader, OrderEnd* end) {
   unsigned& taken = taken_[reader];
   if (added_ - taken > MAX_ENDS) {
     taken = added_ - MAX_ENDS;

@@ -48,7 +48,7 @@ class OrderBook {
 
   enum Reader { CLIENT, CONSOLE };
 
-  struct Ended {
+  struct OrderEnd {
     unsigned char what;     ///< ENDED_MOTION, ENDED_WALK, ENDED_POSTURE or ENDED_JOINTS
     unsigned char how;      ///< END_DONE and so on
     unsigned short number;  ///< of the request; 0 if it is not the present client's
@@ -60,7 +60,7 @@ class OrderBook {
   OrderBook();
 
   /// Begins an order.
-  /// @param what as in Ended
+  /// @param what as in OrderEnd
   /// @param number of the request; 0 for orders without one
   /// @param name of the motion, WALK_NAME, or postureName(); empty for joints
   /// @return the order, valid until End()
@@ -79,7 +79,7 @@ class OrderBook {
   /// Returns each end once to each reader, the oldest first. Without a number, the client is told only of a posture: an
   /// earlier client has begun a rest. A motion without a number was begun in version 1, which tells no ends.
   /// @return false if there is none
-  bool Take(Reader reader, Ended* end);
+  bool Take(Reader reader, OrderEnd* end);
 
   /// Forgets the ends that the client has not taken. What goes on is not the next client's, who must let go first.
   void ClientGone();
@@ -95,14 +95,14 @@ class OrderBook {
 
  private:
   // An order that is being carried out.
-  struct Live {
+  struct LiveOrder {
     bool is_used;
     bool is_spoilt;  ///< end.how and end.reason are set
-    Ended end;
+    OrderEnd end;
   };
 
-  Live live_[MAX_LIVE];
-  Ended ends_[MAX_ENDS];
+  LiveOrder live_[MAX_LIVE];
+  OrderEnd ends_[MAX_ENDS];
   unsigned added_;     ///< number of ends so far
   unsigned taken_[2];  ///< number of ends taken by each reader
   bool must_let_go_;

@@ -74,7 +74,7 @@ void Exchange::PushEnd(unsigned char what, unsigned char how, unsigned short ord
 }
 
 void Exchange::PushEnds() {
-  OrderBook::Ended end;
+  OrderBook::OrderEnd end;
   while (orders_.Take(OrderBook::CLIENT, &end)) {
     PushEnd(end.what, end.how, end.number, end.name, end.reason);
   }

@@ -120,7 +120,7 @@ void MoveRequests::Steer() {
   }
   const protocol::version2::Velocity accepted =
       robot_.joints.Steer(wanted, is_guarded, exchange_.Request().request_number);
-  const Steered steered = {
+  const SteeringReply steered = {
       {WholeThousandths(accepted.forward), WholeThousandths(accepted.left), WholeThousandths(accepted.turn)},
       walker.WalkNumber()};
   exchange_.Reply(steered);

@@ -3,7 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 
-#include "rcserver/HoldUpWatch.h"
+#include "rcserver/DelayWatch.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/body/SensorDriver.h"
@@ -36,7 +36,7 @@ struct Robot {
   DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;
-  const HoldUpWatch& held_up;
+  const DelayWatch& delays;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H

@@ -121,7 +121,7 @@ const Layout kLayouts[] = {
     layout("Volume", Volume{3}, hex("03")),
     layout("SteeringOrder", SteeringOrder{168496141, {0.15, -0.06, 1.2}},
            hex("0a 0b 0c 0d") + hex(kVelocity) + hex("00 00"), {10, 11}),
-    layout("Steered", Steered{{0.15, -0.06, 1.2}, 0xabcd}, hex(kVelocity) + hex("ab cd")),
+    layout("SteeringReply", SteeringReply{{0.15, -0.06, 1.2}, 0xabcd}, hex(kVelocity) + hex("ab cd")),
     layout("OutermostVelocity", Velocity{-32.768, 32.767, -0.001}, hex("80 00 7f ff ff ff")),
     layout("RoundedVelocity", Velocity{0.0014, 0.0015, -0.0015}, hex("00 01 00 02 ff fe")),
     layout("PostureOrder", PostureOrder{168496141}, hex("0a 0b 0c 0d")),

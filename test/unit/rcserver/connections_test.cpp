@@ -56,12 +56,12 @@ TEST_F(ConnectionsTest, LastMessageArrivesAndTheClientHasTwoSecondsToCloseThen) 
 
 TEST_F(ConnectionsTest, ClientsTurnedAwayThatDoNotCloseDoNotKeepOthersOut) {
   auto served = connectServed();
-  std::vector<std::unique_ptr<TestClient>> strangers;
+  std::vector<std::unique_ptr<TestClient>> newcomers;
   for (int i = 0; i < 10; ++i) {
-    strangers.push_back(connect());
+    newcomers.push_back(connect());
     passFrames(4);
-    EXPECT_TRUE(strangers.back()->ended()) << i;
-    EXPECT_FALSE(strangers.back()->next());
+    EXPECT_TRUE(newcomers.back()->ended()) << i;
+    EXPECT_FALSE(newcomers.back()->next());
   }
   served->close();
   machine_->runPending();

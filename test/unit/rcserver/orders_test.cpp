@@ -28,7 +28,7 @@ std::string target(int joint, int position = 300000) {
 }
 
 std::string velocity(int forward) {
-  return payloadOf(Steered{{forward * 1e-3, 0, 0}, 0});
+  return payloadOf(SteeringReply{{forward * 1e-3, 0, 0}, 0});
 }
 
 // A request without its number.
@@ -99,7 +99,7 @@ class OrdersTest : public Version2Fixture {
   int walkAfter(int number, const Asked& asked) {
     ask(number, asked);
     for (const Frame& next : arrived()) {
-      Steered steered = {};
+      SteeringReply steered = {};
       if (next.header.kind == 's' && decode(next.payload.data(), next.payload.size(), &steered) == nullptr) {
         return steered.walk;
       }

@@ -117,7 +117,7 @@ TEST_F(WalkTest, HelloHasItsLimits) {
 }
 
 TEST_F(WalkTest, VelocityInForceCanBeSentBackUnchanged) {
-  Steered steered = {};
+  SteeringReply steered = {};
   const Frame answer = answerTo('S', 0, steering(50, -5, 100));
   ASSERT_EQ(decode(answer.payload.data(), answer.payload.size(), &steered), nullptr);
   EXPECT_DOUBLE_EQ(steered.velocity.forward, 0.05);

@@ -121,7 +121,7 @@ class OrderedJoints {
   }
 
   std::string takeEnd() {
-    OrderBook::Ended end = {};
+    OrderBook::OrderEnd end = {};
     return joints.Orders().Take(OrderBook::CLIENT, &end)
                ? std::to_string(end.number) + " " + std::to_string(end.how) + ": " + end.reason
                : "";

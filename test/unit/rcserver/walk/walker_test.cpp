@@ -148,7 +148,7 @@ struct WalkingRobot {
   // Such as "walk: left_front_knee was commanded".
   std::vector<std::string> ends(OrderBook::Reader reader = OrderBook::CLIENT) {
     std::vector<std::string> texts;
-    for (OrderBook::Ended end; joints.Orders().Take(reader, &end);) {
+    for (OrderBook::OrderEnd end; joints.Orders().Take(reader, &end);) {
       texts.push_back(std::string(end.name) + ": " + end.reason);
     }
     return texts;

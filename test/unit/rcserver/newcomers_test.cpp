@@ -15,7 +15,7 @@ using ::testing::SizeIs;
 
 constexpr unsigned kSign = 38;  // frames: 0.3 s
 
-class GuestsTest : public Version2Fixture {
+class NewcomersTest : public Version2Fixture {
  protected:
   // Connects beside the client that is served.
   std::unique_ptr<TestClient> comeWith(const std::string& bytes, const char* from = "127.0.0.1") {
@@ -45,7 +45,7 @@ class GuestsTest : public Version2Fixture {
   }
 };
 
-TEST_F(GuestsTest, TakeThePlaceOfAClientAtTheirAddressThatGivesNoSignFor300Milliseconds) {
+TEST_F(NewcomersTest, TakeThePlaceOfAClientAtTheirAddressThatGivesNoSignFor300Milliseconds) {
   answerTo('W', 85, kStreamOn);
   auto back = comeWith(request('X', 2));
   EXPECT_TRUE(isAsked());
@@ -62,7 +62,7 @@ TEST_F(GuestsTest, TakeThePlaceOfAClientAtTheirAddressThatGivesNoSignFor300Milli
   EXPECT_THAT(console_.str(), HasSubstr("it has come back over a new connection"));
 }
 
-TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesAfterASignOfTheClient) {
+TEST_F(NewcomersTest, AreTurnedAwayWithinAFewFramesAfterASignOfTheClient) {
   passFrames(500);  // of silence
   for (const std::string& bytes : {request('X', 2), std::string("F\x55")}) {
     auto other = comeWith(bytes);
@@ -74,7 +74,7 @@ TEST_F(GuestsTest, AreTurnedAwayWithinAFewFramesAfterASignOfTheClient) {
   }
 }
 
-TEST_F(GuestsTest, TakeNoPlaceWhileALargePictureDelaysTheQuestionForASign) {
+TEST_F(NewcomersTest, TakeNoPlaceWhileALargePictureDelaysTheQuestionForASign) {
   connectBehindAPicture();
   auto other = comeWith(request('X', 2));
   unsigned passed = 0;
@@ -86,7 +86,7 @@ TEST_F(GuestsTest, TakeNoPlaceWhileALargePictureDelaysTheQuestionForASign) {
   EXPECT_TRUE(isTurnedAwayWithinAFewFrames(*other));
 }
 
-TEST_F(GuestsTest, TakeThePlaceOfAClientThatTakesNothingOfALargePictureAnyMore) {
+TEST_F(NewcomersTest, TakeThePlaceOfAClientThatTakesNothingOfALargePictureAnyMore) {
   connectBehindAPicture();
   passFrames(100);
   auto back = comeWith(request('X', 2));
@@ -95,7 +95,7 @@ TEST_F(GuestsTest, TakeThePlaceOfAClientThatTakesNothingOfALargePictureAnyMore) 
 }
 
 // What an outage leaves behind: the IPStack still takes what the client cannot get.
-TEST_F(GuestsTest, TakeThePlaceOfAClientWhoseIPStackTakesTelemetryForIt) {
+TEST_F(NewcomersTest, TakeThePlaceOfAClientWhoseIPStackTakesTelemetryForIt) {
   answerTo('T', 0, payloadOf(protocol::version2::TelemetryPeriod{4}));
   passFrames(4);
   auto back = comeWith(request('X', 2));
@@ -104,7 +104,7 @@ TEST_F(GuestsTest, TakeThePlaceOfAClientWhoseIPStackTakesTelemetryForIt) {
   EXPECT_TRUE(isAgreedToVersion2(*back));
 }
 
-TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
+TEST_F(NewcomersTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
   machine_.reset();
   startWith("ALLOWED_ADDRESSES=any\n");
   connectVersion2();
@@ -117,7 +117,7 @@ TEST_F(GuestsTest, FromAnotherAddressWaitUntilTheClientIsFoundDead) {
 }
 
 // A web page's connection would end the one of a client in an outage.
-TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
+TEST_F(NewcomersTest, ThatAreStrangersTakeNoPlace) {
   for (const std::string& bytes : {std::string("GET / HTTP/1.1\r\n\r\n"), std::string("POST / HTTP/1.1\r\n\r\nX\2"),
                                    std::string("\0\x80\0\1", 4), std::string("QUERY /"), std::string("\x16\3\1")}) {
     auto stranger = comeWith(bytes);
@@ -129,7 +129,7 @@ TEST_F(GuestsTest, ThatAreStrangersTakeNoPlace) {
   EXPECT_EQ(answerTo('H', 0).header.kind, 'h') << "the client is served on";
 }
 
-TEST_F(GuestsTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
+TEST_F(NewcomersTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
   auto silent = comeWith("");
   passFrames(50);
   EXPECT_FALSE(silent->ended());
@@ -138,7 +138,7 @@ TEST_F(GuestsTest, ThatAreSilentAreTurnedAwayAfterHalfASecond) {
   EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
 }
 
-TEST_F(GuestsTest, GetNoPlaceAtARobotThatGoesOff) {
+TEST_F(NewcomersTest, GetNoPlaceAtARobotThatGoesOff) {
   auto next = comeWith(request('X', 2));
   robot_.power_status.robotStatus |= orsbBATTERY_CAPACITY_LOW;
   passFrames(1);
