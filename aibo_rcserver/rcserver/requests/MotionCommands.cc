@@ -1,12 +1,9 @@
 #include "rcserver/requests/MotionCommands.h"
 
-#include <OPENR/OSyslog.h>
 #include <string.h>
 
 MotionCommands::MotionCommands(JointControl& joints, const MotorSwitch& motors, FileOrder& order)
-    : joints_(joints), motors_(motors), order_(order), next_said_(0), repetitions_(0), leave_out_(false), number_(0) {
-  memset(said_, 0, sizeof(said_));
-}
+    : joints_(joints), motors_(motors), order_(order), repetitions_(0), leave_out_(false), number_(0) {}
 
 MotionCommands::Outcome MotionCommands::Play(const protocol::MotionName& name, int repetitions, bool leave_out,
                                              unsigned short number) {
@@ -83,25 +80,5 @@ MotionCommands::Outcome MotionCommands::FinishPlay(const FileResult& result) {
     return order_.Fail(FileOrder::REFUSED, "%s", problem);
   }
   joints_.MotionHasBegun();
-  if (IsNews(Changes())) {
-    OSYSPRINT(("RCServer: %s: %s\n", order_.Name(), Changes()));
-  }
   return FileOrder::DONE;
-}
-
-// A motion that is played again and again would fill the console.
-bool MotionCommands::IsNews(const char* changes) {
-  if (changes[0] == '\0') {
-    return false;
-  }
-  for (int i = 0; i < MAX_SAID; ++i) {
-    if (strcmp(said_[i].name, order_.Name()) == 0 && strcmp(said_[i].changes, changes) == 0) {
-      return false;
-    }
-  }
-  Said& said = said_[next_said_];
-  next_said_ = (next_said_ + 1) % MAX_SAID;
-  strcpy(said.name, order_.Name());
-  strcpy(said.changes, changes);
-  return true;
 }

@@ -28,8 +28,7 @@ class MotionCommands {
   /// @param number of the request of version 2, otherwise 0
   Outcome Play(const protocol::MotionName& name, int repetitions, bool leave_out, unsigned short number = 0);
 
-  /// Once Play() is DONE: how the motion differs from its file (MotionPlayer::Changes()). The console shows this, too,
-  /// but only once for the same motion with the same changes.
+  /// Once Play() is DONE: how the motion differs from its file (MotionPlayer::Changes()).
   const char* Changes() const { return joints_.Motions().Changes(); }
 
   /// Stops a motion if it is being played.
@@ -50,29 +49,17 @@ class MotionCommands {
   Outcome Finish(const FileResult& result);
 
  private:
-  // What the console has said about a motion.
-  struct Said {
-    protocol::MotionName name;
-    char changes[mtn::FittedMotion::MAX_DESCRIPTION_SIZE];
-  };
-
-  // As many as a memory stick usually has; the oldest is forgotten.
-  static const int MAX_SAID = 16;
-
   MotionCommands(const MotionCommands&);
   MotionCommands& operator=(const MotionCommands&);
 
   Outcome CheckPlay();
   Outcome FinishPlay(const FileResult& result);
-  bool IsNews(const char* changes);
 
   JointControl& joints_;
   const MotorSwitch& motors_;
   FileOrder& order_;
   mtn::Motion checked_;       ///< the upload that is checked
   mtn::FittedMotion fitted_;  ///< the upload, fitted to the robot
-  Said said_[MAX_SAID];
-  int next_said_;
 
   /// @name The motion to be played, while its file is being read
   /// @{

@@ -221,12 +221,9 @@ TEST_F(MotionsInVersion2, TellsWhatIsPlayedDifferently) {
       "1 joint that this robot does not have is left out; 1 position is clipped, by up to 3.0 degrees (head_pan at "
       "1600 ms)";
   EXPECT_EQ(answerTo(play("FAST.MTN", 1, LEAVE_OUT_MISSING_JOINTS)), "p" + changes);
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: FAST.MTN: " + changes));
   passFrames(400);
   const std::vector<bool>& ear = robot_.ears[0].path;
   EXPECT_EQ(std::count(ear.begin(), ear.end(), true), LightDriver::EAR_FRAMES);
-  EXPECT_EQ(answerTo(play("FAST.MTN", 1, LEAVE_OUT_MISSING_JOINTS)), "p" + changes);
-  EXPECT_EQ(console_.str().find("FAST.MTN: 1"), console_.str().rfind("FAST.MTN: 1")) << "the console has it once";
 }
 
 TEST_F(MotionsInVersion2, ReportsAMotionThatAFaultyJointStops) {
