@@ -9,7 +9,6 @@
 
 using namespace protocol;
 using robot_model::NO_JOINT;
-using robot_model::NO_LED;
 
 const int Version1::MAX_SOURCES;
 
@@ -81,9 +80,8 @@ bool Version1::Execute() {
     case REQUEST_SENSOR:
       return ReadOrSelectSource();
     case REQUEST_LED:
-      return Identifier() == ALL_IDENTIFIERS ? SetAllLeds() : SetLed();
     case REQUEST_FACE_LEDS:
-      return SetFace();
+      return SetLeds();
     case REQUEST_EARS:
       return SetEars();
     case REQUEST_SHUT_DOWN:
@@ -223,39 +221,26 @@ short Version1::ValueOf(const Source& source) const {
   return version1SensorValue(robot_.sensors.Sensor(source.index).kind, robot_.sensors.Value(source.index));
 }
 
-// Keeps the LED's mode.
-bool Version1::SetLed() {
-  const int led = robot_.lights.FindLed(Identifier());
-  if (led == NO_LED) {
-    return false;
+// `L` keeps the mode of each LED. The reply for one LED has the intensity that it can show.
+bool Version1::SetLeds() {
+  const robot_model::RobotModel& robot = robot_.lights.Robot();
+  const bool is_face = request_.basic.command == REQUEST_FACE_LEDS;
+  const bool is_for_all = is_face || Identifier() == ALL_IDENTIFIERS;
+  bool is_any = false;
+  unsigned char intensity = ledIntensity(Value());
+  for (int i = 0; i < robot.number_of_leds; ++i) {
+    if (is_for_all || robot.leds[i].identifier == Identifier()) {
+      const LightDriver::LedState wanted = {ledIntensity(Value()),
+                                            is_face ? Identifier() != FACE_MODE_A : robot_.lights.Led(i).is_mode_b};
+      const LightDriver::LedState accepted = robot_.lights.SetLed(i, wanted);
+      intensity = is_for_all ? intensity : accepted.intensity;
+      is_any = true;
+    }
   }
-  const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(led).is_mode_b};
-  Reply(robot_.lights.SetLed(led, wanted).intensity);
-  return true;
-}
-
-bool Version1::SetAllLeds() {
-  const int count = robot_.lights.Robot().number_of_leds;
-  for (int i = 0; i < count; ++i) {
-    const LightDriver::LedState wanted = {ledIntensity(Value()), robot_.lights.Led(i).is_mode_b};
-    robot_.lights.SetLed(i, wanted);
+  if (is_any) {
+    Reply(intensity);
   }
-  if (count > 0) {
-    Reply(ledIntensity(Value()));
-  }
-  return count > 0;
-}
-
-bool Version1::SetFace() {
-  const int count = robot_.lights.Robot().number_of_leds;
-  const LightDriver::LedState wanted = {ledIntensity(Value()), Identifier() != FACE_MODE_A};
-  for (int i = 0; i < count; ++i) {
-    robot_.lights.SetLed(i, wanted);
-  }
-  if (count > 0) {
-    Reply(wanted.intensity);
-  }
-  return count > 0;
+  return is_any;
 }
 
 // If the request is for both ears, the reply says whether both are drawn.

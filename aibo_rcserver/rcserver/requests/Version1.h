@@ -69,9 +69,7 @@ class Version1 {
   bool LimitJoint();
   bool ReadOrSelectSource();
   void ReadBlock();
-  bool SetLed();
-  bool SetAllLeds();
-  bool SetFace();
+  bool SetLeds();
   bool SetEars();
   bool GoOff(PowerOrder order, bool is_allowed);
   /// @}
