@@ -403,13 +403,8 @@ void RCServer::CheckClient() {
     DropClient("it has been silent for 5 s", true);
     return;
   }
-  const bool had_been_silent = signs_.was_silent;
-  signs_.was_silent = IsClientSilent();
-  MotionPlayer& motions = body_->Joints().Motions();
-  if (signs_.was_silent && !had_been_silent && motions.IsPlaying()) {
-    OSYSPRINT(("RCServer: client %s has been silent for %u s: its motions are not repeated any more\n",
-               client_->ClientName(), settings_.silent_client_seconds));
-    motions.EndRepetitions();
+  if (IsClientSilent()) {
+    body_->Joints().Motions().EndRepetitions();
   }
 }
 
@@ -577,7 +572,6 @@ void RCServer::ServeClient() {
     }
   }
   power_down_.Note(now_);
-  pictures_.ReportStream(session_->Camera(), now_, &reports_);
   if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
     picture_.Release();
   }
@@ -613,7 +607,6 @@ bool RCServer::SendPicture() {
   const EncodedPicture& picture = picture_.Get();
   const size_t size = PutPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
   picture_.Release();
-  pictures_.CountSent();
   last_picture_ = now_;
   return client_->Send(size, true);
 }
@@ -700,7 +693,6 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
     session_->PictureTaken(picture.jpeg, picture.size);
     picture_.Release();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
-    pictures_.CountSent();
     last_picture_ = now_;
     datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, now_);
     picture_.Release();

@@ -163,7 +163,6 @@ class RCServer : public OObject {
           last_sign_of_life(now),
           last_not_over(now),
           is_announced(false),
-          was_silent(false),
           last_given(now) {}
 
     longword admitted;             ///< frame in which it was admitted
@@ -171,7 +170,6 @@ class RCServer : public OObject {
     longword last_sign_of_life;
     longword last_not_over;  ///< last frame in which the session was not over
     bool is_announced;       ///< the console has named it
-    bool was_silent;         ///< at the last check
     longword last_given;     ///< frame in which the IPStack was given something for it
   };
 

@@ -37,11 +37,6 @@ class ImageObserver {
 
   ImageObserver();
 
-  ImageObserverState State() const { return state_; }
-
-  /// The JPEG quality of the current or last stream.
-  unsigned char StreamQuality() const { return stream_order_.quality; }
-
   /// True unless the camera's images are known to lack the bands for double resolution.
   bool HasDetail() const { return has_detail_; }
   void SetHasDetail(bool has_detail) { has_detail_ = has_detail; }

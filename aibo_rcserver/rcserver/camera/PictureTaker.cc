@@ -1,7 +1,6 @@
 #include "rcserver/camera/PictureTaker.h"
 
 #include <OPENR/OFbkImage.h>
-#include <OPENR/OSyslog.h>
 #include <string.h>
 
 #include "picture_encoder/CameraImage.h"
@@ -63,11 +62,7 @@ PictureTaker::PictureTaker()
       waiting_header_(),
       ticket_(0),
       order_(),
-      header_(),
-      is_streaming_(false),
-      last_sent_(0),
-      pictures_sent_(0),
-      images_left_out_(0) {}
+      header_() {}
 
 void PictureTaker::CountImage(OFbkImageVectorData* image) {
   OFbkImageInfo* info = image->GetInfo(ofbkimageLAYER_H);
@@ -141,35 +136,4 @@ bool PictureTaker::Take(const EncodedPicture& picture) {
 void PictureTaker::Forget() {
   ticket_ = 0;
   is_waiting_ = false;
-  is_streaming_ = false;
-}
-
-void PictureTaker::CountSent() {
-  if (!is_streaming_) {
-    return;
-  }
-  if (pictures_sent_ > 0 && header_.image_count != last_sent_) {
-    images_left_out_ += header_.image_count - last_sent_ - 1;
-  }
-  last_sent_ = header_.image_count;
-  ++pictures_sent_;
-}
-
-void PictureTaker::ReportStream(const ImageObserver& camera, longword now, ReportLimit* limit) {
-  const bool is_streaming = camera.State() == IOS_CONTINUOUS;
-  if (is_streaming == is_streaming_) {
-    return;
-  }
-  is_streaming_ = is_streaming;
-  const bool is_reported = limit->Admits(now);
-  if (is_reported && is_streaming) {
-    OSYSPRINT(("RCServer: stream on, quality %d\n", static_cast<int>(camera.StreamQuality())));
-  } else if (is_reported) {
-    OSYSPRINT(
-        ("RCServer: stream off after %lu pictures, %lu camera images left out\n", pictures_sent_, images_left_out_));
-  }
-  if (is_streaming) {
-    pictures_sent_ = 0;
-    images_left_out_ = 0;
-  }
 }

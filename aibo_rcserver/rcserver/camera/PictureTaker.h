@@ -9,12 +9,10 @@
 #include "objects/RegionSender.h"
 #include "picture_encoder/PictureJob.h"
 #include "protocol/version2.h"
-#include "rcserver/ReportLimit.h"
 #include "rcserver/camera/ImageObserver.h"
 
-/// Counts camera images, passes them to PictureEncoder one at a time, and reports on the console when a stream begins
-/// and stops. While a picture is being made, the newest image waits to be the next, so that a slow encoder is never
-/// idle.
+/// Counts camera images, and passes them to PictureEncoder one at a time. While a picture is being made, the newest
+/// image waits to be the next, so that a slow encoder is never idle.
 class PictureTaker {
  public:
   PictureTaker();
@@ -59,8 +57,7 @@ class PictureTaker {
   /// Passes the waiting image to the encoder. Call it only if MayBegin().
   void Begin();
 
-  /// Call when the client is gone. Drops the picture that is being made and the waiting image, and ends the stream's
-  /// report.
+  /// Call when the client is gone. Drops the picture that is being made and the waiting image.
   void Forget();
 
   /// Call when PictureEncoder has finished a picture.
@@ -71,12 +68,7 @@ class PictureTaker {
   /// @{
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }
-  void CountSent();  ///< call when the picture is being sent
   /// @}
-
-  /// Reports on the console if the stream has begun or stopped. The report at the end has the numbers of pictures sent
-  /// and of camera images left out. Call it after requests have been handled.
-  void ReportStream(const ImageObserver& camera, longword now, ReportLimit* limit);
 
  private:
   PictureTaker(const PictureTaker&);
@@ -91,11 +83,6 @@ class PictureTaker {
   unsigned ticket_;  ///< of the picture that is being made; 0: there is none
   PictureOrder order_;
   protocol::version2::ImageHeader header_;
-
-  bool is_streaming_;              ///< as last reported
-  unsigned last_sent_;             ///< image count of the stream's last picture
-  unsigned long pictures_sent_;    ///< in the stream
-  unsigned long images_left_out_;  ///< camera images, in the stream
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_CAMERA_PICTURE_TAKER_H
