@@ -20,61 +20,34 @@ namespace version2 {
 /// Reads a file's name: readMotionName() or readPictureName().
 typedef const char* (*ReadFileName)(const char* text, size_t size, FileName& name);
 
-/// Copies a Writer's bytes into memory with room for them.
-class ByteSink {
- public:
-  explicit ByteSink(unsigned char* out) : begin_(out), next_(out) {}
-  void put(const void* bytes, size_t size) {
-    // Text and content may be empty, and then without an address, which memcpy does not allow.
-    if (size > 0) {
-      memcpy(next_, bytes, size);
-      next_ += size;
-    }
-  }
-  size_t size() const { return static_cast<size_t>(next_ - begin_); }
-
- private:
-  unsigned char* const begin_;
-  unsigned char* next_;
-};
-
-/// Counts a Writer's bytes.
-class CountingSink {
- public:
-  CountingSink() : size_(0) {}
-  void put(const void* /*bytes*/, size_t size) { size_ += size; }
-  size_t size() const { return size_; }
-
- private:
-  size_t size_;
-};
-
 /// Encodes the fields of a payload. The values must be ones that a Reader accepts. The Reader describes each kind of
 /// field.
-template <typename Sink>
 class Writer {
  public:
-  explicit Writer(const Sink& sink) : sink_(sink) {}
-  size_t size() const { return sink_.size(); }
+  /// @param out room for all bytes; NULL: they are only counted
+  explicit Writer(unsigned char* out) : out_(out), size_(0) {}
 
-  void number(char value) { sink_.put(&value, 1); }
-  void number(unsigned char value) { sink_.put(&value, 1); }
+  /// Bytes written so far.
+  size_t size() const { return size_; }
+
+  void number(char value) { put(&value, 1); }
+  void number(unsigned char value) { put(&value, 1); }
   void number(unsigned short value) {
     unsigned char bytes[2];
     encodeBigEndian16(value, bytes);
-    sink_.put(bytes, sizeof(bytes));
+    put(bytes, sizeof(bytes));
   }
   void number(short value) { number(static_cast<unsigned short>(value)); }
   void number(unsigned value) {
     unsigned char bytes[4];
     encodeBigEndian32(value, bytes);
-    sink_.put(bytes, sizeof(bytes));
+    put(bytes, sizeof(bytes));
   }
   void number(int value) { number(static_cast<unsigned>(value)); }
   void thousandths(double value) {
     number(static_cast<short>(static_cast<int>(value * 1000 + (value < 0 ? -0.5 : 0.5))));
   }
-  void zeros(size_t count) { sink_.put("\0\0\0", count); }
+  void zeros(size_t count) { put("\0\0\0", count); }
   void constant(unsigned value, const char* /*problem*/) { number(value); }
   void flag(bool value, const char* /*problem*/) { number(static_cast<unsigned char>(value ? 1 : 0)); }
   template <typename Choice>
@@ -104,13 +77,13 @@ class Writer {
   template <typename Item>
   void once(const Item* /*items*/, size_t /*count*/, const char* /*problem*/) {}
 
-  void text(const char* text, size_t size, size_t limit) { sink_.put(text, sizeOfWholeCharacters(text, size, limit)); }
+  void text(const char* text, size_t size, size_t limit) { put(text, sizeOfWholeCharacters(text, size, limit)); }
   void line(const char* line, size_t size, size_t limit, const char* /*problem*/) {
     text(line, size, limit);
     number('\n');
   }
-  void content(const unsigned char* bytes, size_t size) { sink_.put(bytes, size); }
-  void name(ReadFileName /*read*/, const FileName& name, bool /*may_be_empty*/) { sink_.put(name, strlen(name)); }
+  void content(const unsigned char* bytes, size_t size) { put(bytes, size); }
+  void name(ReadFileName /*read*/, const FileName& name, bool /*may_be_empty*/) { put(name, strlen(name)); }
   void sizedName(ReadFileName read, const FileName& name, const char* /*problem*/) {
     number(static_cast<unsigned char>(strlen(name)));
     this->name(read, name, false);
@@ -119,7 +92,16 @@ class Writer {
   void require(bool /*good*/, const char* /*problem*/) {}
 
  private:
-  Sink sink_;
+  void put(const void* bytes, size_t size) {
+    // Text and content may be empty, and then without an address, which memcpy does not allow.
+    if (out_ != NULL && size > 0) {
+      memcpy(out_ + size_, bytes, size);
+    }
+    size_ += size;
+  }
+
+  unsigned char* const out_;
+  size_t size_;
 };
 
 /// Decodes the fields of a payload. A wrong size is reported before a wrong value. Missing numbers read as 0.
@@ -301,20 +283,18 @@ class Reader {
   bool is_short_;
 };
 
-/// @param out room for encodedSize() bytes
-/// @return bytes written
+/// @param out room for encodedSize() bytes; NULL: they are only counted
+/// @return number of bytes
 template <typename Payload>
 size_t encode(const Payload& payload, unsigned char* out) {
-  Writer<ByteSink> writer((ByteSink(out)));
+  Writer writer(out);
   const_cast<Payload&>(payload).visit(writer);
   return writer.size();
 }
 
 template <typename Payload>
 size_t encodedSize(const Payload& payload) {
-  Writer<CountingSink> writer((CountingSink()));
-  const_cast<Payload&>(payload).visit(writer);
-  return writer.size();
+  return encode(payload, NULL);
 }
 
 /// Decodes a payload and checks its size, counts, reserved bytes and limited values. The server checks whether a value

@@ -255,15 +255,5 @@ const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello)
   return NULL;
 }
 
-bool hasCapability(const Hello& hello, const char* word) {
-  Text text = {hello.capabilities, hello.capabilities + strlen(hello.capabilities)};
-  while (!text.isEmpty()) {
-    if (takeUntil(' ', &text) == word) {
-      return true;
-    }
-  }
-  return false;
-}
-
 }  // namespace version2
 }  // namespace protocol

@@ -53,9 +53,6 @@ size_t encodeHello(const Hello& hello, unsigned char* out);
 /// @return NULL, or what is wrong, in a few words
 const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello);
 
-/// @param word such as "J"
-bool hasCapability(const Hello& hello, const char* word);
-
 }  // namespace version2
 }  // namespace protocol
 

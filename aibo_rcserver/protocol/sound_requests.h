@@ -100,8 +100,6 @@ struct PlayedSound {
   }
 };
 
-const size_t PLAYED_SOUND_HEADER_SIZE = 8;
-
 /// Most samples that wait on the robot, 1.02 s: a request with more than there is room for is refused.
 const unsigned SPEAKER_CAPACITY = 16384;
 

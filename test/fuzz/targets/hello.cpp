@@ -13,7 +13,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   require(hello.joint_count <= protocol::version2::MAX_JOINTS, "the joints fit");
-  version2::hasCapability(hello, "J");
   static Bytes again(version2::MAX_HELLO_SIZE);
   const std::size_t again_size = version2::encodeHello(hello, again.data());
   require(again_size <= again.size(), "a hello is not larger than its maximum");

@@ -142,16 +142,6 @@ TEST(Hello, IsRefusedWhenBytesAreMissing) {
   }
 }
 
-TEST(Hello, ListsTheServersCapabilities) {
-  const Hello hello = exampleHello();
-  EXPECT_TRUE(hasCapability(hello, "H"));
-  EXPECT_TRUE(hasCapability(hello, "T"));
-  EXPECT_FALSE(hasCapability(hello, "L"));
-  EXPECT_FALSE(hasCapability(hello, "H F"));
-  EXPECT_FALSE(hasCapability(hello, ""));
-  EXPECT_FALSE(hasCapability(Hello{}, "H"));
-}
-
 }  // namespace
 }  // namespace version2
 }  // namespace protocol
