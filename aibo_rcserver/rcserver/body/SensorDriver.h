@@ -21,6 +21,9 @@ class SensorDriver {
   int NumberOfSensors() const { return robot_.number_of_sensors; }
   const robot_model::Sensor& Sensor(int sensor) const { return robot_.sensors[sensor]; }
 
+  /// @return the sensor with this identifier of docs/protocol.md, or robot_model::NO_SENSOR
+  int Find(int identifier) const { return findSensorByIdentifier(robot_, identifier); }
+
   /// False until the sensor has measured something.
   bool HasValue(int sensor) const { return has_value_[sensor]; }
 

@@ -10,7 +10,7 @@
 using namespace protocol;
 using robot_model::NO_JOINT;
 
-const int Version1::MAX_SOURCES;
+const int Version1::IDENTIFIERS;
 
 Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands& motions, ImageObserver& camera,
                    Outbox& outbox, unsigned char* upload_buffer)
@@ -20,23 +20,13 @@ Version1::Version1(const Robot& robot, const Settings& settings, MotionCommands&
       camera_(camera),
       outbox_(outbox),
       request_(),
-      number_of_sources_(0),
       upload_buffer_(upload_buffer) {
-  for (int i = 0; i < robot.joints.NumberOfJoints(); ++i) {
-    AddSource(robot.joints.Identifier(i), true, i);
-  }
-  for (int i = 0; i < robot.sensors.NumberOfSensors(); ++i) {
-    AddSource(robot.sensors.Sensor(i).identifier, false, i);
-  }
-  std::sort(sources_, sources_ + number_of_sources_);
   Begin();
 }
 
 void Version1::Begin() {
   is_uploading_ = false;
-  for (int i = 0; i < number_of_sources_; ++i) {
-    sources_[i].is_in_block = true;
-  }
+  std::fill(is_left_out_, is_left_out_ + IDENTIFIERS, false);
 }
 
 void Version1::Handle(const Request& request) {
@@ -78,7 +68,7 @@ bool Version1::Execute() {
     case REQUEST_MAX_ACCELERATION:
       return LimitJoint();
     case REQUEST_SENSOR:
-      return ReadOrSelectSource();
+      return ReadOrSelectValue();
     case REQUEST_LED:
     case REQUEST_FACE_LEDS:
       return SetLeds();
@@ -162,36 +152,33 @@ bool Version1::LimitJoint() {
 }
 
 // Reads a value, adds it to the block, or removes it from the block.
-bool Version1::ReadOrSelectSource() {
+bool Version1::ReadOrSelectValue() {
   if (Identifier() == ALL_IDENTIFIERS) {
     if (!IsWrite()) {
       ReadBlock();
     }
     return !IsWrite();
   }
-  Source* source = FindSource(Identifier());
-  if (source == NULL) {
+  short value = 0;
+  if (!Measure(Identifier(), &value) || (IsWrite() && Value() != 0 && Value() != 1)) {
     return false;
   }
-  if (!IsWrite()) {
-    Reply(ValueOf(*source));
-    return true;
+  if (IsWrite()) {
+    is_left_out_[Identifier()] = Value() == 0;
+    value = Value();
   }
-  if (Value() != 0 && Value() != 1) {
-    return false;
-  }
-  source->is_in_block = Value() == 1;
-  Reply(Value());
+  Reply(value);
   return true;
 }
 
-// Sends values without a header. A sensor without a value reads as 0, so that each value keeps its place.
+// Sends values without a header, in ascending order of their identifiers.
 void Version1::ReadBlock() {
-  unsigned char block[MAX_SOURCES * VALUE_SIZE];
+  unsigned char block[IDENTIFIERS * VALUE_SIZE];
   size_t size = 0;
-  for (int i = 0; i < number_of_sources_; ++i) {
-    if (sources_[i].is_in_block) {
-      encodeValue(ValueOf(sources_[i]), block + size);
+  for (int identifier = 1; identifier < IDENTIFIERS; ++identifier) {
+    short value = 0;
+    if (!is_left_out_[identifier] && Measure(identifier, &value)) {
+      encodeValue(value, block + size);
       size += VALUE_SIZE;
     }
   }
@@ -199,26 +186,17 @@ void Version1::ReadBlock() {
   Reply(0);
 }
 
-void Version1::AddSource(unsigned char identifier, bool is_joint, int index) {
-  const Source source = {identifier, is_joint, index, true};
-  sources_[number_of_sources_] = source;
-  ++number_of_sources_;
-}
-
-Version1::Source* Version1::FindSource(int identifier) {
-  for (int i = 0; i < number_of_sources_; ++i) {
-    if (sources_[i].identifier == identifier) {
-      return &sources_[i];
-    }
+// The angle of the joint with this identifier, or the value of the sensor. A sensor that has not measured yet reads as
+// 0, so that each value keeps its place in the block. False if there is no such part.
+bool Version1::Measure(int identifier, short* value) const {
+  const int joint = robot_.joints.Find(identifier);
+  const int sensor = robot_.sensors.Find(identifier);
+  if (joint != NO_JOINT) {
+    *value = centidegreesFromMicroradians(robot_.joints.Position(joint));
+  } else if (sensor != robot_model::NO_SENSOR) {
+    *value = version1SensorValue(robot_.sensors.Sensor(sensor).kind, robot_.sensors.Value(sensor));
   }
-  return NULL;
-}
-
-short Version1::ValueOf(const Source& source) const {
-  if (source.is_joint) {
-    return centidegreesFromMicroradians(robot_.joints.Position(source.index));
-  }
-  return version1SensorValue(robot_.sensors.Sensor(source.index).kind, robot_.sensors.Value(source.index));
+  return joint != NO_JOINT || sensor != robot_model::NO_SENSOR;
 }
 
 // `L` keeps the mode of each LED. The reply for one LED has the intensity that it can show.

@@ -38,17 +38,7 @@ class Version1 {
   void FileDone(const FileResult& result) { Answer(motions_.Finish(result)); }
 
  private:
-  // A value that `S` can read: a sensor's, or a joint's angle.
-  struct Source {
-    unsigned char identifier;
-    bool is_joint;
-    int index;  ///< in the robot's table
-    bool is_in_block;
-
-    bool operator<(const Source& other) const { return identifier < other.identifier; }
-  };
-
-  static const int MAX_SOURCES = robot_model::MAX_JOINTS + robot_model::MAX_SENSORS;
+  static const int IDENTIFIERS = 256;
 
   Version1(const Version1&);
   Version1& operator=(const Version1&);
@@ -67,7 +57,7 @@ class Version1 {
   bool MoveOrReadJoint();
   bool MoveAllJoints();
   bool LimitJoint();
-  bool ReadOrSelectSource();
+  bool ReadOrSelectValue();
   void ReadBlock();
   bool SetLeds();
   bool SetEars();
@@ -76,9 +66,7 @@ class Version1 {
 
   bool MayMove() const;
   bool HasFault(int joint);
-  void AddSource(unsigned char identifier, bool is_joint, int index);
-  Source* FindSource(int identifier);
-  short ValueOf(const Source& source) const;
+  bool Measure(int identifier, short* value) const;
 
   bool IsForMotions() const;
   void HandleMotion();
@@ -90,9 +78,8 @@ class Version1 {
   MotionCommands& motions_;
   ImageObserver& camera_;
   Outbox& outbox_;
-  protocol::Request request_;    ///< that is being handled, or that waits for its content or the memory stick
-  Source sources_[MAX_SOURCES];  ///< in ascending order of the identifiers
-  int number_of_sources_;
+  protocol::Request request_;      ///< that is being handled, or that waits for its content or the memory stick
+  bool is_left_out_[IDENTIFIERS];  ///< of the block that `S` reads
   unsigned char* const upload_buffer_;
   bool is_uploading_;
   protocol::MotionName upload_name_;
