@@ -131,6 +131,16 @@ TEST_F(DatagramOrderTest, ThatIsRefusedMeansTcp) {
   EXPECT_EQ(1u, pictures_.size());
 }
 
+// Anybody can forge a datagram.
+TEST_F(DatagramsTest, APictureByUdpDoesNotTellUntilWhenOrdersAreGood) {
+  arrive(test_support::makeDatagrams(makeJpeg(1), numberOf(1), kFrame + 12, &sequence_));
+  ASSERT_EQ(1u, pictures_.size()) << "96 ms ahead may be true";
+  arrive(test_support::makeDatagrams(makeJpeg(2), numberOf(2), kFrame + 1000000, &sequence_));
+  commandJoints({{2, 0.1}});
+  EXPECT_EQ('J', request());
+  EXPECT_EQ(kFrame + 62, protocol::decodeBigEndian32(payload_.data()));
+}
+
 TEST_F(DatagramsTest, APictureIsDeliveredWhenItIsWholeInAnyOrderOfItsParts) {
   EXPECT_EQ(PictureTransport::kUdp, connection_.transport);
   std::vector<Bytes> datagrams = nextPicture();

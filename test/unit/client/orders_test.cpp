@@ -66,6 +66,26 @@ TEST_F(Orders, HaveTheirNumbersAndTheirTimes) {
               HasSubstr("is " + too_old));
 }
 
+// It counts its frames from 0 again.
+TEST_F(Orders, ToARobotThatWasRestartedAreGoodUntilAFrameOfItsNewCount) {
+  const auto not_after = [this](ScriptedPeer* peer) {
+    client_.commandJoints({{1, 0.1}}, milliseconds(0));
+    const version2_frames::Frame request = peer->readRequest();
+    EXPECT_EQ('J', request.header.kind);
+    return protocol::decodeBigEndian32(request.payload.data());
+  };
+  ScriptedPeer before = connectVersion2();
+  before.send(makeFrame('t', 0, version2_frames::makeTelemetry(3000000, {{'J', 1, 0}})));
+  ASSERT_TRUE(recorder_.waitForTelemetry(1));
+  EXPECT_GE(not_after(&before), 3000000u);
+  before.close();
+  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  ScriptedPeer after = server_.accept();
+  after.agreeToVersion2("J");  // in frame 1000
+  client_.waitForConnection(kSafetyNet);
+  EXPECT_LT(not_after(&after), 3000u);
+}
+
 TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   ScriptedPeer peer = connectVersion2();
   const auto later = std::chrono::steady_clock::now() + kSafetyNet;
