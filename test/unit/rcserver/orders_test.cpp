@@ -308,6 +308,33 @@ TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
   }
 }
 
+TEST_F(OrdersTest, ASteeringThatCrossesTheGuardsEndIsRefusedUntilZerosAndThenBeginsAnother) {
+  const Asked guarded = {'S', STEER_GUARDED, order(velocity(100))};
+  const Asked back = {'S', STEER_GUARDED, order(velocity(-30))};
+  for (const bool stands_before_zeros : {false, true}) {
+    SCOPED_TRACE(stands_before_zeros ? "zeros come in the stand" : "zeros come on the way to the stand");
+    robot_.sensor("range_chest") = 223000;
+    beginWalk(1);
+    EXPECT_EQ(walkAfter(10, guarded), 1);
+    robot_.sensor("range_chest") = 900000;  // an edge
+    passFrames(24);
+    EXPECT_THAT(heard(), IsEmpty()) << "it walks to the stand";
+    EXPECT_THAT(answersTo(11, guarded), ElementsAre(HasSubstr("e11 0 the floor ends ahead")));
+    passFrames(stands_before_zeros ? 250 : 0);
+    const std::vector<std::string> end = {"i1 3"};
+    EXPECT_EQ(heard(), stands_before_zeros ? end : std::vector<std::string>());
+    EXPECT_EQ(walkAfter(12, kLetGo), stands_before_zeros ? 0 : 1);
+    ask(20, back);
+    std::vector<std::string> answers = stands_before_zeros ? std::vector<std::string>() : end;
+    answers.push_back("s20");
+    EXPECT_EQ(heard(), answers);
+    EXPECT_EQ(walkAfter(21, back), 20);
+    ask(22, kLetGo);
+    passFrames(250);
+    EXPECT_THAT(heard(), ElementsAre("s22", "i20 0"));
+  }
+}
+
 TEST_F(OrdersTest, ToWalkRefuseAMotionOfTheLegsWhoseFileIsReadLater) {
   for (const Asked& before : {kMovePan, kSit}) {
     answersTo(1, before);

@@ -97,7 +97,8 @@ TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
 
 constexpr int kOrdered = 1000000;  // microradian; target of the joints of an order
 
-// Two joints in an order, of which the first stays this far from where it is planned to be.
+// Two joints in an order, of which the first stays this far behind where it is planned to be, or ahead of it if the
+// error is negative. Then it passes through its target.
 class OrderedJoints {
  public:
   explicit OrderedJoints(int error, unsigned short duration_ms = 0) : error_(error) {
@@ -153,6 +154,8 @@ TEST(JointOrders, AreDoneOrRefusedByTheDistancesOfTheirJoints) {
       {60000, "7 3: head_pan stays 0.060 rad from its target"},
       {170000, "7 3: head_pan stays 0.170 rad from its target"},
       {200000, "7 3: head_pan does not follow"},
+      {-40000, "7 0: "},
+      {-60000, "7 3: head_pan stays 0.060 rad from its target"},
   };
   for (const auto& [error, end] : rows) {
     OrderedJoints ordered(error);
@@ -162,9 +165,9 @@ TEST(JointOrders, AreDoneOrRefusedByTheDistancesOfTheirJoints) {
 }
 
 TEST(JointOrders, AreJudgedFromTheEndOfTheirPlannedWaysForTwoSeconds) {
-  for (const int error : {0, 60000}) {
+  for (const int error : {0, 60000, -60000}) {
     OrderedJoints ordered(error, 3000);
-    EXPECT_EQ(ordered.pass(375 + 10), "") << "they may be near their targets long before";
+    EXPECT_EQ(ordered.pass(375 + 10), "") << "they may be near their targets long before, or pass through them";
     if (error != 0) {
       EXPECT_EQ(ordered.pass(240), "");
     }
