@@ -8,10 +8,18 @@
 /// The present frame is the last one reported, plus the time since then. So it goes on while the robot's program is
 /// held up, when frames are reported late. It never goes back, although frames may be reported that are older than it.
 ///
+/// It also notices that the program was held up: frames are reported every 40 ms at least, so a pause of LONGEST_PAUSE
+/// has no other reason. What clients have sent meanwhile waits in the IPStack, and arrives within CATCHING_UP. Both
+/// values are our choice.
+///
 /// Times are in milliseconds, on a clock that runs on while the program is held up. Frames and times may overflow.
 class FrameClock {
  public:
-  FrameClock() : has_frame_(false), frame_(0), reported_(0), present_(0) {}
+  static const unsigned LONGEST_PAUSE = 500;
+  static const unsigned CATCHING_UP = 100;
+
+  FrameClock()
+      : has_frame_(false), frame_(0), reported_(0), present_(0), asked_(0), pause_ended_(0), catches_up_(false) {}
 
   /// A frame was reported. Frames may be reported in any order.
   void Report(unsigned frame, unsigned now) {
@@ -19,6 +27,7 @@ class FrameClock {
     if (!has_frame_) {
       has_frame_ = true;
       present_ = frame;
+      asked_ = now;
     } else if (static_cast<int>(frame - frame_) <= 0) {
       return;
     }
@@ -26,20 +35,34 @@ class FrameClock {
     reported_ = now;
   }
 
-  /// The present frame; 0 before the first report.
+  /// The last frame reported; 0 before the first report.
+  unsigned Last() const { return frame_; }
+
+  /// The present frame; 0 before the first report. Call it before requests are handled.
   unsigned Present(unsigned now) {
     if (has_frame_) {
+      const bool was_held_up = now - asked_ >= LONGEST_PAUSE;
+      asked_ = now;
+      pause_ended_ = was_held_up ? now : pause_ended_;
+      catches_up_ = was_held_up || (catches_up_ && now - pause_ended_ < CATCHING_UP);
       const unsigned frame = frame_ + (now - reported_) / robot_model::FRAME_MILLISECONDS;
       present_ = static_cast<int>(frame - present_) > 0 ? frame : present_;
     }
     return present_;
   }
 
+  /// True if a request that is handled now may have been delayed. Orders of version 2 say themselves when they are too
+  /// old; in version 1, such a request must not move the robot.
+  bool MayHaveWaited() const { return catches_up_; }
+
  private:
   bool has_frame_;
   unsigned frame_;     ///< the last one reported
   unsigned reported_;  ///< when
   unsigned present_;   ///< as last returned
+  unsigned asked_;     ///< when Present() was last called
+  unsigned pause_ended_;
+  bool catches_up_;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_FRAME_CLOCK_H

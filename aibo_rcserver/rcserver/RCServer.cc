@@ -72,7 +72,6 @@ RCServer::RCServer()
       body_(NULL),
       power_down_(file_desk_),
       session_(NULL),
-      now_(0),
       last_picture_(0),
       signs_(0),
       last_attempt_(0),
@@ -92,7 +91,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(),     body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
                        body_->Camera(),     body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
-                       power_down_.Order(), file_desk_,      delays_};
+                       power_down_.Order(), file_desk_,      clock_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -173,9 +172,7 @@ void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   if (!session_->OwesFile()) {
     file_.Release();
   }
-  if (client_ != NULL) {
-    ServeClient();
-  }
+  ServeClient();
 }
 
 void RCServer::ReadyFileJob(const OReadyEvent&) {
@@ -188,9 +185,7 @@ void RCServer::NotifySensor(const ONotifyEvent& event) {
     PassTime(frame);
     session_->Measured(frame);
   }
-  if (client_ != NULL) {
-    ServeClient();
-  }
+  ServeClient();
   body_->SendCommands(subject[sbjEffector]);
   observer[event.ObsIndex()]->AssertReady();
 }
@@ -205,9 +200,7 @@ void RCServer::NotifyMicrophone(const ONotifyEvent& event) {
   for (int i = 0; i < event.NumOfData() && client_ != NULL; ++i) {
     session_->Heard(VectorOf<OSoundVectorData>(event, i));
   }
-  if (client_ != NULL) {
-    ServeClient();
-  }
+  ServeClient();
   body_->Hearing().AskForMore();
 }
 
@@ -216,9 +209,7 @@ void RCServer::ReadySpeaker(const OReadyEvent& event) {
     return;
   }
   body_->Voice().IsReady();
-  if (client_ != NULL) {
-    ServeClient();
-  }
+  ServeClient();
 }
 
 void RCServer::PowerChanged(ANTENVMSG msg) {
@@ -235,7 +226,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   if (answer->error != TCP_SUCCESS) {
     OSYSLOG1((osyslogERROR, "RCServer: cannot listen on port %d (error %d)", protocol::RCSERVER_PORT,
               static_cast<int>(answer->error)));
-    connection->Close(true, now_);
+    connection->Close(true, Now());
     return;
   }
   connection->Accepted(*answer);
@@ -247,9 +238,9 @@ void RCServer::ListenCont(ANTENVMSG msg) {
     Admit(connection);
   } else if (connection->Receive()) {
     newcomer_ = connection;
-    newcomer_since_ = now_;
+    newcomer_since_ = Now();
     has_asked_ = false;
-    quiet_since_ = now_;
+    quiet_since_ = Now();
   } else {
     TurnAwayWhileBusy(connection);
   }
@@ -264,11 +255,11 @@ void RCServer::SendCont(ANTENVMSG msg) {
     DropClient(ReasonOf(answer->error), true);
     return;
   }
-  signs_.last_sign_of_life = now_;
-  if (signs_.last_given != now_) {  // it has waited until the client took something
-    quiet_since_ = now_;
+  signs_.last_sign_of_life = Now();
+  if (signs_.last_given != Now()) {  // it has waited until the client took something
+    quiet_since_ = Now();
   }
-  signs_.last_given = now_;
+  signs_.last_given = Now();
   if (!client_->Sent()) {
     DropClient("the IPStack does not send", true);
     return;
@@ -278,7 +269,6 @@ void RCServer::SendCont(ANTENVMSG msg) {
 }
 
 void RCServer::ReceiveCont(ANTENVMSG msg) {
-  delays_.Happens(SystemMilliseconds());
   const TCPEndpointReceiveMsg* answer = static_cast<const TCPEndpointReceiveMsg*>(antEnvMsg::Receive(msg));
   Connection* connection = FindConnection(answer->continuation);
   if (connection != NULL && connection == newcomer_) {
@@ -294,9 +284,9 @@ void RCServer::ReceiveCont(ANTENVMSG msg) {
     return;
   }
   client_->Received(static_cast<size_t>(answer->sizeMin));
-  signs_.last_sign_of_life = now_;
-  signs_.last_bytes_received = now_;
-  quiet_since_ = now_;
+  signs_.last_sign_of_life = Now();
+  signs_.last_bytes_received = Now();
+  quiet_since_ = Now();
   if (newcomer_ != NULL && has_asked_) {
     TurnAwayWhileBusy(newcomer_);
   }
@@ -359,7 +349,7 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
     return;
   }
   if (client_ == NULL) {
-    power_down_.CarryOut(now_);
+    power_down_.CarryOut(Now());
     return;
   }
   session_->RobotGoesOff(reason);
@@ -367,39 +357,35 @@ void RCServer::Obey(PowerSupply::Alarm alarm) {
 }
 
 void RCServer::PassTime(longword frame) {
-  delays_.Happens(SystemMilliseconds());
   clock_.Report(frame, SystemMilliseconds());
-  if (static_cast<slongword>(frame - now_) > 0) {
-    now_ = frame;
-  }
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
-    connections_[i].PassTime(now_);
+    connections_[i].PassTime(Now());
   }
-  if (now_ - last_attempt_ >= FRAMES_PER_SECOND) {
+  if (Now() - last_attempt_ >= FRAMES_PER_SECOND) {
     ListenWhereClosed();
   }
   CheckNewcomer();
   if (client_ != NULL) {
     CheckClient();
   } else {
-    power_down_.Continue(now_);
+    power_down_.Continue(Now());
   }
 }
 
 // A silent client of version 1 may be alive or lost. So its motions end, and it loses its place if another client
 // connects.
 void RCServer::CheckClient() {
-  if (power_down_.IsOverdue(now_)) {
+  if (power_down_.IsOverdue(Now())) {
     DropClient(session_->EndReason(), true);
     return;
   }
   if (!session_->IsOver()) {
-    signs_.last_not_over = now_;
-  } else if (now_ - signs_.last_not_over >= FRAMES_PER_SECOND) {
+    signs_.last_not_over = Now();
+  } else if (Now() - signs_.last_not_over >= FRAMES_PER_SECOND) {
     DropClient(session_->EndReason(), true);
     return;
   }
-  if (session_->ExpectsHeartbeat() && now_ - signs_.last_bytes_received >= HEARTBEAT_FRAMES) {
+  if (session_->ExpectsHeartbeat() && Now() - signs_.last_bytes_received >= HEARTBEAT_FRAMES) {
     DropClient("it has been silent for 5 s", true);
     return;
   }
@@ -410,14 +396,14 @@ void RCServer::CheckClient() {
 
 // A client that has not sent a whole request may be any program, so it gets less time, whatever bytes it sends.
 bool RCServer::IsClientSilent() const {
-  if (!session_->HasRequested() && now_ - signs_.admitted >= FIRST_REQUEST_FRAMES) {
+  if (!session_->HasRequested() && Now() - signs_.admitted >= FIRST_REQUEST_FRAMES) {
     return true;
   }
-  return now_ - signs_.last_sign_of_life >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
+  return Now() - signs_.last_sign_of_life >= settings_.silent_client_seconds * FRAMES_PER_SECOND;
 }
 
 void RCServer::ListenWhereClosed() {
-  last_attempt_ = now_;
+  last_attempt_ = Now();
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
     if (connections_[i].IsClosed() && !connections_[i].Listen(protocol::RCSERVER_PORT, ++endpoints_)) {
       OSYSLOG1((osyslogERROR, "RCServer: the IPStack has no endpoint to listen on port %d", protocol::RCSERVER_PORT));
@@ -436,7 +422,7 @@ Connection* RCServer::FindConnection(const void* continuation) {
 
 void RCServer::Admit(Connection* newcomer) {
   client_ = newcomer;
-  signs_ = Signs(now_);
+  signs_ = Signs(Now());
   session_->Begin();
   datagrams_.ClientConnected(client_->ClientAddress());
   ServeClient();
@@ -475,14 +461,14 @@ void RCServer::CheckNewcomer() {
   const bool may_replace = is_silent || MayBeClientAgain(*newcomer_);
   if (!may_replace ||
       !protocol::RequestReader::beginsWithRequest(newcomer_->ReceivedBytes(), newcomer_->ReceivedSize())) {
-    if (now_ - newcomer_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
+    if (Now() - newcomer_since_ >= (may_replace ? INTRODUCTION_FRAMES : 1)) {
       TurnAwayWhileBusy(newcomer_);
     }
   } else if (!is_silent && !has_asked_ && session_->AskForSign()) {
     has_asked_ = true;
-    quiet_since_ = now_;
+    quiet_since_ = Now();
     ServeClient();
-  } else if (is_silent || now_ - quiet_since_ >= SIGN_FRAMES) {
+  } else if (is_silent || Now() - quiet_since_ >= SIGN_FRAMES) {
     DropClient(is_silent ? "it was silent and another client came" : "it has come back over a new connection", true);
     AdmitNewcomer();
   }
@@ -505,7 +491,7 @@ void RCServer::TurnAwayWhileBusy(Connection* newcomer) {
 }
 
 void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
-  newcomer->Close(abort, now_);
+  newcomer->Close(abort, Now());
   if (newcomer == newcomer_) {
     newcomer_ = NULL;
   }
@@ -514,7 +500,7 @@ void RCServer::CloseNewcomer(Connection* newcomer, bool abort) {
 // Aborts the connection, which frees it at once.
 void RCServer::TurnAway(Connection* newcomer, const char* reason) {
   CloseNewcomer(newcomer, true);
-  if (reports_.Admits(now_)) {
+  if (reports_.Admits(Now())) {
     OSYSPRINT(("RCServer: %s is turned away: %s\n", newcomer->ClientName(), reason));
   }
 }
@@ -523,22 +509,22 @@ void RCServer::TurnAway(Connection* newcomer, const char* reason) {
 void RCServer::AbortStranger(Connection* stranger) {
   CloseNewcomer(stranger, true);
   ++strangers_;
-  if (now_ - last_stranger_ >= FRAMES_PER_MINUTE) {
+  if (Now() - last_stranger_ >= FRAMES_PER_MINUTE) {
     OSYSPRINT(
         ("RCServer: %s is not a client: its first bytes are not a request, but may be a web browser's. %u such "
          "connections have been aborted since the last report\n",
          stranger->ClientName(), strangers_));
     strangers_ = 0;
-    last_stranger_ = now_;
+    last_stranger_ = Now();
   }
 }
 
 // Drops the client and ends everything it has started.
 void RCServer::DropClient(const char* reason, bool abort) {
-  if (reports_.Admits(now_)) {
+  if (reports_.Admits(Now())) {
     OSYSPRINT(("RCServer: client %s is gone: %s\n", client_->ClientName(), reason));
   }
-  client_->Close(abort, now_);
+  client_->Close(abort, Now());
   ForgetClient();
 }
 
@@ -548,12 +534,15 @@ void RCServer::ForgetClient() {
   pictures_.Forget();
   picture_.Release();
   file_.Release();
-  power_down_.CarryOut(now_);
+  power_down_.CarryOut(Now());
   body_->SendCommands(subject[sbjEffector]);
 }
 
-// Does everything that can be done for the client now.
+// Does everything that can be done for the client now, if there is one.
 void RCServer::ServeClient() {
+  if (client_ == NULL) {
+    return;
+  }
   session_->HandleRequests(PresentFrame());
   while (session_->WantsInput() && !session_->IsWithStranger() && client_->ReceivedSize() > 0) {
     session_->AddInput(client_->ReceivedBytes(), client_->ReceivedSize());
@@ -567,11 +556,11 @@ void RCServer::ServeClient() {
   }
   if (!signs_.is_announced && session_->HasRequested()) {
     signs_.is_announced = true;
-    if (reports_.Admits(now_)) {
+    if (reports_.Admits(Now())) {
       OSYSPRINT(("RCServer: client %s is connected\n", client_->ClientName()));
     }
   }
-  power_down_.Note(now_);
+  power_down_.Note(Now());
   if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
     picture_.Release();
   }
@@ -590,8 +579,8 @@ bool RCServer::SendOutput() {
   if (client_->IsSending()) {
     return true;
   }
-  signs_.last_given = now_;
-  if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(now_)) {
+  signs_.last_given = Now();
+  if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(Now())) {
     return SendLeftOver(*left_over);
   }
   if (picture_.IsThere() && !SoundGoesFirst()) {
@@ -607,7 +596,7 @@ bool RCServer::SendPicture() {
   const EncodedPicture& picture = picture_.Get();
   const size_t size = PutPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
   picture_.Release();
-  last_picture_ = now_;
+  last_picture_ = Now();
   return client_->Send(size, true);
 }
 
@@ -666,13 +655,13 @@ bool RCServer::FindOrder(PictureOrder* order) {
 }
 
 bool RCServer::IsSendingPicture() const {
-  return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(now_);
+  return client_->IsSendingPicture() || datagrams_.HasPicture() || !datagrams_.MaySend(Now());
 }
 
 // True if the client wants sound first and some sound waits or is needed. A client that gets no picture at all would
 // take the connection for dead.
 bool RCServer::SoundGoesFirst() const {
-  return now_ - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
+  return Now() - last_picture_ < LONGEST_PICTURE_WAIT && body_->Hearing().GoesFirst() &&
          (session_->SoundWaits() || body_->Voice().IsShort());
 }
 
@@ -693,8 +682,8 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
     session_->PictureTaken(picture.jpeg, picture.size);
     picture_.Release();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
-    last_picture_ = now_;
-    datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, now_);
+    last_picture_ = Now();
+    datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
     picture_.Release();
   }
   ServeClient();

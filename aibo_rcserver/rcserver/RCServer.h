@@ -127,6 +127,7 @@ class RCServer : public OObject {
   void PassTime(longword frame);
   void CheckClient();
   bool IsClientSilent() const;
+  longword Now() const { return clock_.Last(); }  ///< the last frame in which something was taken or measured
   unsigned PresentFrame() { return clock_.Present(SystemMilliseconds()); }
   void ListenWhereClosed();
   Connection* FindConnection(const void* continuation);
@@ -183,7 +184,6 @@ class RCServer : public OObject {
   Body* body_;            ///< from DoInit to DoDestroy
   PowerSupply power_supply_;
   FrameClock clock_;
-  DelayWatch delays_;
   FileDesk file_desk_;
   PowerDown power_down_;
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client
@@ -193,7 +193,6 @@ class RCServer : public OObject {
   ReportLimit reports_;  ///< for clients that connect and leave
   Settings settings_;
   Session* session_;       ///< from DoInit to DoDestroy
-  longword now_;           ///< the last frame in which something was taken or measured
   longword last_picture_;  ///< when one was sent
   Signs signs_;
   longword last_attempt_;   ///< frame of the last attempt to listen

@@ -3,7 +3,7 @@
 #ifndef AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 #define AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H
 
-#include "rcserver/DelayWatch.h"
+#include "rcserver/FrameClock.h"
 #include "rcserver/body/LightDriver.h"
 #include "rcserver/body/Microphone.h"
 #include "rcserver/body/SensorDriver.h"
@@ -36,7 +36,7 @@ struct Robot {
   DatagramSwitch& datagrams;
   PowerOrder& power_order;
   FileJobs& files;
-  const DelayWatch& delays;
+  const FrameClock& clock;
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_REQUESTS_ROBOT_H

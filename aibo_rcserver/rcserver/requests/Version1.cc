@@ -125,7 +125,7 @@ bool Version1::MoveAllJoints() {
 
 // False for an order that may have been delayed.
 bool Version1::MayMove() const {
-  return robot_.motors.AreOn() && !robot_.delays.MayHaveWaited();
+  return robot_.motors.AreOn() && !robot_.clock.MayHaveWaited();
 }
 
 // In version 1, the server only replies. So a fault is reported by refusing the next request about the joint, once.
@@ -276,7 +276,7 @@ void Version1::HandleMotion() {
       Answer(settings_.allow_delete ? motions_.Delete(name) : FileOrder::REFUSED);
       break;
     default:
-      Answer(robot_.delays.MayHaveWaited() ? FileOrder::REFUSED : motions_.Play(name, file.a, false));
+      Answer(robot_.clock.MayHaveWaited() ? FileOrder::REFUSED : motions_.Play(name, file.a, false));
       break;
   }
 }

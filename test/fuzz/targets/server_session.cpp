@@ -438,9 +438,9 @@ class Server {
   FreePorts datagrams_;
   PowerOrder power_order_ = POWER_STAYS_ON;
   SlowFiles files_{host_};
-  DelayWatch delays_;
+  FrameClock clock_;
   Robot robot_{kRobot.design, joints_,  motors_,    sensors_,     lights_, camera_, colors_,
-               microphone_,   speaker_, datagrams_, power_order_, files_,  delays_};
+               microphone_,   speaker_, datagrams_, power_order_, files_,  clock_};
   Session session_{robot_, settings_, version2::VERSION};
   Bytes output_;
   unsigned now_ = 0;
