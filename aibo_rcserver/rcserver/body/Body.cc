@@ -119,7 +119,6 @@ void Body::WatchWalk(longword frame) {
   if (walker.WantsMotorsOff()) {
     joint_driver_.Switch(false);
   }
-  ReportWalk();
 }
 
 WalkGuard::Reading Body::LookAround() {
@@ -143,15 +142,6 @@ WalkGuard::Reading Body::LookAround() {
 double Body::Measured(const char* sensor) const {
   const int found = findSensorByName(model_, sensor);
   return found == robot_model::NO_SENSOR ? 0 : sensor_driver_.Value(found) * 1e-6;
-}
-
-void Body::ReportWalk() {
-  OrderBook::OrderEnd end;
-  while (Joints().Orders().Take(OrderBook::CONSOLE, &end)) {
-    if (end.what == protocol::version2::ENDED_WALK || end.what == protocol::version2::ENDED_POSTURE) {
-      OSYSPRINT(("RCServer: %s has ended%s%s\n", end.name, end.reason[0] == '\0' ? "" : ": ", end.reason));
-    }
-  }
 }
 
 void Body::CutMotors() {

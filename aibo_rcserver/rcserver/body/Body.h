@@ -71,7 +71,6 @@ class Body {
   void WatchWalk(longword frame);
   WalkGuard::Reading LookAround();
   double Measured(const char* sensor) const;
-  void ReportWalk();
   void FlickEars();
 
   char design_[orobotdesignNAME_MAX + 1];

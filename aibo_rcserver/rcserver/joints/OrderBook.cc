@@ -19,8 +19,7 @@ void EndReason::Describe(char* text) const {
   sprintf(text, format, joint);
 }
 
-OrderBook::OrderBook() : added_(0) {
-  taken_[CONSOLE] = 0;
+OrderBook::OrderBook() : added_(0), taken_(0) {
   for (int i = 0; i < MAX_LIVE; ++i) {
     live_[i].is_used = false;
   }
@@ -55,31 +54,29 @@ void OrderBook::End(int order, const EndReason& reason) {
     return;
   }
   Spoil(order, reason);
+  const OrderEnd& end = live_[order].end;
   live_[order].is_used = false;
-  ends_[added_ % MAX_ENDS] = live_[order].end;
-  ++added_;
+  if (end.number != 0 || end.what == protocol::version2::ENDED_POSTURE) {
+    ends_[added_ % MAX_ENDS] = end;
+    ++added_;
+    taken_ = added_ - taken_ > MAX_ENDS ? added_ - MAX_ENDS : taken_;
+  }
 }
 
-bool OrderBook::Take(Reader reader, OrderEnd* end) {
-  unsigned& taken = taken_[reader];
-  if (added_ - taken > MAX_ENDS) {
-    taken = added_ - MAX_ENDS;
+bool OrderBook::Take(OrderEnd* end) {
+  if (taken_ == added_) {
+    return false;
   }
-  while (taken != added_) {
-    *end = ends_[taken % MAX_ENDS];
-    ++taken;
-    if (reader == CONSOLE || end->number != 0 || end->what == protocol::version2::ENDED_POSTURE) {
-      return true;
-    }
-  }
-  return false;
+  *end = ends_[taken_ % MAX_ENDS];
+  ++taken_;
+  return true;
 }
 
 void OrderBook::ClientGone() {
   for (int i = 0; i < MAX_LIVE; ++i) {
     live_[i].end.number = 0;
   }
-  taken_[CLIENT] = added_;
+  taken_ = added_;
   DemandLettingGo(NEW_CLIENT);
 }
 

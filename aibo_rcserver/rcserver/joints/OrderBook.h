@@ -24,7 +24,7 @@ struct EndReason {
   void Describe(char* text) const;
 };
 
-/// Each order ends once. Its end is kept until the client and the console have been told.
+/// Each order ends once. Its end is kept until the client has been told.
 ///
 /// Also keeps whether a client has to let go before the robot walks. Otherwise, a client that keeps steering would
 /// restart a walk at once that something else has ended.
@@ -45,8 +45,6 @@ class OrderBook {
 
   /// Room for the text of an EndReason.
   static const int MAX_TEXT_SIZE = 160;
-
-  enum Reader { CLIENT, CONSOLE };
 
   struct OrderEnd {
     unsigned char what;     ///< ENDED_MOTION, ENDED_WALK, ENDED_POSTURE or ENDED_JOINTS
@@ -70,16 +68,16 @@ class OrderBook {
   /// counts.
   void Spoil(int order, const EndReason& reason);
 
-  /// Ends an order. NO_ORDER is ignored.
+  /// Ends an order. NO_ORDER is ignored. Without a number, the client is told only of a posture: an earlier client has
+  /// begun a rest. A motion without a number was begun in version 1, which tells no ends.
   void End(int order, const EndReason& reason);
 
   /// The number of the order's request; 0 if it has none, or for NO_ORDER.
   unsigned short Number(int order) const { return order == NO_ORDER ? 0 : live_[order].end.number; }
 
-  /// Returns each end once to each reader, the oldest first. Without a number, the client is told only of a posture: an
-  /// earlier client has begun a rest. A motion without a number was begun in version 1, which tells no ends.
+  /// Returns each end that the client is to be told once, the oldest first.
   /// @return false if there is none
-  bool Take(Reader reader, OrderEnd* end);
+  bool Take(OrderEnd* end);
 
   /// Forgets the ends that the client has not taken. What goes on is not the next client's, who must let go first.
   void ClientGone();
@@ -103,8 +101,8 @@ class OrderBook {
 
   LiveOrder live_[MAX_LIVE];
   OrderEnd ends_[MAX_ENDS];
-  unsigned added_;     ///< number of ends so far
-  unsigned taken_[2];  ///< number of ends taken by each reader
+  unsigned added_;  ///< number of ends so far
+  unsigned taken_;  ///< how many of them have been taken
   bool must_let_go_;
   char why_[MAX_TEXT_SIZE];
 };

@@ -75,7 +75,7 @@ void Exchange::PushEnd(unsigned char what, unsigned char how, unsigned short ord
 
 void Exchange::PushEnds() {
   OrderBook::OrderEnd end;
-  while (orders_.Take(OrderBook::CLIENT, &end)) {
+  while (orders_.Take(&end)) {
     PushEnd(end.what, end.how, end.number, end.name, end.reason);
   }
 }

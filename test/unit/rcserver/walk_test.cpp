@@ -195,7 +195,6 @@ TEST_F(WalkTest, RestsAndThenSwitchesTheMotorsOff) {
   EXPECT_TRUE(rests());
   EXPECT_TRUE(isLimp());
   EXPECT_THAT(ends_, ElementsAre("2 1 walk: the robot was told to take a posture", "3 0 rest: "));
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: walk has ended: the robot was told to take a posture"));
   expectRefusal(answerTo('S', 0, steering(10)), CODE_REFUSED, "the motors are off");
   EXPECT_EQ(answerTo('S', 0, steering(0)).header.kind, 's') << "there is nothing to stop";
 }

@@ -123,9 +123,8 @@ class OrderedJoints {
 
   std::string takeEnd() {
     OrderBook::OrderEnd end = {};
-    return joints.Orders().Take(OrderBook::CLIENT, &end)
-               ? std::to_string(end.number) + " " + std::to_string(end.how) + ": " + end.reason
-               : "";
+    return joints.Orders().Take(&end) ? std::to_string(end.number) + " " + std::to_string(end.how) + ": " + end.reason
+                                      : "";
   }
 
   JointControl joints{ers7()};

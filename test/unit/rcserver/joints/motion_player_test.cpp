@@ -192,7 +192,7 @@ TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
       passFrame();
     }
     OrderBook::OrderEnd end = {};
-    EXPECT_TRUE(orders_.Take(OrderBook::CLIENT, &end));
+    EXPECT_TRUE(orders_.Take(&end));
     EXPECT_EQ(end.how, END_DONE);
     return std::string(end.reason);
   };
@@ -285,7 +285,7 @@ class StoppedMotion : public AMotion {
   // The ends that have not been taken.
   std::vector<std::string> ends() {
     std::vector<std::string> all;
-    for (OrderBook::OrderEnd taken; orders_.Take(OrderBook::CLIENT, &taken);) {
+    for (OrderBook::OrderEnd taken; orders_.Take(&taken);) {
       all.push_back(std::string(taken.name) + " " + std::to_string(taken.how) + " " + taken.reason);
     }
     return all;
