@@ -45,8 +45,7 @@ LightDriver::LightDriver(const robot_model::RobotModel& robot) : robot_(robot) {
     commanded_[i] = OFF;
   }
   for (int i = 0; i < MAX_EARS; ++i) {
-    frames_drawn_[i] = 0;
-    frames_to_rest_[i] = 0;
+    frames_busy_[i] = 0;
   }
 }
 
@@ -70,10 +69,9 @@ LightDriver::LedState LightDriver::SetLed(int led, const LedState& wanted) {
 
 bool LightDriver::SetEar(int ear, bool draw) {
   if (draw && !IsBusy(ear)) {
-    frames_drawn_[ear] = EAR_FRAMES;
+    frames_busy_[ear] = 2 * EAR_FRAMES;
   } else if (!draw && IsDrawn(ear)) {
-    frames_drawn_[ear] = 0;
-    frames_to_rest_[ear] = EAR_FRAMES;
+    frames_busy_[ear] = EAR_FRAMES;
   }
   return IsDrawn(ear);
 }
@@ -112,10 +110,8 @@ void LightDriver::Fill(RCRegion* vector) {
 
 void LightDriver::NextFrame() {
   for (int i = 0; i < robot_.number_of_ears; ++i) {
-    if (frames_to_rest_[i] > 0) {
-      --frames_to_rest_[i];
-    } else if (frames_drawn_[i] > 0 && --frames_drawn_[i] == 0) {
-      frames_to_rest_[i] = EAR_FRAMES;
+    if (frames_busy_[i] > 0) {
+      --frames_busy_[i];
     }
   }
 }

@@ -66,8 +66,8 @@ class LightDriver {
   LightDriver(const LightDriver&);
   LightDriver& operator=(const LightDriver&);
 
-  bool IsDrawn(int ear) const { return frames_drawn_[ear] > 0; }
-  bool IsBusy(int ear) const { return IsDrawn(ear) || frames_to_rest_[ear] > 0; }
+  bool IsDrawn(int ear) const { return frames_busy_[ear] > EAR_FRAMES; }
+  bool IsBusy(int ear) const { return frames_busy_[ear] > 0; }
   bool HasChanged(int led) const;
   void CommandLed(RCRegion* vector, int led);
   void CommandEars(RCRegion* vector);
@@ -77,8 +77,7 @@ class LightDriver {
   Primitives ear_primitives_;
   LedState leds_[robot_model::MAX_LEDS];
   LedState commanded_[robot_model::MAX_LEDS];  ///< as each LED was last commanded
-  int frames_drawn_[robot_model::MAX_EARS];    ///< frames left until the ear is released
-  int frames_to_rest_[robot_model::MAX_EARS];
+  int frames_busy_[robot_model::MAX_EARS];     ///< frames left until the ear can be drawn; it rests in the last ones
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_LIGHT_DRIVER_H
