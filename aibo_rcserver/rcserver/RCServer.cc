@@ -89,9 +89,10 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   power_down_.Begin(body_);
   body_->Voice().Start(subject[sbjSpeaker]);  // the speaker may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
-  const Robot robot = {body_->Design(),     body_->Joints(), body_->Motors(),  body_->Sensors(), body_->Lights(),
-                       body_->Camera(),     body_->Colors(), body_->Hearing(), body_->Voice(),   datagrams_,
-                       power_down_.Order(), file_desk_,      clock_};
+  const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),     body_->Sensors(),
+                       body_->Lights(), body_->Camera(), body_->Colors(),     body_->Hearing(),
+                       body_->Voice(),  datagrams_,      power_down_.Order(), file_desk_,
+                       clock_};
   session_ = new Session(robot, settings_, hostSettings().newest_version);
   return oSUCCESS;
 }
@@ -140,7 +141,7 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
   OFbkImageVectorData* image_vector = VectorOf<OFbkImageVectorData>(event);
   PassTime(image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
   pictures_.CountImage(image_vector);
-  session_->Camera().SetHasDetail(pictures_.HasDetail());
+  session_->Camera().SetHasDetail(PictureTaker::HasDetail(image_vector));
   if (client_ != NULL && pictures_.HasRoom()) {
     OfferImage(image_vector);
     BeginPicture();

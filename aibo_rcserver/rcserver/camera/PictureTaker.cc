@@ -55,14 +55,7 @@ void CopyRows(const CameraImage& image, const unsigned char* const* planes, size
 }  // namespace
 
 PictureTaker::PictureTaker()
-    : image_count_(0),
-      has_detail_(false),
-      is_waiting_(false),
-      waiting_order_(),
-      waiting_header_(),
-      ticket_(0),
-      order_(),
-      header_() {}
+    : image_count_(0), is_waiting_(false), waiting_order_(), waiting_header_(), ticket_(0), order_(), header_() {}
 
 void PictureTaker::CountImage(OFbkImageVectorData* image) {
   OFbkImageInfo* info = image->GetInfo(ofbkimageLAYER_H);
@@ -71,8 +64,11 @@ void PictureTaker::CountImage(OFbkImageVectorData* image) {
   if (y.IsValid()) {
     image_count_ += static_cast<unsigned short>(y.FieldCounter() - image_count_);
   }
-  // A layer with one band of fine detail has all three.
-  has_detail_ = OFbkImage(info, data, ofbkimageBAND_Y_HH).IsValid();
+}
+
+// A layer with one band of fine detail has all three.
+bool PictureTaker::HasDetail(OFbkImageVectorData* image) {
+  return OFbkImage(image->GetInfo(ofbkimageLAYER_H), image->GetData(ofbkimageLAYER_H), ofbkimageBAND_Y_HH).IsValid();
 }
 
 const char* PictureTaker::Offer(OFbkImageVectorData* image, const PictureOrder& order,

@@ -31,8 +31,8 @@ class PictureTaker {
   /// The camera's 16-bit image count, extended to 32 bits.
   unsigned ImageCount() const { return image_count_; }
 
-  /// True if the last counted image has the bands for double resolution.
-  bool HasDetail() const { return has_detail_; }
+  /// True if an image has the bands for double resolution.
+  static bool HasDetail(OFbkImageVectorData* image);
 
   /// True if an image can wait.
   bool HasRoom() const { return jobs_.Memory() != NULL; }
@@ -76,7 +76,6 @@ class PictureTaker {
 
   RegionSender<PictureJob, 2> jobs_;
   unsigned image_count_;
-  bool has_detail_;
   bool is_waiting_;
   PictureOrder waiting_order_;
   protocol::version2::ImageHeader waiting_header_;
