@@ -82,10 +82,14 @@ const Request TAKE_POSTURE = {REQUEST_POSTURE, "take the posture",
                               STARTS_MOVEMENT | TAKES_OVER_JOINTS | ENDS_WALK | MOVES_BODY, NULL};
 
 /// True if `id` is that of a Posture that `E` can ask for: stand, sit or rest.
-bool canTake(unsigned char id);
+inline bool canTake(unsigned char id) {
+  return id >= POSTURE_STAND && id <= POSTURE_REST;
+}
 
 /// The name in a pushed `i`: "stand", "sit" or "rest".
-const char* postureName(Posture posture);
+inline const char* postureName(Posture posture) {
+  return posture == POSTURE_STAND ? "stand" : posture == POSTURE_SIT ? "sit" : "rest";
+}
 
 /// The name in a pushed `i` (ENDED_WALK).
 const char WALK_NAME[] = "walk";

@@ -3,6 +3,7 @@
 #define AIBO_RCSERVER_RCSERVER_REPORTLIMIT_H
 
 #include <OPENR/ODataFormats.h>
+#include <OPENR/OSyslog.h>
 
 /// Limits the console lines that clients cause by connecting and leaving: BURST lines may be printed at once, and one a
 /// second on average.
@@ -14,9 +15,30 @@ class ReportLimit {
 
   /// True if a line may be printed now. It first prints how many lines were left out before.
   /// @param now in frames
-  bool Admits(longword now);
+  bool Admits(longword now) {
+    const longword periods = (now - refilled_) / PERIOD;
+    if (allowed_ + periods >= BURST) {
+      allowed_ = BURST;
+      refilled_ = now;
+    } else {
+      allowed_ += periods;
+      refilled_ += periods * PERIOD;
+    }
+    if (allowed_ == 0) {
+      ++left_out_;
+      return false;
+    }
+    --allowed_;
+    if (left_out_ > 0) {
+      OSYSPRINT(("RCServer: %u lines about clients were left out\n", left_out_));
+      left_out_ = 0;
+    }
+    return true;
+  }
 
  private:
+  static const longword PERIOD = 125;  // frames of 8 ms
+
   unsigned allowed_;
   longword refilled_;  ///< frame in which the last line became allowed
   unsigned left_out_;  ///< lines since the last one that was allowed

@@ -13,11 +13,30 @@ class SharedBuffer {
 
   /// Gets the memory. Call in DoInit.
   /// @return false if the IPStack has no memory for it
-  bool Create(const antStackRef& stack, size_t size);
+  bool Create(const antStackRef& stack, size_t size) {
+    antEnvCreateSharedBufferMsg create(static_cast<uint32>(size));
+    if (create.Call(stack, sizeof(create)) != ANT_SUCCESS || create.error != ANT_SUCCESS) {
+      return false;
+    }
+    buffer_ = create.buffer;
+    if (buffer_.Map() != ANT_SUCCESS) {
+      return false;
+    }
+    bytes_ = static_cast<byte*>(buffer_.GetAddress());
+    return true;
+  }
 
   /// Returns the memory, if there is any. The IPStack refuses while a client is connected. That does no harm, because
   /// the robot is going off.
-  void Destroy(const antStackRef& stack);
+  void Destroy(const antStackRef& stack) {
+    if (bytes_ == NULL) {
+      return;
+    }
+    bytes_ = NULL;
+    buffer_.UnMap();
+    antEnvDestroySharedBufferMsg destroy(buffer_);
+    destroy.Call(stack, sizeof(destroy));
+  }
 
   /// Null before Create() and after Destroy().
   byte* Bytes() const { return bytes_; }
