@@ -63,7 +63,7 @@ bool Version1::Execute() {
       camera_.ToggleStream(order);
       return true;
     case REQUEST_JOINT:
-      return Identifier() == ALL_IDENTIFIERS ? MoveAllJoints() : MoveOrReadJoint();
+      return MoveOrReadJoints();
     case REQUEST_MAX_VELOCITY:
     case REQUEST_MAX_ACCELERATION:
       return LimitJoint();
@@ -83,43 +83,30 @@ bool Version1::Execute() {
   }
 }
 
-bool Version1::MoveOrReadJoint() {
-  const int joint = robot_.joints.Find(Identifier());
-  if (joint == NO_JOINT || HasFault(joint)) {
+// All joints can only be moved.
+bool Version1::MoveOrReadJoints() {
+  const JointControl& joints = robot_.joints;
+  const bool is_for_all = Identifier() == ALL_IDENTIFIERS;
+  if (is_for_all && !IsWrite()) {
     return false;
   }
-  if (!IsWrite()) {
-    Reply(centidegreesFromMicroradians(robot_.joints.Position(joint)));
-    return true;
-  }
-  if (!MayMove()) {
-    return false;
-  }
-  version2::JointTargets target = {0, 1, {{request_.basic.identifier, microradiansFromCentidegrees(Value())}}};
-  robot_.joints.SetTargets(&target);
-  Reply(centidegreesFromMicroradians(target.joints[0].value));
-  return true;
-}
-
-bool Version1::MoveAllJoints() {
-  if (!IsWrite()) {
-    return false;
-  }
-  const int count = robot_.joints.NumberOfJoints();
+  version2::JointTargets targets = {0, 0, {}};
   bool has_fault = false;
-  for (int i = 0; i < count; ++i) {
-    has_fault = HasFault(i) || has_fault;
+  for (int i = 0; i < joints.NumberOfJoints(); ++i) {
+    if (is_for_all || joints.Identifier(i) == Identifier()) {
+      const version2::JointValue target = {joints.Identifier(i),
+                                           IsWrite() ? microradiansFromCentidegrees(Value()) : joints.Position(i)};
+      targets.joints[targets.count++] = target;
+      has_fault = HasFault(i) || has_fault;
+    }
   }
-  if (has_fault || !MayMove()) {
+  if (targets.count == 0 || has_fault || (IsWrite() && !MayMove())) {
     return false;
   }
-  version2::JointTargets targets = {0, static_cast<unsigned char>(count), {}};
-  for (int i = 0; i < count; ++i) {
-    const version2::JointValue target = {robot_.joints.Identifier(i), microradiansFromCentidegrees(Value())};
-    targets.joints[i] = target;
+  if (IsWrite()) {
+    robot_.joints.SetTargets(&targets);
   }
-  robot_.joints.SetTargets(&targets);
-  Reply(Value());
+  Reply(is_for_all ? Value() : centidegreesFromMicroradians(targets.joints[0].value));
   return true;
 }
 

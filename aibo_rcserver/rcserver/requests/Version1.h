@@ -40,9 +40,6 @@ class Version1 {
  private:
   static const int IDENTIFIERS = 256;
 
-  Version1(const Version1&);
-  Version1& operator=(const Version1&);
-
   int Identifier() const { return request_.basic.identifier; }
   bool IsWrite() const { return request_.payload_size > 0; }
   short Value() const { return protocol::decodeValue(request_.payload); }
@@ -54,8 +51,7 @@ class Version1 {
   /// @name Requests. They return false if the request has to be refused
   /// @{
   bool Execute();
-  bool MoveOrReadJoint();
-  bool MoveAllJoints();
+  bool MoveOrReadJoints();
   bool LimitJoint();
   bool ReadOrSelectValue();
   void ReadBlock();
