@@ -146,9 +146,9 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
     OfferImage(image_vector);
     BeginPicture();
   }
-  if (client_ != NULL && session_->WantsColors(pictures_.ImageCount())) {
-    session_->ColorsDetected(FindColorPlane(image_vector), pictures_.ImageCount(),
-                             image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
+  if (client_ != NULL && session_->Colors().Wants(pictures_.ImageCount())) {
+    session_->Colors().Detected(FindColorPlane(image_vector), pictures_.ImageCount(),
+                                image_vector->GetInfo(ofbkimageLAYER_H)->frameNumber);
     ServeClient();
   }
   observer[event.ObsIndex()]->AssertReady();
@@ -170,7 +170,7 @@ void RCServer::ReadyEncodeJob(const OReadyEvent&) {
 void RCServer::NotifyFileResult(const ONotifyEvent& event) {
   file_.Hold(event, observer[event.ObsIndex()]);
   session_->FileDone(file_.Get(), PresentFrame());
-  if (!session_->OwesFile()) {
+  if (!session_->Stick().OwesFile()) {
     file_.Release();
   }
   ServeClient();
@@ -199,7 +199,7 @@ void RCServer::ReadyEffector(const OReadyEvent& event) {
 
 void RCServer::NotifyMicrophone(const ONotifyEvent& event) {
   for (int i = 0; i < event.NumOfData() && client_ != NULL; ++i) {
-    session_->Heard(VectorOf<OSoundVectorData>(event, i));
+    session_->Sound().Heard(VectorOf<OSoundVectorData>(event, i));
   }
   ServeClient();
   body_->Hearing().AskForMore();
@@ -617,7 +617,7 @@ size_t RCServer::PutPicture(const PictureOrder& order, const protocol::version2:
 
 bool RCServer::SendFile() {
   const FileResult& file = file_.Get();
-  const size_t header_size = session_->EncodeFileHeader(file.size, client_->SendBuffer());
+  const size_t header_size = session_->Stick().EncodeFileHeader(file.size, client_->SendBuffer());
   const size_t size = header_size + file.size;
   memcpy(client_->SendBuffer() + header_size, file.content, file.size);
   file_.Release();

@@ -74,14 +74,6 @@ class Session {
     outbox_.Reserve(files_.IsPending());
   }
 
-  /// True if the file of the last FileDone() must be sent to the client.
-  bool OwesFile() const { return version2_.Stick().OwesFile(); }
-
-  /// Writes the bytes that precede the file's content.
-  /// @param[out] out room for MAX_PICTURE_HEADER_SIZE bytes
-  /// @return the number of bytes
-  size_t EncodeFileHeader(size_t size, unsigned char* out) { return version2_.Stick().EncodeFileHeader(size, out); }
-
   /// Ends the session because the robot goes off. A client of version 2 is told the reason.
   /// @param reason in words; must outlive this
   void RobotGoesOff(const char* reason);
@@ -94,20 +86,12 @@ class Session {
   /// @param frame in which
   void Measured(unsigned frame);
 
-  /// True if the client wants the colours that were detected in this image.
-  /// @param image_count the camera's count of its images, with gaps if images were lost
-  bool WantsColors(unsigned image_count) const {
-    return talk_.version == protocol::version2::VERSION && version2_.Colors().Wants(image_count);
-  }
-
-  /// Call when the camera has detected colours in an image, but only if WantsColors().
-  /// @param frame in which the image was taken
-  void ColorsDetected(const ColorPlane& plane, unsigned image_count, unsigned frame) {
-    version2_.Colors().Detected(plane, image_count, frame);
-  }
-
-  /// The microphone has heard something.
-  void Heard(OSoundVectorData* vector) { version2_.Sound().Heard(vector); }
+  /// @name What a client of version 2 has asked for: colours, sound, and a file that must be sent
+  /// @{
+  ColorRequests& Colors() { return version2_.Colors(); }
+  SoundRequests& Sound() { return version2_.Sound(); }
+  StickRequests& Stick() { return version2_.Stick(); }
+  /// @}
 
   /// True if sound waits to be sent.
   bool SoundWaits() const { return outbox_.HasSound(); }
@@ -140,9 +124,6 @@ class Session {
                              unsigned char* out) const;
 
  private:
-  Session(const Session&);
-  Session& operator=(const Session&);
-
   bool MayHandle();
   bool HandleRequest();
   bool MayBeHttp();

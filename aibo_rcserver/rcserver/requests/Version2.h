@@ -48,9 +48,7 @@ class Version2 {
   void Measured(unsigned frame);
 
   StickRequests& Stick() { return stick_; }
-  const StickRequests& Stick() const { return stick_; }
   ColorRequests& Colors() { return colors_; }
-  const ColorRequests& Colors() const { return colors_; }
   SoundRequests& Sound() { return sound_; }
 
  private:

@@ -305,7 +305,7 @@ class Server {
       speaker_.IsReady();
     }
     if (now_ % 2 == 0 && is_microphone_read) {
-      session_.Heard(gates_.heardVector(now_));
+      session_.Sound().Heard(gates_.heardVector(now_));
       microphone_.AskForMore();
     }
     require(speaker_.Room() <= version2::SPEAKER_CAPACITY, "no more samples wait than there is room for");
@@ -334,7 +334,7 @@ class Server {
 
   void imageArrives() {
     ++images_;
-    if (session_.WantsColors(images_)) {
+    if (session_.Colors().Wants(images_)) {
       detectColors();
     }
     PictureOrder order;
@@ -366,7 +366,7 @@ class Server {
     for (std::size_t i = 0; i < plane.size(); i += 1 + images_ % 40) {
       plane[i] = static_cast<unsigned char>(i + images_);
     }
-    session_.ColorsDetected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_, now_);
+    session_.Colors().Detected({images_ % 8 == 0 ? nullptr : plane.data(), kWidth, kHeight, kWidth}, images_, now_);
   }
 
   // Handles requests and sends answers until the session wants input.
@@ -388,9 +388,9 @@ class Server {
     if (!files_.isFree()) {
       const FileResult& result = files_.doJob();
       session_.FileDone(result, now_);
-      if (session_.OwesFile()) {
+      if (session_.Stick().OwesFile()) {
         Bytes header(Session::MAX_PICTURE_HEADER_SIZE);
-        require(result.size > 0 && session_.EncodeFileHeader(result.size, header.data()) <= header.size(),
+        require(result.size > 0 && session_.Stick().EncodeFileHeader(result.size, header.data()) <= header.size(),
                 "a file has content, and its header fits");
       }
     }
