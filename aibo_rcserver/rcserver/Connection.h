@@ -128,9 +128,6 @@ class Connection {
     char name[sizeof("255.255.255.255:65535")];
   };
 
-  Connection(const Connection&);
-  Connection& operator=(const Connection&);
-
   static const size_t RECEIVE_SIZE = Session::INPUT_CAPACITY;
 
   bool SendPart();

@@ -55,9 +55,6 @@ class PowerDown {
   void Continue(longword now);
 
  private:
-  PowerDown(const PowerDown&);
-  PowerDown& operator=(const PowerDown&);
-
   bool MustWaitForFiles(longword now) const;
   void LieDown(longword now);
   void SwitchOff();

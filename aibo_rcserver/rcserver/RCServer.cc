@@ -317,21 +317,15 @@ void RCServer::StatusCont(ANTENVMSG msg) {
 }
 
 bool RCServer::CreateRegions() {
+  bool succeeds =
+      datagrams_.Create(myOID_) && pictures_.Create(subject[sbjEncodeJob]) && file_desk_.Create(subject[sbjFileJob]);
   for (int i = 0; i < NUMBER_OF_CONNECTIONS; ++i) {
-    if (!connections_[i].Create(myOID_)) {
-      OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for a connection"));
-      return false;
-    }
+    succeeds = connections_[i].Create(myOID_) && succeeds;
   }
-  if (!datagrams_.Create(myOID_)) {
-    OSYSLOG1((osyslogERROR, "RCServer: no shared buffer for datagrams"));
-    return false;
+  if (!succeeds) {
+    OSYSLOG1((osyslogERROR, "RCServer: no shared memory for connections, images and files"));
   }
-  if (!pictures_.Create(subject[sbjEncodeJob]) || !file_desk_.Create(subject[sbjFileJob])) {
-    OSYSLOG1((osyslogERROR, "RCServer: no shared memory for images and files"));
-    return false;
-  }
-  return true;
+  return succeeds;
 }
 
 void RCServer::ObservePower() {

@@ -118,9 +118,6 @@ class RCServer : public OObject {
   // client.
   static const int NUMBER_OF_CONNECTIONS = 2;
 
-  RCServer(const RCServer&);
-  RCServer& operator=(const RCServer&);
-
   bool CreateRegions();
   void ObservePower();
   void Obey(PowerSupply::Alarm alarm);

@@ -63,9 +63,6 @@ class Body {
   bool SwitchOff(bool reboots);
 
  private:
-  Body(const Body&);
-  Body& operator=(const Body&);
-
   const robot_model::RobotModel& FindModel();
   bool AddVector(OSubject* effector);
   void WatchWalk(longword frame);

@@ -54,9 +54,6 @@ class JointDriver : public MotorSwitch {
     ON
   };
 
-  JointDriver(const JointDriver&);
-  JointDriver& operator=(const JointDriver&);
-
   bool OpenPrimitives(const robot_model::RobotModel& robot);
   bool HoldPresentPositions();
   bool SwitchOn();

@@ -63,9 +63,6 @@ class LightDriver {
   void NextFrame();
 
  private:
-  LightDriver(const LightDriver&);
-  LightDriver& operator=(const LightDriver&);
-
   bool IsDrawn(int ear) const { return frames_busy_[ear] > EAR_FRAMES; }
   bool IsBusy(int ear) const { return frames_busy_[ear] > 0; }
   bool HasChanged(int led) const;

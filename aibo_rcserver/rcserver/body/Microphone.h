@@ -42,9 +42,6 @@ class Microphone {
   protocol::version2::HeardSound Convert(OSoundVectorData* vector, unsigned char* out);
 
  private:
-  Microphone(const Microphone&);
-  Microphone& operator=(const Microphone&);
-
   // A power of two that is at least the 23 samples of the filter.
   static const int RING_SIZE = 32;
 

@@ -29,9 +29,6 @@ class PowerSupply {
   Alarm Look(const OPowerStatus& status);
 
  private:
-  PowerSupply(const PowerSupply&);
-  PowerSupply& operator=(const PowerSupply&);
-
   bool was_pressed_;
   bool was_low_;
   bool is_observing_;

@@ -73,9 +73,6 @@ class SensorReports {
   }
 
  private:
-  SensorReports(const SensorReports&);
-  SensorReports& operator=(const SensorReports&);
-
   const OSensorFrameInfo& Info() const { return *vector_->GetInfo(entry_); }
   longword LastIndex() const { return Info().numFrames - 1; }
 

@@ -39,9 +39,6 @@ class SensorDriver {
   void Measured(int sensor, int value);
 
  private:
-  SensorDriver(const SensorDriver&);
-  SensorDriver& operator=(const SensorDriver&);
-
   void ReadPower(longword now);
 
   const robot_model::RobotModel& robot_;

@@ -32,9 +32,6 @@ class CameraControl {
   void ClientGone();
 
  private:
-  CameraControl(const CameraControl&);
-  CameraControl& operator=(const CameraControl&);
-
   bool Command(protocol::version2::CameraSetting setting, unsigned char value);
 
   Primitives camera_;

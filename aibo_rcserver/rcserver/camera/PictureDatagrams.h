@@ -108,9 +108,6 @@ class PictureDatagrams : public DatagramSwitch {
   const KeptPicture* TakeLeftOver(longword now);
 
  private:
-  PictureDatagrams(const PictureDatagrams&);
-  PictureDatagrams& operator=(const PictureDatagrams&);
-
   bool Open();
   void Close();
   bool HasUnsent() const { return missing_ != 0 || is_parity_due_ || unsent_part_ < number_of_parts_; }

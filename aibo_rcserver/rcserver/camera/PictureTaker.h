@@ -71,9 +71,6 @@ class PictureTaker {
   /// @}
 
  private:
-  PictureTaker(const PictureTaker&);
-  PictureTaker& operator=(const PictureTaker&);
-
   RegionSender<PictureJob, 2> jobs_;
   unsigned image_count_;
   bool is_waiting_;

@@ -42,9 +42,6 @@ class JointOrders {
     unsigned since;  ///< frame in which is_over became true
   };
 
-  JointOrders(const JointOrders&);
-  JointOrders& operator=(const JointOrders&);
-
   bool HasJoint(int order) const;
   void Judge(int joint, int distance, unsigned frame);
 

@@ -91,9 +91,6 @@ class PlayedMotion {
     ARRIVING      ///< at the last key frame
   };
 
-  PlayedMotion(const PlayedMotion&);
-  PlayedMotion& operator=(const PlayedMotion&);
-
   void Approach(JointPlanner& planner);
   void GoTo(int key_frame, const JointPlanner& planner);
   void PassTime(const JointPlanner& planner);

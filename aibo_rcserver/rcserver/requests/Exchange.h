@@ -92,9 +92,6 @@ class Exchange {
   /// @}
 
  private:
-  Exchange(const Exchange&);
-  Exchange& operator=(const Exchange&);
-
   template <typename Content>
   void Send(char kind, unsigned short request_number, const Content& content) {
     unsigned char payload[protocol::version2::MAX_END_MESSAGE_SIZE];

@@ -64,9 +64,6 @@ class FileOrder {
   Outcome Fail(Outcome outcome, const char* format, ...);
 
  private:
-  FileOrder(const FileOrder&);
-  FileOrder& operator=(const FileOrder&);
-
   Outcome FailOnMemoryStick();
 
   FileJobs& jobs_;

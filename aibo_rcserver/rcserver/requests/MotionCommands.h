@@ -49,9 +49,6 @@ class MotionCommands {
   Outcome Finish(const FileResult& result);
 
  private:
-  MotionCommands(const MotionCommands&);
-  MotionCommands& operator=(const MotionCommands&);
-
   Outcome CheckPlay();
   Outcome FinishPlay(const FileResult& result);
 

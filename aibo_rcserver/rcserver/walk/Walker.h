@@ -206,9 +206,6 @@ class Walker {
     int frames_since_steered;
   };
 
-  Walker(const Walker&);
-  Walker& operator=(const Walker&);
-
   bool HasFallen() const { return FallWatch::IsFallen(fall_watch_.Now()) && FallWatch::IsFallen(fall_watch_.Last()); }
   bool IsWalk() const { return IsActive() && is_walk_; }
   void Brake(const EndReason& reason);
