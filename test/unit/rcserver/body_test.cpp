@@ -261,9 +261,7 @@ class BodyVersion2Test : public BodyTest {
   std::vector<TelemetryEntry> sensorTelemetry() {
     answerTo('T', 0, payloadOf(TelemetryPeriod{4}));
     passFrames(8);
-    Telemetry telemetry{};
-    const std::optional<Frame> pushed = nextFrame();
-    EXPECT_EQ(decode(pushed->payload.data(), pushed->payload.size(), &telemetry), nullptr);
+    const auto telemetry = payloadIn<Telemetry>(*nextFrame());
     std::vector<TelemetryEntry> sensors;
     std::copy_if(telemetry.entries, telemetry.entries + telemetry.count, std::back_inserter(sensors),
                  [](const TelemetryEntry& entry) { return entry.group == GROUP_SENSOR; });

@@ -59,7 +59,7 @@ class ColorsTest : public FakeRobotFixture {
       EXPECT_EQ(next.header.kind, COLORS_PUSH);
       EXPECT_EQ(next.header.request_number, 0);
       Colors colors;
-      EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &colors.regions), nullptr);
+      colors.regions = payloadIn<ColorRegions>(next);
       if (colors.regions.has_plane) {
         colors.plane.resize(kWidth * kHeight);
         EXPECT_EQ(
@@ -158,10 +158,7 @@ TEST_F(ColorsTest, AClientThatReadsLateGetsOnlyTheNewest) {
   for (int i = 0; i < 20; ++i) {
     takeImage();
   }
-  const Frame next = nextPush(COLORS_PUSH);
-  ColorRegions regions{};
-  EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &regions), nullptr);
-  EXPECT_EQ(regions.image_count, robot_.lastImage());
+  EXPECT_EQ(payloadIn<ColorRegions>(nextPush(COLORS_PUSH)).image_count, robot_.lastImage());
   EXPECT_THAT(pushed(), testing::IsEmpty());
 }
 

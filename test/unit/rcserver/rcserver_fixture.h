@@ -115,10 +115,17 @@ struct Picture {
   std::vector<uint8_t> jpeg;
 };
 
+/// What is in a frame; it points into the frame.
+template <typename Payload>
+Payload payloadIn(const Frame& frame) {
+  Payload payload = {};
+  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &payload), nullptr);
+  return payload;
+}
+
 inline Picture pictureIn(const Frame& frame) {
   Picture picture;
-  protocol::version2::PicturePayload payload = {};
-  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &payload), nullptr);
+  const auto payload = payloadIn<protocol::version2::PicturePayload>(frame);
   picture.frame = frame.header;
   picture.image = payload.header;
   picture.jpeg.assign(payload.jpeg, payload.jpeg + payload.jpeg_size);
@@ -391,9 +398,8 @@ class FakeRobotFixture : public RCServerFixture {
   }
 
   void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {
-    protocol::version2::ErrorMessage message = {};
     EXPECT_EQ(answer.header.kind, protocol::version2::ERROR_MESSAGE);
-    ASSERT_EQ(decode(answer.payload.data(), answer.payload.size(), &message), nullptr);
+    const auto message = payloadIn<protocol::version2::ErrorMessage>(answer);
     EXPECT_EQ(message.code, code);
     EXPECT_THAT(std::string(message.text, message.text_size), ::testing::HasSubstr(text_in_it));
   }

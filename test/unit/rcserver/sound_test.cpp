@@ -42,13 +42,6 @@ std::string playedPayload(unsigned position, const Samples& samples, bool last =
   return payloadOf(PlayedSound{position, last, bytes.data(), bytes.size()});
 }
 
-template <typename Payload>
-Payload payloadIn(const Frame& frame) {
-  Payload payload{};
-  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &payload), nullptr);
-  return payload;
-}
-
 class SoundTest : public FakeRobotFixture {
  protected:
   void SetUp() override {

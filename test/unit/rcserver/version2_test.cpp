@@ -57,11 +57,9 @@ std::string period(unsigned short frames) {
 class Version2Test : public Version2Fixture {
  protected:
   bool motorsAfter(const std::string& payload) {
-    MotorState state = {};
     const Frame answer = answerTo('O', 0, payload.empty() ? payload : order(payload));
     EXPECT_EQ(answer.header.kind, 'o');
-    EXPECT_EQ(decode(answer.payload.data(), answer.payload.size(), &state), nullptr);
-    return state.on;
+    return payloadIn<MotorState>(answer).on;
   }
 
   Hello hello() {
@@ -88,8 +86,7 @@ class Version2Test : public Version2Fixture {
     for (const Frame& next : arrived()) {
       EXPECT_EQ(next.header.kind, TELEMETRY_PUSH);
       EXPECT_EQ(next.header.request_number, 0);
-      all.emplace_back();
-      EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &all.back()), nullptr);
+      all.push_back(payloadIn<Telemetry>(next));
     }
     return all;
   }
@@ -274,9 +271,7 @@ TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
 
 TEST_F(Version2Test, SpeedLimitsOfAllJointsAreRead) {
   answerTo('V', 0, payloadOf(SpeedLimits{2, {{kPanId, 1000000}, {kTailPanId, 700001}}}));
-  const Frame answer = answerTo('V', 0);
-  SpeedLimits all = {};
-  EXPECT_EQ(decode(answer.payload.data(), answer.payload.size(), &all), nullptr);
+  const auto all = payloadIn<SpeedLimits>(answerTo('V', 0));
   ASSERT_EQ(all.count, 18);
   std::map<int, int> limits;
   for (size_t i = 0; i < all.count; ++i) {
@@ -332,10 +327,7 @@ TEST_F(Version2Test, ClientThatReadsLateGetsOnlyTheNewestTelemetry) {
   connectBehindAPicture();
   send(frame('T', 0, 1, period(4)));
   passFrames(80);
-  const Frame next = nextPush(TELEMETRY_PUSH);
-  Telemetry measured = {};
-  EXPECT_EQ(decode(next.payload.data(), next.payload.size(), &measured), nullptr);
-  EXPECT_NEAR(measured.frame_number, clock_.frame(), 4);
+  EXPECT_NEAR(payloadIn<Telemetry>(nextPush(TELEMETRY_PUSH)).frame_number, clock_.frame(), 4);
   EXPECT_THAT(telemetry(), IsEmpty());
 }
 

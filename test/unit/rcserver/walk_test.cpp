@@ -25,8 +25,7 @@ std::string steering(int forward, int left = 0, int turn = 0) {
 }
 
 std::string told(const Frame& frame) {
-  MotorsAndPosture state = {};
-  EXPECT_EQ(decode(frame.payload.data(), frame.payload.size(), &state), nullptr);
+  const auto state = payloadIn<MotorsAndPosture>(frame);
   return (state.motors_on ? "on " : "off ") + std::to_string(state.posture);
 }
 
@@ -62,8 +61,7 @@ class WalkTest : public Version2Fixture {
     while (const auto next = client_->nextFrame()) {
       const std::string payload = textOf(*next);
       if (next->header.kind == END_PUSH && next->header.request_number == 0) {
-        EndMessage end = {};
-        ASSERT_EQ(decode(next->payload.data(), next->payload.size(), &end), nullptr);
+        const auto end = payloadIn<EndMessage>(*next);
         ends_.push_back(std::to_string(end.what) + " " + std::to_string(end.how) + " " +
                         std::string(end.name, end.name_size) + ": " + std::string(end.reason, end.reason_size));
       } else if (next->header.kind == ERROR_MESSAGE && !next->payload.empty()) {
@@ -71,7 +69,7 @@ class WalkTest : public Version2Fixture {
       } else if (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
         states_.push_back(told(*next));
       } else if (next->header.kind == TELEMETRY_PUSH && next->header.request_number == 0) {
-        ASSERT_EQ(decode(next->payload.data(), next->payload.size(), &telemetry_), nullptr);
+        telemetry_ = payloadIn<Telemetry>(*next);
       }
     }
   }
@@ -117,9 +115,7 @@ TEST_F(WalkTest, HelloHasItsLimits) {
 }
 
 TEST_F(WalkTest, VelocityInForceCanBeSentBackUnchanged) {
-  SteeringReply steered = {};
-  const Frame answer = answerTo('S', 0, steering(50, -5, 100));
-  ASSERT_EQ(decode(answer.payload.data(), answer.payload.size(), &steered), nullptr);
+  const auto steered = payloadIn<SteeringReply>(answerTo('S', 0, steering(50, -5, 100)));
   EXPECT_DOUBLE_EQ(steered.velocity.forward, 0.05);
   EXPECT_DOUBLE_EQ(steered.velocity.left, -0.005);
   EXPECT_DOUBLE_EQ(steered.velocity.turn, 0.1);
