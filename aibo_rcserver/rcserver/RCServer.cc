@@ -87,7 +87,7 @@ OStatus RCServer::DoInit(const OSystemEvent&) {
   }
   body_ = new Body();
   power_down_.Begin(body_);
-  body_->Voice().Start(subject[sbjSpeaker]);  // the speaker may be ready before DoStart()
+  body_->Start(subject[sbjEffector], subject[sbjSpeaker]);  // they may be ready before DoStart()
   settings_ = readSettingsFile(hostSettings());
   const Robot robot = {body_->Design(), body_->Joints(), body_->Motors(),     body_->Sensors(),
                        body_->Lights(), body_->Camera(), body_->Colors(),     body_->Hearing(),
@@ -106,7 +106,7 @@ OStatus RCServer::DoStart(const OSystemEvent&) {
   } else {
     OSYSPRINT(("RCServer: the motors stay off until a client switches them on (MOTORS_AT_BOOT in RCSERVER.CFG)\n"));
   }
-  body_->SendCommands(subject[sbjEffector]);
+  body_->SendCommands();
   ListenWhereClosed();
   OSYSPRINT(("RCServer: waiting for a client on port %d\n", protocol::RCSERVER_PORT));
   ObservePower();
@@ -187,13 +187,13 @@ void RCServer::NotifySensor(const ONotifyEvent& event) {
     session_->Measured(frame);
   }
   ServeClient();
-  body_->SendCommands(subject[sbjEffector]);
+  body_->SendCommands();
   observer[event.ObsIndex()]->AssertReady();
 }
 
 void RCServer::ReadyEffector(const OReadyEvent& event) {
   if (event.IsAssert()) {
-    body_->EffectorIsReady(subject[sbjEffector]);
+    body_->EffectorIsReady();
   }
 }
 
@@ -530,7 +530,7 @@ void RCServer::ForgetClient() {
   picture_.Release();
   file_.Release();
   power_down_.CarryOut(Now());
-  body_->SendCommands(subject[sbjEffector]);
+  body_->SendCommands();
 }
 
 // Does everything that can be done for the client now, if there is one.
@@ -559,7 +559,7 @@ void RCServer::ServeClient() {
   if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
     picture_.Release();
   }
-  body_->SendCommands(subject[sbjEffector]);
+  body_->SendCommands();
   if (!SendOutput()) {
     DropClient("the IPStack does not send", true);
   } else if (session_->IsOver() && !client_->IsSending()) {

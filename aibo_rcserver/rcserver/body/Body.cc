@@ -21,8 +21,7 @@ Body::Body()
       joint_driver_(model_),
       light_driver_(model_),
       sensor_driver_(model_),
-      colors_(camera_, model_.number_of_color_channels),
-      vectors_on_their_way_(0) {
+      colors_(camera_, model_.number_of_color_channels) {
   light_driver_.Open();
   sensor_driver_.Open();
 }
@@ -43,44 +42,39 @@ const RobotModel& Body::FindModel() {
   return *model;
 }
 
-void Body::SendCommands(OSubject* effector) {
-  if (!effector->IsReady()) {
-    return;
-  }
-  const int wanted = CommandVectors::NUMBER_OF_VECTORS - vectors_on_their_way_;
-  int added = 0;
-  while (added < wanted && AddVector(effector)) {
-    ++added;
-  }
-  if (added > 0) {
-    effector->NotifyObservers();
-  }
+void Body::Start(OSubject* effector, OSubject* speaker) {
+  vectors_.Start(effector);
+  speaker_.Start(speaker);
 }
 
-void Body::EffectorIsReady(OSubject* effector) {
-  if (vectors_on_their_way_ > 0) {  // the first READY follows no vector
-    --vectors_on_their_way_;
+void Body::SendCommands() {
+  while (SendVector()) {
+  }
+  vectors_.Notify();
+}
+
+void Body::EffectorIsReady() {
+  if (vectors_.IsReady()) {
     joint_driver_.OutputIsComplete();
   }
-  SendCommands(effector);
+  SendCommands();
 }
 
-// Adds one vector to the next notification. False if nothing has to be commanded.
-bool Body::AddVector(OSubject* effector) {
+// False if no vector can be sent, or nothing has to be commanded.
+bool Body::SendVector() {
   const bool joints_are_due = joint_driver_.HasCommand();
-  RCRegion* vector = joints_are_due || light_driver_.HasCommand() ? vectors_.FindFree() : NULL;
+  RCRegion* const vector = joints_are_due || light_driver_.HasCommand() ? vectors_.Next() : NULL;
   if (vector == NULL) {
     return false;
   }
   CommandVectors::Clear(vector);
   if (joints_are_due) {
     joint_driver_.Fill(vector);
-    joint_driver_.Sent(vectors_on_their_way_);
+    joint_driver_.Sent(vectors_.VectorsOnTheirWay());
     FlickEars();
   }
   light_driver_.Fill(vector);
-  effector->SetData(vector);
-  ++vectors_on_their_way_;
+  vectors_.Send(vector);
   return true;
 }
 

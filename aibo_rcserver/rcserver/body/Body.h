@@ -19,15 +19,17 @@
 /// Opens the joints, sensors, LEDs and ears in the table of the robot's design, and sends commands to them.
 ///
 /// Commands are sent only while something changes. Otherwise, joints and LEDs keep the state that was last commanded,
-/// and the first new command is output from the next frame on. Output begins with two vectors, and each READY is
-/// answered with one more. So a vector always waits while another is output, and the answer to READY may take as long
-/// as a vector lasts (Level2 Reference Guide, page 44; the samples of the SDK do the same). Commands to LEDs and ears
-/// share vectors with those to joints and delay none.
+/// and the first new command is output from the next frame on. Commands to LEDs and ears share vectors with those to
+/// joints and delay none.
 class Body {
  public:
   /// Opens everything. Parts that do not open are left out, and the console says why. A robot whose design has no table
   /// has no parts.
   Body();
+
+  /// Call in DoInit.
+  /// @param effector, speaker gates to OVirtualRobotComm.Effector and OVirtualRobotAudioComm.Speaker; must outlive this
+  void Start(OSubject* effector, OSubject* speaker);
 
   /// The design's name, as OPEN-R has it.
   const char* Design() const { return design_; }
@@ -42,11 +44,10 @@ class Body {
   Speaker& Voice() { return speaker_; }
 
   /// Sends the next command vectors if they are due and the robot can take them. Call it after every command.
-  /// @param effector gate to OVirtualRobotComm.Effector
-  void SendCommands(OSubject* effector);
+  void SendCommands();
 
   /// Call on READY: sends the next vectors.
-  void EffectorIsReady(OSubject* effector);
+  void EffectorIsReady();
 
   /// Reads the reports of joints and sensors. A robot that has fallen stops walking, and its motors go off if it stays
   /// down. The motors also go off when the robot has lain down to rest.
@@ -64,7 +65,7 @@ class Body {
 
  private:
   const robot_model::RobotModel& FindModel();
-  bool AddVector(OSubject* effector);
+  bool SendVector();
   void WatchWalk(longword frame);
   WalkGuard::Reading LookAround();
   double Measured(const char* sensor) const;
@@ -80,7 +81,6 @@ class Body {
   ColorTables colors_;
   Microphone microphone_;
   Speaker speaker_;
-  int vectors_on_their_way_;  ///< sent, and their output is not complete
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_BODY_H

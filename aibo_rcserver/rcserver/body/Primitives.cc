@@ -15,7 +15,6 @@ OCommandVectorData* VectorIn(RCRegion* region) {
 const int Primitives::MAX_ROWS;
 const int Primitives::NOT_OPEN;
 const int CommandVectors::FRAMES;
-const int CommandVectors::NUMBER_OF_VECTORS;
 
 Primitives::Primitives() {
   for (int i = 0; i < MAX_ROWS; ++i) {
@@ -63,43 +62,18 @@ bool SensorReports::Next() {
   return false;
 }
 
-CommandVectors::CommandVectors() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    memories_[i] = MemoryRegionID();
-    regions_[i] = NULL;
-  }
-}
+CommandVectors::CommandVectors() : VectorPair(OPENR::DeleteCommandVectorData) {}
 
 bool CommandVectors::Create(int most_entries) {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+  for (int i = 0; i < SIZE; ++i) {
+    MemoryRegionID memory = MemoryRegionID();
     OCommandVectorData* vector = NULL;
-    if (OPENR::NewCommandVectorData(static_cast<size_t>(most_entries), &memories_[i], &vector) != oSUCCESS) {
-      Destroy();
+    if (OPENR::NewCommandVectorData(static_cast<size_t>(most_entries), &memory, &vector) != oSUCCESS) {
       return false;
     }
-    regions_[i] =
-        new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
+    Own(i, memory, vector);
   }
   return true;
-}
-
-void CommandVectors::Destroy() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    if (regions_[i] != NULL) {
-      regions_[i]->RemoveReference();
-      OPENR::DeleteCommandVectorData(memories_[i]);
-      regions_[i] = NULL;
-    }
-  }
-}
-
-RCRegion* CommandVectors::FindFree() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    if (regions_[i] != NULL && regions_[i]->NumberOfReference() == 1) {
-      return regions_[i];
-    }
-  }
-  return NULL;
 }
 
 void CommandVectors::Clear(RCRegion* vector) {

@@ -9,6 +9,7 @@
 #include <OPENR/RCRegion.h>
 #include <string.h>
 
+#include "rcserver/body/VectorPair.h"
 #include "robot_model/robot_model.h"
 
 /// Stands for a robot whose parts cannot be opened: without joints, sensors, LEDs and ears.
@@ -82,43 +83,28 @@ class SensorReports {
   int row_;
 };
 
-/// Two command vectors that take turns: one is filled while the other is output. Each covers FRAMES frames of 8 ms.
-/// OPEN-R takes up to 16 frames in a vector, but with fewer, a new command takes effect sooner.
-class CommandVectors {
+/// Command vectors. Each covers FRAMES frames of 8 ms. OPEN-R takes up to 16 frames in a vector, but with fewer, a new
+/// command takes effect sooner.
+class CommandVectors : public VectorPair {
  public:
   static const int FRAMES = 4;
-  static const int NUMBER_OF_VECTORS = 2;
 
   CommandVectors();
-  ~CommandVectors() { Destroy(); }
 
   /// @param most_entries the most entries in a vector, one for each commanded primitive
   /// @return false if OPEN-R refuses
   bool Create(int most_entries);
 
-  /// A vector that is not being output.
-  /// @return NULL if both are being output
-  RCRegion* FindFree();
-
   /// Removes all entries.
-  /// @param vector from FindFree()
+  /// @param vector from Next()
   static void Clear(RCRegion* vector);
 
   /// Adds an entry.
-  /// @param vector from FindFree()
+  /// @param vector from Next()
   /// @param type such as odataJOINT_COMMAND2
   /// @param frames 1..FRAMES
   /// @return where the commands go, one for each frame
   static OCommandData* Add(RCRegion* vector, ODataType type, OPrimitiveID primitive, int frames);
-
- private:
-  CommandVectors(const CommandVectors&);
-  CommandVectors& operator=(const CommandVectors&);
-
-  void Destroy();
-
-  MemoryRegionID memories_[NUMBER_OF_VECTORS];
-  RCRegion* regions_[NUMBER_OF_VECTORS];
 };
 
 #endif  // AIBO_RCSERVER_RCSERVER_BODY_PRIMITIVES_H

@@ -42,24 +42,9 @@ OSoundVectorData* VectorIn(RCRegion* region) {
 }  // namespace
 
 const int Speaker::VECTOR_SAMPLES;
-const int Speaker::NUMBER_OF_VECTORS;
 const int Speaker::MOST_ENDS;
 
-Speaker::Speaker() : gate_(NULL), vectors_on_their_way_(0), volume_(VOLUME_OF_ROBOT), sound_(), number_of_ends_(0) {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    memories_[i] = MemoryRegionID();
-    regions_[i] = NULL;
-  }
-}
-
-Speaker::~Speaker() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    if (regions_[i] != NULL) {
-      regions_[i]->RemoveReference();
-      OPENR::DeleteSoundVectorData(memories_[i]);
-    }
-  }
-}
+Speaker::Speaker() : vectors_(OPENR::DeleteSoundVectorData), volume_(VOLUME_OF_ROBOT), sound_(), number_of_ends_(0) {}
 
 const char* Speaker::Play(const PlayedSound& part) {
   const unsigned size = static_cast<unsigned>(part.samples_size / BYTES_PER_SAMPLE);
@@ -82,7 +67,7 @@ const char* Speaker::Begin() {
   if (!Open()) {
     return "the robot's speaker cannot be used; the robot's console says why";
   }
-  if (vectors_on_their_way_ == 0 && !gate_->IsReady()) {
+  if (!vectors_.IsConnected()) {
     return "the robot's speaker takes no sound: CONNECT.CFG on the memory stick does not connect it";
   }
   End(protocol::version2::END_REPLACED);
@@ -137,11 +122,8 @@ void Speaker::End(unsigned char how) {
 }
 
 void Speaker::IsReady() {
-  if (vectors_on_their_way_ > 0) {  // the first READY follows no vector
-    --vectors_on_their_way_;
-    if (sound_.vectors_until_end > 0 && --sound_.vectors_until_end == 0) {
-      End(protocol::version2::END_DONE);
-    }
+  if (vectors_.IsReady() && sound_.vectors_until_end > 0 && --sound_.vectors_until_end == 0) {
+    End(protocol::version2::END_DONE);
   }
   if (sound_.is_playing && sound_.starved >= MOST_STARVED) {
     End(protocol::version2::END_REFUSED);
@@ -214,50 +196,33 @@ bool Speaker::Control(OPrimitiveRequest request, longword value, const char* wha
 }
 
 bool Speaker::CreateVectors() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
+  for (int i = 0; i < VectorPair::SIZE; ++i) {
+    MemoryRegionID memory = MemoryRegionID();
     OSoundVectorData* vector = NULL;
-    if (regions_[i] == NULL &&
-        OPENR::NewSoundVectorData(1, VECTOR_SAMPLES * sizeof(short), &memories_[i], &vector) != oSUCCESS) {
+    if (vectors_.HasVector(i)) {
+      continue;
+    }
+    if (OPENR::NewSoundVectorData(1, VECTOR_SAMPLES * sizeof(short), &memory, &vector) != oSUCCESS) {
       OSYSLOG1((osyslogERROR, "RCServer: no memory for sound"));
       return false;
     }
-    if (vector != NULL) {
-      vector->SetNumData(1);
-      regions_[i] =
-          new RCRegion(vector->vectorInfo.memRegionID, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
-    }
+    vector->SetNumData(1);
+    vectors_.Own(i, memory, vector);
   }
   return true;
 }
 
 void Speaker::Send() {
-  if (!gate_->IsReady()) {
-    return;
-  }
-  int added = 0;
-  while (sound_.is_playing && sound_.vectors_until_end == 0 && vectors_on_their_way_ < NUMBER_OF_VECTORS) {
-    RCRegion* const vector = FindFree();
+  while (sound_.is_playing && sound_.vectors_until_end == 0) {
+    RCRegion* const vector = vectors_.Next();
     if (vector == NULL) {
       break;
     }
     Fill(vector);
-    gate_->SetData(vector);
-    ++vectors_on_their_way_;
-    ++added;
-    sound_.vectors_until_end = sound_.has_last && Waiting() == 0 ? vectors_on_their_way_ : 0;
+    vectors_.Send(vector);
+    sound_.vectors_until_end = sound_.has_last && Waiting() == 0 ? vectors_.VectorsOnTheirWay() : 0;
   }
-  if (added > 0) {
-    gate_->NotifyObservers();
-  }
-}
-
-RCRegion* Speaker::FindFree() {
-  for (int i = 0; i < NUMBER_OF_VECTORS; ++i) {
-    if (regions_[i]->NumberOfReference() == 1) {
-      return regions_[i];
-    }
-  }
-  return NULL;
+  vectors_.Notify();
 }
 
 // Silence after the last sample does not count.

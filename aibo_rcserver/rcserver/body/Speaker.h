@@ -5,25 +5,23 @@
 
 #include <OPENR/ODataFormats.h>
 #include <OPENR/OSubject.h>
-#include <OPENR/RCRegion.h>
 
 #include "protocol/sound_requests.h"
 #include "rcserver/body/Primitives.h"
+#include "rcserver/body/VectorPair.h"
 
 /// Plays one sound at a time. A sample that has not come in time is replaced by silence, and is dropped when it comes.
 ///
-/// OVirtualRobotAudioComm takes two vectors at first, and one more for each READY, which means that one has been output
-/// (Level2 Reference Guide, page 44). The speaker is opened when the first sound is played.
+/// The speaker is opened when the first sound is played.
 class Speaker {
  public:
   /// Samples in a vector: 32 ms, as in Sony's samples SoundPlay and SoundAgent.
   static const int VECTOR_SAMPLES = 512;
 
   Speaker();
-  ~Speaker();
 
   /// @param gate to OVirtualRobotAudioComm.Speaker; must outlive this
-  void Start(OSubject* gate) { gate_ = gate; }
+  void Start(OSubject* gate) { vectors_.Start(gate); }
 
   /// Takes samples, or an order to stop.
   /// @return NULL, or why they are not played; then nothing changes
@@ -55,8 +53,6 @@ class Speaker {
   void ClientGone();
 
  private:
-  static const int NUMBER_OF_VECTORS = 2;
-
   // Two sounds can end before the reports are taken: one that a new sound replaces, and the new one.
   static const int MOST_ENDS = 2;
 
@@ -72,9 +68,6 @@ class Speaker {
     unsigned missing;
   };
 
-  Speaker(const Speaker&);
-  Speaker& operator=(const Speaker&);
-
   const char* Begin();
   const char* Add(const protocol::version2::PlayedSound& part, unsigned size);
   void AddSilence();
@@ -83,15 +76,11 @@ class Speaker {
   bool CreateVectors();
   bool Control(OPrimitiveRequest request, longword value, const char* what);
   void Send();
-  RCRegion* FindFree();
   void Fill(RCRegion* vector);
   unsigned Waiting() const { return sound_.end - sound_.begin; }
 
-  OSubject* gate_;
   Primitives primitives_;
-  MemoryRegionID memories_[NUMBER_OF_VECTORS];
-  RCRegion* regions_[NUMBER_OF_VECTORS];
-  int vectors_on_their_way_;                             ///< sent, and their output is not complete
+  VectorPair vectors_;
   unsigned char volume_;                                 ///< set by a client, or VOLUME_OF_ROBOT
   Sound sound_;                                          ///< the present one, or the last
   short samples_[protocol::version2::SPEAKER_CAPACITY];  ///< each at its position, as a ring
