@@ -125,7 +125,7 @@ JointWatch::Verdict JointControl::Measured(int joint, const JointReading& readin
     return JointWatch::FOLLOWS;
   }
   const JointWatch::Verdict verdict = watches_[joint].Look(reading, frame);
-  if (verdict != JointWatch::FOLLOWS && walker_.TriesAnotherWay(joint)) {
+  if (verdict != JointWatch::FOLLOWS && walker_.TriesAnotherRoute(joint)) {
     Hold(joint, reading.position, frame);
     return JointWatch::FOLLOWS;
   }

@@ -92,7 +92,7 @@ class JointControl {
 
   /// A joint has reported.
   /// @param driven true if its motor is on. The joint is then watched: if it does not follow, it holds its current
-  ///   position and its motion ends, unless the Walker tries another way
+  ///   position and its motion ends, unless the Walker tries another route
   /// @return the verdict of its JointWatch
   JointWatch::Verdict Measured(int joint, const JointReading& reading, unsigned frame, bool driven);
 

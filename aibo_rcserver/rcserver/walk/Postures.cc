@@ -35,11 +35,11 @@ const LegAngles KEEPS_AWAY = {0, 0, 20 * DEGREE};
 const LegAngles FOLDED = {90 * DEGREE, WIDE, 30 * DEGREE};
 const LegAngles LEANS = {20 * DEGREE, 40 * DEGREE, 20 * DEGREE};
 
-// Largest distance of a foot from a way, in metres, at which the robot still counts as on it. Our choice: more than
+// Largest distance of a foot from a route, in metres, at which the robot still counts as on it. Our choice: more than
 // load and joint slip cause, less than the length of a shank.
 const double NEAR = 0.03;
 
-// Number of checked places on a way. They are less than NEAR apart.
+// Number of checked places on a route. They are less than NEAR apart.
 const int PLACES = 16;
 
 // Range of foot positions in which the robot counts as standing. Our choice: from half crouched to straight legs.
@@ -65,7 +65,7 @@ LegAngles ForEnd(const LegAngles& angles, bool front) {
 
 }  // namespace
 
-const int Postures::MAX_WAY;
+const int Postures::MAX_ROUTE;
 
 Postures::Postures(const Gait& gait) {
   const Velocity none = {0, 0, 0};
@@ -92,38 +92,38 @@ bool Postures::Moves(Stage stage, int number) {
   return stage == SPREAD ? number == 1 : stage == FOLD ? number != 1 : true;
 }
 
-int Postures::FindWay(const LegAngles* here, Posture wanted, bool lies_down, Stage* way) const {
+int Postures::FindRoute(const LegAngles* here, Posture wanted, bool lies_down, Stage* route) const {
   const bool stands = !lies_down && Stands(here);
   const bool sits = !lies_down && !stands && IsBetween(POSTURE_STAND, POSTURE_SIT, here);
   const bool rests = !lies_down && !stands && IsBetween(POSTURE_STAND, POSTURE_REST, here);
   int count = 0;
   if (!stands && !sits && !rests) {
-    way[count++] = SPREAD;
-    way[count++] = FOLD;
+    route[count++] = SPREAD;
+    route[count++] = FOLD;
     if (wanted != POSTURE_REST) {
-      way[count++] = REST;
+      route[count++] = REST;
     }
   }
   const bool comes_from_other_side = wanted == POSTURE_SIT ? !sits && !stands : wanted == POSTURE_REST && sits;
   if (comes_from_other_side) {
-    way[count++] = STAND;
+    route[count++] = STAND;
   }
-  way[count++] = static_cast<Stage>(wanted);
+  route[count++] = static_cast<Stage>(wanted);
   return count;
 }
 
-int Postures::FindWayToBelly(FallWatch::Verdict verdict, int attempt, Stage* way) {
+int Postures::FindRouteToBelly(FallWatch::Verdict verdict, int attempt, Stage* route) {
   switch (verdict) {
     case FallWatch::ON_LEFT_SIDE:
-      way[0] = REACH_LEFT;
-      way[1] = PUSH_LEFT;
+      route[0] = REACH_LEFT;
+      route[1] = PUSH_LEFT;
       return 2;
     case FallWatch::ON_RIGHT_SIDE:
-      way[0] = REACH_RIGHT;
-      way[1] = PUSH_RIGHT;
+      route[0] = REACH_RIGHT;
+      route[1] = PUSH_RIGHT;
       return 2;
     default:
-      way[0] = attempt % 2 == 0 ? TIP_RIGHT : TIP_LEFT;
+      route[0] = attempt % 2 == 0 ? TIP_RIGHT : TIP_LEFT;
       return 1;
   }
 }

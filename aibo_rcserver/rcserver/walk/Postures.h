@@ -1,5 +1,5 @@
 /// @file Postures.h
-/// The postures that the robot can take, and the safe ways between them.
+/// The postures that the robot can take, and the safe routes between them.
 #ifndef AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
 #define AIBO_RCSERVER_RCSERVER_WALK_POSTURES_H
 
@@ -12,7 +12,7 @@
 /// robot never stands on folded legs.
 ///
 /// Between standing and sitting, and between standing and lying, all joints move at once, and the feet slide over the
-/// floor. All other ways are made of these. From an unknown posture, the robot first lies down: it spreads its legs
+/// floor. All other routes are made of these. From an unknown posture, the robot first lies down: it spreads its legs
 /// until it lies on its belly, folds them without weight on them, and puts them down.
 ///
 /// A robot that lies on a side rolls onto its belly: the legs below reach past its back, and then push against the
@@ -35,8 +35,8 @@ class Postures {
     NUMBER_OF_STAGES
   };
 
-  /// Most stages on a way.
-  static const int MAX_WAY = 5;
+  /// Most stages on a route.
+  static const int MAX_ROUTE = 5;
 
   /// @param gait its posture at zero velocity is standing
   explicit Postures(const Gait& gait);
@@ -51,17 +51,18 @@ class Postures {
   /// True if the robot takes one of the postures in a stage, with its weight on its legs.
   static bool IsPosture(Stage stage) { return stage <= REST; }
 
-  /// Finds the way to a posture.
+  /// Finds the route to a posture.
   /// @param here the angles of the four legs now
-  /// @param lies_down true if the robot has to lie down on the way
-  /// @param[out] way room for MAX_WAY stages to go through one after the other; the last is the wanted posture
+  /// @param lies_down true if the robot has to lie down on the route
+  /// @param[out] route room for MAX_ROUTE stages to go through one after the other; the last is the wanted posture
   /// @return the number of stages
-  int FindWay(const robot_model::LegAngles* here, protocol::version2::Posture wanted, bool lies_down, Stage* way) const;
+  int FindRoute(const robot_model::LegAngles* here, protocol::version2::Posture wanted, bool lies_down,
+                Stage* route) const;
 
-  /// Finds the way from a side or the back onto the belly. Afterwards, the robot may lie on another side.
+  /// Finds the route from a side or the back onto the belly. Afterwards, the robot may lie on another side.
   /// @param verdict how the robot lies
   /// @param attempt 0, 1, 2, ...: from its back, the robot tips to one side, then to the other
-  static int FindWayToBelly(FallWatch::Verdict verdict, int attempt, Stage* way);
+  static int FindRouteToBelly(FallWatch::Verdict verdict, int attempt, Stage* route);
 
   /// True if the feet are below the body and near their places in the stand, so that the robot can stand up at once.
   bool Stands(const robot_model::LegAngles* here) const;

@@ -124,7 +124,7 @@ Walker::Walker(JointPlanner& planner, const robot_model::RobotModel& robot, Orde
       order_(OrderBook::NO_ORDER),
       is_walk_(false),
       posture_(POSTURE_STAND),
-      way_(),
+      route_(),
       walk_() {
   problem_[0] = '\0';
 }
@@ -246,8 +246,8 @@ void Walker::NextFrame() {
   if (is_walk_ && ++walk_.frames_since_steered >= STEERING_FRAMES) {
     EndWalkInStand(NOT_STEERED);
   }
-  if (activity_ == TAKING_POSTURE && way_.plans_again) {
-    PlanWay(true);
+  if (activity_ == TAKING_POSTURE && route_.plans_again) {
+    PlanRoute(true);
     BeginNextStage();
   } else if (activity_ == TAKING_POSTURE && HaveArrived()) {
     BeginNextStage();
@@ -274,9 +274,9 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
   fall_watch_.Look(reading, postures_.Stands(legs), frame);
   const FallWatch::Verdict fall = fall_watch_.Now();
   const bool lies = FallWatch::IsFallen(fall);
-  if (way_.gets_up && lies && way_.attempts < ATTEMPTS) {
-    way_.plans_again = way_.plans_again || (!way_.rolls && FallWatch::IsFallen(fall_watch_.Last()));
-  } else if (way_.gets_up && lies && (way_.rolls || !FallWatch::IsFallen(fall_watch_.Last()))) {
+  if (route_.gets_up && lies && route_.attempts < ATTEMPTS) {
+    route_.plans_again = route_.plans_again || (!route_.rolls && FallWatch::IsFallen(fall_watch_.Last()));
+  } else if (route_.gets_up && lies && (route_.rolls || !FallWatch::IsFallen(fall_watch_.Last()))) {
     // This is the last attempt, or the robot is on its belly already, and the verdict is late.
   } else if (fall != FallWatch::UPRIGHT) {
     const EndReason reason = EndReason::Of(END_FELL, FallWatch::Words(fall));
@@ -291,7 +291,7 @@ void Walker::Measured(const FallWatch::Reading& reading, const int* positions, u
       guard_.HaveWalked(walked_.Now(), walk_.pace.velocity, frames);
     }
   }
-  goes_soft_ = has_legs_ && !way_.gets_up && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
+  goes_soft_ = has_legs_ && !route_.gets_up && lies && fall_watch_.Duration(frame) >= FRAMES_TO_SOFTEN;
   rest_.since = rest_.lies ? rest_.since : frame;
   rest_.is_over = rest_.lies && frame - rest_.since >= FRAMES_TO_FOLLOW;
 }
@@ -321,11 +321,11 @@ void Walker::HaveLooked(const WalkGuard::Reading& reading) {
   }
 }
 
-bool Walker::TriesAnotherWay(int joint) {
-  if (activity_ != TAKING_POSTURE || rest_.lies || !Moves(joint) || way_.attempts >= ATTEMPTS) {
+bool Walker::TriesAnotherRoute(int joint) {
+  if (activity_ != TAKING_POSTURE || rest_.lies || !Moves(joint) || route_.attempts >= ATTEMPTS) {
     return false;
   }
-  way_.plans_again = true;
+  route_.plans_again = true;
   return true;
 }
 
@@ -382,42 +382,42 @@ void Walker::Begin(bool is_walk, Posture posture) {
   has_softened_ = false;
   is_walk_ = is_walk;
   posture_ = posture;
-  way_ = Way();
-  way_.gets_up = HasFallen();
+  route_ = Route();
+  route_.gets_up = HasFallen();
   walk_.pace = Pace();
-  PlanWay(false);
+  PlanRoute(false);
   BeginNextStage();
 }
 
-// Finds the way from here to the posture, or to the belly.
-void Walker::PlanWay(bool lies_down) {
-  way_.plans_again = false;
-  way_.begun = 0;
-  way_.rolls = way_.gets_up && FallWatch::IsFallen(fall_watch_.Last());
-  if (way_.rolls) {
-    way_.size = Postures::FindWayToBelly(fall_watch_.Last(), way_.attempts, way_.stages);
+// Finds the route from here to the posture, or to the belly.
+void Walker::PlanRoute(bool lies_down) {
+  route_.plans_again = false;
+  route_.begun = 0;
+  route_.rolls = route_.gets_up && FallWatch::IsFallen(fall_watch_.Last());
+  if (route_.rolls) {
+    route_.size = Postures::FindRouteToBelly(fall_watch_.Last(), route_.attempts, route_.stages);
   } else {
     LegAngles legs[NUMBER_OF_LEGS];
     legs_.Find(legs);
-    way_.size = postures_.FindWay(legs, posture_, lies_down, way_.stages);
+    route_.size = postures_.FindRoute(legs, posture_, lies_down, route_.stages);
   }
-  ++way_.attempts;
+  ++route_.attempts;
 }
 
-// Begins the next stage of the way. After the last one, finishes the order.
+// Begins the next stage of the route. After the last one, finishes the order.
 void Walker::BeginNextStage() {
-  if (way_.begun == way_.size) {
-    FinishWay();
+  if (route_.begun == route_.size) {
+    FinishRoute();
     return;
   }
-  const Postures::Stage next = way_.stages[way_.begun++];
+  const Postures::Stage next = route_.stages[route_.begun++];
   const bool moves[] = {Postures::Moves(next, 0), Postures::Moves(next, 1), Postures::Moves(next, 2)};
   const int farthest = legs_.Aim(postures_.Legs(next), moves);
   const int milliseconds = static_cast<int>(static_cast<double>(farthest) / SpeedIn(next) * 1000);
   planner_.Go(milliseconds);
-  way_.frames_to_settle = way_.rolls && way_.begun == way_.size ? FRAMES_TO_SETTLE : 0;
+  route_.frames_to_settle = route_.rolls && route_.begun == route_.size ? FRAMES_TO_SETTLE : 0;
   const bool rests = !is_walk_ && posture_ == POSTURE_REST && next == Postures::REST;
-  if (rests || way_.rolls) {
+  if (rests || route_.rolls) {
     head_.Go(milliseconds);
   }
 }
@@ -425,15 +425,15 @@ void Walker::BeginNextStage() {
 int Walker::SpeedIn(Postures::Stage stage) const {
   const int speed = Postures::IsPosture(stage) ? POSTURE_SPEED : UNLOADED_SPEED;
   const bool pushes = stage == Postures::PUSH_LEFT || stage == Postures::PUSH_RIGHT;
-  return way_.gets_up && !pushes ? 2 * speed : speed;
+  return route_.gets_up && !pushes ? 2 * speed : speed;
 }
 
-void Walker::FinishWay() {
+void Walker::FinishRoute() {
   const bool still_lies = FallWatch::IsFallen(fall_watch_.Last());
-  if (way_.rolls && !(still_lies && way_.attempts >= ATTEMPTS)) {
-    PlanWay(true);
+  if (route_.rolls && !(still_lies && route_.attempts >= ATTEMPTS)) {
+    PlanRoute(true);
     BeginNextStage();
-  } else if (way_.rolls) {
+  } else if (route_.rolls) {
     Brake(EndReason::Of(END_FELL, FallWatch::Words(fall_watch_.Now())));
   } else if (is_walk_ && !walk_.ends) {
     walked_.Begin();
@@ -446,7 +446,7 @@ void Walker::FinishWay() {
 }
 
 bool Walker::HaveArrived() {
-  return legs_.HaveArrived() && way_.frames_to_settle-- <= 0;
+  return legs_.HaveArrived() && route_.frames_to_settle-- <= 0;
 }
 
 // Only the first reason is kept.
@@ -538,7 +538,7 @@ void Walker::SetFeet(const Velocity& velocity) {
 
 void Walker::Finish(const EndReason& reason) {
   activity_ = IDLE;
-  way_.gets_up = false;
+  route_.gets_up = false;
   rest_.lies = false;
   rest_.is_over = false;
   walk_.has_next = false;

@@ -23,18 +23,18 @@
 /// A walk begins and ends in the stand. From any other posture, the robot first rises slowly. The velocity can change
 /// by the highest velocity in a second. A walk that is not steered for STEERING_TIMEOUT_MS ends.
 ///
-/// Motors lag and give way, so the legs walk at a different velocity from the one commanded. It is measured, and the
+/// Motors lag and yield, so the legs walk at a different velocity from the one commanded. It is measured, and the
 /// command is made faster, slower or more to one side until the measured velocity is the wanted one. The accelerometer
 /// tells how the robot leans, and its feet go nearer to that side.
 ///
 /// A robot that lies on a side or its back can take no posture but the stand: it rolls onto its belly first. If a joint
-/// cannot follow on the way to a posture, it gives way, and the robot tries another way.
+/// cannot follow on the route to a posture, it yields, and the robot tries another route.
 ///
 /// The planner enforces all limits, as for motions and commands.
 class Walker {
  public:
-  /// Highest speed of a joint on the way to a posture, in microradian/s: 45 degrees per second. Our choice: half of the
-  /// speed of motions, because the legs carry the robot.
+  /// Highest speed of a joint on the route to a posture, in microradian/s: 45 degrees per second. Our choice: half of
+  /// the speed of motions, because the legs carry the robot.
   static const int POSTURE_SPEED = 785398;
 
   /// The same while the legs do not carry the robot, 90 degrees per second, and twice that while it gets up from a side
@@ -120,8 +120,8 @@ class Walker {
   bool IsMoving() const { return activity_ != IDLE && !rest_.lies; }
 
   /// Call when a joint does not follow.
-  /// @return true if it may give way, because the robot now tries another way to its posture
-  bool TriesAnotherWay(int joint);
+  /// @return true if it may yield, because the robot now tries another route to its posture
+  bool TriesAnotherRoute(int joint);
 
   /// Sets the targets for the next frame. Call once in each frame, before JointPlanner::NextFrame().
   void NextFrame();
@@ -175,16 +175,16 @@ class Walker {
     double phase;
   };
 
-  /// The way to a posture or, if it rolls, onto the belly.
-  struct Way {
-    Postures::Stage stages[Postures::MAX_WAY];
+  /// The route to a posture or, if it rolls, onto the belly.
+  struct Route {
+    Postures::Stage stages[Postures::MAX_ROUTE];
     int size;
     int begun;             ///< number of its stages that have begun
     bool gets_up;          ///< from a side or its back
-    bool rolls;            ///< the way ends on the belly
-    int attempts;          ///< ways that have begun
+    bool rolls;            ///< the route ends on the belly
+    int attempts;          ///< routes that have begun
     bool plans_again;      ///< a joint did not follow
-    int frames_to_settle;  ///< until the robot lies still at the way's end
+    int frames_to_settle;  ///< until the robot lies still at the route's end
   };
 
   /// A robot that has lain down to rest.
@@ -211,9 +211,9 @@ class Walker {
   void Brake(const EndReason& reason);
   void ReplaceOrder(const EndReason& reason, unsigned char what, unsigned short number, const char* name);
   void Begin(bool is_walk, protocol::version2::Posture posture);
-  void PlanWay(bool lies_down);
+  void PlanRoute(bool lies_down);
   void BeginNextStage();
-  void FinishWay();
+  void FinishRoute();
   int SpeedIn(Postures::Stage stage) const;
   bool HaveArrived();
   void EndWalkInStand(const EndReason& reason);
@@ -244,7 +244,7 @@ class Walker {
   int order_;  ///< NO_ORDER if nothing is done, or if the client has gone before its posture could begin
   bool is_walk_;
   protocol::version2::Posture posture_;  ///< if this is not a walk
-  Way way_;
+  Route route_;
   Steering walk_;
 };
 

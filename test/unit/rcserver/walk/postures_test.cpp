@@ -42,14 +42,14 @@ class PosturesTest : public ::testing::Test {
   }
 
   std::vector<Postures::Stage> way(const Legs& here, Posture wanted, bool lies_down = false) const {
-    std::vector<Postures::Stage> found(Postures::MAX_WAY);
-    found.resize(static_cast<std::size_t>(postures_.FindWay(here.data(), wanted, lies_down, found.data())));
+    std::vector<Postures::Stage> found(Postures::MAX_ROUTE);
+    found.resize(static_cast<std::size_t>(postures_.FindRoute(here.data(), wanted, lies_down, found.data())));
     return found;
   }
 
   static std::vector<Postures::Stage> wayToBelly(FallWatch::Verdict verdict, int attempt) {
-    std::vector<Postures::Stage> found(Postures::MAX_WAY);
-    found.resize(static_cast<std::size_t>(Postures::FindWayToBelly(verdict, attempt, found.data())));
+    std::vector<Postures::Stage> found(Postures::MAX_ROUTE);
+    found.resize(static_cast<std::size_t>(Postures::FindRouteToBelly(verdict, attempt, found.data())));
     return found;
   }
 

@@ -532,7 +532,7 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
   joints.Take(POSTURE_STAND);
   pass(20);
   const int knee = joint("left_hind_knee");
-  EXPECT_FALSE(walker().TriesAnotherWay(joint("head_pan")));
+  EXPECT_FALSE(walker().TriesAnotherRoute(joint("head_pan")));
   const JointReading stuck = {position(knee) + 300000, position(knee), -FULL_DUTY};
   joints.Measured(knee, stuck, 1000, true);
   EXPECT_EQ(joints.Measured(knee, stuck, 2000, true), JointWatch::FOLLOWS);
@@ -540,10 +540,10 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
   pass(2);
   EXPECT_GT(joints.Planner().Target(joint("right_front_elevator")), 1400000) << "it spreads its legs";
   for (int i = 2; i < Walker::ATTEMPTS; ++i) {
-    EXPECT_TRUE(walker().TriesAnotherWay(knee));
+    EXPECT_TRUE(walker().TriesAnotherRoute(knee));
     pass(4);
   }
-  EXPECT_FALSE(walker().TriesAnotherWay(knee));
+  EXPECT_FALSE(walker().TriesAnotherRoute(knee));
   passUntilIdle();
   EXPECT_TRUE(isIn(POSTURE_STAND));
 }
@@ -710,7 +710,7 @@ TEST_F(Fall, IsFollowedByAStandOverTheBelly) {
   while (position("right_front_elevator") < 1400000 && walker().IsActive()) {  // it pushes with the legs below
     pass(1);
   }
-  EXPECT_TRUE(walker().TriesAnotherWay(joint("right_front_knee")));
+  EXPECT_TRUE(walker().TriesAnotherRoute(joint("right_front_knee")));
   pass(1);
   EXPECT_LT(joints.Planner().Target(joint("right_front_elevator")), 100000) << "it reaches out again";
   EXPECT_THAT(ends(), IsEmpty());
