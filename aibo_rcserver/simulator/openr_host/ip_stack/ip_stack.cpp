@@ -23,11 +23,6 @@ const std::map<antOperation, std::size_t> kSizes = {
     {antOperation_UDPSend, sizeof(UDPEndpointSendMsg)},
     {antOperation_UDPReceive, sizeof(UDPEndpointReceiveMsg)},
     {antOperation_UDPClose, sizeof(UDPEndpointCloseMsg)},
-    {antOperation_DNSGetServerAddresses, sizeof(DNSEndpointGetServerAddressesMsg)},
-    {antOperation_DNSGetDefaultDomainName, sizeof(DNSEndpointGetDefaultDomainNameMsg)},
-    {antOperation_DNSGetHostByName, sizeof(DNSEndpointHostMsg)},
-    {antOperation_DNSGetHostByAddr, sizeof(DNSEndpointHostMsg)},
-    {antOperation_DNSClose, sizeof(DNSEndpointCloseMsg)},
 };
 
 /// Of an operation's message; 0 if there is no such operation.
@@ -93,10 +88,6 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
     case antOperation_UDPReceive:
       passData<UDPEndpointReceiveMsg>(message, &UdpEndpoint::receive);
       break;
-    case antOperation_DNSGetHostByName:
-    case antOperation_DNSGetHostByAddr:
-      pass<DNSEndpointHostMsg>(message, &DnsEndpoint::askForHost);
-      break;
     default:
       answerAtOnce(message.message());
       deliver_(message);
@@ -121,10 +112,6 @@ antError IpStack::answerAtOnce(antEnvMsg& message) {
     case antOperation_UDPBind:
     case antOperation_UDPClose:
       return answerUdp(static_cast<UDPEndpointBaseMsg&>(message));
-    case antOperation_DNSGetServerAddresses:
-    case antOperation_DNSGetDefaultDomainName:
-    case antOperation_DNSClose:
-      return answerDns(static_cast<DNSEndpointBaseMsg&>(message));
     default:
       // Other requests wait for the other side, and would block the only thread.
       return ANT_FAIL;
@@ -160,15 +147,6 @@ antError IpStack::answerUdp(UDPEndpointBaseMsg& message) {
   return ANT_SUCCESS;
 }
 
-antError IpStack::answerDns(DNSEndpointBaseMsg& message) {
-  if (auto* endpoint = find<DnsEndpoint>(message.module)) {
-    endpoint->answer(message);
-  } else {
-    message.error = DNS_OPERATION_INVALID;
-  }
-  return ANT_SUCCESS;
-}
-
 void IpStack::createSharedBuffer(antEnvCreateSharedBufferMsg& message) {
   void* address = buffers_.create(message.size);
   message.buffer =
@@ -197,8 +175,6 @@ void IpStack::createEndpoint(antEnvCreateEndpointMsg& message) {
     endpoint = std::make_unique<TcpEndpoint>(message.poolSize, deliver_);
   } else if (message.protocol == EndpointType_UDP) {
     endpoint = std::make_unique<UdpEndpoint>(message.poolSize, deliver_);
-  } else if (message.protocol == EndpointType_DNS) {
-    endpoint = std::make_unique<DnsEndpoint>(deliver_);
   } else {
     message.error = ANT_FAIL;
     return;

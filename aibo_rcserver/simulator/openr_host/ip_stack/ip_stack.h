@@ -12,7 +12,6 @@
 #include <memory>
 #include <string>
 
-#include "simulator/openr_host/ip_stack/dns_endpoint.h"
 #include "simulator/openr_host/ip_stack/endpoint.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/shared_buffers.h"
@@ -22,8 +21,8 @@
 
 namespace openr_host {
 
-/// The system object IPStack. It answers the messages of ant.h, TCPEndpointMsg.h, UDPEndpointMsg.h and
-/// DNSEndpointMsg.h by means of this computer's sockets and resolver.
+/// The system object IPStack. It answers the messages of ant.h, TCPEndpointMsg.h and UDPEndpointMsg.h by means of this
+/// computer's sockets.
 class IpStack {
  public:
   using OnSend = std::function<void(const void* data, std::size_t size)>;
@@ -62,7 +61,6 @@ class IpStack {
   void createEndpoint(antEnvCreateEndpointMsg& message);
   antError closeAtOnce(TCPEndpointCloseMsg& message);
   antError answerUdp(UDPEndpointBaseMsg& message);
-  antError answerDns(DNSEndpointBaseMsg& message);
 
   void listen(const Envelope& message);
   void forgetListeners();

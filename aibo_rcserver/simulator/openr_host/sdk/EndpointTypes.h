@@ -2,6 +2,6 @@
 #ifndef OPENR_ENDPOINTTYPES_H
 #define OPENR_ENDPOINTTYPES_H
 
-enum { EndpointType_TCP = 1, EndpointType_UDP = 2, EndpointType_DNS = 4 };
+enum { EndpointType_TCP = 1, EndpointType_UDP = 2 };
 
 #endif  // OPENR_ENDPOINTTYPES_H

@@ -63,12 +63,7 @@ enum antOperation {
   antOperation_UDPBind,
   antOperation_UDPSend,
   antOperation_UDPReceive,
-  antOperation_UDPClose,
-  antOperation_DNSGetServerAddresses,
-  antOperation_DNSGetDefaultDomainName,
-  antOperation_DNSGetHostByName,
-  antOperation_DNSGetHostByAddr,
-  antOperation_DNSClose
+  antOperation_UDPClose
 };
 
 class antEnvMsg {
