@@ -14,7 +14,6 @@
 
 #include "simulator/openr_host/objects/system.h"
 
-using openr_host::SharedBuffers;
 using openr_host::System;
 
 namespace {
@@ -53,20 +52,6 @@ sError GetSystemTime(SystemTime* time) {
   const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now);
   time->seconds = static_cast<longword>(seconds.count());
   time->useconds = static_cast<longword>(std::chrono::duration_cast<std::chrono::microseconds>(now - seconds).count());
-  return sSUCCESS;
-}
-
-sError NewRegion(size_t size, void** address) {
-  *address = System::current().regions().create(size);
-  return *address != nullptr ? sSUCCESS : sFAIL;
-}
-
-sError DeleteRegion(void* address) {
-  SharedBuffers& regions = System::current().regions();
-  if (!regions.contains(address)) {
-    return sFAIL;
-  }
-  regions.destroy(address);
   return sSUCCESS;
 }
 
@@ -214,26 +199,6 @@ OStatus OPENR::GetVolumeSwitch(OVolumeSwitch* volSW) {
 
 OStatus OPENR::GetMemoryStickStatus(OMemoryStickStatus* status) {
   return System::current().robot().getMemoryStickStatus(status);
-}
-
-OStatus OPENR::SetTime(const OTime& time) {
-  System::current().robotClock().set(time);
-  return oSUCCESS;
-}
-
-OStatus OPENR::GetTime(OTime* time) {
-  *time = System::current().robotClock().time();
-  return oSUCCESS;
-}
-
-OStatus OPENR::SetTimeDifference(sbyte timeDifference) {
-  OTime time = System::current().robotClock().time();
-  return time.SetTimeDif(timeDifference) == oSUCCESS ? SetTime(time) : oFAIL;
-}
-
-OStatus OPENR::GetTimeDifference(sbyte* timeDifference) {
-  *timeDifference = System::current().robotClock().time().GetTimeDif();
-  return oSUCCESS;
 }
 
 OStatus OPENR::Shutdown(const OBootCondition& condition) {

@@ -20,7 +20,6 @@
 #include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
 #include "simulator/openr_host/objects/processor.h"
-#include "simulator/openr_host/objects/robot_clock.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -50,9 +49,6 @@ class System {
   VirtualRobot& robot() { return robot_; }
   VectorMemory& vectorMemory() { return vector_memory_; }
   DesignData& designData() { return design_data_; }
-  RobotClock& robotClock() { return robot_clock_; }
-  /// The memory that NewRegion() has given.
-  SharedBuffers& regions() { return regions_; }
   /// The folder of the memory stick.
   const std::string& memoryStick() const { return memory_stick_; }
 
@@ -167,8 +163,6 @@ class System {
   IpStack ip_stack_;
   VectorMemory vector_memory_;
   DesignData design_data_;
-  SharedBuffers regions_;
-  RobotClock robot_clock_;
   std::deque<LoadedObject> objects_;  ///< in the order of creation
   std::vector<std::string> service_names_;
   std::vector<SubjectService*> subjects_;

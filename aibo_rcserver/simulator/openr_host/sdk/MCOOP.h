@@ -13,11 +13,4 @@ const sError sFAIL = 2;
 /// A clock that runs on while objects are held up. It may begin anywhere.
 sError GetSystemTime(SystemTime* time);
 
-/// Memory for the caller, all zero.
-/// @return sFAIL if there is none
-sError NewRegion(size_t size, void** address);
-
-/// @return sFAIL if NewRegion() has not given it
-sError DeleteRegion(void* address);
-
 #endif  // OPENR_MCOOP_H

@@ -8,7 +8,6 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/OPower.h>
 #include <OPENR/OPrimitiveControl.h>
-#include <OPENR/OTime.h>
 
 namespace OPENR {
 
@@ -111,13 +110,6 @@ OStatus GetVolumeSwitch(OVolumeSwitch* volSW);
 
 /// Whether there is a memory stick, and whether it can be written (Level2 Reference Guide, page 81).
 OStatus GetMemoryStickStatus(OMemoryStickStatus* status);
-
-/// The robot's clock (Level2 Reference Guide, pages 82 and 83). On Linux it begins with this computer's, and setting it
-/// lasts until the robot shuts down.
-OStatus SetTime(const OTime& time);
-OStatus GetTime(OTime* time);
-OStatus SetTimeDifference(sbyte timeDifference);
-OStatus GetTimeDifference(sbyte* timeDifference);
 
 /// Stops all objects and switches the robot off, soon after the calling entry point returns.
 /// @param condition when to boot again: with obcbBOOT_TIMER after bootTime seconds, otherwise when the robot is

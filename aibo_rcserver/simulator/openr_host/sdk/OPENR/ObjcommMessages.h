@@ -7,7 +7,6 @@
 #include <OPENR/OPENRMessages.h>
 #include <OPENR/OPower.h>
 #include <OPENR/OSyslog.h>
-#include <OPENR/OTime.h>
 
 #include <OPENR/ObjcommTypes.h>
 #include <OPENR/RCRegion.h>
