@@ -35,7 +35,6 @@ namespace po = boost::program_options;
 constexpr int kWrongUsage = 2;
 constexpr double kMostEncodeTime = 10000;  // milliseconds
 constexpr double kMostStickTime = 60000;   // milliseconds
-constexpr double kMostSlowdown = 1000;
 
 constexpr char kRCServerFile[] = "RCSERVER.BIN";
 constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
@@ -51,9 +50,8 @@ struct Options {
   std::string memory_stick;
   std::string picture_log;
   std::string microphone;
-  double encode_time = 0;         ///< milliseconds
-  double stick_time = 0;          ///< milliseconds
-  double processor_slowdown = 0;  ///< 0: handlers take no time
+  double encode_time = 0;  ///< milliseconds
+  double stick_time = 0;   ///< milliseconds
   simulated_ers7::SimulatedErs7Options robot;
 };
 
@@ -102,8 +100,6 @@ po::options_description describe(Options& options) {
      "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
     ("stick-time", po::value(&options.stick_time)->default_value(0),
      "milliseconds for the memory stick to read, write or delete a file")
-    ("processor-slowdown", po::value(&options.processor_slowdown)->default_value(0),
-     "the robot takes this many times as long for everything as this computer; 0 means no time")
     ("picture-log", po::value(&options.picture_log),
      "file or named pipe that gets the time of each picture that is sent, for aibo_monitor")
     ("seed", po::value(&options.robot.seed)->default_value(1), "seed of the noise of camera and sensors");
@@ -143,9 +139,6 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
   if (!(options.stick_time >= 0 && options.stick_time <= kMostStickTime)) {
     throw po::error("option '--stick-time' must be 0 to 60000");
-  }
-  if (!(options.processor_slowdown >= 0 && options.processor_slowdown <= kMostSlowdown)) {
-    throw po::error("option '--processor-slowdown' must be 0 to 1000");
   }
   if (!(options.robot.hears_itself >= 0 && options.robot.hears_itself <= 1)) {
     throw po::error("option '--hears-itself' must be 0 to 1");
@@ -192,15 +185,12 @@ std::chrono::nanoseconds nanoseconds(double milliseconds) {
 openr_host::HandlerTime handlerTime(const Options& options, const simulated_ers7::StickSlot& stick) {
   const auto encode_time = nanoseconds(options.encode_time);
   const auto stick_time = nanoseconds(options.stick_time);
-  const double slowdown = options.processor_slowdown;
-  return [=, &stick](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds taken) {
-    std::chrono::nanoseconds set{0};
-    if (entry == openr_host::Entry::kNotify && object == "PictureEncoder") {
-      set = encode_time;
-    } else if (entry == openr_host::Entry::kNotify && object == "FileKeeper") {
-      set = std::max<std::chrono::nanoseconds>(stick_time, stick.jobTime());
+  return [=, &stick](const std::string& object) {
+    if (object == "PictureEncoder") {
+      return encode_time;
     }
-    return set.count() > 0 ? set : nanoseconds(slowdown * static_cast<double>(taken.count()) * 1e-6);
+    return object == "FileKeeper" ? std::max<std::chrono::nanoseconds>(stick_time, stick.jobTime())
+                                  : std::chrono::nanoseconds(0);
   };
 }
 

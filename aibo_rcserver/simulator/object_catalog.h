@@ -13,9 +13,9 @@
 
 /// For MachineOptions::catalog. The objects read hostSettings().
 inline std::map<std::string, openr_host::ObjectDescription> objectCatalog() {
-  openr_host::ObjectDescription file_keeper = describeFileKeeper();
-  file_keeper.waits = true;
-  return {{"RCSERVER.BIN", describeRCServer()}, {"ENCODER.BIN", describePictureEncoder()}, {"FILES.BIN", file_keeper}};
+  return {{"RCSERVER.BIN", describeRCServer()},
+          {"ENCODER.BIN", describePictureEncoder()},
+          {"FILES.BIN", describeFileKeeper()}};
 }
 
 #endif  // AIBO_RCSERVER_SIMULATOR_OBJECT_CATALOG_H

@@ -154,6 +154,12 @@ class AStick(Workshop):
         stripped = [Path(line[-1]).name for line in log if line[0] == "mipsel-linux-strip"]
         self.assertIn("RCServer.bin", stripped)
 
+    def test_has_helpers_in_a_lower_scheduling_class_than_rcserver(self):
+        """The upper four bits of a priority: an object never runs while one of a higher class does (guide, 3.1)."""
+        classes = {ocf.stem: int(ocf.read_text().split()[4]) // 16
+                   for ocf in (self.project / "aibo_rcserver/memory_stick/programs").glob("*.ocf")}
+        self.assertEqual(classes, {"RCServer": 8, "PictureEncoder": 7, "FileKeeper": 7})
+
     def test_has_a_further_program_for_a_few_lines(self):
         sources = self.project / "aibo_rcserver"
         for name, line in (("memory_stick/programs/objects.txt", "Echo  ECHO.BIN  echo\n"),

@@ -6,12 +6,18 @@
 #include <OPENR/OPENR.h>
 
 #include <chrono>
+#include <functional>
 #include <optional>
+#include <string>
 
 namespace openr_host {
 
 constexpr std::chrono::milliseconds kFramePeriod{8};
 constexpr double kFrameSeconds = 0.008;
+
+/// Called after an object has handled data from another one. Returns how long that keeps the object busy, 0 or more.
+/// @param object the object's name
+using HandlerTime = std::function<std::chrono::nanoseconds(const std::string& object)>;
 
 class Clock {
  public:

@@ -20,7 +20,6 @@
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/socket.h"
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/objects/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -64,7 +63,9 @@ struct MachineOptions {
   /// machine; must not throw.
   std::function<std::optional<std::string>(const std::string& line)> on_console_line;
 
-  /// How long handlers take on the robot; if empty, no time.
+  /// How long objects take; if empty, no time. A busy object gets no message (Level2 Reference Guide, chapter 1), and
+  /// what it has sent leaves it when it has finished. Meanwhile all others run, as those of a higher scheduling class
+  /// do.
   HandlerTime handler_time;
 
   /// For measurements. These may be empty. The thread that runs the machine calls them.

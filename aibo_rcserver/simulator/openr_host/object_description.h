@@ -32,11 +32,6 @@ struct ObserverDescription {
 struct ObjectDescription {
   std::shared_ptr<void> library;  ///< keeps loaded code in memory (object_library.h); first, so that it goes last
   std::string name;
-  /// SCHED_PRIORITY in the object's .ocf, 0..255 (Programmer's Guide, 3.1). The upper four bits are the class: an
-  /// object never runs while one of a higher class runs. Ordinary applications have 128.
-  int priority = 128;
-  /// True if handlers wait for a device, such as the memory stick. Meanwhile other objects of any class run.
-  bool waits = false;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
   std::vector<std::function<void(OObject&, ANTENVMSG)>> extra_entries;  ///< in the order of entryNAME; may be empty

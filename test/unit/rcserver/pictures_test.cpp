@@ -40,16 +40,6 @@ class PicturesTest : public Version2Fixture {
   }
 };
 
-// Programmer's Guide, 3.1: the upper four bits are the class, and an object never runs while one of a higher class
-// does.
-TEST(ObjectCatalog, HelpersAreInALowerSchedulingClassThanRCServer) {
-  const auto catalog = objectCatalog();
-  EXPECT_EQ(catalog.size(), 3U);
-  EXPECT_EQ(catalog.at("RCSERVER.BIN").priority / 16, 8);
-  EXPECT_EQ(catalog.at("ENCODER.BIN").priority / 16, 7);
-  EXPECT_EQ(catalog.at("FILES.BIN").priority / 16, 7);
-}
-
 // ------------------------------------------------------------------------------------------------ a slow encoder
 
 TEST_F(PicturesTest, NewestImageDuringEncodingIsTheNextPicture) {

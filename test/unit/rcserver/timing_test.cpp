@@ -12,9 +12,8 @@ constexpr unsigned char kPanJoint = 2;
 class TimingTest : public FakeRobotFixture, public ::testing::WithParamInterface<int> {
  protected:
   void SetUp() override {
-    handler_time_ = [this](const std::string& object, openr_host::Entry entry, std::chrono::nanoseconds) {
-      const bool encodes = object == "PictureEncoder" && entry == openr_host::Entry::kNotify;
-      return std::chrono::milliseconds(encodes ? GetParam() : 0);
+    handler_time_ = [this](const std::string& object) {
+      return std::chrono::milliseconds(object == "PictureEncoder" ? GetParam() : 0);
     };
     start();
     connectVersion2();

@@ -5,12 +5,8 @@
 #include <map>
 #include <mutex>
 
-#include "simulator/openr_host/objects/thread_processor_time.h"
-
 namespace openr_host {
 namespace {
-
-thread_local std::chrono::nanoseconds processor_time{0};
 
 /// All such memory, of all robots in this process.
 struct Registry {
@@ -53,14 +49,8 @@ void FilledOnRead::read(const void* address) {
     }
   }
   if (fill) {
-    const std::chrono::nanoseconds begin = threadProcessorTime();
     fill();
-    processor_time += threadProcessorTime() - begin;
   }
-}
-
-std::chrono::nanoseconds FilledOnRead::processorTime() {
-  return processor_time;
 }
 
 }  // namespace openr_host

@@ -2,7 +2,6 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECTS_FILLED_ON_READ_H
 
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -28,9 +27,6 @@ class FilledOnRead {
   /// Call before reading at an address. Fills the memory that contains the address, unless it is filled already.
   /// @param address any address, even outside all such memory
   static void read(const void* address);
-
-  /// Processor time that this thread has spent on filling.
-  static std::chrono::nanoseconds processorTime();
 
  private:
   const char* const begin_;

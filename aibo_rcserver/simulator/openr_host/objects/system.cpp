@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "simulator/openr_host/object_description.h"
-#include "simulator/openr_host/objects/filled_on_read.h"
-#include "simulator/openr_host/objects/thread_processor_time.h"
 
 namespace openr_host {
 namespace {
@@ -103,7 +101,6 @@ OObject& System::create(const ObjectDescription& description) {
   const Running running(*this, object);
   object.object = description.create();
   object.object->myOID_ = oidOf(objects_.size());
-  processor_.add(object.object->myOID_, description.priority, description.waits);
   for (const auto& subject : description.subjects) {
     service_names_.push_back(subject.service);
   }
@@ -163,9 +160,9 @@ void System::shutdown() noexcept {
       const Running running(*this, object);
       object.object->DoStop(OSystemEvent());
     }
+    finish(object);
   }
   messages_.clear();
-  unfinished_.clear();
   for (auto& object : objects_) {
     if (std::exchange(object.initialized, false)) {
       const Running running(*this, object);
@@ -183,15 +180,15 @@ void System::runAs(OObject& object, const std::function<void()>& function) {
 }
 
 void System::postReady(const ObserverID& observer, const SubjectID& subject, bool ready) {
-  messages_.push_back({subject.oid, Entry::kReady, Readying{subject, observer, ready}});
+  messages_.push_back({subject.oid, Readying{subject, observer, ready}});
 }
 
 void System::postNotification(const SubjectID& subject, const ObserverID& observer, Regions data) {
-  messages_.push_back({observer.oid, Entry::kNotify, Notification{observer, subject, std::move(data)}});
+  messages_.push_back({observer.oid, Notification{observer, subject, std::move(data)}});
 }
 
 void System::postAnswer(const Envelope& answer) {
-  messages_.push_back({answer.object(), Entry::kExtra, answer});
+  messages_.push_back({answer.object(), answer});
 }
 
 void System::deliver(const Readying& message, LoadedObject& receiver) {
@@ -237,41 +234,35 @@ bool System::hasEntry(const OID& object, Selector entry) const {
   return entry < entries.size() && entries[entry] != nullptr;
 }
 
-bool System::isHeld(const Message& message, Processor::Time now) const {
-  return message.held_by.IsValid() && processor_.busyUntil(message.held_by) > now;
+bool System::isBusy(const OID& object, std::chrono::nanoseconds now) const {
+  return objects_[numberOf(object) - 1].busy_until > now;
 }
 
 bool System::hasMessages() const {
-  if (messages_.empty()) {
-    return false;
-  }
-  const Processor::Time now = now_();
-  return std::any_of(messages_.begin(), messages_.end(), [&](const Message& message) {
-    return !isHeld(message, now) && processor_.mayRun(message.receiver, now);
-  });
+  const std::chrono::nanoseconds now = now_();
+  return std::any_of(messages_.begin(), messages_.end(),
+                     [&](const Message& message) { return !isBusy(message.receiver, now); }) ||
+         std::any_of(objects_.begin(), objects_.end(),
+                     [&](const LoadedObject& object) { return object.handled && object.busy_until <= now; });
 }
 
 bool System::handleMessages() {
-  if (messages_.empty() && unfinished_.empty()) {
-    return false;
-  }
-  const Processor::Time now = now_();
-  std::vector<Message> queued = std::exchange(messages_, std::move(spare_));
-  for (auto& message : queued) {
-    if (!isHeld(message, now)) {
-      message.held_by.MakeInvalid();
+  const std::chrono::nanoseconds now = now_();
+  for (LoadedObject& object : objects_) {
+    if (object.handled && object.busy_until <= now) {
+      finish(object);
     }
   }
-  unfinished_.erase(
-      std::remove_if(unfinished_.begin(), unfinished_.end(),
-                     [&](const Message& message) { return processor_.busyUntil(message.receiver) <= now; }),
-      unfinished_.end());
+  if (messages_.empty()) {
+    return false;
+  }
+  std::vector<Message> queued = std::exchange(messages_, std::move(spare_));
   std::vector<Message> left;
   for (auto& message : queued) {
-    if (!message.held_by.IsValid() && processor_.mayRun(message.receiver, now)) {
-      handle(std::move(message));
-    } else {
+    if (isBusy(message.receiver, now)) {
       left.push_back(std::move(message));
+    } else {
+      handle(std::move(message));
     }
   }
   const bool has_handled = left.size() < queued.size();
@@ -281,36 +272,45 @@ bool System::handleMessages() {
   return has_handled;
 }
 
-// Time that this thread has spent on objects, without drawing the camera's pixels.
-std::chrono::nanoseconds System::ownProcessorTime() {
-  return threadProcessorTime() - FilledOnRead::processorTime();
-}
-
-// A message that an object posts leaves it when the object has finished. Until then the object keeps the data that it
-// received.
 void System::handle(Message message) {
   LoadedObject& receiver = loaded(message.receiver);
-  const std::size_t first_posted = messages_.size();
-  const std::chrono::nanoseconds begin = ownProcessorTime();
+  const auto first_posted = static_cast<std::ptrdiff_t>(messages_.size());
   {
     const Running running(*this, receiver);
     std::visit([&](const auto& content) { deliver(content, receiver); }, message.content);
   }
-  if (!handler_time_) {
+  if (!handler_time_ || !std::holds_alternative<Notification>(message.content)) {
     return;
   }
-  const Processor::Time duration = handler_time_(receiver.description.name, message.entry, ownProcessorTime() - begin);
-  if (duration <= Processor::Time(0)) {
-    return;
+  const std::chrono::nanoseconds duration = handler_time_(receiver.description.name);
+  if (duration > std::chrono::nanoseconds(0)) {
+    receiver.busy_until = now_() + duration;
+    receiver.handled = std::move(message);
+    receiver.posted.assign(std::make_move_iterator(messages_.begin() + first_posted),
+                           std::make_move_iterator(messages_.end()));
+    messages_.erase(messages_.begin() + first_posted, messages_.end());
   }
-  processor_.run(message.receiver, now_(), duration);
-  for (std::size_t i = first_posted; i < messages_.size(); ++i) {
-    messages_[i].held_by = message.receiver;
-  }
-  unfinished_.push_back(std::move(message));
 }
 
-void System::modelTime(HandlerTime handler_time, std::function<Processor::Time()> now) {
+/// What the object has posted leaves it, and it gives back the data that it received.
+void System::finish(LoadedObject& object) {
+  messages_.insert(messages_.end(), std::make_move_iterator(object.posted.begin()),
+                   std::make_move_iterator(object.posted.end()));
+  object.posted.clear();
+  object.handled.reset();
+}
+
+std::optional<std::chrono::nanoseconds> System::nextFinish() const {
+  std::optional<std::chrono::nanoseconds> next;
+  for (const LoadedObject& object : objects_) {
+    if (object.handled && (!next || object.busy_until < *next)) {
+      next = object.busy_until;
+    }
+  }
+  return next;
+}
+
+void System::modelTime(HandlerTime handler_time, std::function<std::chrono::nanoseconds()> now) {
   handler_time_ = std::move(handler_time);
   now_ = std::move(now);
 }
@@ -324,7 +324,7 @@ void System::watchPower() {
     return;
   }
   for (const OServiceEntry& entry : power_watch_.look(status)) {
-    messages_.push_back({entry.GetOID(), Entry::kExtra, PowerChange{entry.GetSelector(), status}});
+    messages_.push_back({entry.GetOID(), PowerChange{entry.GetSelector(), status}});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <OPENR/OObject.h>
 
+#include <chrono>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -13,13 +14,13 @@
 #include <variant>
 #include <vector>
 
+#include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/console.h"
 #include "simulator/openr_host/ip_stack/ip_stack.h"
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/objects/object_memory.h"
 #include "simulator/openr_host/objects/power_watch.h"
-#include "simulator/openr_host/objects/processor.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -54,7 +55,7 @@ class System {
 
   /// Makes handling take time from now on.
   /// @param now returns the time since the creation of the machine's clock
-  void modelTime(HandlerTime handler_time, std::function<Processor::Time()> now);
+  void modelTime(HandlerTime handler_time, std::function<std::chrono::nanoseconds()> now);
 
   PowerWatch& powerWatch() { return power_watch_; }
 
@@ -100,9 +101,9 @@ class System {
   /// Handles the messages in the queue. Later messages and those of busy objects wait.
   /// @return false if there was no message to handle
   bool handleMessages();
-  Processor::Time now() const { return now_(); }
+  std::chrono::nanoseconds now() const { return now_(); }
   /// When the next busy object finishes.
-  std::optional<Processor::Time> nextFinish() const { return processor_.nextFinish(now_()); }
+  std::optional<std::chrono::nanoseconds> nextFinish() const;
 
   /// For OSubject and OObserver.
   /// Registers a gate until its destructor calls forget().
@@ -112,14 +113,6 @@ class System {
   void forget(const ObserverService& observer);
 
  private:
-  static std::chrono::nanoseconds ownProcessorTime();
-  struct LoadedObject {
-    ObjectDescription description;
-    std::unique_ptr<OObject> object;
-    bool initialized = false;
-    bool started = false;
-  };
-
   /// The contents of messages.
   struct Readying {
     SubjectID subject;
@@ -138,17 +131,25 @@ class System {
 
   struct Message {
     OID receiver;
-    Entry entry;
     std::variant<Readying, Notification, Envelope, PowerChange> content;
-    OID held_by = {};  ///< the posting object, until it finishes
+  };
+
+  struct LoadedObject {
+    ObjectDescription description;
+    std::unique_ptr<OObject> object;
+    bool initialized = false;
+    bool started = false;
+    std::chrono::nanoseconds busy_until{0};
+    std::optional<Message> handled{};  ///< the message that keeps it busy, whose data it still has
+    std::vector<Message> posted{};     ///< meanwhile
   };
 
   /// Marks an object as running while this exists.
   class Running;
 
   LoadedObject& loaded(const OID& oid);
-  /// True while the posting object is busy.
-  bool isHeld(const Message& message, Processor::Time now) const;
+  bool isBusy(const OID& object, std::chrono::nanoseconds now) const;
+  void finish(LoadedObject& object);
   void handle(Message message);
   void deliver(const Readying& message, LoadedObject& receiver);
   void deliver(const Notification& message, LoadedObject& receiver);
@@ -168,12 +169,10 @@ class System {
   std::vector<SubjectService*> subjects_;
   std::vector<ObserverService*> observers_;
   std::vector<Message> messages_;
-  std::vector<Message> spare_;       ///< always empty; keeps memory for messages_
-  std::vector<Message> unfinished_;  ///< keep their objects busy
+  std::vector<Message> spare_;  ///< always empty; keeps memory for messages_
   PowerWatch power_watch_;
-  Processor processor_;
   HandlerTime handler_time_;  ///< if empty, handlers take no time
-  std::function<Processor::Time()> now_ = [] { return Processor::Time(0); };
+  std::function<std::chrono::nanoseconds()> now_ = [] { return std::chrono::nanoseconds(0); };
   const LoadedObject* running_ = nullptr;
   ShutdownRequest shutdown_requested_ = ShutdownRequest::kNone;
 };

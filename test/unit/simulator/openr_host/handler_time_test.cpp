@@ -1,10 +1,6 @@
 // Handlers that take time: a busy object gets no other message (Level2 Reference Guide, chapter 1).
 #include <gmock/gmock.h>
 
-#include <thread>
-
-#include "simulator/openr_host/objects/filled_on_read.h"
-#include "simulator/openr_host/objects/thread_processor_time.h"
 #include "test_system.h"
 
 namespace openr_host {
@@ -15,11 +11,8 @@ using std::chrono::milliseconds;
 class HandlerTimeTest : public testing::Test {
  protected:
   void SetUp() override {
-    test_.system.modelTime(
-        [this](const std::string& object, Entry entry, std::chrono::nanoseconds) {
-          return object == "Encoder" && entry == Entry::kNotify ? milliseconds(20) : milliseconds(0);
-        },
-        [this] { return now_; });
+    test_.system.modelTime([](const std::string& object) { return milliseconds(object == "Encoder" ? 20 : 0); },
+                           [this] { return now_; });
     test_.boot({{"Camera", "Encoder"}, {"Encoder", "Server"}, {"Server", "Encoder"}});
     encoder_.on_notify = [this](const ONotifyEvent&) {
       encoded_.push_back(now_);
@@ -52,42 +45,12 @@ class HandlerTimeTest : public testing::Test {
 
   TestSystem test_;
   TestObject& camera_ = test_.add("Camera");
-  TestObject& encoder_ = test_.add("Encoder", 112);  // of a lower scheduling class
+  TestObject& encoder_ = test_.add("Encoder");
   TestObject& server_ = test_.add("Server");
   std::chrono::nanoseconds now_{0};
   std::vector<std::chrono::nanoseconds> encoded_;
   std::vector<std::chrono::nanoseconds> received_;
 };
-
-// What the camera's pixels take, and what the object only waits for, is no work of the object.
-TEST_F(HandlerTimeTest, AHandlerIsChargedItsOwnProcessorTime) {
-  const auto work = [](milliseconds time) {
-    const auto begin = threadProcessorTime();
-    while (threadProcessorTime() - begin < time) {
-    }
-  };
-  std::chrono::nanoseconds charged{0};
-  test_.system.modelTime(
-      [&](const std::string&, Entry, std::chrono::nanoseconds taken) {
-        charged += taken;
-        return std::chrono::nanoseconds(0);
-      },
-      [this] { return now_; });
-  work(milliseconds(40));  // before the handler
-  const char pixels[16] = {};
-  FilledOnRead image(pixels, sizeof(pixels));
-  encoder_.on_notify = [&](const ONotifyEvent&) {
-    for (int i = 0; i < 2; ++i) {
-      image.fillBy([&] { work(milliseconds(50)); });
-      FilledOnRead::read(pixels);
-    }
-    std::this_thread::sleep_for(milliseconds(50));
-    work(milliseconds(10));
-  };
-  takeImageAt(milliseconds(8));
-  EXPECT_GE(charged, milliseconds(10));
-  EXPECT_LT(charged, milliseconds(40));
-}
 
 TEST_F(HandlerTimeTest, ABusyObjectGetsItsNextMessageAfterwards) {
   takeImageAt(milliseconds(0));

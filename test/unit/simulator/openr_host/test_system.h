@@ -74,11 +74,8 @@ class TestSystem {
   /// @param stick_folder the memory stick; empty means none
   explicit TestSystem(std::string stick_folder = "") : memory_stick(std::move(stick_folder)) {}
 
-  /// @param priority as in an .ocf file
-  TestObject& add(const std::string& name, int priority = 128) {
-    ObjectDescription description = TestObject::describe(name);
-    description.priority = priority;
-    return static_cast<TestObject&>(system.create(description));
+  TestObject& add(const std::string& name) {
+    return static_cast<TestObject&>(system.create(TestObject::describe(name)));
   }
 
   void boot(const std::vector<std::pair<std::string, std::string>>& connections = {}) {
