@@ -45,7 +45,7 @@ cp "${0%/*}/../../program" "$output"
 # Like Sony's, it writes into the working directory.
 STUBGEN = r"""
 name=$(sed -n 's/^ObjectName *: *//p' "$1")
-"${STUB_GENERATOR:-true}" "$1" 128 . .
+"${STUB_GENERATOR:-true}" "$1" .
 touch def.h entry.h "${name}Stub.h" "${name}Stub.cc"
 """
 

@@ -13,6 +13,7 @@ import unittest
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SCRIPT = PROJECT / "scripts" / "openr_object"
 EXAMPLE = PROJECT / "aibo_rcserver" / "example"
+GENERATE_STUB = PROJECT / "aibo_rcserver" / "simulator" / "openr_host" / "generate_stub"
 LIMIT = 300  # seconds, in case of an error
 
 
@@ -107,6 +108,63 @@ class OpenrObjectTest(unittest.TestCase):
         self.assertIn("NODDER.BIN cannot be built", self.fail_to_run(broken))
         (broken / "Nodder" / "stub.cfg").unlink()
         self.assertIn("there is no object in", self.fail_to_run(broken))
+
+
+class StubTest(unittest.TestCase):
+    """That what is generated is right shows in RCServer and the example, which are made from it."""
+
+    # Every setting once, in the form of the OPEN-R SDK Programmer's Guide, 2.3.
+    SAMPLE = """ObjectName : SampleObject
+NumOfOSubject : 1
+NumOfOObserver : 2
+
+Service : "SampleObject.Func1.char.S", null , Ready ()
+Service : "SampleObject.Func2.int.O", Connect (), Notify ()
+Service : "SampleObject.Func3.Data.O", null , Control ()
+Extra : UpdatePowerStatus()
+Extra : SendCont()
+"""
+
+    def generate(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            stub = pathlib.Path(folder, "stub.cfg")
+            stub.write_text(text)
+            run = subprocess.run([str(GENERATE_STUB), str(stub), folder], stdout=subprocess.PIPE,
+                                 stderr=subprocess.PIPE, universal_newlines=True, check=False)
+            description = "".join(path.read_text() for path in pathlib.Path(folder).glob("*_stub.cc"))
+            return description if run.returncode == 0 else run.stderr.replace(folder + "/", "")
+
+    def test_every_setting_is_read(self):
+        description = self.generate(self.SAMPLE)
+        for part in ("describeSampleObject()", '{"SampleObject.Func1.char.S", nullptr, ', ".Ready(", ".Connect(",
+                     ".Notify(", ".Control(", ".UpdatePowerStatus(", ".SendCont("):
+            self.assertIn(part, description)
+
+    def test_other_lines_are_comments(self):
+        description = self.generate(
+            "//\r\n// An object: with a remark\r\n\r\n  ObjectName : Walker // its class\r\n"
+            'NumOfSubject : 1\r\nNumOfObserver : 1\r\n# Service : "Walker.Old.Data.O", null, null\r\nanything\r\n'
+            'Service : "Walker.Legs.OCommandVectorData.S", null, Ready()\r\n'
+            'Service : "Walker.Dummy.DoNotConnect.O" , null , null \r\n')
+        self.assertIn('{"Walker.Dummy.DoNotConnect.O", nullptr, nullptr}', description)
+        self.assertNotIn("Walker.Old", description)
+
+    def test_what_is_wrong_is_named_with_file_and_line(self):
+        for old, new, problem in (
+                ("Connect (), Notify ()", "Connect ()\n, Notify ()", "stub.cfg:6: .*on this line"),
+                ("SendCont()", "SendCont ()", "stub.cfg:9: expected a function"),
+                ("NumOfOObserver : 2", "NumOfOObserver : 3", "stub.cfg:3: NumOfOObserver is 3.*are 2 services"),
+                ("NumOfOSubject : 1", "NumOfOSubject : 0", 'stub.cfg:2: .*"SampleObject.Dummy.DoNotConnect.S"'),
+                ("NumOfOSubject : 1", "NumOfOSubject : one", "stub.cfg:2: expected a number"),
+                ("NumOfOSubject : 1\n", "", "no line NumOfOSubject"),
+                ("Notify ()", "Notify", "stub.cfg:6: expected a function"),
+                ("Func2.int.O", "Func2.O", "stub.cfg:6: expected"),
+                ("ObjectName : SampleObject", "ObjectName :", "stub.cfg:1: .*found ''"),
+                ("ObjectName", "Name", "no line ObjectName"),
+                ("Func3", "Func2", "stub.cfg:7: a second service Func2"),
+                ("SendCont", "UpdatePowerStatus", "stub.cfg:9: a second Extra"),
+                ("Extra", "ObjectName : A\nExtra", "stub.cfg:8: a second ObjectName")):
+            self.assertRegex(self.generate(self.SAMPLE.replace(old, new, 1)), problem)
 
 
 if __name__ == "__main__":

@@ -1,13 +1,11 @@
 # Builds an OPEN-R object as a shared library, which aibo_rcserver loads from its memory stick (object_library.h).
 # scripts/openr_object runs it with these variables; paths must not contain spaces.
-#   FOLDER      the object's sources, with stub.cfg and perhaps an .ocf
+#   FOLDER      the object's sources, with stub.cfg
 #   BUILD       a folder for what is built; LIBRARY: the file to build
-#   GENERATOR   openr_stub_generator
 # Sources in the folder `common` beside FOLDER are a library for all objects there. CXXFLAGS and LIBS add options.
 HOST := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 COMMON := $(wildcard $(FOLDER)/../common)
 NAME := $(shell sed -n 's/^[ \t]*ObjectName[ \t]*:[ \t]*\([A-Za-z_0-9]*\).*/\1/p' $(FOLDER)/stub.cfg)
-PRIORITY := $(or $(shell cat $(FOLDER)/*.ocf 2> /dev/null | awk '$$1 == "object" { print $$5; exit }'),128)
 
 # An object of 2004 is not C++17, and may forget to return a value: then only unoptimised code goes on, as on the robot.
 # Nothing but its description is visible, so two objects may have equal names.
@@ -31,9 +29,9 @@ $(LIBRARY): $(OWN_OBJECTS) $(BUILD)/stub.o $(if $(SHARED),$(BUILD)/common.a)
 $(BUILD)/common.a: $(SHARED_OBJECTS)
 	$(AR) rcs $@ $^
 
-$(BUILD)/$(NAME)_stub.cc: $(FOLDER)/stub.cfg $(wildcard $(FOLDER)/*.ocf) $(GENERATOR) $(HOST)/object.mk
+$(BUILD)/$(NAME)_stub.cc: $(FOLDER)/stub.cfg $(HOST)/generate_stub $(HOST)/object.mk
 	mkdir -p $(BUILD)/own $(BUILD)/common
-	$(GENERATOR) $< $(PRIORITY) $(BUILD) $(BUILD)
+	$(HOST)/generate_stub $< $(BUILD)
 
 $(BUILD)/stub.o: $(BUILD)/$(NAME)_stub.cc
 	$(CXX) -std=gnu++14 -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast $(OPTIONS) $(CXXFLAGS) -DOPENR_OBJECT_LIBRARY -c -o $@ $<

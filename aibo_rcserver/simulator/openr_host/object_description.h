@@ -1,5 +1,5 @@
 /// @file object_description.h
-/// What the machine needs to create an object. openr_stub_generator writes it from stub.cfg.
+/// What the machine needs to create an object. generate_stub writes it from stub.cfg.
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_OBJECT_DESCRIPTION_H
 

@@ -3,19 +3,15 @@
 
 #include "fuzz_input.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
-#include "simulator/openr_host/stub_generator/stub.h"
 
 namespace {
 
 void read(unsigned kind, std::istream& text) {
-  switch (kind % 4) {
+  switch (kind % 3) {
     case 0:
-      openr_host::readStub(text, "stub.cfg");
-      break;
-    case 1:
       openr_host::readObjectConfiguration(text, "OBJECT.CFG", "ERS-7");
       break;
-    case 2:
+    case 1:
       openr_host::readConnectionConfiguration(text, "CONNECT.CFG", "ERS-7",
                                               {"Camera.Image.Picture.S", "Server.Image.Picture.O", "Server.Other.T.O"});
       break;
