@@ -83,7 +83,7 @@ po::options_description describe(Options& options) {
     ("robot", po::value(&options.robot.design)->default_value("ERS-7"),
      "model of the simulated robot: ERS-7, or ERS-210, which has that robot's joints, sensors, LEDs and ears")
     ("images", po::value(&options.robot.images_folder),
-     "folder with photographs (JPEG, PPM) that the camera shows in turn; without it, the camera sees a room")
+     "folder with photographs (JPEG) that the camera shows in turn; without it, the camera sees a room")
     ("on-table", po::bool_switch(&options.robot.on_table),
      "the robot begins on a table in this room, with an edge to fall off and a board to run into")
     ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),

@@ -1,9 +1,9 @@
 #include "simulator/ers7/camera/photographs.h"
 
+#include <strings.h>
 #include <turbojpeg.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -20,7 +20,7 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr double kMostPixels = 100e6;
 constexpr int kBytesPerPixel = 3;
-constexpr auto kLongestFile = static_cast<std::size_t>(kMostPixels * kBytesPerPixel) + 1000;  ///< a PPM with its header
+constexpr auto kLongestFile = static_cast<std::size_t>(kMostPixels * kBytesPerPixel);
 
 // libjpeg-turbo 2.0 of Ubuntu 20.04 cannot limit scans.
 #ifdef TJFLAG_LIMITSCANS
@@ -41,13 +41,6 @@ class BadContent : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-std::string lowerCaseEnding(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return ending;
-}
 
 Bytes readFile(const std::filesystem::path& file) {
   try {
@@ -97,51 +90,6 @@ RgbImage decodeJpeg(const Bytes& file) {
   image.pixels.resize(static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kBytesPerPixel);
   check(tjDecompress2(decoder.get(), file.data(), file.size(), image.pixels.data(), image.width, 0, image.height,
                       TJPF_RGB, kDecoderFlags));
-  return image;
-}
-
-/// Takes a number from a PPM's header, after white space and comments.
-int takeNumber(const Bytes& file, std::size_t* position) {
-  constexpr int kLongestNumber = 9;
-  while (*position < file.size() && (std::isspace(file[*position]) != 0 || file[*position] == '#')) {
-    if (file[*position] == '#') {
-      const auto line_end = std::find(file.begin() + static_cast<std::ptrdiff_t>(*position), file.end(), '\n');
-      *position = static_cast<std::size_t>(line_end - file.begin());
-    } else {
-      ++*position;
-    }
-  }
-  std::string digits;
-  while (*position < file.size() && std::isdigit(file[*position]) != 0 && digits.size() < kLongestNumber) {
-    digits += static_cast<char>(file[(*position)++]);
-  }
-  if (digits.empty()) {
-    throw BadContent("its PPM header lacks a number");
-  }
-  return std::stoi(digits);
-}
-
-RgbImage decodePpm(const Bytes& file) {
-  if (file.size() < 2 || file[0] != 'P' || file[1] != '6') {
-    throw BadContent("it is not a binary PPM: it does not begin with P6");
-  }
-  std::size_t position = 2;
-  RgbImage image{};
-  image.width = takeNumber(file, &position);
-  image.height = takeNumber(file, &position);
-  const int brightest = takeNumber(file, &position);
-  checkSize(image.width, image.height);
-  if (brightest != 255) {
-    throw BadContent("its brightest value is " + std::to_string(brightest) + "; only 255 is supported");
-  }
-  ++position;  // the single white space at the end of the header
-  const std::size_t size =
-      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * kBytesPerPixel;
-  if (file.size() < position + size) {
-    throw BadContent("it is cut off: it has fewer pixels than its header says");
-  }
-  const auto begin = file.begin() + static_cast<std::ptrdiff_t>(position);
-  image.pixels.assign(begin, begin + static_cast<std::ptrdiff_t>(size));
   return image;
 }
 
@@ -211,15 +159,9 @@ YCrCbImage fitToCamera(const RgbImage& image) {
 
 }  // namespace
 
-bool isPhotographName(const std::filesystem::path& file) {
-  const std::string ending = lowerCaseEnding(file);
-  return ending == ".jpg" || ending == ".jpeg" || ending == ".ppm";
-}
-
 YCrCbImage readPhotograph(const std::filesystem::path& file) {
   try {
-    const Bytes content = readFile(file);
-    return fitToCamera(lowerCaseEnding(file) == ".ppm" ? decodePpm(content) : decodeJpeg(content));
+    return fitToCamera(decodeJpeg(readFile(file)));
   } catch (const BadContent& error) {
     throw PhotographError("cannot show the picture " + file.string() + ": " + error.what() +
                           ". Repair it or remove it from the folder.");
@@ -227,6 +169,11 @@ YCrCbImage readPhotograph(const std::filesystem::path& file) {
 }
 
 namespace {
+
+bool isPhotographName(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  return strcasecmp(ending.c_str(), ".jpg") == 0 || strcasecmp(ending.c_str(), ".jpeg") == 0;
+}
 
 std::vector<std::filesystem::path> photographsIn(const std::string& folder) {
   std::error_code error;
@@ -240,7 +187,7 @@ std::vector<std::filesystem::path> photographsIn(const std::string& folder) {
     throw PhotographError("cannot open the folder of pictures " + folder + ": " + error.message());
   }
   if (files.empty()) {
-    throw PhotographError("no picture in the folder " + folder + ": it needs files that end in .jpg, .jpeg or .ppm");
+    throw PhotographError("no picture in the folder " + folder + ": it needs files that end in .jpg or .jpeg");
   }
   std::sort(files.begin(), files.end());
   return files;

@@ -18,11 +18,7 @@ class PhotographError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// True for names that end in .jpg, .jpeg or .ppm, in lower or upper case.
-bool isPhotographName(const std::filesystem::path& file);
-
-/// Reads a JPEG or a binary PPM (P6, 8 bits) of up to 100 million pixels, crops it evenly to the shape of the camera's
-/// picture, and scales it.
+/// Reads a JPEG of up to 100 million pixels, crops it evenly to the shape of the camera's picture, and scales it.
 /// @throw PhotographError the file cannot be read, or is damaged or of another format
 YCrCbImage readPhotograph(const std::filesystem::path& file);
 
@@ -30,7 +26,7 @@ YCrCbImage readPhotograph(const std::filesystem::path& file);
 /// settings and the head have no effect.
 class PhotoShow : public PictureSource {
  public:
-  /// Ignores subfolders and other files.
+  /// Ignores subfolders, and files whose names do not end in .jpg or .jpeg, in lower or upper case.
   /// @param seconds_per_picture above 0
   /// @throw PhotographError there is no such folder or no photograph in it, or a photograph cannot be read
   PhotoShow(const std::string& folder, double seconds_per_picture);

@@ -29,18 +29,13 @@ std::string pixels(int width, int height, const Paint& paint) {
   return all;
 }
 
-std::string ppm(int width, int height, const Paint& paint) {
-  return "P6\n# a comment\n" + std::to_string(width) + " " + std::to_string(height) + "\n255\n" +
-         pixels(width, height, paint);
-}
-
 std::string jpeg(int width, int height, const Paint& paint) {
   const std::unique_ptr<void, int (*)(tjhandle)> encoder(tjInitCompress(), tjDestroy);
   const std::string raw = pixels(width, height, paint);
   const auto* source = reinterpret_cast<const unsigned char*>(raw.data());
   unsigned char* out = nullptr;
   unsigned long size = 0;
-  tjCompress2(encoder.get(), source, width, 0, height, TJPF_RGB, &out, &size, TJSAMP_444, 95, 0);
+  tjCompress2(encoder.get(), source, width, 0, height, TJPF_RGB, &out, &size, TJSAMP_444, 100, 0);
   std::string encoded(out, out + size);
   tjFree(out);
   return encoded;
@@ -67,26 +62,26 @@ std::size_t at(int x, int y) {
 
 TEST_F(PhotographTest, APictureOfTheCamerasSizeIsNotChanged) {
   const auto image = readPhotograph(
-      write("a.ppm", ppm(208, 160, [](int x, int y) { return std::string(3, static_cast<char>((x + y) % 256)); })));
-  EXPECT_EQ(image.y[at(5, 7)], 12);
-  EXPECT_EQ(image.y[at(200, 150)], (200 + 150) % 256);
-  EXPECT_EQ(image.cr[at(5, 7)], 128);
-  EXPECT_EQ(image.cb[at(5, 7)], 128);
+      write("a.jpg", jpeg(208, 160, [](int x, int y) { return std::string(3, static_cast<char>((x + y) / 2)); })));
+  EXPECT_NEAR(image.y[at(5, 7)], 6, 1);
+  EXPECT_NEAR(image.y[at(200, 150)], 175, 1);
+  EXPECT_NEAR(image.cr[at(5, 7)], 128, 1);
+  EXPECT_NEAR(image.cb[at(5, 7)], 128, 1);
 }
 
 TEST_F(PhotographTest, AWideOrTallPictureLosesItsEndsEvenly) {
   // Twice as wide or as high as the camera's picture, green at both ends, which must be cut off.
-  const auto wide = readPhotograph(write("WIDE.PPM", ppm(416, 160, [](int x, int) {
+  const auto wide = readPhotograph(write("WIDE.JPG", jpeg(416, 160, [](int x, int) {
                                            return x < 104 || x >= 312 ? kGreen : x < 208 ? kRed : kBlue;
                                          })));
-  EXPECT_EQ(wide.cr[at(0, 80)], 255);
-  EXPECT_EQ(wide.cr[at(103, 80)], 255);
-  EXPECT_EQ(wide.cb[at(104, 80)], 255);
-  EXPECT_EQ(wide.cb[at(207, 80)], 255);
+  EXPECT_NEAR(wide.cr[at(0, 80)], 255, 2);
+  EXPECT_NEAR(wide.cr[at(103, 80)], 255, 2);
+  EXPECT_NEAR(wide.cb[at(104, 80)], 255, 2);
+  EXPECT_NEAR(wide.cb[at(207, 80)], 255, 2);
   const auto high =
-      readPhotograph(write("high.ppm", ppm(208, 320, [](int, int y) { return y < 80 || y >= 240 ? kGreen : kRed; })));
-  EXPECT_EQ(high.cr[at(100, 0)], 255);
-  EXPECT_EQ(high.cr[at(100, 159)], 255);
+      readPhotograph(write("high.jpeg", jpeg(208, 320, [](int, int y) { return y < 80 || y >= 240 ? kGreen : kRed; })));
+  EXPECT_NEAR(high.cr[at(100, 0)], 255, 2);
+  EXPECT_NEAR(high.cr[at(100, 159)], 255, 2);
 }
 
 /// The luminance of the sensor, put together by the equations of Sony's sample W3AIBO (JPEGEncoder.cc).
@@ -101,10 +96,10 @@ int luminanceAt(const YCrCbImage& image, int x, int y) {
 TEST_F(PhotographTest, DoubleResolutionShowsAPictureOfTheSensorsSizeSharply) {
   const auto level = [](int x, int y) { return 40 + (x * 7 + y * 13 + x / 3 * y) % 170; };
   const auto image = readPhotograph(
-      write("fine.ppm", ppm(416, 320, [&](int x, int y) { return std::string(3, static_cast<char>(level(x, y))); })));
+      write("fine.jpg", jpeg(416, 320, [&](int x, int y) { return std::string(3, static_cast<char>(level(x, y))); })));
   for (int y = 0; y < 320; ++y) {
     for (int x = 0; x < 416; ++x) {
-      ASSERT_NEAR(luminanceAt(image, x, y), level(x, y), 2) << x << ", " << y;
+      ASSERT_NEAR(luminanceAt(image, x, y), level(x, y), 4) << x << ", " << y;
     }
   }
 }
@@ -120,19 +115,10 @@ TEST_F(PhotographTest, AJpegOfAnySizeFillsThePicture) {
 
 TEST_F(PhotographTest, ABrokenPictureIsNamedWithTheReason) {
   const std::string whole_jpeg = jpeg(208, 160, [](int x, int y) { return std::string(3, static_cast<char>(x * y)); });
-  const std::string whole_ppm = ppm(208, 160, [](int, int) { return kGrey; });
   const std::pair<std::string, std::string> broken[] = {
       {"text.jpg", "this is no picture"},
       {"cut.jpg", whole_jpeg.substr(0, whole_jpeg.size() / 2)},
       {"empty.jpeg", ""},
-      {"cut.ppm", whole_ppm.substr(0, whole_ppm.size() - 1)},
-      {"ascii.ppm", "P3\n1 1\n255\n0 0 0\n"},
-      {"other.ppm", "Q6\n1 1\n255\n000"},
-      {"deep.ppm", "P6\n1 1\n65535\n000000"},
-      {"huge.ppm", "P6\n999999999 999999999\n255\n"},
-      {"narrow.ppm", "P6\n0 1\n255\n"},
-      {"low.ppm", "P6\n1 0\n255\n"},
-      {"header.ppm", "P6\n208"},
   };
   for (const auto& [name, content] : broken) {
     const auto file = write(name, content);
@@ -152,7 +138,7 @@ TEST_F(PhotographTest, AHugeJpegIsRefusedBeforeItTakesMemory) {
 }
 
 TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
-  write("b.ppm", ppm(208, 160, [](int, int) { return kBlue; }));
+  write("b.JPEG", jpeg(208, 160, [](int, int) { return kBlue; }));
   write("a.jpg", jpeg(208, 160, [](int, int) { return kRed; }));
   write("notes.txt", "left alone");
   std::filesystem::create_directory(folder_ / "folder.jpg");
@@ -169,8 +155,8 @@ TEST_F(PhotographTest, AShowWithoutPicturesNamesWhatIsMissing) {
               AllOf(HasSubstr("absent"), HasSubstr("No such file")));
   EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }),
               AllOf(HasSubstr(folder_.string()), HasSubstr(".jpg")));
-  write("a.ppm", "rubbish");
-  EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }), HasSubstr("a.ppm"));
+  write("a.jpg", "rubbish");
+  EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 2); }), HasSubstr("a.jpg"));
   EXPECT_THAT(errorOf([this] { PhotoShow(folder_.string(), 0); }), HasSubstr("more than 0 seconds"));
 }
 
