@@ -26,7 +26,6 @@
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/configuration/memory_stick.h"
 #include "simulator/openr_host/machine.h"
-#include "simulator/picture_log.h"
 
 namespace {
 
@@ -48,7 +47,6 @@ struct Options {
   int protocol_version = 0;
   std::vector<std::string> mapped_ports;  ///< "ROBOT=COMPUTER"
   std::string memory_stick;
-  std::string picture_log;
   std::string microphone;
   double encode_time = 0;  ///< milliseconds
   double stick_time = 0;   ///< milliseconds
@@ -100,8 +98,6 @@ po::options_description describe(Options& options) {
      "milliseconds for the robot to compress a picture: 9 to 14 by instruction count, 32 to 64 in the report of 2006")
     ("stick-time", po::value(&options.stick_time)->default_value(0),
      "milliseconds for the memory stick to read, write or delete a file")
-    ("picture-log", po::value(&options.picture_log),
-     "file or named pipe that gets the time of each picture that is sent, for aibo_monitor")
     ("seed", po::value(&options.robot.seed)->default_value(1), "seed of the noise of camera and sensors");
   // clang-format on
   return description;
@@ -256,12 +252,6 @@ void run(const Options& options) {
   }
   openr_host::MachineOptions machine_options = machineOptions(options, robot);
   machine_options.on_console_line = [&](const std::string& line) { return simulated_ers7::obeyConsole(robot, line); };
-  std::optional<PictureLog> picture_log;
-  if (!options.picture_log.empty()) {
-    picture_log.emplace(options.picture_log);
-    machine_options.on_camera_image = [&] { picture_log->cameraImageTaken(); };
-    machine_options.on_send = [&](const void* data, std::size_t size) { picture_log->aboutToSend(data, size); };
-  }
   openr_host::Machine machine(machine_options, clock, robot);
   HostSettings host;
   host.newest_version = options.protocol_version;

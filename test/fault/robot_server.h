@@ -13,20 +13,20 @@
 #include <utility>
 #include <vector>
 
+#include "picture_encoder/PictureJob.h"
 #include "simulator/ers7/simulated_ers7.h"
-#include "simulator/sent_pictures.h"
 #include "support/robot_thread.h"
 
 namespace fault_bench {
 
-/// The robot's own server with a simulated ERS-7. It remembers all pictures that it sends. Every function may be called
-/// from any thread.
+/// The robot's own server with a simulated ERS-7. It remembers all pictures that it encodes. Every function may be
+/// called from any thread.
 class RobotServer {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  struct Sent {
-    std::uint64_t number;  ///< in the order of sending; the first is 1
+  struct Encoded {
+    std::uint64_t number;  ///< in the order of encoding; the first is 1
     TimePoint image_at;    ///< when the camera had the image
   };
 
@@ -40,19 +40,28 @@ class RobotServer {
   /// Of the address that the options bind it to.
   int port() const { return thread_.port(); }
 
-  /// Looks up a picture; nothing if it was never sent.
-  std::optional<Sent> find(const std::vector<std::uint8_t>& jpeg) const {
+  /// Looks up a picture; nothing if there was none like it.
+  std::optional<Encoded> find(const std::vector<std::uint8_t>& jpeg) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = sent_.find(hash({reinterpret_cast<const char*>(jpeg.data()), jpeg.size()}));
-    return found == sent_.end() ? std::nullopt : std::optional<Sent>(found->second);
+    const auto found = encoded_.find(hash(jpeg.data(), jpeg.size()));
+    return found == encoded_.end() ? std::nullopt : std::optional<Encoded>(found->second);
   }
 
  private:
-  static std::size_t hash(std::string_view bytes) { return std::hash<std::string_view>()(bytes); }
+  static std::size_t hash(const unsigned char* bytes, std::size_t size) {
+    return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes), size});
+  }
 
   openr_host::MachineOptions heardBy(openr_host::MachineOptions options) {
     options.on_camera_image = [this] { noteImage(); };
-    options.on_send = [this](const void* data, std::size_t size) { noteSend(data, size); };
+    for (auto& observer : options.catalog.at("RCSERVER.BIN").observers) {
+      if (observer.service == "RCServer.Picture.EncodedPicture.O") {
+        observer.notify = [this, notify = observer.notify](OObject& object, const ONotifyEvent& event) {
+          noteEncoded(*static_cast<const EncodedPicture*>(event.Data(0)));
+          notify(object, event);
+        };
+      }
+    }
     return options;
   }
 
@@ -61,21 +70,14 @@ class RobotServer {
     image_at_ = std::chrono::steady_clock::now();
   }
 
-  void noteSend(const void* data, std::size_t size) {
+  void noteEncoded(const EncodedPicture& picture) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (pictures_.add(data, size)) {
-      picture_at_ = image_at_;
-    }
-    if (pictures_.isComplete()) {
-      sent_[hash(pictures_.jpeg())] = {sent_.size() + 1, picture_at_};
-    }
+    encoded_[hash(picture.jpeg, picture.size)] = {encoded_.size() + 1, image_at_};
   }
 
-  mutable std::mutex mutex_;  // guards what follows, down to the robot
-  TimePoint image_at_;        // the camera's last one
-  TimePoint picture_at_;      // that of the picture that is being sent
-  SentPictures pictures_;
-  std::map<std::size_t, Sent> sent_;  // by the hash of their bytes
+  mutable std::mutex mutex_;                // guards what follows, down to the robot
+  TimePoint image_at_;                      // the camera's last one
+  std::map<std::size_t, Encoded> encoded_;  // by the hash of their bytes
   simulated_ers7::SimulatedErs7 robot_;
   test_support::RobotThread thread_;
 };

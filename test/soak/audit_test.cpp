@@ -3,8 +3,6 @@
 #include <aibo_driver/Movement.h>
 #include <gmock/gmock.h>
 
-#include <boost/crc.hpp>
-
 #include "picture_audit.h"
 #include "support/version2_frames.h"
 #include "wire_audit.h"
@@ -110,12 +108,20 @@ class WireAuditTest : public ::testing::Test {
   }
 
   std::vector<std::string> wrong_;
-  WireAudit audit_{[this](const std::string& violation) { wrong_.push_back(violation); }};
+  std::string pictures_;
+  WireAudit audit_{[this](const std::string& violation) { wrong_.push_back(violation); },
+                   [this](const std::uint8_t* jpeg, std::size_t size) { pictures_.append(jpeg, jpeg + size); }};
 };
 
 TEST_F(WireAuditTest, KnowsWhatTheRobotHasAccepted) {
   EXPECT_THAT(audit_.takeAccepted(), ElementsAre(AllOf(Field(&Accepted::joint, "head_pan"),
                                                        Field(&Accepted::target, 0.5), Field(&Accepted::time, 5))));
+}
+
+TEST_F(WireAuditTest, HandsOverThePictures) {
+  hear(makeFrame('f', 0, version2_frames::makePicture({'a', 'b'}, 1)));
+  hear(makeFrame('f', 0, version2_frames::makePicture({'c'}, 2)));
+  EXPECT_EQ(pictures_, "abc");
 }
 
 TEST_F(WireAuditTest, WhatIsDoneIsThere) {
@@ -141,13 +147,10 @@ TEST_F(WireAuditTest, AJointThatSomethingElseMayHaveTakenIsNotJudged) {
 }
 
 TEST(PictureAudit, FindsWhatIsWrong) {
-  using Jpeg = std::vector<std::uint8_t>;
   std::vector<std::string> wrong;
   PictureAudit audit([&wrong](const std::string& violation) { wrong.push_back(violation); });
   for (std::uint8_t number = 1; number <= 5; ++number) {
-    boost::crc_32_type crc;
-    crc.process_bytes(Jpeg{number}.data(), 1);
-    audit.sent("1000000000 1 " + std::to_string(crc.checksum()));
+    audit.sent(&number, 1);
   }
   audit.setCalm(true);
   audit.published({1}, 1);

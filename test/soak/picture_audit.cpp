@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
-#include <sstream>
 
 namespace soak {
 namespace {
@@ -10,16 +9,16 @@ namespace {
 // About a minute and a half of pictures. An older one counts as never sent.
 constexpr std::size_t kSentKept = 3000;
 
+std::uint32_t checksumOf(const std::uint8_t* bytes, std::size_t size) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes, size);
+  return crc.checksum();
+}
+
 }  // namespace
 
-void PictureAudit::sent(const std::string& line) {
-  std::istringstream fields(line);
-  std::int64_t time = 0;
-  Sent picture{};
-  if (fields >> time >> picture.bytes >> picture.checksum) {
-    picture.number = ++last_sent_;
-    sent_.push_back(picture);
-  }
+void PictureAudit::sent(const std::uint8_t* jpeg, std::size_t size) {
+  sent_.push_back({++last_sent_, size, checksumOf(jpeg, size)});
   if (sent_.size() > kSentKept) {
     sent_.pop_front();
   }
@@ -31,11 +30,10 @@ void PictureAudit::published(const std::vector<std::uint8_t>& jpeg, std::uint64_
     complain_("a picture's stamp is not later than the last one's");
   }
   last_stamp_ = stamp;
-  boost::crc_32_type crc;
-  crc.process_bytes(jpeg.data(), jpeg.size());
+  const std::uint32_t checksum = checksumOf(jpeg.data(), jpeg.size());
   // Of several equal pictures, the one that was sent last.
   const auto picture = std::find_if(sent_.rbegin(), sent_.rend(), [&](const Sent& sent) {
-    return sent.bytes == jpeg.size() && sent.checksum == crc.checksum();
+    return sent.bytes == jpeg.size() && sent.checksum == checksum;
   });
   if (picture == sent_.rend()) {
     complain_("a picture that the robot has not sent, of " + std::to_string(jpeg.size()) + " bytes");

@@ -11,19 +11,18 @@
 
 namespace soak {
 
-/// Compares the pictures that a driver publishes with those that the robot has sent, according to its picture log. No
-/// picture may come twice, after a newer one, or without having been sent, and stamps must increase. In calm periods,
-/// pictures that are left out are counted. No I/O. Not thread-safe.
+/// Compares the pictures that a driver publishes with those that the robot has sent. No picture may come twice, after a
+/// newer one, or without having been sent, and stamps must increase. In calm periods, pictures that are left out are
+/// counted. No I/O. Not thread-safe.
 class PictureAudit {
  public:
   /// @param complain is called with each violation
   explicit PictureAudit(const std::function<void(const std::string&)>& complain) : complain_(complain) {}
 
   /// The robot sends a picture.
-  /// @param line of the picture log: a time, size of the JPEG in bytes, its CRC-32
-  void sent(const std::string& line);
+  void sent(const std::uint8_t* jpeg, std::size_t size);
 
-  /// The driver has published a picture. Call sent() before for all lines that were logged until then.
+  /// The driver has published a picture.
   /// @param stamp in nanoseconds
   void published(const std::vector<std::uint8_t>& jpeg, std::uint64_t stamp);
 

@@ -1,24 +1,17 @@
 #include "soak.h"
 
 #include <aibo_driver/Connection.h>
-#include <fcntl.h>
 #include <ros/ros.h>
 #include <signal.h>
 #include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <stdexcept>
-#include <system_error>
 #include <thread>
 
 #include "order_user.h"
@@ -44,15 +37,6 @@ constexpr double kLateOrders = 1.5;  // s; what comes later has been too old for
 
 double now() {
   return ros::WallTime::now().toSec();
-}
-
-/// A named pipe for the robot's picture log. It is opened for writing, too, so that it stays open.
-aibo_client::FileDescriptor makePipe(const std::string& path) {
-  ::unlink(path.c_str());
-  if (::mkfifo(path.c_str(), 0600) != 0) {
-    throw std::system_error(errno, std::generic_category(), path);
-  }
-  return aibo_client::FileDescriptor(::open(path.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC));
 }
 
 Moving toMoving(const aibo_driver::Movement& movement) {
@@ -82,9 +66,8 @@ Soak::Soak(const Options& options)
       begin_(now()),
       // Their violations come while the mutex is held.
       pictures_([this](const std::string& violation) { print(violation); }),
-      wire_([this](const std::string& violation) { print(violation); }),
-      picture_log_(makePipe(options.folder + "/pictures")),
-      robot_({"--picture-log", options.folder + "/pictures"}),
+      wire_([this](const std::string& violation) { print(violation); },
+            [this](const std::uint8_t* jpeg, std::size_t size) { pictures_.sent(jpeg, size); }),
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),
       handle_(kNamespace) {
@@ -161,21 +144,7 @@ void Soak::receive(const aibo_driver::MotionState& state) {
 
 void Soak::receive(const sensor_msgs::CompressedImage& picture) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  readPictureLog();
   pictures_.published(picture.data, picture.header.stamp.toNSec());
-}
-
-void Soak::readPictureLog() {
-  std::array<char, 4096> buffer;
-  for (ssize_t count; (count = ::read(picture_log_.get(), buffer.data(), buffer.size())) > 0;) {
-    unfinished_line_.append(buffer.data(), static_cast<std::size_t>(count));
-  }
-  const std::size_t end = unfinished_line_.rfind('\n') + 1;  // 0 if there is no whole line
-  std::istringstream lines(unfinished_line_.substr(0, end));
-  unfinished_line_.erase(0, end);
-  for (std::string line; std::getline(lines, line);) {
-    pictures_.sent(line);
-  }
 }
 
 void Soak::complain(const std::string& violation) {
@@ -246,8 +215,6 @@ void Soak::pass(int milliseconds) {
       driver_resources_.sample(driver_.pid(), now() - begin_);
       robot_resources_.sample(robot_.process().pid(), now() - begin_);
       next_sample_ = now() + 2;
-      const std::lock_guard<std::mutex> lock(mutex_);
-      readPictureLog();  // also while no pictures come, so that the pipe never fills up
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   } while (now() < end);

@@ -50,7 +50,6 @@ class Soak {
   void receive(const sensor_msgs::JointState& joints);
   void receive(const aibo_driver::MotionState& state);
   void receive(const sensor_msgs::CompressedImage& picture);
-  void readPictureLog();
 
   void begin();
   void getReady();
@@ -83,8 +82,6 @@ class Soak {
   Round round_;
   PictureAudit pictures_;
   WireAudit wire_;
-  aibo_client::FileDescriptor picture_log_;
-  std::string unfinished_line_;                    ///< of the picture log
   std::vector<aibo_driver::EndedMovement> ended_;  ///< as the newest motion_state has them
   std::vector<Moving> moving_;                     ///< the same
   std::map<unsigned, int> quiet_users_;            ///< how many, by round

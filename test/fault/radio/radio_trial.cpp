@@ -31,7 +31,7 @@ openr_host::MachineOptions optionsOn(const NetworkHost& host) {
 }
 
 struct Sighting {
-  RobotServer::Sent sent;
+  RobotServer::Encoded picture;
   steady_clock::time_point seen_at;
 };
 
@@ -42,16 +42,16 @@ class Observer {
 
   void see(const aibo_client::Picture& picture) {
     const auto now = steady_clock::now();
-    const auto sent = robot_.find(picture.jpeg);
+    const auto encoded = robot_.find(picture.jpeg);
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (!sent) {
-      violations_.insert("a picture that was never sent");
+    if (!encoded) {
+      violations_.insert("a picture that the robot has not taken");
       return;
     }
-    if (!sightings_.empty() && sent->number <= sightings_.back().sent.number) {
+    if (!sightings_.empty() && encoded->number <= sightings_.back().picture.number) {
       violations_.insert("a picture that is not newer than the one before");
     }
-    sightings_.push_back({*sent, now});
+    sightings_.push_back({*encoded, now});
   }
 
   std::vector<Sighting> sightings() const {
@@ -105,13 +105,14 @@ Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time
   result.violations = observer.violations();
   for (const Sighting& sighting : sightings) {
     result.deliveries.push_back({std::chrono::duration<double>(sighting.seen_at - begin).count(),
-                                 Milliseconds(sighting.seen_at - sighting.sent.image_at).count()});
+                                 Milliseconds(sighting.seen_at - sighting.picture.image_at).count()});
   }
   summarize(trial, result);
   // A computer that holds somebody up costs stale pictures, or the connection.
   const bool may_lose = trial.radio.loss > 0 || !trial.radio.outages.empty() || client.connections > 1;
   if (!sightings.empty() && !may_lose &&
-      sightings.back().sent.number - sightings.front().sent.number + 1 > sightings.size() + client.stale_pictures) {
+      sightings.back().picture.number - sightings.front().picture.number + 1 >
+          sightings.size() + client.stale_pictures) {
     result.violations.insert("pictures lost on a link without loss");
   }
   return result;

@@ -109,11 +109,9 @@ TEST_F(DatagramsTest, PictureOfTheStreamComesInDatagramsThatNoNetworkHasToCut) {
   UdpSocket receiver;
   robot_.showNoise();
   streamTo(receiver);
-  begun_pictures_ = 0;
   takeImage();
   const std::vector<ReceivedPart> parts = partsAt(receiver);
   ASSERT_GE(parts.size(), 3U);
-  EXPECT_EQ(begun_pictures_, 1) << "for the picture log";
   for (size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].header.part, i);
     EXPECT_EQ(parts[i].header.sequence, 5000 + i);

@@ -24,7 +24,6 @@
 #include "simulator/openr_host/clock.h"
 #include "simulator/openr_host/machine.h"
 #include "simulator/openr_host/virtual_robot.h"
-#include "simulator/sent_pictures.h"
 #include "slow_object.h"
 #include "support/memory_stick.h"
 #include "support/test_client.h"
@@ -162,10 +161,7 @@ class RCServerFixture : public ::testing::Test {
       encoder_.obey();
       file_keeper_.obey();
     };
-    options.on_send = [this](const void* data, size_t size) {
-      sends_.push_back(size);
-      begun_pictures_ += sent_pictures_.add(data, size) ? 1 : 0;
-    };
+    options.on_send = [this](const void*, size_t size) { sends_.push_back(size); };
     options.console = &console_;
     options.handler_time = handler_time_;
     setHostSettings(host_);
@@ -227,8 +223,6 @@ class RCServerFixture : public ::testing::Test {
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes of each send to the IPStack
-  SentPictures sent_pictures_;
-  int begun_pictures_ = 0;
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;

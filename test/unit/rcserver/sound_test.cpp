@@ -428,9 +428,9 @@ TEST_F(SoundTest, PicturesWaitUntilWhatWasHeardHasBeenSentIfTheClientWantsThat) 
 TEST_F(SoundTest, PicturesWaitWhileTheSpeakerRunsShortIfTheClientWantsThat) {
   const auto pictures = [this](int steps = 25) {
     pass(25);
-    begun_pictures_ = 0;
+    replies_.clear();
     pass(steps);
-    return begun_pictures_;
+    return std::count_if(replies_.begin(), replies_.end(), [](const Frame& reply) { return reply.header.kind == 'f'; });
   };
   answerTo('W', 85, kStreamOn);
   play(0, samplesOf(mark, 0, 4000));
