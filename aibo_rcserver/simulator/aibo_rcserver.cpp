@@ -24,8 +24,8 @@
 #include "simulator/ers7/simulated_ers7.h"
 #include "simulator/object_catalog.h"
 #include "simulator/openr_host/clock.h"
-#include "simulator/openr_host/configuration/memory_stick.h"
 #include "simulator/openr_host/machine.h"
+#include "simulator/openr_host/memory_stick.h"
 
 namespace {
 

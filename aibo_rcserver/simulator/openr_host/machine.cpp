@@ -8,7 +8,7 @@
 #include <system_error>
 #include <utility>
 
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 #include "simulator/openr_host/object_library.h"
 #include "simulator/openr_host/objects/system.h"
 #include "simulator/openr_host/objects/virtual_robot_audio_comm.h"

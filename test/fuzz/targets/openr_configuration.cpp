@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "fuzz_input.h"
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "host_files/regular_file.h"
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 
 namespace openr_host {
 

@@ -13,7 +13,7 @@
 #include <filesystem>
 #include <string>
 
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 #include "simulator/openr_host/objects/system.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // The configuration files of a memory stick.
 #include <gmock/gmock.h>
 
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 

@@ -1,4 +1,4 @@
-#include "simulator/openr_host/configuration/memory_stick.h"
+#include "simulator/openr_host/memory_stick.h"
 
 #include <strings.h>
 

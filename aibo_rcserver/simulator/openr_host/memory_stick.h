@@ -4,8 +4,8 @@
 /// All configuration files have the same form (OPEN-R SDK Programmer's Guide, 4.2). `#` begins a comment. Lines between
 /// `[ERS-7]` and the next such line are only for that model. All readers take the file's name, for errors, and the
 /// robot's design. They throw ConfigurationError if a line is malformed or repeats something.
-#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
-#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
+#ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MEMORY_STICK_H
+#define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MEMORY_STICK_H
 
 #include <filesystem>
 #include <istream>
@@ -59,4 +59,4 @@ std::map<std::string, std::string> readDesignDatabase(std::istream& text, const 
 
 }  // namespace openr_host
 
-#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONFIGURATION_MEMORY_STICK_H
+#endif  // AIBO_RCSERVER_SIMULATOR_OPENR_HOST_MEMORY_STICK_H
