@@ -10,13 +10,34 @@
 #include <filesystem>
 #include <istream>
 #include <map>
+#include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "simulator/openr_host/configuration/text.h"
-
 namespace openr_host {
+
+/// The text begins with "FILE:LINE: ", like a compiler's.
+class ConfigurationError : public std::runtime_error {
+ public:
+  ConfigurationError(const std::string& file, int line, const std::string& what)
+      : std::runtime_error(file + ":" + std::to_string(line) + ": " + what) {}
+};
+
+/// An object's gate: "RCServer.Image.OFbkImageVectorData.O" (report, section 2.1.1).
+struct ServiceName {
+  std::string object;
+  std::string service;
+  std::string data_type;
+  /// Ends in S: the object sends data here. Otherwise it ends in O: the object receives data.
+  bool is_subject;
+
+  /// @return empty unless `text` is four words of letters, digits and underscores, joined by dots, and ends in S or O
+  static std::optional<ServiceName> parse(const std::string& text);
+
+  std::string text() const;
+};
 
 /// Finds a file on a memory stick or a copy of one. It ignores case, as the stick's own file system does.
 /// @param folder the stick
