@@ -1,15 +1,16 @@
 #include "simulator/openr_host/machine.h"
 
+#include <dlfcn.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <cstring>
 #include <system_error>
 #include <utility>
 
 #include "simulator/openr_host/memory_stick.h"
-#include "simulator/openr_host/object_library.h"
 #include "simulator/openr_host/objects/system.h"
 #include "simulator/openr_host/objects/virtual_robot_audio_comm.h"
 #include "simulator/openr_host/objects/virtual_robot_comm.h"
@@ -37,6 +38,27 @@ std::string portProblem(const std::string& bind_address, std::uint16_t robot_por
            option + " NUMBER; 0 = any free one)";
   }
   return where + " cannot be used: " + std::generic_category().message(error) + " (" + option + ", --bind)";
+}
+
+/// Loads an object that scripts/openr_object has built: a shared library with the function describeLoadedObject(). It
+/// is unloaded with the last copy of the description, so that the object's static data begins anew at each boot, as on
+/// the robot.
+/// @throw std::runtime_error it is none; the text names the file and a remedy
+ObjectDescription loadObject(const std::string& file) {
+  const std::shared_ptr<void> library(dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL),
+                                      [](void* handle) { handle != nullptr ? dlclose(handle) : 0; });
+  void* const symbol = library != nullptr ? dlsym(library.get(), "describeLoadedObject") : nullptr;
+  if (symbol == nullptr) {
+    throw std::runtime_error(file + ": cannot be loaded (" + dlerror() +
+                             "); build it for this computer with scripts/openr_object");
+  }
+  void (*describe)(ObjectDescription*) = nullptr;
+  static_assert(sizeof(describe) == sizeof(symbol), "POSIX requires it");
+  std::memcpy(&describe, &symbol, sizeof(describe));
+  ObjectDescription description;
+  describe(&description);
+  description.library = library;
+  return description;
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ struct MachineOptions {
   std::string memory_stick;
 
   /// The objects for the files in OBJECT.CFG, by name in capitals: {"RCSERVER.BIN", describeRCServer()}. Others are
-  /// loaded from OPEN-R/MW/OBJS on the memory stick (object_library.h).
+  /// loaded from OPEN-R/MW/OBJS on the memory stick.
   std::map<std::string, ObjectDescription> catalog;
 
   /// Gets what the console prints. May be null; must outlive the machine.

@@ -1,4 +1,4 @@
-# Builds an OPEN-R object as a shared library, which aibo_rcserver loads from its memory stick (object_library.h).
+# Builds an OPEN-R object as a shared library, which aibo_rcserver loads from its memory stick (machine.cpp).
 # scripts/openr_object runs it with these variables; paths must not contain spaces.
 #   FOLDER      the object's sources, with stub.cfg
 #   BUILD       a folder for what is built; LIBRARY: the file to build

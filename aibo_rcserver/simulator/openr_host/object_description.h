@@ -30,7 +30,7 @@ struct ObserverDescription {
 };
 
 struct ObjectDescription {
-  std::shared_ptr<void> library;  ///< keeps loaded code in memory (object_library.h); first, so that it goes last
+  std::shared_ptr<void> library;  ///< keeps loaded code in memory; first, so that it goes last
   std::string name;
   std::vector<SubjectDescription> subjects;                             ///< in the order of sbjNAME
   std::vector<ObserverDescription> observers;                           ///< in the order of obsNAME
