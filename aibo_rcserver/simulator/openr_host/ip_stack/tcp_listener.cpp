@@ -1,6 +1,5 @@
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
-#include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 
@@ -14,18 +13,14 @@
 namespace openr_host {
 namespace {
 
-/// Pause before another attempt; without it, the waiting client would wake the server at once. It is shorter than a
-/// frame.
-constexpr std::chrono::milliseconds kMemoryPause{5};
-
-FileDescriptor openSpare() {
-  return FileDescriptor(open("/dev/null", O_RDONLY | O_CLOEXEC));
-}
+/// Pause before another attempt without descriptors or memory; otherwise, the waiting client would wake the server at
+/// once. It is shorter than a frame.
+constexpr std::chrono::milliseconds kPause{5};
 
 }  // namespace
 
 TcpListener::TcpListener(const std::string& address, std::uint16_t port)
-    : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)), spare_(openSpare()) {
+    : socket_(socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)) {
   const sockaddr_in bound = SocketAddress::parse(address, port).system();
   // Otherwise a restarted server would wait until the kernel forgets its last connections.
   const int reuse = 1;
@@ -54,22 +49,14 @@ std::optional<TcpConnection> TcpListener::accept() {
         return std::nullopt;
       case EMFILE:
       case ENFILE:
-        turnOneAway();
-        return std::nullopt;
       case ENOBUFS:
       case ENOMEM:
-        std::this_thread::sleep_for(kMemoryPause);
+        std::this_thread::sleep_for(kPause);
         return std::nullopt;
       default:  // this client has gone already; try the next one
         break;
     }
   }
-}
-
-void TcpListener::turnOneAway() {
-  spare_.close();
-  FileDescriptor(accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC)).close();
-  spare_ = openSpare();
 }
 
 }  // namespace openr_host

@@ -27,14 +27,11 @@ class TcpListener {
   int fd() const { return socket_.get(); }
   std::uint16_t port() const { return port_; }
 
-  /// The next waiting client, if any. Without free descriptors, the client is turned away.
+  /// The next waiting client, if any. Without free descriptors or memory, it waits on.
   std::optional<TcpConnection> accept();
 
  private:
-  void turnOneAway();
-
   FileDescriptor socket_;
-  FileDescriptor spare_;  ///< closed for a moment to turn a client away without other descriptors
   std::uint16_t port_ = 0;
 };
 
