@@ -3,7 +3,6 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <ostream>
 #include <utility>
@@ -57,9 +56,6 @@ void Console::read(Listener& listener) {
   if (count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR)) {
     listener.socket.close();
   }
-  if (count > 0) {
-    listener.last_typed = now_();
-  }
   for (ssize_t i = 0; i < count && listener.socket.isOpen(); ++i) {
     take(listener, typed[i]);
   }
@@ -98,19 +94,7 @@ void Console::refuse(Listener& listener, const std::string& why) {
   print(listener, "error: " + why + "\n");
   if (!listener.is_known) {
     listener.socket.close();
-    reportStranger();
   }
-}
-
-void Console::reportStranger() {
-  ++strangers_;
-  if (stranger_reported_ && now_() - *stranger_reported_ < std::chrono::minutes(1)) {
-    return;
-  }
-  stranger_reported_ = now_();
-  const std::string more = strangers_ > 1 ? " (" + std::to_string(strangers_ - 1) + " more before it)" : "";
-  strangers_ = 0;
-  print("The console dropped a listener whose first line was not a command; a web page may have sent it" + more + "\n");
 }
 
 void Console::acceptListeners() {
@@ -120,37 +104,13 @@ void Console::acceptListeners() {
     // A terminal may be halted for longer than a client may be silent. It still answers the kernel's probes.
     const int unlimited = 0;
     setsockopt(listener.socket.get(), IPPROTO_TCP, TCP_USER_TIMEOUT, &unlimited, sizeof(unlimited));
-    listener.last_typed = now_();
-    if (makeRoom()) {
+    if (listeners_.size() < kMostListeners) {
       listeners_.push_back(std::move(listener));
     } else {
       print(listener,
             "This console has " + std::to_string(kMostListeners) + " listeners already. Close one of them.\n");
     }
   }
-}
-
-/// Among too many listeners, disconnects the one that was idle longest. Its place in the list stays in use until the
-/// next addTo().
-/// @return false if nobody was idle long enough
-bool Console::makeRoom() {
-  std::size_t connected = 0;
-  Listener* idlest = nullptr;
-  for (auto& listener : listeners_) {
-    connected += listener.socket.isOpen() ? 1 : 0;
-    if (listener.socket.isOpen() && (idlest == nullptr || listener.last_typed < idlest->last_typed)) {
-      idlest = &listener;
-    }
-  }
-  if (connected < kMostListeners) {
-    return true;
-  }
-  if (now_() - idlest->last_typed < kIdleTime) {
-    return false;
-  }
-  print(*idlest, "This console was idle, and another listener needs its place.\n");
-  idlest->socket.close();
-  return true;
 }
 
 void Console::addTo(PollSet& poll_set) {

@@ -2,7 +2,6 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 
-#include <chrono>
 #include <functional>
 #include <iosfwd>
 #include <list>
@@ -19,15 +18,11 @@ namespace openr_host {
 /// callback; objects never see them, as on the robot.
 ///
 /// A web page could make a browser send lines to this port. So a listener whose first line is not a command is
-/// disconnected and not obeyed. A message reports this at most once a minute.
+/// disconnected and not obeyed.
 class Console {
  public:
-  /// A further listener replaces the one that was idle longest. If nobody was idle for kIdleTime, the new one gets a
-  /// message and is disconnected.
+  /// A further listener gets a message and is disconnected.
   static constexpr std::size_t kMostListeners = 8;
-
-  /// A listener that typed nothing for this long may lose its place.
-  static constexpr std::chrono::seconds kIdleTime{60};
 
   /// Bytes kept for a listener that does not read. It loses further text, and is told so.
   static constexpr std::size_t kMostUnread = 64 * 1024;
@@ -39,13 +34,9 @@ class Console {
   /// such command.
   using OnLine = std::function<std::optional<std::string>(const std::string& line)>;
 
-  using Time = std::chrono::steady_clock::time_point;
-
   /// @param output may be null
   /// @param on_line may be empty; then typed lines are ignored
-  /// @param now another clock, for tests
-  Console(std::ostream* output, OnLine on_line, std::function<Time()> now = &std::chrono::steady_clock::now)
-      : output_(output), on_line_(std::move(on_line)), now_(std::move(now)) {}
+  Console(std::ostream* output, OnLine on_line) : output_(output), on_line_(std::move(on_line)) {}
 
   /// Opens a port of this computer for listeners.
   /// @return the port
@@ -65,7 +56,6 @@ class Console {
     std::size_t lost = 0;   ///< prints that did not fit
     std::string typed;      ///< the unfinished line; at most one character too long
     bool is_known = false;  ///< it has typed a command
-    Time last_typed;        ///< when it last typed, or connected
   };
 
   static void print(Listener& listener, const std::string& text);
@@ -74,17 +64,12 @@ class Console {
   void take(Listener& listener, char typed);
   void obey(Listener& listener, const std::string& line);
   void refuse(Listener& listener, const std::string& why);
-  void reportStranger();
   void acceptListeners();
-  bool makeRoom();
 
   std::ostream* const output_;
   const OnLine on_line_;
-  const std::function<Time()> now_;
   std::optional<TcpListener> port_;
   std::list<Listener> listeners_;
-  std::size_t strangers_ = 0;              ///< dropped since the last report
-  std::optional<Time> stranger_reported_;  ///< the time of the last report
 };
 
 }  // namespace openr_host

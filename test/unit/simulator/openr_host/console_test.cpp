@@ -135,63 +135,20 @@ TEST_F(ConsoleTest, AListenerWhoseFirstLineIsNoCommandIsDroppedAndNothingOfItIsO
   EXPECT_TRUE(test_.runUntil([&] { return listener.received() == answers; })) << listener.received();
 }
 
-/// A console with a clock of its own.
-class ConsoleClockTest : public testing::Test {
- protected:
-  void run() {
-    for (bool had_event = true; had_event;) {
-      PollSet poll_set;
-      console_.addTo(poll_set);
-      had_event = poll_set.wait(std::chrono::steady_clock::time_point());
-    }
-  }
-
-  Console::Time now_{};
-  std::ostringstream output_;
-  Console console_{
-      &output_, [](const std::string& line) { return line == "x" ? std::optional<std::string>("y\n") : std::nullopt; },
-      [this] { return now_; }};
-  const std::uint16_t port_ = console_.takePort("127.0.0.1", 0);
-};
-
-TEST_F(ConsoleClockTest, StrangersAreReportedOnceAMinute) {
-  const auto sendPages = [this](int count) {
-    output_.str("");
-    for (int i = 0; i < count; ++i) {
-      TestClient browser(port_);
-      browser.send("POST / HTTP/1.1\r\n\r\n");
-      while (!browser.ended()) {
-        run();
-      }
-    }
-    return output_.str();
-  };
-  EXPECT_THAT(sendPages(10), testing::MatchesRegex("The console dropped a listener [^\n]*\n"));
-  now_ += std::chrono::minutes(1);
-  EXPECT_THAT(sendPages(2), testing::MatchesRegex("The console dropped a listener [^\n]* \\(9 more before it\\)\n"));
-}
-
-TEST_F(ConsoleClockTest, AListenerThatTypesNothingForAMinuteLosesItsPlaceToTheNinth) {
+TEST_F(ConsoleTest, TheNinthListenerIsToldThatThereIsNoPlaceUntilAnotherOneLeaves) {
   std::vector<std::unique_ptr<TestClient>> listeners;
   for (int i = 0; i < 8; ++i) {
     listeners.push_back(std::make_unique<TestClient>(port_));
-    run();
+    awaitAccepted(*listeners.back());
   }
-  now_ += std::chrono::seconds(59);
-  listeners[0]->send("x\n");
-  run();
-  TestClient too_early(port_);
-  run();
-  EXPECT_TRUE(too_early.isAtEnd());
-  EXPECT_THAT(too_early.received(), testing::HasSubstr("8 listeners already"));
-  now_ += std::chrono::seconds(1);
+  TestClient ninth(port_);
+  EXPECT_TRUE(test_.runUntil([&] { return ninth.isAtEnd(); }));
+  EXPECT_THAT(ninth.received(), testing::HasSubstr("8 listeners already"));
+  listeners.pop_back();
+  test_.runPending();
   TestClient newcomer(port_);
-  run();
-  EXPECT_FALSE(newcomer.ended());
-  EXPECT_FALSE(listeners[0]->ended()) << "it has typed";
-  EXPECT_TRUE(listeners[1]->isAtEnd());
-  EXPECT_THAT(listeners[1]->received(), testing::HasSubstr("was idle"));
-  EXPECT_FALSE(listeners[2]->ended()) << "one place is enough";
+  awaitAccepted(newcomer);
+  EXPECT_FALSE(newcomer.isAtEnd());
 }
 
 }  // namespace
