@@ -1,5 +1,5 @@
 /// @file Nodder.h
-/// An example of an OPEN-R object (docs/simulated_robot.md). It compiles with Sony's headers, too. No robot has run it.
+/// An example of an OPEN-R object (docs/openr.md). It compiles with Sony's headers, too. No robot has run it.
 #ifndef AIBO_RCSERVER_EXAMPLE_NODDER_NODDER_H
 #define AIBO_RCSERVER_EXAMPLE_NODDER_NODDER_H
 

@@ -2,7 +2,8 @@
 # scripts/openr_object runs it with these variables; paths must not contain spaces.
 #   FOLDER      the object's sources, with stub.cfg
 #   BUILD       a folder for what is built; LIBRARY: the file to build
-# Sources in the folder `common` beside FOLDER are a library for all objects there. CXXFLAGS and LIBS add options.
+# Sources in the folder `common` beside FOLDER are a library for all objects there. Folders that the object's own Makefile
+# names with -I are searched for headers, too. CXXFLAGS and LIBS add options.
 HOST := $(patsubst %/,%,$(dir $(abspath $(lastword $(MAKEFILE_LIST)))))
 COMMON := $(wildcard $(FOLDER)/../common)
 NAME := $(shell sed -n 's/^[ \t]*ObjectName[ \t]*:[ \t]*\([A-Za-z_0-9]*\).*/\1/p' $(FOLDER)/stub.cfg)
@@ -11,8 +12,9 @@ NAME := $(shell sed -n 's/^[ \t]*ObjectName[ \t]*:[ \t]*\([A-Za-z_0-9]*\).*/\1/p
 # Nothing but its description is visible, so two objects may have equal names.
 OPTIONS = -O0 -g -fPIC -fvisibility=hidden -fno-gnu-unique -MMD -MP -I$(BUILD) -I$(FOLDER) \
   $(if $(COMMON),$(patsubst %,-I%,$(sort $(dir $(shell find $(COMMON) -name '*.h'))))) \
+  $(patsubst %,-I$(FOLDER)/%,$(shell cat $(FOLDER)/Makefile* 2> /dev/null | grep -o -e '-I[^ $$/][^ $$]*' | cut -c 3-)) \
   -I$(HOST)/sdk -I$(HOST)/../..
-CXX_OPTIONS = -std=gnu++98 -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast $(OPTIONS) $(CXXFLAGS)
+CXX_OPTIONS = -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast -include $(HOST)/prelude.h $(OPTIONS) $(CXXFLAGS)
 # Its files are on the memory stick (objects/stick_files.cpp).
 WRAPPED = fopen open opendir stat __xstat unlink remove mkdir rmdir rename
 
@@ -34,11 +36,11 @@ $(BUILD)/$(NAME)_stub.cc: $(FOLDER)/stub.cfg $(HOST)/generate_stub $(HOST)/objec
 	$(HOST)/generate_stub $< $(BUILD)
 
 $(BUILD)/stub.o: $(BUILD)/$(NAME)_stub.cc
-	$(CXX) -std=gnu++14 -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast $(OPTIONS) $(CXXFLAGS) -DOPENR_OBJECT_LIBRARY -c -o $@ $<
+	$(CXX) -std=gnu++14 $(CXX_OPTIONS) -DOPENR_OBJECT_LIBRARY -c -o $@ $<
 
 define compile
 $(2): $(1) $(BUILD)/$(NAME)_stub.cc
-	$(if $(filter %.c,$(1)),$$(CC) $$(OPTIONS) $$(CXXFLAGS),$$(CXX) $$(CXX_OPTIONS)) -c -o $$@ $$<
+	$(if $(filter %.c,$(1)),$$(CC) $$(OPTIONS) $$(CXXFLAGS),$$(CXX) -std=gnu++98 $$(CXX_OPTIONS)) -c -o $$@ $$<
 endef
 $(foreach source,$(OWN),$(eval $(call compile,$(source),$(call object_of,$(source),own,$(FOLDER)))))
 $(foreach source,$(SHARED),$(eval $(call compile,$(source),$(call object_of,$(source),common,$(COMMON)))))
