@@ -1,9 +1,9 @@
-#include "simulator/ers7/body/tipping.h"
-
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "simulator/ers7/body/stance.h"
 
 namespace simulated_ers7 {
 namespace {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "simulator/ers7/body/tipping.h"
 #include "simulator/openr_host/clock.h"
 
 namespace simulated_ers7 {

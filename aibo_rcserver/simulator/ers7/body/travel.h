@@ -36,7 +36,7 @@ constexpr double kFriction = 0.6;
 /// the robot falls off, and lies on its side on the floor.
 ///
 /// Simplifications: The weight stays in the body's origin. The feet share it equally, but a foot up to kPawTravel above
-/// the floor carries less. Nothing bounces. The body tips (tipping.h) but never falls over by itself.
+/// the floor carries less. Nothing bounces. The body tips (stance.h) but never falls over by itself.
 /// Only trunk and head collide with obstacles. The legs pass through lower things, and nothing pushes the ball.
 class Travel {
  public:

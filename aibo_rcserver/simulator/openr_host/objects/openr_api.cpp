@@ -176,20 +176,11 @@ OStatus OPENR::GetPowerStatus(OPowerStatus* status) {
 }
 
 OStatus OPENR::ObservePowerStatus(const OPowerStatus& notifyStatus, const OServiceEntry& entry) {
-  System& system = System::current();
-  OPowerStatus present;
-  if (!system.hasEntry(entry.GetOID(), entry.GetSelector())) {
-    return oINVALID_ARG;
-  }
-  const OStatus status = system.robot().getPowerStatus(&present);
-  if (status == oSUCCESS) {
-    system.powerWatch().observe(entry, notifyStatus, present);
-  }
-  return status;
+  return System::current().observePower(notifyStatus, entry);
 }
 
 OStatus OPENR::UnobservePowerStatus(const OServiceEntry& entry) {
-  return System::current().powerWatch().unobserve(entry) ? oSUCCESS : oINVALID_ARG;
+  return System::current().unobservePower(entry);
 }
 
 OStatus OPENR::GetVolumeSwitch(OVolumeSwitch* volSW) {

@@ -315,16 +315,38 @@ void System::modelTime(HandlerTime handler_time, std::function<std::chrono::nano
   now_ = std::move(now);
 }
 
+OStatus System::observePower(const OPowerStatus& wanted, const OServiceEntry& entry) {
+  OPowerStatus present;
+  if (!hasEntry(entry.GetOID(), entry.GetSelector())) {
+    return oINVALID_ARG;
+  }
+  const OStatus status = robot_.getPowerStatus(&present);
+  if (status == oSUCCESS) {
+    unobservePower(entry);
+    power_watchers_.push_back({entry, wanted, present});
+  }
+  return status;
+}
+
+OStatus System::unobservePower(const OServiceEntry& entry) {
+  const auto end = std::remove_if(power_watchers_.begin(), power_watchers_.end(),
+                                  [&](const PowerWatcher& watcher) { return watcher.entry == entry; });
+  const bool found = end != power_watchers_.end();
+  power_watchers_.erase(end, power_watchers_.end());
+  return found ? oSUCCESS : oINVALID_ARG;
+}
+
 void System::watchPower() {
-  if (!power_watch_.isWatching()) {
+  OPowerStatus now;
+  if (power_watchers_.empty() || robot_.getPowerStatus(&now) != oSUCCESS) {
     return;
   }
-  OPowerStatus status;
-  if (robot_.getPowerStatus(&status) != oSUCCESS) {
-    return;
-  }
-  for (const OServiceEntry& entry : power_watch_.look(status)) {
-    messages_.push_back({entry.GetOID(), PowerChange{entry.GetSelector(), status}});
+  for (PowerWatcher& watcher : power_watchers_) {
+    if (((watcher.seen.robotStatus ^ now.robotStatus) & watcher.wanted.robotStatus) != 0 ||
+        ((watcher.seen.batteryStatus ^ now.batteryStatus) & watcher.wanted.batteryStatus) != 0) {
+      messages_.push_back({watcher.entry.GetOID(), PowerChange{watcher.entry.GetSelector(), now}});
+    }
+    watcher.seen = now;
   }
 }
 

@@ -20,7 +20,6 @@
 #include "simulator/openr_host/object_description.h"
 #include "simulator/openr_host/objects/gates.h"
 #include "simulator/openr_host/objects/object_memory.h"
-#include "simulator/openr_host/objects/power_watch.h"
 #include "simulator/openr_host/virtual_robot.h"
 
 namespace openr_host {
@@ -57,7 +56,10 @@ class System {
   /// @param now returns the time since the creation of the machine's clock
   void modelTime(HandlerTime handler_time, std::function<std::chrono::nanoseconds()> now);
 
-  PowerWatch& powerWatch() { return power_watch_; }
+  /// For OPENR::ObservePowerStatus() (Level2 Reference Guide, page 79). Only robotStatus and batteryStatus are watched,
+  /// because nobody asks for the rest.
+  OStatus observePower(const OPowerStatus& wanted, const OServiceEntry& entry);
+  OStatus unobservePower(const OServiceEntry& entry);
 
   /// Tells observers what has changed in the power status since the last call.
   void watchPower();
@@ -129,6 +131,12 @@ class System {
     OPowerStatus status;
   };
 
+  struct PowerWatcher {
+    OServiceEntry entry;
+    OPowerStatus wanted;
+    OPowerStatus seen;
+  };
+
   struct Message {
     OID receiver;
     std::variant<Readying, Notification, Envelope, PowerChange> content;
@@ -170,7 +178,7 @@ class System {
   std::vector<ObserverService*> observers_;
   std::vector<Message> messages_;
   std::vector<Message> spare_;  ///< always empty; keeps memory for messages_
-  PowerWatch power_watch_;
+  std::vector<PowerWatcher> power_watchers_;
   HandlerTime handler_time_;  ///< if empty, handlers take no time
   std::function<std::chrono::nanoseconds()> now_ = [] { return std::chrono::nanoseconds(0); };
   const LoadedObject* running_ = nullptr;

@@ -110,6 +110,38 @@ TEST_F(OpenrApiTest, ObjectsReachNoFileOutsideOfTheMemoryStick) {
   });
 }
 
+// Level2 Reference Guide, pages 76 to 80.
+TEST_F(OpenrApiTest, AChangeOfThePowerCallsTheEntryOfTheObjectThatObservesIt) {
+  std::vector<longword> seen;
+  object_.on_answer = [&](ANTENVMSG message) {
+    const auto* told = static_cast<const OPowerStatusMessage*>(message);
+    EXPECT_EQ(told->msgType, 1030U);
+    seen.push_back(told->powerStatus.robotStatus);
+  };
+  OPowerStatus wanted;
+  wanted.robotStatus = orsbPAUSE;
+  const OServiceEntry entry(object_.id(), TestObject::kEntry);
+  asObject([&] {
+    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, OServiceEntry(object_.id(), 7)), oINVALID_ARG) << "no such entry";
+    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, entry), oSUCCESS);
+  });
+  test_.system.watchPower();
+  test_.run();
+  EXPECT_THAT(seen, testing::IsEmpty());
+  test_.robot.power_status.robotStatus = orsbPAUSE;
+  test_.system.watchPower();
+  test_.run();
+  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
+  asObject([&] {
+    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oSUCCESS);
+    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oINVALID_ARG);
+  });
+  test_.robot.power_status.robotStatus = 0;
+  test_.system.watchPower();
+  test_.run();
+  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
+}
+
 // Level2 Reference Guide, pages 64, 69 and 70.
 TEST_F(OpenrApiTest, ColourTablesGoToTheCamera) {
   asObject([] {
