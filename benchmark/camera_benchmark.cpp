@@ -17,7 +17,7 @@ void headStill(benchmark::State& state) {
   SceneView view(scene, 1);
   longword image = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(view.picture(image * kSecondsPerPicture, image, {}));
+    benchmark::DoNotOptimize(view.picture({}, image * kSecondsPerPicture, image, {}));
     ++image;
   }
 }
@@ -30,10 +30,9 @@ void headMoving(benchmark::State& state) {
   longword image = 0;
   for (auto _ : state) {
     const double seconds = image * kSecondsPerPicture;
-    HeadAngles head = restingHead();
-    head.head_pan = 0.2 * std::sin(2 * seconds);
-    view.setHead(head);
-    benchmark::DoNotOptimize(view.picture(seconds, image, {}));
+    CameraPose pose;
+    pose.head.head_pan = 0.2 * std::sin(2 * seconds);
+    benchmark::DoNotOptimize(view.picture(pose, seconds, image, {}));
     ++image;
   }
 }
@@ -46,10 +45,11 @@ void walking(benchmark::State& state) {
   longword image = 0;
   for (auto _ : state) {
     const double seconds = image * kSecondsPerPicture;
-    view.setBody(Eigen::Translation3d(0.3 - 0.3 * std::cos(0.5 * seconds), 0.1 * std::sin(0.3 * seconds),
-                                      kStandingHeight + 0.003 * std::sin(15 * seconds)) *
-                 Eigen::AngleAxisd(0.2 * std::sin(0.4 * seconds), Eigen::Vector3d::UnitZ()));
-    benchmark::DoNotOptimize(view.picture(seconds, image, {}));
+    CameraPose pose;
+    pose.body = Eigen::Translation3d(0.3 - 0.3 * std::cos(0.5 * seconds), 0.1 * std::sin(0.3 * seconds),
+                                     kStandingHeight + 0.003 * std::sin(15 * seconds)) *
+                Eigen::AngleAxisd(0.2 * std::sin(0.4 * seconds), Eigen::Vector3d::UnitZ());
+    benchmark::DoNotOptimize(view.picture(pose, seconds, image, {}));
     ++image;
   }
 }

@@ -91,10 +91,8 @@ void Camera::draw(Image& image) {
 const YCrCbImage& Camera::pictureOf(const Image& image) {
   if (drawn_ != &image) {
     const Exposure& exposure = image.exposure;
-    source_.setHead(exposure.pose.head);
-    source_.setBody(exposure.pose.body);
     const double seconds = exposure.frame * openr_host::kFrameSeconds;
-    picture_ = &source_.picture(seconds, imagesUpTo(exposure.frame), exposure.settings);
+    picture_ = &source_.picture(exposure.pose, seconds, imagesUpTo(exposure.frame), exposure.settings);
     drawn_ = &image;
   }
   return *picture_;

@@ -60,17 +60,11 @@ class PictureSource {
  public:
   virtual ~PictureSource() = default;
 
-  /// Takes effect with the next picture.
-  virtual void setHead(const HeadAngles& angles) = 0;
-
-  /// Takes effect with the next picture.
-  /// @param in_room the body's pose in the scene (scene.h)
-  virtual void setBody(const Eigen::Isometry3d& in_room) = 0;
-
   /// @param seconds since the robot was switched on
   /// @param image_number selects the noise
   /// @return the picture, valid until the next call
-  virtual const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) = 0;
+  virtual const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
+                                    const CameraSettings& settings) = 0;
 
   /// True if the same address always holds the same picture.
   virtual bool hasConstantPictures() const { return false; }

@@ -206,7 +206,8 @@ PhotoShow::PhotoShow(const std::string& folder, double seconds_per_picture)
   }
 }
 
-const YCrCbImage& PhotoShow::picture(double seconds, longword /*image_number*/, const CameraSettings& /*settings*/) {
+const YCrCbImage& PhotoShow::picture(const CameraPose& /*pose*/, double seconds, longword /*image_number*/,
+                                     const CameraSettings& /*settings*/) {
   const auto turn = static_cast<std::uint64_t>(seconds / seconds_per_picture_);
   return pictures_[static_cast<std::size_t>(turn % pictures_.size())];
 }

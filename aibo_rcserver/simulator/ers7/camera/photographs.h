@@ -31,9 +31,8 @@ class PhotoShow : public PictureSource {
   /// @throw PhotographError there is no such folder or no photograph in it, or a photograph cannot be read
   PhotoShow(const std::string& folder, double seconds_per_picture);
 
-  void setHead(const HeadAngles& /*angles*/) override {}
-  void setBody(const Eigen::Isometry3d& /*in_room*/) override {}
-  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override;
+  const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
+                            const CameraSettings& settings) override;
   bool hasConstantPictures() const override { return true; }
 
  private:

@@ -39,10 +39,11 @@ class TestPicture : public PictureSource {
     }
   }
 
-  void setHead(const HeadAngles& angles) override { last_head_pan = angles.head_pan; }
-  void setBody(const Eigen::Isometry3d& in_room) override { last_x = in_room.translation().x(); }
-  const YCrCbImage& picture(double seconds, longword image_number, const CameraSettings& settings) override {
+  const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
+                            const CameraSettings& settings) override {
     ++times_drawn;
+    last_head_pan = pose.head.head_pan;
+    last_x = pose.body.translation().x();
     last_seconds = seconds;
     last_image_number = image_number;
     last_settings = settings;

@@ -143,7 +143,7 @@ TEST_F(PhotographTest, AShowGoesThroughTheFolderByNameAndStartsAgain) {
   write("notes.txt", "left alone");
   std::filesystem::create_directory(folder_ / "folder.jpg");
   PhotoShow show(folder_.string(), 0.7);
-  const auto is_red = [&show](double seconds) { return show.picture(seconds, 1, CameraSettings()).cr[0] > 200; };
+  const auto is_red = [&show](double seconds) { return show.picture({}, seconds, 1, {}).cr[0] > 200; };
   EXPECT_TRUE(is_red(0));
   EXPECT_TRUE(is_red(0.69));
   EXPECT_FALSE(is_red(0.71));

@@ -14,12 +14,12 @@ using Eigen::Vector2d;
 
 const double kDegree = std::acos(-1.0) / 180;
 
-HeadAngles degrees(double neck_tilt, double head_pan, double head_tilt) {
-  HeadAngles head;
-  head.neck_tilt = neck_tilt * kDegree;
-  head.head_pan = head_pan * kDegree;
-  head.head_tilt = head_tilt * kDegree;
-  return head;
+CameraPose degrees(double neck_tilt, double head_pan, double head_tilt) {
+  CameraPose pose;
+  pose.head.neck_tilt = neck_tilt * kDegree;
+  pose.head.head_pan = head_pan * kDegree;
+  pose.head.head_tilt = head_tilt * kDegree;
+  return pose;
 }
 
 /// Centre of all pink pixels in the part of the picture around a point.
@@ -42,10 +42,9 @@ Vector2d middleOfPink(const YCrCbImage& picture, const Vector2d& around) {
 TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
   Scene scene;
   SceneView view(scene, 1);
-  for (const HeadAngles& head : {degrees(-25, 0, 10), degrees(-35, 12, 10), degrees(-20, -10, 0)}) {
-    view.setHead(head);
-    const YCrCbImage& picture = view.picture(0.3, 1, CameraSettings());
-    const Eigen::Vector3d seen = view.camera().inverse() * scene.ballCenter();
+  for (const CameraPose& pose : {degrees(-25, 0, 10), degrees(-35, 12, 10), degrees(-20, -10, 0)}) {
+    const YCrCbImage& picture = view.picture(pose, 0.3, 1, CameraSettings());
+    const Eigen::Vector3d seen = (pose.body * cameraInBody(pose.head)).inverse() * scene.ballCenter();
     // By hand: 208 pixels over 56.9 degrees, 160 over 45.2.
     const Vector2d expected(104 - 104 / std::tan(28.45 * kDegree) * seen.y() / seen.x(),
                             80 - 80 / std::tan(22.6 * kDegree) * seen.z() / seen.x());
@@ -56,7 +55,7 @@ TEST(SceneView, TheBallAppearsWhereThePinholeProjectsIt) {
 TEST(SceneView, OnlyTheSameSeedAndImageGiveTheSamePicture) {
   Scene scene;
   const auto pictureOf = [&](std::uint64_t seed, longword image) {
-    return SceneView(scene, seed).picture(1, image, CameraSettings()).y;
+    return SceneView(scene, seed).picture({}, 1, image, {}).y;
   };
   const YCrCbImage::Plane first = pictureOf(7, 30);
   EXPECT_EQ(pictureOf(7, 30), first);
@@ -76,8 +75,7 @@ double sharpness(const YCrCbImage& picture) {
 TEST(SceneView, FineDetailIsThatOfTheEdges) {
   Scene scene;
   SceneView view(scene, 1);
-  view.setHead(degrees(-25, 0, 10));
-  const YCrCbImage& picture = view.picture(1, 30, CameraSettings());
+  const YCrCbImage& picture = view.picture(degrees(-25, 0, 10), 1, 30, CameraSettings());
   EXPECT_GT(sharpness(picture), 2000);
   EXPECT_LT(sharpness(picture), 5000) << "no edge is stronger than what is before and behind it";
 }
@@ -87,7 +85,7 @@ TEST(SceneView, MoreGainMakesItBrighterAFastShutterDarker) {
   SceneView view(scene, 1);
   const auto brightness = [&view](const CameraSettings& settings) {
     double sum = 0;
-    for (const std::uint8_t y : view.picture(1, 30, settings).y) {
+    for (const std::uint8_t y : view.picture({}, 1, 30, settings).y) {
       sum += y;
     }
     return sum;
@@ -109,7 +107,7 @@ TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
   SceneView view(scene, 1);
   const auto blueness = [&view](const CameraSettings& settings) {
     double sum = 0;
-    for (const std::uint8_t cb : view.picture(1, 30, settings).cb) {
+    for (const std::uint8_t cb : view.picture({}, 1, 30, settings).cb) {
       sum += cb;
     }
     return sum / (kPictureWidth * kPictureHeight);

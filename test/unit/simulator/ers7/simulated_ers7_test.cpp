@@ -150,9 +150,8 @@ TEST_F(SimulatedErs7Test, ItsCameraSeesTheRoomFromWhereHeadAndLegsPutIt) {
   Scene scene;
   scene.setTime(frame_ * openr_host::kFrameSeconds);
   SceneView view(scene, SimulatedErs7Options().seed);
-  view.setHead(robot_.joints().head());
-  view.setBody(robot_.travel().stance().body);
-  const YCrCbImage& expected = view.picture(frame_ * openr_host::kFrameSeconds, imagesUpTo(frame_), {});
+  const YCrCbImage& expected = view.picture({robot_.joints().head(), robot_.travel().stance().body},
+                                            frame_ * openr_host::kFrameSeconds, imagesUpTo(frame_), {});
   for (int y = 0; y < kPictureHeight; ++y) {
     for (int x = 0; x < kPictureWidth; ++x) {
       ASSERT_EQ(image.Pixel(x, y), expected.cr[static_cast<std::size_t>(y * kPictureWidth + x)]) << x << " " << y;
