@@ -22,10 +22,6 @@ OStatus choose(const void* param, size_t param_size, longword* setting) {
   return oSUCCESS;
 }
 
-std::size_t distance(const void* from, const void* to) {
-  return static_cast<std::size_t>(static_cast<const byte*>(to) - static_cast<const byte*>(from));
-}
-
 OStatus turn(bool on, bool* setting) {
   *setting = on;
   return oSUCCESS;
@@ -36,7 +32,7 @@ OStatus turn(bool on, bool* setting) {
 Camera::Camera(PictureSource& source, OPrimitiveID id)
     : source_(source), regions_(fbkImageSize(), [this, id](RCRegion* region) {
         prepareFbkImage(region, id);
-        images_.try_emplace(region, region);
+        images_.try_emplace(region, region->Base(), region->Size());
       }) {}
 
 bool Camera::imageDue(longword frame) {
@@ -47,55 +43,18 @@ bool Camera::imageDue(longword frame) {
 }
 
 RCRegion* Camera::capture(longword frame, const CameraPose& pose) {
-  RCRegion* region = regions_.freeRegion();
-  announceFbkImage(region, frame, imagesUpTo(frame));
-  Image& image = images_.at(region);
-  image.exposure = {frame, pose, settings_, colors_};
-  image.largest_colors.fillBy([this, &image] { drawLargestColors(image); });
-  image.others.fillBy([this, &image] { draw(image); });
-  if (drawn_ == &image) {
-    drawn_ = nullptr;
-  }
+  RCRegion* const region = regions_.freeRegion();
+  const longword number = imagesUpTo(frame);
+  announceFbkImage(region, frame, number);
+  images_.at(region).fillBy([this, region, frame, number, pose, settings = settings_, colors = colors_] {
+    drawFbkImage(region, source_.picture(pose, frame * openr_host::kFrameSeconds, number, settings), colors, number);
+  });
   return region;
 }
 
 void Camera::reset() {
   settings_ = CameraSettings();
   colors_.clear();
-}
-
-Camera::Image::Image(RCRegion* region_)
-    : region(region_),
-      largest_colors(region->Base(), distance(region->Base(), otherBands(region))),
-      others(otherBands(region), region->Size() - distance(region->Base(), otherBands(region))) {}
-
-/// With colour detection, the whole image is drawn, because the result is in the tag of layer H. If the same photograph
-/// is already in the region, only its tag changes, and announceFbkImage() has written this.
-void Camera::drawLargestColors(Image& image) {
-  if (image.exposure.colors.isOn()) {
-    openr_host::FilledOnRead::read(otherBands(image.region));
-    return;
-  }
-  const YCrCbImage& picture = pictureOf(image);
-  if (image.written != &picture) {
-    simulated_ers7::drawLargestColors(image.region, picture, imagesUpTo(image.exposure.frame));
-  }
-  image.written = source_.hasConstantPictures() ? &picture : nullptr;
-}
-
-void Camera::draw(Image& image) {
-  image.written = nullptr;
-  drawFbkImage(image.region, pictureOf(image), image.exposure.colors, imagesUpTo(image.exposure.frame));
-}
-
-const YCrCbImage& Camera::pictureOf(const Image& image) {
-  if (drawn_ != &image) {
-    const Exposure& exposure = image.exposure;
-    const double seconds = exposure.frame * openr_host::kFrameSeconds;
-    picture_ = &source_.picture(exposure.pose, seconds, imagesUpTo(exposure.frame), exposure.settings);
-    drawn_ = &image;
-  }
-  return *picture_;
 }
 
 OStatus Camera::control(OPrimitiveRequest request, const void* param, size_t param_size) {

@@ -65,16 +65,12 @@ class PictureSource {
   /// @return the picture, valid until the next call
   virtual const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
                                     const CameraSettings& settings) = 0;
-
-  /// True if the same address always holds the same picture.
-  virtual bool hasConstantPictures() const { return false; }
 };
 
 /// Frames are OPEN-R frames of 8 ms since the robot was switched on. Not thread-safe.
 ///
 /// A picture is drawn when an object first reads its pixels (filled_on_read.h), so an unread image costs almost
-/// nothing. If only Y, Cr and Cb of layer H are read, only these are drawn. A picture always shows the moment when it
-/// was taken.
+/// nothing. It shows the moment when it was taken.
 class Camera {
  public:
   /// @param source must outlive the camera
@@ -103,37 +99,12 @@ class Camera {
   void reset();
 
  private:
-  struct Exposure {
-    longword frame = 0;
-    CameraPose pose;
-    CameraSettings settings;
-    ColorDetection colors;
-  };
-
-  /// An image in a region, with the parts that are drawn separately. Objects request a band by the address of its
-  /// beginning, so the part for Y, Cr and Cb of layer H covers only the beginnings.
-  struct Image {
-    explicit Image(RCRegion* region_);
-
-    RCRegion* const region;
-    Exposure exposure;
-    openr_host::FilledOnRead largest_colors;
-    openr_host::FilledOnRead others;
-    const YCrCbImage* written = nullptr;  ///< the constant picture in layer H
-  };
-
-  void drawLargestColors(Image& image);
-  void draw(Image& image);
-  const YCrCbImage& pictureOf(const Image& image);
-
   PictureSource& source_;
   CameraSettings settings_;
   ColorDetection colors_;
   longword images_seen_ = 0;
   RegionPool regions_;
-  std::map<const RCRegion*, Image> images_;
-  const Image* drawn_ = nullptr;  ///< the last image that the source has drawn; null if it is no longer in use
-  const YCrCbImage* picture_ = nullptr;
+  std::map<const RCRegion*, openr_host::FilledOnRead> images_;
 };
 
 }  // namespace simulated_ers7

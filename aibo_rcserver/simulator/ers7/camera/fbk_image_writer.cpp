@@ -45,12 +45,6 @@ void writeBand(const YCrCbImage::Plane& plane, byte* first_row) {
   }
 }
 
-void writeColors(const YCrCbImage& picture, byte* high) {
-  writeBand(picture.y, high);
-  writeBand(picture.cr, high + kPictureWidth);
-  writeBand(picture.cb, high + 2 * kPictureWidth);
-}
-
 byte toBand(float detail) {
   return toByte(detail + kNoDetail);
 }
@@ -100,23 +94,19 @@ ColorCounts detect(const ColorDetection& colors, const byte* medium, byte* plane
   return counts;
 }
 
-void writeTag(byte* data, const LayerFormat& format, longword image_number, const ColorCounts& counts) {
+void writeTags(OFbkImageVectorData* vector, longword image_number, const ColorCounts& counts) {
   constexpr std::size_t kPixelsPerCount = 16;
   constexpr std::size_t kMostCounted = 255;
-  byte* tag = data + (format.height - 1) * format.bands * format.width;
-  std::fill_n(tag, kTagBytes, static_cast<byte>(0));
-  for (unsigned i = 0; i < sizeof(image_number); ++i) {
-    tag[i] = static_cast<byte>(image_number >> (8 * i));
-  }
-  for (std::size_t channel = 0; channel < counts.size(); ++channel) {
-    tag[channel < 4 ? 8 + channel : channel] =
-        static_cast<byte>(std::min(counts[channel] / kPixelsPerCount, kMostCounted));
-  }
-}
-
-void writeTags(OFbkImageVectorData* vector, longword image_number, const ColorCounts& counts) {
   for (const LayerFormat& format : kLayers) {
-    writeTag(vector->GetData(format.layer), format, image_number, counts);
+    byte* tag = vector->GetData(format.layer) + (format.height - 1) * format.bands * format.width;
+    std::fill_n(tag, kTagBytes, static_cast<byte>(0));
+    for (unsigned i = 0; i < sizeof(image_number); ++i) {
+      tag[i] = static_cast<byte>(image_number >> (8 * i));
+    }
+    for (std::size_t channel = 0; channel < counts.size(); ++channel) {
+      tag[channel < 4 ? 8 + channel : channel] =
+          static_cast<byte>(std::min(counts[channel] / kPixelsPerCount, kMostCounted));
+    }
   }
 }
 
@@ -164,20 +154,12 @@ void announceFbkImage(RCRegion* region, longword frame, longword image_number) {
   writeTags(vector, image_number, {});
 }
 
-const void* otherBands(RCRegion* region) {
-  return layersIn(region)->GetData(ofbkimageLAYER_H) + kColorBands * kPictureWidth;
-}
-
-void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number) {
-  byte* high = layersIn(region)->GetData(ofbkimageLAYER_H);
-  writeColors(picture, high);
-  writeTag(high, kLayers[0], image_number, {});
-}
-
 void drawFbkImage(RCRegion* region, const YCrCbImage& picture, const ColorDetection& colors, longword image_number) {
   OFbkImageVectorData* vector = layersIn(region);
   byte* high = vector->GetData(ofbkimageLAYER_H);
-  writeColors(picture, high);
+  writeBand(picture.y, high);
+  writeBand(picture.cr, high + kPictureWidth);
+  writeBand(picture.cb, high + 2 * kPictureWidth);
   writeBand(picture.y_lh, high + 3 * kPictureWidth);
   writeBand(picture.y_hl, high + 4 * kPictureWidth);
   writeBand(picture.y_hh, high + 5 * kPictureWidth);

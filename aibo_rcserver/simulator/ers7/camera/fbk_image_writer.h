@@ -32,16 +32,6 @@ void prepareFbkImage(RCRegion* region, OPrimitiveID camera);
 /// @param image_number the camera's own counter, for the tag
 void announceFbkImage(RCRegion* region, longword frame, longword image_number);
 
-/// The beginning of the bands after Y, Cr and Cb of layer H: the detail of H, then the other layers.
-/// @param region must be prepared
-const void* otherBands(RCRegion* region);
-
-/// Writes only Y, Cr and Cb of layer H, because usually nothing else is read. Use it only without colour detection,
-/// because the tag reports no colours.
-/// @param region must be announced
-/// @param image_number as announced
-void drawLargestColors(RCRegion* region, const YCrCbImage& picture, longword image_number);
-
 /// Writes the whole picture. Pixels of M and L are means of 2x2 and 4x4 pixels of H. C has the colours detected in M.
 /// @param region must be announced
 /// @param image_number as announced

@@ -33,7 +33,6 @@ class PhotoShow : public PictureSource {
 
   const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
                             const CameraSettings& settings) override;
-  bool hasConstantPictures() const override { return true; }
 
  private:
   std::vector<YCrCbImage> pictures_;
