@@ -16,7 +16,7 @@ OPTIONS = -O0 -g -fPIC -fvisibility=hidden -fno-gnu-unique -MMD -MP -I$(BUILD) -
   -I$(HOST)/sdk -I$(HOST)/../..
 CXX_OPTIONS = -fpermissive -Wno-write-strings -Wno-int-to-pointer-cast -include $(HOST)/prelude.h $(OPTIONS) $(CXXFLAGS)
 # Its files are on the memory stick (objects/stick_files.cpp).
-WRAPPED = fopen open opendir stat __xstat unlink remove mkdir rmdir rename
+WRAPPED = fopen open stat __xstat unlink remove
 
 sources_in = $(filter-out %Stub.cc,$(shell find $(1) -name '*.cc' -o -name '*.cpp' -o -name '*.c'))
 object_of = $(foreach source,$(1),$(BUILD)/$(2)/$(subst /,-,$(source:$(3)/%=%)).o)

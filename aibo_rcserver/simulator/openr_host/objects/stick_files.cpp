@@ -1,7 +1,6 @@
 // The file functions of loaded objects (Programmer's Guide, appendix A.1). scripts/openr_object lets the linker call
 // these instead of the C library's. A path begins with /MS/, the root of the memory stick; case does not matter, and
 // new files get names in capitals.
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -58,14 +57,10 @@ Result call(const char* path, Result failure, const Function& function) {
 extern "C" {
 FILE* __wrap_fopen(const char* path, const char* mode);
 int __wrap_open(const char* path, int flags, ...);
-DIR* __wrap_opendir(const char* path);
 int __wrap_stat(const char* path, struct stat* status);
 int __wrap___xstat(int version, const char* path, struct stat* status);
 int __wrap_unlink(const char* path);
 int __wrap_remove(const char* path);
-int __wrap_mkdir(const char* path, mode_t mode);
-int __wrap_rmdir(const char* path);
-int __wrap_rename(const char* path, const char* new_path);
 
 FILE* __wrap_fopen(const char* path, const char* mode) {
   return call(path, static_cast<FILE*>(nullptr), [&](const char* file) { return fopen(file, mode); });
@@ -73,10 +68,6 @@ FILE* __wrap_fopen(const char* path, const char* mode) {
 
 int __wrap_open(const char* path, int flags, ...) {
   return call(path, -1, [&](const char* file) { return open(file, flags | O_CLOEXEC, 0666); });
-}
-
-DIR* __wrap_opendir(const char* path) {
-  return call(path, static_cast<DIR*>(nullptr), [](const char* folder) { return opendir(folder); });
 }
 
 int __wrap_stat(const char* path, struct stat* status) {
@@ -94,20 +85,6 @@ int __wrap_unlink(const char* path) {
 
 int __wrap_remove(const char* path) {
   return call(path, -1, [](const char* file) { return remove(file); });
-}
-
-int __wrap_mkdir(const char* path, mode_t /*mode*/) {
-  return call(path, -1, [](const char* folder) { return mkdir(folder, 0777); });
-}
-
-int __wrap_rmdir(const char* path) {
-  return call(path, -1, [](const char* folder) { return rmdir(folder); });
-}
-
-int __wrap_rename(const char* path, const char* new_path) {
-  return call(path, -1, [&](const char* file) {
-    return call(new_path, -1, [&](const char* new_file) { return rename(file, new_file); });
-  });
 }
 }
 // NOLINTEND(bugprone-reserved-identifier)
