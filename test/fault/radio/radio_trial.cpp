@@ -22,14 +22,6 @@ using Milliseconds = std::chrono::duration<double, std::milli>;
 constexpr char kRobotAddress[] = "10.77.0.1";
 constexpr char kComputerAddress[] = "10.77.0.2";
 
-openr_host::MachineOptions optionsOn(const NetworkHost& host) {
-  using test_support::RobotThread;
-  openr_host::MachineOptions options = RobotThread::defaultOptions();
-  options.bind_address = host.address();
-  options.ports = {{RobotThread::kRobotPort, RobotThread::kRobotPort}};
-  return options;
-}
-
 struct Sighting {
   RobotServer::Encoded picture;
   steady_clock::time_point seen_at;
@@ -145,7 +137,7 @@ void summarize(const Trial& trial, Result& result) {
 Result run(const Trial& trial) {
   const NetworkHost robot_host(kRobotAddress);
   const NetworkHost computer(kComputerAddress);
-  const RobotServer robot([&robot_host] { robot_host.enter(); }, optionsOn(robot_host));
+  const RobotServer robot(robot_host.address(), RobotServer::kRobotPort, [&robot_host] { robot_host.enter(); });
   Observer observer(robot);
   Result result;
   std::thread([&] {
