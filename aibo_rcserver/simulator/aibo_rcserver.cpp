@@ -81,11 +81,9 @@ po::options_description describe(Options& options) {
     ("robot", po::value(&options.robot.design)->default_value("ERS-7"),
      "model of the simulated robot: ERS-7, or ERS-210, which has that robot's joints, sensors, LEDs and ears")
     ("images", po::value(&options.robot.images_folder),
-     "folder with photographs (JPEG) that the camera shows in turn; without it, the camera sees a room")
+     "folder with photographs (JPEG) that the camera shows in turn, 2 s each; without it, the camera sees a room")
     ("on-table", po::bool_switch(&options.robot.on_table),
      "the robot begins on a table in this room, with an edge to fall off and a board to run into")
-    ("seconds-per-image", po::value(&options.robot.seconds_per_image)->default_value(2),
-     "how long each photograph is shown")
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
      "how long a full battery lasts")
     ("microphone", po::value(&options.microphone),
@@ -126,9 +124,6 @@ void parse(const po::options_description& description, const std::vector<std::st
   checkPort("console-port", options.console_port);
   if (options.protocol_version != 1 && options.protocol_version != protocol::version2::VERSION) {
     throw po::error("option '--protocol-version' must be 1 or 2");
-  }
-  if (!(options.robot.seconds_per_image > 0)) {
-    throw po::error("option '--seconds-per-image' must be above 0");
   }
   if (!(options.encode_time >= 0 && options.encode_time <= kMostEncodeTime)) {
     throw po::error("option '--encode-time' must be 0 to 10000");

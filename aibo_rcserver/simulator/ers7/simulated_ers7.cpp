@@ -78,7 +78,7 @@ void obey(const openr_host::EffectorCommand& command, Led* led) {
 
 std::unique_ptr<PictureSource> makePictures(const SimulatedErs7::Options& options, Scene& scene) {
   if (!options.images_folder.empty()) {
-    return std::make_unique<PhotoShow>(options.images_folder, options.seconds_per_image);
+    return std::make_unique<PhotoShow>(options.images_folder);
   }
   return std::make_unique<SceneView>(scene, options.seed);
 }

@@ -40,9 +40,6 @@ struct SimulatedErs7Options {
   /// Photographs for the camera; if empty, the camera sees the scene.
   std::string images_folder;
 
-  /// Above 0.
-  double seconds_per_image = 2;
-
   /// How long a full battery lasts, above 0. Sony says about one and a half hours of play.
   double battery_minutes = 90;
 

@@ -291,10 +291,11 @@ TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
 }
 
 TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
-  const std::tuple<std::string, Strings, std::string> wrong[] = {
-      {"seconds-per-image", {"0"}, "above 0"},        {"battery-minutes", {"0", "nan"}, "above 0"},
-      {"encode-time", {"-1", "10001"}, "0 to 10000"}, {"stick-time", {"-1", "60001"}, "0 to 60000"},
-      {"hears-itself", {"-0.1", "1.1"}, "0 to 1"},    {"protocol-version", {"3", "0"}, "1 or 2"}};
+  const std::tuple<std::string, Strings, std::string> wrong[] = {{"battery-minutes", {"0", "nan"}, "above 0"},
+                                                                 {"encode-time", {"-1", "10001"}, "0 to 10000"},
+                                                                 {"stick-time", {"-1", "60001"}, "0 to 60000"},
+                                                                 {"hears-itself", {"-0.1", "1.1"}, "0 to 1"},
+                                                                 {"protocol-version", {"3", "0"}, "1 or 2"}};
   const auto refusal = [](const std::string& message) {
     return std::pair(2, "aibo_rcserver: " + message + " (--help lists all options)\n");
   };

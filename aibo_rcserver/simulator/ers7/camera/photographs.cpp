@@ -195,12 +195,7 @@ std::vector<std::filesystem::path> photographsIn(const std::string& folder) {
 
 }  // namespace
 
-PhotoShow::PhotoShow(const std::string& folder, double seconds_per_picture)
-    : seconds_per_picture_(seconds_per_picture) {
-  if (!(seconds_per_picture > 0)) {
-    throw PhotographError("a picture must be shown for more than 0 seconds, not " +
-                          std::to_string(seconds_per_picture));
-  }
+PhotoShow::PhotoShow(const std::string& folder) {
   for (const auto& file : photographsIn(folder)) {
     pictures_.push_back(readPhotograph(file));
   }
@@ -208,7 +203,7 @@ PhotoShow::PhotoShow(const std::string& folder, double seconds_per_picture)
 
 const YCrCbImage& PhotoShow::picture(const CameraPose& /*pose*/, double seconds, longword /*image_number*/,
                                      const CameraSettings& /*settings*/) {
-  const auto turn = static_cast<std::uint64_t>(seconds / seconds_per_picture_);
+  const auto turn = static_cast<std::uint64_t>(seconds / kSeconds);
   return pictures_[static_cast<std::size_t>(turn % pictures_.size())];
 }
 

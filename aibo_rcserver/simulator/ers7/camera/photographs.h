@@ -22,21 +22,21 @@ class PhotographError : public std::runtime_error {
 /// @throw PhotographError the file cannot be read, or is damaged or of another format
 YCrCbImage readPhotograph(const std::filesystem::path& file);
 
-/// Shows a folder's photographs in an endless loop, in the order of their names. They have no noise. The camera's
-/// settings and the head have no effect.
+/// Shows a folder's photographs in an endless loop, in the order of their names, each for kSeconds. They have no noise.
+/// The camera's settings and the head have no effect.
 class PhotoShow : public PictureSource {
  public:
+  static constexpr double kSeconds = 2;
+
   /// Ignores subfolders, and files whose names do not end in .jpg or .jpeg, in lower or upper case.
-  /// @param seconds_per_picture above 0
   /// @throw PhotographError there is no such folder or no photograph in it, or a photograph cannot be read
-  PhotoShow(const std::string& folder, double seconds_per_picture);
+  explicit PhotoShow(const std::string& folder);
 
   const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
                             const CameraSettings& settings) override;
 
  private:
   std::vector<YCrCbImage> pictures_;
-  double seconds_per_picture_;
 };
 
 }  // namespace simulated_ers7
