@@ -214,26 +214,5 @@ TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn)
   EXPECT_TRUE(mover_.subject().IsReady());
 }
 
-TEST_F(VirtualRobotCommTest, CallsForPrimitivesGoToTheRobotAndItsAnswerComesBack) {
-  test_.as(mover_, [&] {
-    OPrimitiveID id = 0;
-    OJointValue joint{};
-    OSensorValue sensor{};
-    OPowerStatus power;
-    robot_.joint_status = oGAIN_DISABLED;
-    for (const OStatus status :
-         {OPENR::OpenPrimitive("PRM:/x", &id), OPENR::ControlPrimitive(6, oprmreqCAM_SET_GAIN, &id, 4, nullptr, 0),
-          OPENR::ClosePrimitive(42), OPENR::SetJointGain(7, 1, 2, 3, 4, 5, 6), OPENR::SetDefaultJointGain(7),
-          OPENR::EnableJointGain(oprimitiveID_UNDEF), OPENR::DisableJointGain(8), OPENR::GetJointValue(9, &joint),
-          OPENR::GetSensorValue(10, &sensor), OPENR::SetMotorPower(opowerON), OPENR::GetPowerStatus(&power)}) {
-      EXPECT_EQ(status, oGAIN_DISABLED);
-    }
-  });
-  EXPECT_THAT(robot_.calls, ElementsAre("openPrimitive PRM:/x", "controlPrimitive 6 385 4", "closePrimitive 42",
-                                        "setJointGain 7 1 2 3 4 5 6", "setDefaultJointGain 7",
-                                        "enableJointGain 4294967295", "disableJointGain 8", "getJointValue 9",
-                                        "getSensorValue 10", "setMotorPower 1", "getPowerStatus"));
-}
-
 }  // namespace
 }  // namespace openr_host
