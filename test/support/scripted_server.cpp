@@ -30,23 +30,7 @@ bool readableWithin(int descriptor, milliseconds time) {
 }  // namespace
 
 protocol::BasicGetCommand ScriptedPeer::readCommand() {
-  const auto command = readCommandWithin(kSafetyNet);
-  if (!command) {
-    throw std::runtime_error("the client has sent no command");
-  }
-  return *command;
-}
-
-std::optional<protocol::BasicGetCommand> ScriptedPeer::readCommandWithin(milliseconds time) {
-  unsigned char bytes[protocol::BASIC_COMMAND_SIZE];
-  if (!readableWithin(socket_.get(), time)) {
-    return std::nullopt;
-  }
-  const ssize_t size = ::recv(socket_.get(), bytes, sizeof bytes, MSG_WAITALL);
-  if (size != static_cast<ssize_t>(sizeof bytes)) {
-    throw std::runtime_error("the client has closed the connection");
-  }
-  return protocol::decodeCommand(bytes);
+  return protocol::decodeCommand(read(protocol::BASIC_COMMAND_SIZE).data());
 }
 
 ScriptedPeer::Bytes ScriptedPeer::read(std::size_t size) {

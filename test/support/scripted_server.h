@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,6 @@ class ScriptedPeer {
 
   /// Waits for the client's next command.
   protocol::BasicGetCommand readCommand();
-
-  /// The client's next command; nothing if it does not come within this time.
-  std::optional<protocol::BasicGetCommand> readCommandWithin(std::chrono::milliseconds time);
 
   /// Waits for the client's next frame (version 2 of the protocol).
   version2_frames::Frame readFrame();

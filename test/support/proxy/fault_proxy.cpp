@@ -82,13 +82,6 @@ void FaultProxy::heal() {
   });
 }
 
-void FaultProxy::setTarget(const std::string& host, int port) {
-  change([&] {
-    options_.target_host = host;
-    options_.target_port = port;
-  });
-}
-
 std::size_t FaultProxy::connections() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return connections_;

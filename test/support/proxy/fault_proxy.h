@@ -66,9 +66,6 @@ class FaultProxy {
   /// Ends all faults: resets silenced connections, removes conditions and faults, and serves clients.
   void heal();
 
-  /// Connects later clients to another server.
-  void setTarget(const std::string& host, int port);
-
   /// Connections to the server so far.
   std::size_t connections() const;
 

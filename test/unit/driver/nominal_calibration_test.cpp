@@ -2,9 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include <Eigen/Core>
 
-#include "simulator/ers7/camera/camera_optics.h"
+#include "simulator/ers7/camera/ycrcb_image.h"
 #include "support/good_calibration.h"
 
 namespace aibo_driver::node {
@@ -35,9 +34,8 @@ TEST(NominalCalibration, IsThatOfTheSimulatedCamera) {
   const CameraInfo info = nominalCalibration("ERS-7", 208, 160);
   const auto [column, row] = project(info, 0.3, -0.2, 1.5);
   // The simulated camera counts from the corner of the first pixel, ROS from its centre.
-  const Eigen::Vector2d place = simulated_ers7::placeOf({1.5, -0.3, 0.2});
-  EXPECT_NEAR(column, place.x() - 0.5, 1e-9);
-  EXPECT_NEAR(row, place.y() - 0.5, 1e-9);
+  EXPECT_NEAR(column, simulated_ers7::kPictureWidth / 2.0 + simulated_ers7::kFocalLengthX * 0.3 / 1.5 - 0.5, 1e-9);
+  EXPECT_NEAR(row, simulated_ers7::kPictureHeight / 2.0 - simulated_ers7::kFocalLengthY * 0.2 / 1.5 - 0.5, 1e-9);
 }
 
 TEST(NominalCalibration, OfTheErs210HasItsOwnFieldOfView) {

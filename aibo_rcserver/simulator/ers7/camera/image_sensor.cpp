@@ -4,8 +4,6 @@
 #include <cmath>
 #include <random>
 
-#include "simulator/ers7/camera/camera_optics.h"
-
 namespace simulated_ers7 {
 namespace {
 

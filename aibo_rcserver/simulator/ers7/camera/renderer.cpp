@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "simulator/ers7/camera/camera_optics.h"
 #include "simulator/ers7/scene/light.h"
 
 namespace simulated_ers7 {
@@ -21,7 +20,7 @@ size_t indexOf(int x, int y) {
 /// @param pixel_size less than 1 for a part of a pixel
 Vector3d footprintOf(const SceneHit& hit, const Vector3d& direction, double pixel_size) {
   constexpr double kFlattestSlant = 0.02;
-  const double width = hit.distance * pixel_size / focalLengthX();
+  const double width = hit.distance * pixel_size / kFocalLengthX;
   const double slant = direction.dot(hit.normal);
   const Vector3d along_surface = (direction - slant * hit.normal).cwiseAbs();
   return Vector3d::Constant(width) + width * (1 / std::max(std::abs(slant), kFlattestSlant) - 1) * along_surface;
@@ -126,10 +125,10 @@ class Renderer::Eye {
   explicit Eye(const Eigen::Isometry3d& camera)
       : place_(camera.translation()),
         ahead_(camera.linear().col(0)),
-        left_(camera.linear().col(1) / focalLengthX()),
-        up_(camera.linear().col(2) / focalLengthY()) {}
+        left_(camera.linear().col(1) / kFocalLengthX),
+        up_(camera.linear().col(2) / kFocalLengthY) {}
 
-  /// @param x,y a place in the picture (camera_optics.h)
+  /// @param x,y a place in the picture (ycrcb_image.h)
   Ray rayThrough(double x, double y) const {
     const Vector3d direction = ahead_ + (kPictureWidth / 2.0 - x) * left_ + (kPictureHeight / 2.0 - y) * up_;
     return {place_, direction * (1 / direction.norm())};
@@ -291,8 +290,8 @@ void Renderer::findEdges(const Window& window) {
 Renderer::Window Renderer::windowAround(const Eigen::Isometry3d& camera, const Vector3d& center, double radius) {
   constexpr double kMargin = 2;  // pixels; smooth edges reach one pixel beyond the object
   const Vector3d seen = camera.inverse() * center;
-  const auto [left, right] = extentOf(seen.x(), -seen.y(), radius, focalLengthX(), kPictureWidth);
-  const auto [top, bottom] = extentOf(seen.x(), -seen.z(), radius, focalLengthY(), kPictureHeight);
+  const auto [left, right] = extentOf(seen.x(), -seen.y(), radius, kFocalLengthX, kPictureWidth);
+  const auto [top, bottom] = extentOf(seen.x(), -seen.z(), radius, kFocalLengthY, kPictureHeight);
   return wholeBlocks({static_cast<int>(left - kMargin), static_cast<int>(top - kMargin),
                       static_cast<int>(right + kMargin) + 1, static_cast<int>(bottom + kMargin) + 1});
 }

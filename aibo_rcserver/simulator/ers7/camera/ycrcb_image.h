@@ -3,12 +3,24 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
 #define AIBO_RCSERVER_SIMULATOR_ERS7_CAMERA_YCRCB_IMAGE_H
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "simulator/ers7/camera/camera_optics.h"
-
 namespace simulated_ers7 {
+
+/// Layer H, in pixels. A place in the picture is measured from its upper left corner, x to the right and y down, so the
+/// centre of the first pixel is at (0.5, 0.5).
+constexpr int kPictureWidth = 208;
+constexpr int kPictureHeight = 160;
+
+/// In degrees (Sony, Model Information ERS-7). The camera is an ideal pinhole.
+constexpr double kHorizontalFieldOfView = 56.9;
+constexpr double kVerticalFieldOfView = 45.2;
+
+/// In pixels, from the field of view: 191.9 and 192.2.
+inline const double kFocalLengthX = kPictureWidth / 2.0 / std::tan(kHorizontalFieldOfView / 2 * std::acos(-1.0) / 180);
+inline const double kFocalLengthY = kPictureHeight / 2.0 / std::tan(kVerticalFieldOfView / 2 * std::acos(-1.0) / 180);
 
 /// Planes of kPictureWidth x kPictureHeight bytes, row by row from the upper left, in the full-range colours of JPEG
 /// files (ITU-R BT.601): Y 0..255; Cr and Cb 128 for grey.

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "simulator/ers7/camera/camera_optics.h"
-
 namespace simulated_ers7 {
 namespace {
 
