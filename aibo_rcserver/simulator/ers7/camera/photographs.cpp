@@ -20,7 +20,7 @@ using Bytes = std::vector<unsigned char>;
 
 constexpr double kMostPixels = 100e6;
 constexpr int kBytesPerPixel = 3;
-constexpr auto kLongestFile = static_cast<std::size_t>(kMostPixels * kBytesPerPixel);
+constexpr auto kLongestPhotograph = static_cast<std::size_t>(kMostPixels * kBytesPerPixel);
 
 // libjpeg-turbo 2.0 of Ubuntu 20.04 cannot limit scans.
 #ifdef TJFLAG_LIMITSCANS
@@ -44,7 +44,7 @@ class BadContent : public std::runtime_error {
 
 Bytes readFile(const std::filesystem::path& file) {
   try {
-    return host_files::readRegularFile(file.string(), kLongestFile);
+    return host_files::readRegularFile(file.string(), kLongestPhotograph);
   } catch (const host_files::Unreadable& why) {
     throw BadContent(std::string("it cannot be read: ") + why.what());
   }
