@@ -78,24 +78,31 @@ class RobotServer {
     return std::hash<std::string_view>()({reinterpret_cast<const char*>(bytes), size});
   }
 
+  /// Calls a function before RCServer gets what comes to this gate.
+  static void hear(const std::string& gate, openr_host::MachineOptions& options,
+                   const std::function<void(const ONotifyEvent&)>& note) {
+    for (auto& observer : options.catalog.at("RCSERVER.BIN").observers) {
+      if (observer.service == gate) {
+        observer.notify = [note, notify = observer.notify](OObject& object, const ONotifyEvent& event) {
+          note(event);
+          notify(object, event);
+        };
+      }
+    }
+  }
+
   openr_host::MachineOptions optionsFor(const std::string& address, std::uint16_t port) {
     openr_host::MachineOptions options;
     options.bind_address = address;
     options.ports = {{kRobotPort, port}};
     options.memory_stick = MEMORY_STICK;
     options.catalog = objectCatalog();
-    options.on_camera_image = [this] {
+    hear("RCServer.Image.OFbkImageVectorData.O", options, [this](const ONotifyEvent&) {
       const std::lock_guard<std::mutex> lock(mutex_);
       image_at_ = std::chrono::steady_clock::now();
-    };
-    for (auto& observer : options.catalog.at("RCSERVER.BIN").observers) {
-      if (observer.service == "RCServer.Picture.EncodedPicture.O") {
-        observer.notify = [this, notify = observer.notify](OObject& object, const ONotifyEvent& event) {
-          noteEncoded(*static_cast<const EncodedPicture*>(event.Data(0)));
-          notify(object, event);
-        };
-      }
-    }
+    });
+    hear("RCServer.Picture.EncodedPicture.O", options,
+         [this](const ONotifyEvent& event) { noteEncoded(*static_cast<const EncodedPicture*>(event.Data(0))); });
     return options;
   }
 

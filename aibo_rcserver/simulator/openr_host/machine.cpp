@@ -89,7 +89,7 @@ void Machine::boot() {
 
 void Machine::load() {
   system_ = std::make_unique<System>(options_.bind_address, options_.memory_stick, options_.console, consoleListener(),
-                                     robot_, options_.on_send);
+                                     robot_);
   system_->modelTime(options_.handler_time, [this] { return clock_.now(); });
   createObjects();
   const auto connections = readConnections();
@@ -120,8 +120,7 @@ System& Machine::running() const {
 }
 
 void Machine::createObjects() {
-  robot_comm_ =
-      static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_, options_.on_camera_image)));
+  robot_comm_ = static_cast<VirtualRobotComm*>(&system_->create(VirtualRobotComm::describe(robot_)));
   audio_comm_ = static_cast<VirtualRobotAudioComm*>(&system_->create(VirtualRobotAudioComm::describe(robot_)));
 
   const std::string path = findOnMemoryStick(options_.memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG");

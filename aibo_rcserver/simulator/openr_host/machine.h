@@ -67,12 +67,6 @@ struct MachineOptions {
   /// what it has sent leaves it when it has finished. Meanwhile all others run, as those of a higher scheduling class
   /// do.
   HandlerTime handler_time;
-
-  /// For measurements. These may be empty. The thread that runs the machine calls them.
-  /// Called before objects get an image.
-  std::function<void()> on_camera_image;
-  /// Called before an object sends these bytes.
-  std::function<void(const void* data, std::size_t size)> on_send;
 };
 
 /// A robot: its objects, messages, sockets and time. Everything runs on the thread that calls these functions. Each

@@ -149,6 +149,9 @@ class RCServerFixture : public ::testing::Test {
     for (const size_t entry : {0, 1, 2}) {  // ListenCont, SendCont and ReceiveCont in stub.cfg
       auto& called = options.catalog.at("RCSERVER.BIN").extra_entries.at(entry);
       called = [this, entry, original = called](OObject& object, ANTENVMSG message) {
+        if (entry == 1) {
+          sends_.push_back(static_cast<size_t>(static_cast<TCPEndpointSendMsg*>(message)->size));
+        }
         if (entry == failing_entry_) {
           static_cast<TCPEndpointBaseMsg*>(message)->error = failure_;
         }
@@ -157,11 +160,6 @@ class RCServerFixture : public ::testing::Test {
     }
     encoder_.intercept(options.catalog.at("ENCODER.BIN"));
     file_keeper_.intercept(options.catalog.at("FILES.BIN"));
-    options.on_camera_image = [this] {
-      encoder_.obey();
-      file_keeper_.obey();
-    };
-    options.on_send = [this](const void*, size_t size) { sends_.push_back(size); };
     options.console = &console_;
     options.handler_time = handler_time_;
     setHostSettings(host_);
@@ -212,6 +210,8 @@ class RCServerFixture : public ::testing::Test {
   void passFrames(unsigned count) {
     for (unsigned i = 0; i < count; ++i) {
       clock_.step();
+      encoder_.obey();
+      file_keeper_.obey();
       machine_->runPending();
     }
   }
@@ -222,7 +222,7 @@ class RCServerFixture : public ::testing::Test {
   TCPEndpointError failure_ = TCP_FAIL;
   SlowObject encoder_;
   SlowObject file_keeper_;
-  std::vector<size_t> sends_;  ///< bytes of each send to the IPStack
+  std::vector<size_t> sends_;  ///< bytes of each send by TCP that has ended
   std::ostringstream console_;
   openr_host::SteppedClock clock_;
   std::unique_ptr<openr_host::Machine> machine_;

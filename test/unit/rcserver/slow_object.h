@@ -39,10 +39,10 @@ class SlowObject {
     return *static_cast<Content*>(base);
   }
 
-  /// The job is done by the time of the next camera image. The object stays slow.
+  /// The job is done in the next frame. The object stays slow.
   void finish() { is_done_ = true; }
 
-  /// From now on a job takes no time; this one is done by the time of the next camera image.
+  /// From now on a job takes no time; this one is done in the next frame.
   void speedUp() {
     is_slow_ = false;
     finish();

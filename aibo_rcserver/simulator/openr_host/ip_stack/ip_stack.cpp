@@ -43,11 +43,10 @@ bool hasBuffer(const SharedBuffers& buffers, const Message& message) {
 
 }  // namespace
 
-IpStack::IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send)
+IpStack::IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy)
     : bind_address_(std::move(bind_address)),
       deliver_(std::move(deliver)),
-      objects_are_busy_(std::move(objects_are_busy)),
-      on_send_(std::move(on_send)) {}
+      objects_are_busy_(std::move(objects_are_busy)) {}
 
 std::uint16_t IpStack::takePort(std::uint16_t robot_port, std::uint16_t host_port) {
   const auto taken = ports_.emplace(robot_port, TcpPort{TcpListener(bind_address_, host_port), {}}).first;
@@ -71,7 +70,6 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
       pass<TCPEndpointConnectMsg>(message, &TcpEndpoint::connect);
       break;
     case antOperation_TCPSend:
-      announceSend<TcpEndpoint>(message.as<TCPEndpointSendMsg>());
       passData<TCPEndpointSendMsg>(message, &TcpEndpoint::send);
       break;
     case antOperation_TCPReceive:
@@ -82,7 +80,6 @@ antError IpStack::send(const antEnvMsg& asked, std::size_t size, const OID& obje
       forgetListeners();
       break;
     case antOperation_UDPSend:
-      announceSend<UdpEndpoint>(message.as<UDPEndpointSendMsg>());
       passData<UDPEndpointSendMsg>(message, &UdpEndpoint::send);
       break;
     case antOperation_UDPReceive:
@@ -206,13 +203,6 @@ void IpStack::passData(const Envelope& message, void (Kind::*operation)(const En
     answer<Message>(deliver_, message, Kind::kBufferInvalid);
   } else {
     pass<Message>(message, operation);
-  }
-}
-
-template <typename Kind, typename Message>
-void IpStack::announceSend(const Message& message) {
-  if (on_send_ && find<Kind>(message.module) != nullptr && hasBuffer(buffers_, message)) {
-    on_send_(message.buffer, static_cast<std::size_t>(message.size));
   }
 }
 

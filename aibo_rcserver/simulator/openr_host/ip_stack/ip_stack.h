@@ -25,14 +25,11 @@ namespace openr_host {
 /// computer's sockets.
 class IpStack {
  public:
-  using OnSend = std::function<void(const void* data, std::size_t size)>;
-
   /// @param bind_address this computer's IPv4 address for all ports
   /// @param deliver returns answered messages to their objects
   /// @param objects_are_busy true while messages are waiting for objects; until then no client is turned away for lack
   ///   of an endpoint, because an object may be about to listen
-  /// @param on_send called with bytes before they are sent; may be empty
-  IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy, OnSend on_send);
+  IpStack(std::string bind_address, Deliver deliver, std::function<bool()> objects_are_busy);
 
   /// Opens a port of this computer for a port of the robot.
   /// @return the computer's port
@@ -64,8 +61,6 @@ class IpStack {
 
   void listen(const Envelope& message);
   void forgetListeners();
-  template <typename Kind, typename Message>
-  void announceSend(const Message& message);
   template <typename Message, typename Kind>
   void pass(const Envelope& message, void (Kind::*operation)(const Envelope&));
   template <typename Message, typename Kind>
@@ -78,7 +73,6 @@ class IpStack {
   const std::string bind_address_;
   const Deliver deliver_;
   const std::function<bool()> objects_are_busy_;
-  const OnSend on_send_;
   SharedBuffers buffers_;
   std::map<longword, std::unique_ptr<Endpoint>> endpoints_;
   longword last_endpoint_ = 0;

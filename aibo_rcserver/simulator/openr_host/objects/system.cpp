@@ -67,13 +67,12 @@ class System::Running {
 };
 
 System::System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
-               Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send)
+               Console::OnLine on_console_line, VirtualRobot& robot)
     : memory_stick_(memory_stick),
       robot_(robot),
       console_(console_output, std::move(on_console_line)),
       ip_stack_(
-          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); },
-          std::move(on_send)),
+          bind_address, [this](const Envelope& answer) { postAnswer(answer); }, [this] { return hasMessages(); }),
       design_data_(memory_stick, robot.design()) {}
 
 System::~System() {

@@ -31,9 +31,8 @@ class System {
  public:
   /// @param memory_stick see DesignData
   /// @param console_output, on_console_line see Console
-  /// @param on_send see IpStack
   System(const std::string& bind_address, const std::string& memory_stick, std::ostream* console_output,
-         Console::OnLine on_console_line, VirtualRobot& robot, IpStack::OnSend on_send);
+         Console::OnLine on_console_line, VirtualRobot& robot);
   ~System();
   System(const System&) = delete;
   System& operator=(const System&) = delete;

@@ -16,7 +16,7 @@ constexpr longword kFramesPerSensorVector = 4;
 
 }  // namespace
 
-ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::function<void()>& on_image) {
+ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot) {
   ObjectDescription description;
   description.name = "OVirtualRobotComm";
   description.subjects.push_back({"OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", nullptr, nullptr});
@@ -27,7 +27,7 @@ ObjectDescription VirtualRobotComm::describe(VirtualRobot& robot, const std::fun
          static_cast<VirtualRobotComm&>(object).effector_->AssertReady(event.SenderID());
        },
        [](OObject& object, const ONotifyEvent& event) { static_cast<VirtualRobotComm&>(object).takeCommands(event); }});
-  description.create = [&robot, on_image] { return std::make_unique<VirtualRobotComm>(robot, on_image); };
+  description.create = [&robot] { return std::make_unique<VirtualRobotComm>(robot); };
   return description;
 }
 
@@ -104,9 +104,6 @@ void VirtualRobotComm::sense(longword frame) {
 void VirtualRobotComm::look(longword frame) {
   if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
     image_sensor_->setData(robot_.captureImage(frame));
-    if (on_image_) {
-      on_image_();
-    }
     image_sensor_->notifyAll();
   }
 }

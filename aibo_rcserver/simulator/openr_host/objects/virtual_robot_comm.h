@@ -5,10 +5,8 @@
 #include <OPENR/OObject.h>
 #include <OPENR/OObserver.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "simulator/openr_host/object_description.h"
@@ -26,11 +24,9 @@ namespace openr_host {
 /// one for each READY.
 class VirtualRobotComm : public OObject {
  public:
-  /// @param on_image called before observers get an image; may be empty
-  static ObjectDescription describe(VirtualRobot& robot, const std::function<void()>& on_image);
+  static ObjectDescription describe(VirtualRobot& robot);
 
-  VirtualRobotComm(VirtualRobot& robot, std::function<void()> on_image)
-      : robot_(robot), on_image_(std::move(on_image)) {}
+  explicit VirtualRobotComm(VirtualRobot& robot) : robot_(robot) {}
 
   OStatus DoInit(const OSystemEvent& event) override;
   OStatus DoStop(const OSystemEvent& event) override;
@@ -58,7 +54,6 @@ class VirtualRobotComm : public OObject {
   void look(longword frame);
 
   VirtualRobot& robot_;
-  const std::function<void()> on_image_;
   std::unique_ptr<SubjectService> image_sensor_;
   std::unique_ptr<SubjectService> sensor_;
   std::unique_ptr<OObserver> effector_;

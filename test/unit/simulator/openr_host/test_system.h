@@ -130,11 +130,9 @@ class TestSystem {
   FakeRobot robot;
   std::ostringstream output;
   std::function<std::optional<std::string>(const std::string&)> on_console_line;  ///< answers typed lines
-  IpStack::OnSend on_send = [](const void*, std::size_t) {};                      ///< called before bytes are sent
   const std::string memory_stick;
-  System system{"127.0.0.1", memory_stick,
-                &output,     [this](const std::string& line) { return onConsoleLine(line); },
-                robot,       [this](const void* data, std::size_t size) { on_send(data, size); }};
+  System system{"127.0.0.1", memory_stick, &output, [this](const std::string& line) { return onConsoleLine(line); },
+                robot};
 
  private:
   std::optional<std::string> onConsoleLine(const std::string& line) const {

@@ -75,8 +75,7 @@ class VirtualRobotCommTest : public testing::Test {
 
   TestSystem test_;
   FakeRobot& robot_ = test_.robot;
-  VirtualRobotComm& comm_ =
-      static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_, nullptr)));
+  VirtualRobotComm& comm_ = static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_)));
   TestObject& mover_ = test_.add("Mover");
   TestObject& other_ = test_.add("Other");
   longword frame_ = 99;  ///< the last frame that has passed
