@@ -18,9 +18,6 @@
 namespace openr_host {
 namespace {
 
-/// Sockets have a turn after this many rounds, even if objects never stop sending each other messages.
-constexpr int kMostRounds = 16;
-
 std::string namesOf(const std::map<std::string, ObjectDescription>& catalog) {
   std::string names;
   for (const auto& entry : catalog) {
@@ -171,13 +168,7 @@ std::vector<ServiceConnection> Machine::readConnections() const {
 
 void Machine::run() {
   while (!stop_requested_ && isOn()) {
-    const auto shuts_down = [this] { return system_->shutdownRequest() != ShutdownRequest::kNone; };
-    int rounds = 0;
-    while (rounds < kMostRounds && handleMessages() && !shuts_down()) {
-      ++rounds;
-    }
-    const bool has_more = rounds == kMostRounds || shuts_down();
-    handleSockets(has_more ? std::chrono::steady_clock::time_point() : nextEvent());
+    handle(nextEvent());
   }
 }
 
