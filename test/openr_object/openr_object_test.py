@@ -90,6 +90,17 @@ class OpenrObjectTest(unittest.TestCase):
             self.assertIn("Nodder: nod 2\n", robot.output)
             self.assertNotIn("RCServer", robot.output)
 
+    def test_what_sonys_headers_bring_along_and_folders_of_the_makefile_are_found(self):
+        folder = self.work / "source"
+        shutil.copytree(str(EXAMPLE), str(folder))
+        (folder / "include").mkdir()
+        (folder / "include" / "Depth.h").write_text("const int DEPTH = 1;\n")
+        (folder / "Nodder" / "Makefile").write_text("CXXFLAGS = -O2 -I. -I../include -I$(OPENRSDK_ROOT)/include\n")
+        (folder / "Nodder" / "Extra.cc").write_text(
+            '#include <Depth.h>\nvoid extra() { list<int> all(DEPTH, stricmp("A", "a")); cout << all.front() << endl; }\n')
+        subprocess.run([str(SCRIPT), "--build", str(folder)], env={**os.environ, "OPENR_WORK": str(self.work / "work")},
+                       stdout=subprocess.DEVNULL, timeout=LIMIT, check=True)
+
     def fail_to_run(self, folder, *more):
         run = subprocess.run([str(SCRIPT), str(folder), *more], env={**os.environ, "OPENR_WORK": str(self.work)},
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -99,6 +110,8 @@ class OpenrObjectTest(unittest.TestCase):
 
     def test_mistakes_are_explained(self):
         self.assertIn("there is no folder '/none'", self.fail_to_run("/none"))
+        (self.work / "my objects").mkdir()
+        self.assertIn("my objects' has a space in it", self.fail_to_run(self.work / "my objects"))
         broken = self.work / "source" / "broken"
         shutil.copytree(str(EXAMPLE), str(broken))
         self.assertIn("there is no stub.cfg in '/none'", self.fail_to_run(broken, "OTHER.BIN=/none"))
