@@ -81,18 +81,13 @@ TEST_F(ConsoleCommands, AreNotOtherLines) {
   }
 }
 
-TEST_F(ConsoleCommands, PressAButtonUntilItIsReleased) {
-  say("press chin");
-  say("press pause");
-  EXPECT_EQ(sensor("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"), 1);
-  EXPECT_NE(power().robotStatus & orsbPAUSE, 0U);
-  say("release chin");
-  say("release pause");
-  EXPECT_EQ(sensor("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"), 0);
-  EXPECT_EQ(power().robotStatus & orsbPAUSE, 0U);
-}
-
-TEST_F(ConsoleCommands, SetTheBattery) {
+TEST_F(ConsoleCommands, PressButtonsUntilTheyAreReleasedAndSetTheBattery) {
+  for (const bool pressed : {true, false}) {
+    say(pressed ? "press chin" : "release chin");
+    say(pressed ? "press pause" : "release pause");
+    EXPECT_EQ(sensor("PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5"), pressed ? 1 : 0);
+    EXPECT_EQ((power().robotStatus & orsbPAUSE) != 0, pressed);
+  }
   say("battery 11.7");
   EXPECT_EQ(power().remainingCapacity, 12);
 }
