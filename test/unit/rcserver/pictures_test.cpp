@@ -50,7 +50,7 @@ TEST_F(PicturesTest, NewestImageDuringEncodingIsTheNextPicture) {
   takeImage();
   EXPECT_TRUE(pictures().empty());
   encoder_.speedUp();
-  passFrames(FakeRobot::kFramesPerImage);
+  passFrames(1);
   const std::vector<Frame> made = pictures();
   ASSERT_EQ(made.size(), 2U);
   expectPictureOfImage(made[0], first);
