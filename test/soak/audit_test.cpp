@@ -96,7 +96,7 @@ class WireAuditTest : public ::testing::Test {
 
   void hear(const Bytes& bytes) {
     for (const std::uint8_t byte : bytes) {
-      audit_.hear(1, &byte, 1, 5);
+      audit_.hear(0, &byte, 1, 5);
     }
   }
 

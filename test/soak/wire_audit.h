@@ -57,7 +57,7 @@ class WireAudit {
   std::vector<double> missed_;  ///< rad, how far the farthest joint of each order was that is done
 
   std::size_t connection_ = 0;
-  std::size_t negotiation_left_ = 0;  ///< bytes
+  std::size_t negotiation_left_ = protocol::VALUE_REPLY_SIZE;  ///< bytes
   std::vector<std::uint8_t> payload_ = std::vector<std::uint8_t>(protocol::version2::MAX_PAYLOAD_TOWARDS_CLIENT);
   protocol::version2::FrameReader frames_{payload_.data(), payload_.size()};
   std::map<int, Positions> orders_;  ///< targets of joints that no other order has taken, by number
