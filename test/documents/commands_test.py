@@ -34,11 +34,11 @@ MEMORY_STICK = PROJECT / 'aibo_rcserver/memory_stick'
 NOT_RUN = re.compile(r'<!-- not run(?: \(([^)]+)\))?: (.+) -->')
 INDENTED = re.compile(r' {4,}(aibo |rosrun |roslaunch |rosservice |rostopic |rosbag |scripts/)')
 # Commands that run until Ctrl-C.
-ENDLESS = re.compile(r'rostopic echo(?! .*-n \d)|rostopic pub -r|aibo_remote_control|aibo_monitor|rosbag record|aibo (watch|listen)(?! .*--seconds)')
+ENDLESS = re.compile(r'rostopic echo(?! .*-n \d| -b)|rostopic pub -r|aibo_remote_control|aibo_monitor|rosbag record|aibo (watch|listen)(?! .*--seconds)')
 
 # What the pages leave to the reader.
 REPLACED = {'192.168.1.20': '127.0.0.1', '192.168.7.2': '127.0.0.1', 'ROBOT': '127.0.0.1', '/home/me': '$PWD',
-            '--seconds 60': '--seconds 2', '--seconds 10': '--seconds 2', '--from 0:12 --to 0:45': '--to 0:02'}
+            '--seconds 60': '--seconds 2', '--seconds 10': '--seconds 2'}
 
 PATIENCE = 60  # s, for one command; a safety net
 
@@ -161,8 +161,9 @@ class CommandsTest(unittest.TestCase):
 
     @classmethod
     def record(cls):
+        topics = ('/aibo/camera/image_raw/compressed', '/aibo/joint_states', '/aibo/link_quality')
         recorded = cls.shell('rosbag record --duration 3 -O walk.bag '
-                             '/aibo/camera/image_raw/compressed /aibo/joint_states /aibo/link_quality')
+                             + ' '.join('/recorded{0} /recorded{0}:={0}'.format(topic) for topic in topics))
         output, _ = recorded.communicate(timeout=PATIENCE)
         assert recorded.returncode == 0, output
 
@@ -229,14 +230,23 @@ class CommandsTest(unittest.TestCase):
             self.assertEqual(process.returncode, 0, output)
             self.assertNotIn('success: False', output)
 
-    def test_the_action_in_python_plays_a_motion(self):
-        page = (PROJECT / 'docs/python.md').read_text(encoding='utf-8')
-        program = re.search(r'^```python\n(.*?)^```', page, re.MULTILINE | re.DOTALL).group(1)
+    def run_python(self, page):
+        """Runs the first program in Python of a page, and returns what it prints."""
+        program = re.search(r'^```python\n(.*?)^```', (PROJECT / page).read_text(encoding='utf-8'),
+                            re.MULTILINE | re.DOTALL).group(1)
         done = subprocess.run([sys.executable, '-c', program], cwd=self.folder,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 0, done.stdout)
+        return done.stdout
+
+    def test_the_action_in_python_plays_a_motion(self):
         # A machine that is held up for half a second loses the connection, and the robot's motion ends.
-        self.assertRegex(done.stdout, 'It was played to its end|the connection to the robot was lost')
+        self.assertRegex(self.run_python('docs/python.md'),
+                         'It was played to its end|the connection to the robot was lost')
+
+    def test_pictures_of_a_recording_become_files(self):
+        self.run_python('docs/recordings.md')
+        self.assertEqual((self.folder / '000000.jpg').read_bytes()[:2], b'\xff\xd8')
 
     def test_those_without_an_end_keep_running(self):
         running = [(command, self.shell(command.run)) for command in self.for_shell(endless=True)]
