@@ -58,8 +58,7 @@ struct DriverParameters {
 
   std::vector<std::string> unknown;  ///< parameters that the driver does not have; most likely they are misspelt
 
-  /// The full name of one of the robot's frames. robot_state_publisher makes the same name if it has the same
-  /// tf_prefix.
+  /// The full name of one of the robot's frames. model.launch gives the links of the model the same names.
   std::string frame(const std::string& name) const { return frame_prefix.empty() ? name : frame_prefix + "/" + name; }
 };
 

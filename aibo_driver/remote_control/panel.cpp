@@ -1,5 +1,7 @@
 #include "remote_control/panel.h"
 
+#include <ros/this_node.h>
+
 #include <pluginlib/class_list_macros.hpp>
 
 #include <QGuiApplication>
@@ -42,10 +44,10 @@ void Panel::onInitialize() {
 
 void Panel::load(const rviz::Config& config) {
   rviz::Panel::load(config);
-  QString text;
-  if (config.mapGetString(kNamespace, &text)) {
-    window_->useDriver(text);
-  }
+  const QString name_space = QString::fromStdString(ros::this_node::getNamespace());  // that of rviz
+  QString text = name_space == "/" ? "" : name_space;
+  config.mapGetString(kNamespace, &text);
+  window_->useDriver(text);
   if (config.mapGetString(kFolder, &text)) {
     window_->setFolder(text);
   }

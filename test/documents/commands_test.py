@@ -130,8 +130,6 @@ class CommandsTest(unittest.TestCase):
                 <arg name="frame_rate" value="5"/> <arg name="telemetry_rate" value="10"/>
               </include>
             </launch>''' % (PROJECT, cls.robot_ports[0], cls.folder))
-        (cls.folder / 'robots.yaml').write_text(
-            re.search(r'```yaml\n(robots:.*?)```', (PROJECT / 'docs/fleet.md').read_text(), re.DOTALL).group(1))
         for port in cls.robot_ports:
             stick = cls.folder / ('stick%d' % port)
             shutil.copytree(MEMORY_STICK, stick)

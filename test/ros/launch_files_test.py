@@ -96,7 +96,7 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertIs(type(value), type(defaults[parameter]), '%s in %s' % (parameter, name))
 
     def test_the_other_launch_files_set_nothing_else(self):
-        model = {'/aibo/robot_state_publisher/tf_prefix': '', '/aibo/aibo_lights/frame_prefix': ''}
+        model = {'/aibo/aibo_lights/frame_prefix': ''}
         driver = {'/aibo/aibo_driver/' + name: documented_parameters()[name]
                   for name in [*OTHER_VALUES, 'publish_footprint']}
         look_at = {'/aibo/aibo_look_at/frame_prefix': ''}
@@ -106,10 +106,9 @@ class LaunchFilesTest(unittest.TestCase):
             'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False,
                             '/aibo/aibo_room/on_table': False},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
-            'fleet.launch': {},
             'model.launch': model,
             'playback.launch': {'/use_sim_time': False, **{'/playback/aibo/' + name: value for name, value in (
-                ('robot_state_publisher/tf_prefix', ''), ('aibo_lights/frame_prefix', ''),
+                ('aibo_lights/frame_prefix', ''),
                 ('aibo_playback/bag', '/tmp/a.bag'), ('aibo_playback/recorded_ns', ''),
                 ('aibo_playback/frame_prefix', ''), ('aibo_playback/loop', False), ('aibo_playback/rate', 1.0),
                 ('aibo_playback/start', 0.0), ('aibo_playback/wait', 30.0))}},
@@ -118,8 +117,8 @@ class LaunchFilesTest(unittest.TestCase):
                               (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
             'view.launch': {},
         }
-        self.assertEqual(set(expected), {file.name for file in LAUNCH.glob('*.launch')})
-        required = {'fleet.launch': {'robots': '/tmp/robots.yaml'}, 'playback.launch': {'bag': '/tmp/a.bag'}}
+        self.assertEqual({*expected, 'fleet.launch'}, {file.name for file in LAUNCH.glob('*.launch')})
+        required = {'playback.launch': {'bag': '/tmp/a.bag'}}
         for name, wanted in expected.items():
             self.assertEqual(parameters(resolve(name, **required.get(name, {}))), wanted, name)
 
@@ -128,10 +127,11 @@ class LaunchFilesTest(unittest.TestCase):
         driver = {**model, '/aibo/aibo_driver': '', '/aibo/aibo_look_at': ''}
         demo = {**driver, '/aibo_rcserver': '--port 54321 --console-port 59000', '/aibo/aibo_room': '',
                 '/aibo/aibo_look_around': ''}
-        rviz = {'/aibo/rviz': 'aibo'}
+        view = "-d '%s' -f " % (PROJECT / 'rviz/aibo.rviz')
+        rviz = {'/aibo/rviz': view + 'odom'}
         playback = {'/playback/aibo/' + name: arguments for name, arguments in (
             ('aibo_playback', ''), ('camera/aibo_image_decoder', ''), ('robot_state_publisher', ''),
-            ('aibo_lights', ''), ('rviz', 'playback/aibo'))}
+            ('aibo_lights', ''), ('rviz', view + 'odom'))}
 
         left = {'ns': 'left', 'frame_prefix': 'port'}
 
@@ -144,7 +144,7 @@ class LaunchFilesTest(unittest.TestCase):
             ('aibo.launch', {}, driver),
             ('aibo.launch', {'rviz': True}, {**driver, **rviz}),
             ('aibo.launch', {'rviz': True, 'publish_odom_tf': False, **left},
-             {**of_left(driver), '/left/rviz': '--fixed-frame port/base_footprint left:port'}),
+             {**of_left(driver), '/left/rviz': view + 'port/base_footprint'}),
             ('demo.launch', {}, demo),
             ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'around'), **rviz}),
             ('demo.launch', {'walk': True}, {**without(demo, 'around'), '/aibo/aibo_follow_ball': ''}),
@@ -154,20 +154,21 @@ class LaunchFilesTest(unittest.TestCase):
             ('demo.launch', {'on_table': True}, {
                 **demo, '/aibo_rcserver': '--port 54321 --console-port 59000 --on-table'}),
             ('diagnostics.launch', {}, {'/diagnostic_aggregator': ''}),
-            ('fleet.launch', {'robots': "/Anna's b.yaml"}, {'/aibo_fleet': r"'/Anna'\''s b.yaml'"}),
-            ('fleet.launch', {'robots': '/a.yaml', 'rviz': True}, {'/aibo_fleet': "'/a.yaml' --rviz"}),
+            ('fleet.launch', {'left': 'h', 'right': 'i', 'rviz': True}, {
+                **of_left(driver), **{name.replace('/aibo/', '/right/'): '' for name in driver},
+                '/fleet/robot_state_publisher': '', '/fleet/rviz': "-d '%s'" % (PROJECT / 'rviz/fleet.rviz')}),
             ('playback.launch', {'bag': '/tmp/a.bag', **left}, {
-                **of_left(playback), '/playback/left/rviz': 'playback/left:port'}),
+                **of_left(playback), '/playback/left/rviz': view + 'port/odom'}),
             ('playback.launch', {'bag': '/tmp/a.bag', 'rviz': False}, without(playback, 'rviz')),
             ('teleop.launch', {}, {'/aibo/aibo_teleop_keyboard': ''}),
             ('view.launch', {**left, 'fixed_frame': 'map'},
-             {'/left/rviz': '--fixed-frame map left:port'}))
+             {'/left/rviz': view + 'port/map'}))
         for name, given, wanted in cases:
             with self.subTest(name=name, given=given):
                 started = nodes(resolve(name, **given))
                 self.assertEqual({each: node.args for each, node in started.items()}, wanted)
                 for each, node in started.items():
-                    self.assertEqual(node.required, each.endswith(('rviz', 'aibo_playback', 'fleet', 'keyboard', 'rcserver')),
+                    self.assertEqual(node.required, each.endswith(('rviz', 'aibo_playback', 'keyboard', 'rcserver')),
                                      each)
         again = nodes(resolve('aibo.launch', respawn=True))['/aibo/aibo_driver']
         self.assertEqual((again.respawn, again.respawn_delay), (True, 5))
@@ -213,11 +214,26 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual(driver_parameters(config, '/joy_node'), {'dev': '/dev/input/js1', 'autorepeat_rate': 20})
         self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_reader='none'))), ['/aibo/aibo_teleop_joy'])
 
-    def test_the_model_has_the_frame_prefix(self):
+    def test_the_links_of_the_model_have_the_frame_prefix(self):
+        def frames(config, ns):
+            model = ElementTree.fromstring(config.params[ns + '/robot_description'].value)
+            return [link.get('name') for link in model.findall('link')] + [
+                end.get('link') for joint in model.findall('joint') for end in joint if end.tag in ('parent', 'child')]
+        plain = frames(resolve('model.launch'), '/aibo')
+        self.assertIn('base_link', plain)
         for name, ns, required in (('aibo.launch', '/left', {}), ('model.launch', '/left', {}),
                                    ('playback.launch', '/playback/left', {'bag': '/tmp/a.bag'})):
-            config = resolve(name, ns='left', frame_prefix='port/side', **required)
-            self.assertEqual(parameters(config)[ns + '/robot_state_publisher/tf_prefix'], 'port/side', name)
+            prefixed = frames(resolve(name, ns='left', frame_prefix='port/side', **required), ns)
+            self.assertEqual(prefixed, ['port/side/' + frame for frame in plain], name)
+
+    def test_each_robot_of_a_fleet_has_names_of_its_own(self):
+        config = resolve('fleet.launch', left='h', right='i', right_port=6)
+        for name, host, port in (('left', 'h', 54321), ('right', 'i', 6)):
+            given = driver_parameters(config, '/%s/aibo_driver' % name)
+            self.assertEqual((given['host'], given['port'], given['frame_prefix']), (host, port, name))
+        model = ElementTree.fromstring(config.params['/fleet/robot_description'].value)
+        self.assertEqual([(joint.find('parent').get('link'), joint.find('child').get('link'))
+                          for joint in model.findall('joint')], [('fleet', 'left/odom'), ('fleet', 'right/odom')])
 
     def test_what_needs_the_frames_has_their_prefix(self):
         config = resolve('aibo.launch', ns='left', frame_prefix='port/side')

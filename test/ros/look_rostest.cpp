@@ -164,7 +164,7 @@ TEST(LookAt, SaysWhyItKnowsNoPlaceOfAPoint) {
   user.lookAt(old, "at the point's time");
 }
 
-TEST(LookAt, OfAFleetIsThatOfTheRobotInTheNamespace) {
+TEST(LookAt, OfSeveralRobotsIsThatOfTheRobotInTheNamespace) {
   LookUser user("/left", "left");
   TopicListener<Marker> floor("/left/look_at_floor");
   EXPECT_TRUE(user.turnsTo(point("left/base_footprint", 0.5, 0.5, 0.2)));
