@@ -1,104 +1,158 @@
-// Makes the robot walk after a pink ball, like the one that came with it, and around the ball. It steers by the colours
-// that the robot's camera detects. The ball's place in the picture gives its direction, and its size gives its
-// distance. When somebody stops or lifts the robot, or makes it take a posture, the node needs permission to go on
-// (leave_to_move.h).
+// Follows a pink ball, like the one that came with the robot: with the head or, if ~walk is true, on its legs. The
+// robot's camera detects the colour. The ball's place in the picture gives its direction, and its size its distance.
+//
+// When somebody stops the robot, or anything else moves it, the program ends. So nothing goes on by itself.
 
-#include <aibo_driver/Connection.h>
 #include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
+#include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
+#include <memory>
 #include <string>
-#include <utility>
 
 #include "node/node.h"
 #include "text/plain_text.h"
-#include "tools/ball/ball_finder.h"
-#include "tools/leave_to_move.h"
+#include "tools/ball_finder.h"
 
 namespace {
 
-using aibo_driver::Connection;
 using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using aibo_driver::ball::Ball;
+using aibo_driver::text::plainLine;
+using geometry_msgs::PointStamped;
+using geometry_msgs::Twist;
 
-constexpr double kClose = 0.45;  // m; when it is closer, it walks around the ball
+constexpr double kClose = 0.45;  // m; when it is closer, the robot walks around the ball
+
+// While the ball is this near to the middle of the picture, the head stays where it is.
+constexpr double kQuiet = 0.03;  // the tangent of the angle
 
 class FollowBall {
  public:
-  FollowBall(ros::NodeHandle handle, const ros::NodeHandle& parameters) : leave_(handle, parameters, whyItCannotWalk) {
-    publisher_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
-    motion_ = handle.subscribe("motion_state", 1, &FollowBall::receiveMotion, this);
-    connection_ = handle.subscribe("connection", 10, &FollowBall::receiveConnection, this);
-    mask_ = handle.subscribe("color_mask", 1, &FollowBall::receive, this);
+  FollowBall(ros::NodeHandle handle, const ros::NodeHandle& parameters)
+      : walks_(aibo_driver::node::readFlag(parameters, "walk")) {
+    if (walks_) {
+      velocities_ = handle.advertise<Twist>("cmd_vel", 1);
+    } else {
+      points_ = handle.advertise<PointStamped>("look_at", 1);
+      others_points_ = handle.subscribe("look_at", 10, &FollowBall::receivePoint, this);
+    }
+    motion_ = handle.subscribe("motion_state", 10, &FollowBall::receiveMotion, this);
+    state_ = handle.subscribe("robot_state", 1, &FollowBall::receiveState, this);
+    mask_ = handle.subscribe("color_mask", 1, &FollowBall::receiveMask, this);
   }
 
  private:
-  static std::string whyItCannotWalk(const RobotState& state) {
-    return state.motors == RobotState::OFF        ? "the motors are off"
-           : state.posture == RobotState::FALLEN  ? "the robot has fallen"
-           : state.posture == RobotState::CARRIED ? "the robot is carried"
-                                                  : "";
+  void receiveState(const RobotState::ConstPtr& state) {
+    if (state->stopped != 0) {
+      end(plainLine(state->stopped_by) + " has stopped the robot");
+    }
+    state_problem_ = state->motors == RobotState::OFF                  ? "the motors are off"
+                     : walks_ && state->posture == RobotState::FALLEN  ? "the robot has fallen"
+                     : walks_ && state->posture == RobotState::CARRIED ? "the robot is carried"
+                                                                       : "";
+    endIf(state_problem_);
   }
 
   void receiveMotion(const aibo_driver::MotionState::ConstPtr& state) {
-    const auto posture = std::find_if(state->movements.begin(), state->movements.end(),
-                                      [](const Movement& movement) { return movement.kind == Movement::POSTURE; });
-    takes_posture_ = posture != state->movements.end();
-    if (takes_posture_) {
-      leave_.overrule(aibo_driver::text::plainLine(posture->source + " has called " + posture->name));
+    const auto other = std::find_if(state->movements.begin(), state->movements.end(),
+                                    [this](const Movement& movement) { return !isOurs(movement); });
+    motion_problem_ = other != state->movements.end() ? plainLine(other->source) + " moves the robot" : "";
+    endIf(motion_problem_);
+  }
+
+  // The head is moved by aibo_look_at for this program. Walking leaves the head free.
+  bool isOurs(const Movement& movement) const {
+    return movement.source == ros::this_node::getName() ||
+           (!walks_ && (movement.kind == Movement::LOOK_AT || movement.kind == Movement::WALK));
+  }
+
+  void receivePoint(const ros::MessageEvent<const PointStamped>& event) {
+    if (event.getPublisherName() != ros::this_node::getName()) {
+      end(plainLine(event.getPublisherName()) + " points the head");
     }
   }
 
-  // After a new connection the driver ignores velocities until their sender has sent 0.
-  void receiveConnection(const Connection::ConstPtr& connection) {
-    const bool was_connected = std::exchange(is_connected_, connection->state == Connection::CONNECTED);
-    if (is_connected_ && !was_connected) {
-      publisher_.publish(geometry_msgs::Twist());
+  // It waits until it can begin.
+  void endIf(const std::string& problem) {
+    if (has_begun_ && !problem.empty()) {
+      end(problem);
     }
   }
 
-  // Without images there are no commands, and then the driver stops the robot.
-  void receive(const sensor_msgs::Image::ConstPtr& mask) {
-    if (!takes_posture_ && leave_.has()) {
-      const std::optional<Ball> ball = aibo_driver::ball::findBall(*mask);
-      publisher_.publish(ball ? towards(*ball) : searching());
+  void end(const std::string& why) {
+    mask_.shutdown();  // nothing moves from now on
+    ROS_WARN_STREAM("The robot does not follow the ball any more: " << why << ". To go on: rosrun aibo_driver "
+                                                                    << "aibo_follow_ball"
+                                                                    << (walks_ ? " _walk:=true" : ""));
+    ros::requestShutdown();
+  }
+
+  // Without masks there are no commands, and then the driver stops the robot.
+  void receiveMask(const sensor_msgs::Image::ConstPtr& mask) {
+    if (const std::string& problem = state_problem_.empty() ? motion_problem_ : state_problem_; !problem.empty()) {
+      ROS_INFO_STREAM_ONCE("The robot cannot follow the ball yet: " << problem << ".");
+      return;
+    }
+    has_begun_ = true;
+    const auto ball = aibo_driver::ball::findBall(*mask);
+    if (walks_) {
+      velocities_.publish(ball ? towards(*ball) : searching());
+    } else if (ball && std::hypot(ball->left, ball->up) > kQuiet) {
+      points_.publish(placeOf(*ball, mask->header));
     }
   }
 
-  geometry_msgs::Twist towards(const Ball& ball) {
+  Twist towards(const Ball& ball) {
     last_seen_on_ = ball.left < 0 ? -1 : 1;
-    geometry_msgs::Twist twist;
+    Twist twist;
     twist.linear.x = std::clamp(0.6 * (ball.distance - kClose), -0.05, 0.12);
     twist.linear.y = ball.distance < kClose + 0.1 ? -0.04 : 0;
     twist.angular.z = std::clamp(1.4 * ball.left, -0.6, 0.6);
     return twist;
   }
 
-  geometry_msgs::Twist searching() const {
-    geometry_msgs::Twist twist;
+  Twist searching() const {
+    Twist twist;
     twist.angular.z = 0.4 * last_seen_on_;
     return twist;
   }
 
-  aibo_driver::tools::LeaveToMove leave_;
-  ros::Publisher publisher_;
+  // Seen from where the camera was then; aibo_look_at knows from tf where that is now.
+  static PointStamped placeOf(const Ball& ball, const std_msgs::Header& header) {
+    PointStamped point;
+    point.header = header;
+    point.point.x = -ball.left * ball.distance;
+    point.point.y = -ball.up * ball.distance;
+    point.point.z = ball.distance;
+    return point;
+  }
+
+  const bool walks_;  // false: it moves only the head
+  bool has_begun_ = false;
+  std::string state_problem_;   // why it cannot begin; empty if it can
+  std::string motion_problem_;  // the same
+  int last_seen_on_ = 1;        // -1 means on the right
+  ros::Publisher velocities_;
+  ros::Publisher points_;
+  ros::Subscriber others_points_;
   ros::Subscriber motion_;
-  ros::Subscriber connection_;
+  ros::Subscriber state_;
   ros::Subscriber mask_;
-  bool takes_posture_ = false;
-  bool is_connected_ = true;
-  int last_seen_on_ = 1;  // -1 means on the right
 };
 
 }  // namespace
 
 int main(int argc, char** argv) {
   aibo_driver::node::init(argc, argv, "aibo_follow_ball");
-  const FollowBall follow_ball(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"), ros::NodeHandle("~"));
-  ros::spin();
+  return aibo_driver::node::runNode("node aibo_follow_ball", [] {
+    return std::make_shared<FollowBall>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
+                                        ros::NodeHandle("~"));
+  });
 }

@@ -103,7 +103,7 @@ class LaunchFilesTest(unittest.TestCase):
         aggregator = yaml.safe_load((PROJECT / 'config/diagnostics_aggregator.yaml').read_text(encoding='utf-8'))
         expected = {
             'aibo.launch': {**driver, **model, **look_at},
-            'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_look_around/go_on_after_stop': False,
+            'demo.launch': {**driver, **model, **look_at, '/aibo/aibo_follow_ball/walk': False,
                             '/aibo/aibo_room/on_table': False},
             'diagnostics.launch': dict(flat('/diagnostic_aggregator', aggregator)),
             'model.launch': model,
@@ -126,7 +126,7 @@ class LaunchFilesTest(unittest.TestCase):
         model = {'/aibo/robot_state_publisher': '', '/aibo/aibo_lights': ''}
         driver = {**model, '/aibo/aibo_driver': '', '/aibo/aibo_look_at': ''}
         demo = {**driver, '/aibo_rcserver': '--port 54321 --console-port 59000', '/aibo/aibo_room': '',
-                '/aibo/aibo_look_around': ''}
+                '/aibo/aibo_follow_ball': ''}
         view = "-d '%s' -f " % (PROJECT / 'rviz/aibo.rviz')
         rviz = {'/aibo/rviz': view + 'odom'}
         playback = {'/playback/aibo/' + name: arguments for name, arguments in (
@@ -146,8 +146,8 @@ class LaunchFilesTest(unittest.TestCase):
             ('aibo.launch', {'rviz': True, 'publish_odom_tf': False, **left},
              {**of_left(driver), '/left/rviz': view + 'port/base_footprint'}),
             ('demo.launch', {}, demo),
-            ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'around'), **rviz}),
-            ('demo.launch', {'walk': True}, {**without(demo, 'around'), '/aibo/aibo_follow_ball': ''}),
+            ('demo.launch', {'rviz': True, 'still': True}, {**without(demo, 'ball'), **rviz}),
+            ('demo.launch', {'walk': True}, demo),
             ('demo.launch', {'simulation': False}, without(demo, 'rcserver', 'room')),
             ('demo.launch', {'images': "/Anna's b", 'port': 1, 'console_port': 2}, {
                 **without(demo, 'room'), '/aibo_rcserver': r"--port 1 --console-port 2 --images '/Anna'\''s b'"}),
@@ -186,13 +186,12 @@ class LaunchFilesTest(unittest.TestCase):
 
     def test_demo_passes_on_where_the_robot_is(self):
         other = {'host': 'aibo.local', 'port': 4711, 'picture_folder': '/srv/pictures'}
-        config = resolve('demo.launch', simulation=False, go_on_after_stop=True, **other)
+        config = resolve('demo.launch', simulation=False, **other)
         self.assertEqual(driver_parameters(config), {**driver_parameters(resolve('demo.launch')), **other})
-        self.assertIs(parameters(config)['/aibo/aibo_look_around/go_on_after_stop'], True)
 
     def test_demo_guards_walks_unless_it_walks_around_the_ball(self):
-        for walk, node in (False, 'aibo_room/on_table'), (True, 'aibo_follow_ball/go_on_after_stop'):
-            config = resolve('demo.launch', walk=walk, on_table=not walk, go_on_after_stop=walk)
+        for walk, node in (False, 'aibo_room/on_table'), (True, 'aibo_follow_ball/walk'):
+            config = resolve('demo.launch', walk=walk, on_table=not walk)
             self.assertIs(driver_parameters(config)['guard'], not walk)
             self.assertIs(parameters(config)['/aibo/' + node], True)
         self.assertIs(driver_parameters(resolve('demo.launch', walk=True, guard=True))['guard'], True)

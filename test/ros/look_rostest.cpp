@@ -1,7 +1,6 @@
 // Looking at points, and the lights that rviz shows.
 
 #include <aibo_driver/CameraState.h>
-#include <aibo_driver/ColorRegions.h>
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Leds.h>
 #include <aibo_driver/LookAtResult.h>
@@ -170,45 +169,6 @@ TEST(LookAt, OfSeveralRobotsIsThatOfTheRobotInTheNamespace) {
   EXPECT_TRUE(user.turnsTo(point("left/base_footprint", 0.5, 0.5, 0.2)));
   ASSERT_FALSE(floor.waitForCount(1).empty());
   EXPECT_EQ(floor.waitForCount(1).front()->header.frame_id, "left/base_footprint");
-}
-
-// What the robot reports of a ball with a width of 20 pixels.
-aibo_driver::ColorRegions ballAt(float x, float y, int pixels = 300) {
-  aibo_driver::ColorRegions regions;
-  regions.header.frame_id = "camera_optical_frame";
-  regions.header.stamp = ros::Time(7);
-  regions.width = 208;
-  regions.height = 160;
-  regions.regions.resize(2);
-  regions.regions[0].name = "blue_bone";
-  regions.regions[0].pixels = 1000;
-  regions.regions[1].name = "pink_ball";
-  regions.regions[1].pixels = static_cast<std::uint32_t>(pixels);
-  regions.regions[1].x = x;
-  regions.regions[1].y = y;
-  regions.regions[1].box.width = 20;
-  regions.regions[1].box.height = 18;
-  return regions;
-}
-
-TEST(BallFollowerExample, LooksAtTheBallWhereItWasSeen) {
-  TopicListener<PointStamped> points("/ball/look_at");
-  const Process node({BALL_FOLLOWER, "__ns:=/ball", "_name:=pink_ball", "_fewest_pixels:=300"});
-  test_support::TopicPublishers robot("/ball");
-  const auto is_seen = [&](const aibo_driver::ColorRegions& regions) {
-    robot.publish("color_regions", regions);
-    return points.waitForCount(1, std::chrono::milliseconds(300)).size() > 0;
-  };
-  EXPECT_TRUE(JointUser::becomesTrue([&] { return is_seen(ballAt(155.5F, 31.5F)); }));
-  const PointStamped point = *points.waitForCount(1).front();
-  EXPECT_EQ(point.header.frame_id, "camera_optical_frame");
-  EXPECT_EQ(point.header.stamp, ros::Time(7)) << "where the camera was then";
-  const double distance = 0.085 * 192 / 20;
-  EXPECT_NEAR(point.point.z, distance, 1e-3);
-  EXPECT_NEAR(point.point.x, distance * 52 / 192, 1e-3);
-  EXPECT_NEAR(point.point.y, -distance * 48 / 192, 1e-3);
-  points.clear();
-  EXPECT_FALSE(is_seen(ballAt(200, 10, 299))) << "too small";
 }
 
 TEST(Lights, ShowWhatShinesAndWhatIsTouched) {

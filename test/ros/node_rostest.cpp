@@ -197,11 +197,10 @@ TEST(Programs, StartedInTheRootNamespaceUseTheDriverUnderAibo) {
       {AIBO_DRIVER_NODE, "/aibo_driver", kServes, "/aibo/take_picture"},
       {AIBO_IMAGE_DECODER, "/aibo_image_decoder", kPublishes, "/aibo/camera/image_raw"},
       {AIBO_MONITOR, "/aibo_monitor", kSubscribes, "/aibo/camera/image_raw/compressed"},
-      {AIBO_LOOK_AROUND, "/aibo_look_around", kPublishes, "/aibo/joint_trajectory"},
+      {AIBO_FOLLOW_BALL, "/aibo_follow_ball", kPublishes, "/aibo/look_at"},
       {AIBO_LOOK_AT, "/aibo_look_at", kSubscribes, "/aibo/look_at"},
       {AIBO_LIGHTS, "/aibo_lights", kPublishes, "/aibo/lights"},
       {AIBO_ROOM, "/aibo_room", kPublishes, "/aibo/room"},
-      {BALL_FOLLOWER, "/ball_follower", kPublishes, "/aibo/look_at"},
       {AIBO_TELEOP_JOY, "/aibo_teleop_joy", kPublishes, "/aibo/cmd_vel"}};
   for (const auto& [path, node, role, name] : rows) {
     const Process program({path, "__ns:=/", "_port:=1"});

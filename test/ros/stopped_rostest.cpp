@@ -10,17 +10,13 @@
 #include <ros/ros.h>
 #include <ros/xmlrpc_manager.h>
 #include <sensor_msgs/CompressedImage.h>
-#include <std_srvs/Trigger.h>
 #include <sys/socket.h>
-#include <trajectory_msgs/JointTrajectory.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <future>
 #include <memory>
-#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -36,123 +32,62 @@ using aibo_driver::LookAtResult;
 using aibo_driver::Movement;
 using aibo_driver::RobotState;
 using geometry_msgs::Twist;
-using std_srvs::Trigger;
 using test_support::DriverUser;
 using test_support::FakeDriver;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::TopicListener;
 using test_support::TopicPublishers;
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using trajectory_msgs::JointTrajectory;
 
-bool callGoOn(const std::string& node, std::string* message) {
-  Trigger service;
-  EXPECT_TRUE(ros::service::call(node + "/go_on", service));
-  *message = service.response.message;
-  return service.response.success != 0;
-}
-
-/// A robot that looks around. Each time it has looked somewhere, it waits 3.5 or 4.5 s by itself.
-class LookAroundTest : public ::testing::Test {
+// It follows the ball with the head, or walks after it.
+class FollowBall : public ::testing::Test {
  protected:
-  using Happening = std::function<void(FakeDriver&, bool)>;
+  static constexpr bool kWalks = true;
 
-  /// What becomes of its second glance if something happens for 5 s after the first one.
-  struct Gaze {
-    bool waits = false;                          ///< meanwhile
-    std::chrono::steady_clock::duration time{};  ///< from the first to the second glance
-  };
+  void start(bool walks) {
+    node_ = std::make_unique<Process>(
+        std::vector<std::string>{AIBO_FOLLOW_BALL, "__ns:=/follows", walks ? "_walk:=true" : "_walk:=false"});
+  }
 
-  static std::future<Gaze> begin(const std::string& name_space, const std::string& pause, const Happening& happen) {
-    return std::async(std::launch::async, [=] {
-      FakeDriver driver(name_space);
-      TopicListener<JointTrajectory> glances(name_space + "/joint_trajectory");
-      const Process node({AIBO_LOOK_AROUND, "__ns:=" + name_space, pause});
-      EXPECT_FALSE(glances.waitForCount(1).empty());
-      const auto begin = std::chrono::steady_clock::now();
-      Gaze gaze;
-      happen(driver, true);
-      gaze.waits = glances.waitForCount(2, std::chrono::seconds(5)).size() < 2;
-      happen(driver, false);
-      EXPECT_GE(glances.waitForCount(2).size(), 2U) << name_space;
-      gaze.time = std::chrono::steady_clock::now() - begin;
-      return gaze;
+  bool follows() {
+    points_.clear();
+    steps_.clear();
+    return DriverUser::becomesTrue([this] {
+      points_.waitForNext(std::chrono::milliseconds(50));
+      return points_.count() + steps_.count() > 0;
     });
   }
 
-  static Happening movement(std::uint8_t kind, const std::vector<std::string>& joints) {
-    return [=](FakeDriver& driver, bool moves) {
-      Movement movement;
-      movement.source = "/somebody";
-      movement.kind = kind;
-      movement.joints = joints;
-      driver.move(moves ? std::vector<Movement>{movement} : std::vector<Movement>());
-    };
-  }
-};
-
-// All at the same time, because most of the time nothing happens.
-TEST_F(LookAroundTest, WaitsForWhateverElseMovesTheRobotAndLongerAfterSomebodyHasPointedTheHead) {
-  auto tail = begin("/wags", "_pause:=3600", movement(Movement::COMMAND, {"tail_pan"}));
-  auto limp = begin("/limp", "_pause:=3600", [](FakeDriver& driver, bool is_limp) {
-    driver.tell(is_limp ? RobotState::OFF : RobotState::ON, RobotState::LYING);
-  });
-  auto head = begin("/turns", "_pause:=7", movement(Movement::TRAJECTORY, {"tail_pan", "head_tilt"}));
-  EXPECT_TRUE(tail.get().waits);
-  EXPECT_TRUE(limp.get().waits);
-  const Gaze gaze = head.get();
-  EXPECT_TRUE(gaze.waits);
-  EXPECT_GE(gaze.time, std::chrono::seconds(7));
-}
-
-TEST_F(LookAroundTest, TurnsTheHeadToAllSidesAlsoWhileTheRobotWalks) {
-  FakeDriver driver("/walks");
-  movement(Movement::WALK, {})(driver, true);
-  TopicListener<JointTrajectory> glances("/walks/joint_trajectory");
-  const Process node({AIBO_LOOK_AROUND, "__ns:=/walks"});
-  std::set<double> sides;
-  for (const auto& glance : glances.waitForCount(3)) {
-    EXPECT_THAT(glance->joint_names, ElementsAre("head_pan", "head_tilt"));
-    sides.insert(glance->points.at(0).positions.at(0));
-  }
-  EXPECT_THAT(sides, ElementsAre(-0.7, 0, 0.7));
-}
-
-class BallFollower : public ::testing::Test {
- protected:
-  void start(const std::vector<std::string>& parameters = {}) {
-    std::vector<std::string> command{AIBO_FOLLOW_BALL, "__ns:=/follows"};
-    command.insert(command.end(), parameters.begin(), parameters.end());
-    node_ = std::make_unique<Process>(command);
-    ASSERT_FALSE(steps_.waitForCount(1).empty());
+  bool ends(const std::string& why) {
+    EXPECT_NO_THROW(node_->waitForOutput("any more: " + why + "\\. To go on: rosrun", kSafetyNet)) << why;
+    return node_->waitForExit(kSafetyNet) == 0;
   }
 
-  /// What was sent before may still be on its way.
-  bool becomesSilent() {
-    return DriverUser::becomesTrue([this] { return isSilent(); });
+  bool waits() { return points_.waitForCount(1, std::chrono::milliseconds(300)).empty(); }
+
+  void pointTheHead() {
+    ros::Publisher& points = user_.publisherOf<geometry_msgs::PointStamped>("look_at");
+    EXPECT_TRUE(DriverUser::becomesTrue([&points] { return points.getNumSubscribers() == 2; }));  // with this test
+    points.publish(geometry_msgs::PointStamped());
   }
 
-  bool isSilent() {
-    steps_.clear();
-    return steps_.waitForCount(1, std::chrono::milliseconds(1000)).empty();
+  void move(const std::string& source, std::uint8_t kind) {
+    Movement movement;
+    movement.source = source;
+    movement.kind = kind;
+    driver_.move({movement});
   }
-
-  bool walks() {
-    steps_.clear();
-    return !steps_.waitForCount(1).empty();
-  }
-
-  void stand() { driver_.tell(RobotState::ON, RobotState::STANDING); }
 
   FakeDriver driver_{"/follows"};
+  TopicPublishers user_{"/follows"};
+  TopicListener<geometry_msgs::PointStamped> points_{"/follows/look_at"};
   TopicListener<Twist> steps_{"/follows/cmd_vel"};
   std::unique_ptr<Process> node_;
 };
 
-TEST_F(BallFollower, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
-  start();
+TEST_F(FollowBall, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
+  start(kWalks);
   const auto steers = [this](double forward, double left, double turn) {
     return steps_.waitFor([&](const Twist& step) {
       return std::hypot(step.linear.x - forward, step.linear.y - left, step.angular.z - turn) < 1e-3;
@@ -169,61 +104,63 @@ TEST_F(BallFollower, WalksToTheBallAndAroundItAndLooksForItWhereItWasLast) {
   EXPECT_TRUE(steers(-0.05, -0.04, 0)) << "too near";
 }
 
-TEST_F(BallFollower, NeedsLeaveToGoOnWhenItWasOverruled) {
-  start();
-  const std::tuple<const char*, std::function<void()>, std::function<void()>> rows[] = {
-      // what it says, what happens, and what ends it
-      {"/user has stopped the robot", [this] { driver_.stop("/user"); }, [this] { driver_.release(); }},
-      {"waits: the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }, [this] { stand(); }},
-      {"waits: the robot is carried", [this] { driver_.tell(RobotState::ON, RobotState::CARRIED); },
-       [this] { stand(); }},
-      {"waits: the robot has fallen", [this] { driver_.tell(RobotState::ON, RobotState::FALLEN); },
-       [this] { stand(); }},
-      {"waits: /somebody has called sit", [this] { driver_.takePosture(true); },
-       [this] { driver_.takePosture(false); }},
-  };
-  for (const auto& [what, happen, end] : rows) {
-    happen();
-    node_->waitForOutput(what, kSafetyNet);
-    EXPECT_TRUE(becomesSilent()) << what;
-    end();
-    EXPECT_TRUE(isSilent()) << what;
-    std::string message;
-    EXPECT_TRUE(DriverUser::becomesTrue([&message] { return callGoOn("/follows/aibo_follow_ball", &message); }))
-        << message;
-    EXPECT_TRUE(walks()) << what;
+TEST_F(FollowBall, TurnsTheHeadToTheBallUnlessItIsInTheMiddle) {
+  driver_.showBall(70, 12);  // its middle is 24 pixels to the right of the picture's, and 14 above it
+  start(!kWalks);
+  const auto point = points_.waitForFirst();
+  ASSERT_TRUE(point);
+  EXPECT_EQ(point->header.stamp, ros::Time(7)) << "where the camera was then";
+  EXPECT_EQ(point->header.frame_id, "camera_optical_frame");
+  EXPECT_NEAR(point->point.x / point->point.z, 24 / 96.0, 1e-3);
+  EXPECT_NEAR(point->point.y / point->point.z, -14 / 96.0, 1e-3);
+  EXPECT_NEAR(point->point.z, 0.085 * 96 / 12, 1e-3);
+  for (const auto& [left, width] : {std::pair(32, 40), std::pair(0, 0)}) {  // in the middle, and nowhere
+    driver_.showBall(left, width);
+    EXPECT_TRUE(DriverUser::becomesTrue([this] {
+      points_.clear();
+      return waits();
+    })) << left;
+    driver_.showBall(70, 12);
+    EXPECT_TRUE(follows());
   }
 }
 
-TEST_F(BallFollower, GoesOnByItselfIfItsUserHasSaidSo) {
-  start({"_go_on_after_stop:=true"});
-  driver_.stop("/user");
-  EXPECT_TRUE(becomesSilent());
-  driver_.release();
-  EXPECT_TRUE(walks());
+TEST_F(FollowBall, EndsWhenSomebodyStopsTheRobotOrAnythingElseMovesIt) {
+  driver_.showBall(10, 6);
+  const std::tuple<bool, std::string, std::function<void()>> rows[] = {
+      {kWalks, "/user has stopped the robot", [this] { driver_.stop("/user"); }},
+      {kWalks, "the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }},
+      {kWalks, "the robot is carried", [this] { driver_.tell(RobotState::ON, RobotState::CARRIED); }},
+      {kWalks, "the robot has fallen", [this] { driver_.tell(RobotState::ON, RobotState::FALLEN); }},
+      {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::POSTURE); }},
+      {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::WALK); }},
+      {kWalks, "/follows/aibo_look_at moves the robot", [this] { move("/follows/aibo_look_at", Movement::LOOK_AT); }},
+      {!kWalks, "/user has stopped the robot", [this] { driver_.stop("/user"); }},
+      {!kWalks, "the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }},
+      {!kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::COMMAND); }},
+      {!kWalks, ros::this_node::getName() + " points the head", [this] { pointTheHead(); }},
+  };
+  for (const auto& [walks, why, happen] : rows) {
+    start(walks);
+    EXPECT_TRUE(follows()) << why;
+    happen();
+    EXPECT_TRUE(ends(why)) << why;
+    driver_.release();
+    driver_.tell(RobotState::ON, RobotState::STANDING);
+    driver_.move({});
+  }
 }
 
-// It sees nothing until it knows of the stop, so it has not moved before.
-template <typename Step>
-void expectToWaitFromItsStart(const std::string& program, const std::string& name, const std::string& topic) {
-  FakeDriver driver("/begins");
-  driver.setAwake(false);
-  driver.stop("/user");
-  TopicListener<Step> steps("/begins/" + topic);
-  Process node({program, "__ns:=/begins"});
-  node.waitForOutput("/user has stopped the robot", kSafetyNet);
-  std::string message;
-  EXPECT_FALSE(callGoOn("/begins/" + name, &message)) << name;
-  driver.setAwake(true);
-  driver.release();
-  EXPECT_TRUE(steps.waitForCount(1, std::chrono::milliseconds(1500)).empty()) << name;
-  EXPECT_TRUE(callGoOn("/begins/" + name, &message)) << message;
-  EXPECT_FALSE(steps.waitForCount(1).empty()) << name;
-}
-
-TEST(AtTheirStart, ProgramsThatMoveAStoppedRobotWaitForItsReleaseAndForLeave) {
-  expectToWaitFromItsStart<Twist>(AIBO_FOLLOW_BALL, "aibo_follow_ball", "cmd_vel");
-  expectToWaitFromItsStart<JointTrajectory>(AIBO_LOOK_AROUND, "aibo_look_around", "joint_trajectory");
+TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheRobotButAWalkLeavesTheHeadFree) {
+  driver_.showBall(10, 6);
+  driver_.tell(RobotState::OFF, RobotState::LYING);
+  move("/somebody", Movement::POSTURE);
+  start(!kWalks);
+  node_->waitForOutput("cannot follow the ball yet: the motors are off", kSafetyNet);
+  driver_.tell(RobotState::ON, RobotState::LYING);
+  EXPECT_TRUE(waits());
+  move("/somebody", Movement::WALK);
+  EXPECT_TRUE(follows());
 }
 
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {

@@ -4,6 +4,7 @@
 #include <aibo_driver/TakePicture.h>
 #include <gmock/gmock.h>
 #include <pty.h>
+#include <sensor_msgs/JointState.h>
 #include <sensor_msgs/Joy.h>
 #include <std_msgs/String.h>
 #include <termios.h>

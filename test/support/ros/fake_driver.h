@@ -6,7 +6,6 @@
 #include <aibo_driver/RobotState.h>
 #include <ros/ros.h>
 #include <sensor_msgs/Image.h>
-#include <sensor_msgs/JointState.h>
 #include <std_srvs/Trigger.h>
 
 #include <chrono>
@@ -26,7 +25,6 @@ class FakeDriver {
     constexpr bool kLatched = true;
     state_ = handle_.advertise<aibo_driver::RobotState>("robot_state", 1, kLatched);
     motion_ = handle_.advertise<aibo_driver::MotionState>("motion_state", 10, kLatched);
-    joints_ = handle_.advertise<sensor_msgs::JointState>("joint_states", 1);
     mask_ = handle_.advertise<sensor_msgs::Image>("color_mask", 1);
     release_ = handle_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
         "release", [this](std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -90,12 +88,6 @@ class FakeDriver {
     state_.publish(state_now_);
   }
 
-  /// Whether the robot sees and measures anything.
-  void setAwake(bool is_awake) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    is_awake_ = is_awake;
-  }
-
   /// What moves the robot from now on.
   void move(const std::vector<aibo_driver::Movement>& movements) {
     aibo_driver::MotionState state;
@@ -110,17 +102,11 @@ class FakeDriver {
     ball_width_ = width;
   }
 
-  void takePosture(bool takes) {
-    aibo_driver::Movement posture;
-    posture.kind = aibo_driver::Movement::POSTURE;
-    posture.name = "sit";
-    posture.source = "/somebody";
-    move({takes ? posture : aibo_driver::Movement()});
-  }
-
  private:
   void sense() {
     sensor_msgs::Image black;
+    black.header.frame_id = "camera_optical_frame";
+    black.header.stamp = ros::Time(7);
     black.width = 104;
     black.height = 80;
     black.step = 3 * black.width;
@@ -128,15 +114,11 @@ class FakeDriver {
     black.data.resize(black.step * black.height);
     {
       const std::lock_guard<std::mutex> lock(mutex_);
-      if (!is_awake_) {
-        return;
-      }
       for (unsigned i = 0; i < ball_width_ * ball_width_; ++i) {
         black.data.at((20 + i / ball_width_) * black.step + 3 * (ball_left_ + i % ball_width_)) = 1;
       }
     }
     mask_.publish(black);
-    joints_.publish(sensor_msgs::JointState());
   }
 
   ros::NodeHandle handle_;
@@ -145,12 +127,10 @@ class FakeDriver {
   std::promise<void> may_answer_;
   std::mutex mutex_;  ///< of what is told and seen, because services are called on several threads
   aibo_driver::RobotState state_now_;
-  bool is_awake_ = true;
   unsigned ball_left_ = 0;
   unsigned ball_width_ = 0;
   ros::Publisher state_;
   ros::Publisher motion_;
-  ros::Publisher joints_;
   ros::Publisher mask_;
   ros::ServiceServer release_;
   ros::ServiceServer stop_;

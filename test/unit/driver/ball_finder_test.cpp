@@ -1,4 +1,4 @@
-#include "tools/ball/ball_finder.h"
+#include "tools/ball_finder.h"
 
 #include <gtest/gtest.h>
 
@@ -40,6 +40,7 @@ TEST(BallFinder, FindsDirectionAndDistance) {
   const auto ball = findBall(mask);
   ASSERT_TRUE(ball);
   EXPECT_NEAR(ball->left, (52 - 30) / kFocalLength, 0.002);
+  EXPECT_NEAR(ball->up, (40 - 60) / kFocalLength, 0.002);
   EXPECT_NEAR(ball->distance, kBallRadius * kFocalLength / 8, 0.02);
 }
 

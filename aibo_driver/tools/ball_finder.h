@@ -1,7 +1,7 @@
 /// @file ball_finder.h
 /// Finds the robot's ball among the detected colours.
-#ifndef AIBO_DRIVER_TOOLS_BALL_BALL_FINDER_H
-#define AIBO_DRIVER_TOOLS_BALL_BALL_FINDER_H
+#ifndef AIBO_DRIVER_TOOLS_BALL_FINDER_H
+#define AIBO_DRIVER_TOOLS_BALL_FINDER_H
 
 #include <sensor_msgs/Image.h>
 
@@ -14,6 +14,7 @@ constexpr double kBallRadius = 0.0425;  ///< m, the radius of the pink ball
 /// A ball as the camera sees it.
 struct Ball {
   double left;      ///< the tangent of the angle to the left of the picture's middle; negative: to the right
+  double up;        ///< the same upwards; negative: down
   double distance;  ///< m from the camera, from its size in the picture
 };
 
@@ -25,4 +26,4 @@ std::optional<Ball> findBall(const sensor_msgs::Image& mask);
 
 }  // namespace aibo_driver::ball
 
-#endif  // AIBO_DRIVER_TOOLS_BALL_BALL_FINDER_H
+#endif  // AIBO_DRIVER_TOOLS_BALL_FINDER_H

@@ -1,4 +1,4 @@
-#include "tools/ball/ball_finder.h"
+#include "tools/ball_finder.h"
 
 #include <sensor_msgs/image_encodings.h>
 
@@ -104,8 +104,10 @@ std::optional<Ball> findBall(const sensor_msgs::Image& mask) {
     return std::nullopt;
   }
   const double width = mask.width;
+  const double height = mask.height;
   const double focal_length = kFocalLength * width;
   return Ball{(width - (patch->left + patch->right)) / (2 * focal_length),
+              (height - (patch->top + patch->bottom)) / (2 * focal_length),
               kBallRadius * 2 * focal_length / std::max(patch->width(), patch->height())};
 }
 
