@@ -17,7 +17,7 @@
 #include "node/camera/color_table_file.h"
 #include "node/camera/jpeg_decoder.h"
 #include "node/node.h"
-#include "tools/color_table/table_maker.h"
+#include "tools/color_table_maker.h"
 
 namespace {
 

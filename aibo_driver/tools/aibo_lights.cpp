@@ -10,7 +10,7 @@
 #include <string>
 
 #include "node/node.h"
-#include "tools/lights/light_markers.h"
+#include "tools/light_markers.h"
 
 namespace {
 

@@ -23,7 +23,6 @@
 #include "node/only_driver.h"
 #include "tools/playback/body_frames.h"
 #include "tools/playback/recording.h"
-#include "tools/playback/timeline.h"
 
 namespace {
 

@@ -58,6 +58,30 @@ class Recording {
   std::unique_ptr<rosbag::View> messages_;  // after the bag
 };
 
+/// When each moment of a recording is played.
+class Timeline {
+ public:
+  /// @param rate how much faster than recorded, more than 0
+  explicit Timeline(double rate) : rate_(rate) {}
+
+  /// Plays this moment of the recording now, and the others before and after it.
+  void anchor(const ros::Time& recorded, const ros::Time& now) {
+    recorded_ = recorded;
+    now_ = now;
+  }
+
+  /// When a moment of the recording is played.
+  ros::Time timeOf(const ros::Time& recorded) const { return now_ + (recorded - recorded_) * (1 / rate_); }
+
+  /// Which moment of the recording is played at this time.
+  ros::Time recordedAt(const ros::Time& now) const { return recorded_ + (now - now_) * rate_; }
+
+ private:
+  const double rate_;
+  ros::Time recorded_;
+  ros::Time now_;
+};
+
 /// Changes the stamp of a message, if the message begins with a header and the stamp is not 0.
 /// @param definition the definition of the message
 /// @param change gives the new stamp for an old one

@@ -1,4 +1,4 @@
-#include "tools/playback/timeline.h"
+#include "tools/playback/recording.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "tools/color_table/table_maker.h"
+#include "tools/color_table_maker.h"
 
 #include <gmock/gmock.h>
 

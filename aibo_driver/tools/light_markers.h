@@ -1,6 +1,6 @@
 /// @file light_markers.h
-#ifndef AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H
-#define AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H
+#ifndef AIBO_DRIVER_TOOLS_LIGHT_MARKERS_H
+#define AIBO_DRIVER_TOOLS_LIGHT_MARKERS_H
 
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Touch.h>
@@ -44,4 +44,4 @@ class LightMarkers {
 
 }  // namespace lights
 
-#endif  // AIBO_DRIVER_TOOLS_LIGHTS_LIGHT_MARKERS_H
+#endif  // AIBO_DRIVER_TOOLS_LIGHT_MARKERS_H

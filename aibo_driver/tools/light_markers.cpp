@@ -1,4 +1,4 @@
-#include "tools/lights/light_markers.h"
+#include "tools/light_markers.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-/// @file table_maker.h
+/// @file color_table_maker.h
 /// Makes a table for the colour detection from a part of a picture.
-#ifndef AIBO_DRIVER_TOOLS_COLOR_TABLE_TABLE_MAKER_H
-#define AIBO_DRIVER_TOOLS_COLOR_TABLE_TABLE_MAKER_H
+#ifndef AIBO_DRIVER_TOOLS_COLOR_TABLE_MAKER_H
+#define AIBO_DRIVER_TOOLS_COLOR_TABLE_MAKER_H
 
 #include <string>
 
@@ -38,4 +38,4 @@ Coverage coverageOf(const aibo_client::ColorTable& table, const node::BgrImage& 
 
 }  // namespace aibo_driver::color_table
 
-#endif  // AIBO_DRIVER_TOOLS_COLOR_TABLE_TABLE_MAKER_H
+#endif  // AIBO_DRIVER_TOOLS_COLOR_TABLE_MAKER_H
