@@ -12,36 +12,52 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstdio>
+#include <exception>
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "node/node.h"
-#include "text/number.h"
 #include "text/plain_text.h"
-#include "tools/node_process.h"
-#include "tools/picture_figures.h"
 
-namespace aibo_driver::tools {
 namespace {
 
-using std::chrono::nanoseconds;
+using aibo_driver::text::plainLine;
 using std::chrono::steady_clock;
 
-constexpr double kLongest = 100000;          // s; more than a day
-constexpr std::size_t kMostArrivals = 1000;  // in a second; a robot does not send more
+constexpr double kLongest = 100000;  // s; more than a day
 
-nanoseconds sinceEpoch(const ros::Time& time) {
-  return nanoseconds(time.toNSec());
-}
+// How many pictures came in a time, and how late.
+struct Figures {
+  std::size_t pictures = 0;
+  std::size_t bytes = 0;
+  double latencies = 0;  // s, the sum
+  double worst = 0;      // s
+
+  void add(std::size_t size, double latency) {
+    ++pictures;
+    bytes += size;
+    latencies += latency;
+    worst = std::max(worst, latency);
+  }
+
+  void print(double seconds, const std::string& stop) const {
+    const auto count = static_cast<double>(pictures);
+    std::printf("%5.1f pictures/s %6.1f KB/s   stamp to topic: %.1f ms (worst %.1f)%s\n", count / seconds,
+                static_cast<double>(bytes) / 1000 / seconds, 1000 * latencies / count, 1000 * worst, stop.c_str());
+  }
+};
 
 class Monitor {
  public:
   explicit Monitor(const ros::NodeHandle& private_handle)
-      : seconds_(node::readNumber(private_handle, "seconds", 0, kLongest)),
-        first_picture_timeout_(node::readNumber(private_handle, "first_picture_timeout", seconds_, kLongest)) {
+      : seconds_(aibo_driver::node::readNumber(private_handle, "seconds", 0, kLongest)),
+        first_picture_timeout_(
+            aibo_driver::node::readNumber(private_handle, "first_picture_timeout", seconds_, kLongest)) {
     pictures_ = node_.subscribe("camera/image_raw/compressed", 100, &Monitor::onPicture, this,
                                 ros::TransportHints().tcpNoDelay());
     connection_ = node_.subscribe("connection", 1, &Monitor::onConnection, this);
@@ -52,32 +68,24 @@ class Monitor {
   bool sawPictures() const { return first_picture_time_.has_value(); }
 
  private:
-  struct Arrival {
-    sensor_msgs::CompressedImageConstPtr picture;
-    nanoseconds time;
-  };
-
-  void onPicture(const ros::MessageEvent<sensor_msgs::CompressedImage const>& event) {
-    if (arrivals_.size() < kMostArrivals) {
-      arrivals_.push_back({event.getConstMessage(), sinceEpoch(event.getReceiptTime())});
-    }
-    publisher_ = event.getPublisherName();
+  void onPicture(const ros::MessageEvent<const sensor_msgs::CompressedImage>& event) {
+    const auto& picture = event.getMessage();
+    figures_.add(picture->data.size(), (event.getReceiptTime() - picture->header.stamp).toSec());
   }
 
-  void onConnection(const Connection& connection) { connection_text_ = text::plainLine(connection.text, 1000); }
+  void onConnection(const aibo_driver::Connection& connection) { connection_text_ = plainLine(connection.text, 1000); }
 
-  void onRobotState(const RobotState& state) {
-    stop_text_ = state.stopped != 0 ? "   stopped by " + text::plainLine(state.stopped_by) + ", until release" : "";
+  void onRobotState(const aibo_driver::RobotState& state) {
+    stop_text_ = state.stopped != 0 ? "   stopped by " + plainLine(state.stopped_by) + ", until release" : "";
   }
 
   void onTimer(const ros::SteadyTimerEvent&) {
     const auto now = steady_clock::now();
-    if (!first_picture_time_ && !arrivals_.empty()) {
+    const Figures figures = std::exchange(figures_, {});
+    if (!first_picture_time_ && figures.pictures > 0) {
       first_picture_time_ = now;  // the present second is not a whole one
-      arrivals_.clear();
-      driverLoad(now - last_report_);
     } else {
-      report(now - last_report_);
+      report(figures, std::chrono::duration<double>(now - last_report_).count());
     }
     last_report_ = now;
     if (isOver(now)) {
@@ -96,45 +104,20 @@ class Monitor {
                                : longer_than(start_, first_picture_timeout_);
   }
 
-  void report(nanoseconds elapsed) {
-    PictureFigures figures;
-    for (const Arrival& arrival : std::exchange(arrivals_, {})) {
-      figures.add(arrival.picture->data.size(), arrival.time - sinceEpoch(arrival.picture->header.stamp));
-    }
-    const std::string driver_load = driverLoad(elapsed);
-    if (figures.empty()) {
+  void report(const Figures& figures, double seconds) const {
+    if (figures.pictures == 0) {
       std::printf("no pictures: %s%s\n", connection_text_.c_str(), stop_text_.c_str());
     } else {
-      std::printf("%s   driver: %s of one processor%s\n", figures.words(elapsed).c_str(), driver_load.c_str(),
-                  stop_text_.c_str());
+      figures.print(seconds, stop_text_);
     }
     if (std::fflush(stdout) != 0) {
       ros::shutdown();  // nobody reads the output any more
     }
   }
 
-  // The share of one processor that the driver has used since the last call.
-  std::string driverLoad(nanoseconds elapsed) {
-    if (publisher_ != driver_name_) {
-      driver_name_ = publisher_;
-      driver_process_ = processOfNode(publisher_);
-      driver_time_.reset();
-    }
-    const auto used = driver_process_ ? processorTime(*driver_process_) : std::nullopt;
-    if (!used) {
-      driver_name_.clear();  // the next call looks again, because a driver may be started again under its name
-    }
-    const auto used_before = std::exchange(driver_time_, used);
-    if (!used || !used_before) {
-      return "unknown share";
-    }
-    const double share = std::chrono::duration<double>(*used - *used_before) / std::chrono::duration<double>(elapsed);
-    return text::decimal(100.0 * share, 1) + " %";
-  }
-
   const double seconds_;
   const double first_picture_timeout_;
-  ros::NodeHandle node_ = node::inDriverNamespace(ros::NodeHandle(), "aibo");
+  ros::NodeHandle node_ = aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo");
   ros::Subscriber pictures_;
   ros::Subscriber connection_;
   ros::Subscriber states_;
@@ -143,24 +126,18 @@ class Monitor {
   const steady_clock::time_point start_ = steady_clock::now();
   steady_clock::time_point last_report_ = start_;
   std::optional<steady_clock::time_point> first_picture_time_;
-  std::vector<Arrival> arrivals_;
+  Figures figures_;  ///< of the present second
   std::string connection_text_ = "no driver in namespace " + node_.getNamespace() + " yet";
 
   std::string stop_text_;  ///< empty while the robot may move
-
-  std::string publisher_;
-  std::string driver_name_;
-  std::optional<pid_t> driver_process_;
-  std::optional<nanoseconds> driver_time_;
 };
 
 }  // namespace
-}  // namespace aibo_driver::tools
 
 int main(int argc, char** argv) {
   aibo_driver::node::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
   try {
-    aibo_driver::tools::Monitor monitor(ros::NodeHandle("~"));
+    Monitor monitor(ros::NodeHandle("~"));
     ros::spin();
     return monitor.sawPictures() ? 0 : 1;
   } catch (const std::exception& error) {
