@@ -187,6 +187,12 @@ class TemporaryFile {
   int descriptor_ = -1;
 };
 
+void replace(const FileDescriptor& folder, const fs::path& target, const std::vector<std::uint8_t>& content) {
+  TemporaryFile file(folder, target);
+  file.write(content);
+  file.renameTo(target);
+}
+
 }  // namespace
 
 FileDescriptor openToRead(const std::string& path) {
@@ -288,11 +294,18 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   }
   const FileDescriptor parent = openFolderOf(target);
   checkTarget(parent, target);
-  const std::vector<std::uint8_t> content = withoutComments(jpeg);
-  TemporaryFile file(parent, target);
-  file.write(content);
-  file.renameTo(target);
+  replace(parent, target, withoutComments(jpeg));
   return target.string();
+}
+
+void replaceFile(const std::string& path, const std::vector<std::uint8_t>& content) {
+  checkPath(path, "write");
+  std::error_code error;
+  const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
+  if (error || target.filename().empty() || (fs::exists(target, error) && !fs::is_regular_file(target, error))) {
+    throw FileException("cannot write '" + path + "': that is not a regular file");
+  }
+  replace(openFolderOf(target), target, content);
 }
 
 std::string motionFileName(const std::string& name) {

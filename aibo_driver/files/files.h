@@ -54,6 +54,12 @@ std::vector<std::uint8_t> loadMotion(const std::string& path);
 ///   JPEG, the file exists and is not a JPEG, its folder does not exist, permission is missing, the disk is full, ...
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
 
+/// Writes a file. On any error the old file stays as it was. Nobody ever sees half a file.
+/// @param path an absolute path, or a path relative to the working directory; a link is followed
+/// @throw FileException the path holds control characters, its folder does not exist, it is not a regular file,
+///   permission is missing, the disk is full, ...
+void replaceFile(const std::string& path, const std::vector<std::uint8_t>& content);
+
 /// The picture without the segments that programs ignore and in which anything could be hidden. These are comments, and
 /// application data other than a JFIF header without a thumbnail. Everything that makes up the image stays as it is.
 /// @throw FileException the bytes before the image data are not segments of a JPEG

@@ -95,6 +95,20 @@ TEST_F(LoadFileTest, APathWithControlCharactersIsRefusedAndShownWithoutThem) {
   EXPECT_THAT(loadRefusal("a\x1b[2J"), HasSubstr("cannot read 'a?[2J'"));
 }
 
+class ReplaceFileTest : public FilesTest {};
+
+TEST_F(ReplaceFileTest, WritesTheWholeFileOrLeavesTheOldOne) {
+  const std::string old = write("old");
+  replaceFile(old, {'n', 'e', 'w'});
+  EXPECT_EQ(read(old), "new");
+  fs::create_directory(folder_ / "sub");
+  for (const fs::path& path : {folder_ / "missing" / "a", folder_ / "sub", folder_ / "sub" / "", fs::path("/dev/null"),
+                               folder_ / "a\nb", fs::path("~/a"), fs::path()}) {
+    EXPECT_THAT(refusalOf([&] { replaceFile(path.string(), {'n'}); }), HasSubstr("cannot write ")) << path;
+  }
+  EXPECT_EQ(filesInFolder(), 2U) << "nothing is left of them";
+}
+
 class SaveJpegTest : public FilesTest {
  protected:
   // An image of one byte, which no program would show.
