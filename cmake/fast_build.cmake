@@ -8,7 +8,7 @@ endif()
 
 if(AIBO_FAST_BUILD)
   # Targets can share a precompiled header only if they are position independent in the same way and define the same
-  # names (SDL's users define _REENTRANT). Functions of a program can still be inlined: nobody replaces one of them.
+  # names, such as _REENTRANT. Functions of a program can still be inlined: nobody replaces one of them.
   add_compile_options(-fPIC -fno-semantic-interposition)
   # GCC forgets that a template in a precompiled header is a system one, and warns about Boost's functions.
   add_compile_options(-Wno-maybe-uninitialized)

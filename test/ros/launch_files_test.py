@@ -208,10 +208,7 @@ class LaunchFilesTest(unittest.TestCase):
         speeds = {'speed': 0.2, 'side_speed': 0.03, 'turn_speed': 0.7}
         config = resolve('teleop.launch', ns='left', **speeds)
         self.assertEqual(driver_parameters(config, '/left/aibo_teleop_keyboard'), speeds)
-        config = resolve('teleop.launch', joy=True, joy_reader='joy_node', joy_dev='/dev/input/js1')
-        self.assertIn('/joy_node', nodes(config))
-        self.assertEqual(driver_parameters(config, '/joy_node'), {'dev': '/dev/input/js1', 'autorepeat_rate': 20})
-        self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_reader='none'))), ['/aibo/aibo_teleop_joy'])
+        self.assertEqual(list(nodes(resolve('teleop.launch', joy=True, joy_dev='none'))), ['/aibo/aibo_teleop_joy'])
 
     def test_the_links_of_the_model_have_the_frame_prefix(self):
         def frames(config, ns):

@@ -1,0 +1,68 @@
+"""aibo_joy publishes what a joystick reports. A pipe stands for the joystick."""
+import importlib.machinery
+import importlib.util
+import os
+import unittest
+from pathlib import Path
+from unittest import mock
+
+PROGRAM = Path(__file__).resolve().parents[2] / 'aibo_driver/tools/aibo_joy'
+loader = importlib.machinery.SourceFileLoader('aibo_joy', str(PROGRAM))
+aibo_joy = importlib.util.module_from_spec(importlib.util.spec_from_loader('aibo_joy', loader))
+loader.exec_module(aibo_joy)
+
+AXIS, BUTTON, INIT = 2, 1, 0x80  # as in <linux/joystick.h>
+
+
+class JoyTest(unittest.TestCase):
+    def setUp(self):
+        reading, self.writing = os.pipe()
+        self.joystick = os.fdopen(reading, 'rb', buffering=0)
+        self.addCleanup(self.joystick.close)
+        patch = mock.patch.object(aibo_joy.rospy, 'is_shutdown', lambda: False)
+        patch.start()
+        self.addCleanup(patch.stop)
+        for number in range(2):
+            self.report(0, AXIS | INIT, number)
+            self.report(0, BUTTON | INIT, number)
+
+    def report(self, value, kind, number):
+        os.write(self.writing, aibo_joy.EVENT.pack(0, value, kind, number))
+
+    def published(self, steps=()):
+        """What is published, as (axes, buttons). The joystick is pulled out after the steps, each of which is a function
+        that is called after the next message."""
+        messages, steps = [], list(steps) + [lambda: os.close(self.writing)]
+
+        def publish(state):
+            messages.append(([round(axis, 3) for axis in state.axes], list(state.buttons)))
+            if steps:
+                steps.pop(0)()
+        aibo_joy.read(self.joystick, publish)
+        return messages
+
+    def test_publishes_each_change_with_the_signs_of_ros(self):
+        self.report(-32767, AXIS, 0)  # left
+        self.report(16384, AXIS, 1)  # down
+        self.report(1, BUTTON, 1)
+        self.report(0, BUTTON, 1)  # a short press is not lost
+        self.report(-32768, AXIS, 1)
+        self.assertEqual(self.published([lambda: None] * 4), [
+            ([1, 0], [0, 0]), ([1, -0.5], [0, 0]), ([1, -0.5], [0, 1]), ([1, -0.5], [0, 0]), ([1, 1], [0, 0]),
+            ([0, 0], [0, 0])])
+
+    def test_publishes_the_same_again_until_the_joystick_is_gone_and_then_that_nothing_is_pressed(self):
+        press = [lambda: self.report(1, BUTTON, 0)]
+        self.assertEqual(self.published(press + [lambda: None] * 2), [
+            ([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 0])])
+
+    def test_takes_a_joystick_that_cannot_be_read_for_gone(self):
+        gone = mock.Mock(fileno=self.joystick.fileno, read=mock.Mock(side_effect=OSError))
+        publish = mock.Mock()
+        aibo_joy.read(gone, publish)
+        publish.assert_called_once()
+        os.close(self.writing)
+
+
+if __name__ == '__main__':
+    unittest.main()
