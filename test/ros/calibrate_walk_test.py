@@ -123,6 +123,9 @@ class CalibrateWalkTest(unittest.TestCase):
                 self.assertEqual(program.yaml.safe_load(file), {**program.USUAL, 'walk_scale': 0.72})
             with self.assertRaises(OSError):
                 self.run_program(parameters, folder + '/missing/a.yaml')
+            with self.assertRaises(OSError):
+                self.run_program(parameters, folder + '/.ros')
+            self.assertEqual((os.listdir(folder), os.listdir(folder + '/.ros')), (['.ros'], ['walk_calibration.yaml']))
             self.assertIn('walk_scale: 0.72 (was 0.8)', self.said[0], 'the measurement is not lost')
 
     def test_needs_a_driver_that_does_not_guard_the_walk(self):
