@@ -18,6 +18,7 @@
 #include "node/node.h"
 #include "text/plain_text.h"
 #include "tools/ball_finder.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -147,10 +148,16 @@ class FollowBall {
   ros::Subscriber mask_;
 };
 
+constexpr char kHelp[] = R"(  rosrun aibo_driver aibo_follow_ball [_walk:=true]
+
+Follows a pink ball with the head or, with ~walk, on the robot's legs. It ends when somebody stops the robot, or when
+anything else moves it.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_follow_ball");
+  aibo_driver::tools::init(argc, argv, "aibo_follow_ball", kHelp);
   return aibo_driver::node::runNode("node aibo_follow_ball", [] {
     return std::make_shared<FollowBall>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                         ros::NodeHandle("~"));

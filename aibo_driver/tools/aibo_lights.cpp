@@ -11,6 +11,7 @@
 
 #include "node/node.h"
 #include "tools/light_markers.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -53,10 +54,15 @@ class Lights {
   ros::Subscriber touch_;
 };
 
+constexpr char kHelp[] = R"(  rosrun aibo_driver aibo_lights [__ns:=aibo] [_frame_prefix:=PREFIX]
+
+Shows in rviz which LEDs shine and what touches the robot: topic lights.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_lights");
+  aibo_driver::tools::init(argc, argv, "aibo_lights", kHelp);
   return aibo_driver::node::runNode("node aibo_lights", [] {
     return std::make_shared<Lights>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                     ros::NodeHandle("~"));

@@ -22,6 +22,7 @@
 #include "robot_model/head.h"
 #include "text/plain_text.h"
 #include "text/throttled_warnings.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -185,10 +186,15 @@ class LookAt {
   ros::Subscriber points_;
 };
 
+constexpr char kHelp[] = R"(  rosrun aibo_driver aibo_look_at [__ns:=aibo] [_frame_prefix:=PREFIX]
+
+Turns the head so that the middle of the camera's picture shows the points on look_at.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_look_at");
+  aibo_driver::tools::init(argc, argv, "aibo_look_at", kHelp);
   return aibo_driver::node::runNode("node aibo_look_at", [] {
     return std::make_shared<LookAt>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                     ros::NodeHandle("~"));

@@ -1,12 +1,3 @@
-// Prints the rate and the latency of the pictures once a second, as a subscriber gets them. It also prints whether
-// somebody has stopped the robot.
-//
-// Start it in the driver's namespace. The root namespace means /aibo.
-// Parameters:
-//   ~seconds                how long to run after the first picture; 0, the default: until stopped
-//   ~first_picture_timeout  seconds to wait for the first picture before it gives up and returns 1; 0: for ever.
-//                           The default is ~seconds
-
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/RobotState.h>
 #include <ros/ros.h>
@@ -23,6 +14,7 @@
 
 #include "node/node.h"
 #include "text/plain_text.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -132,10 +124,19 @@ class Monitor {
   std::string stop_text_;  ///< empty while the robot may move
 };
 
+constexpr char kHelp[] = R"(  rosrun aibo_driver aibo_monitor [__ns:=aibo] [_seconds:=S] [_first_picture_timeout:=S]
+
+Prints the rate and the latency of the pictures once a second, as a subscriber gets them, and who has stopped the robot.
+
+  ~seconds                how long to run after the first picture; 0, the default: until stopped
+  ~first_picture_timeout  seconds to wait for the first picture, before it gives up and returns 1; 0: for ever.
+                          The default is ~seconds
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_monitor", ros::init_options::AnonymousName);
+  aibo_driver::tools::init(argc, argv, "aibo_monitor", kHelp, ros::init_options::AnonymousName);
   try {
     Monitor monitor(ros::NodeHandle("~"));
     ros::spin();

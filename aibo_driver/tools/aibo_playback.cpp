@@ -23,6 +23,7 @@
 #include "node/only_driver.h"
 #include "tools/playback/body_frames.h"
 #include "tools/playback/recording.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -287,10 +288,16 @@ class Playback {
   ros::SteadyTimer timer_;  // last, because its callback uses all members above
 };
 
+constexpr char kHelp[] = R"(  roslaunch aibo_driver playback.launch bag:=FILE.bag
+
+Plays a recording as if its robot were here; the launch file starts this program with what it needs. Parameters: ~bag,
+~recorded_ns, ~frame_prefix, ~rate, ~start, ~loop and ~wait, as in docs/ros_interface.md.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_playback");
+  aibo_driver::tools::init(argc, argv, "aibo_playback", kHelp);
   bool failed = false;
   const int status = aibo_driver::node::runNode("playback", [&failed] {
     return std::make_shared<Playback>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "playback/aibo"),

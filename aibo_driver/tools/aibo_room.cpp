@@ -18,6 +18,7 @@
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
+#include "tools/program.h"
 
 namespace {
 
@@ -193,10 +194,15 @@ class Room {
   ros::Timer timer_;
 };
 
+constexpr char kHelp[] = R"(  rosrun aibo_driver aibo_room [__ns:=aibo] [_on_table:=true]
+
+Shows the simulated robot's room in rviz. With ~on_table, the robot begins on the table.
+)";
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_room");
+  aibo_driver::tools::init(argc, argv, "aibo_room", kHelp);
   return aibo_driver::node::runNode("node aibo_room", [] {
     return std::make_shared<Room>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                   aibo_driver::node::readFlag(ros::NodeHandle("~"), "on_table"));

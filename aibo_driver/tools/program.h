@@ -1,0 +1,34 @@
+/// @file program.h
+#ifndef AIBO_DRIVER_TOOLS_PROGRAM_H
+#define AIBO_DRIVER_TOOLS_PROGRAM_H
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "node/node.h"
+
+namespace aibo_driver::tools {
+
+/// Calls node::init(). With -h or --help it prints the help instead, and ends the process. It refuses all other
+/// arguments but ROS' NAME:=VALUE.
+/// @param help what the program does, and its parameters
+/// @param options ros::InitOption
+inline void init(int& argc, char** argv, const std::string& name, const char* help, std::uint32_t options = 0) {
+  for (int i = 1; i < argc; ++i) {
+    if (const std::string argument = argv[i]; argument == "-h" || argument == "--help") {
+      std::printf("%s", help);
+      std::exit(EXIT_SUCCESS);
+    }
+  }
+  node::init(argc, argv, name, options);  // removes ROS' arguments
+  if (argc > 1) {
+    std::fprintf(stderr, "%s: there is no argument '%s'. --help lists the parameters.\n", name.c_str(), argv[1]);
+    std::exit(EXIT_FAILURE);
+  }
+}
+
+}  // namespace aibo_driver::tools
+
+#endif  // AIBO_DRIVER_TOOLS_PROGRAM_H
