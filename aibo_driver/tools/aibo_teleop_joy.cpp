@@ -3,7 +3,6 @@
 // nothing changes. If they stop, the robot stops 0.5 s later.
 
 #include <aibo_driver/PlayMotion.h>
-#include <aibo_driver/RobotState.h>
 #include <aibo_driver/TakePicture.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>
@@ -19,20 +18,17 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 #include "node/node.h"
 #include "node/parameter_value.h"
-#include "node/stop_client.h"
-#include "text/plain_text.h"
-#include "tools/teleop/head_steering.h"
+#include "tools/program.h"
 #include "tools/teleop/joy_steering.h"
 #include "tools/teleop/service_caller.h"
+#include "tools/teleop/teleop_node.h"
 
 namespace {
 
 using aibo_driver::PlayMotion;
-using aibo_driver::RobotState;
 using aibo_driver::TakePicture;
 using std_srvs::Trigger;
 using teleop::HeadPosition;
@@ -82,9 +78,7 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   mapping.picture_button = readPlace(parameters, "picture_button", mapping.picture_button);
   mapping.motions = readButtons(parameters, "motions");
   mapping.postures = readButtons(parameters, "postures");
-  mapping.speeds.forward = aibo_driver::node::readNumber(parameters, "speed", mapping.speeds.forward, 1.0);
-  mapping.speeds.left = aibo_driver::node::readNumber(parameters, "side_speed", mapping.speeds.left, 1.0);
-  mapping.speeds.turn = aibo_driver::node::readNumber(parameters, "turn_speed", mapping.speeds.turn, 10.0);
+  mapping.speeds = teleop::readSpeeds(parameters);
   mapping.head_speed = aibo_driver::node::readNumber(parameters, "head_speed", mapping.head_speed, 10.0);
   mapping.dead_zone = aibo_driver::node::readNumber(parameters, "dead_zone", mapping.dead_zone, 0.9);
   for (const auto& posture : mapping.postures) {
@@ -113,19 +107,23 @@ std::string pictureName() {
   return name;
 }
 
+std::string howToRelease(const JoyMapping& mapping) {
+  return mapping.release_button == teleop::kNoPlace
+             ? "It moves again after the service release."
+             : "It moves again after the release button together with the dead-man button; then let go of both.";
+}
+
 class JoyTeleop {
  public:
   JoyTeleop(ros::NodeHandle handle, const ros::NodeHandle& parameters)
       : mapping_(readMapping(parameters)),
         steering_(mapping_),
-        stop_(handle),
-        release_(handle),
+        robot_(handle, howToRelease(mapping_), [](const std::string& text) { ROS_WARN_STREAM(text); }),
         pictures_(handle),
         movements_(handle) {
     velocities_ = handle.advertise<geometry_msgs::Twist>("cmd_vel", 1);
     head_positions_ = handle.advertise<sensor_msgs::JointState>("joint_command", 1);
     joints_ = handle.subscribe("joint_states", 1, &JoyTeleop::receiveJoints, this);
-    states_ = handle.subscribe("robot_state", 1, &JoyTeleop::receiveState, this);
     joystick_ = handle.subscribe("/joy", kJoyQueueSize, &JoyTeleop::receive, this);
   }
 
@@ -137,10 +135,10 @@ class JoyTeleop {
     }
     const JoyOrders orders = steering_.read(joystick->axes, {joystick->buttons.begin(), joystick->buttons.end()});
     if (orders.stop) {
-      stop_.stop([this](const Trigger::Response* response) { teleop::logAnswer(stop_.service(), response); });
+      robot_.stop();
     }
     if (orders.walk) {
-      walk(*orders.walk);
+      velocities_.publish(teleop::toTwist(*orders.walk));
     }
     if (const auto position = head_.steer(orders.head, std::chrono::steady_clock::now())) {
       turnHead(*position);
@@ -148,24 +146,9 @@ class JoyTeleop {
     obey(orders);
   }
 
-  void receiveState(const RobotState::ConstPtr& state) {
-    const std::string stopped_by = state->stopped != 0 ? aibo_driver::text::plainLine(state->stopped_by) : "";
-    if (stopped_by == std::exchange(stopped_by_, stopped_by)) {
-      return;
-    }
-    if (stopped_by.empty()) {
-      ROS_INFO("The robot may move again. Let go of the dead-man button once.");
-    } else {
-      ROS_WARN_STREAM(stopped_by << " has stopped the robot. It moves again after the service release"
-                                 << (mapping_.release_button == teleop::kNoPlace
-                                         ? "."
-                                         : ", or the release button together with the dead-man button."));
-    }
-  }
-
   void obey(const JoyOrders& orders) {
-    if (orders.release && !stopped_by_.empty()) {
-      release_.call<Trigger>("release", {});
+    if (orders.release) {
+      robot_.release();
     }
     if (orders.take_picture) {
       TakePicture::Request request;
@@ -181,14 +164,6 @@ class JoyTeleop {
     if (!orders.posture.empty()) {
       movements_.call<Trigger>(orders.posture, {});
     }
-  }
-
-  void walk(const aibo_client::WalkVelocity& velocity) {
-    geometry_msgs::Twist twist;
-    twist.linear.x = velocity.forward;
-    twist.linear.y = velocity.left;
-    twist.angular.z = velocity.turn;
-    velocities_.publish(twist);
   }
 
   void turnHead(const HeadPosition& position) {
@@ -220,22 +195,24 @@ class JoyTeleop {
   teleop::HeadSteering head_;
   std::optional<double> pan_;
   std::optional<double> tilt_;
-  std::string stopped_by_;  ///< empty while the robot may move
-  aibo_driver::node::StopClient stop_;
-  teleop::ServiceCaller release_;
+  teleop::StopAndRelease robot_;
   teleop::ServiceCaller pictures_;
   teleop::ServiceCaller movements_;
   ros::Publisher velocities_;
   ros::Publisher head_positions_;
   ros::Subscriber joints_;
-  ros::Subscriber states_;
   ros::Subscriber joystick_;
 };
+
+constexpr char kHelp[] = R"(  roslaunch aibo_driver teleop.launch joy:=true
+
+Steers the robot by a joystick or gamepad (sensor_msgs/Joy on /joy). config/joy.yaml has its parameters.
+)";
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  aibo_driver::node::init(argc, argv, "aibo_teleop_joy");
+  aibo_driver::tools::init(argc, argv, "aibo_teleop_joy", kHelp);
   return aibo_driver::node::runNode("joystick", [] {
     return std::make_shared<JoyTeleop>(aibo_driver::node::inDriverNamespace(ros::NodeHandle(), "aibo"),
                                        ros::NodeHandle("~"));

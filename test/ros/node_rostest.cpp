@@ -211,6 +211,19 @@ TEST(Programs, StartedInTheRootNamespaceUseTheDriverUnderAibo) {
   }
 }
 
+TEST(Programs, HaveAHelpAndRefuseOtherArguments) {
+  for (const char* path : {AIBO_FOLLOW_BALL, AIBO_IMAGE_DECODER, AIBO_LIGHTS, AIBO_LOOK_AT, AIBO_MONITOR, AIBO_PLAYBACK,
+                           AIBO_ROOM, AIBO_TELEOP_JOY, AIBO_TELEOP_KEYBOARD}) {
+    for (const auto& [argument, status, text] : {std::tuple("-h", 0, "aibo_driver"),
+                                                 {"--help", 0, "aibo_driver"},
+                                                 {"--no", 1, "there is no argument '--no'"}}) {
+      Process program({path, argument});
+      EXPECT_EQ(program.waitForExit(kSafetyNet), status) << path << " " << argument;
+      EXPECT_THAT(program.output(), HasSubstr(text)) << path;
+    }
+  }
+}
+
 TEST(Node, EndsWithAnErrorThatSaysWhatIsWrongWithAParameter) {
   const std::pair<const char*, const char*> rows[] = {
       {"_jpeg_quality:=101", "/jpeg_quality is 101; it must be a whole number, 1\\.\\.100"},

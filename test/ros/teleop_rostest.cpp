@@ -181,7 +181,7 @@ struct Mapping {
 
 TEST(GamepadTest, EachAxisHasItsDirectionAndSpeed) {
   const Mapping rows[] = {
-      {"/usual", {}, {0.28F, 0.55F, 1, -0.55F, 1, 1, -1}, 0.15 * 0.5, -0.06, 0.2, 1.5},
+      {"/usual", {}, {0.28F, 0.55F, 1, -0.55F, 1, 1, -1}, 0.05, -0.05, 0.1, 1.5},
       {"/other",
        {"_turn_axis:=1", "_forward_axis:=0", "_left_axis:=2", "_pan_axis:=4", "_tilt_axis:=3", "_speed:=0.1",
         "_side_speed:=0.05", "_turn_speed:=2", "_head_speed:=3"},

@@ -2,16 +2,22 @@
 #ifndef AIBO_DRIVER_TOOLS_TELEOP_JOY_STEERING_H
 #define AIBO_DRIVER_TOOLS_TELEOP_JOY_STEERING_H
 
+#include <chrono>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "aibo_client/walk.h"
-#include "tools/teleop/head_steering.h"
 #include "tools/teleop/key_steering.h"
 
 namespace teleop {
+
+/// How fast the head turns, in rad/s.
+struct HeadVelocity {
+  double pan = 0;   ///< positive to the left
+  double tilt = 0;  ///< positive up
+};
 
 /// The place of an axis or button that does not exist.
 constexpr int kNoPlace = -1;
@@ -30,7 +36,7 @@ struct JoyMapping {
   int picture_button = 0;               ///< works without the dead-man button
   std::map<std::string, int> motions;   ///< buttons; the key is the name of the motion
   std::map<std::string, int> postures;  ///< buttons; the key is the name of the service: stand, sit, rest
-  Speeds speeds{0.15, 0.06, 1.0};       ///< at full deflection
+  Speeds speeds;                        ///< at full deflection
   double head_speed = 1.0;              ///< rad/s, at full deflection
   double dead_zone = 0.1;               ///< 0..0.9; a smaller deflection counts as none
 };
@@ -74,6 +80,32 @@ class JoySteering {
   std::vector<int> buttons_;  ///< as they were last read
   bool steers_ = false;
   bool is_halted_ = false;  ///< stopped or released; until the dead-man button is let go
+};
+
+/// Where the head looks, in rad.
+struct HeadPosition {
+  double pan = 0;   ///< positive to the left
+  double tilt = 0;  ///< positive up
+};
+
+/// Turns velocities of the head into positions to command. The positions begin where the head is measured, end at the
+/// limits of an ERS-7's joints, and never run far ahead of the head.
+class HeadSteering {
+ public:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  /// Call this with the measured position of the head.
+  void measured(const HeadPosition& position);
+
+  /// Call this several times a second.
+  /// @param velocity empty: the head is not steered, and others may move it
+  /// @return the position to command; empty if the head is not steered, or has not been measured yet
+  std::optional<HeadPosition> steer(const std::optional<HeadVelocity>& velocity, TimePoint now);
+
+ private:
+  std::optional<HeadPosition> measured_;
+  std::optional<HeadPosition> target_;  ///< empty while the head is not steered
+  TimePoint last_;
 };
 
 }  // namespace teleop

@@ -1,4 +1,4 @@
-#include "tools/teleop/head_steering.h"
+#include "tools/teleop/joy_steering.h"
 
 #include <gtest/gtest.h>
 

@@ -173,7 +173,7 @@ TEST(JoyMappingTest, NeedNotNameEveryPart) {
   JoySteering joy(few);
   EXPECT_EQ(joy.problem(2, 5), "");
   const JoyOrders orders = joy.read({0, 1}, {1, 1, 1, 1, 1});
-  EXPECT_DOUBLE_EQ(orders.walk->forward, 0.15);
+  EXPECT_DOUBLE_EQ(orders.walk->forward, 0.1);
   EXPECT_EQ(orders.walk->left, 0);
   EXPECT_FALSE(orders.head || orders.stop || orders.take_picture);
 }
