@@ -1,4 +1,4 @@
-#include "sound/sound_file.h"
+#include "sound/source.h"
 
 #include <samplerate.h>
 #include <sndfile.h>

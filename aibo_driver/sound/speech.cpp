@@ -1,4 +1,4 @@
-#include "sound/speech.h"
+#include "sound/source.h"
 
 #include <fcntl.h>
 #include <signal.h>
@@ -18,7 +18,6 @@
 
 #include "client/file_descriptor.h"
 #include "files/files.h"
-#include "sound/sound_file.h"
 
 namespace aibo_driver::sound {
 

@@ -12,8 +12,7 @@
 #include "sound/level.h"
 #include "sound/player.h"
 #include "sound/recording.h"
-#include "sound/sound_file.h"
-#include "sound/speech.h"
+#include "sound/source.h"
 #include "text/number.h"
 
 namespace aibo_driver::command_line {

@@ -1,8 +1,7 @@
 #include <aibo_driver/PlaySoundAction.h>
 
 #include "node/followed_action.h"
-#include "sound/sound_file.h"
-#include "sound/speech.h"
+#include "sound/source.h"
 
 namespace aibo_driver::node {
 namespace {

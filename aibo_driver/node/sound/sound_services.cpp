@@ -7,8 +7,7 @@
 
 #include "node/service.h"
 #include "node/services.h"
-#include "sound/sound_file.h"
-#include "sound/speech.h"
+#include "sound/source.h"
 
 namespace aibo_driver::node {
 

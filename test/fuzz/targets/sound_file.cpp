@@ -5,7 +5,7 @@
 #include "client/file_descriptor.h"
 #include "files/files.h"
 #include "fuzz_input.h"
-#include "sound/sound_file.h"
+#include "sound/source.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   aibo_client::FileDescriptor file(::memfd_create("sound", MFD_CLOEXEC));

@@ -1,5 +1,5 @@
 // Sound files for the robot, and recordings.
-#include "sound/sound_file.h"
+#include "sound/source.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>

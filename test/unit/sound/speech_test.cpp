@@ -1,5 +1,5 @@
 // Speech, by a program in place of espeak-ng.
-#include "sound/speech.h"
+#include "sound/source.h"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
