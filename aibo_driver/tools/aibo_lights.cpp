@@ -1,6 +1,3 @@
-// Shows in rviz which LEDs shine and what touches the robot, as markers on the links of its model. It subscribes to the
-// driver only while it has a subscriber itself.
-
 #include <aibo_driver/LedStates.h>
 #include <aibo_driver/Touch.h>
 #include <ros/ros.h>

@@ -23,7 +23,6 @@
 #include "node/parameter_value.h"
 #include "tools/program.h"
 #include "tools/teleop/joy_steering.h"
-#include "tools/teleop/service_caller.h"
 #include "tools/teleop/teleop_node.h"
 
 namespace {

@@ -1,5 +1,3 @@
-// Makes the robot walk as the user presses keys in a terminal.
-
 #include <aibo_driver/MotionState.h>
 #include <geometry_msgs/Twist.h>
 #include <ros/ros.h>

@@ -13,8 +13,7 @@ loader = importlib.machinery.SourceFileLoader('aibo_hear', str(PROGRAM))
 aibo_hear = importlib.util.module_from_spec(importlib.util.spec_from_loader('aibo_hear', loader))
 loader.exec_module(aibo_hear)
 
-
-PLAYERS = aibo_hear.PLAYERS
+PLAYER = aibo_hear.PLAYER
 
 
 def sound(samples, rate=16000, channels=1, missing=0):
@@ -26,10 +25,10 @@ class HearTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
-        self.play_with(('no-such-player',), ('dd', 'status=none', 'of=' + str(self.folder / '{rate}-{channels}')))
+        self.play_with('dd', 'status=none', 'of=' + str(self.folder / '{rate}-{channels}'))
 
-    def play_with(self, *players):
-        patch = mock.patch.object(aibo_hear, 'PLAYERS', players)
+    def play_with(self, *words):
+        patch = mock.patch.object(aibo_hear, 'PLAYER', words)
         patch.start()
         self.addCleanup(patch.stop)
 
@@ -52,17 +51,17 @@ class HearTest(unittest.TestCase):
                                     sound([4, 7], rate=8000, channels=2)),
                          {'16000-1': [1], '16000-2': [2, 3, 5, 6], '8000-2': [4, 7]})
 
-    def test_tells_players_the_format(self):
-        for number, words in enumerate(('-q -t raw -f S16_LE -r 16000 -c 2 -', '--rate=16000 --channels=2')):
-            with mock.patch.object(aibo_hear.subprocess, 'Popen') as start:
-                with mock.patch.object(aibo_hear, 'PLAYERS', (PLAYERS[number],)):
-                    aibo_hear.Ear().hear(sound([1, 2], channels=2))
-                self.assertIn(words, ' '.join(start.call_args[0][0]))
+    def test_tells_its_player_the_format(self):
+        self.play_with(*PLAYER)
+        with mock.patch.object(aibo_hear.subprocess, 'Popen') as start:
+            aibo_hear.Ear().hear(sound([1, 2], channels=2))
+        self.assertIn('-q -t raw -f S16_LE -r 16000 -c 2 -', ' '.join(start.call_args[0][0]))
 
     def test_hears_the_microphone_until_it_ends(self):
         with mock.patch.object(aibo_hear.rospy, 'init_node') as node, \
                 mock.patch.object(aibo_hear.rospy, 'Subscriber') as subscriber, \
                 mock.patch.object(aibo_hear.rospy, 'spin', lambda: subscriber.call_args[0][2](sound([7]))), \
+                mock.patch.object(aibo_hear.sys, 'argv', ['aibo_hear']), \
                 self.assertRaises(SystemExit) as end:
             aibo_hear.main()
         self.assertIsNone(end.exception.code)
@@ -72,7 +71,7 @@ class HearTest(unittest.TestCase):
         self.assertEqual(list(memoryview((self.folder / '16000-1').read_bytes()).cast('h')), [7])
 
     def test_says_that_its_player_has_ended(self):
-        self.play_with(('false',))
+        self.play_with('false')
         ear = aibo_hear.Ear()
         with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:
             while not ear.problem:
@@ -83,7 +82,7 @@ class HearTest(unittest.TestCase):
         self.assertEqual(ear.problem, 'aibo_hear: false has ended. Does this computer have a sound card?')
 
     def test_says_that_there_is_no_player(self):
-        self.play_with(('no-such-player',))
+        self.play_with('no-such-player')
         ear = aibo_hear.Ear()
         with mock.patch.object(aibo_hear.rospy, 'signal_shutdown') as shut_down:  # it would end this program's rospy
             ear.hear(sound([1]))

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "node/node.h"
-#include "text/plain_text.h"
 
 namespace teleop {
 

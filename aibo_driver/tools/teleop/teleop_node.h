@@ -5,14 +5,20 @@
 
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/Twist.h>
+#include <ros/console.h>
 #include <ros/node_handle.h>
+#include <ros/service.h>
 
+#include <chrono>
+#include <cstddef>
 #include <functional>
+#include <future>
 #include <string>
 
 #include "node/stop_client.h"
+#include "node/xmlrpc_peer.h"
+#include "text/plain_text.h"
 #include "tools/teleop/key_steering.h"
-#include "tools/teleop/service_caller.h"
 
 namespace teleop {
 
@@ -21,6 +27,46 @@ namespace teleop {
 Speeds readSpeeds(const ros::NodeHandle& parameters);
 
 geometry_msgs::Twist toTwist(const aibo_client::WalkVelocity& velocity);
+
+/// Logs the answer of a service.
+/// @param response null if there was none
+template <typename Response>
+void logAnswer(const std::string& service, const Response* response) {
+  constexpr std::size_t kLongestMessage = 1000;  // bytes
+  if (response == nullptr) {
+    ROS_WARN_STREAM("The service " << service << " cannot be called: do the driver and the ROS master run?");
+  } else if (response->success) {
+    ROS_INFO_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
+  } else {
+    ROS_WARN_STREAM(service << ": " << aibo_driver::text::plainLine(response->message, kLongestMessage));
+  }
+}
+
+/// Calls one service at a time in a thread of its own, so that steering goes on. The answers go to the log.
+class ServiceCaller {
+ public:
+  explicit ServiceCaller(const ros::NodeHandle& handle) : handle_(handle) {}
+
+  /// Calls a service. If the previous call has not ended yet, it only warns. Only one thread may call it.
+  template <typename Service>
+  void call(const std::string& name, const typename Service::Request& request) {
+    if (call_.valid() && call_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+      ROS_WARN_STREAM(name << " is not called: the previous call has not ended yet.");
+      return;
+    }
+    call_ = std::async(std::launch::async, [service = handle_.resolveName(name), request] {
+      typename Service::Response response;
+      typename Service::Request copy = request;
+      // Without the first condition, roscpp would wait for a master that hangs.
+      const bool answered = aibo_driver::node::isAdvertised(service) && ros::service::call(service, copy, response);
+      logAnswer(service, answered ? &response : nullptr);
+    });
+  }
+
+ private:
+  const ros::NodeHandle handle_;
+  std::future<void> call_;
+};
 
 /// Stops the robot, and lets it move again. Only one thread may call it and serve the handle's callbacks.
 class StopAndRelease {
