@@ -1,10 +1,34 @@
 #include "tools/teleop/key_steering.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace teleop {
 namespace {
 
-constexpr double kFaster = 1.1;
-constexpr double kSlower = 0.9;
+struct DirectionKey {
+  char key;
+  Direction direction;
+};
+
+// A key shows the direction in which the robot goes. For m it goes back and to the left, so it has to turn to the
+// right.
+constexpr DirectionKey kDirections[] = {
+    {'i', {1, 0, 0}},  {'I', {1, 0, 0}},         {kArrowUp, {1, 0, 0}}, {'u', {1, 0, 1}},          {'o', {1, 0, -1}},
+    {'j', {0, 0, 1}},  {kArrowLeft, {0, 0, 1}},  {'l', {0, 0, -1}},     {kArrowRight, {0, 0, -1}}, {',', {-1, 0, 0}},
+    {'<', {-1, 0, 0}}, {kArrowDown, {-1, 0, 0}}, {'m', {-1, 0, -1}},    {'.', {-1, 0, 1}},         {'J', {0, 1, 0}},
+    {'L', {0, -1, 0}}, {'U', {1, 1, 0}},         {'O', {1, -1, 0}},     {'M', {-1, 1, 0}},         {'>', {-1, -1, 0}},
+};
+
+struct SpeedKey {
+  char key;
+  double walk;
+  double turn;
+};
+
+constexpr SpeedKey kSpeeds[] = {
+    {'q', 1.1, 1.1}, {'z', 0.9, 0.9}, {'w', 1.1, 1}, {'x', 0.9, 1}, {'e', 1, 1.1}, {'c', 1, 0.9},
+};
 
 }  // namespace
 
@@ -21,10 +45,15 @@ const char* KeySteering::help() {
 }
 
 bool KeySteering::press(char key, TimePoint now) {
-  if (changeSpeeds(key)) {
+  const auto has_key = [key](const auto& row) { return row.key == key; };
+  if (const auto* speed = std::find_if(std::begin(kSpeeds), std::end(kSpeeds), has_key); speed != std::end(kSpeeds)) {
+    speeds_.forward *= speed->walk;
+    speeds_.left *= speed->walk;
+    speeds_.turn *= speed->turn;
     return true;
   }
-  direction_ = directionOf(key);
+  const auto* row = std::find_if(std::begin(kDirections), std::end(kDirections), has_key);
+  direction_ = row != std::end(kDirections) ? row->direction : Direction{0, 0, 0};
   pressed_ = now;
   return false;
 }
@@ -34,80 +63,6 @@ aibo_client::WalkVelocity KeySteering::velocity(TimePoint now) const {
     return {};
   }
   return {direction_.forward * speeds_.forward, direction_.left * speeds_.left, direction_.turn * speeds_.turn};
-}
-
-// A key shows the direction in which the robot goes. For m it goes back and to the left, so it has to turn to
-// the right.
-KeySteering::Direction KeySteering::directionOf(char key) {
-  switch (key) {
-    case 'i':
-    case 'I':
-    case kArrowUp:
-      return {1, 0, 0};
-    case 'u':
-      return {1, 0, 1};
-    case 'o':
-      return {1, 0, -1};
-    case 'j':
-    case kArrowLeft:
-      return {0, 0, 1};
-    case 'l':
-    case kArrowRight:
-      return {0, 0, -1};
-    case 'm':
-      return {-1, 0, -1};
-    case ',':
-    case '<':
-    case kArrowDown:
-      return {-1, 0, 0};
-    case '.':
-      return {-1, 0, 1};
-    case 'J':
-      return {0, 1, 0};
-    case 'L':
-      return {0, -1, 0};
-    case 'U':
-      return {1, 1, 0};
-    case 'O':
-      return {1, -1, 0};
-    case 'M':
-      return {-1, 1, 0};
-    case '>':
-      return {-1, -1, 0};
-    default:
-      return {0, 0, 0};
-  }
-}
-
-bool KeySteering::changeSpeeds(char key) {
-  double walk = 1;
-  double turn = 1;
-  switch (key) {
-    case 'q':
-      walk = turn = kFaster;
-      break;
-    case 'z':
-      walk = turn = kSlower;
-      break;
-    case 'w':
-      walk = kFaster;
-      break;
-    case 'x':
-      walk = kSlower;
-      break;
-    case 'e':
-      turn = kFaster;
-      break;
-    case 'c':
-      turn = kSlower;
-      break;
-    default:
-      return false;
-  }
-  speeds_.forward *= walk;
-  speeds_.left *= walk;
-  speeds_.turn *= turn;
-  return true;
 }
 
 }  // namespace teleop

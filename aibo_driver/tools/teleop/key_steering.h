@@ -25,6 +25,13 @@ constexpr char kArrowLeft = '\x84';
 constexpr char kOtherSpecialKey = '\x85';
 /// @}
 
+/// A direction. Each member is a multiple of the speed: -1, 0 or 1.
+struct Direction {
+  int forward;
+  int left;
+  int turn;
+};
+
 /// Turns keys into a velocity. The keys are those of ROS' teleop_twist_keyboard, as its documentation describes them.
 /// The keys around k are arranged like the directions on a keypad. So are the arrow keys. Capital letters walk
 /// sideways; q, z, w, x, e and c change the speeds. Every other key stops the robot.
@@ -47,16 +54,6 @@ class KeySteering {
   const Speeds& speeds() const { return speeds_; }
 
  private:
-  /// A direction. Each member is a multiple of the speed: -1, 0 or 1.
-  struct Direction {
-    int forward;
-    int left;
-    int turn;
-  };
-
-  static Direction directionOf(char key);
-  bool changeSpeeds(char key);
-
   Speeds speeds_;
   const std::chrono::milliseconds hold_;
   Direction direction_{0, 0, 0};
