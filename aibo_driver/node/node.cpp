@@ -8,7 +8,6 @@
 #include <ros/init.h>
 #include <ros/network.h>
 #include <ros/rosout_appender.h>
-#include <ros/this_node.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -25,7 +24,6 @@
 #include <string>
 #include <utility>
 
-#include "node/master_watch.h"
 #include "node/parameter_value.h"
 #include "text/log_lines.h"
 
@@ -193,7 +191,6 @@ int runNode(const std::string& name, const std::function<std::shared_ptr<void>()
   warnOfWrongAddress();
   try {
     std::shared_ptr<void> node = make();
-    const MasterWatch master_watch(ros::this_node::getName());
     while (!ros::isShuttingDown()) {  // unlike ros::spin(), this sleeps until there is something to do
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(3600));
     }

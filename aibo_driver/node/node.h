@@ -36,8 +36,7 @@ bool readFlag(const ros::NodeHandle& parameters, const std::string& name);
 /// @param options ros::InitOption
 void init(int& argc, char** argv, const std::string& name, std::uint32_t options = 0);
 
-/// Runs a node until it is shut down. It serves the global callback queue, and registers the node again with a
-/// restarted ROS master (MasterWatch).
+/// Runs a node until it is shut down. It serves the global callback queue.
 ///
 /// On Ctrl-C (SIGINT) the node ends as roscpp does, but within 10 s: roscpp unregisters each topic and service with the
 /// ROS master and waits for its answers without limit. If that takes longer, the process says so on stderr and ends at

@@ -6,7 +6,6 @@
 
 #include "node/aibo_driver.h"
 #include "node/camera/image_decoder.h"
-#include "node/master_watch.h"
 
 namespace aibo_driver::node {
 
@@ -16,7 +15,6 @@ class AiboDriverNodelet : public nodelet::Nodelet {
   void onInit() override {
     try {
       driver_ = std::make_unique<AiboDriver>(getNodeHandle(), getPrivateNodeHandle(), getName());
-      master_watch_ = std::make_unique<MasterWatch>(getName());
     } catch (const std::exception& error) {
       NODELET_FATAL_STREAM("The driver cannot start. " << error.what());
       throw;  // the manager answers that it could not load the nodelet
@@ -24,7 +22,6 @@ class AiboDriverNodelet : public nodelet::Nodelet {
   }
 
   std::unique_ptr<AiboDriver> driver_;
-  std::unique_ptr<MasterWatch> master_watch_;
 };
 
 /// The decoder in a nodelet manager.

@@ -8,7 +8,6 @@
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/names.h>
-#include <ros/this_node.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -72,8 +71,7 @@ QString noAnswerText(const std::string& service) {
 
 }  // namespace
 
-RosRobot::RosRobot(QObject* parent)
-    : Robot(parent), callbacks_(ros::NodeHandle("/"), receipts_), master_watch_(ros::this_node::getName()) {
+RosRobot::RosRobot(QObject* parent) : Robot(parent), callbacks_(ros::NodeHandle("/"), receipts_) {
   connection_.text = "no driver has been found yet";
   connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
   callbacks_.start();

@@ -11,7 +11,6 @@
 #include <thread>
 
 #include "node/callback_threads.h"
-#include "node/master_watch.h"
 #include "remote_control/driver_search.h"
 #include "remote_control/driver_topics.h"
 #include "remote_control/robot.h"
@@ -112,7 +111,6 @@ class RosRobot : public Robot {
 
   node::ReceiptClock receipts_;  ///< gets no signs of life, because the age of messages does not matter here
   node::CallbackThreads callbacks_;
-  node::MasterWatch master_watch_;
   std::thread manager_;
 };
 

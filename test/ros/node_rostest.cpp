@@ -38,9 +38,9 @@ using XmlRpc::XmlRpcValue;
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 using ImageListener = TopicListener<sensor_msgs::Image>;
 
-XmlRpcValue askMaster(const char* method, const std::vector<std::string>& arguments, const std::string& caller = "") {
+XmlRpcValue askMaster(const char* method, const std::vector<std::string>& arguments) {
   XmlRpcValue request;
-  request[0] = caller.empty() ? ros::this_node::getName() : caller;
+  request[0] = ros::this_node::getName();
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     request[static_cast<int>(i) + 1] = arguments[i];
   }
@@ -313,18 +313,6 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndNamesTheFirst) {
   const DriverProcess next("/one", robot.port(), {"__name:=second"});
   EXPECT_FALSE(CompressedListener("/one/camera/image_raw/compressed").waitForCount(1).empty()) << next.output();
   is_refused("third", taken + "second");
-}
-
-// As a node does that had the same names and has ended.
-TEST(Node, RegistersAServiceAndATopicAgainThatWereTakenFromIt) {
-  DriverProcess driver("/taken", 1);
-  const std::string node = "/taken/aibo_driver";
-  ASSERT_TRUE(ros::service::waitForService("/taken/stop", ros::Duration(kSafetyNet.count())));
-  askMaster("unregisterPublisher", {"/taken/connection", textFromMaster("lookupNode", node)}, node);
-  EXPECT_TRUE(DriverUser::becomesTrue([] { return nodesOf(kPublishes, "/taken/connection").size() == 1; }))
-      << driver.output();
-  askMaster("unregisterService", {"/taken/stop", textFromMaster("lookupService", "/taken/stop")}, node);
-  EXPECT_TRUE(DriverUser::becomesTrue([] { return nodesOf(kServes, "/taken/stop").size() == 1; })) << driver.output();
 }
 
 TEST(Nodelet, StartedInTheRootNamespaceIsFoundUnderAibo) {

@@ -45,8 +45,6 @@ using test_support::Place;
 using test_support::Process;
 using test_support::TopicListener;
 using test_support::Welcome;
-using ::testing::HasSubstr;
-using ::testing::Not;
 
 using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
@@ -182,78 +180,28 @@ TEST_F(Faults, PicturesGoOnInSimulatedTimeThatJumps) {
   ros::param::del("/use_sim_time");
 }
 
-/// A driver with a ROS master of its own, which it outlives.
-class FaultsOfMaster : public Faults {
- protected:
-  FaultsOfMaster() { startMaster(); }
-  ~FaultsOfMaster() override { stopMaster(); }
-
-  void startMaster() {
-    master_ = std::make_unique<Process>(std::vector<std::string>{"roscore", "-p", std::to_string(port_)}, environment_);
-    master_->waitForOutput("started core service", kSafetyNet);
-  }
-
-  /// By SIGINT, because SIGKILL would leave its children behind.
-  void stopMaster() {
-    master_->signal(SIGINT);
-    master_->waitForExit(kSafetyNet);
-  }
-
-  void expectAnswer(const std::vector<std::string>& command, const std::string& answer) const {
-    Process(command, environment_).waitForOutput(answer, kSafetyNet);
-  }
-
-  /// Waits for pictures that this `rostopic hz` hears from now on.
-  static void expectPictures(const Process& listener) {
+TEST_F(Faults, ADriverOutlivesItsMasterAndItsSubscribersDoToo) {
+  const int port = test_support::portOf(test_support::bindTo("127.0.0.1", 0));
+  const std::map<std::string, std::string> environment{{"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port)}};
+  Process master({"roscore", "-p", std::to_string(port)}, environment);
+  master.waitForOutput("started core service", kSafetyNet);
+  Process driver(
+      {AIBO_DRIVER_NODE, "__ns:=/master", "_port:=" + std::to_string(proxy_.port()), kPatient, test_support::kByTcp},
+      environment);
+  const Process listener({"rostopic", "hz", "/master/camera/image_raw/compressed"}, environment);
+  const auto hears_pictures = [&listener] {
     const std::size_t before = listener.output().size();
-    EXPECT_TRUE(eventually([&] { return listener.output().find("average rate", before) != std::string::npos; }));
-  }
-
-  /// @param command that starts the driver, without parameters
-  void expectToOutliveTheMaster(std::vector<std::string> command) {
-    command.insert(command.end(),
-                   {"__ns:=/master", "_port:=" + std::to_string(proxy_.port()), kPatient, test_support::kByTcp});
-    Process driver(command, environment_);
-    const std::vector<std::string> listen = {"rostopic", "hz", "/master/camera/image_raw/compressed"};
-    const Process early(listen, environment_);
-    expectPictures(early);
-    stopMaster();
-    const std::size_t connections = proxy_.connections();
-    proxy_.endConnections(Action::kReset);
-    EXPECT_TRUE(eventually([&] { return proxy_.connections() > connections; })) << "it does not reconnect";
-    expectPictures(early);
-    EXPECT_THAT(driver.output(), Not(HasSubstr("does not know this node"))) << "no master has said so";
-
-    startMaster();
-    // It tells the new master of itself before the driver does.
-    const Process user({"rostopic", "pub", "-r", "10", "/master/joint_command", "sensor_msgs/JointState",
-                        "{name: [third_leg], position: [0]}"},
-                       environment_);
-    driver.waitForOutput("knows this node again", kSafetyNet);
-    driver.waitForOutput("has no joint 'third_leg'", kSafetyNet);
-    expectPictures(Process(listen, environment_));
-    expectPictures(early);
-    expectAnswer({"rosservice", "call", "/master/set_streaming", "true"}, "success: True");
-    expectAnswer({"rosparam", "get", "/master/aibo_driver/port"}, std::to_string(proxy_.port()));
-    stopMaster();
-    driver.signal(SIGINT);
-    EXPECT_EQ(driver.waitForExit(kSafetyNet).value_or(-1), 0) << "it does not end without a master";
-  }
-
- private:
-  const int port_ = test_support::portOf(test_support::bindTo("127.0.0.1", 0));
-  const std::map<std::string, std::string> environment_{
-      {"ROS_MASTER_URI", "http://127.0.0.1:" + std::to_string(port_)}};
-  std::unique_ptr<Process> master_;
-};
-
-TEST_F(FaultsOfMaster, ANewMasterKnowsTheNode) {
-  expectToOutliveTheMaster({AIBO_DRIVER_NODE});
-}
-
-TEST_F(FaultsOfMaster, ANewMasterKnowsTheNodelet) {
-  expectToOutliveTheMaster(
-      test_support::nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__name:=aibo_driver"}));
+    return eventually([&] { return listener.output().find("average rate", before) != std::string::npos; });
+  };
+  EXPECT_TRUE(hears_pictures());
+  master.signal(SIGINT);  // SIGKILL would leave its children behind
+  master.waitForExit(kSafetyNet);
+  const std::size_t connections = proxy_.connections();
+  proxy_.endConnections(Action::kReset);
+  EXPECT_TRUE(eventually([&] { return proxy_.connections() > connections; })) << "it does not reconnect";
+  EXPECT_TRUE(hears_pictures());
+  driver.signal(SIGINT);
+  EXPECT_EQ(driver.waitForExit(kSafetyNet).value_or(-1), 0) << "it does not end without a master";
 }
 
 }  // namespace
