@@ -31,9 +31,6 @@ constexpr int kPoolThreads = 10;
 // both, because each timer wakes two threads several times.
 constexpr double kReportPeriod = 1.0;  // s
 
-// The parameters are looked at less often, because that takes longer than everything else that an idle driver reports.
-constexpr unsigned kReportsUntilParameters = 5;
-
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
 // Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
@@ -103,12 +100,6 @@ ros::NodeHandle onQueueOf(const ros::NodeHandle& queue, ros::NodeHandle names) {
   return names;
 }
 
-XmlRpc::XmlRpcValue readParameters(const ros::NodeHandle& private_handle) {
-  XmlRpc::XmlRpcValue values;
-  private_handle.getParam(private_handle.getNamespace(), values);
-  return values;
-}
-
 }  // namespace
 
 AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle, const std::string& name)
@@ -157,15 +148,8 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
                     microphone_, player_}),
-      parameter_watch_(readParameters(private_handle), private_handle.getNamespace() + "/"),
-      report_timer_(
-          handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
-                                    [this, name_space = private_handle.getNamespace()](const ros::SteadyTimerEvent&) {
-                                      report();
-                                      if (++reports_ % kReportsUntilParameters == 0) {
-                                        reportChangedParameters(name_space);
-                                      }
-                                    })) {
+      report_timer_(handle_.createSteadyTimer(ros::WallDuration(kReportPeriod),
+                                              [this](const ros::SteadyTimerEvent&) { report(); })) {
   raiseDescriptorLimit();
   if (parameters_.publish_footprint && parameters_.robot == "ERS-7") {
     footprint_.emplace(handle_, parameters_, model_, joint_table_, measured_joints_, telemetry_stamper_);
@@ -369,15 +353,6 @@ void AiboDriver::report() {
     link_quality_.publish(quality);
   }
   diagnostics_.publish(reading, asked_rate);
-}
-
-// roscpp asks the master only after a change.
-void AiboDriver::reportChangedParameters(const std::string& name_space) {
-  XmlRpc::XmlRpcValue present;
-  ros::param::getCached(name_space, present);
-  for (const std::string& change : parameter_watch_.check(present, settings_.inForce())) {
-    ROS_WARN_STREAM(change);
-  }
 }
 
 void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {

@@ -37,7 +37,6 @@
 #include "node/joints/motion_state_publisher.h"
 #include "node/live_settings.h"
 #include "node/only_driver.h"
-#include "node/parameter_watch.h"
 #include "node/robot_stamper.h"
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
@@ -80,7 +79,6 @@ class AiboDriver {
 
   /// Publishes link_quality and the diagnostics.
   void report();
-  void reportChangedParameters(const std::string& name_space);
 
   /// The result is empty while the stream is off.
   std::optional<int> askedEveryNthImage() const;
@@ -158,8 +156,6 @@ class AiboDriver {
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<Action>> actions_;
   DriverDiagnostics diagnostics_;
-  ParameterWatch parameter_watch_;
-  unsigned reports_ = 0;  ///< only report_timer_ uses it
   ros::SteadyTimer report_timer_;
 };
 

@@ -49,26 +49,6 @@ LiveSettings::LiveSettings(const ros::NodeHandle& private_handle, aibo_client::R
   server_.setCallback([this](AiboDriverConfig& config, std::uint32_t) { apply(config); });
 }
 
-ParameterTexts LiveSettings::inForce() const {
-  ParameterTexts texts;
-  for (const auto& description : AiboDriverConfig::__getParamDescriptions__()) {
-    boost::any value;
-    description->getValue(in_force_, value);
-    std::ostringstream text;
-    if (const auto* number = boost::any_cast<int>(&value)) {
-      text << *number;
-    } else if (const auto* real = boost::any_cast<double>(&value)) {
-      text << *real;
-    } else if (const auto* flag = boost::any_cast<bool>(&value)) {
-      text << (*flag ? "true" : "false");
-    } else {
-      text << boost::any_cast<std::string>(value);
-    }
-    texts[description->name] = text.str();
-  }
-  return texts;
-}
-
 void LiveSettings::apply(AiboDriverConfig& config) {
   visitNumbers([&](const char* name, auto member, auto lowest, auto highest) {
     auto& value = config.*member;

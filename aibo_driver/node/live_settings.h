@@ -11,7 +11,6 @@
 #include "aibo_client/rcserver_client.h"
 #include "movement/joint_table.h"
 #include "node/camera/stream_adapter.h"
-#include "node/parameter_watch.h"
 #include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {
@@ -25,9 +24,6 @@ class LiveSettings {
   /// @param client, adapter, joint_table must outlive the object
   LiveSettings(const ros::NodeHandle& private_handle, aibo_client::RcServerClient& client, StreamAdapter& adapter,
                movement::JointTable& joint_table);
-
-  /// The settings in force, by name. Call this on private_handle's callback queue.
-  ParameterTexts inForce() const;
 
   /// The period of joint_states and the sensors, in OPEN-R frames; 0 means none. Any thread may call it.
   int telemetryPeriod() const { return telemetry_period_; }
