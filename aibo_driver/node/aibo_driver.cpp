@@ -23,9 +23,9 @@ namespace {
 // Calls of stop and of motors do not wait for each other.
 constexpr int kStopThreads = 2;
 
-// Four callers of take_picture, one call of each sequence, and three postures do not hold each other up. A new posture
-// ends the one before it, so it must not wait until that one has answered.
-constexpr int kPoolThreads = 10;
+// Callers of take_picture hold up no posture, and get a refusal at once when too many wait. A new posture ends the one
+// before it, so it must not wait until that one has answered.
+constexpr int kPoolThreads = kMostPictureCalls + 4;
 
 // The time between two diagnostic messages, as REP 107 says, and between two messages of link_quality. One timer serves
 // both, because each timer wakes two threads several times.
@@ -110,10 +110,10 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       model_(*robot_model::findRobotModel(parameters_.robot.c_str())),
       stop_threads_(handle_, receipts_, kStopThreads),
       order_thread_(handle_, receipts_),
+      motion_thread_(handle_, receipts_),
+      stick_thread_(handle_, receipts_),
+      sound_thread_(handle_, receipts_),
       pool_(handle_, receipts_, kPoolThreads),
-      motion_calls_(pool_, receipts_),
-      stick_calls_(pool_, receipts_),
-      sound_calls_(pool_, receipts_),
       telemetry_stamper_(usedRobotClock(), parameters_.time_offset),
       joint_table_(parameters_.robot, parameters_.joint_speed_limit, parameters_.motion_speed_limit),
       measured_joints_(joint_table_),
@@ -173,10 +173,9 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   policy_.start([this] { return camera_.hasSubscribers() || raw_images_.hasSubscribers(); },
                 [this](bool on) { client_.setStreaming(on); });
   client_.start();
-  own_thread_.start();
-  stop_threads_.start();
-  order_thread_.start();
-  pool_.start();
+  for (CallbackThreads* const each : threads_) {
+    each->start();
+  }
 }
 
 // The client stops first, because that ends a service that waits for the robot. The threads stop before the members go,
@@ -187,10 +186,9 @@ AiboDriver::~AiboDriver() {
   microphone_.stop();
   client_.stop();
   player_.finish();
-  own_thread_.stop();
-  stop_threads_.stop();
-  order_thread_.stop();
-  pool_.stop();
+  for (CallbackThreads* const each : threads_) {
+    each->stop();
+  }
 }
 
 void AiboDriver::advertiseServices() {
@@ -198,11 +196,11 @@ void AiboDriver::advertiseServices() {
   advertise(handle_, streamServices(parameters_, client_, policy_));
   advertise(handle_, color_tables_.services());
   advertise(stop_threads_.handle(), stopServices(mover_));
-  advertise(motion_calls_.handle(), motionServices(mover_));
+  advertise(motion_thread_.handle(), motionServices(mover_));
   advertise(pool_.handle(), postureServices(mover_));
-  advertise(stick_calls_.handle(), robotServices(client_, mover_));
-  advertise(stick_calls_.handle(), stickPictureServices(parameters_, client_, wished_quality));
-  advertise(sound_calls_.handle(), soundServices(client_, player_));
+  advertise(stick_thread_.handle(), robotServices(client_, mover_));
+  advertise(stick_thread_.handle(), stickPictureServices(parameters_, client_, wished_quality));
+  advertise(sound_thread_.handle(), soundServices(client_, player_));
   advertise(pool_.handle(),
             takePictureServices(parameters_, client_, wished_quality,
                                 [this](const aibo_client::Picture& p) { return camera_.toMessage(p); }));
@@ -216,11 +214,11 @@ void AiboDriver::advertise(ros::NodeHandle handle, Services services) {
 
 void AiboDriver::startActions() {
   repeatStateOfActionsRarely(handle_);
-  actions_.push_back(startPlayMotion(motion_calls_.handle(), mover_));
+  actions_.push_back(startPlayMotion(motion_thread_.handle(), mover_));
   actions_.push_back(startFollowTrajectory(order_thread_.handle(), joint_table_, measured_joints_, mover_));
-  actions_.push_back(startPlaySound(sound_calls_.handle(), player_));
+  actions_.push_back(startPlaySound(sound_thread_.handle(), player_));
   actions_.push_back(startGoTo(order_thread_.handle(), goal_walks_));
-  actions_.push_back(startTakePosture(motion_calls_.handle(), mover_));
+  actions_.push_back(startTakePosture(motion_thread_.handle(), mover_));
 }
 
 aibo_client::Callbacks AiboDriver::makeCallbacks() {

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/steady_timer.h>
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -109,10 +110,14 @@ class AiboDriver {
 
   CallbackThreads stop_threads_;   ///< for stop, release and motors, which wait for nothing else
   CallbackThreads order_thread_;   ///< for all orders to move that do not wait for the robot, LEDs and ears, in order
-  CallbackThreads pool_;           ///< for what waits: take_picture, postures, and the sequences below
-  CallbackSequence motion_calls_;  ///< wait until the robot plays a motion, or begins a posture
-  CallbackSequence stick_calls_;   ///< wait for the memory stick, up to 15 s
-  CallbackSequence sound_calls_;   ///< wait for espeak-ng, and until the robot plays
+  CallbackThreads motion_thread_;  ///< for what waits until the robot plays a motion, or begins a posture
+  CallbackThreads stick_thread_;   ///< for what waits for the memory stick, up to 15 s
+  CallbackThreads sound_thread_;   ///< for what waits for espeak-ng, and until the robot plays
+  CallbackThreads pool_;           ///< for take_picture and the services of postures, whose calls wait side by side
+
+  /// All that have threads.
+  const std::array<CallbackThreads*, 7> threads_{&own_thread_,   &stop_threads_, &order_thread_, &motion_thread_,
+                                                 &stick_thread_, &sound_thread_, &pool_};
 
   // The client's callbacks need these members.
   robot_time::RobotClock robot_clock_;

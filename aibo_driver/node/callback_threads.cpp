@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <exception>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -40,20 +39,6 @@ class Received : public ros::CallbackInterface {
  private:
   const ros::CallbackInterfacePtr callback_;
   const ReceiptClock::TimePoint time_;
-};
-
-/// Runs some work once.
-class Task : public ros::CallbackInterface {
- public:
-  explicit Task(std::function<void()> work) : work_(std::move(work)) {}
-
-  CallResult call() override {
-    work_();
-    return Success;
-  }
-
- private:
-  const std::function<void()> work_;
 };
 
 }  // namespace
@@ -107,24 +92,6 @@ void CallbackThreads::run() {
   while (!stopping_) {
     queue_.callOne(ros::WallDuration(3600));
   }
-}
-
-void SequenceQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
-  StampedQueue::addCallback(callback, owner);
-  if (left_++ == 0) {
-    runLater();
-  }
-}
-
-void SequenceQueue::runOne() {
-  callOne();
-  if (--left_ > 0) {
-    runLater();
-  }
-}
-
-void SequenceQueue::runLater() {
-  runner_.addCallback(boost::make_shared<Task>([this] { runOne(); }), 0);
 }
 
 }  // namespace aibo_driver::node

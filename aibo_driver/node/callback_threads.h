@@ -80,7 +80,6 @@ class CallbackThreads {
   CallbackThreads& operator=(const CallbackThreads&) = delete;
 
   const ros::NodeHandle& handle() const { return handle_; }
-  StampedQueue& queue() { return queue_; }
 
   /// No callback runs before this call.
   void start();
@@ -96,43 +95,6 @@ class CallbackThreads {
   ros::NodeHandle handle_;
   std::atomic<bool> stopping_{false};
   std::vector<std::thread> threads_;
-};
-
-/// A callback queue whose callbacks run one after the other, in order, in a queue of others. So they occupy at most one
-/// thread of that queue, however many wait. They must be ready at once and not return TryAgain, because they are
-/// counted as run.
-class SequenceQueue : public StampedQueue {
- public:
-  /// @param runner, clock must outlive this; the runner must not call callbacks any more when this is destroyed
-  SequenceQueue(StampedQueue& runner, ReceiptClock& clock) : StampedQueue(clock), runner_(runner) {}
-  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override;
-
- private:
-  void runOne();
-  void runLater();
-
-  StampedQueue& runner_;
-  std::atomic<int> left_{0};  ///< how often runOne() still has to run; removed callbacks count, too
-};
-
-/// A handle whose callbacks run one after the other on the threads of others.
-class CallbackSequence {
- public:
-  /// @param threads, clock must outlive this; stop the threads before this is destroyed
-  CallbackSequence(CallbackThreads& threads, ReceiptClock& clock)
-      : queue_(threads.queue(), clock), handle_(threads.handle()) {
-    handle_.setCallbackQueue(&queue_);
-  }
-
-  CallbackSequence(const CallbackSequence&) = delete;
-  CallbackSequence& operator=(const CallbackSequence&) = delete;
-
-  /// It has the namespace of the threads' handle.
-  const ros::NodeHandle& handle() const { return handle_; }
-
- private:
-  SequenceQueue queue_;
-  ros::NodeHandle handle_;
 };
 
 }  // namespace aibo_driver::node

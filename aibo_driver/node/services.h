@@ -45,7 +45,10 @@ Services robotServices(aibo_client::RcServerClient& client, const movement::Move
 Services stickPictureServices(const DriverParameters& parameters, aibo_client::RcServerClient& client,
                               const std::function<int()>& default_quality);
 
-/// take_picture, which waits for the robot.
+/// How many calls of take_picture wait for the robot at a time.
+constexpr int kMostPictureCalls = 4;
+
+/// take_picture, which waits for the robot. While kMostPictureCalls wait, another call is refused at once.
 /// @param default_quality returns the quality of a picture if the caller gives none, 1..100; any thread may call it
 /// @param to_message makes the message in the answer; any thread may call it
 Services takePictureServices(

@@ -3,6 +3,8 @@
 #include <std_srvs/Trigger.h>
 
 #include <algorithm>
+#include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -30,6 +32,25 @@ std::string describePicture(const aibo_client::Picture& picture, int asked_quali
   }
   return text + ".";
 }
+
+/// Counts a call while it waits for a picture.
+class PictureCall {
+ public:
+  /// @throw CommandException kMostPictureCalls wait already
+  explicit PictureCall(std::atomic<int>& calls) : calls_(calls) {
+    if (++calls_ > kMostPictureCalls) {
+      --calls_;
+      throw aibo_client::CommandException(std::to_string(kMostPictureCalls) +
+                                          " calls wait for a picture already. Call again when one is answered.");
+    }
+  }
+  ~PictureCall() { --calls_; }
+  PictureCall(const PictureCall&) = delete;
+  PictureCall& operator=(const PictureCall&) = delete;
+
+ private:
+  std::atomic<int>& calls_;
+};
 
 std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& request) {
   const std::optional<aibo_client::Resolution> resolution = resolutionOf(request.resolution);
@@ -65,8 +86,10 @@ Services takePictureServices(
     const DriverParameters& parameters, aibo_client::RcServerClient& client,
     const std::function<int()>& default_quality,
     const std::function<sensor_msgs::CompressedImage(const aibo_client::Picture&)>& to_message) {
-  const auto take = [&client, default_quality, to_message, timeout = parameters.take_picture_timeout,
+  const auto calls = std::make_shared<std::atomic<int>>(0);
+  const auto take = [&client, default_quality, to_message, calls, timeout = parameters.take_picture_timeout,
                      folder = files::pictureFolder(parameters.picture_folder)](ServiceCall<TakePicture>& call) {
+    const PictureCall counted(*calls);
     const int asked = call.request.quality;
     const int quality = asked == 0 ? default_quality() : std::min(asked, kMaxQuality);
     int stream_quality = 0;

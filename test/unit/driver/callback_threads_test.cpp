@@ -4,12 +4,8 @@
 
 #include <boost/make_shared.hpp>
 
-#include <algorithm>
-#include <atomic>
 #include <functional>
 #include <stdexcept>
-#include <thread>
-#include <vector>
 
 namespace aibo_driver::node {
 namespace {
@@ -64,38 +60,6 @@ TEST_F(CallbackThreadsTest, AnExceptionOfACallbackDoesNotEndTheProcess) {
   queue_.callAvailable();
   const TimePoint before = steady_clock::now();
   EXPECT_GE(receivedAt(), before) << "no callback runs any more";
-}
-
-TEST_F(CallbackThreadsTest, ASequenceRunsOneCallbackAfterTheOtherWhicheverThreadsServeIt) {
-  SequenceQueue sequence(queue_, clock_);
-  std::atomic<bool> runs{false};
-  std::atomic<bool> was_disturbed{false};
-  std::vector<int> order;
-  std::atomic<int> ran{0};
-  constexpr int kCallbacks = 200;
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 4; ++i) {
-    threads.emplace_back([&] {
-      while (ran < kCallbacks) {
-        queue_.callOne(ros::WallDuration(0.01));
-      }
-    });
-  }
-  for (int i = 0; i < kCallbacks; ++i) {
-    sequence.addCallback(boost::make_shared<Callback>([&, i] {
-                           was_disturbed = was_disturbed || runs.exchange(true);
-                           order.push_back(i);
-                           std::this_thread::yield();
-                           runs = false;
-                           ++ran;
-                         }),
-                         0);
-  }
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
-  EXPECT_FALSE(was_disturbed);
-  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
 }
 
 TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {

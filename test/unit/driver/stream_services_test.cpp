@@ -112,6 +112,21 @@ TEST_F(StreamServicesTest, SayWhyThereIsNoPicture) {
   EXPECT_EQ(answer.message, "There is no picture: there is no robot");
 }
 
+TEST_F(StreamServicesTest, RefuseAPictureAtOnceWhileFourCallsWait) {
+  Services services;
+  std::vector<std::string> answers;
+  const auto call = [&] { answers.push_back(callService<TakePicture>(services, "take_picture", {}).message); };
+  services = takePictureServices(
+      parameters_, client_, [] { return 77; },
+      [&](const Picture&) {  // before a call is answered, the next one comes
+        call();
+        return sensor_msgs::CompressedImage();
+      });
+  call();
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("4 calls wait for a picture already"), HasSubstr("Took a picture"),
+                                   HasSubstr("Took"), HasSubstr("Took"), HasSubstr("Took")));
+}
+
 TEST_F(StreamServicesTest, SwitchTheStreamAndSayWhatItWaitsFor) {
   EXPECT_THAT(setStreaming(true).message, HasSubstr("as soon as a camera topic has a subscriber"));
   policy_.start([] { return true; }, [this](bool on) { client_.setStreaming(on); });
