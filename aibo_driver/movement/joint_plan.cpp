@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
@@ -42,17 +40,6 @@ std::string describeDistance(const MeasuredJoint& measured, double target, const
   return "";
 }
 
-void removeJoint(std::size_t place, TrajectoryRequest* request) {
-  const auto offset = static_cast<std::ptrdiff_t>(place);
-  request->joints.erase(request->joints.begin() + offset);
-  for (TrajectoryRequest::Point& point : request->points) {
-    point.positions.erase(point.positions.begin() + offset);
-    if (!point.velocities.empty()) {
-      point.velocities.erase(point.velocities.begin() + offset);
-    }
-  }
-}
-
 }  // namespace
 
 double JointPlan::Command::duration() const {
@@ -64,20 +51,17 @@ double JointPlan::Command::positionAt(double time) const {
   return target > from ? from + way : from - way;
 }
 
-std::optional<std::size_t> JointPlan::Job::placeOf(const std::string& joint) const {
-  const auto found = std::find(request.joints.begin(), request.joints.end(), joint);
-  const auto place = static_cast<std::size_t>(found - request.joints.begin());
-  return found != request.joints.end() && moves[place] ? std::optional<std::size_t>(place) : std::nullopt;
+bool JointPlan::Job::moves(const std::string& joint) const {
+  return std::find(request.joints.begin(), request.joints.end(), joint) != request.joints.end();
 }
 
-std::vector<std::string> JointPlan::Job::names() const {
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < request.joints.size(); ++i) {
-    if (moves[i]) {
-      names.push_back(request.joints[i]);
-    }
-  }
-  return names;
+bool JointPlan::Job::sharesJointWith(const Job& other) const {
+  return std::any_of(request.joints.begin(), request.joints.end(),
+                     [&other](const std::string& joint) { return other.moves(joint); });
+}
+
+bool JointPlan::Job::replaces(const Job& waiting) const {
+  return start <= waiting.start && sharesJointWith(waiting);
 }
 
 void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime now) {
@@ -95,13 +79,16 @@ void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime n
 
 double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
                       SteadyTime now, milliseconds oldest) {
-  Job job{id, request, arrival, start, oldest, std::vector<bool>(request.joints.size(), true), std::nullopt};
-  checkWaiting(job, now);
+  resume(now);
+  Job job{id, request, arrival, start, oldest, std::nullopt};
   // This also refuses at once a request that could otherwise be refused only later.
   const double stretch = plan(job, now).stretch();
+  if (start > now) {
+    checkWaiting(job);
+  }
   for (Job& older : jobs_) {
-    if (!older.run && older.start >= job.start) {
-      takeJoints(job, &older);
+    if (!older.run && job.replaces(older)) {
+      noteEnd(&older, EndedHow::kReplaced, kNewer);
     }
   }
   removeEnded();
@@ -110,21 +97,19 @@ double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arr
 }
 
 std::vector<JointStep> JointPlan::advance(SteadyTime now) {
+  resume(now);
   for (Job& job : jobs_) {
-    if (job.run) {
-      job.run->clock.attend(now);
+    if (!job.run && job.start <= now + kLookahead) {
+      begin(&job, now);
     }
   }
-  beginDue(now);
-  handOver(now);
+  removeEnded();
   std::vector<JointStep> steps;
-  for (std::size_t i = 0; i < jobs_.size(); ++i) {
-    JointStep step = next(i, now);
+  for (Job& job : jobs_) {
+    JointStep step = next(&job, now);
     if (!step.targets.empty()) {
       steps.push_back(std::move(step));
     }
-  }
-  for (Job& job : jobs_) {
     if (job.arrival.is_measured && job.run && job.run->over) {
       judge(&job, now);
     }
@@ -135,9 +120,9 @@ std::vector<JointStep> JointPlan::advance(SteadyTime now) {
 
 JointTargets JointPlan::holdingTargets(SteadyTime now, std::optional<MovementId> only) const {
   JointTargets targets;
-  for (std::size_t i = 0; i < jobs_.size(); ++i) {
-    if (jobs_[i].run && (!only || jobs_[i].id == *only)) {
-      targets.merge(targetsOf(i));
+  for (const Job& job : jobs_) {
+    if (job.run && (!only || job.id == *only)) {
+      targets.merge(targetsOf(job));
     }
   }
   for (std::size_t joint = 0; joint < commands_.size() && !only; ++joint) {
@@ -170,7 +155,7 @@ void JointPlan::forget(const std::vector<std::string>& joints) {
 
 std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
   if (const Job* const job = find(id)) {
-    return job->names();
+    return job->request.joints;
   }
   return table_.namesOf([&](const JointProperties& joint) {
     const std::optional<Command>& command = commands_[*table_.findById(joint.id)];
@@ -183,13 +168,13 @@ std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now
   if (job == nullptr || !job->run) {
     return std::nullopt;
   }
-  const std::chrono::duration<double> left(job->run->trajectory.duration() - job->run->clock.at(now));
+  const std::chrono::duration<double> left(job->run->trajectory.duration() - timeOf(*job, now));
   return now + std::chrono::duration_cast<steady_clock::duration>(left);
 }
 
 std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, SteadyTime now) const {
   const Job* const job = find(trajectory);
-  const double time = job != nullptr && job->run && !job->run->over ? job->run->clock.at(now) : -1;
+  const double time = job != nullptr && job->run && !job->run->over ? timeOf(*job, now) : -1;
   return time < 0 ? std::vector<Trajectory::Start>() : job->run->trajectory.at(time);
 }
 
@@ -208,14 +193,17 @@ const JointPlan::Job* JointPlan::find(MovementId trajectory) const {
   return job == jobs_.end() ? nullptr : &*job;
 }
 
+// How far a trajectory has got, in seconds; below 0 before its beginning.
+double JointPlan::timeOf(const Job& job, SteadyTime now) const {
+  return seconds((now - advanced_ > kLongestGap ? advanced_ + kPeriod : now) - job.start);
+}
+
 // Where a joint should be `ahead` from now, if anything moves it then.
 std::optional<Trajectory::Start> JointPlan::stateOf(std::size_t joint, SteadyTime now, double ahead) const {
-  for (auto job = jobs_.rbegin(); job != jobs_.rend(); ++job) {
-    const bool moves_now = job->run && !job->run->over;
-    const std::optional<std::size_t> place = moves_now ? job->placeOf(table_[joint].name) : std::nullopt;
-    const double time = place ? job->run->clock.at(now) + ahead : -1;
-    if (time >= 0) {
-      return job->run->trajectory.at(time)[*place];
+  for (const Job& job : jobs_) {
+    if (job.run && !job.has_ended && !job.run->over && job.moves(table_[joint].name)) {
+      const std::vector<Trajectory::Start> states = job.run->trajectory.at(timeOf(job, now) + ahead);
+      return *std::find_if(states.begin(), states.end(), [=](const auto& state) { return state.joint == joint; });
     }
   }
   const std::optional<Command>& command = commands_[joint];
@@ -254,105 +242,65 @@ Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
   return Trajectory(dropPassedPoints(job.request, -ahead), table_, start, slow_down_);
 }
 
-// What the newer trajectory would take from those that wait does not count.
-void JointPlan::checkWaiting(const Job& newer, SteadyTime now) const {
-  if (newer.start <= now) {
-    return;
-  }
-  std::set<MovementId> waiting;
-  std::map<std::string, std::size_t> waiting_for;
-  for (const Job& job : jobs_) {
-    const bool has_begun = job.run && job.run->clock.at(now) >= 0;
-    for (const std::string& joint : has_begun ? std::vector<std::string>() : job.names()) {
-      if (job.run || job.start < newer.start || !newer.placeOf(joint)) {
-        waiting.insert(job.id);
-        ++waiting_for[joint];
-      }
-    }
-  }
-  const auto check = [](std::size_t number, std::size_t most, const std::string& whose) {
-    if (number >= most) {
+// Those that the newer trajectory replaces do not count.
+void JointPlan::checkWaiting(const Job& newer) const {
+  const auto check = [&](std::size_t most, const std::string& whose, const auto& is_meant) {
+    const auto waits = [&](const Job& each) { return !each.run && !newer.replaces(each) && is_meant(each); };
+    if (std::count_if(jobs_.begin(), jobs_.end(), waits) >= static_cast<std::ptrdiff_t>(most)) {
       throw aibo_client::InvalidArgumentException(std::to_string(most) + " trajectories" + whose +
                                                   " wait for their time already, and no more may wait");
     }
   };
   for (const std::string& joint : newer.request.joints) {
-    check(waiting_for[joint], kMostWaitingForJoint, " of " + joint);
+    check(kMostWaitingForJoint, " of " + joint, [&joint](const Job& each) { return each.moves(joint); });
   }
-  check(waiting.size(), kMostWaiting, "");
+  check(kMostWaiting, "", [](const Job&) { return true; });
 }
 
-// A trajectory begins as early as its first positions have to be sent.
-void JointPlan::beginDue(SteadyTime now) {
-  const auto is_due = [now](const Job& job) { return !job.run && job.start <= now + kLookahead; };
-  for (auto due = jobs_.begin(); (due = std::find_if(jobs_.begin(), jobs_.end(), is_due)) != jobs_.end();) {
-    Job job = std::move(*due);
-    jobs_.erase(due);
-    for (std::size_t i = job.moves.size(); i-- > 0;) {
-      if (!job.moves[i]) {
-        removeJoint(i, &job.request);
+// Trajectories that run start later by the time for which the caller was held up.
+void JointPlan::resume(SteadyTime now) {
+  const steady_clock::duration gap = now - std::exchange(advanced_, now);
+  for (Job& job : jobs_) {
+    if (job.run && gap > kLongestGap) {
+      job.start += gap - kPeriod;
+    }
+  }
+}
+
+// A trajectory begins as early as its first positions have to be sent. From then on it alone moves its joints.
+void JointPlan::begin(Job* job, SteadyTime now) {
+  try {
+    const Trajectory trajectory = plan(*job, now);
+    job->start = std::max(job->start, now);
+    for (Job& other : jobs_) {
+      if (other.run && job->sharesJointWith(other)) {
+        noteEnd(&other, EndedHow::kReplaced, kNewer);
       }
     }
-    job.moves.assign(job.request.joints.size(), true);
-    try {
-      job.run = Run{plan(job, now), TrajectoryClock(std::max(job.start, now), kPeriod), {}, false, std::nullopt};
-      jobs_.push_back(std::move(job));
-    } catch (const aibo_client::InvalidArgumentException& error) {
-      noteEnd(&job, EndedHow::kRefused, error.what());
-    }
+    forget(job->request.joints);
+    job->run = Run{trajectory, {}, false, std::nullopt};
+  } catch (const aibo_client::InvalidArgumentException& error) {
+    noteEnd(job, EndedHow::kRefused, error.what());
   }
 }
 
-// Trajectories that have begun take their joints from older ones.
-void JointPlan::handOver(SteadyTime now) {
-  for (std::size_t newer = 0; newer < jobs_.size(); ++newer) {
-    if (!jobs_[newer].run || jobs_[newer].run->clock.at(now) < 0) {
-      continue;
-    }
-    for (std::size_t older = 0; older < newer; ++older) {
-      if (jobs_[older].run) {
-        takeJoints(jobs_[newer], &jobs_[older]);
-      }
-    }
-    forget(jobs_[newer].names());
-  }
-  removeEnded();
-}
-
-// If nothing is left to it, it ends.
-void JointPlan::takeJoints(const Job& newer, Job* older) {
-  for (std::size_t i = 0; i < older->request.joints.size(); ++i) {
-    older->moves[i] = older->moves[i] && !newer.placeOf(older->request.joints[i]);
-  }
-  if (older->names().empty()) {
-    noteEnd(older, EndedHow::kReplaced, kNewer);
-  }
-}
-
-// Where the joints of a trajectory that has begun were last sent, unless a newer one sends them.
-JointTargets JointPlan::targetsOf(std::size_t index) const {
-  const auto first_newer = jobs_.begin() + static_cast<std::ptrdiff_t>(index) + 1;
-  const Job& job = jobs_[index];
+// Where the joints of a trajectory that runs were last sent.
+JointTargets JointPlan::targetsOf(const Job& job) const {
   JointTargets targets;
-  for (const std::string& name : job.names()) {
-    if (std::none_of(first_newer, jobs_.end(),
-                     [&name](const Job& newer) { return newer.run && newer.placeOf(name); })) {
-      const std::size_t joint = *table_.findByName(name);
-      const double position =
-          std::clamp(job.run->sent[*job.placeOf(name)].position, table_[joint].lowest, table_[joint].highest);
-      targets[table_[joint].id] = {table_[joint].id, position, table_.speedLimit(joint)};
-    }
+  for (const Trajectory::Start& sent : job.run->sent) {
+    const JointProperties& joint = table_[sent.joint];
+    const double position = std::clamp(sent.position, joint.lowest, joint.highest);
+    targets[joint.id] = {joint.id, position, table_.speedLimit(sent.joint)};
   }
   return targets;
 }
 
-JointStep JointPlan::next(std::size_t index, SteadyTime now) {
-  Job& job = jobs_[index];
-  if (!job.run) {
+JointStep JointPlan::next(Job* job, SteadyTime now) {
+  if (!job->run) {
     return {};
   }
-  Run& run = *job.run;
-  const double left = run.trajectory.duration() - run.clock.at(now);
+  Run& run = *job->run;
+  const double left = run.trajectory.duration() - timeOf(*job, now);
   if (run.end_sent) {
     if (left <= 0 && !run.over) {
       run.over = now;
@@ -361,8 +309,8 @@ JointStep JointPlan::next(std::size_t index, SteadyTime now) {
   }
   const double ahead = std::clamp(left, 0.0, seconds(kLookahead));
   run.end_sent = left <= ahead;
-  run.sent = run.trajectory.at(run.clock.at(now) + ahead);
-  return {job.id, targetsOf(index), milliseconds(std::lround(1000 * ahead))};
+  run.sent = run.trajectory.at(timeOf(*job, now) + ahead);
+  return {job->id, targetsOf(*job), milliseconds(std::lround(1000 * ahead))};
 }
 
 // Ends a trajectory whose joints have arrived or should have arrived.
@@ -370,16 +318,16 @@ void JointPlan::judge(Job* job, SteadyTime now) {
   std::vector<std::string> away;
   std::vector<std::string> unmeasured;
   const SteadyTime over = *job->run->over;
-  const std::vector<Trajectory::Start> end = job->run->trajectory.at(job->run->trajectory.duration());
-  for (const std::string& joint : job->names()) {
-    const std::optional<MeasuredJoint> measured = measured_.find(*table_.findByName(joint));
+  for (const Trajectory::Start& target : job->run->trajectory.at(job->run->trajectory.duration())) {
+    const std::string& joint = table_[target.joint].name;
+    const std::optional<MeasuredJoint> measured = measured_.find(target.joint);
     if (!measured || measured->arrival < over) {
       unmeasured.push_back(joint);
       continue;
     }
     const auto own = job->arrival.tolerances.find(joint);
     const Tolerance tolerance = own == job->arrival.tolerances.end() ? Tolerance() : own->second;
-    const std::string problem = describeDistance(*measured, end[*job->placeOf(joint)].position, tolerance);
+    const std::string problem = describeDistance(*measured, target.position, tolerance);
     if (!problem.empty()) {
       away.push_back(joint + problem);
     }
@@ -400,7 +348,7 @@ void JointPlan::removeEnded() {
 
 void JointPlan::noteEnd(Job* job, EndedHow how, const std::string& reason) {
   if (!std::exchange(job->has_ended, true)) {
-    ended_.push_back({job->id, how, reason, job->names()});
+    ended_.push_back({job->id, how, reason});
   }
 }
 

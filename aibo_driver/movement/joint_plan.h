@@ -47,21 +47,21 @@ struct JointStep {
 /// The plan for the joints. It contains trajectories, and the latest command to each joint. From these it computes
 /// where each joint should be at a time.
 ///
-/// Trajectories replace each other as in ros_control's joint_trajectory_controller with partial goals. A new trajectory
-/// takes over its joints at its start time, from the position and velocity planned for that time. Joints that it does
-/// not name go on as before. Until its start time, everything goes on as before.
+/// Trajectories of different joints run side by side. When one starts, it replaces the one that moves a joint of it,
+/// and goes on from the position and velocity planned for that time. It replaces at once those that would start later.
 ///
 /// Only a few trajectories may wait for their time: kMostWaiting in all, and kMostWaitingForJoint for each joint. One
-/// that begins at once does not wait, so it is never one too many.
+/// that starts at once does not wait, so it is never one too many.
 ///
-/// A trajectory stays in the plan until forget(), unless the plan ends it: if it cannot begin, or if newer ones have
-/// taken all its joints. A trajectory whose arrival is measured is done when all its joints have been measured at their
-/// targets, after the planned time. If a joint has not arrived after the grace time, it ends as not reached. If a joint
-/// is not measured any more, its end is unknown.
+/// A trajectory stays in the plan until forget(), unless the plan ends it: if it cannot begin, or if a newer one has
+/// replaced it. A trajectory whose arrival is measured is done when all its joints have been measured at their targets,
+/// after the planned time. If a joint has not arrived after the grace time, it ends as not reached. If a joint is not
+/// measured any more, its end is unknown.
 ///
 /// Every kPeriod the robot is told where the joints should be kLookahead later. So the robot always knows what comes
 /// next, and a message that is late by less than kLookahead does not make it falter. If the caller is held up for
-/// longer than TrajectoryClock::kLongestGap, trajectories resume where they were.
+/// longer than kLongestGap, the joints have stopped meanwhile, and would have to jump to catch up. So trajectories
+/// resume where they were.
 ///
 /// It sends nothing and reads no clock. Only one thread at a time may use it.
 class JointPlan {
@@ -70,13 +70,13 @@ class JointPlan {
   static constexpr std::chrono::milliseconds kLookahead{96};
   static constexpr std::size_t kMostWaiting = 32;
   static constexpr std::size_t kMostWaitingForJoint = 2;
+  static constexpr std::chrono::milliseconds kLongestGap{200};
 
   /// How the plan has ended a trajectory.
   struct End {
     MovementId id = 0;
     EndedHow how = EndedHow::kDone;
-    std::string reason;               ///< as EndedMovement::reason
-    std::vector<std::string> joints;  ///< the joints that it moved last; empty if all were taken from it
+    std::string reason;  ///< as EndedMovement::reason
   };
 
   /// @param table, measured must outlive the plan
@@ -112,7 +112,7 @@ class JointPlan {
   /// Forgets the commands to these joints, because something else moves them.
   void forget(const std::vector<std::string>& joints);
 
-  /// The joints that a movement moves, or will move when it begins. There are none if it has ended.
+  /// The joints that a command still moves, or those of a trajectory. There are none if it has ended.
   std::vector<std::string> jointsOf(MovementId id) const;
 
   /// When a trajectory will be over. It is empty before the trajectory's beginning.
@@ -144,10 +144,9 @@ class JointPlan {
     double positionAt(double time) const;
   };
 
-  /// A trajectory that has taken over its joints.
+  /// A trajectory that moves its joints.
   struct Run {
     Trajectory trajectory;
-    TrajectoryClock clock;
     std::vector<Trajectory::Start> sent;  // where the joints were last sent; advance() sets it at once
     bool end_sent = false;
     std::optional<SteadyTime> over;  // after this time its joints should be where they were sent
@@ -159,24 +158,24 @@ class JointPlan {
     Arrival arrival;
     SteadyTime start;
     std::chrono::milliseconds oldest{0};
-    std::vector<bool> moves;  // by place in the request; false if something newer moves this joint
-    std::optional<Run> run;   // empty while the trajectory waits for its time
+    std::optional<Run> run;  // empty while the trajectory waits for its time
     bool has_ended = false;
 
-    std::optional<std::size_t> placeOf(const std::string& joint) const;
-    std::vector<std::string> names() const;
+    bool moves(const std::string& joint) const;
+    bool sharesJointWith(const Job& other) const;
+    bool replaces(const Job& waiting) const;
   };
 
+  double timeOf(const Job& job, SteadyTime now) const;
   std::optional<Trajectory::Start> stateOf(std::size_t joint, SteadyTime now, double ahead) const;
   static bool isUnderWay(const Command& command, SteadyTime now, double delay);
   const Job* find(MovementId trajectory) const;
   Trajectory plan(const Job& job, SteadyTime now) const;
-  void checkWaiting(const Job& newer, SteadyTime now) const;
-  void beginDue(SteadyTime now);
-  void handOver(SteadyTime now);
-  void takeJoints(const Job& newer, Job* older);
-  JointTargets targetsOf(std::size_t index) const;
-  JointStep next(std::size_t index, SteadyTime now);
+  void checkWaiting(const Job& newer) const;
+  void resume(SteadyTime now);
+  void begin(Job* job, SteadyTime now);
+  JointTargets targetsOf(const Job& job) const;
+  JointStep next(Job* job, SteadyTime now);
   void judge(Job* job, SteadyTime now);
   void removeEnded();
   void noteEnd(Job* job, EndedHow how, const std::string& reason);
@@ -185,7 +184,8 @@ class JointPlan {
   const MeasuredJoints& measured_;
   const bool slow_down_;
   std::vector<std::optional<Command>> commands_;  // the last command to each joint; the joint's index is the position
-  std::vector<Job> jobs_;                         // a job that took over its joints later comes later
+  std::vector<Job> jobs_;
+  SteadyTime advanced_;  // when jobs were last advanced
   std::vector<End> ended_;
 };
 

@@ -567,7 +567,6 @@ bool Mover::setMotors(const Order& order, bool on) {
 // The movement sends nothing more.
 void Mover::halt(Record* record, const Halt& halt) {
   if (record->movement.kind == Kind::kTrajectory) {
-    record->movement.joints = whole(*record).joints;
     plan_.forget(record->id());
   }
   record->halt = halt;
@@ -746,16 +745,6 @@ std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime
   return plan_.wantedBy(trajectory, time);
 }
 
-std::vector<std::string> Mover::jointsOf(MovementId id) const {
-  const Lock lock(mutex_);
-  for (const Record& record : records_) {
-    if (record.id() == id) {
-      return whole(record).joints;
-    }
-  }
-  return {};
-}
-
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
   State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, stopped_by_, overruled_};
@@ -765,15 +754,15 @@ Mover::State Mover::state() const {
   return state;
 }
 
-// Returns the movement with all nodes that steer it, and with the joints that it still moves.
+// Returns the movement with all nodes that steer it, with the joints that it still moves, and with its end.
 Movement Mover::whole(const Record& record) const {
   Movement movement = record.movement;
   movement.source += record.rival.empty() ? "" : ", " + record.rival;
   std::vector<std::string> joints = plan_.jointsOf(record.id());
   if (!joints.empty()) {
     movement.joints = std::move(joints);
-    movement.end = plan_.endOf(record.id(), clock_());
   }
+  movement.end = plan_.endOf(record.id(), clock_());
   return movement;
 }
 
@@ -879,13 +868,10 @@ void Mover::loseAll() {
 }
 
 void Mover::takeEndsOfPlan() {
-  for (JointPlan::End& end : plan_.takeEnded()) {
+  for (const JointPlan::End& end : plan_.takeEnded()) {
     Record* const record = find(end.id);
     if (record == nullptr) {
       continue;
-    }
-    if (!end.joints.empty()) {
-      record->movement.joints = std::move(end.joints);
     }
     if (end.how == EndedHow::kReplaced) {
       halt(record, {end.how, end.reason});
@@ -933,12 +919,10 @@ Mover::Record* Mover::findCommand(const Movement& movement) {
   });
 }
 
-bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) const {
-  if (record.movement.kind != Kind::kTrajectory) {
-    return false;
-  }
-  const std::vector<std::string> moved = plan_.jointsOf(record.id());
-  return std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
+bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) {
+  const std::vector<std::string>& moved = record.movement.joints;
+  return record.movement.kind == Kind::kTrajectory &&
+         std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
 }
 
 // The robot's joints among these names, in the robot's order.

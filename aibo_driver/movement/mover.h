@@ -220,9 +220,6 @@ class Mover {
   /// empty before the trajectory's beginning and after its end.
   std::vector<Trajectory::Start> wantedBy(MovementId trajectory, SteadyTime time) const;
 
-  /// The joints that a movement still moves.
-  std::vector<std::string> jointsOf(MovementId id) const;
-
   State state() const;
 
  private:
@@ -297,7 +294,7 @@ class Mover {
   Record* ownerOf(OrderNumber order);
   Record* findWalk();
   Record* findCommand(const Movement& movement);
-  bool isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) const;
+  static bool isTrajectoryOf(const Record& record, const std::vector<std::string>& joints);
   std::vector<std::string> known(const std::vector<std::string>& names) const;
   OrderNumber nextNumber() { return ++last_number_; }
   void checkConnection();

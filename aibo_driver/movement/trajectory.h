@@ -2,7 +2,6 @@
 #ifndef AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
 #define AIBO_DRIVER_MOVEMENT_TRAJECTORY_H
 
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -91,34 +90,6 @@ class Trajectory {
   std::vector<std::size_t> joints_;
   std::vector<Segment> segments_;  ///< at least one
   double stretch_ = 1;
-};
-
-/// How far a trajectory has got. If the driver is held up for long, the clock stops. The joints have stopped meanwhile,
-/// and would have to jump to catch up.
-class TrajectoryClock {
- public:
-  using SteadyTime = std::chrono::steady_clock::time_point;
-
-  /// After a longer gap between two calls of attend(), the trajectory resumes where it was.
-  static constexpr std::chrono::milliseconds kLongestGap{200};
-
-  /// @param start when the trajectory begins
-  /// @param period the time between calls of attend(), well below kLongestGap
-  TrajectoryClock(SteadyTime start, std::chrono::milliseconds period)
-      : start_(start), attended_(start), period_(period) {}
-
-  /// Seconds since the beginning; below 0 before it.
-  double at(SteadyTime now) const;
-
-  /// Returns the same as at(). Call this whenever the joints are moved on.
-  double attend(SteadyTime now);
-
- private:
-  SteadyTime::duration excess(SteadyTime now) const;
-
-  SteadyTime start_;
-  SteadyTime attended_;  ///< the last call of attend(), or the beginning
-  std::chrono::milliseconds period_;
 };
 
 }  // namespace aibo_driver::movement

@@ -202,12 +202,8 @@ std::optional<End> GoalTrajectory::look(const Following::Publish& publish) {
   if (is_cancelled_) {
     return canceled(kCancelled);
   }
-  const std::size_t moved = mover_.jointsOf(movement_.id).size();
   if (const movement::EndedMovement* const end = movement_.ended()) {
     return endOf(*end);
-  }
-  if (moved < joints_.size()) {
-    return canceled("a newer trajectory moves some of its joints");
   }
   const FollowJointTrajectoryFeedback now = state();
   if (now.joint_names.empty()) {

@@ -885,19 +885,6 @@ TEST_F(MoverTest, ATrajectoryBeginsWhereALegIsThatAPostureHasTaken) {
   EXPECT_NEAR(mover.wantedBy(trajectory.id, now).at(0).position, measured_there, 1e-9);
 }
 
-TEST_F(MoverTest, ATrajectoryOfWhichPartIsTakenGoesOnWithTheRest) {
-  const auto both = mover.follow(order(), {{"head_pan", "mouth"}, {{1.0, {0.5, -0.2}, {}}}}, 0ms);
-  const std::uint64_t older = client.order();
-  pass(96ms);
-  follow("head_pan", 0.1);
-  const std::uint64_t head = client.order();
-  pass(1200ms);
-  ends(EndedKind::kJoints, EndedHow::kReplaced, "", older);
-  EXPECT_THAT(mover.jointsOf(both.id), ElementsAre("mouth"));
-  EXPECT_EQ(textOf(both), "-");
-  EXPECT_GT(client.order(), head);
-}
-
 TEST_F(MoverTest, ATrajectoryWithTolerancesOfItsOwnIsMeasured) {
   Arrival arrival;
   arrival.is_measured = true;

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "aibo_client/exceptions.h"
-#include "movement/movement.h"
 
 namespace aibo_driver::movement {
 namespace {
@@ -188,24 +187,6 @@ TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
     EXPECT_NEAR(both.duration(), 3, 1e-9) << "it waits 1 s for the joint that needs most time, whatever its place";
     EXPECT_DOUBLE_EQ(both.stretch(), 1);
   }
-}
-
-SteadyTime at(int time) {
-  return SteadyTime(std::chrono::milliseconds(time));
-}
-
-TEST(TrajectoryClock, IsTheTimeSinceTheBeginningButStandsStillDuringALongGap) {
-  TrajectoryClock clock(at(5000), std::chrono::milliseconds(32));
-  EXPECT_DOUBLE_EQ(clock.attend(at(4000)), -1);
-  EXPECT_NEAR(clock.attend(at(5010)), 0.01, 1e-9);
-  EXPECT_NEAR(clock.attend(at(5042)), 0.042, 1e-9);
-  EXPECT_NEAR(clock.attend(at(5230)), 0.23, 1e-9) << "a little late: it catches up";
-  EXPECT_NEAR(clock.at(at(7230)), 0.262, 1e-9);
-  EXPECT_NEAR(clock.attend(at(7230)), 0.262, 1e-9);
-  EXPECT_NEAR(clock.attend(at(7262)), 0.294, 1e-9);
-  TrajectoryClock late(at(5000), std::chrono::milliseconds(32));
-  late.attend(at(4900));
-  EXPECT_NEAR(late.attend(at(6000)), 0.032, 1e-9) << "it begins later";
 }
 
 }  // namespace
