@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "camera/link_meter.h"
 #include "command_line/json.h"
-#include "node/camera/link_meter.h"
 
 namespace aibo_driver::command_line {
 

@@ -7,7 +7,7 @@
 #include <chrono>
 
 #include "aibo_client/exceptions.h"
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "node/camera/link_quality.h"
 #include "node/node.h"
 #include "text/plain_text.h"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "camera/link_meter.h"
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
 #include "movement/mover.h"
@@ -27,7 +28,6 @@
 #include "node/camera/camera_state_publisher.h"
 #include "node/camera/color_publisher.h"
 #include "node/camera/color_table_service.h"
-#include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
 #include "node/camera/stream_policy.h"
@@ -42,7 +42,6 @@
 #include "node/services.h"
 #include "node/sound/microphone_publisher.h"
 #include "node/stop_memory.h"
-#include "node/walk/get_up.h"
 #include "node/walk/goal_topic.h"
 #include "node/walk/goal_walks.h"
 #include "node/walk/odometry_publisher.h"
@@ -51,6 +50,7 @@
 #include "robot_time/robot_clock.h"
 #include "sound/player.h"
 #include "text/throttled_warnings.h"
+#include "walk/get_up.h"
 
 namespace aibo_driver::node {
 

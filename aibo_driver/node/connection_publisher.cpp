@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "node/publish_latched.h"
 #include "text/plain_text.h"
 

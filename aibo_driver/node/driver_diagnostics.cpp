@@ -6,7 +6,7 @@
 
 #include <utility>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "node/connection_publisher.h"
 #include "text/number.h"
 

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
+#include "camera/link_meter.h"
 #include "movement/mover.h"
 #include "node/body/power_status.h"
-#include "node/camera/link_meter.h"
 #include "node/camera/raw_image_publisher.h"
 #include "node/camera/stream_adapter.h"
 #include "node/camera/stream_policy.h"

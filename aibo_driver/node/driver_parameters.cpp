@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "node/parameter_value.h"
 #include "robot_model/robot_model.h"
 

@@ -12,7 +12,7 @@
 #include "aibo_client/rcserver_client.h"
 #include "movement/joint_command_filter.h"
 #include "movement/joint_table.h"
-#include "node/walk/walk_settings.h"
+#include "walk/walk_settings.h"
 
 namespace aibo_driver::node {
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <sstream>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "node/driver_parameters.h"
 #include "text/plain_text.h"
 

@@ -19,7 +19,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "node/camera/jpeg_decoder.h"
+#include "camera/jpeg_decoder.h"
 #include "remote_control/ended_movements.h"
 #include "remote_control/from_ros.h"
 #include "remote_control/settings_messages.h"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "aibo_client/exceptions.h"
+#include "camera/jpeg_decoder.h"
 #include "files/files.h"
 #include "node/camera/color_table_file.h"
-#include "node/camera/jpeg_decoder.h"
 #include "tools/color_table_maker.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "aibo_client/colors.h"
-#include "node/camera/jpeg_decoder.h"
+#include "camera/jpeg_decoder.h"
 
 namespace aibo_driver::color_table {
 

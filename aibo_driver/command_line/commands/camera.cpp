@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
+#include "camera/camera_options.h"
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "command_line/stream_report.h"
 #include "files/files.h"
-#include "node/camera/camera_options.h"
 
 namespace aibo_driver::command_line {
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "node/body/stance.h"
+#include "walk/stance.h"
 
 namespace aibo_driver::node {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 
 namespace aibo_driver::node {
 namespace {

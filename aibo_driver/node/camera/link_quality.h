@@ -4,7 +4,7 @@
 
 #include <aibo_driver/LinkQuality.h>
 
-#include "node/camera/link_meter.h"
+#include "camera/link_meter.h"
 
 namespace aibo_driver::node {
 

@@ -13,7 +13,7 @@
 #include <string>
 #include <thread>
 
-#include "node/camera/jpeg_decoder.h"
+#include "camera/jpeg_decoder.h"
 
 namespace aibo_driver::node {
 

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "aibo_client/exceptions.h"
+#include "camera/camera_options.h"
 #include "files/files.h"
-#include "node/camera/camera_options.h"
 #include "node/camera/camera_publisher.h"
 #include "node/service.h"
 #include "node/services.h"

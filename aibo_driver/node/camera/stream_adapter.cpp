@@ -2,7 +2,7 @@
 
 #include <ros/console.h>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 #include "text/number.h"
 
 namespace aibo_driver::node {

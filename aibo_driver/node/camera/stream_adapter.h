@@ -8,7 +8,7 @@
 #include <string>
 
 #include "aibo_client/rcserver_client.h"
-#include "node/camera/adaptive_stream.h"
+#include "camera/adaptive_stream.h"
 #include "text/throttled_warnings.h"
 
 namespace aibo_driver::node {

@@ -11,7 +11,7 @@
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
 #include "node/driver_parameters.h"
-#include "node/walk/way_to_goal.h"
+#include "walk/way_to_goal.h"
 
 namespace aibo_driver::node {
 

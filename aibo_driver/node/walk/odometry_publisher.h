@@ -13,8 +13,8 @@
 #include "aibo_client/telemetry.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
-#include "node/walk/walked_way.h"
-#include "node/walk/way_to_goal.h"
+#include "walk/walked_way.h"
+#include "walk/way_to_goal.h"
 
 namespace aibo_driver::node {
 

@@ -10,8 +10,8 @@
 
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
-#include "node/walk/walk_settings.h"
 #include "text/throttled_warnings.h"
+#include "walk/walk_settings.h"
 
 namespace aibo_driver::node {
 

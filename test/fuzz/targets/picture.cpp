@@ -2,8 +2,8 @@
 #include <string>
 
 #include "aibo_client/jpeg_inspector.h"
+#include "camera/jpeg_decoder.h"
 #include "fuzz_input.h"
-#include "node/camera/jpeg_decoder.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const aibo_client::JpegInspection inspection = aibo_client::inspectJpeg(data, size);

@@ -1,4 +1,4 @@
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "node/body/stance.h"
+#include "walk/stance.h"
 
 #include <geometry_msgs/Vector3.h>
 #include <gmock/gmock.h>

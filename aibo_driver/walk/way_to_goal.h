@@ -1,6 +1,6 @@
 /// @file way_to_goal.h
-#ifndef AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H
-#define AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H
+#ifndef AIBO_DRIVER_WALK_WAY_TO_GOAL_H
+#define AIBO_DRIVER_WALK_WAY_TO_GOAL_H
 
 #include "aibo_client/walk.h"
 
@@ -51,4 +51,4 @@ class WayToGoal {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_WALK_WAY_TO_GOAL_H
+#endif  // AIBO_DRIVER_WALK_WAY_TO_GOAL_H

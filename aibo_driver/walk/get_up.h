@@ -1,6 +1,6 @@
 /// @file get_up.h
-#ifndef AIBO_DRIVER_NODE_WALK_GET_UP_H
-#define AIBO_DRIVER_NODE_WALK_GET_UP_H
+#ifndef AIBO_DRIVER_WALK_GET_UP_H
+#define AIBO_DRIVER_WALK_GET_UP_H
 
 #include <functional>
 #include <mutex>
@@ -46,4 +46,4 @@ class GetUp {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_WALK_GET_UP_H
+#endif  // AIBO_DRIVER_WALK_GET_UP_H

@@ -1,7 +1,7 @@
 /// @file stance.h
 /// How an ERS-7 stands or lies on the floor, estimated from its legs and its accelerometer.
-#ifndef AIBO_DRIVER_NODE_BODY_STANCE_H
-#define AIBO_DRIVER_NODE_BODY_STANCE_H
+#ifndef AIBO_DRIVER_WALK_STANCE_H
+#define AIBO_DRIVER_WALK_STANCE_H
 
 #include <Eigen/Geometry>
 #include <array>
@@ -38,4 +38,4 @@ Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Eigen::Vec
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_BODY_STANCE_H
+#endif  // AIBO_DRIVER_WALK_STANCE_H

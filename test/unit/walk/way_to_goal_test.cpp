@@ -1,5 +1,5 @@
 // How a robot is steered to a goal.
-#include "node/walk/way_to_goal.h"
+#include "walk/way_to_goal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "node/camera/link_meter.h"
+#include "camera/link_meter.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "node/walk/walk_settings.h"
+#include "walk/walk_settings.h"
 
 #include <algorithm>
 #include <cmath>

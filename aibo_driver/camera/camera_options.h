@@ -1,6 +1,6 @@
 /// @file camera_options.h
-#ifndef AIBO_DRIVER_NODE_CAMERA_CAMERA_OPTIONS_H
-#define AIBO_DRIVER_NODE_CAMERA_CAMERA_OPTIONS_H
+#ifndef AIBO_DRIVER_CAMERA_CAMERA_OPTIONS_H
+#define AIBO_DRIVER_CAMERA_CAMERA_OPTIONS_H
 
 #include <optional>
 #include <string>
@@ -49,4 +49,4 @@ double frameRateOf(int every_nth_image);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_CAMERA_CAMERA_OPTIONS_H
+#endif  // AIBO_DRIVER_CAMERA_CAMERA_OPTIONS_H

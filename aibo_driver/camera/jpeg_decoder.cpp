@@ -1,4 +1,4 @@
-#include "node/camera/jpeg_decoder.h"
+#include "camera/jpeg_decoder.h"
 
 #include <turbojpeg.h>
 

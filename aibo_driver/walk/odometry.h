@@ -1,6 +1,6 @@
 /// @file odometry.h
-#ifndef AIBO_DRIVER_NODE_WALK_ODOMETRY_H
-#define AIBO_DRIVER_NODE_WALK_ODOMETRY_H
+#ifndef AIBO_DRIVER_WALK_ODOMETRY_H
+#define AIBO_DRIVER_WALK_ODOMETRY_H
 
 #include <Eigen/Core>
 
@@ -48,4 +48,4 @@ class Odometry {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_WALK_ODOMETRY_H
+#endif  // AIBO_DRIVER_WALK_ODOMETRY_H

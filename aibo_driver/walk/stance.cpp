@@ -1,4 +1,4 @@
-#include "node/body/stance.h"
+#include "walk/stance.h"
 
 #include <algorithm>
 #include <cmath>

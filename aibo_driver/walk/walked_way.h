@@ -1,6 +1,6 @@
 /// @file walked_way.h
-#ifndef AIBO_DRIVER_NODE_WALK_WALKED_WAY_H
-#define AIBO_DRIVER_NODE_WALK_WALKED_WAY_H
+#ifndef AIBO_DRIVER_WALK_WALKED_WAY_H
+#define AIBO_DRIVER_WALK_WALKED_WAY_H
 
 #include <cstdint>
 #include <optional>
@@ -8,8 +8,8 @@
 #include "aibo_client/motion_end.h"
 #include "aibo_client/motors_and_posture.h"
 #include "aibo_client/telemetry.h"
-#include "node/walk/odometry.h"
-#include "node/walk/walk_settings.h"
+#include "walk/odometry.h"
+#include "walk/walk_settings.h"
 
 namespace aibo_driver::node {
 
@@ -58,4 +58,4 @@ class WalkedWay {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_WALK_WALKED_WAY_H
+#endif  // AIBO_DRIVER_WALK_WALKED_WAY_H

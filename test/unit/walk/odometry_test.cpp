@@ -1,4 +1,4 @@
-#include "node/walk/odometry.h"
+#include "walk/odometry.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 /// @file jpeg_decoder.h
 /// Decodes JPEG to pixels, without ROS.
-#ifndef AIBO_DRIVER_NODE_CAMERA_JPEG_DECODER_H
-#define AIBO_DRIVER_NODE_CAMERA_JPEG_DECODER_H
+#ifndef AIBO_DRIVER_CAMERA_JPEG_DECODER_H
+#define AIBO_DRIVER_CAMERA_JPEG_DECODER_H
 
 #include <cstddef>
 #include <cstdint>
@@ -35,4 +35,4 @@ BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size);
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_CAMERA_JPEG_DECODER_H
+#endif  // AIBO_DRIVER_CAMERA_JPEG_DECODER_H

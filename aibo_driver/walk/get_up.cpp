@@ -1,4 +1,4 @@
-#include "node/walk/get_up.h"
+#include "walk/get_up.h"
 
 namespace aibo_driver::node {
 

@@ -1,6 +1,6 @@
 /// @file link_meter.h
-#ifndef AIBO_DRIVER_NODE_CAMERA_LINK_METER_H
-#define AIBO_DRIVER_NODE_CAMERA_LINK_METER_H
+#ifndef AIBO_DRIVER_CAMERA_LINK_METER_H
+#define AIBO_DRIVER_CAMERA_LINK_METER_H
 
 #include <chrono>
 #include <cstdint>
@@ -69,4 +69,4 @@ class LinkMeter {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_CAMERA_LINK_METER_H
+#endif  // AIBO_DRIVER_CAMERA_LINK_METER_H

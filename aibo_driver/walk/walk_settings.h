@@ -1,6 +1,6 @@
 /// @file walk_settings.h
-#ifndef AIBO_DRIVER_NODE_WALK_WALK_SETTINGS_H
-#define AIBO_DRIVER_NODE_WALK_WALK_SETTINGS_H
+#ifndef AIBO_DRIVER_WALK_WALK_SETTINGS_H
+#define AIBO_DRIVER_WALK_WALK_SETTINGS_H
 
 #include <chrono>
 
@@ -40,4 +40,4 @@ aibo_client::WalkVelocity velocityToSend(const aibo_client::WalkVelocity& wanted
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_WALK_WALK_SETTINGS_H
+#endif  // AIBO_DRIVER_WALK_WALK_SETTINGS_H

@@ -1,8 +1,8 @@
-#include "node/camera/link_meter.h"
+#include "camera/link_meter.h"
 
 #include <gmock/gmock.h>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 
 namespace aibo_driver::node {
 namespace {

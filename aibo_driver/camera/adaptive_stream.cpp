@@ -1,10 +1,10 @@
-#include "node/camera/adaptive_stream.h"
+#include "camera/adaptive_stream.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
-#include "node/camera/camera_options.h"
+#include "camera/camera_options.h"
 
 namespace aibo_driver::node {
 namespace {

@@ -1,7 +1,7 @@
 /// @file adaptive_stream.h
 /// Finds the quality and rate that a weak radio link can carry in time.
-#ifndef AIBO_DRIVER_NODE_CAMERA_ADAPTIVE_STREAM_H
-#define AIBO_DRIVER_NODE_CAMERA_ADAPTIVE_STREAM_H
+#ifndef AIBO_DRIVER_CAMERA_ADAPTIVE_STREAM_H
+#define AIBO_DRIVER_CAMERA_ADAPTIVE_STREAM_H
 
 #include <chrono>
 #include <cstddef>
@@ -94,4 +94,4 @@ class AdaptiveStream {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_CAMERA_ADAPTIVE_STREAM_H
+#endif  // AIBO_DRIVER_CAMERA_ADAPTIVE_STREAM_H

@@ -1,4 +1,4 @@
-#include "node/walk/walked_way.h"
+#include "walk/walked_way.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "node/camera/adaptive_stream.h"
+#include "camera/adaptive_stream.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "node/walk/way_to_goal.h"
+#include "walk/way_to_goal.h"
 
 #include <algorithm>
 #include <cmath>
