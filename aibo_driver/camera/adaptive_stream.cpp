@@ -6,7 +6,7 @@
 
 #include "camera/camera_options.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 double seconds(AdaptiveStream::Duration duration) {
@@ -132,4 +132,4 @@ void AdaptiveStream::change(std::size_t to, SteadyTime now) {
   arrivals_.clear();
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 /// Keeps the age of pictures below a limit. It first lowers the quality of the stream, down to kLowestQuality, then its
 /// rate. It raises them again when the link carries more. All numbers below are our choice.
@@ -92,6 +92,6 @@ class AdaptiveStream {
   std::optional<SteadyTime> raised_at_;   ///< when the stream was raised, if that was the last change
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
 
 #endif  // AIBO_DRIVER_CAMERA_ADAPTIVE_STREAM_H

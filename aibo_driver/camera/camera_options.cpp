@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 using aibo_client::PictureTransport;
 using aibo_client::Resolution;
@@ -63,4 +63,4 @@ double frameRateOf(int every_nth_image) {
   return kCameraRate / every_nth_image;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -8,7 +8,7 @@
 #include "aibo_client/camera.h"
 #include "aibo_client/status.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 /// The images per second of an ERS-7's camera (Sony, Model Information ERS-7, section 3.2.1).
 constexpr double kCameraRate = 30.0;
@@ -47,6 +47,6 @@ int everyNthImageOf(double rate);
 /// The pictures per second of a stream that sends every nth image.
 double frameRateOf(int every_nth_image);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
 
 #endif  // AIBO_DRIVER_CAMERA_CAMERA_OPTIONS_H

@@ -6,7 +6,7 @@
 
 #include "aibo_client/jpeg_inspector.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 constexpr int kBytesPerPixel = 3;
@@ -58,4 +58,4 @@ BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size) {
   return image;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

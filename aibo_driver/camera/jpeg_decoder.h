@@ -9,7 +9,7 @@
 
 #include "aibo_client/exceptions.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 /// Thrown if the bytes are not a whole, undamaged picture of the robot's camera. The message says what is wrong.
 class DecodeException : public aibo_client::Exception {
@@ -33,6 +33,6 @@ struct BgrImage {
 /// @throw DecodeException the picture is damaged, the camera cannot have made it, or there is no memory
 BgrImage decodeJpeg(const std::uint8_t* jpeg, std::size_t size);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
 
 #endif  // AIBO_DRIVER_CAMERA_JPEG_DECODER_H

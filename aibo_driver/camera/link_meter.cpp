@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 double secondsBetween(LinkMeter::SteadyTime begin, LinkMeter::SteadyTime end) {
@@ -69,4 +69,4 @@ LinkMeter::Reading LinkMeter::read(SteadyTime now, double asked_rate) {
   return reading;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -9,7 +9,7 @@
 
 #include "aibo_client/picture.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 
 /// Measures a stream of pictures: how many come, how old they are, how many are missing, and how long it has been slow.
 /// Any thread may call any function.
@@ -67,6 +67,6 @@ class LinkMeter {
   std::optional<std::uint32_t> last_image_;  ///< the camera's count of the newest image of this connection
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera
 
 #endif  // AIBO_DRIVER_CAMERA_LINK_METER_H

@@ -4,7 +4,7 @@
 
 namespace aibo_driver::command_line {
 
-std::string wordsOf(const node::LinkMeter::Reading& reading) {
+std::string wordsOf(const camera::LinkMeter::Reading& reading) {
   char text[160];
   std::snprintf(text, sizeof text, "%5.1f pictures/s %6.1f KB/s", reading.picturesPerSecond(),
                 reading.kilobytesPerSecond());
@@ -21,7 +21,7 @@ std::string wordsOf(const node::LinkMeter::Reading& reading) {
   return words;
 }
 
-Json jsonOf(const node::LinkMeter::Reading& reading) {
+Json jsonOf(const camera::LinkMeter::Reading& reading) {
   return Json::object({{"seconds", reading.seconds},
                        {"pictures", reading.pictures},
                        {"bytes", reading.bytes},

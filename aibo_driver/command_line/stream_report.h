@@ -10,9 +10,9 @@
 namespace aibo_driver::command_line {
 
 /// Describes a reading in one line: pictures a second, data rate, age, loss.
-std::string wordsOf(const node::LinkMeter::Reading& reading);
+std::string wordsOf(const camera::LinkMeter::Reading& reading);
 
-Json jsonOf(const node::LinkMeter::Reading& reading);
+Json jsonOf(const camera::LinkMeter::Reading& reading);
 
 }  // namespace aibo_driver::command_line
 

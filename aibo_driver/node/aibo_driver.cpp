@@ -341,13 +341,14 @@ void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
 
 void AiboDriver::report() {
   const std::optional<int> every_nth = askedEveryNthImage();
-  const double asked_rate = every_nth ? frameRateOf(*every_nth) : 0;
-  const LinkMeter::Reading reading = meter_.read(std::chrono::steady_clock::now(), asked_rate);
+  const double asked_rate = every_nth ? camera::frameRateOf(*every_nth) : 0;
+  const camera::LinkMeter::Reading reading = meter_.read(std::chrono::steady_clock::now(), asked_rate);
   if (link_quality_.getNumSubscribers() > 0) {
     LinkQuality quality = toMessage(reading, asked_rate);
     quality.header.stamp = ros::Time::now();
     const aibo_client::ConnectionStatus status = client_.status();
-    quality.transport = status.state == aibo_client::ConnectionState::kConnected ? nameOf(status.transport) : "";
+    quality.transport =
+        status.state == aibo_client::ConnectionState::kConnected ? camera::nameOf(status.transport) : "";
     link_quality_.publish(quality);
   }
   diagnostics_.publish(reading, asked_rate);

@@ -126,7 +126,7 @@ class AiboDriver {
   movement::MeasuredJoints measured_joints_;
   PowerStatus power_;
   text::ThrottledWarnings design_warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  LinkMeter meter_;
+  camera::LinkMeter meter_;
   StreamPolicy policy_;
   ConnectionPublisher connection_;
   CameraPublisher camera_;
@@ -138,8 +138,8 @@ class AiboDriver {
   std::optional<FootprintPublisher> footprint_;  ///< only for an ERS-7, and only if it is wanted
   OdometryPublisher odometry_;
   LedStatePublisher led_states_;
-  ros::SteadyTimer get_up_timer_;  ///< runs out on pool_ when the robot is to get up
-  std::optional<GetUp> get_up_;    ///< only if it is wanted
+  ros::SteadyTimer get_up_timer_;      ///< runs out on pool_ when the robot is to get up
+  std::optional<walk::GetUp> get_up_;  ///< only if it is wanted
 
   aibo_client::RcServerClient client_;
   sound::Player player_;  ///< plays nothing before the client runs

@@ -78,8 +78,8 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   message.robot = status.robot.design;
   message.protocol_version = static_cast<std::uint8_t>(status.protocol_version);
   if (status.state == ConnectionState::kConnected) {
-    message.transport = nameOf(status.transport);
-    message.transport_reason = transportReason(status);
+    message.transport = camera::nameOf(status.transport);
+    message.transport_reason = camera::transportReason(status);
   }
   message.reason = text::plainLine(status.reason, kLongestReason);
   message.advice = status.advice;

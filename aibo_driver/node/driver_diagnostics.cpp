@@ -113,14 +113,14 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
 DriverDiagnostics::~DriverDiagnostics() = default;
 
 // A listener who comes later gets what happened within the last second, not everything since the start.
-void DriverDiagnostics::publish(const LinkMeter::Reading& stream, double asked_rate) {
+void DriverDiagnostics::publish(const camera::LinkMeter::Reading& stream, double asked_rate) {
   period_ = takePeriod(stream, asked_rate);
   if (topic_.getNumSubscribers() > 0) {
     updater_->force_update();
   }
 }
 
-DriverDiagnostics::Period DriverDiagnostics::takePeriod(const LinkMeter::Reading& stream, double asked_rate) {
+DriverDiagnostics::Period DriverDiagnostics::takePeriod(const camera::LinkMeter::Reading& stream, double asked_rate) {
   const ClientStatistics client = sources_.client.statistics();
   const ClientStatistics before = std::exchange(client_before_, client);
   const std::uint64_t undecodable = sources_.raw_images.statistics().decode_errors;
@@ -156,7 +156,7 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
-  const LinkMeter::Reading& reading = period_.stream;
+  const camera::LinkMeter::Reading& reading = period_.stream;
   summarizeStream(status);
   reportDelay(period_.delay, status);
   reportTransport(status);
@@ -178,14 +178,14 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   if (connection.wanted_transport == aibo_client::PictureTransport::kUdp && !connection.transport_problem.empty()) {
     status.mergeSummary(DiagnosticStatus::WARN, "pictures come by TCP, not by UDP: " + connection.transport_problem);
   }
-  status.add("transport", nameOf(connection.transport));
-  status.add("transport wanted", nameOf(connection.wanted_transport));
-  status.add("why this transport", transportReason(connection));
+  status.add("transport", camera::nameOf(connection.transport));
+  status.add("transport wanted", camera::nameOf(connection.wanted_transport));
+  status.add("why this transport", camera::transportReason(connection));
   addAll(datagramCounts(sources_.client.statistics()), status);
 }
 
 void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
-  const LinkMeter::Reading& reading = period_.stream;
+  const camera::LinkMeter::Reading& reading = period_.stream;
   if (period_.damaged > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
                                                " damaged pictures dropped: is the RCServer on the robot the one that "

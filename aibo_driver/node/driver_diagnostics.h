@@ -72,13 +72,13 @@ class DriverDiagnostics {
   /// Call this once a second of wall time, from only one thread at a time.
   /// @param stream what was measured since the last call
   /// @param asked_rate the pictures a second that the robot is asked for now; 0 while the stream is off
-  void publish(const LinkMeter::Reading& stream, double asked_rate);
+  void publish(const camera::LinkMeter::Reading& stream, double asked_rate);
 
  private:
   /// What happened since the last call of publish().
   struct Period {
     double asked_rate = 0;  ///< pictures a second, at the end of the period
-    LinkMeter::Reading stream;
+    camera::LinkMeter::Reading stream;
     robot_time::RobotClock::Reading delay;
     std::uint64_t damaged = 0;  ///< damaged pictures
     double measurement_rate = 0;
@@ -88,7 +88,7 @@ class DriverDiagnostics {
     std::uint64_t sound_gaps = 0;
   };
 
-  Period takePeriod(const LinkMeter::Reading& stream, double asked_rate);
+  Period takePeriod(const camera::LinkMeter::Reading& stream, double asked_rate);
   void reportConnection(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportStream(diagnostic_updater::DiagnosticStatusWrapper& status);
   void reportTransport(diagnostic_updater::DiagnosticStatusWrapper& status) const;

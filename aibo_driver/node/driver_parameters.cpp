@@ -145,11 +145,11 @@ bool isRobot(const std::string& text) {
 }
 
 bool isResolution(const std::string& text) {
-  return resolutionOf(text).has_value();
+  return camera::resolutionOf(text).has_value();
 }
 
 bool isTransport(const std::string& text) {
-  return transportOf(text).has_value();
+  return camera::transportOf(text).has_value();
 }
 
 bool isFrame(const std::string& text) {
@@ -211,11 +211,11 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
 
   reader.read("stream_on_start", &parameters.stream_on_start);
   reader.read("stream_on_demand", &parameters.stream_on_demand);
-  reader.read("resolution", kResolutionNames, isResolution, &parameters.resolution);
-  reader.read("frame_rate", "pictures a second", kLowestFrameRate, kCameraRate, &parameters.frame_rate);
-  reader.read("transport", kTransportNames, isTransport, &parameters.transport);
-  parameters.client.picture_transport = *transportOf(parameters.transport);
-  reader.read("color_rate", "images a second", kLowestFrameRate, kCameraRate, &parameters.color_rate);
+  reader.read("resolution", camera::kResolutionNames, isResolution, &parameters.resolution);
+  reader.read("frame_rate", "pictures a second", camera::kLowestFrameRate, camera::kCameraRate, &parameters.frame_rate);
+  reader.read("transport", camera::kTransportNames, isTransport, &parameters.transport);
+  parameters.client.picture_transport = *camera::transportOf(parameters.transport);
+  reader.read("color_rate", "images a second", camera::kLowestFrameRate, camera::kCameraRate, &parameters.color_rate);
   reader.read("color_tables", "the files or names of colour tables, separated by blanks, or empty", isAnyText,
               &parameters.color_tables);
   reader.read("microphone_channels", 1, 2, &parameters.microphone_channels);
@@ -255,7 +255,7 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
   reader.read("publish_footprint", &parameters.publish_footprint);
 
-  WalkSettings& walk = parameters.walk;
+  walk::WalkSettings& walk = parameters.walk;
   reader.read("walk_speed_limit", "m/s", 0.0, 1.0, &walk.speed_limit);
   reader.read("walk_side_limit", "m/s", 0.0, 1.0, &walk.side_limit);
   reader.read("walk_turn_limit", "rad/s", 0.0, 10.0, &walk.turn_limit);

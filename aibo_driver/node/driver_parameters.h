@@ -23,13 +23,13 @@ struct DriverParameters {
   /// missing in motions.
   aibo_client::ClientOptions client;
   bool stream_on_start = true;             ///< whether the stream is wanted before set_streaming is called
-  std::string resolution = "208x160";      ///< the resolution of the stream, for resolutionOf()
-  double frame_rate = 30.0;                ///< pictures per second of the stream, for everyNthImageOf()
-  std::string transport = "auto";          ///< the transport of the stream's pictures, for transportOf()
+  std::string resolution = "208x160";      ///< the resolution of the stream, for camera::resolutionOf()
+  double frame_rate = 30.0;                ///< pictures per second of the stream, for camera::everyNthImageOf()
+  std::string transport = "auto";          ///< the transport of the stream's pictures, for camera::transportOf()
   bool adaptive = false;                   ///< true: lower quality and rate to keep max_picture_age
   double max_picture_age = 0.15;           ///< s, 0.05..2
   aibo_client::CameraSettings camera;      ///< the camera's settings, with Sony's numbers
-  double color_rate = 30.0;                ///< images per second of the colour detection, for everyNthImageOf()
+  double color_rate = 30.0;                ///< images per second of the colour detection, for camera::everyNthImageOf()
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
   int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
   bool sound_priority = false;             ///< pictures wait for what the microphones hear
@@ -50,8 +50,8 @@ struct DriverParameters {
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
   bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it
 
-  WalkSettings walk;
-  bool get_up = false;  ///< a robot that has fallen gets up by itself: see GetUp
+  walk::WalkSettings walk;
+  bool get_up = false;  ///< a robot that has fallen gets up by itself: see walk::GetUp
 
   bool publish_footprint = true;  ///< publish tf from base_footprint to base_link; only for an ERS-7
   std::string frame_prefix;       ///< put before every frame; see frame()

@@ -17,8 +17,8 @@ namespace {
 /// Calls `visit` with the name, the member and the range of each number.
 template <typename Visit>
 void visitNumbers(const Visit& visit) {
-  visit("jpeg_quality", &AiboDriverConfig::jpeg_quality, 1, kMaxQuality);
-  visit("frame_rate", &AiboDriverConfig::frame_rate, kLowestFrameRate, kCameraRate);
+  visit("jpeg_quality", &AiboDriverConfig::jpeg_quality, 1, camera::kMaxQuality);
+  visit("frame_rate", &AiboDriverConfig::frame_rate, camera::kLowestFrameRate, camera::kCameraRate);
   visit("max_picture_age", &AiboDriverConfig::max_picture_age, 0.05, 2.0);
   visit("telemetry_rate", &AiboDriverConfig::telemetry_rate, 0.0, kHighestTelemetryRate);
   visit("speed_scale", &AiboDriverConfig::speed_scale, 0.1, 1.0);
@@ -78,25 +78,25 @@ void LiveSettings::apply(AiboDriverConfig& config) {
 }
 
 void LiveSettings::applyToCamera(AiboDriverConfig& config) {
-  if (!resolutionOf(config.resolution)) {
-    warnings_.warn("The resolution '" + text::plainLine(config.resolution) + "' is not one of " + kResolutionNames +
-                   ": it stays at " + in_force_.resolution + ".");
+  if (!camera::resolutionOf(config.resolution)) {
+    warnings_.warn("The resolution '" + text::plainLine(config.resolution) + "' is not one of " +
+                   camera::kResolutionNames + ": it stays at " + in_force_.resolution + ".");
     config.resolution = in_force_.resolution;
   }
   StreamAdapter::Wish stream;
   stream.jpeg_quality = config.jpeg_quality;
-  stream.format.resolution = *resolutionOf(config.resolution);
-  stream.format.every_nth_image = everyNthImageOf(config.frame_rate);
+  stream.format.resolution = *camera::resolutionOf(config.resolution);
+  stream.format.every_nth_image = camera::everyNthImageOf(config.frame_rate);
   stream.adaptive = config.adaptive;
   stream.max_picture_age = config.max_picture_age;
-  config.frame_rate = frameRateOf(stream.format.every_nth_image);
+  config.frame_rate = camera::frameRateOf(stream.format.every_nth_image);
   adapter_.setWish(stream);
-  if (!transportOf(config.transport)) {
-    warnings_.warn("The transport '" + text::plainLine(config.transport) + "' is not one of " + kTransportNames +
-                   ": it stays at " + in_force_.transport + ".");
+  if (!camera::transportOf(config.transport)) {
+    warnings_.warn("The transport '" + text::plainLine(config.transport) + "' is not one of " +
+                   camera::kTransportNames + ": it stays at " + in_force_.transport + ".");
     config.transport = in_force_.transport;
   }
-  client_.setPictureTransport(*transportOf(config.transport));
+  client_.setPictureTransport(*camera::transportOf(config.transport));
   aibo_client::CameraSettings camera;
   camera.white_balance = config.white_balance;
   camera.gain = config.gain;

@@ -41,7 +41,7 @@ constexpr int kLongestName = 200;  // characters
 
 constexpr std::size_t kMostJoints = 100;  // no robot has as many
 
-QImage imageOf(const node::BgrImage& picture) {
+QImage imageOf(const camera::BgrImage& picture) {
   QImage image(picture.width, picture.height, QImage::Format_RGB32);
   const std::uint8_t* pixel = picture.pixels.data();
   for (int y = 0; y < picture.height; ++y) {
@@ -305,8 +305,8 @@ void DriverTopics::showPictures(bool visible) {
 void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
   QImage image;
   try {
-    image = imageOf(node::decodeJpeg(message.data.data(), message.data.size()));
-  } catch (const node::DecodeException&) {
+    image = imageOf(camera::decodeJpeg(message.data.data(), message.data.size()));
+  } catch (const camera::DecodeException&) {
     return;  // the driver's diagnostics count these pictures
   }
   {

@@ -37,7 +37,7 @@ void makeTable(const options::variables_map& values) {
     throw InvalidArgumentException("--margin is " + std::to_string(margin) + "; it must be 0..127");
   }
   const auto jpeg = aibo_driver::files::loadFile(values["picture"].as<std::string>(), kLongestFile);
-  const aibo_driver::node::BgrImage picture = aibo_driver::node::decodeJpeg(jpeg.data(), jpeg.size());
+  const aibo_driver::camera::BgrImage picture = aibo_driver::camera::decodeJpeg(jpeg.data(), jpeg.size());
   const aibo_client::ColorTable table =
       aibo_driver::color_table::makeTable(picture, region, values["name"].as<std::string>(), margin);
   const auto coverage = aibo_driver::color_table::coverageOf(table, picture, region);

@@ -28,7 +28,7 @@ int toByte(double value) {
   return static_cast<int>(std::clamp(std::lround(value), 0L, 255L));
 }
 
-Pixel pixelAt(const node::BgrImage& picture, int x, int y) {
+Pixel pixelAt(const camera::BgrImage& picture, int x, int y) {
   const std::uint8_t* bgr = &picture.pixels[3 * static_cast<std::size_t>(y * picture.width + x)];
   const double luminance = 0.299 * bgr[2] + 0.587 * bgr[1] + 0.114 * bgr[0];
   return {toByte(luminance), toByte(128 + 0.713267 * (bgr[2] - luminance)),
@@ -46,7 +46,7 @@ Range rangeOf(std::vector<int> values, int margin) {
   return {std::max(0, values[outliers] - margin), std::min(255, values[values.size() - 1 - outliers] + margin)};
 }
 
-void checkRegion(const node::BgrImage& picture, const Region& region) {
+void checkRegion(const camera::BgrImage& picture, const Region& region) {
   const bool is_within = region.left >= 0 && region.top >= 0 && region.width >= 1 && region.height >= 1 &&
                          region.left <= picture.width - region.width && region.top <= picture.height - region.height;
   if (!is_within) {
@@ -70,7 +70,7 @@ bool isIn(const ColorTable& table, const Pixel& pixel) {
 
 }  // namespace
 
-ColorTable makeTable(const node::BgrImage& picture, const Region& region, const std::string& name, int margin) {
+ColorTable makeTable(const camera::BgrImage& picture, const Region& region, const std::string& name, int margin) {
   checkRegion(picture, region);
   std::vector<int> luminances;
   std::vector<int> reds;
@@ -95,7 +95,7 @@ ColorTable makeTable(const node::BgrImage& picture, const Region& region, const 
   return table;
 }
 
-Coverage coverageOf(const ColorTable& table, const node::BgrImage& picture, const Region& region) {
+Coverage coverageOf(const ColorTable& table, const camera::BgrImage& picture, const Region& region) {
   double inside = 0;
   double outside = 0;
   for (int y = 0; y < picture.height; ++y) {

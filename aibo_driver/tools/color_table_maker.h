@@ -26,7 +26,7 @@ struct Region {
 /// @param margin added to both ends of Cr and Cb, 0..127
 /// @throw InvalidArgumentException the region is not within the picture, or has fewer than 16 pixels; the message says
 ///   what is wrong
-aibo_client::ColorTable makeTable(const node::BgrImage& picture, const Region& region, const std::string& name,
+aibo_client::ColorTable makeTable(const camera::BgrImage& picture, const Region& region, const std::string& name,
                                   int margin);
 
 /// How much of a picture a table contains, as shares of all pixels.
@@ -34,7 +34,7 @@ struct Coverage {
   double inside;   ///< the share of the region
   double outside;  ///< the share of the rest of the picture; 0 if there is no rest
 };
-Coverage coverageOf(const aibo_client::ColorTable& table, const node::BgrImage& picture, const Region& region);
+Coverage coverageOf(const aibo_client::ColorTable& table, const camera::BgrImage& picture, const Region& region);
 
 }  // namespace aibo_driver::color_table
 

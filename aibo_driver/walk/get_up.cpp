@@ -1,6 +1,6 @@
 #include "walk/get_up.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 using aibo_client::MotorState;
 using aibo_client::PostureNow;
@@ -30,4 +30,4 @@ void GetUp::update(const aibo_client::MotorsAndPosture& state, movement::SteadyT
   stand_();
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

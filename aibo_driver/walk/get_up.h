@@ -10,7 +10,7 @@
 #include "aibo_client/motors_and_posture.h"
 #include "movement/movement.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 /// The parameter get_up: decides when a robot that has fallen gets up by itself.
 ///
@@ -44,6 +44,6 @@ class GetUp {
   movement::SteadyTime fallen_;  ///< when its latest fall ended a movement
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_GET_UP_H

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 // With a standard deviation of half a turn, the direction is unknown.
@@ -49,4 +49,4 @@ void Odometry::lose(double way, double turn) {
   }
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

@@ -6,7 +6,7 @@
 
 #include "aibo_client/walk.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 /// Where a robot has walked to, and how uncertain that is. It begins at the origin, without any uncertainty.
 ///
@@ -46,6 +46,6 @@ class Odometry {
   Eigen::Matrix3d covariance_ = Eigen::Matrix3d::Zero();
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_ODOMETRY_H

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -89,4 +89,4 @@ Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Vector3d& 
   return stance;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

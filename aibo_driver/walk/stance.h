@@ -9,7 +9,7 @@
 
 #include "robot_model/legs.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 using robot_model::Leg;
 using robot_model::LegAngles;
@@ -36,6 +36,6 @@ struct Stance {
 /// @param acceleration measured in base_link, as in imu/data_raw: it points up at rest; only its direction counts
 Stance estimateStance(const std::array<LegAngles, kLegs>& legs, const Eigen::Vector3d& acceleration);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_STANCE_H

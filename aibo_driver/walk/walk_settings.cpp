@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 using aibo_client::WalkVelocity;
 
@@ -57,4 +57,4 @@ WalkVelocity velocityToSend(const WalkVelocity& wanted, const WalkSettings& sett
   return is_limited ? limited(sent, robot) : sent;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

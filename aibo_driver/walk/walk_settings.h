@@ -6,7 +6,7 @@
 
 #include "aibo_client/walk.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 /// The parameters of walking. docs/ros_interface.md describes them for users.
 ///
@@ -38,6 +38,6 @@ aibo_client::WalkVelocity realVelocity(const aibo_client::WalkVelocity& said, co
 aibo_client::WalkVelocity velocityToSend(const aibo_client::WalkVelocity& wanted, const WalkSettings& settings,
                                          const aibo_client::WalkLimits& robot);
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_WALK_SETTINGS_H

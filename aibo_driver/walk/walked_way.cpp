@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 using aibo_client::PostureNow;
 
@@ -70,4 +70,4 @@ void WalkedWay::advance(const Sample& last, const Sample& sample) {
   }
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

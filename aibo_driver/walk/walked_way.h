@@ -11,7 +11,7 @@
 #include "walk/odometry.h"
 #include "walk/walk_settings.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 /// The way that a robot has walked, computed from its telemetry.
 ///
@@ -56,6 +56,6 @@ class WalkedWay {
   aibo_client::PostureNow posture_ = aibo_client::PostureNow::kUnknown;
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_WALKED_WAY_H

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 using aibo_client::WalkVelocity;
 
@@ -66,4 +66,4 @@ bool WayToGoal::hasArrived(const PlanePose& here) const {
   return distanceFrom(here) <= kPlaceTolerance && std::abs(turnFrom(here)) <= kTurnTolerance;
 }
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

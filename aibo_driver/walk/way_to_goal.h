@@ -4,7 +4,7 @@
 
 #include "aibo_client/walk.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 
 /// A place on the floor and a direction, in the frame odom or relative to another pose.
 struct PlanePose {
@@ -49,6 +49,6 @@ class WayToGoal {
   bool is_there_ = false;  ///< the place is reached; only the turn is left
 };
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
 
 #endif  // AIBO_DRIVER_WALK_WAY_TO_GOAL_H

@@ -23,7 +23,7 @@ using aibo_client::Resolution;
 
 namespace {
 
-using node::LinkMeter;
+using camera::LinkMeter;
 using std::chrono::steady_clock;
 
 constexpr double kLongestWatch = 7 * 24 * 3600;  // s
@@ -33,7 +33,7 @@ constexpr std::chrono::milliseconds kPictureTimeout{5000};
 /// camera when its client disconnects.
 std::vector<Option> withCameraOptions(std::vector<Option> options) {
   const std::vector<Option> common = {{"quality,q", "N", "85", "of the JPEG, 1 to 100"},
-                                      {"resolution", "WxH", "208x160", node::kResolutionNames},
+                                      {"resolution", "WxH", "208x160", camera::kResolutionNames},
                                       {"white-balance", "NAME", "", "indoor, outdoor, fluorescent or auto"},
                                       {"gain", "NAME", "", "low, mid or high"},
                                       {"shutter", "NAME", "", "slow, mid or fast"},
@@ -48,9 +48,9 @@ int qualityIn(const Arguments& arguments) {
 
 Resolution resolutionIn(const Arguments& arguments) {
   const std::string name = arguments.get("resolution");
-  const std::optional<Resolution> resolution = node::resolutionOf(name);
+  const std::optional<Resolution> resolution = camera::resolutionOf(name);
   if (!resolution) {
-    throw aibo_client::InvalidArgumentException("--resolution can be " + std::string(node::kResolutionNames) +
+    throw aibo_client::InvalidArgumentException("--resolution can be " + std::string(camera::kResolutionNames) +
                                                 ", not '" + name + "'");
   }
   return *resolution;

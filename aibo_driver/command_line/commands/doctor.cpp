@@ -231,7 +231,7 @@ class Doctor {
 
   void checkStream(Robot& robot) {
     robot.client().setStreaming(true);
-    node::LinkMeter meter(steady_clock::now());
+    camera::LinkMeter meter(steady_clock::now());
     const steady_clock::time_point end = steady_clock::now() + nanosecondsOf(seconds_);
     const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
     while (robot.waitUntil(has_pictures, end - steady_clock::now())) {
@@ -276,7 +276,7 @@ class Doctor {
   std::string numeric_address_;
   std::vector<Json> findings_;
   int problems_ = 0;
-  node::LinkMeter::Reading stream_;
+  camera::LinkMeter::Reading stream_;
 };
 
 ExitStatus diagnose(const Arguments& arguments, Output& output) {

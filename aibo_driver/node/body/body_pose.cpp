@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kSmoothing = 0.25;  // s; the value is our choice
 
-constexpr std::array<const char*, kLegs> kLegNames{"left_front_", "left_hind_", "right_front_", "right_hind_"};
+constexpr std::array<const char*, walk::kLegs> kLegNames{"left_front_", "left_hind_", "right_front_", "right_hind_"};
 constexpr std::array<const char*, robot_model::JOINTS_OF_A_LEG> kJointNames{"rotator", "elevator", "knee"};
 
 }  // namespace
@@ -25,8 +25,8 @@ void BodyPose::accelerate(const geometry_msgs::Vector3& acceleration, const ros:
   last_acceleration_ = stamp;
 }
 
-geometry_msgs::Transform BodyPose::above(const std::array<LegAngles, kLegs>& legs) const {
-  const Eigen::Isometry3d pose = estimateStance(legs, acceleration_.value_or(Eigen::Vector3d::UnitZ())).body;
+geometry_msgs::Transform BodyPose::above(const std::array<walk::LegAngles, walk::kLegs>& legs) const {
+  const Eigen::Isometry3d pose = walk::estimateStance(legs, acceleration_.value_or(Eigen::Vector3d::UnitZ())).body;
   const Eigen::Quaterniond rotation(pose.linear());
   geometry_msgs::Transform transform;
   transform.translation.x = pose.translation().x();

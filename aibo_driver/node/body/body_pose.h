@@ -33,7 +33,7 @@ class BodyPose {
   /// Whether an acceleration has been measured. Without one, the body is taken to be level.
   bool isKnown() const { return acceleration_.has_value(); }
 
-  geometry_msgs::Transform above(const std::array<LegAngles, kLegs>& legs) const;
+  geometry_msgs::Transform above(const std::array<walk::LegAngles, walk::kLegs>& legs) const;
 
  private:
   std::optional<Eigen::Vector3d> acceleration_;  ///< smoothed

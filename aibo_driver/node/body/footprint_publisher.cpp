@@ -20,7 +20,7 @@ FootprintPublisher::FootprintPublisher(const ros::NodeHandle& handle, const Driv
       stamper_(stamper),
       accelerometer_(sensorOf(model, "acceleration_front_back"), sensorOf(model, "acceleration_right_left"),
                      sensorOf(model, "acceleration_up_down")) {
-  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+  for (std::size_t leg = 0; leg < walk::kLegs; ++leg) {
     for (std::size_t joint = 0; joint < leg_joints_[leg].size(); ++joint) {
       leg_joints_[leg][joint] = *joint_table.findByName(legJointName(leg, joint));
     }
@@ -58,9 +58,9 @@ void FootprintPublisher::updateAcceleration(const aibo_client::Telemetry& teleme
   }
 }
 
-std::optional<std::array<LegAngles, kLegs>> FootprintPublisher::legs() const {
-  std::array<LegAngles, kLegs> legs;
-  for (std::size_t leg = 0; leg < kLegs; ++leg) {
+std::optional<std::array<walk::LegAngles, walk::kLegs>> FootprintPublisher::legs() const {
+  std::array<walk::LegAngles, walk::kLegs> legs;
+  for (std::size_t leg = 0; leg < walk::kLegs; ++leg) {
     const auto rotator = measured_joints_.find(leg_joints_[leg][0]);
     const auto elevator = measured_joints_.find(leg_joints_[leg][1]);
     const auto knee = measured_joints_.find(leg_joints_[leg][2]);

@@ -15,7 +15,7 @@ constexpr std::uint32_t kColorQueueSize = 5;  // pictures have the same queue si
 ColorPublisher::ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                robot_time::RobotClock* robot_clock)
     : frame_id_(parameters.frame(parameters.frame_id)),
-      every_nth_image_(everyNthImageOf(parameters.color_rate)),
+      every_nth_image_(camera::everyNthImageOf(parameters.color_rate)),
       stamper_(robot_clock, parameters.time_offset) {
   channel_colors_.fill(kWhite);
   ros::NodeHandle topics(handle);

@@ -4,7 +4,7 @@
 
 namespace aibo_driver::node {
 
-LinkQuality toMessage(const LinkMeter::Reading& reading, double asked_rate) {
+LinkQuality toMessage(const camera::LinkMeter::Reading& reading, double asked_rate) {
   constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   LinkQuality quality;
   quality.pictures_per_second = static_cast<float>(reading.picturesPerSecond());

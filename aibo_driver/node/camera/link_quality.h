@@ -10,7 +10,7 @@ namespace aibo_driver::node {
 
 /// The message of the topic `link_quality`, without a stamp.
 /// @param asked_rate the pictures a second that the robot is asked for now
-LinkQuality toMessage(const LinkMeter::Reading& reading, double asked_rate);
+LinkQuality toMessage(const camera::LinkMeter::Reading& reading, double asked_rate);
 
 }  // namespace aibo_driver::node
 

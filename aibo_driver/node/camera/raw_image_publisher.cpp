@@ -89,7 +89,7 @@ void RawImagePublisher::run() {
 
 void RawImagePublisher::decodeAndPublish(const sensor_msgs::CompressedImage& picture) {
   try {
-    BgrImage decoded = decodeJpeg(picture.data.data(), picture.data.size());
+    camera::BgrImage decoded = camera::decodeJpeg(picture.data.data(), picture.data.size());
     const auto image = boost::make_shared<sensor_msgs::Image>();
     image->header = picture.header;
     image->width = static_cast<std::uint32_t>(decoded.width);
@@ -100,7 +100,7 @@ void RawImagePublisher::decodeAndPublish(const sensor_msgs::CompressedImage& pic
     publisher_.publish(sensor_msgs::ImageConstPtr(image));
     const std::lock_guard<std::mutex> lock(mutex_);
     ++statistics_.published;
-  } catch (const DecodeException& error) {
+  } catch (const camera::DecodeException& error) {
     ROS_WARN_STREAM_THROTTLE_NAMED(kWarnPeriod, "decoder", "A picture was not decoded: " << error.what());
     const std::lock_guard<std::mutex> lock(mutex_);
     ++statistics_.decode_errors;

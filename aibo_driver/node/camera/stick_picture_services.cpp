@@ -55,7 +55,8 @@ Services stickPictureServices(const DriverParameters& parameters, aibo_client::R
       service<TakePictureOnRobot>("take_picture_on_robot", "There is no picture",
                                   [&client, default_quality](auto& call) {
                                     const int asked = call.request.quality;
-                                    const int quality = asked == 0 ? default_quality() : std::min(asked, kMaxQuality);
+                                    const int quality =
+                                        asked == 0 ? default_quality() : std::min(asked, camera::kMaxQuality);
                                     call.response.name = client.takePictureOnRobot(quality, kTimeout);
                                     return call.response.name + " is on the robot's memory stick, at quality " +
                                            std::to_string(quality) + ". fetch_picture gets it.";

@@ -9,7 +9,7 @@ namespace aibo_driver::node {
 namespace {
 
 std::string rateOf(int every_nth_image) {
-  return text::decimal(frameRateOf(every_nth_image), 1);
+  return text::decimal(camera::frameRateOf(every_nth_image), 1);
 }
 
 int inMilliseconds(double seconds) {
@@ -28,11 +28,11 @@ void StreamAdapter::setWish(const Wish& wish) {
   }
   wish_ = wish;
   has_said_why_not_ = false;
-  const AdaptiveStream::Step best{wish.jpeg_quality, wish.format.every_nth_image};
+  const camera::AdaptiveStream::Step best{wish.jpeg_quality, wish.format.every_nth_image};
   stream_.reset();
   if (wish.adaptive) {
     const std::chrono::duration<double> max_age(wish.max_picture_age);
-    stream_.emplace(best, std::chrono::duration_cast<AdaptiveStream::Duration>(max_age));
+    stream_.emplace(best, std::chrono::duration_cast<camera::AdaptiveStream::Duration>(max_age));
   }
   ask(best);
 }
@@ -70,7 +70,7 @@ std::string StreamAdapter::describe() const {
   return stream_ ? describeStep() : "off";
 }
 
-void StreamAdapter::ask(const AdaptiveStream::Step& step) {
+void StreamAdapter::ask(const camera::AdaptiveStream::Step& step) {
   client_.setJpegQuality(step.jpeg_quality);
   client_.setStreamFormat({wish_->format.resolution, step.every_nth_image});
 }
@@ -79,7 +79,7 @@ std::string StreamAdapter::describeStep() const {
   if (!stream_->isLowered()) {
     return "not lowered";
   }
-  const AdaptiveStream::Step& step = stream_->inForce();
+  const camera::AdaptiveStream::Step& step = stream_->inForce();
   return "lowered to quality " + std::to_string(step.jpeg_quality) + " of " + std::to_string(wish_->jpeg_quality) +
          " and " + rateOf(step.every_nth_image) + " of " + rateOf(wish_->format.every_nth_image) + " pictures/s";
 }

@@ -49,13 +49,13 @@ class StreamAdapter {
   std::string describe() const;
 
  private:
-  void ask(const AdaptiveStream::Step& step);
+  void ask(const camera::AdaptiveStream::Step& step);
   std::string describeStep() const;
 
   aibo_client::RcServerClient& client_;
   mutable std::mutex mutex_;  // guards all members below
   std::optional<Wish> wish_;
-  std::optional<AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
+  std::optional<camera::AdaptiveStream> stream_;  ///< empty unless the stream is adaptive
   bool has_said_why_not_ = false;
   text::ThrottledWarnings log_;
 };

@@ -53,10 +53,11 @@ class PictureCall {
 };
 
 std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& request) {
-  const std::optional<aibo_client::Resolution> resolution = resolutionOf(request.resolution);
+  const std::optional<aibo_client::Resolution> resolution = camera::resolutionOf(request.resolution);
   if (!resolution && !request.resolution.empty()) {
     throw aibo_client::InvalidArgumentException("the resolution '" + text::plainLine(request.resolution) +
-                                                "' is not one of " + kResolutionNames + "; empty means the stream's.");
+                                                "' is not one of " + camera::kResolutionNames +
+                                                "; empty means the stream's.");
   }
   return resolution;
 }
@@ -91,7 +92,7 @@ Services takePictureServices(
                      folder = files::pictureFolder(parameters.picture_folder)](ServiceCall<TakePicture>& call) {
     const PictureCall counted(*calls);
     const int asked = call.request.quality;
-    const int quality = asked == 0 ? default_quality() : std::min(asked, kMaxQuality);
+    const int quality = asked == 0 ? default_quality() : std::min(asked, camera::kMaxQuality);
     int stream_quality = 0;
     const aibo_client::PicturePtr picture =
         client.takePicture(quality, timeout, &stream_quality, resolutionIn(call.request));

@@ -33,7 +33,7 @@ double yawOf(const geometry_msgs::Quaternion& turn) {
                     turn.w * turn.w + turn.x * turn.x - turn.y * turn.y - turn.z * turn.z);
 }
 
-PlanePose poseIn(const geometry_msgs::Pose& pose) {
+walk::PlanePose poseIn(const geometry_msgs::Pose& pose) {
   const geometry_msgs::Quaternion& turn = pose.orientation;
   if (!isFinite(pose)) {
     throw InvalidArgumentException("the goal has a value that is NaN or infinite");
@@ -63,7 +63,7 @@ GoalWalks::GoalWalks(const DriverParameters& parameters, const aibo_client::RcSe
 
 GoalWalks::Walk GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order) {
   try {
-    const PlanePose pose = goalIn(goal);
+    const walk::PlanePose pose = goalIn(goal);
     const std::string name = format("to x %.2f m, y %.2f m, yaw %.2f rad", pose.x, pose.y, pose.yaw);
     return {*this, mover_.walkToGoal(order, name), pose};
   } catch (const InvalidArgumentException& error) {
@@ -72,26 +72,26 @@ GoalWalks::Walk GoalWalks::begin(const geometry_msgs::PoseStamped& goal, const m
 }
 
 // In the frame odom.
-PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const {
-  PlanePose pose = poseIn(goal.pose);
+walk::PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const {
+  walk::PlanePose pose = poseIn(goal.pose);
   const double age = goal.header.stamp.isZero() ? 0 : ros::Time::now().toSec() - goal.header.stamp.toSec();
   if (age > kOldestStamp) {
     throw InvalidArgumentException(format("too old: its stamp was %.1f s ago, and 0.5 s are allowed", age));
   }
-  const std::optional<PlanePose> here = odometer_();
+  const std::optional<walk::PlanePose> here = odometer_();
   if (!here) {
     throw InvalidArgumentException("there is no odometry: is the robot connected, and telemetry_rate above 0?");
   }
   const std::string& given = goal.header.frame_id;
   const std::string frame = given.substr(given.find_first_not_of('/') == 1 ? 1 : 0);
   if (frame == parameters_.frame("base_link") || frame == parameters_.frame("base_footprint")) {
-    pose = inFrameOf(*here, pose);
+    pose = walk::inFrameOf(*here, pose);
   } else if (frame != parameters_.frame("odom")) {
     throw InvalidArgumentException("the frame of the goal is '" + text::plainLine(given) + "'; it must be " +
                                    parameters_.frame("odom") + ", " + parameters_.frame("base_link") + " or " +
                                    parameters_.frame("base_footprint"));
   }
-  const double distance = WayToGoal(pose).distanceFrom(*here);
+  const double distance = walk::WayToGoal(pose).distanceFrom(*here);
   if (distance > kFarthest) {
     throw InvalidArgumentException(format("the goal is %.4g m away, and %.0f m are allowed", distance, kFarthest));
   }
@@ -102,7 +102,7 @@ const movement::EndedMovement* GoalWalks::Walk::goOn() {
   if (begun_.ended() != nullptr || is_stopping_) {
     return begun_.ended();
   }
-  const std::optional<PlanePose> here = walks_->odometer_();
+  const std::optional<walk::PlanePose> here = walks_->odometer_();
   if (!here) {
     is_stopping_ = true;
     stop("the robot has not said where it is for 0.5 s");
@@ -117,7 +117,7 @@ const movement::EndedMovement* GoalWalks::Walk::goOn() {
   }
   const aibo_client::WalkVelocity wanted = way_.velocityAt(*here);
   const aibo_client::WalkLimits limits = walks_->client_.status().robot.walk_limits;
-  const aibo_client::WalkVelocity allowed = velocityToSend(wanted, walks_->parameters_.walk, limits);
+  const aibo_client::WalkVelocity allowed = walk::velocityToSend(wanted, walks_->parameters_.walk, limits);
   is_stopping_ = allowed.isZero();
   if (is_stopping_ && !wanted.isZero()) {
     stop("it would have to walk or turn in a way for which the limit is 0");

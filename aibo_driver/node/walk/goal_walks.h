@@ -30,7 +30,7 @@ class GoalWalks {
   static constexpr std::chrono::seconds kPatience{20};
 
   /// Returns where the robot is in the frame odom. The result is empty if the robot has not said so for a while.
-  using Odometer = std::function<std::optional<PlanePose>()>;
+  using Odometer = std::function<std::optional<walk::PlanePose>()>;
 
   /// All arguments must outlive the object and its walks.
   GoalWalks(const DriverParameters& parameters, const aibo_client::RcServerClient& client, movement::Mover& mover,
@@ -54,14 +54,14 @@ class GoalWalks {
    private:
     friend class GoalWalks;
 
-    Walk(GoalWalks& walks, movement::Mover::Begun begun, const PlanePose& goal)
+    Walk(GoalWalks& walks, movement::Mover::Begun begun, const walk::PlanePose& goal)
         : walks_(&walks), begun_(std::move(begun)), way_(goal) {}
 
     bool comesNoCloser();
 
     GoalWalks* walks_;
     movement::Mover::Begun begun_;
-    WayToGoal way_;
+    walk::WayToGoal way_;
     bool is_stopping_ = false;
     double distance_left_ = 0;
     double turn_left_ = 0;
@@ -73,7 +73,7 @@ class GoalWalks {
   Walk begin(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
 
  private:
-  PlanePose goalIn(const geometry_msgs::PoseStamped& goal) const;
+  walk::PlanePose goalIn(const geometry_msgs::PoseStamped& goal) const;
 
   const DriverParameters& parameters_;
   const aibo_client::RcServerClient& client_;

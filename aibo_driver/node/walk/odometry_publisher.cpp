@@ -37,7 +37,7 @@ constexpr std::array<std::size_t, 3> kNotMeasured{2, 3, 4};
 
 }  // namespace
 
-nav_msgs::Odometry toMessage(const Odometry& odometry, const aibo_client::WalkVelocity& velocity) {
+nav_msgs::Odometry toMessage(const walk::Odometry& odometry, const aibo_client::WalkVelocity& velocity) {
   nav_msgs::Odometry odom;
   odom.pose.pose.position.x = odometry.x();
   odom.pose.pose.position.y = odometry.y();
@@ -94,7 +94,7 @@ void OdometryPublisher::publish(const aibo_client::Telemetry& telemetry) {
   }
 }
 
-std::optional<PlanePose> OdometryPublisher::here() const {
+std::optional<walk::PlanePose> OdometryPublisher::here() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool is_fresh = measured_ && std::chrono::steady_clock::now() - *measured_ <= kFresh;
   return is_fresh ? std::make_optional(here_) : std::nullopt;

@@ -20,7 +20,7 @@ namespace aibo_driver::node {
 
 /// Makes the message. It has no header yet.
 /// @param velocity the velocity with which the robot walks
-nav_msgs::Odometry toMessage(const Odometry& odometry, const aibo_client::WalkVelocity& velocity);
+nav_msgs::Odometry toMessage(const walk::Odometry& odometry, const aibo_client::WalkVelocity& velocity);
 
 /// Publishes the topic odom for a robot that reports how it walks. If wanted, it also publishes odom to base_footprint
 /// in tf; a robot that does not walk then stands where it began. Both have the stamp of the measurement, like all other
@@ -43,7 +43,7 @@ class OdometryPublisher {
 
   /// Where the robot is in the frame odom. The result is empty if it has not said so within kFresh. Any thread may call
   /// this.
-  std::optional<PlanePose> here() const;
+  std::optional<walk::PlanePose> here() const;
 
  private:
   /// How old a measurement may be. The robot itself waits just as long for the next velocity of a walk.
@@ -53,11 +53,11 @@ class OdometryPublisher {
 
   const DriverParameters& parameters_;
   RobotStamper& stamper_;
-  WalkedWay way_;
+  walk::WalkedWay way_;
   ros::Publisher odom_;
   ros::Publisher tf_;
   mutable std::mutex mutex_;  ///< guards what follows
-  PlanePose here_;
+  walk::PlanePose here_;
   std::optional<std::chrono::steady_clock::time_point> measured_;
 };
 

@@ -41,7 +41,7 @@ void WalkCommander::receive(const Twist& message, const movement::Order& order) 
     return;
   }
   const aibo_client::WalkVelocity wanted{message.linear.x, message.linear.y, message.angular.z};
-  mover_.steer(order, velocityToSend(wanted, settings_, client_.status().robot.walk_limits));
+  mover_.steer(order, walk::velocityToSend(wanted, settings_, client_.status().robot.walk_limits));
   timer_.stop();  // a timer that has run out starts again only if it has been stopped
   if (!wanted.isZero()) {
     timer_.start();

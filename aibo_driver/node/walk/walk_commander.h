@@ -22,7 +22,7 @@ namespace aibo_driver::node {
 class WalkCommander {
  public:
   /// All arguments must outlive the commander.
-  WalkCommander(const WalkSettings& settings, aibo_client::RcServerClient& client, movement::Mover& mover)
+  WalkCommander(const walk::WalkSettings& settings, aibo_client::RcServerClient& client, movement::Mover& mover)
       : settings_(settings), client_(client), mover_(mover) {}
 
   WalkCommander(const WalkCommander&) = delete;
@@ -37,7 +37,7 @@ class WalkCommander {
   void runOut();
 
  private:
-  const WalkSettings& settings_;
+  const walk::WalkSettings& settings_;
   aibo_client::RcServerClient& client_;
   movement::Mover& mover_;
   ros::SteadyTimer timer_;

@@ -13,8 +13,8 @@ void BodyFrames::receive(const sensor_msgs::JointState& joints) {
 }
 
 std::vector<geometry_msgs::TransformStamped> BodyFrames::frames(const ros::Time& stamp) const {
-  std::array<node::LegAngles, node::kLegs> legs{};
-  for (std::size_t leg = 0; leg < node::kLegs; ++leg) {
+  std::array<walk::LegAngles, walk::kLegs> legs{};
+  for (std::size_t leg = 0; leg < walk::kLegs; ++leg) {
     double* const angles[] = {&legs[leg].rotator, &legs[leg].elevator, &legs[leg].knee};
     for (std::size_t joint = 0; joint < std::size(angles); ++joint) {
       const auto measured = joints_.find(node::legJointName(leg, joint));

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 using namespace std::chrono_literals;
@@ -138,4 +138,4 @@ TEST_F(AdaptiveStreamTest, KeepsToTheUsersRateAndALowQuality) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

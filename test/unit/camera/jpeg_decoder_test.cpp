@@ -8,7 +8,7 @@
 
 #include "support/refusal.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 constexpr int kWidth = 208;  // report, section 2.1.2
@@ -89,4 +89,4 @@ TEST(DecodeJpeg, DoesNotDecodeAPictureWithATableOfThePictureBefore) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -4,7 +4,7 @@
 
 #include "camera/camera_options.h"
 
-namespace aibo_driver::node {
+namespace aibo_driver::camera {
 namespace {
 
 using aibo_client::Picture;
@@ -156,4 +156,4 @@ TEST_F(SlowStreamTest, IsNoneWhileNoStreamIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::camera

@@ -6,7 +6,7 @@ namespace aibo_driver::command_line {
 namespace {
 
 TEST(StreamReport, ALineHasEachFigureInItsUnit) {
-  node::LinkMeter::Reading reading;
+  camera::LinkMeter::Reading reading;
   reading.seconds = 2;
   reading.pictures = 50;
   reading.bytes = 600000;

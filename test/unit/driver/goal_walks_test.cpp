@@ -27,11 +27,11 @@ class GoalWalksTest : public ::testing::Test {
   }
 
   // All poses are told relative to this one, except those in the frame of the robot.
-  static constexpr PlanePose kOrigin{3, -2, 0.7};
+  static constexpr walk::PlanePose kOrigin{3, -2, 0.7};
 
   static geometry_msgs::PoseStamped goalAt(double x, double y = 0, const std::string& frame = "odom") {
     const bool is_of_robot = frame.find("/base") != std::string::npos;
-    const PlanePose pose = is_of_robot ? PlanePose{x, y, 0} : inFrameOf(kOrigin, {x, y, 0});
+    const walk::PlanePose pose = is_of_robot ? walk::PlanePose{x, y, 0} : walk::inFrameOf(kOrigin, {x, y, 0});
     geometry_msgs::PoseStamped goal;
     goal.header.frame_id = frame;
     goal.pose.position.x = pose.x;
@@ -71,14 +71,15 @@ class GoalWalksTest : public ::testing::Test {
   std::uint64_t walk_order_ = 0;  // of the velocity that began the walk
   movement::SteadyTime now_ = movement::SteadyTime(std::chrono::seconds(1000));
   const movement::Mover::Clock clock_ = [this] { return now_; };
-  std::optional<PlanePose> here_ = PlanePose{1, 0, 0};
+  std::optional<walk::PlanePose> here_ = walk::PlanePose{1, 0, 0};
   DriverParameters parameters_;
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   test_support::FakeClient client_;
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }, clock_};
   GoalWalks walks_{parameters_, client_, mover_,
-                   [this] { return here_ ? std::make_optional(inFrameOf(kOrigin, *here_)) : std::nullopt; }, clock_};
+                   [this] { return here_ ? std::make_optional(walk::inFrameOf(kOrigin, *here_)) : std::nullopt; },
+                   clock_};
 };
 
 TEST_F(GoalWalksTest, AGoalThatMakesNoSenseIsRefusedWithTheReason) {
@@ -114,7 +115,7 @@ TEST_F(GoalWalksTest, FramesHaveThePrefixAndMayBeginWithASlash) {
   EXPECT_THAT(refusalOf(goalAt(2)), HasSubstr("it must be left/odom"));
   EXPECT_EQ(begin(goalAt(2, 0, "left/odom")).begun().ended(), nullptr);
   EXPECT_EQ(begin(goalAt(2, 0, "/left/odom")).begun().ended(), nullptr);
-  here_ = PlanePose{1, 3, 1.57079633};
+  here_ = walk::PlanePose{1, 3, 1.57079633};
   for (const std::string frame : {"left/base_link", "/left/base_footprint"}) {
     EXPECT_EQ(begin(goalAt(2, 0.5, "left/odom")).begun().ended(), nullptr);
     EXPECT_EQ(begin(goalAt(2, 0.5, frame)).begun().ended(), nullptr);
@@ -142,7 +143,7 @@ TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   lastVelocity();
   mover_.disconnected();
   client_.problem = "there is no robot";
-  here_ = PlanePose{4, 0, 1};
+  here_ = walk::PlanePose{4, 0, 1};
   ASSERT_NE(walk.goOn(), nullptr);
   EXPECT_EQ(walk.goOn()->how, EndedHow::kLost);
   EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9) << "it is not looked at any more";

@@ -8,7 +8,7 @@ namespace aibo_driver::node {
 namespace {
 
 TEST(LinkQuality, HasTheFiguresOfTheReading) {
-  LinkMeter::Reading reading;
+  camera::LinkMeter::Reading reading;
   reading.seconds = 0.5;
   reading.pictures = 2;
   reading.bytes = 4000;

@@ -76,8 +76,8 @@ class WalkCommanderTest : public ::testing::Test {
     return test_support::callService<std_srvs::Trigger>(postureServices(mover_), posture, {}, "/panel");
   }
 
-  static WalkSettings calibrated() {
-    WalkSettings settings;
+  static walk::WalkSettings calibrated() {
+    walk::WalkSettings settings;
     settings.scale = 1.25;
     settings.side_scale = 0.5;
     settings.turn_scale = 2;
@@ -88,7 +88,7 @@ class WalkCommanderTest : public ::testing::Test {
   test_support::FakeClient client_;
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
-  const WalkSettings settings_ = calibrated();
+  const walk::WalkSettings settings_ = calibrated();
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
   WalkCommander commander_{settings_, client_, mover_};
 };

@@ -25,7 +25,7 @@ class WalkedWayTest : public ::testing::Test {
 
   // A measurement `frames` after the one before. The robot itself is wrong about its velocity.
   void measure(const aibo_client::WalkVelocity& real, unsigned frames = 4) {
-    const aibo_client::WalkVelocity velocity = velocityToSend(real, settings_, {});
+    const aibo_client::WalkVelocity velocity = walk::velocityToSend(real, settings_, {});
     frame_ += frames;
     aibo_client::Telemetry telemetry;
     telemetry.frame_number = frame_;
@@ -37,8 +37,8 @@ class WalkedWayTest : public ::testing::Test {
   double uncertainty() const { return std::sqrt(way_.odometry().covariance()(0, 0)); }
   double turnUncertainty() const { return std::sqrt(way_.odometry().covariance()(2, 2)); }
 
-  WalkSettings settings_;
-  WalkedWay way_{settings_};
+  walk::WalkSettings settings_;
+  walk::WalkedWay way_{settings_};
   unsigned frame_ = 0xfffffff0U;  // overflows
   std::uint64_t connection_ = 41;
 };

@@ -18,7 +18,7 @@ constexpr int kY = 150;
 constexpr int kCr = 170;
 constexpr int kCb = 100;
 
-void paint(node::BgrImage* picture, int x, int y, double luminance, double cr, double cb) {
+void paint(camera::BgrImage* picture, int x, int y, double luminance, double cr, double cb) {
   const double red = luminance + (cr - 128) / 0.713267;
   const double blue = luminance + (cb - 128) / 0.564334;
   const double green = (luminance - 0.299 * red - 0.114 * blue) / 0.587;
@@ -29,15 +29,15 @@ void paint(node::BgrImage* picture, int x, int y, double luminance, double cr, d
 }
 
 // What surrounds a color differs from it in only one value each, which is too low or too high.
-void paintOther(node::BgrImage* picture, int x, int y, int kind) {
+void paintOther(camera::BgrImage* picture, int x, int y, int kind) {
   const int more = kind % 2 == 0 ? -40 : 40;
   paint(picture, x, y, kY + (kind / 2 == 0 ? more : 0), kCr + (kind / 2 == 1 ? more : 0),
         kCb + (kind / 2 == 2 ? more : 0));
 }
 
 // Cr grows to the right, and Cb downward.
-node::BgrImage pinkSquare() {
-  node::BgrImage picture{104, 80, std::vector<std::uint8_t>(3 * 104 * 80)};
+camera::BgrImage pinkSquare() {
+  camera::BgrImage picture{104, 80, std::vector<std::uint8_t>(3 * 104 * 80)};
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       if (kRegion.contains(x, y)) {
@@ -77,7 +77,7 @@ TEST(TableMaker, BlackWhiteAndFullColorsHaveTablesToo) {
   const Region all{0, 0, 4, 4};
   for (const std::array<std::uint8_t, 3>& bgr :
        {std::array<std::uint8_t, 3>{0, 0, 0}, {255, 255, 255}, {255, 0, 0}, {0, 0, 255}}) {
-    node::BgrImage picture{4, 4, {}};
+    camera::BgrImage picture{4, 4, {}};
     for (int i = 0; i < 16; ++i) {
       picture.pixels.insert(picture.pixels.end(), bgr.begin(), bgr.end());
     }

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 using aibo_client::EndedHow;
@@ -95,4 +95,4 @@ TEST_F(GetUpTest, ARobotWhoseMotorsAUserSwitchedOffSinceTheFallWaits) {
 
 }  // namespace
 
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

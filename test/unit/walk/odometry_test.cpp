@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -88,4 +88,4 @@ TEST(Odometry, ThatHasLostItsWayKeepsItsPlace) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 using aibo_client::WalkVelocity;
@@ -72,4 +72,4 @@ TEST(WalkSettings, KeepToTheRobotsLimitsWhateverTheCalibration) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk

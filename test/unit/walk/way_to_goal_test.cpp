@@ -8,7 +8,7 @@
 #include <deque>
 #include <random>
 
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 using aibo_client::WalkVelocity;
@@ -122,4 +122,4 @@ TEST(WayToGoal, APoseInTheFrameOfTheRobotIsRelativeToItsPose) {
 }
 
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
