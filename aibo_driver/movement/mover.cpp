@@ -120,8 +120,8 @@ void Mover::warn(const std::string& text) {
 // Gives an order, unless it must not act.
 // @param act sends what the robot has to do, and begins the movement; what it throws is the reason for a refusal
 template <typename Act>
-Mover::Begun Mover::give(const Order& order, Kind kind, const std::string& name, const std::vector<std::string>& joints,
-                         const Act& act, bool may_act_while_stopped) {
+Mover::Answer Mover::give(const Order& order, Kind kind, const std::string& name,
+                          const std::vector<std::string>& joints, const Act& act, bool may_act_while_stopped) {
   return change([&] {
     checkConnection();
     Movement movement{kind, name, order.source, {}, std::nullopt};
@@ -142,8 +142,8 @@ Mover::Begun Mover::give(const Order& order, Kind kind, const std::string& name,
   });
 }
 
-Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& names,
-                            const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
+Mover::Answer Mover::command(const Order& order, const std::vector<std::string>& names,
+                             const std::vector<double>& positions, const std::vector<double>& velocities, Kind kind) {
   const auto act = [&](Movement* movement) {
     const SteadyTime now = clock_();
     JointTargets targets;
@@ -170,13 +170,13 @@ Mover::Begun Mover::command(const Order& order, const std::vector<std::string>& 
     haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
              {EndedHow::kReplaced, "a command moves its joints"});
     takeLegsFromWalks(*movement);
-    return begunOf(record);
+    return answerOf(record);
   };
   return give(order, kind, "", names, act);
 }
 
-Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
-                           const Arrival& arrival) {
+Mover::Answer Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
+                            const Arrival& arrival) {
   double stretch = 1;
   const auto act = [&](Movement* movement) {
     if (!telemetry_wanted_()) {
@@ -185,19 +185,19 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
           "dynparam set NODE telemetry_rate 31.25");
     }
     if (plan_.empty()) {
-      went_on_ = order.received;
+      advanced_ = order.received;
     }
     const SteadyTime now = clock_();
     const bool is_version_1 = client_.status().protocol_version == 1;
     Arrival judged = arrival;
     judged.is_measured = arrival.is_measured || is_version_1;
     stretch = plan_.add(last_number_ + 1, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
-    const Begun result = begunOf(begin(*movement));
+    const Answer result = answerOf(begin(*movement));
     takeLegsFromWalks(*movement);
     sendSteps(now);
     return result;
   };
-  Begun begun = give(order, Kind::kTrajectory, "", request.joints, act);
+  Answer begun = give(order, Kind::kTrajectory, "", request.joints, act);
   if (stretch > 1) {
     begun.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
   }
@@ -205,7 +205,7 @@ Mover::Begun Mover::follow(const Order& order, const TrajectoryRequest& request,
   return begun;
 }
 
-Mover::Begun Mover::play(const Order& order, const std::string& name, int repetitions) {
+Mover::Answer Mover::play(const Order& order, const std::string& name, int repetitions) {
   std::future<std::string> answer;
   const auto act = [&](Movement* movement) {
     requireRoom(movement->kind);
@@ -218,13 +218,13 @@ Mover::Begun Mover::play(const Order& order, const std::string& name, int repeti
     if (findWalk() == nullptr) {
       streams_.overrule(clock_(), cause);  // it may need the legs; if there is a walk, the robot says whether it does
     }
-    return begunOf(begin(*movement, number));
+    return answerOf(begin(*movement, number));
   };
-  const Begun begun = give(order, Kind::kMotion, name, {}, act);
+  const Answer begun = give(order, Kind::kMotion, name, {}, act);
   return await(begun, &answer);
 }
 
-Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
+Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
   std::future<void> answer;
   const auto act = [&](Movement* movement) {
     requireRoom(movement->kind);
@@ -235,9 +235,9 @@ Mover::Begun Mover::takePosture(const Order& order, Posture posture) {
     answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
     overrule(order.received, cause);
     overruleWalks({EndedHow::kReplaced, cause});
-    return begunOf(begin(*movement, number));
+    return answerOf(begin(*movement, number));
   };
-  const Begun begun =
+  const Answer begun =
       give(order, Kind::kPosture, kPostures[static_cast<int>(posture)], {}, act, posture == Posture::kRest);
   return await(begun, &answer);
 }
@@ -249,8 +249,8 @@ void Mover::requireRoom(Kind kind) const {
   }
 }
 
-Mover::Begun Mover::refuse(const Order& order, Kind kind, const std::vector<std::string>& names,
-                           const std::string& reason) {
+Mover::Answer Mover::refuse(const Order& order, Kind kind, const std::vector<std::string>& names,
+                            const std::string& reason) {
   return change([&] { return refuse({kind, "", order.source, known(names), std::nullopt}, reasonOf(reason)); });
 }
 
@@ -281,16 +281,16 @@ void Mover::overrule(SteadyTime received, const std::string& what) {
 }
 
 // Waits for the robot's answer to a request that begins something. How it ends is told elsewhere.
-template <typename Answer>
-Mover::Begun Mover::await(Begun begun, std::future<Answer>* answer) {
-  if (!answer->valid()) {
+template <typename Reply>
+Mover::Answer Mover::await(Answer begun, std::future<Reply>* reply) {
+  if (!reply->valid()) {
     return begun;
   }
   try {
-    if constexpr (std::is_void_v<Answer>) {
-      answer->get();
+    if constexpr (std::is_void_v<Reply>) {
+      reply->get();
     } else {
-      begun.remark = answer->get();
+      begun.remark = reply->get();
     }
   } catch (const Exception& error) {
     begun.is_uncertain = begun.ended() == nullptr;
@@ -367,7 +367,7 @@ void Mover::noteRival(Record* walk, const std::string& node) {
   }
 }
 
-Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
+Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
   const auto act = [&](Movement* movement) {
     const std::string cause = order.source + " sends the robot to a goal";
     freeLegs(cause);
@@ -375,13 +375,13 @@ Mover::Begun Mover::walkToGoal(const Order& order, const std::string& goal) {
     overruleWalks({EndedHow::kReplaced, cause});
     Record& record = begin(*movement);
     record.steered = order.received;
-    return begunOf(record);
+    return answerOf(record);
   };
   return give(order, Kind::kWalk, goal, {}, act);
 }
 
 // The velocity is as old as the call before, because what it is computed from may be.
-void Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
+void Mover::steerToGoal(MovementId walk, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
     Record* const record = find(walk);
@@ -390,7 +390,7 @@ void Mover::walkOn(MovementId walk, const WalkVelocity& velocity) {
     }
     const OrderTerms terms{std::exchange(*record->steered, clock_()) + kLongestWait, nextNumber()};
     if (velocity.isZero()) {
-      letGo(record, {EndedHow::kDone, ""});
+      brake(record, {EndedHow::kDone, ""});
       return;
     }
     try {
@@ -409,12 +409,12 @@ void Mover::stopWalking(const std::string& reason) {
   change([&] {
     Record* const walk = findWalk();
     if (walk != nullptr && !walk->steered) {
-      letGo(walk, {EndedHow::kStopped, reason});
+      brake(walk, {EndedHow::kStopped, reason});
     }
   });
 }
 
-void Mover::letGo(Record* walk, const Halt& halt) {
+void Mover::brake(Record* walk, const Halt& halt) {
   if (!walk->orders.empty()) {
     sendZeros();
   }
@@ -435,7 +435,7 @@ template <typename Ask>
 auto Mover::halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask) {
   std::vector<MovementId> halted;
   const auto halt_and_ask = [&] {
-    ++halts_;
+    ++pending_halts_;
     filter_.interruptApproach(clock_());
     auto future = futureOf(ask);
     halted = idsOf([only](const Record& each) { return !only || each.id() == *only; });
@@ -446,7 +446,7 @@ auto Mover::halt(std::optional<MovementId> only, const std::string& reason, cons
   };
   const auto end_as = [&](EndedHow how, const std::string& why) {
     change([&] {
-      --halts_;
+      --pending_halts_;
       for (const MovementId id : halted) {
         close(id, how, why);
       }
@@ -484,7 +484,7 @@ void Mover::stop(const Order& by) {
 
 void Mover::release(const Order& by) {
   change([&] {
-    if (halts_ > 0) {
+    if (pending_halts_ > 0) {
       throw CommandException("the robot is still being told to stop. Call release again.");
     }
     if (stopped_by_) {
@@ -504,7 +504,7 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
     Record* const record = find(movement);
     const bool is_walk = record != nullptr && record->steered;
     if (is_walk) {
-      letGo(record, {EndedHow::kStopped, reason});
+      brake(record, {EndedHow::kStopped, reason});
     }
     return is_walk || record == nullptr;
   });
@@ -622,10 +622,10 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
     if (walk != 0 && walker != record) {
       record->orders.insert(walk);
       if (walker != nullptr) {
-        leave(walker, walk, EndedHow::kReplaced, record->movement.source + " steers now");
+        endOrder(walker, walk, EndedHow::kReplaced, record->movement.source + " steers now");
       }
     }
-    leave(record, order, EndedHow::kStopped, kNeverWalked);
+    endOrder(record, order, EndedHow::kStopped, kNeverWalked);
   });
 }
 
@@ -656,7 +656,7 @@ void Mover::ended(const aibo_client::MotionEnd& end) {
     if (is_walk && (!is_steerings || record->steered)) {
       record->orders = {end.order};  // what was sent since begins no walk for it
     }
-    leave(record, end.order, how, end.reason);
+    endOrder(record, end.order, how, end.reason);
   });
 }
 
@@ -666,7 +666,7 @@ bool Mover::endOlder(OrderNumber order, EndedHow how, const std::string& reason)
   Record* const record = ownerOf(order);
   const bool is_older = record != nullptr && record->orders.size() > 1;
   if (is_older) {
-    leave(record, order, how, reason);
+    endOrder(record, order, how, reason);
   }
   return is_older;
 }
@@ -698,7 +698,7 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     const bool is_let_go = is_walk && record->halt && refusal.cause == RefusalCause::kReplaced;
     const bool is_users = is_stopped || is_let_go || (is_robots && was_halted);
     const EndedHow how = is_users ? EndedHow::kStopped : is_refused ? EndedHow::kRefused : EndedHow::kReplaced;
-    leave(record, refusal.order, how, is_let_go ? kNeverWalked : refusal.reason);
+    endOrder(record, refusal.order, how, is_let_go ? kNeverWalked : refusal.reason);
   });
 }
 
@@ -730,12 +730,12 @@ void Mover::disconnected() {
   });
 }
 
-bool Mover::goOn() {
+bool Mover::advance() {
   return change([this] {
     checkConnection();
     const SteadyTime now = clock_();
     sendSteps(now);
-    went_on_ = now;
+    advanced_ = now;
     return !plan_.empty();
   });
 }
@@ -777,7 +777,7 @@ Mover::Record& Mover::begin(Movement movement, std::optional<OrderNumber> order)
   return record;
 }
 
-Mover::Begun Mover::refuse(Movement movement, const std::string& reason) {
+Mover::Answer Mover::refuse(Movement movement, const std::string& reason) {
   movement.order = nextNumber();
   const EndedMovement refused = endOf(std::move(movement), EndedHow::kRefused, reason);
   if (!isRepeated(refused)) {
@@ -814,7 +814,7 @@ void Mover::note(const EndedMovement& ended) {
 // - with the reason why it was halted, if its order was stopped, or if it had more to do and has not failed
 // - stopped, if it is a walk to a goal that nobody has halted, because the robot was not steered
 // - or as the robot says
-void Mover::leave(Record* record, OrderNumber order, EndedHow how, std::string reason) {
+void Mover::endOrder(Record* record, OrderNumber order, EndedHow how, std::string reason) {
   record->orders.erase(order);
   const bool has_failed = how == EndedHow::kRefused || how == EndedHow::kNotReached || how == EndedHow::kFell;
   const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
@@ -973,7 +973,7 @@ void Mover::sendSteps(SteadyTime now) {
   for (const JointStep& step : plan_.advance(now)) {
     const OrderNumber number = nextNumber();
     try {
-      sendTargets(client_, table_.design(), step.targets, step.duration, {went_on_ + kLongestWait, number});
+      sendTargets(client_, table_.design(), step.targets, step.duration, {advanced_ + kLongestWait, number});
       find(step.movement)->orders.insert(number);
     } catch (const Exception& error) {
       close(step.movement, howOf(error, EndedHow::kRefused), reasonOf(error));

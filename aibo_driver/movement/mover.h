@@ -64,8 +64,8 @@ class Mover {
   /// trajectories.
   static constexpr std::size_t kMostOfAKind = 32;
 
-  /// The result of an order.
-  struct Begun {
+  /// The answer to an order.
+  struct Answer {
     MovementId id = 0;
     std::shared_future<EndedMovement> end;  ///< becomes ready when the movement has ended
     bool is_uncertain = false;              ///< the robot has not said yet whether it begins; `end` comes when it does
@@ -90,7 +90,7 @@ class Mover {
   /// These functions are called on the thread of the call that caused them, without a lock.
   struct Listener {
     std::function<void()> on_change = [] {};  ///< called when state() may have changed
-    std::function<void()> on_begin = [] {};   ///< called when goOn() has to be called from now on
+    std::function<void()> on_begin = [] {};   ///< called when advance() has to be called from now on
     std::function<void(const EndedMovement&)> on_ended = [](const auto&) {};  ///< called for each end, in order
     /// Called with what was left out of an order.
     std::function<void(const std::string& text)> on_warning = [](const auto&) {};
@@ -118,23 +118,23 @@ class Mover {
   /// Sends joints to positions, through the JointCommandFilter.
   /// @param names, positions, velocities see sensor_msgs/JointState
   /// @param kind kCommand or kLookAt
-  Begun command(const Order& order, const std::vector<std::string>& names, const std::vector<double>& positions,
-                const std::vector<double>& velocities, Movement::Kind kind = Movement::Kind::kCommand);
+  Answer command(const Order& order, const std::vector<std::string>& names, const std::vector<double>& positions,
+                 const std::vector<double>& velocities, Movement::Kind kind = Movement::Kind::kCommand);
 
   /// Begins a trajectory. JointPlan says how trajectories follow each other.
   /// @param wait the time until it begins; below 0 if it should have begun already
   /// @param arrival if it is not measured, the robot says whether the joints have arrived. With a version 1 server, it
   ///   is always measured
-  Begun follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
-               const Arrival& arrival = {});
+  Answer follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
+                const Arrival& arrival = {});
 
   /// Plays one of the robot's own motions, at speeds up to the limits of all joints. It ends the trajectories and waits
   /// until the robot has begun.
-  Begun play(const Order& order, const std::string& name, int repetitions);
+  Answer play(const Order& order, const std::string& name, int repetitions);
 
   /// Makes the robot take a posture. It ends the trajectories and whatever moves the robot's legs, and waits until the
   /// robot has begun. Rest is possible even if the robot is stopped.
-  Begun takePosture(const Order& order, aibo_client::Posture posture);
+  Answer takePosture(const Order& order, aibo_client::Posture posture);
 
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
   /// velocity of 0 ends the walk, whoever sends it. It is sent only if there is a walk to end, so a robot that sits
@@ -143,18 +143,18 @@ class Mover {
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
   /// Begins a walk to a goal. It ends whatever moves the robot's legs, and another walk. A node that steers meanwhile
-  /// has to let go first. The robot does not move before walkOn() is called.
+  /// has to let go first. The robot does not move before steerToGoal() is called.
   /// @param goal the goal in words
-  Begun walkToGoal(const Order& order, const std::string& goal);
+  Answer walkToGoal(const Order& order, const std::string& goal);
 
   /// Steers a walk to a goal, unless it has ended. Call this several times a second. A velocity of 0 ends the walk: it
   /// is done.
-  void walkOn(MovementId walk, const aibo_client::WalkVelocity& velocity);
+  void steerToGoal(MovementId walk, const aibo_client::WalkVelocity& velocity);
 
   /// Notes that an order is refused.
   /// @param names the names of joints
-  Begun refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
-               const std::string& reason);
+  Answer refuse(const Order& order, Movement::Kind kind, const std::vector<std::string>& names,
+                const std::string& reason);
 
   /// Why an order that the mover does not carry out itself, such as to flick an ear, must not act now. The text is
   /// empty if it may act.
@@ -214,7 +214,7 @@ class Mover {
 
   /// Advances everything to the present time. After Listener::on_begin, call this every JointPlan::kPeriod.
   /// @return false if there is nothing left to move
-  bool goOn();
+  bool advance();
 
   /// Where a trajectory wants its joints to be at a time, now or shortly before, in its own order of joints. It is
   /// empty before the trajectory's beginning and after its end.
@@ -239,7 +239,7 @@ class Mover {
     std::set<OrderNumber> orders;       ///< those that were sent and have not ended
     std::optional<Halt> halt;           ///< it sends nothing more, and ends when its orders have ended
     std::string trouble;                ///< what became of an order while others went on
-    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when walkOn() was last called
+    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when steerToGoal() was last called
     std::string rival;                  ///< for a walk: another node that steers against its own
 
     MovementId id() const { return movement.order; }
@@ -252,12 +252,12 @@ class Mover {
   std::string refusalOf(const Order& order, bool may_act_while_stopped = false) const;
   void overrule(SteadyTime received, const std::string& what);
   void requireRoom(Movement::Kind kind) const;
-  template <typename Answer>
-  static Begun await(Begun begun, std::future<Answer>* answer);
+  template <typename Reply>
+  static Answer await(Answer begun, std::future<Reply>* reply);
   void stopWalk(const std::string& node);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
   void noteRival(Record* walk, const std::string& node);
-  void letGo(Record* walk, const Halt& halt);
+  void brake(Record* walk, const Halt& halt);
   void sendZeros();
   template <typename Ask>
   auto halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask);
@@ -272,15 +272,15 @@ class Mover {
   void freeLegs(const std::string& reason);
   std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
   Movement whole(const Record& record) const;
-  static Begun begunOf(const Record& record) { return {record.id(), record.end, false, ""}; }
+  static Answer answerOf(const Record& record) { return {record.id(), record.end, false, ""}; }
   template <typename Act>
-  Begun give(const Order& order, Movement::Kind kind, const std::string& name, const std::vector<std::string>& joints,
-             const Act& act, bool may_act_while_stopped = false);
+  Answer give(const Order& order, Movement::Kind kind, const std::string& name, const std::vector<std::string>& joints,
+              const Act& act, bool may_act_while_stopped = false);
   Record& begin(Movement movement, std::optional<OrderNumber> order = std::nullopt);
-  Begun refuse(Movement movement, const std::string& reason);
+  Answer refuse(Movement movement, const std::string& reason);
   bool isRepeated(const EndedMovement& refused);
   void note(const EndedMovement& ended);
-  void leave(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
+  void endOrder(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
   bool endOlder(OrderNumber order, aibo_client::EndedHow how, const std::string& reason);
   static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
   void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
@@ -317,12 +317,12 @@ class Mover {
   std::uint64_t last_number_ = 0;  ///< of a movement or an order
   std::deque<EndedMovement> ended_;
   std::size_t ends_ = 0;
-  SteadyTime went_on_;  ///< when goOn() was last called, or a trajectory was asked for since
+  SteadyTime advanced_;  ///< when advance() was last called, or a trajectory was asked for since
   /// When an order was last refused: by its kind, node and joints, and the reason.
   std::map<std::tuple<Movement::Kind, std::string, std::vector<std::string>, std::string>, SteadyTime> refused_;
   std::vector<std::function<void()>> news_;  ///< that the listener has not been told yet
   aibo_client::MotorsAndPosture robot_;
-  int halts_ = 0;                 ///< calls that wait for the robot to halt
+  int pending_halts_ = 0;         ///< calls that wait for the robot to halt
   SteadyTime contradicted_;       ///< when two nodes last contradicted each other
   std::uint64_t connection_ = 0;  ///< the connection over which all present movements were begun
 };

@@ -1,5 +1,5 @@
 /// @file actions.h
-/// The driver's actions. followed_action.h has what they share.
+/// The driver's actions. goal_server.h has what they share.
 #ifndef AIBO_DRIVER_NODE_ACTIONS_H
 #define AIBO_DRIVER_NODE_ACTIONS_H
 

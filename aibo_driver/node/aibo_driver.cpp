@@ -144,7 +144,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       walk_(parameters_.walk, client_, mover_),
       goal_walks_(parameters_, client_, mover_, [this] { return odometry_.here(); }),
       goal_(goal_walks_),
-      expression_(model_, client_, mover_),
+      leds_and_ears_(model_, client_, mover_),
       diagnostics_(handle_, private_handle, name,
                    {parameters_, client_, policy_, adapter_, raw_images_, settings_, robot_clock_, power_, mover_,
                     microphone_, player_}),
@@ -161,7 +161,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
   joints_.subscribe(order_thread_.handle());
   walk_.subscribe(order_thread_.handle());
   goal_.subscribe(order_thread_.handle());
-  expression_.subscribe(order_thread_.handle());
+  leds_and_ears_.subscribe(order_thread_.handle());
   color_tables_.loadAtStart(parameters_.color_tables);
   advertiseServices();
   startActions();

@@ -18,9 +18,9 @@
 #include "movement/measured_joints.h"
 #include "movement/mover.h"
 #include "node/actions.h"
-#include "node/body/expression_commander.h"
 #include "node/body/footprint_publisher.h"
 #include "node/body/led_state_publisher.h"
+#include "node/body/leds_and_ears.h"
 #include "node/body/power_status.h"
 #include "node/body/telemetry_publishers.h"
 #include "node/callback_threads.h"
@@ -157,7 +157,7 @@ class AiboDriver {
   WalkCommander walk_;
   GoalWalks goal_walks_;
   GoalTopic goal_;
-  ExpressionCommander expression_;
+  LedsAndEars leds_and_ears_;
   std::vector<ros::ServiceServer> services_;
   std::vector<std::unique_ptr<Action>> actions_;
   DriverDiagnostics diagnostics_;

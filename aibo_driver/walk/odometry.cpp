@@ -22,25 +22,26 @@ void Odometry::walk(const aibo_client::WalkVelocity& velocity, double time) {
   const double direction = yaw_ + turn / 2;
   const double forward = velocity.forward * time * chord;
   const double left = velocity.left * time * chord;
-  const double way_x = forward * std::cos(direction) - left * std::sin(direction);
-  const double way_y = forward * std::sin(direction) + left * std::cos(direction);
-  x_ += way_x;
-  y_ += way_y;
+  const double step_x = forward * std::cos(direction) - left * std::sin(direction);
+  const double step_y = forward * std::sin(direction) + left * std::cos(direction);
+  x_ += step_x;
+  y_ += step_y;
   yaw_ = std::remainder(yaw_ + turn, 2 * M_PI);
 
   Eigen::Matrix3d change = Eigen::Matrix3d::Identity();
-  change(0, 2) = -way_y;
-  change(1, 2) = way_x;
+  change(0, 2) = -step_y;
+  change(1, 2) = step_x;
   covariance_ = change * covariance_ * change.transpose();
-  const double way = std::hypot(velocity.forward, velocity.left) * time;
-  const double way_variance = square(kWayAfterMetre) * way + square(kWayAfterRadian) * std::abs(turn);
-  const double turn_variance = square(kTurnAfterMetre) * way + square(kTurnAfterRadian) * std::abs(turn);
-  lose(std::sqrt(way_variance), std::sqrt(turn_variance));
+  const double distance = std::hypot(velocity.forward, velocity.left) * time;
+  const double distance_variance =
+      square(kDistanceAfterMetre) * distance + square(kDistanceAfterRadian) * std::abs(turn);
+  const double turn_variance = square(kTurnAfterMetre) * distance + square(kTurnAfterRadian) * std::abs(turn);
+  lose(std::sqrt(distance_variance), std::sqrt(turn_variance));
 }
 
-void Odometry::lose(double way, double turn) {
-  covariance_(0, 0) += square(way);
-  covariance_(1, 1) += square(way);
+void Odometry::lose(double distance, double turn) {
+  covariance_(0, 0) += square(distance);
+  covariance_(1, 1) += square(distance);
   covariance_(2, 2) += square(turn);
   if (covariance_(2, 2) > kLargestTurnVariance) {
     const double factor = std::sqrt(kLargestTurnVariance / covariance_(2, 2));

@@ -15,12 +15,12 @@ namespace aibo_driver::walk {
 class Odometry {
  public:
   /// Standard deviations. They are our choice: twice the errors of a trial of the gait in simulated physics, on floors
-  /// of different friction. Errors of way and turn are independent of each other and of earlier errors.
+  /// of different friction. Errors of distance and turn are independent of each other and of earlier errors.
   /// @{
-  static constexpr double kWayAfterMetre = 0.1;    ///< m, ahead and to the side, after 1 m
-  static constexpr double kTurnAfterMetre = 0.15;  ///< rad, after 1 m
-  static constexpr double kTurnAfterRadian = 0.1;  ///< rad, after a turn by 1 rad
-  static constexpr double kWayAfterRadian = 0.01;  ///< m, after a turn by 1 rad
+  static constexpr double kDistanceAfterMetre = 0.1;    ///< m, ahead and to the side, after 1 m
+  static constexpr double kTurnAfterMetre = 0.15;       ///< rad, after 1 m
+  static constexpr double kTurnAfterRadian = 0.1;       ///< rad, after a turn by 1 rad
+  static constexpr double kDistanceAfterRadian = 0.01;  ///< m, after a turn by 1 rad
   /// @}
 
   /// Call this when the robot has walked on.
@@ -29,8 +29,8 @@ class Odometry {
   void walk(const aibo_client::WalkVelocity& velocity, double time);
 
   /// Call this when the robot may have been moved to an unknown place.
-  /// @param way, turn standard deviations that are added, in m and rad
-  void lose(double way, double turn);
+  /// @param distance, turn standard deviations that are added, in m and rad
+  void lose(double distance, double turn);
 
   double x() const { return x_; }      ///< m, in the direction that the robot had at the beginning
   double y() const { return y_; }      ///< m, to the left of that direction

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "node/followed_action.h"
+#include "node/goal_server.h"
 #include "support/ros/goal_watch.h"
 #include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
@@ -136,22 +136,22 @@ TEST(Actions, RepeatTheirStateEveryFiveSecondsOrAsOftenAsTheUserLikes) {
 }
 
 TEST(Actions, RejectGoalsThatAreTooManyOrTooLong) {
-  using Action = aibo_driver::node::FollowedAction<PlayMotionAction>;
+  using Action = aibo_driver::node::GoalServer<PlayMotionAction>;
   ros::CallbackQueue queue;
   ros::NodeHandle handle("/bounded");
   handle.setCallbackQueue(&queue);
   ros::AsyncSpinner thread(1, &queue);
-  aibo_driver::node::ActionWay<PlayMotionAction> way;
-  way.name = "do";
-  way.begin = [](const auto&, const auto&) {
+  aibo_driver::node::ActionKind<PlayMotionAction> kind;
+  kind.name = "do";
+  kind.begin = [](const auto&, const auto&) {
     const auto go_on = [](const auto& publish) {
       publish({});
       return std::optional<aibo_driver::node::GoalEnd<PlayMotionAction>>();
     };
-    return aibo_driver::node::Followed<PlayMotionAction>{"", [](const auto&) {}, go_on};
+    return aibo_driver::node::Activity<PlayMotionAction>{"", [](const auto&) {}, go_on};
   };
-  way.refuse = aibo_driver::node::refuseWith<PlayMotionAction>("Nothing was done");
-  Action action(handle, way);
+  kind.refuse = aibo_driver::node::refuseWith<PlayMotionAction>("Nothing was done");
+  Action action(handle, kind);
   thread.start();
   PlayGoal::Client client("/bounded/do");
   ASSERT_TRUE(client.waitForActionServerToStart(ros::Duration(30)));

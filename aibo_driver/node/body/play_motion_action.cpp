@@ -3,26 +3,26 @@
 #include <algorithm>
 
 #include "files/files.h"
-#include "node/followed_action.h"
+#include "node/goal_server.h"
 
 namespace aibo_driver::node {
 
 std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement::Mover& mover) {
-  ActionWay<PlayMotionAction> way;
-  way.name = "play_motion";
-  way.logger = "joints";
-  way.begin = [&mover](const PlayMotionGoal& goal, const movement::Order& order) -> Followed<PlayMotionAction> {
+  ActionKind<PlayMotionAction> kind;
+  kind.name = "play_motion";
+  kind.logger = "joints";
+  kind.begin = [&mover](const PlayMotionGoal& goal, const movement::Order& order) -> Activity<PlayMotionAction> {
     const std::string name = files::motionFileName(goal.name);
     if (name.empty()) {
       throw aibo_client::InvalidArgumentException("give the name of a motion. list_motions lists them.");
     }
-    const movement::Mover::Begun motion = mover.play(order, name, std::max<int>(1, goal.repetitions));
+    const movement::Mover::Answer motion = mover.play(order, name, std::max<int>(1, goal.repetitions));
     return {name + (motion.is_uncertain ? " may or may not play: " + motion.remark : " plays"),
             [&mover, name](const movement::Order& by) { mover.stopMotion(by, name); },
             lookFor<PlayMotionAction>(motion, "It was played to its end")};
   };
-  way.refuse = refuseWith<PlayMotionAction>("Nothing was played");
-  return std::make_unique<FollowedAction<PlayMotionAction>>(handle, way);
+  kind.refuse = refuseWith<PlayMotionAction>("Nothing was played");
+  return std::make_unique<GoalServer<PlayMotionAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

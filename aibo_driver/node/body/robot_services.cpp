@@ -51,7 +51,7 @@ std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
   const std::string name = motionFileName(call->request.name);
   const int repetitions = std::max<int>(1, call->request.repetitions);
   checkName(name);
-  const movement::Mover::Begun begun = mover->play(call->order, name, repetitions);
+  const movement::Mover::Answer begun = mover->play(call->order, name, repetitions);
   const movement::EndedMovement* const end = begun.ended();
   if (end != nullptr && end->how != EndedHow::kDone && end->how != EndedHow::kUnknown) {
     throw aibo_client::CommandException(text::sentence(end->reason));
@@ -64,7 +64,7 @@ std::string play(movement::Mover* mover, ServiceCall<PlayMotion>* call) {
          (begun.remark.empty() ? "." : ": " + begun.remark + ".");
 }
 
-void requireLeave(const movement::Mover& mover, const movement::Order& order) {
+void requirePermission(const movement::Mover& mover, const movement::Order& order) {
   const std::string refusal = mover.refusal(order);
   if (!refusal.empty()) {
     throw aibo_client::CommandException(refusal + ".");
@@ -135,13 +135,13 @@ Services robotServices(aibo_client::RcServerClient& client, const movement::Move
                             }),
       service<std_srvs::Trigger>("shut_down", "The robot does not shut down",
                                  [&client, &mover](auto& call) {
-                                   requireLeave(mover, call.order);
+                                   requirePermission(mover, call.order);
                                    client.shutDownRobot(kPowerTimeout);
                                    return "The robot shuts down. The driver connects again when it is switched on.";
                                  }),
       service<std_srvs::Trigger>("reboot", "The robot does not reboot",
                                  [&client, &mover](auto& call) {
-                                   requireLeave(mover, call.order);
+                                   requirePermission(mover, call.order);
                                    client.rebootRobot(kPowerTimeout);
                                    return "The robot reboots. The driver connects again as soon as it answers.";
                                  }),

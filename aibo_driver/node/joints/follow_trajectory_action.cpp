@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "movement/joint_plan.h"
-#include "node/followed_action.h"
+#include "node/goal_server.h"
 #include "node/joints/trajectory_messages.h"
 
 namespace aibo_driver::node {
@@ -26,7 +26,7 @@ using control_msgs::FollowJointTrajectoryGoal;
 using control_msgs::FollowJointTrajectoryResult;
 using Result = FollowJointTrajectoryResult;
 using End = GoalEnd<FollowJointTrajectoryAction>;
-using Following = Followed<FollowJointTrajectoryAction>;
+using Trajectory = Activity<FollowJointTrajectoryAction>;
 using Tolerances = std::map<std::string, control_msgs::JointTolerance>;
 
 constexpr std::chrono::milliseconds kPeriod{50};
@@ -162,8 +162,8 @@ class GoalTrajectory {
   /// @throw the exceptions of Mover::cancel()
   void cancel();
 
-  /// @see Followed
-  std::optional<End> look(const Following::Publish& publish);
+  /// @see Activity
+  std::optional<End> look(const Trajectory::Publish& publish);
 
  private:
   std::optional<End> violated(const FollowJointTrajectoryFeedback& state);
@@ -174,7 +174,7 @@ class GoalTrajectory {
   movement::Mover& mover_;
   std::vector<std::string> joints_;
   Tolerances path_;
-  movement::Mover::Begun movement_;
+  movement::Mover::Answer movement_;
   bool is_cancelled_ = false;
 };
 
@@ -198,7 +198,7 @@ void GoalTrajectory::cancel() {
   mover_.cancel(movement_.id, kCancelled);
 }
 
-std::optional<End> GoalTrajectory::look(const Following::Publish& publish) {
+std::optional<End> GoalTrajectory::look(const Trajectory::Publish& publish) {
   if (is_cancelled_) {
     return canceled(kCancelled);
   }
@@ -256,17 +256,17 @@ FollowJointTrajectoryFeedback GoalTrajectory::state() const {
 
 std::unique_ptr<Action> startFollowTrajectory(const ros::NodeHandle& handle, const movement::JointTable& table,
                                               const movement::MeasuredJoints& measured, movement::Mover& mover) {
-  ActionWay<FollowJointTrajectoryAction> way;
-  way.name = "follow_joint_trajectory";
-  way.logger = "joints";
-  way.period = kPeriod;
-  way.begin = [&](const FollowJointTrajectoryGoal& goal, const movement::Order& order) -> Following {
+  ActionKind<FollowJointTrajectoryAction> kind;
+  kind.name = "follow_joint_trajectory";
+  kind.logger = "joints";
+  kind.period = kPeriod;
+  kind.begin = [&](const FollowJointTrajectoryGoal& goal, const movement::Order& order) -> Trajectory {
     const auto trajectory = std::make_shared<GoalTrajectory>(table, measured, mover, goal, order);
     return {"", [trajectory](const movement::Order&) { trajectory->cancel(); },
-            [trajectory](const Following::Publish& publish) { return trajectory->look(publish); }};
+            [trajectory](const Trajectory::Publish& publish) { return trajectory->look(publish); }};
   };
-  way.refuse = refuse;
-  return std::make_unique<FollowedAction<FollowJointTrajectoryAction>>(handle, way);
+  kind.refuse = refuse;
+  return std::make_unique<GoalServer<FollowJointTrajectoryAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

@@ -42,7 +42,7 @@ void JointCommander::subscribe(const ros::NodeHandle& handle) {
       ros::WallDuration(Seconds(kCollectingTime).count()), [this](const ros::SteadyTimerEvent&) { sendCollected(); },
       kOneShot, kAutostart);
   const auto move_on = [this](const ros::SteadyTimerEvent&) {
-    if (!mover_.goOn()) {
+    if (!mover_.advance()) {
       timer_.stop();
     }
   };
@@ -102,7 +102,7 @@ void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, co
     mover_.refuse(order, movement::Movement::Kind::kTrajectory, message.joint_names, error.what());
     return;
   }
-  const movement::Mover::Begun begun = mover_.follow(order, toRequest(message), wait);
+  const movement::Mover::Answer begun = mover_.follow(order, toRequest(message), wait);
   if (!begun.remark.empty()) {
     news_.warn("The trajectory is " + begun.remark + ".");
   }

@@ -1,6 +1,6 @@
 #include <aibo_driver/PlaySoundAction.h>
 
-#include "node/followed_action.h"
+#include "node/goal_server.h"
 #include "sound/source.h"
 
 namespace aibo_driver::node {
@@ -18,10 +18,10 @@ std::shared_ptr<sound::Playback> play(sound::Player* player, const PlaySoundGoal
 }  // namespace
 
 std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Player& player) {
-  ActionWay<PlaySoundAction> way;
-  way.name = "play_sound";
-  way.logger = "sound";
-  way.begin = [&player](const PlaySoundGoal& goal, const movement::Order&) -> Followed<PlaySoundAction> {
+  ActionKind<PlaySoundAction> kind;
+  kind.name = "play_sound";
+  kind.logger = "sound";
+  kind.begin = [&player](const PlaySoundGoal& goal, const movement::Order&) -> Activity<PlaySoundAction> {
     const std::shared_ptr<sound::Playback> playback = play(&player, goal);
     return {"It plays.", [&player, playback](const movement::Order&) { player.stop(playback); },
             lookFor<PlaySoundAction>([playback]() -> std::optional<End> {
@@ -29,8 +29,8 @@ std::unique_ptr<Action> startPlaySound(const ros::NodeHandle& handle, sound::Pla
               return end ? std::make_optional(goalEnd<PlaySoundAction>(end->how, end->message)) : std::nullopt;
             })};
   };
-  way.refuse = refuseWith<PlaySoundAction>("Nothing was played");
-  return std::make_unique<FollowedAction<PlaySoundAction>>(handle, way);
+  kind.refuse = refuseWith<PlaySoundAction>("Nothing was played");
+  return std::make_unique<GoalServer<PlaySoundAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

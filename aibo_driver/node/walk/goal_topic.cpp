@@ -16,7 +16,7 @@ void GoalTopic::subscribe(const ros::NodeHandle& handle) {
   constexpr bool kAutostart = false;
   timer_ = topics.createSteadyTimer(
       ros::WallDuration(std::chrono::duration<double>(GoalWalks::kPeriod).count()),
-      [this](const ros::SteadyTimerEvent&) { goOn(); }, kOneShot, kAutostart);
+      [this](const ros::SteadyTimerEvent&) { advance(); }, kOneShot, kAutostart);
   const boost::function<void(const ros::MessageEvent<PoseStamped const>&)> receive =
       [this](const ros::MessageEvent<PoseStamped const>& event) { this->receive(*event.getMessage(), orderOf(event)); };
   constexpr std::uint32_t kNewest = 1;
@@ -32,8 +32,8 @@ void GoalTopic::receive(const PoseStamped& goal, const movement::Order& order) {
   }
 }
 
-void GoalTopic::goOn() {
-  if (!walk_ || walk_->goOn() != nullptr) {
+void GoalTopic::advance() {
+  if (!walk_ || walk_->advance() != nullptr) {
     walk_.reset();
     timer_.stop();
   }

@@ -28,7 +28,7 @@ class GoalTopic {
 
  private:
   void receive(const geometry_msgs::PoseStamped& goal, const movement::Order& order);
-  void goOn();
+  void advance();
 
   GoalWalks& walks_;
   std::optional<GoalWalks::Walk> walk_;

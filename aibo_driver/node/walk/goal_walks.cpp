@@ -91,14 +91,14 @@ walk::PlanePose GoalWalks::goalIn(const geometry_msgs::PoseStamped& goal) const 
                                    parameters_.frame("odom") + ", " + parameters_.frame("base_link") + " or " +
                                    parameters_.frame("base_footprint"));
   }
-  const double distance = walk::WayToGoal(pose).distanceFrom(*here);
+  const double distance = walk::GoalController(pose).distanceFrom(*here);
   if (distance > kFarthest) {
     throw InvalidArgumentException(format("the goal is %.4g m away, and %.0f m are allowed", distance, kFarthest));
   }
   return pose;
 }
 
-const movement::EndedMovement* GoalWalks::Walk::goOn() {
+const movement::EndedMovement* GoalWalks::Walk::advance() {
   if (begun_.ended() != nullptr || is_stopping_) {
     return begun_.ended();
   }
@@ -108,14 +108,14 @@ const movement::EndedMovement* GoalWalks::Walk::goOn() {
     stop("the robot has not said where it is for 0.5 s");
     return begun_.ended();
   }
-  distance_left_ = way_.distanceFrom(*here);
-  turn_left_ = way_.turnFrom(*here);
+  distance_left_ = controller_.distanceFrom(*here);
+  turn_left_ = controller_.turnFrom(*here);
   if (comesNoCloser()) {
     is_stopping_ = true;
     stop(format("it has come no closer to the goal for %.0f s", std::chrono::duration<double>(kPatience).count()));
     return begun_.ended();
   }
-  const aibo_client::WalkVelocity wanted = way_.velocityAt(*here);
+  const aibo_client::WalkVelocity wanted = controller_.velocityAt(*here);
   const aibo_client::WalkLimits limits = walks_->client_.status().robot.walk_limits;
   const aibo_client::WalkVelocity allowed = walk::velocityToSend(wanted, walks_->parameters_.walk, limits);
   is_stopping_ = allowed.isZero();
@@ -123,7 +123,7 @@ const movement::EndedMovement* GoalWalks::Walk::goOn() {
     stop("it would have to walk or turn in a way for which the limit is 0");
     return begun_.ended();
   }
-  walks_->mover_.walkOn(begun_.id, allowed);
+  walks_->mover_.steerToGoal(begun_.id, allowed);
   return begun_.ended();
 }
 

@@ -11,7 +11,7 @@
 #include "aibo_client/rcserver_client.h"
 #include "movement/mover.h"
 #include "node/driver_parameters.h"
-#include "walk/way_to_goal.h"
+#include "walk/goal_controller.h"
 
 namespace aibo_driver::node {
 
@@ -20,7 +20,7 @@ namespace aibo_driver::node {
 /// Only one thread at a time may use it.
 class GoalWalks {
  public:
-  /// The time between two calls of Walk::goOn().
+  /// The time between two calls of Walk::advance().
   static constexpr std::chrono::milliseconds kPeriod{100};
 
   /// A goal that is farther away is refused. Odometry would have lost its way by then.
@@ -40,28 +40,28 @@ class GoalWalks {
    public:
     /// Steers the robot. Call this every kPeriod.
     /// @return how the walk has ended; null if it goes on
-    const movement::EndedMovement* goOn();
+    const movement::EndedMovement* advance();
 
     /// Ends the walk in an orderly way.
     void stop(const std::string& reason) { walks_->mover_.cancel(begun_.id, reason); }
 
-    const movement::Mover::Begun& begun() const { return begun_; }
+    const movement::Mover::Answer& begun() const { return begun_; }
 
-    /// What was left of the way at the last call of goOn().
+    /// What was left of the way at the last call of advance().
     double distanceLeft() const { return distance_left_; }  ///< m
     double turnLeft() const { return turn_left_; }          ///< rad
 
    private:
     friend class GoalWalks;
 
-    Walk(GoalWalks& walks, movement::Mover::Begun begun, const walk::PlanePose& goal)
-        : walks_(&walks), begun_(std::move(begun)), way_(goal) {}
+    Walk(GoalWalks& walks, movement::Mover::Answer begun, const walk::PlanePose& goal)
+        : walks_(&walks), begun_(std::move(begun)), controller_(goal) {}
 
     bool comesNoCloser();
 
     GoalWalks* walks_;
-    movement::Mover::Begun begun_;
-    walk::WayToGoal way_;
+    movement::Mover::Answer begun_;
+    walk::GoalController controller_;
     bool is_stopping_ = false;
     double distance_left_ = 0;
     double turn_left_ = 0;

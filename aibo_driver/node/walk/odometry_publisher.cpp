@@ -64,17 +64,17 @@ nav_msgs::Odometry toMessage(const walk::Odometry& odometry, const aibo_client::
 
 OdometryPublisher::OdometryPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                                      RobotStamper& stamper)
-    : parameters_(parameters), stamper_(stamper), way_(parameters.walk) {
+    : parameters_(parameters), stamper_(stamper), walked_(parameters.walk) {
   ros::NodeHandle topics(handle);
   odom_ = topics.advertise<nav_msgs::Odometry>("odom", kOdomQueueSize);
   tf_ = topics.advertise<tf2_msgs::TFMessage>("/tf", kTfQueueSize);
 }
 
 void OdometryPublisher::publish(const aibo_client::Telemetry& telemetry) {
-  const bool is_known = way_.update(telemetry);
+  const bool is_known = walked_.update(telemetry);
   if (is_known) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    here_ = {way_.odometry().x(), way_.odometry().y(), way_.odometry().yaw()};
+    here_ = {walked_.odometry().x(), walked_.odometry().y(), walked_.odometry().yaw()};
     measured_ = std::chrono::steady_clock::now();
   }
   const bool is_told = is_known && odom_.getNumSubscribers() > 0;
@@ -82,7 +82,7 @@ void OdometryPublisher::publish(const aibo_client::Telemetry& telemetry) {
   if (!is_told && !is_in_tf) {
     return;
   }
-  nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
+  nav_msgs::Odometry odom = toMessage(walked_.odometry(), walked_.velocity());
   odom.header.stamp = stamper_.stamp(telemetry);
   odom.header.frame_id = parameters_.frame("odom");
   odom.child_frame_id = parameters_.frame("base_footprint");

@@ -13,8 +13,8 @@
 #include "aibo_client/telemetry.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"
-#include "walk/walked_way.h"
-#include "walk/way_to_goal.h"
+#include "walk/goal_controller.h"
+#include "walk/walk_odometry.h"
 
 namespace aibo_driver::node {
 
@@ -36,10 +36,10 @@ class OdometryPublisher {
   void publish(const aibo_client::Telemetry& telemetry);
 
   /// Call this when the robot reports that a motion has ended.
-  void motionEnded(const aibo_client::MotionEnd& end) { way_.motionEnded(end); }
+  void motionEnded(const aibo_client::MotionEnd& end) { walked_.motionEnded(end); }
 
   /// Call this when the robot reports its posture.
-  void update(const aibo_client::MotorsAndPosture& state) { way_.update(state); }
+  void update(const aibo_client::MotorsAndPosture& state) { walked_.update(state); }
 
   /// Where the robot is in the frame odom. The result is empty if it has not said so within kFresh. Any thread may call
   /// this.
@@ -53,7 +53,7 @@ class OdometryPublisher {
 
   const DriverParameters& parameters_;
   RobotStamper& stamper_;
-  walk::WalkedWay way_;
+  walk::WalkOdometry walked_;
   ros::Publisher odom_;
   ros::Publisher tf_;
   mutable std::mutex mutex_;  ///< guards what follows

@@ -19,7 +19,7 @@ namespace {
 constexpr std::chrono::milliseconds kEndTimeout{30000};
 
 std::string take(movement::Mover* mover, const movement::Order& order, Posture posture, const std::string& success) {
-  const movement::Mover::Begun begun = mover->takePosture(order, posture);
+  const movement::Mover::Answer begun = mover->takePosture(order, posture);
   if (begun.end.wait_for(kEndTimeout) == std::future_status::timeout) {
     throw aibo_client::TimeoutException((begun.remark.empty() ? "it began" : begun.remark) +
                                         ", but has not said within " + std::to_string(kEndTimeout.count() / 1000) +

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "node/followed_action.h"
+#include "node/goal_server.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::node {
@@ -25,17 +25,17 @@ Posture postureNamed(const std::string& name) {
 }  // namespace
 
 std::unique_ptr<Action> startTakePosture(const ros::NodeHandle& handle, movement::Mover& mover) {
-  ActionWay<TakePostureAction> way;
-  way.name = "take_posture";
-  way.logger = "joints";
-  way.begin = [&mover](const TakePostureGoal& goal, const movement::Order& order) -> Followed<TakePostureAction> {
-    const movement::Mover::Begun begun = mover.takePosture(order, postureNamed(goal.posture));
+  ActionKind<TakePostureAction> kind;
+  kind.name = "take_posture";
+  kind.logger = "joints";
+  kind.begin = [&mover](const TakePostureGoal& goal, const movement::Order& order) -> Activity<TakePostureAction> {
+    const movement::Mover::Answer begun = mover.takePosture(order, postureNamed(goal.posture));
     return {begun.is_uncertain ? "The robot may or may not begin: " + begun.remark : "The robot begins",
             [&mover, begun](const movement::Order& by) { mover.cancel(begun.id, by.source + " cancelled the goal"); },
             lookFor<TakePostureAction>(begun, "The robot has taken the posture")};
   };
-  way.refuse = refuseWith<TakePostureAction>("The robot does not take the posture");
-  return std::make_unique<FollowedAction<TakePostureAction>>(handle, way);
+  kind.refuse = refuseWith<TakePostureAction>("The robot does not take the posture");
+  return std::make_unique<GoalServer<TakePostureAction>>(handle, kind);
 }
 
 }  // namespace aibo_driver::node

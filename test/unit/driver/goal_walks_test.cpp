@@ -63,7 +63,7 @@ class GoalWalksTest : public ::testing::Test {
   void walkOn(GoalWalks::Walk& walk, double forward) {
     now_ += GoalWalks::kPeriod;
     here_->x += forward;
-    EXPECT_EQ(walk.goOn(), nullptr);
+    EXPECT_EQ(walk.advance(), nullptr);
     walk_order_ = walk_order_ == 0 ? client_.order() : walk_order_;
     mover_.steered({0.1, 0, 0}, client_.order(), walk_order_);
   }
@@ -144,8 +144,8 @@ TEST_F(GoalWalksTest, SaysWhatIsLeftOfTheWayAndAtTheEndHowItEnded) {
   mover_.disconnected();
   client_.problem = "there is no robot";
   here_ = walk::PlanePose{4, 0, 1};
-  ASSERT_NE(walk.goOn(), nullptr);
-  EXPECT_EQ(walk.goOn()->how, EndedHow::kLost);
+  ASSERT_NE(walk.advance(), nullptr);
+  EXPECT_EQ(walk.advance()->how, EndedHow::kLost);
   EXPECT_NEAR(walk.distanceLeft(), 5, 1e-9) << "it is not looked at any more";
   EXPECT_EQ(lastVelocity(), "");
 }
@@ -165,8 +165,8 @@ TEST_F(GoalWalksTest, TheRobotWalksWithinTheLimitsUntilItIsThere) {
   walkOn(walk, 0.05);
   EXPECT_EQ(lastVelocity(), "") << "it overshoots while it stops, and does not walk back";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  ASSERT_NE(walk.goOn(), nullptr);
-  EXPECT_EQ(walk.goOn()->how, EndedHow::kDone);
+  ASSERT_NE(walk.advance(), nullptr);
+  EXPECT_EQ(walk.advance()->how, EndedHow::kDone);
 }
 
 TEST_F(GoalWalksTest, ARobotThatMayNotTurnIsNotAtAGoalForWhichItWouldHaveTo) {
@@ -174,12 +174,12 @@ TEST_F(GoalWalksTest, ARobotThatMayNotTurnIsNotAtAGoalForWhichItWouldHaveTo) {
   GoalWalks::Walk walk = begin(goalAt(2));
   walkOn(walk, 0.02);
   here_->yaw = 2;
-  walk.goOn();
+  walk.advance();
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
-  ASSERT_NE(walk.goOn(), nullptr);
-  EXPECT_EQ(walk.goOn()->how, EndedHow::kStopped);
-  EXPECT_THAT(walk.goOn()->reason, HasSubstr("the limit is 0"));
+  ASSERT_NE(walk.advance(), nullptr);
+  EXPECT_EQ(walk.advance()->how, EndedHow::kStopped);
+  EXPECT_THAT(walk.advance()->reason, HasSubstr("the limit is 0"));
 }
 
 TEST_F(GoalWalksTest, ARobotThatComesNoCloserStops) {
@@ -202,9 +202,9 @@ TEST_F(GoalWalksTest, WithoutOdometryItStops) {
   walkOn(walk, 0.02);
   here_.reset();
   now_ += GoalWalks::kPeriod;
-  EXPECT_EQ(walk.goOn(), nullptr);
+  EXPECT_EQ(walk.advance(), nullptr);
   EXPECT_EQ(lastVelocity(), "steer 0.00 0.00 0.00");
-  EXPECT_EQ(walk.goOn(), nullptr) << "the robot has not stopped yet";
+  EXPECT_EQ(walk.advance(), nullptr) << "the robot has not stopped yet";
   mover_.ended({aibo_client::EndedKind::kWalk, EndedHow::kDone, "", "", walk_order_});
   EXPECT_THAT(walk.begun().ended()->reason, HasSubstr("has not said where it is"));
 }

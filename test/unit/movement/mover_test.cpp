@@ -49,7 +49,7 @@ std::string textOf(const EndedMovement* ended) {
   return ended == nullptr ? "-"
                           : kHow[static_cast<int>(ended->how)] + (ended->reason.empty() ? "" : " " + ended->reason);
 }
-std::string textOf(const Mover::Begun& begun) {
+std::string textOf(const Mover::Answer& begun) {
   return textOf(begun.ended());
 }
 
@@ -86,21 +86,21 @@ struct Robot {
     measured.update(telemetry);
   }
   void pass(milliseconds time, double pan = 0) {
-    for (const SteadyTime end = now + time; now < end; mover.goOn()) {
+    for (const SteadyTime end = now + time; now < end; mover.advance()) {
       now += JointPlan::kPeriod;
       measure(pan);
     }
   }
 
   Order order(const std::string& source = "/user") const { return {source, now}; }
-  Mover::Begun command(const std::string& joint, double position, const std::string& source = "/user") {
+  Mover::Answer command(const std::string& joint, double position, const std::string& source = "/user") {
     return mover.command(order(source), {joint}, {position}, {});
   }
-  Mover::Begun follow(const std::string& joint, double position) {
+  Mover::Answer follow(const std::string& joint, double position) {
     return mover.follow(order(), {{joint}, {{1.0, {position}, {}}}}, 0ms);
   }
-  Mover::Begun play(const std::string& motion) { return mover.play(order(), motion, 1); }
-  Mover::Begun sit() { return mover.takePosture(order(), Posture::kSit); }
+  Mover::Answer play(const std::string& motion) { return mover.play(order(), motion, 1); }
+  Mover::Answer sit() { return mover.takePosture(order(), Posture::kSit); }
   void steer(double forward, const std::string& source = "/teleop") {
     now += 1ms;  // a stream begins after what overrules it, not at the same time
     mover.steer(order(source), {forward, 0, 0});
@@ -109,9 +109,9 @@ struct Robot {
     steer(0.1);
     begins();
   }
-  Mover::Begun walkToGoal() {
-    const Mover::Begun begun = mover.walkToGoal(order(), "1 m ahead");
-    mover.walkOn(begun.id, {0.1, 0, 0});
+  Mover::Answer walkToGoal() {
+    const Mover::Answer begun = mover.walkToGoal(order(), "1 m ahead");
+    mover.steerToGoal(begun.id, {0.1, 0, 0});
     begins();
     return begun;
   }
@@ -279,7 +279,7 @@ TEST(Ends, OfAllThatIsUnderWayComeFromTheseEvents) {
       Robot robot;
       begin(robot);
       happen(robot, {event});
-      robot.mover.goOn();
+      robot.mover.advance();
       EXPECT_THAT(robot.lastEnd(), StartsWith(end)) << event << ", " << movement;
       EXPECT_THAT(robot.told_ends, SizeIs(1)) << event << ", " << movement;
       EXPECT_THAT(robot.mover.state().movements, IsEmpty()) << event << ", " << movement;
@@ -328,12 +328,12 @@ TEST(Ends, OfWhatAnOrderHasTakenOverComeFromTheRobotAndNameTheOrder) {
 TEST(Ends, OfWhatTheRobotMovesAreWhatItSaysOfThisOrder) {
   const struct {
     EndedKind kind;
-    std::function<Mover::Begun(Robot&)> begin;
+    std::function<Mover::Answer(Robot&)> begin;
   } rows[] = {{EndedKind::kMotion, [](Robot& robot) { return robot.play("NOD.MTN"); }},
               {EndedKind::kPosture, [](Robot& robot) { return robot.sit(); }},
               {EndedKind::kWalk, [](Robot& robot) {
                  robot.walk();
-                 return Mover::Begun();
+                 return Mover::Answer();
                }}};
   for (const auto& row : rows) {
     for (const EndedHow how :
@@ -494,7 +494,7 @@ TEST(Orders, GetTooOldHalfASecondAfterTheyCame) {
     robot.measure(0);
     give(robot, order);
     if (name == std::string("goal")) {
-      robot.mover.walkOn(robot.mover.state().movements.at(0).order, {0.1, 0, 0});
+      robot.mover.steerToGoal(robot.mover.state().movements.at(0).order, {0.1, 0, 0});
     }
     EXPECT_EQ(robot.client.terms.not_after - order.received, 500ms) << name;
   }
@@ -548,7 +548,7 @@ TEST(Stop, OfEachMovementIsTheLastThatIsSentUntilRelease) {
         EXPECT_EQ(robot.lastEnd(), "REFUSED stopped by /panel; call release") << name;
       }
       robot.pass(100ms);
-      robot.mover.walkOn(moving, {0.1, 0, 0});
+      robot.mover.steerToGoal(moving, {0.1, 0, 0});
     };
     robot.client.meanwhile = [&] {
       try_to_move("/during");
@@ -561,7 +561,7 @@ TEST(Stop, OfEachMovementIsTheLastThatIsSentUntilRelease) {
     EXPECT_THAT(robot.mover.state().movements, IsEmpty()) << movement;
     robot.mover.release(robot.order());
     robot.pass(100ms);
-    robot.mover.walkOn(moving, {0.1, 0, 0});
+    robot.mover.steerToGoal(moving, {0.1, 0, 0});
     EXPECT_THAT(robot.told(), IsEmpty()) << movement << ": nothing starts by itself";
   }
 }
@@ -860,7 +860,7 @@ TEST(Trajectory, EndsByItsLastStepOrByWhatInterruptsIt) {
                : robot.ends(EndedKind::kJoints, EndedHow::kRefused, "head_pan is 0.10 rad away");
     EXPECT_EQ(textOf(trajectory), row.end);
     EXPECT_THAT(robot.told_ends, SizeIs(1)) << row.end;
-    EXPECT_FALSE(robot.mover.goOn()) << row.end << ": nothing is left";
+    EXPECT_FALSE(robot.mover.advance()) << row.end << ": nothing is left";
   }
 }
 
@@ -1112,9 +1112,9 @@ TEST_F(MoverTest, AGoalIsReachedWhenTheRobotStandsThere) {
   const auto goal = mover.walkToGoal(order(), "1 m ahead");
   EXPECT_EQ(mover.state().movements.at(0).name, "1 m ahead");
   EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00")) << "it lets go of an earlier walk";
-  mover.walkOn(goal.id, {0.1, 0, 0});
+  mover.steerToGoal(goal.id, {0.1, 0, 0});
   begins();
-  mover.walkOn(goal.id, {});
+  mover.steerToGoal(goal.id, {});
   EXPECT_EQ(textOf(goal), "-");
   EXPECT_THAT(told(), ElementsAre("steer 0.00 0.00 0.00", "steer 0.10 0.00 0.00", "steer 0.00 0.00 0.00"));
   walkEnds(EndedHow::kDone);
@@ -1124,7 +1124,7 @@ TEST_F(MoverTest, AGoalIsReachedWhenTheRobotStandsThere) {
 TEST_F(MoverTest, AGoalWhereTheRobotIsAlreadyIsDoneAtOnce) {
   const auto goal = mover.walkToGoal(order(), "here");
   told();
-  mover.walkOn(goal.id, {});
+  mover.steerToGoal(goal.id, {});
   EXPECT_EQ(textOf(goal), "DONE");
   EXPECT_THAT(told(), IsEmpty());
 }
@@ -1157,7 +1157,7 @@ TEST(Goal, IsNotWalkedToAfterTheseEvents) {
     const auto goal = row.has_begun ? robot.walkToGoal() : robot.mover.walkToGoal(robot.order(), "1 m ahead");
     happen(robot, row.events);
     robot.told();
-    robot.mover.walkOn(goal.id, {0.1, 0, 0});
+    robot.mover.steerToGoal(goal.id, {0.1, 0, 0});
     EXPECT_THAT(robot.told(), Not(Contains("steer 0.10 0.00 0.00"))) << row.end;
     EXPECT_THAT(textOf(goal), StartsWith(row.end));
   }
@@ -1167,10 +1167,10 @@ TEST_F(MoverTest, AVelocityToAGoalIsAsOldAsTheOneBefore) {
   const auto received = now;
   const auto goal = mover.walkToGoal(order(), "1 m ahead");
   now += 100ms;
-  mover.walkOn(goal.id, {0.1, 0, 0});
+  mover.steerToGoal(goal.id, {0.1, 0, 0});
   EXPECT_EQ(client.terms.not_after, received + 500ms);
   now += 3s;  // the driver is held up
-  mover.walkOn(goal.id, {0.1, 0, 0});
+  mover.steerToGoal(goal.id, {0.1, 0, 0});
   EXPECT_EQ(client.terms.not_after, received + 600ms);
 }
 
@@ -1184,7 +1184,7 @@ TEST(Goal, ThatIsCancelledOrStoppedByAVelocityOf0Brakes) {
     const auto goal = robot.walkToGoal();
     robot.told();
     happen(robot, goal.id);
-    robot.mover.walkOn(goal.id, {0.1, 0, 0});
+    robot.mover.steerToGoal(goal.id, {0.1, 0, 0});
     EXPECT_EQ(textOf(goal), "-") << "the robot has not said that it stands";
     EXPECT_THAT(robot.told(), ElementsAre("steer 0.00 0.00 0.00"));
     robot.walkEnds(EndedHow::kDone);
@@ -1212,7 +1212,7 @@ TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
   mover.setListener(listener);
   command("head_pan", 0.5);
   EXPECT_EQ(changes, 1);
-  EXPECT_FALSE(mover.goOn());
+  EXPECT_FALSE(mover.advance());
   const std::uint64_t older = client.order();
   command("head_pan", 0.4);
   changes = 0;
@@ -1220,9 +1220,9 @@ TEST_F(MoverTest, EachChangeIsToldAndThatTheJointsHaveToBeMovedOn) {
   EXPECT_EQ(changes, 0) << "the movement goes on as before";
   follow("head_pan", 0.5);
   EXPECT_EQ(begins, 1);
-  EXPECT_TRUE(mover.goOn());
+  EXPECT_TRUE(mover.advance());
   mover.stop(order());
-  EXPECT_FALSE(mover.goOn());
+  EXPECT_FALSE(mover.advance());
 }
 
 TEST(Movement, IsDescribedInWordsThatBeginASentence) {

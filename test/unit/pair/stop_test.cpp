@@ -170,7 +170,7 @@ class MovedRobot {
   std::atomic<bool> is_over_{false};
   std::future<void> ticker_ = std::async(std::launch::async, [this] {
     for (; !is_over_; std::this_thread::sleep_for(JointPlan::kPeriod)) {
-      mover_.goOn();
+      mover_.advance();
     }
   });
 };
@@ -194,7 +194,7 @@ void give(MovedRobot& robot, const std::string& kind, const Order& first, int i)
     steer(robot, i);
   } else if (kind == "goal") {
     robot.goal = i == 0 ? mover.walkToGoal(order, "ahead").id : robot.goal;
-    mover.walkOn(robot.goal, {0.1, 0, 0});
+    mover.steerToGoal(robot.goal, {0.1, 0, 0});
   } else if (i == 0 && kind == "trajectory") {
     mover.follow(order, {{"head_pan"}, {{0.5, {0.5}, {}}, {1.0, {-0.5}, {}}}}, 0ms);
   } else if (i == 0 && (kind == "motion" || kind == kSlowMotion)) {

@@ -57,14 +57,14 @@ TEST(Odometry, KeepsTheDirectionBetweenMinusPiAndPi) {
 TEST(Odometry, IsAsUncertainAsItSaysAfterAMetreAndAfterARadian) {
   Odometry straight;
   straight.walk({0.1, 0, 0}, 10);
-  EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), Odometry::kWayAfterMetre, 1e-9);
+  EXPECT_NEAR(std::sqrt(straight.covariance()(0, 0)), Odometry::kDistanceAfterMetre, 1e-9);
   EXPECT_NEAR(std::sqrt(straight.covariance()(2, 2)), Odometry::kTurnAfterMetre, 1e-9);
   Odometry sideways;
   sideways.walk({0, -0.1, 0}, 10);
-  EXPECT_NEAR(std::sqrt(sideways.covariance()(0, 0)), Odometry::kWayAfterMetre, 1e-9);
+  EXPECT_NEAR(std::sqrt(sideways.covariance()(0, 0)), Odometry::kDistanceAfterMetre, 1e-9);
   Odometry turning;
   turning.walk({0, 0, -0.5}, 2);
-  EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), Odometry::kWayAfterRadian, 1e-9);
+  EXPECT_NEAR(std::sqrt(turning.covariance()(0, 0)), Odometry::kDistanceAfterRadian, 1e-9);
   EXPECT_NEAR(std::sqrt(turning.covariance()(2, 2)), Odometry::kTurnAfterRadian, 1e-9);
 }
 

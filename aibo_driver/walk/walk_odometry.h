@@ -1,6 +1,6 @@
-/// @file walked_way.h
-#ifndef AIBO_DRIVER_WALK_WALKED_WAY_H
-#define AIBO_DRIVER_WALK_WALKED_WAY_H
+/// @file walk_odometry.h
+#ifndef AIBO_DRIVER_WALK_WALK_ODOMETRY_H
+#define AIBO_DRIVER_WALK_WALK_ODOMETRY_H
 
 #include <cstdint>
 #include <optional>
@@ -13,16 +13,16 @@
 
 namespace aibo_driver::walk {
 
-/// The way that a robot has walked, computed from its telemetry.
+/// Where a robot has walked to, computed from its telemetry.
 ///
 /// It begins at 0, never jumps, and is never reset. If the connection breaks or somebody carries the robot, the robot
 /// keeps its last position. Only the covariance then says that it may be elsewhere.
 ///
 /// Only one thread at a time may use it.
-class WalkedWay {
+class WalkOdometry {
  public:
   /// @param settings must outlive the object
-  explicit WalkedWay(const WalkSettings& settings) : settings_(settings) {}
+  explicit WalkOdometry(const WalkSettings& settings) : settings_(settings) {}
 
   /// @return false if the telemetry does not say how the robot walks
   bool update(const aibo_client::Telemetry& telemetry);
@@ -58,4 +58,4 @@ class WalkedWay {
 
 }  // namespace aibo_driver::walk
 
-#endif  // AIBO_DRIVER_WALK_WALKED_WAY_H
+#endif  // AIBO_DRIVER_WALK_WALK_ODOMETRY_H

@@ -1,4 +1,4 @@
-#include "walk/walked_way.h"
+#include "walk/walk_odometry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ constexpr double kLiftedTurn = 3.2;  // rad
 
 }  // namespace
 
-bool WalkedWay::update(const aibo_client::Telemetry& telemetry) {
+bool WalkOdometry::update(const aibo_client::Telemetry& telemetry) {
   if (!telemetry.walk || !telemetry.frame_number) {
     return false;
   }
@@ -38,13 +38,13 @@ bool WalkedWay::update(const aibo_client::Telemetry& telemetry) {
   return true;
 }
 
-void WalkedWay::motionEnded(const aibo_client::MotionEnd& end) {
+void WalkOdometry::motionEnded(const aibo_client::MotionEnd& end) {
   if (end.how == aibo_client::EndedHow::kFell && posture_ == PostureNow::kUnknown) {
     odometry_.lose(kLiftedWay, kLiftedTurn);
   }
 }
 
-void WalkedWay::update(const aibo_client::MotorsAndPosture& state) {
+void WalkOdometry::update(const aibo_client::MotorsAndPosture& state) {
   const auto is_off_its_feet = [](PostureNow posture) {
     return posture == PostureNow::kFallen || posture == PostureNow::kCarried;
   };
@@ -54,7 +54,7 @@ void WalkedWay::update(const aibo_client::MotorsAndPosture& state) {
   }
 }
 
-void WalkedWay::advance(const Sample& last, const Sample& sample) {
+void WalkOdometry::advance(const Sample& last, const Sample& sample) {
   if (last.connection_number != sample.connection_number) {
     if (!last.velocity.isZero()) {
       odometry_.lose(kLostWay, kLostTurn);

@@ -1,4 +1,4 @@
-#include "walk/way_to_goal.h"
+#include "walk/goal_controller.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose) {
           std::remainder(origin.yaw + pose.yaw, 2 * M_PI)};
 }
 
-WalkVelocity WayToGoal::velocityAt(const PlanePose& here) {
+WalkVelocity GoalController::velocityAt(const PlanePose& here) {
   const double distance = distanceFrom(here);
   is_there_ = distance <= (is_there_ ? kGoAgainAt : kStopAt);
   if (is_there_) {
@@ -54,15 +54,15 @@ WalkVelocity WayToGoal::velocityAt(const PlanePose& here) {
   return {speed * std::cos(bearing), 0, turnFor(bearing)};
 }
 
-double WayToGoal::distanceFrom(const PlanePose& here) const {
+double GoalController::distanceFrom(const PlanePose& here) const {
   return std::hypot(goal_.x - here.x, goal_.y - here.y);
 }
 
-double WayToGoal::turnFrom(const PlanePose& here) const {
+double GoalController::turnFrom(const PlanePose& here) const {
   return std::remainder(goal_.yaw - here.yaw, 2 * M_PI);
 }
 
-bool WayToGoal::hasArrived(const PlanePose& here) const {
+bool GoalController::hasArrived(const PlanePose& here) const {
   return distanceFrom(here) <= kPlaceTolerance && std::abs(turnFrom(here)) <= kTurnTolerance;
 }
 

@@ -1,6 +1,6 @@
-/// @file expression_commander.h
-#ifndef AIBO_DRIVER_NODE_BODY_EXPRESSION_COMMANDER_H
-#define AIBO_DRIVER_NODE_BODY_EXPRESSION_COMMANDER_H
+/// @file leds_and_ears.h
+#ifndef AIBO_DRIVER_NODE_BODY_LEDS_AND_EARS_H
+#define AIBO_DRIVER_NODE_BODY_LEDS_AND_EARS_H
 
 #include <aibo_driver/Ears.h>
 #include <aibo_driver/Leds.h>
@@ -20,7 +20,7 @@
 namespace aibo_driver::node {
 
 /// The commands in a message to the LEDs, and the reasons why parts of it were refused.
-struct LedOrders {
+struct ParsedLeds {
   std::vector<aibo_client::LedCommand> commands;  ///< each LED appears once
   text::FirstThree refusals{300};                 ///< sentences for users
 };
@@ -28,17 +28,16 @@ struct LedOrders {
 /// Finds the LEDs that a message names, singly or in groups. If an LED is named twice, the last intensity counts. A
 /// name that belongs to no LED and no group is left out, and so is an intensity outside of 0..1. The whole message is
 /// refused if its arrays do not fit together, or if there is no such mode.
-LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model);
+ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model);
 
 /// Sends commands from the topics leds and ears to the robot. Commands that come without a connection are lost. So are
 /// those to the ears that the mover refuses.
 ///
 /// Only one thread at a time may use it.
-class ExpressionCommander {
+class LedsAndEars {
  public:
   /// @param model, client, mover must outlive the commander
-  ExpressionCommander(const robot_model::RobotModel& model, aibo_client::RcServerClient& client,
-                      const movement::Mover& mover)
+  LedsAndEars(const robot_model::RobotModel& model, aibo_client::RcServerClient& client, const movement::Mover& mover)
       : model_(model), client_(client), mover_(mover) {}
 
   /// @param handle whose callback queue one thread serves
@@ -61,4 +60,4 @@ class ExpressionCommander {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_BODY_EXPRESSION_COMMANDER_H
+#endif  // AIBO_DRIVER_NODE_BODY_LEDS_AND_EARS_H

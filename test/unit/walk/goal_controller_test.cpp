@@ -1,5 +1,5 @@
 // How a robot is steered to a goal.
-#include "walk/way_to_goal.h"
+#include "walk/goal_controller.h"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ class Walker {
   explicit Walker(const PlanePose& start = {}) : pose_(start) {}
 
   /// @return the seconds until it stands at the goal; 60 if it does not get there
-  double walkTo(WayToGoal& way) {
+  double walkTo(GoalController& way) {
     WalkVelocity wanted;
     for (double time = 0; time < 60; time += kStep) {
       if (std::fmod(time + 1e-9, 0.1) < kStep) {
@@ -69,14 +69,14 @@ class Walker {
   double way_ = 0;
 };
 
-TEST(WayToGoal, ArrivesWhereverTheGoalIs) {
+TEST(GoalController, ArrivesWhereverTheGoalIs) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> place(-1.5, 1.5);
   std::uniform_real_distribution<double> angle(-3.14, 3.14);
   for (int i = 0; i < 200; ++i) {
     const PlanePose goal{place(random), place(random), angle(random)};
     Walker walker({place(random), place(random), angle(random)});
-    WayToGoal way(goal);
+    GoalController way(goal);
     const double distance = way.distanceFrom(walker.pose());
     EXPECT_LT(walker.walkTo(way), 20 + 10 * distance) << goal.x << " " << goal.y << " " << goal.yaw;
     EXPECT_LT(way.distanceFrom(walker.pose()), 0.045);
@@ -86,8 +86,8 @@ TEST(WayToGoal, ArrivesWhereverTheGoalIs) {
   }
 }
 
-TEST(WayToGoal, ARobotHasArrivedIfPlaceAndDirectionAreRight) {
-  const WayToGoal way({1, 0.5, 2});
+TEST(GoalController, ARobotHasArrivedIfPlaceAndDirectionAreRight) {
+  const GoalController way({1, 0.5, 2});
   EXPECT_TRUE(way.hasArrived({1.03, 0.53, 2.09}));
   EXPECT_TRUE(way.hasArrived({0.97, 0.47, 1.91}));
   EXPECT_FALSE(way.hasArrived({1.06, 0.5, 2}));
@@ -96,8 +96,8 @@ TEST(WayToGoal, ARobotHasArrivedIfPlaceAndDirectionAreRight) {
   EXPECT_FALSE(way.hasArrived({1, 0.5, 1.89}));
 }
 
-TEST(WayToGoal, ItTurnsTowardsTheGoalBeforeItWalks) {
-  WayToGoal way({-1, 0.1, 0});
+TEST(GoalController, ItTurnsTowardsTheGoalBeforeItWalks) {
+  GoalController way({-1, 0.1, 0});
   const WalkVelocity velocity = way.velocityAt({});
   EXPECT_EQ(velocity.forward, 0);
   EXPECT_EQ(velocity.left, 0);
@@ -108,13 +108,13 @@ TEST(WayToGoal, ItTurnsTowardsTheGoalBeforeItWalks) {
   EXPECT_NEAR(way.velocityAt({-0.9, 0.1, 3.14159265}).forward, 0.08, 1e-6) << "it slows down before the place";
 }
 
-TEST(WayToGoal, TheShorterTurnIsTaken) {
-  WayToGoal way({0, 0, 3});
+TEST(GoalController, TheShorterTurnIsTaken) {
+  GoalController way({0, 0, 3});
   EXPECT_LT(way.velocityAt({0, 0, -3}).turn, 0);
   EXPECT_NEAR(way.turnFrom({0, 0, -3}), 6 - 2 * 3.14159265, 1e-6);
 }
 
-TEST(WayToGoal, APoseInTheFrameOfTheRobotIsRelativeToItsPose) {
+TEST(GoalController, APoseInTheFrameOfTheRobotIsRelativeToItsPose) {
   const PlanePose pose = inFrameOf({1, 2, 3.14159265 / 2}, {0.5, 0.1, 3});
   EXPECT_NEAR(pose.x, 0.9, 1e-6);
   EXPECT_NEAR(pose.y, 2.5, 1e-6);

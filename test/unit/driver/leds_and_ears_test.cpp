@@ -1,4 +1,4 @@
-#include "node/body/expression_commander.h"
+#include "node/body/leds_and_ears.h"
 
 #include <gmock/gmock.h>
 
@@ -21,8 +21,8 @@ const robot_model::RobotModel& ledRobot() {
   return *robot_model::findRobotModel("ERS-7");
 }
 
-LedOrders ordersOf(const std::vector<std::string>& names, const std::vector<float>& intensities,
-                   std::uint8_t mode = 0) {
+ParsedLeds ordersOf(const std::vector<std::string>& names, const std::vector<float>& intensities,
+                    std::uint8_t mode = 0) {
   Leds message;
   message.names = names;
   message.intensities = intensities;
@@ -31,7 +31,7 @@ LedOrders ordersOf(const std::vector<std::string>& names, const std::vector<floa
 }
 
 // Intensities by the names of the LEDs.
-std::map<std::string, int> intensitiesOf(const LedOrders& orders) {
+std::map<std::string, int> intensitiesOf(const ParsedLeds& orders) {
   std::map<std::string, int> intensities;
   for (const aibo_client::LedCommand& command : orders.commands) {
     intensities[ledRobot().leds[robot_model::findLedByIdentifier(ledRobot(), command.id)].name] = command.intensity;
@@ -40,7 +40,7 @@ std::map<std::string, int> intensitiesOf(const LedOrders& orders) {
 }
 
 TEST(ParseLeds, FindsLedsByName) {
-  const LedOrders orders = ordersOf({"face_3", "wireless"}, {0.5F, 1.0F});
+  const ParsedLeds orders = ordersOf({"face_3", "wireless"}, {0.5F, 1.0F});
   EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 128), Pair("wireless", 255)));
   EXPECT_TRUE(orders.refusals.empty());
 }
@@ -54,7 +54,7 @@ TEST(ParseLeds, FindsGroupsOfLeds) {
   tail.names = {"tail"};
   tail.intensities = {1.0F};
   const robot_model::RobotModel& ers210 = *robot_model::findRobotModel("ERS-210");
-  const LedOrders of_tail = parseLeds(tail, ers210);
+  const ParsedLeds of_tail = parseLeds(tail, ers210);
   ASSERT_THAT(of_tail.commands, SizeIs(2));
   for (const aibo_client::LedCommand& command : of_tail.commands) {
     EXPECT_EQ(ers210.leds[robot_model::findLedByIdentifier(ers210, command.id)].place, robot_model::LED_ON_TAIL);
@@ -72,7 +72,7 @@ TEST(ParseLeds, LeavesNothingDarkThatIsNotOff) {
 }
 
 TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
-  const LedOrders orders = ordersOf({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
+  const ParsedLeds orders = ordersOf({"third_eye", "face_1", "face_2", "face_3"}, {1.0F, NAN, 1.5F, 1.0F});
   EXPECT_THAT(intensitiesOf(orders), ElementsAre(Pair("face_3", 255)));
   EXPECT_THAT(ordersOf({"face_1"}, {-0.1F}).commands, IsEmpty());
   EXPECT_THAT(orders.refusals.text(),
@@ -81,25 +81,25 @@ TEST(ParseLeds, LeavesOutWhatItDoesNotKnowAndSaysSo) {
 
 TEST(ParseLeds, SaysInAFewWordsWhatIsWrongWithAMillionNames) {
   std::vector<std::string> names(movement::kMostNames, "\x1b[2J" + std::string(100, 'x'));
-  const LedOrders allowed = ordersOf(names, {1.0F});
+  const ParsedLeds allowed = ordersOf(names, {1.0F});
   EXPECT_THAT(allowed.refusals.text(), AllOf(HasSubstr("named '?[2Jxx"), HasSubstr(" and 997 more")));
   EXPECT_LT(allowed.refusals.text().size(), 1000U);
   names.resize(1'000'000, "all");
-  const LedOrders too_many = ordersOf(names, {1.0F});
+  const ParsedLeds too_many = ordersOf(names, {1.0F});
   EXPECT_THAT(too_many.commands, IsEmpty());
   EXPECT_THAT(too_many.refusals.text(), HasSubstr("it names 1000000, and at most 1000 names are allowed"));
 }
 
 TEST(ParseLeds, RefusesAMessageThatDoesNotFitTogether) {
-  const LedOrders numbers = ordersOf({"face_1", "face_2", "face_3"}, {1.0F, 1.0F});
+  const ParsedLeds numbers = ordersOf({"face_1", "face_2", "face_3"}, {1.0F, 1.0F});
   EXPECT_THAT(numbers.commands, IsEmpty());
   EXPECT_THAT(numbers.refusals.text(), HasSubstr("3 names and 2 intensities"));
-  const LedOrders mode = ordersOf({"face_1"}, {1.0F}, 2);
+  const ParsedLeds mode = ordersOf({"face_1"}, {1.0F}, 2);
   EXPECT_THAT(mode.commands, IsEmpty());
   EXPECT_THAT(mode.refusals.text(), HasSubstr("no mode 2"));
 }
 
-class ExpressionCommanderTest : public ::testing::Test {
+class LedsAndEarsTest : public ::testing::Test {
  protected:
   static Leds face(float intensity) {
     Leds message;
@@ -114,10 +114,10 @@ class ExpressionCommanderTest : public ::testing::Test {
   movement::JointTable table_{"ERS-7", 3.0};
   movement::MeasuredJoints measured_{table_};
   movement::Mover mover_{table_, measured_, client_, 0.5, false, [] { return true; }};
-  ExpressionCommander commander_{ledRobot(), client_, mover_};
+  LedsAndEars commander_{ledRobot(), client_, mover_};
 };
 
-TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
+TEST_F(LedsAndEarsTest, SendsLedsAndEars) {
   commander_.receiveLeds(face(1.0F));
   Ears ears;
   ears.right = 1;
@@ -125,7 +125,7 @@ TEST_F(ExpressionCommanderTest, SendsLedsAndEars) {
   EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255", "ears 01"));
 }
 
-TEST_F(ExpressionCommanderTest, FlicksNoEarOfAStoppedRobot) {
+TEST_F(LedsAndEarsTest, FlicksNoEarOfAStoppedRobot) {
   const test_support::LogListener& log = test_support::listenToLog();
   mover_.stop({"/somebody", std::chrono::steady_clock::now()});
   client_.told.clear();
@@ -136,21 +136,21 @@ TEST_F(ExpressionCommanderTest, FlicksNoEarOfAStoppedRobot) {
   EXPECT_THAT(client_.told, ElementsAre("LEDs 7:255")) << "they move nothing";
 }
 
-TEST_F(ExpressionCommanderTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {
+TEST_F(LedsAndEarsTest, SendsNothingIfEverythingIsRefusedAndSaysWhy) {
   const test_support::LogListener& log = test_support::listenToLog();
   commander_.receiveLeds(face(2.0F));
   EXPECT_THAT(client_.told, IsEmpty());
   EXPECT_THAT(log.texts, ElementsAre(AllOf(HasSubstr("face_1 cannot shine"), HasSubstr("named 'third_eye'"))));
 }
 
-TEST_F(ExpressionCommanderTest, SendsNothingToARobotOfAnotherDesign) {
+TEST_F(LedsAndEarsTest, SendsNothingToARobotOfAnotherDesign) {
   client_.present.robot.design = "ERS-210";
   commander_.receiveLeds(face(1.0F));
   commander_.receiveEars(Ears(), order());
   EXPECT_THAT(client_.told, IsEmpty());
 }
 
-TEST_F(ExpressionCommanderTest, DropsWhatCannotBeSentAndSaysWhy) {
+TEST_F(LedsAndEarsTest, DropsWhatCannotBeSentAndSaysWhy) {
   const test_support::LogListener& log = test_support::listenToLog();
   client_.problem = "not connected";
   commander_.receiveLeds(face(1.0F));

@@ -1,6 +1,6 @@
-/// @file way_to_goal.h
-#ifndef AIBO_DRIVER_WALK_WAY_TO_GOAL_H
-#define AIBO_DRIVER_WALK_WAY_TO_GOAL_H
+/// @file goal_controller.h
+#ifndef AIBO_DRIVER_WALK_GOAL_CONTROLLER_H
+#define AIBO_DRIVER_WALK_GOAL_CONTROLLER_H
 
 #include "aibo_client/walk.h"
 
@@ -21,14 +21,14 @@ PlanePose inFrameOf(const PlanePose& origin, const PlanePose& pose);
 /// direction. All numbers are our choice.
 ///
 /// Only one thread at a time may use it.
-class WayToGoal {
+class GoalController {
  public:
   /// A robot within these distances of its goal has arrived. It stops a little closer to it.
   static constexpr double kPlaceTolerance = 0.05;  ///< m
   static constexpr double kTurnTolerance = 0.1;    ///< rad
 
   /// @param goal in the frame odom
-  explicit WayToGoal(const PlanePose& goal) : goal_(goal) {}
+  explicit GoalController(const PlanePose& goal) : goal_(goal) {}
 
   /// How the robot should walk on.
   /// @param here its pose in the frame odom
@@ -51,4 +51,4 @@ class WayToGoal {
 
 }  // namespace aibo_driver::walk
 
-#endif  // AIBO_DRIVER_WALK_WAY_TO_GOAL_H
+#endif  // AIBO_DRIVER_WALK_GOAL_CONTROLLER_H

@@ -1,4 +1,4 @@
-#include "walk/walked_way.h"
+#include "walk/walk_odometry.h"
 
 #include <gmock/gmock.h>
 
@@ -13,9 +13,9 @@ using aibo_client::EndedHow;
 using aibo_client::EndedKind;
 using aibo_client::PostureNow;
 
-class WalkedWayTest : public ::testing::Test {
+class WalkOdometryTest : public ::testing::Test {
  protected:
-  WalkedWayTest() {
+  WalkOdometryTest() {
     settings_.scale = 0.9;
     settings_.side_scale = 0.8;
     settings_.turn_scale = 0.5;
@@ -38,12 +38,12 @@ class WalkedWayTest : public ::testing::Test {
   double turnUncertainty() const { return std::sqrt(way_.odometry().covariance()(2, 2)); }
 
   walk::WalkSettings settings_;
-  walk::WalkedWay way_{settings_};
+  walk::WalkOdometry way_{settings_};
   unsigned frame_ = 0xfffffff0U;  // overflows
   std::uint64_t connection_ = 41;
 };
 
-TEST_F(WalkedWayTest, IsTheSumOfTheVelocitiesOverTheRobotsTime) {
+TEST_F(WalkOdometryTest, IsTheSumOfTheVelocitiesOverTheRobotsTime) {
   measure({});
   for (int i = 0; i < 125; ++i) {  // 4 s
     measure({0.1, 0, 0});
@@ -55,7 +55,7 @@ TEST_F(WalkedWayTest, IsTheSumOfTheVelocitiesOverTheRobotsTime) {
   EXPECT_NEAR(way_.velocity().forward, 0.1, 1e-12);
 }
 
-TEST_F(WalkedWayTest, GoesOnIfMeasurementsAreMissing) {
+TEST_F(WalkOdometryTest, GoesOnIfMeasurementsAreMissing) {
   measure({0.1, 0, 0});
   measure({0.1, 0, 0}, 50);
   EXPECT_NEAR(way_.odometry().x(), 0.04, 1e-9);
@@ -69,7 +69,7 @@ TEST_F(WalkedWayTest, GoesOnIfMeasurementsAreMissing) {
   EXPECT_GT(turnUncertainty(), 0.2);
 }
 
-TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
+TEST_F(WalkOdometryTest, DoesNotJumpOverAReconnectButIsLessCertain) {
   measure({0.1, 0, 0});
   measure({0.1, 0, 0}, 100);
   const double before = uncertainty();
@@ -90,7 +90,7 @@ TEST_F(WalkedWayTest, DoesNotJumpOverAReconnectButIsLessCertain) {
   EXPECT_GT(uncertainty(), turning + 0.01) << "it turned where it stood";
 }
 
-TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
+TEST_F(WalkOdometryTest, MayBeAnywhereAfterAFall) {
   measure({});
   way_.motionEnded({EndedKind::kWalk, EndedHow::kStopped, "walk", ""});
   EXPECT_EQ(uncertainty(), 0);
@@ -99,7 +99,7 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterAFall) {
   EXPECT_GT(turnUncertainty(), 3);
 }
 
-TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce) {
+TEST_F(WalkOdometryTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce) {
   const auto tell = [this](PostureNow posture) {
     way_.update(aibo_client::MotorsAndPosture{aibo_client::MotorState::kOn, posture});
   };
@@ -117,7 +117,7 @@ TEST_F(WalkedWayTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsOnce
   EXPECT_DOUBLE_EQ(uncertainty(), std::sqrt(2));
 }
 
-TEST_F(WalkedWayTest, BecomesAMessage) {
+TEST_F(WalkOdometryTest, BecomesAMessage) {
   measure({0, 0, 0.5});
   measure({0, 0, 0.5}, 250);
   measure({0.1, -0.05, 0.5});

@@ -1,4 +1,4 @@
-#include "node/body/expression_commander.h"
+#include "node/body/leds_and_ears.h"
 
 #include <cmath>
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace aibo_driver::node {
 namespace {
 
 // Several programs may each command some of the LEDs, so messages must not replace each other.
-constexpr std::uint32_t kExpressionQueueSize = 10;
+constexpr std::uint32_t kLedsAndEarsQueueSize = 10;
 
 constexpr std::size_t kMostBytes = 256 << 10;  // far more than all LEDs of a robot
 
@@ -67,8 +67,8 @@ std::string describeMisfit(const Leds& message) {
 
 }  // namespace
 
-LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
-  LedOrders orders;
+ParsedLeds parseLeds(const Leds& message, const robot_model::RobotModel& model) {
+  ParsedLeds orders;
   const std::string misfit = describeMisfit(message);
   if (!misfit.empty()) {
     orders.refusals.add(misfit);
@@ -98,7 +98,7 @@ LedOrders parseLeds(const Leds& message, const robot_model::RobotModel& model) {
   return orders;
 }
 
-void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
+void LedsAndEars::subscribe(const ros::NodeHandle& handle) {
   ros::NodeHandle topics(handle);
   using BoundedLeds = BoundedMessage<Leds, kMostBytes>;
   const boost::function<void(const boost::shared_ptr<BoundedLeds const>&)> receive_leds =
@@ -110,16 +110,16 @@ void ExpressionCommander::subscribe(const ros::NodeHandle& handle) {
           warnings_.warn("A message on leds was refused: " + refusal + ".");
         }
       };
-  leds_ = topics.subscribe<BoundedLeds>("leds", kExpressionQueueSize, receive_leds);
+  leds_ = topics.subscribe<BoundedLeds>("leds", kLedsAndEarsQueueSize, receive_leds);
   using EarsEvent = ros::MessageEvent<Ears const>;
   const boost::function<void(const EarsEvent&)> receive_ears = [this](const EarsEvent& event) {
     receiveEars(*event.getMessage(), orderOf(event));
   };
-  ears_ = topics.subscribe<Ears>("ears", kExpressionQueueSize, receive_ears);
+  ears_ = topics.subscribe<Ears>("ears", kLedsAndEarsQueueSize, receive_ears);
 }
 
-void ExpressionCommander::receiveLeds(const Leds& message) {
-  const LedOrders orders = parseLeds(message, model_);
+void LedsAndEars::receiveLeds(const Leds& message) {
+  const ParsedLeds orders = parseLeds(message, model_);
   if (!orders.refusals.empty()) {
     warnings_.warn(orders.refusals.text(" "));
   }
@@ -128,7 +128,7 @@ void ExpressionCommander::receiveLeds(const Leds& message) {
   }
 }
 
-void ExpressionCommander::receiveEars(const Ears& message, const movement::Order& order) {
+void LedsAndEars::receiveEars(const Ears& message, const movement::Order& order) {
   send("ears", [&] {
     const std::string refusal = mover_.refusal(order);
     if (!refusal.empty()) {
@@ -138,7 +138,7 @@ void ExpressionCommander::receiveEars(const Ears& message, const movement::Order
   });
 }
 
-void ExpressionCommander::send(const std::string& what, const std::function<void()>& command) {
+void LedsAndEars::send(const std::string& what, const std::function<void()>& command) {
   try {
     movement::requireDesign(client_, model_.design);
     command();

@@ -1,7 +1,7 @@
-/// @file followed_action.h
+/// @file goal_server.h
 /// What the driver's actions share. Each of their goals begins something and follows it to its end.
-#ifndef AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
-#define AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
+#ifndef AIBO_DRIVER_NODE_GOAL_SERVER_H
+#define AIBO_DRIVER_NODE_GOAL_SERVER_H
 
 #include <ros/console.h>
 #include <ros/serialization.h>
@@ -50,7 +50,7 @@ struct GoalEnd {
 
 /// What a goal follows.
 template <typename Spec>
-struct Followed {
+struct Activity {
   using Publish = std::function<void(const FeedbackOf<Spec>&)>;
 
   std::string text;                                  ///< says that it has begun
@@ -61,12 +61,12 @@ struct Followed {
 
 /// How an action differs from others.
 template <typename Spec>
-struct ActionWay {
+struct ActionKind {
   std::string name;
   std::string logger;                     ///< for a cancelled goal that could not be stopped
   std::chrono::milliseconds period{100};  ///< the time between two looks at a goal
   /// Begins what a goal asks for. If this throws, the goal is rejected.
-  std::function<Followed<Spec>(const GoalOf<Spec>&, const movement::Order&)> begin;
+  std::function<Activity<Spec>(const GoalOf<Spec>&, const movement::Order&)> begin;
   /// Makes the result and the text of a rejected goal.
   std::function<std::pair<ResultOf<Spec>, std::string>(const std::exception&)> refuse;
 };
@@ -75,20 +75,20 @@ struct ActionWay {
 /// cancelled goal stops what it follows and goes on until that has ended. Then it ends as canceled, unless it has
 /// succeeded.
 template <typename Spec>
-class FollowedAction : public Action {
+class GoalServer : public Action {
  public:
   static constexpr std::size_t kMostGoals = 32;
   /// All joints, thirty points a second, for a hundred seconds.
   static constexpr std::size_t kMostBytesOfGoal = 1 << 20;
 
-  FollowedAction(ros::NodeHandle handle, ActionWay<Spec> way) : way_(std::move(way)) {
+  GoalServer(ros::NodeHandle handle, ActionKind<Spec> kind) : kind_(std::move(kind)) {
     constexpr bool kOneShot = false;
     constexpr bool kAutostart = false;
     timer_ = handle.createSteadyTimer(
-        ros::WallDuration(std::chrono::duration<double>(way_.period).count()),
+        ros::WallDuration(std::chrono::duration<double>(kind_.period).count()),
         [this](const ros::SteadyTimerEvent&) { look(); }, kOneShot, kAutostart);
     server_ = std::make_unique<Server>(
-        handle, way_.name, [this](const GoalHandle& goal) { accept(goal); },
+        handle, kind_.name, [this](const GoalHandle& goal) { accept(goal); },
         [this](const GoalHandle& goal) { cancel(goal); });
     server_->start();
   }
@@ -97,26 +97,26 @@ class FollowedAction : public Action {
   using Server = BoundedActionServer<Spec>;
   using GoalHandle = typename Server::GoalHandle;
 
-  struct Going {
+  struct ActiveGoal {
     GoalHandle goal;
-    Followed<Spec> followed;
+    Activity<Spec> activity;
   };
 
   void accept(GoalHandle goal) {
     try {
       checkSize(*goal.getGoal());
-      Followed<Spec> followed = way_.begin(*goal.getGoal(), orderOfGoal(goal.getGoalID().id));
-      goal.setAccepted(followed.text);
-      going_.push_back({goal, std::move(followed)});
+      Activity<Spec> activity = kind_.begin(*goal.getGoal(), orderOfGoal(goal.getGoalID().id));
+      goal.setAccepted(activity.text);
+      goals_.push_back({goal, std::move(activity)});
       timer_.start();
     } catch (const std::exception& error) {
-      const auto [result, text] = way_.refuse(error);
+      const auto [result, text] = kind_.refuse(error);
       goal.setRejected(result, text);
     }
   }
 
   void checkSize(const GoalOf<Spec>& goal) const {
-    if (going_.size() >= kMostGoals) {
+    if (goals_.size() >= kMostGoals) {
       throw aibo_client::CommandException(std::to_string(kMostGoals) +
                                           " goals go on already, and no more may. Cancel some of them.");
     }
@@ -128,30 +128,30 @@ class FollowedAction : public Action {
   }
 
   void cancel(const GoalHandle& goal) {
-    const auto is_it = [&goal](const Going& going) { return going.goal == goal; };
-    const auto found = std::find_if(going_.begin(), going_.end(), is_it);
-    if (found == going_.end()) {
+    const auto is_it = [&goal](const ActiveGoal& each) { return each.goal == goal; };
+    const auto found = std::find_if(goals_.begin(), goals_.end(), is_it);
+    if (found == goals_.end()) {
       return;
     }
     try {
-      found->followed.stop(orderOfGoal(goal.getGoalID().id));
+      found->activity.stop(orderOfGoal(goal.getGoalID().id));
     } catch (const std::exception& error) {
-      ROS_WARN_STREAM_NAMED(way_.logger, "A goal of " << way_.name << " was cancelled, but what it began was not "
-                                                      << "stopped: " << error.what());
+      ROS_WARN_STREAM_NAMED(kind_.logger, "A goal of " << kind_.name << " was cancelled, but what it began was not "
+                                                       << "stopped: " << error.what());
     }
     look();
   }
 
   void look() {
-    const auto is_over = [](Going& going) { return isOver(&going.goal, going.followed); };
-    going_.erase(std::remove_if(going_.begin(), going_.end(), is_over), going_.end());
-    if (going_.empty()) {
+    const auto is_over = [](ActiveGoal& each) { return isOver(&each.goal, each.activity); };
+    goals_.erase(std::remove_if(goals_.begin(), goals_.end(), is_over), goals_.end());
+    if (goals_.empty()) {
       timer_.stop();
     }
   }
 
-  static bool isOver(GoalHandle* goal, const Followed<Spec>& followed) {
-    const auto end = followed.look([goal](const FeedbackOf<Spec>& feedback) { goal->publishFeedback(feedback); });
+  static bool isOver(GoalHandle* goal, const Activity<Spec>& activity) {
+    const auto end = activity.look([goal](const FeedbackOf<Spec>& feedback) { goal->publishFeedback(feedback); });
     if (end) {
       finish(goal, *end);
     }
@@ -169,9 +169,9 @@ class FollowedAction : public Action {
     }
   }
 
-  const ActionWay<Spec> way_;
+  const ActionKind<Spec> kind_;
   std::unique_ptr<Server> server_;
-  std::vector<Going> going_;
+  std::vector<ActiveGoal> goals_;
   ros::SteadyTimer timer_;
 };
 
@@ -208,7 +208,7 @@ auto refuseWith(const std::string& failure) {
 /// @param end returns an empty value before the end
 template <typename Spec>
 auto lookFor(const std::function<std::optional<GoalEnd<Spec>>()>& end) {
-  return [end, begin = std::chrono::steady_clock::now()](const typename Followed<Spec>::Publish& publish) {
+  return [end, begin = std::chrono::steady_clock::now()](const typename Activity<Spec>::Publish& publish) {
     const std::optional<GoalEnd<Spec>> over = end();
     if (!over) {
       FeedbackOf<Spec> feedback;
@@ -234,7 +234,7 @@ GoalEnd<Spec> goalEnd(const movement::EndedMovement& ended, const std::string& d
 }
 
 /// @throw CommandException the movement was refused
-inline void throwIfRefused(const movement::Mover::Begun& begun) {
+inline void throwIfRefused(const movement::Mover::Answer& begun) {
   const movement::EndedMovement* const ended = begun.ended();
   if (ended != nullptr && ended->how == aibo_client::EndedHow::kRefused) {
     throw aibo_client::CommandException(text::sentence(ended->reason));
@@ -245,7 +245,7 @@ inline void throwIfRefused(const movement::Mover::Begun& begun) {
 /// @param done says that the robot has done it, without a full stop
 /// @throw CommandException the movement was refused
 template <typename Spec>
-auto lookFor(const movement::Mover::Begun& begun, const std::string& done) {
+auto lookFor(const movement::Mover::Answer& begun, const std::string& done) {
   throwIfRefused(begun);
   return lookFor<Spec>([begun, done]() -> std::optional<GoalEnd<Spec>> {
     const movement::EndedMovement* const ended = begun.ended();
@@ -257,4 +257,4 @@ auto lookFor(const movement::Mover::Begun& begun, const std::string& done) {
 
 }  // namespace aibo_driver::node
 
-#endif  // AIBO_DRIVER_NODE_FOLLOWED_ACTION_H
+#endif  // AIBO_DRIVER_NODE_GOAL_SERVER_H
