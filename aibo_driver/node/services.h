@@ -10,6 +10,7 @@
 #include <sensor_msgs/CompressedImage.h>
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
@@ -26,8 +27,11 @@ using Services = std::vector<ros::AdvertiseServiceOptions>;
 /// stop, release and motors. They must wait for no other service.
 Services stopServices(movement::Mover& mover);
 
-/// play_motion and stop_motion. The name of a motion is enough: see files::motionFileName(). A call waits until the
-/// robot has begun or stopped.
+/// The name of a motion's file. The name of the motion is enough: see files::motionFileName().
+/// @throw InvalidArgumentException no name is given
+std::string motionNamed(const std::string& name);
+
+/// play_motion and stop_motion. A call waits until the robot has begun or stopped.
 Services motionServices(movement::Mover& mover);
 
 /// stand, sit and rest. Each call waits until the robot has taken the posture, at most 30 s. A newer posture ends an

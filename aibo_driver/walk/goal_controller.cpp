@@ -62,8 +62,4 @@ double GoalController::turnFrom(const PlanePose& here) const {
   return std::remainder(goal_.yaw - here.yaw, 2 * M_PI);
 }
 
-bool GoalController::hasArrived(const PlanePose& here) const {
-  return distanceFrom(here) <= kPlaceTolerance && std::abs(turnFrom(here)) <= kTurnTolerance;
-}
-
 }  // namespace aibo_driver::walk

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "files/files.h"
 #include "node/goal_server.h"
+#include "node/services.h"
 
 namespace aibo_driver::node {
 
@@ -12,10 +12,7 @@ std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement:
   kind.name = "play_motion";
   kind.logger = "joints";
   kind.begin = [&mover](const PlayMotionGoal& goal, const movement::Order& order) -> Activity<PlayMotionAction> {
-    const std::string name = files::motionFileName(goal.name);
-    if (name.empty()) {
-      throw aibo_client::InvalidArgumentException("give the name of a motion. list_motions lists them.");
-    }
+    const std::string name = motionNamed(goal.name);
     const movement::Mover::Answer motion = mover.play(order, name, std::max<int>(1, goal.repetitions));
     return {name + (motion.is_uncertain ? " may or may not play: " + motion.remark : " plays"),
             [&mover, name](const movement::Order& by) { mover.stopMotion(by, name); },
