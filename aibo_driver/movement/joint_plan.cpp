@@ -77,12 +77,12 @@ void JointPlan::command(MovementId id, const JointTargets& targets, SteadyTime n
   }
 }
 
-double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
-                      SteadyTime now, milliseconds oldest) {
+void JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start,
+                    SteadyTime now, milliseconds oldest) {
   resume(now);
   Job job{id, request, arrival, start, oldest, std::nullopt};
   // This also refuses at once a request that could otherwise be refused only later.
-  const double stretch = plan(job, now).stretch();
+  plan(job, now);
   if (start > now) {
     checkWaiting(job);
   }
@@ -93,7 +93,6 @@ double JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arr
   }
   removeEnded();
   jobs_.push_back(std::move(job));
-  return stretch;
 }
 
 std::vector<JointStep> JointPlan::advance(SteadyTime now) {
@@ -239,7 +238,7 @@ Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
       start.push_back({*joint, measured->position, 0});
     }
   }
-  return Trajectory(dropPassedPoints(job.request, -ahead), table_, start, slow_down_);
+  return Trajectory(dropPassedPoints(job.request, -ahead), table_, start);
 }
 
 // Those that the newer trajectory replaces do not count.

@@ -80,9 +80,8 @@ class JointPlan {
   };
 
   /// @param table, measured must outlive the plan
-  /// @param slow_down see Trajectory
-  JointPlan(const JointTable& table, const MeasuredJoints& measured, bool slow_down)
-      : table_(table), measured_(measured), slow_down_(slow_down), commands_(table.size()) {}
+  JointPlan(const JointTable& table, const MeasuredJoints& measured)
+      : table_(table), measured_(measured), commands_(table.size()) {}
 
   /// Notes targets that are being sent now.
   /// @param id the movement
@@ -91,10 +90,9 @@ class JointPlan {
   /// Plans a trajectory.
   /// @param start when it begins; if this time has passed, the points that have passed are left out
   /// @param oldest how old the measurements of its joints may be
-  /// @return the value of Trajectory::stretch()
   /// @throw InvalidArgumentException the trajectory is refused; the message says why
-  double add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
-             std::chrono::milliseconds oldest);
+  void add(MovementId id, const TrajectoryRequest& request, const Arrival& arrival, SteadyTime start, SteadyTime now,
+           std::chrono::milliseconds oldest);
 
   /// Advances everything to the present time. Call this every kPeriod, and after add().
   /// @return what has to be sent now
@@ -182,7 +180,6 @@ class JointPlan {
 
   const JointTable& table_;
   const MeasuredJoints& measured_;
-  const bool slow_down_;
   std::vector<std::optional<Command>> commands_;  // the last command to each joint; the joint's index is the position
   std::vector<Job> jobs_;
   SteadyTime advanced_;  // when jobs were last advanced

@@ -82,13 +82,13 @@ EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) 
 }  // namespace
 
 Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
-             double approach_speed, bool slow_down, std::function<bool()> telemetry_wanted, Clock clock)
+             double approach_speed, std::function<bool()> telemetry_wanted, Clock clock)
     : table_(table),
       client_(client),
       telemetry_wanted_(std::move(telemetry_wanted)),
       clock_(std::move(clock)),
       filter_(table, measured, approach_speed),
-      plan_(table, measured, slow_down) {}
+      plan_(table, measured) {}
 
 // Does some work with the lock, and then calls the listener without it.
 template <typename Work>
@@ -177,7 +177,6 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
 
 Mover::Answer Mover::follow(const Order& order, const TrajectoryRequest& request, std::chrono::nanoseconds wait,
                             const Arrival& arrival) {
-  double stretch = 1;
   const auto act = [&](Movement* movement) {
     if (!telemetry_wanted_()) {
       throw aibo_client::InvalidArgumentException(
@@ -191,16 +190,13 @@ Mover::Answer Mover::follow(const Order& order, const TrajectoryRequest& request
     const bool is_version_1 = client_.status().protocol_version == 1;
     Arrival judged = arrival;
     judged.is_measured = arrival.is_measured || is_version_1;
-    stretch = plan_.add(last_number_ + 1, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
+    plan_.add(last_number_ + 1, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
     const Answer result = answerOf(begin(*movement));
     takeLegsFromWalks(*movement);
     sendSteps(now);
     return result;
   };
-  Answer begun = give(order, Kind::kTrajectory, "", request.joints, act);
-  if (stretch > 1) {
-    begun.remark = "slowed down " + std::to_string(stretch) + " times to keep the joints' speed limits";
-  }
+  const Answer begun = give(order, Kind::kTrajectory, "", request.joints, act);
   listener_.on_begin();
   return begun;
 }

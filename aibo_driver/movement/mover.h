@@ -100,11 +100,9 @@ class Mover {
 
   /// @param table, measured, client must outlive the mover
   /// @param approach_speed see JointCommandFilter
-  /// @param slow_down see Trajectory
   /// @param telemetry_wanted false if the robot is not asked to report its joints
   Mover(const JointTable& table, const MeasuredJoints& measured, aibo_client::RcServerClient& client,
-        double approach_speed, bool slow_down, std::function<bool()> telemetry_wanted,
-        Clock clock = std::chrono::steady_clock::now);
+        double approach_speed, std::function<bool()> telemetry_wanted, Clock clock = std::chrono::steady_clock::now);
 
   Mover(const Mover&) = delete;
   Mover& operator=(const Mover&) = delete;

@@ -56,37 +56,24 @@ TrajectoryRequest dropPassedPoints(TrajectoryRequest request, double age) {
   return request;
 }
 
-Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
-                       bool slow_down) {
+Trajectory::Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start) {
   findJoints(request, table);
   checkPoints(request, table);
   const Point from = startingPoint(table, start);
   std::vector<Point> points = request.points;
   if (points.front().time_from_start == 0) {
-    double wait = 0;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      const JointProperties& joint = table[joints_[i]];
-      const double way = std::abs(points.front().positions[i] - from.positions[i]);
-      if (way > kStartTolerance) {
-        if (!slow_down) {
-          refuse("at time 0, " + joint.name + " would have to be at " + number(points.front().positions[i]) +
-                 " rad, but it is at " + number(from.positions[i]) +
-                 " rad: give the first point a later time_from_start, or set the parameter slow_down");
-        }
-        wait = std::max(wait, way / table.speedLimit(joints_[i]));
+      if (std::abs(points.front().positions[i] - from.positions[i]) > kStartTolerance) {
+        refuse("at time 0, " + table[joints_[i]].name + " would have to be at " + number(points.front().positions[i]) +
+               " rad, but it is at " + number(from.positions[i]) +
+               " rad: give the first point a later time_from_start");
       }
     }
-    if (wait > 0) {
-      for (Point& point : points) {
-        point.time_from_start += wait;
-      }
-    } else {
-      points.erase(points.begin());
-    }
+    points.erase(points.begin());
   }
   addSegments(from, points);
   checkPositions(table);
-  keepSpeeds(table, slow_down);
+  checkSpeeds(table);
 }
 
 double Trajectory::duration() const {
@@ -218,34 +205,16 @@ void Trajectory::checkPositions(const JointTable& table) const {
   }
 }
 
-void Trajectory::keepSpeeds(const JointTable& table, bool slow_down) {
-  double factor = 1;
+void Trajectory::checkSpeeds(const JointTable& table) const {
   for (const Segment& segment : segments_) {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       const double limit = table.speedLimit(joints_[i]);
       const double speed = segment.joints[i].highestSpeed(segment.length);
-      if (speed > limit * kSpeedTolerance && !slow_down) {
+      if (speed > limit * kSpeedTolerance) {
         refuse("from " + number(segment.begin) + " to " + number(segment.begin + segment.length) + " s, " +
                table[joints_[i]].name + " would have to move with " + number(speed) + " rad/s; its limit is " +
-               number(limit) + " rad/s: give it more time, or set the parameter slow_down");
+               number(limit) + " rad/s: give it more time");
       }
-      factor = std::max(factor, speed / limit);
-    }
-  }
-  if (factor > kSpeedTolerance) {
-    slowDown(factor);
-  }
-}
-
-void Trajectory::slowDown(double factor) {
-  stretch_ = factor;
-  for (Segment& segment : segments_) {
-    segment.begin *= factor;
-    segment.length *= factor;
-    for (Cubic& cubic : segment.joints) {
-      cubic.c[1] /= factor;
-      cubic.c[2] /= factor * factor;
-      cubic.c[3] /= factor * factor * factor;
     }
   }
 }

@@ -43,19 +43,13 @@ class Trajectory {
   };
 
   /// @param start the state of each joint of the request; other joints are ignored
-  /// @param slow_down true: stretch the time until all speed limits are kept, instead of refusing. If the first point
-  ///   has time 0 and is not where the joints are, they move there as fast as the limits allow, and the rest is delayed
   /// @throw InvalidArgumentException a joint is unknown, is named twice, or has no start; a point's arrays have the
   ///   wrong length; a number is not finite; times do not increase; a position or speed limit is exceeded, at a point
   ///   or between two. The message names the joint and the limit.
-  Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start,
-             bool slow_down);
+  Trajectory(const TrajectoryRequest& request, const JointTable& table, const std::vector<Start>& start);
 
   /// The duration in seconds.
   double duration() const;
-
-  /// The factor by which it is slower than requested; 1 means as requested.
-  double stretch() const { return stretch_; }
 
   /// Where the joints should be, and how fast they should move: not at all after the end.
   /// @param time in seconds; a time before the beginning means the beginning, one after the end means the end
@@ -84,12 +78,10 @@ class Trajectory {
   TrajectoryRequest::Point startingPoint(const JointTable& table, const std::vector<Start>& start) const;
   void addSegments(const TrajectoryRequest::Point& from, const std::vector<TrajectoryRequest::Point>& points);
   void checkPositions(const JointTable& table) const;
-  void keepSpeeds(const JointTable& table, bool slow_down);
-  void slowDown(double factor);
+  void checkSpeeds(const JointTable& table) const;
 
   std::vector<std::size_t> joints_;
   std::vector<Segment> segments_;  ///< at least one
-  double stretch_ = 1;
 };
 
 }  // namespace aibo_driver::movement

@@ -136,7 +136,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       settings_(onQueueOf(handle_, private_handle), client_, adapter_, joint_table_),
       color_tables_(model_, client_,
                     [this](int channel, const aibo_client::ColorTablePtr& table) { colors_.setTable(channel, table); }),
-      mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed, parameters_.slow_down,
+      mover_(joint_table_, measured_joints_, client_, parameters_.approach_speed,
              [this] { return settings_.telemetryPeriod() > 0; }),
       stop_memory_(handle_),
       motion_state_(handle_, mover_, stop_memory_),

@@ -251,7 +251,6 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("motion_speed_limit", "rad/s", 0.1, 20.0, &parameters.motion_speed_limit);
   reader.read("speed_scale", "parts of the speed limits", 0.1, 1.0, &parameters.speed_scale);
   reader.read("approach_speed", "rad/s", 0.05, 20.0, &parameters.approach_speed);
-  reader.read("slow_down", &parameters.slow_down);
   reader.read("leave_out_missing_joints", &parameters.client.leave_out_missing_joints);
   reader.read("publish_footprint", &parameters.publish_footprint);
 

@@ -48,7 +48,6 @@ struct DriverParameters {
   double motion_speed_limit = movement::kNoSpeedLimit;    ///< rad/s, 0.1..20, while a motion file is played
   double speed_scale = 1.0;                               ///< a factor of the speed limits, 0.1..1
   double approach_speed = movement::kUsualApproachSpeed;  ///< rad/s, 0.05..20; see JointCommandFilter
-  bool slow_down = false;  ///< true: slow down a trajectory that is too fast; false: refuse it
 
   walk::WalkSettings walk;
   bool get_up = false;  ///< a robot that has fallen gets up by itself: see walk::GetUp

@@ -27,7 +27,7 @@ OTHER_VALUES = {
     'walk_curve': 0.5, 'guard': False,
     'get_up': True,
     'publish_odom_tf': False,
-    'time_offset': -0.02, 'slow_down': True, 'picture_folder': '/srv/pictures',
+    'time_offset': -0.02, 'picture_folder': '/srv/pictures',
 }
 
 

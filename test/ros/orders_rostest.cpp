@@ -295,12 +295,6 @@ TEST(JointCommand, KeepsTheSpeedLimitOfTheParameter) {
   EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.5 + kSpeedTolerance);
 }
 
-TEST(JointTrajectory, ThatIsTooFastIsSlowedDownOnRequest) {
-  JointUser user("/slowed", {"_stream_on_start:=false", "_joint_speed_limit:=1", "_slow_down:=true"});
-  EXPECT_TRUE(user.reaches({{"head_pan", 1.0}}, "joint_trajectory", trajectory({{"head_pan", 1.0}}, 0.02)));
-  EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.0 + kSpeedTolerance);
-}
-
 TEST(PlayMotion, KeepsTheSpeedLimitOfTheParameter) {
   JointUser user("/motion_limit", {"_stream_on_start:=false", "_motion_speed_limit:=0.3"});
   aibo_driver::PlayMotion::Request nod;

@@ -102,10 +102,7 @@ void JointCommander::receive(const trajectory_msgs::JointTrajectory& message, co
     mover_.refuse(order, movement::Movement::Kind::kTrajectory, message.joint_names, error.what());
     return;
   }
-  const movement::Mover::Answer begun = mover_.follow(order, toRequest(message), wait);
-  if (!begun.remark.empty()) {
-    news_.warn("The trajectory is " + begun.remark + ".");
-  }
+  mover_.follow(order, toRequest(message), wait);
 }
 
 void JointCommander::receivePosition(const std::string& joint, double position, const movement::Order& order) {

@@ -60,7 +60,6 @@ class JointCommander {
   const movement::JointTable& table_;
   movement::Mover& mover_;
   text::ThrottledWarnings warnings_{[](const std::string& text) { ROS_WARN_STREAM_NAMED("joints", text); }};
-  text::ThrottledWarnings news_{[](const std::string& text) { ROS_INFO_STREAM_NAMED("joints", text); }};
   sensor_msgs::JointState collected_;
   movement::Order collected_order_;
   ros::SteadyTimer collecting_;

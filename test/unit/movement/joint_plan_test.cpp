@@ -129,7 +129,7 @@ class JointPlanTest : public ::testing::Test {
 
   JointTable table_{"ERS-7", 6.0};
   MeasuredJoints measured_{table_};
-  JointPlan plan_{table_, measured_, false};
+  JointPlan plan_{table_, measured_};
   std::map<int, double> sent_;  // where each joint was sent last
   std::map<MovementId, JointPlan::End> ends_;
   MovementId last_id_ = 40;

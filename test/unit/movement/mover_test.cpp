@@ -137,7 +137,7 @@ struct Robot {
   JointTable table{"ERS-7", 3.0};
   MeasuredJoints measured{table};
   bool telemetry_wanted = true;
-  Mover mover{table, measured, client, 0.5, false, [this] { return telemetry_wanted; }, [this] { return now; }};
+  Mover mover{table, measured, client, 0.5, [this] { return telemetry_wanted; }, [this] { return now; }};
   std::uint64_t walk_order = 0;  // of the velocity that began the last walk
   std::vector<EndedMovement> told_ends;
   std::vector<std::string> warnings;
@@ -805,13 +805,6 @@ TEST_F(MoverTest, ATrajectorySaysWhereItWantsItsJointsAndWhenItEnds) {
   EXPECT_EQ(mover.state().movements.at(0).end, now + 1s);
   ASSERT_THAT(mover.wantedBy(trajectory.id, now + 100ms), SizeIs(1));
   EXPECT_NEAR(mover.wantedBy(trajectory.id, now + 100ms)[0].position, 0.05, 1e-9);
-}
-
-TEST_F(MoverTest, ATrajectoryThatIsTooFastIsSlowedDownIfThatIsWanted) {
-  const TrajectoryRequest too_fast{{"head_pan"}, {{0.1, {0.6}, {}}}};
-  EXPECT_THAT(textOf(mover.follow(order(), too_fast, 0ms)), StartsWith("REFUSED"));
-  Mover slow{table, measured, client, 0.5, true, [] { return true; }, [this] { return now; }};
-  EXPECT_THAT(slow.follow(order(), too_fast, 0ms).remark, StartsWith("slowed down 2.0"));
 }
 
 // Of a trajectory of one second, whose steps the robot ends when it gets the next one.

@@ -18,13 +18,13 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 class TrajectoryTest : public ::testing::Test {
  protected:
-  Trajectory plan(const TrajectoryRequest& request, bool slow_down = false) {
-    return Trajectory(request, table_, {{mouth_, -0.5}, {pan_, present_pan_}, {neck_, -0.3}}, slow_down);
+  Trajectory plan(const TrajectoryRequest& request) {
+    return Trajectory(request, table_, {{mouth_, -0.5}, {pan_, present_pan_}, {neck_, -0.3}});
   }
 
-  std::string refusal(const TrajectoryRequest& request, bool slow_down = false) {
+  std::string refusal(const TrajectoryRequest& request) {
     try {
-      plan(request, slow_down);
+      plan(request);
     } catch (const aibo_client::InvalidArgumentException& error) {
       return error.what();
     }
@@ -44,17 +44,6 @@ class TrajectoryTest : public ::testing::Test {
     return {{"neck_tilt", "head_pan"}, points};
   }
 
-  // The highest speed of the head's pan, sampled densely.
-  static double highestSpeed(const Trajectory& trajectory) {
-    constexpr double kStep = 0.0005;
-    double highest = 0;
-    for (double t = 0; t < trajectory.duration(); t += kStep) {
-      highest =
-          std::max(highest, std::abs(trajectory.at(t + kStep)[1].position - trajectory.at(t)[1].position) / kStep);
-    }
-    return highest;
-  }
-
   TrajectoryTest() { table_.setSpeedScale(0.5); }
 
   JointTable table_{"ERS-7", 2 * kSpeedLimit};
@@ -68,7 +57,6 @@ TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
   present_pan_ = 0.2;
   const Trajectory trajectory = plan(pan({{1, {0.4}, {}}, {3, {-0.4}, {}}}));
   EXPECT_DOUBLE_EQ(trajectory.duration(), 3);
-  EXPECT_DOUBLE_EQ(trajectory.stretch(), 1);
   EXPECT_DOUBLE_EQ(trajectory.at(0)[1].position, 0.2);
   EXPECT_DOUBLE_EQ(trajectory.at(0.5)[1].position, 0.3);
   EXPECT_DOUBLE_EQ(trajectory.at(1)[1].position, 0.4);
@@ -121,7 +109,6 @@ TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
   };
   for (const auto& [request, reason] : rows) {
     EXPECT_THAT(refusal(request), HasSubstr(reason));
-    EXPECT_THAT(refusal(request, true), HasSubstr(reason)) << "even slowed down";
   }
 }
 
@@ -145,21 +132,10 @@ TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
   EXPECT_EQ(
       refusal(pan({{0.4, {0.1}, {}}, {0.6, {1}, {}}})),
       "from 0.400 to 0.600 s, head_pan would have to move with 4.500 rad/s; its limit is 3.000 rad/s: give it more "
-      "time, or set the parameter slow_down.");
+      "time.");
   EXPECT_THAT(refusal(pan({{0.4, {1}, {0}}})), HasSubstr("3.75")) << "the middle of a cubic is its fastest";
   EXPECT_EQ(refusal(pan({{1.0 / 3, {1}, {}}})), "accepted") << "exactly the limit";
   EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}), HasSubstr("head_pan would have to move"));
-}
-
-TEST_F(TrajectoryTest, SlowsDownAsMuchAsNeeded) {
-  const Trajectory straight = plan(pan({{0.2, {1}, {}}, {1.2, {0}, {}}}), true);
-  EXPECT_NEAR(straight.stretch(), 5.0 / 3, 1e-9);
-  EXPECT_NEAR(straight.duration(), 2, 1e-9);
-  EXPECT_NEAR(highestSpeed(straight), kSpeedLimit, 0.01);
-  EXPECT_NEAR(plan({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}, true).stretch(), 5.0 / 3, 1e-9) << "any joint";
-  const Trajectory curved = plan(pan({{0.2, {0.5}, {4}}, {0.4, {1}, {0}}}), true);
-  EXPECT_NEAR(highestSpeed(curved), kSpeedLimit, 0.01);
-  EXPECT_NEAR(curved.at(curved.duration())[1].position, 1, 1e-9);
 }
 
 TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
@@ -173,20 +149,6 @@ TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
 
 TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
   EXPECT_THAT(refusal(pan({{0, {1}, {}}, {1, {0}, {}}})), AllOf(HasSubstr("head_pan"), HasSubstr("time_from_start")));
-  const Trajectory slow = plan(pan({{0, {1.5}, {}}, {1, {0}, {}}}), true);
-  EXPECT_DOUBLE_EQ(slow.at(0)[1].position, 0);
-  EXPECT_NEAR(slow.duration(), 1.5, 1e-9);
-  EXPECT_LE(highestSpeed(slow), kSpeedLimit * 1.01);
-  table_.setSpeedScale(0.25);
-  for (const TrajectoryRequest& request :
-       {TrajectoryRequest{{"head_pan", "mouth"}, {{0, {-1.5, -0.8}, {}}, {1, {-1, -0.8}, {}}, {2, {-1.5, -0.8}, {}}}},
-        TrajectoryRequest{{"mouth", "head_pan"}, {{0, {-0.8, -1.5}, {}}, {1, {-0.8, -1}, {}}, {2, {-0.8, -1.5}, {}}}},
-        TrajectoryRequest{{"head_pan", "mouth"},
-                          {{0, {-1.5, -0.5}, {}}, {1, {-1, -0.5}, {}}, {2, {-1.5, -0.5}, {}}}}}) {
-    const Trajectory both = plan(request, true);
-    EXPECT_NEAR(both.duration(), 3, 1e-9) << "it waits 1 s for the joint that needs most time, whatever its place";
-    EXPECT_DOUBLE_EQ(both.stretch(), 1);
-  }
 }
 
 }  // namespace
