@@ -349,18 +349,6 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
   }
   record = record == nullptr ? &begin(std::move(movement)) : record;
   record->orders.insert(number);
-  noteRival(record, order.source);
-}
-
-// The robot starts and stops, and nobody who looks at one of the two nodes can see why.
-void Mover::noteRival(Record* walk, const std::string& node) {
-  const SteadyTime now = clock_();
-  const std::string rival = streams_.rivalOf(node, now);
-  walk->rival = rival.empty() || walk->movement.source == node ? rival : node;
-  if (!rival.empty() && now - std::exchange(contradicted_, now) > kRepeatedWithin) {
-    warn(node + " and " + rival + " both send cmd_vel and contradict each other. The newest velocity counts, also a " +
-         "zero. Let only one of them send.");
-  }
 }
 
 Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
@@ -750,10 +738,9 @@ Mover::State Mover::state() const {
   return state;
 }
 
-// Returns the movement with all nodes that steer it, with the joints that it still moves, and with its end.
+// Returns the movement with the joints that it still moves, and with its end.
 Movement Mover::whole(const Record& record) const {
   Movement movement = record.movement;
-  movement.source += record.rival.empty() ? "" : ", " + record.rival;
   std::vector<std::string> joints = plan_.jointsOf(record.id());
   if (!joints.empty()) {
     movement.joints = std::move(joints);

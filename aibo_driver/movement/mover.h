@@ -137,7 +137,6 @@ class Mover {
   /// Makes the robot walk: see RcServerClient::steer() and SteeringStreams. It ends whatever moves the robot's legs. A
   /// velocity of 0 ends the walk, whoever sends it. It is sent only if there is a walk to end, so a robot that sits
   /// goes on sitting. Before each new walk, the robot is told that its user has let go, because it may wait for that.
-  /// If two nodes contradict each other, both are named as the walk's source, and in a warning.
   void steer(const Order& order, const aibo_client::WalkVelocity& velocity);
 
   /// Begins a walk to a goal. It ends whatever moves the robot's legs, and another walk. A node that steers meanwhile
@@ -238,7 +237,6 @@ class Mover {
     std::optional<Halt> halt;           ///< it sends nothing more, and ends when its orders have ended
     std::string trouble;                ///< what became of an order while others went on
     std::optional<SteadyTime> steered;  ///< for a walk to a goal: when steerToGoal() was last called
-    std::string rival;                  ///< for a walk: another node that steers against its own
 
     MovementId id() const { return movement.order; }
   };
@@ -254,7 +252,6 @@ class Mover {
   static Answer await(Answer begun, std::future<Reply>* reply);
   void stopWalk(const std::string& node);
   void walk(const Order& order, const aibo_client::WalkVelocity& velocity, Movement movement);
-  void noteRival(Record* walk, const std::string& node);
   void brake(Record* walk, const Halt& halt);
   void sendZeros();
   template <typename Ask>
@@ -321,7 +318,6 @@ class Mover {
   std::vector<std::function<void()>> news_;  ///< that the listener has not been told yet
   aibo_client::MotorsAndPosture robot_;
   int pending_halts_ = 0;         ///< calls that wait for the robot to halt
-  SteadyTime contradicted_;       ///< when two nodes last contradicted each other
   std::uint64_t connection_ = 0;  ///< the connection over which all present movements were begun
 };
 

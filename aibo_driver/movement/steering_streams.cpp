@@ -1,7 +1,5 @@
 #include "movement/steering_streams.h"
 
-#include <utility>
-
 namespace aibo_driver::movement {
 
 std::string SteeringStreams::receive(const Order& order, bool is_zero, SteadyTime now) {
@@ -11,38 +9,16 @@ std::string SteeringStreams::receive(const Order& order, bool is_zero, SteadyTim
   }
   if (is_zero) {
     streams_.erase(order.source);
-    interruptOthers(order.source);
     return "";
   }
-  Stream& stream = streams_.try_emplace(order.source, Stream{order.received, {}, "", "", {}}).first->second;
+  Stream& stream = streams_.try_emplace(order.source, Stream{order.received, {}}).first->second;
   stream.last = now;  // of what waits while this process is held up, only the receipt is long ago
-  if (!stream.interrupted_by.empty()) {
-    stream.rival = std::exchange(stream.interrupted_by, "");
-    stream.rivalled = order.received;
-  }
-  if (stream.began <= overruled_) {
-    return overruled_by_;
-  }
-  interruptOthers(order.source);
-  return "";
-}
-
-void SteeringStreams::interruptOthers(const std::string& node) {
-  for (auto& [other, stream] : streams_) {
-    if (other != node) {
-      stream.interrupted_by = node;
-    }
-  }
+  return stream.began <= overruled_ ? overruled_by_ : "";
 }
 
 void SteeringStreams::overrule(SteadyTime now, const std::string& what) {
   overruled_ = now;
   overruled_by_ = what;
-}
-
-std::string SteeringStreams::rivalOf(const std::string& node, SteadyTime now) const {
-  const auto stream = streams_.find(node);
-  return stream != streams_.end() && now - stream->second.rivalled < kPause ? stream->second.rival : "";
 }
 
 bool SteeringStreams::goesOn(const std::string& node, SteadyTime now) const {

@@ -29,10 +29,6 @@ class SteeringStreams {
   /// @param what what overrules them, in words
   void overrule(SteadyTime now, const std::string& what);
 
-  /// A node whose velocities, also of 0, have come between those of this node's stream within the last kPause. The two
-  /// contradict each other. It is empty if there is none.
-  std::string rivalOf(const std::string& node, SteadyTime now) const;
-
   /// True if the stream of a node goes on.
   bool goesOn(const std::string& node, SteadyTime now) const;
 
@@ -40,12 +36,7 @@ class SteeringStreams {
   struct Stream {
     SteadyTime began;
     SteadyTime last;
-    std::string interrupted_by;  ///< another node whose velocity counts and came later than the last one of this stream
-    std::string rival;           ///< the node that last interrupted a stream that has gone on since
-    SteadyTime rivalled;         ///< when it had gone on
   };
-
-  void interruptOthers(const std::string& node);
 
   std::map<std::string, Stream> streams_;  ///< by node
   SteadyTime overruled_;                   ///< when streams were last overruled

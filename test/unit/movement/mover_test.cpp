@@ -1084,14 +1084,6 @@ TEST_F(MoverTest, OneWalkMayBeSteeredByTwoNodesAndIsTheOthersWhenTheFirstPauses)
   EXPECT_EQ(lastEnd(), "REPLACED /navigation steers now");
 }
 
-TEST_F(MoverTest, AWalkThatTwoNodesContradictNamesBoth) {
-  walk();
-  steer(0, "/b");
-  steer(0.1);
-  EXPECT_EQ(mover.state().movements.back().source, "/teleop, /b");
-  EXPECT_THAT(warnings, ElementsAre(HasSubstr("/b")));
-}
-
 TEST_F(MoverTest, AWalkAndAPostureGetTheFullSpeedOfTheLegs) {
   command("left_front_knee", 0.1);
   client.told.clear();

@@ -2,9 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <string>
-#include <vector>
 
 namespace aibo_driver::movement {
 namespace {
@@ -61,52 +59,6 @@ TEST_F(SteeringStreamsTest, AStreamCountsIfItBeganLaterThanWhatOverrulesOthers) 
   EXPECT_TRUE(streams_.goesOn("/late", at(550)));
   EXPECT_FALSE(streams_.goesOn("/late", at(551)));
   EXPECT_FALSE(streams_.goesOn("/b", at(0)));
-}
-
-// What comes from other nodes between two velocities of /a, at 0 and 100 ms.
-TEST_F(SteeringStreamsTest, WhoseVelocitiesComeBetweenThoseOfAnotherIsItsRival) {
-  struct Row {
-    const char* what;
-    std::function<void()> between;
-    std::string rival;
-  };
-  const std::vector<Row> rows = {
-      {"nothing", [] {}, ""},
-      {"a zero", [this] { receive(50, "/b", true); }, "/b"},
-      {"a velocity", [this] { receive(50, "/b"); }, "/b"},
-      {"its own zero after another's",
-       [this] {
-         receive(50, "/b");
-         receive(60, "/a", true);
-       },
-       ""},
-  };
-  for (const Row& row : rows) {
-    streams_ = {};
-    receive(0);
-    row.between();
-    receive(100);
-    EXPECT_EQ(streams_.rivalOf("/a", at(100)), row.rival) << row.what;
-    receive(599);
-    EXPECT_EQ(streams_.rivalOf("/a", at(599)), row.rival) << row.what;
-    EXPECT_EQ(streams_.rivalOf("/a", at(600)), "") << row.what << ": it has stopped";
-  }
-}
-
-TEST_F(SteeringStreamsTest, WhoseVelocitiesDoNotCountIsNoRival) {
-  receive(0, "/b");
-  overrule(50, "stop was called");
-  receive(100, "/a");
-  EXPECT_EQ(receive(150, "/b"), "stop was called");
-  receive(200, "/a");
-  EXPECT_EQ(streams_.rivalOf("/a", at(200)), "");
-}
-
-TEST_F(SteeringStreamsTest, WhoTakesOverIsNoRival) {
-  receive(0, "/a");
-  receive(100, "/b");
-  receive(200, "/b");
-  EXPECT_EQ(streams_.rivalOf("/a", at(200)) + streams_.rivalOf("/b", at(200)), "");
 }
 
 }  // namespace
