@@ -4,9 +4,8 @@ namespace aibo_driver::movement {
 
 MeasuredJoints::MeasuredJoints(const JointTable& table) : table_(table), entries_(table.size()) {}
 
-std::vector<MeasuredJoint> MeasuredJoints::update(const aibo_client::Telemetry& telemetry) {
+void MeasuredJoints::update(const aibo_client::Telemetry& telemetry) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<MeasuredJoint> updated;
   for (const aibo_client::JointReading& reading : telemetry.joints) {
     const std::optional<std::size_t> index = table_.findById(reading.id);
     if (!index) {
@@ -18,10 +17,8 @@ std::vector<MeasuredJoint> MeasuredJoints::update(const aibo_client::Telemetry& 
       const double seconds = aibo_client::secondsBetween(entry->frame_number, entry->joint.arrival, telemetry);
       velocity = seconds > 0 ? (reading.position - entry->joint.position) / seconds : entry->joint.velocity;
     }
-    entry = Entry{{*index, reading.position, velocity, telemetry.arrival, reading.duty}, telemetry.frame_number};
-    updated.push_back(entry->joint);
+    entry = Entry{{reading.position, velocity, telemetry.arrival, reading.duty}, telemetry.frame_number};
   }
-  return updated;
 }
 
 void MeasuredJoints::clear() {

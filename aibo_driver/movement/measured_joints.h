@@ -16,7 +16,6 @@ namespace aibo_driver::movement {
 
 /// The last measurement of a joint.
 struct MeasuredJoint {
-  std::size_t index = 0;                          ///< the joint's index in the JointTable
   double position = 0;                            ///< rad
   double velocity = 0;                            ///< rad/s; 0 until the second measurement
   std::chrono::steady_clock::time_point arrival;  ///< when the measurement arrived
@@ -31,8 +30,7 @@ class MeasuredJoints {
 
   /// Computes velocities from two positions and the robot's own time. If the telemetry has no frame number, it uses the
   /// time of arrival instead. It ignores joints that are not in the table.
-  /// @return the joints of this telemetry
-  std::vector<MeasuredJoint> update(const aibo_client::Telemetry& telemetry);
+  void update(const aibo_client::Telemetry& telemetry);
 
   /// Forgets everything. Call this when the connection is lost.
   void clear();
