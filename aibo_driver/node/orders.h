@@ -5,6 +5,7 @@
 
 #include <ros/message_event.h>
 
+#include <cstddef>
 #include <string>
 
 #include "movement/movement.h"
@@ -21,7 +22,11 @@ movement::Order orderOf(const ros::MessageEvent<Message const>& event) {
 
 /// The order behind a goal of an action, or behind its cancelling. Call this in the callback.
 /// @param goal_id an id as actionlib's clients make it: the node, a number and a time, with hyphens between them
-movement::Order orderOfGoal(const std::string& goal_id);
+inline movement::Order orderOfGoal(const std::string& goal_id) {
+  const std::size_t time = goal_id.rfind('-');
+  const std::size_t number = time == std::string::npos || time == 0 ? time : goal_id.rfind('-', time - 1);
+  return {text::plainLine(goal_id.substr(0, number)), receivedAt()};
+}
 
 }  // namespace aibo_driver::node
 
