@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "movement/joint_table.h"
-#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 
 namespace aibo_driver::movement {

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "movement/joint_table.h"
-#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
 #include "movement/trajectory.h"

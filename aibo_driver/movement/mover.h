@@ -22,7 +22,6 @@
 #include "movement/joint_command_filter.h"
 #include "movement/joint_plan.h"
 #include "movement/joint_table.h"
-#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
 #include "movement/steering_streams.h"

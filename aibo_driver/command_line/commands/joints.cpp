@@ -13,7 +13,6 @@
 #include "command_line/quantities.h"
 #include "movement/joint_command_filter.h"
 #include "movement/joint_table.h"
-#include "movement/joint_targets.h"
 #include "movement/measured_joints.h"
 #include "text/number.h"
 

@@ -12,7 +12,6 @@
 #include "command_line/quantities.h"
 #include "files/files.h"
 #include "movement/joint_table.h"
-#include "movement/joint_targets.h"
 
 namespace aibo_driver::command_line {
 namespace {

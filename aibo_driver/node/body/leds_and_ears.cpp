@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "aibo_client/exceptions.h"
-#include "movement/joint_targets.h"
+#include "movement/joint_table.h"
 #include "movement/movement.h"
 #include "node/bounded_message.h"
 #include "node/orders.h"
