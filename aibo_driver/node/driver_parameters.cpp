@@ -26,32 +26,24 @@ class ParameterReader {
 
   void read(const std::string& name, int minimum, int maximum, int* out) {
     const std::string allowed = "a whole number, " + std::to_string(minimum) + ".." + std::to_string(maximum);
-    XmlRpcValue value;
-    if (!find(name, &value)) {
-      return;
-    }
-    const double number = numberIn(value);  // may be written as 85.0
-    if (number >= minimum && number <= maximum && number == std::floor(number)) {
-      *out = static_cast<int>(number);
-    } else {
-      refuse(name, value, allowed);
-    }
+    take(name, allowed, [=](const XmlRpcValue& value) {
+      const double number = numberIn(value);  // may be written as 85.0
+      const bool is_allowed = number >= minimum && number <= maximum && number == std::floor(number);
+      *out = is_allowed ? static_cast<int>(number) : *out;
+      return is_allowed;
+    });
   }
 
   /// @param unit the unit in words, after "a number of"
   void read(const std::string& name, const std::string& unit, double minimum, double maximum, double* out) {
     std::ostringstream allowed;
     allowed << "a number of " << unit << ", " << minimum << ".." << maximum;
-    XmlRpcValue value;
-    if (!find(name, &value)) {
-      return;
-    }
-    const double number = numberIn(value);
-    if (number >= minimum && number <= maximum) {
-      *out = number;
-    } else {
-      refuse(name, value, allowed.str());
-    }
+    take(name, allowed.str(), [=](const XmlRpcValue& value) {
+      const double number = numberIn(value);
+      const bool is_allowed = number >= minimum && number <= maximum;
+      *out = is_allowed ? number : *out;
+      return is_allowed;
+    });
   }
 
   /// Reads a time in seconds.
@@ -63,29 +55,21 @@ class ParameterReader {
   }
 
   void read(const std::string& name, bool* out) {
-    XmlRpcValue value;
-    if (!find(name, &value)) {
-      return;
-    }
-    if (value.getType() == XmlRpcValue::TypeBoolean) {
-      *out = value;
-    } else {
-      refuse(name, value, "true or false");
-    }
+    take(name, "true or false", [out](XmlRpcValue value) {
+      const bool is_allowed = value.getType() == XmlRpcValue::TypeBoolean;
+      *out = is_allowed ? static_cast<bool>(value) : *out;
+      return is_allowed;
+    });
   }
 
   /// @param acceptable returns whether a text is acceptable; `allowed` describes an acceptable text
   template <typename Predicate>
   void read(const std::string& name, const std::string& allowed, Predicate acceptable, std::string* out) {
-    XmlRpcValue value;
-    if (!find(name, &value)) {
-      return;
-    }
-    if (value.getType() == XmlRpcValue::TypeString && acceptable(static_cast<std::string>(value))) {
-      *out = static_cast<std::string>(value);
-    } else {
-      refuse(name, value, allowed);
-    }
+    take(name, allowed, [=](XmlRpcValue value) {
+      const bool is_allowed = value.getType() == XmlRpcValue::TypeString && acceptable(static_cast<std::string>(value));
+      *out = is_allowed ? static_cast<std::string>(value) : *out;
+      return is_allowed;
+    });
   }
 
   std::vector<std::string> unknown() {
@@ -113,17 +97,13 @@ class ParameterReader {
   void addKnown(const std::string& name) { known_.insert(name); }
 
  private:
-  bool find(const std::string& name, XmlRpcValue* value) {
+  /// @param accept sets the parameter, unless its value is not allowed; returns whether it is
+  template <typename Accept>
+  void take(const std::string& name, const std::string& allowed, const Accept& accept) {
     known_.insert(name);
-    if (!values_.hasMember(name)) {
-      return false;
+    if (values_.hasMember(name) && !accept(values_[name])) {
+      refusals_ += describeRefusal(name_prefix_ + name, values_[name], allowed) + " ";
     }
-    *value = values_[name];
-    return true;
-  }
-
-  void refuse(const std::string& name, const XmlRpcValue& value, const std::string& allowed) {
-    refusals_ += describeRefusal(name_prefix_ + name, value, allowed) + " ";
   }
 
   XmlRpcValue values_;
