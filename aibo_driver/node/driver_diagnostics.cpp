@@ -4,6 +4,8 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <diagnostic_updater/diagnostic_updater.h>
 
+#include <cstdint>
+#include <initializer_list>
 #include <utility>
 
 #include "camera/camera_options.h"
@@ -43,59 +45,14 @@ const char* yesOrNo(bool value) {
   return value ? "yes" : "no";
 }
 
-void addAll(const Counts& counts, DiagnosticStatusWrapper& status) {
+/// Adds counts since the start.
+void addAll(std::initializer_list<std::pair<const char*, std::uint64_t>> counts, DiagnosticStatusWrapper& status) {
   for (const auto& [name, count] : counts) {
     status.add(name, count);
   }
 }
 
 }  // namespace
-
-Counts connectionCounts(const ClientStatistics& client) {
-  return {{"connections made", client.connections},
-          {"attempts failed", client.failed_attempts},
-          {"streams given up for silence", client.stalls},
-          {"protocol errors", client.protocol_errors},
-          {"bytes received", client.bytes_received}};
-}
-
-Counts pictureCounts(const ClientStatistics& client, const RawImagePublisher::Statistics& images) {
-  return {{"pictures received", client.pictures},
-          {"pictures damaged", client.corrupt_pictures},
-          {"pictures nobody asked for", client.unexpected_pictures},
-          {"pictures dropped for newer ones", client.stale_pictures},
-          {"images decoded", images.published},
-          {"images not decodable", images.decode_errors},
-          {"images dropped for newer ones", images.skipped}};
-}
-
-Counts datagramCounts(const ClientStatistics& client) {
-  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
-    return {};
-  }
-  return {{"datagrams received", client.datagrams},
-          {"datagrams lost", client.lost_datagrams},
-          {"datagrams out of order", client.reordered_datagrams},
-          {"datagrams that came twice", client.duplicate_datagrams},
-          {"datagrams that are no part of a picture", client.bad_datagrams},
-          {"datagrams from strangers", client.foreign_datagrams},
-          {"lost datagrams that were repaired", client.repaired_datagrams},
-          {"pictures lost with a datagram", client.lost_pictures}};
-}
-
-Counts jointCounts(const ClientStatistics& client) {
-  return {{"measurements received", client.telemetry},
-          {"measurements dropped for newer ones", client.dropped_telemetry},
-          {"measurements dropped, more than asked for", client.thinned_telemetry},
-          {"impossible values dropped", client.impossible_values},
-          {"requests refused by the robot", client.refusals}};
-}
-
-Counts soundCounts(const ClientStatistics& client) {
-  return {{"messages", client.sounds},
-          {"gaps", client.sound_gaps},
-          {"messages dropped, more than asked for", client.thinned_sounds}};
-}
 
 DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::NodeHandle& private_handle,
                                      const std::string& name, const Sources& sources)
@@ -152,7 +109,13 @@ void DriverDiagnostics::reportConnection(DiagnosticStatusWrapper& status) {
   status.add("protocol version", connection.protocol_version);
   status.add("reason", connection.reason);
   status.add("what to check", connection.advice);
-  addAll(connectionCounts(sources_.client.statistics()), status);
+  const ClientStatistics client = sources_.client.statistics();
+  addAll({{"connections made", client.connections},
+          {"attempts failed", client.failed_attempts},
+          {"streams given up for silence", client.stalls},
+          {"protocol errors", client.protocol_errors},
+          {"bytes received", client.bytes_received}},
+         status);
 }
 
 void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
@@ -169,7 +132,16 @@ void DriverDiagnostics::reportStream(DiagnosticStatusWrapper& status) {
   status.add("KB per second", text::decimal(reading.kilobytesPerSecond(), 1));
   status.addf("first byte to published, mean ms", "%.2f", 1000.0 * reading.mean_latency);
   status.addf("first byte to published, longest ms", "%.2f", 1000.0 * reading.max_latency);
-  addAll(pictureCounts(sources_.client.statistics(), sources_.raw_images.statistics()), status);
+  const ClientStatistics client = sources_.client.statistics();
+  const RawImagePublisher::Statistics images = sources_.raw_images.statistics();
+  addAll({{"pictures received", client.pictures},
+          {"pictures damaged", client.corrupt_pictures},
+          {"pictures nobody asked for", client.unexpected_pictures},
+          {"pictures dropped for newer ones", client.stale_pictures},
+          {"images decoded", images.published},
+          {"images not decodable", images.decode_errors},
+          {"images dropped for newer ones", images.skipped}},
+         status);
 }
 
 // The stream works even if pictures come by TCP instead, but the user has to know.
@@ -181,7 +153,19 @@ void DriverDiagnostics::reportTransport(DiagnosticStatusWrapper& status) const {
   status.add("transport", camera::nameOf(connection.transport));
   status.add("transport wanted", camera::nameOf(connection.wanted_transport));
   status.add("why this transport", camera::transportReason(connection));
-  addAll(datagramCounts(sources_.client.statistics()), status);
+  const ClientStatistics client = sources_.client.statistics();
+  if (client.datagrams + client.foreign_datagrams + client.bad_datagrams == 0) {
+    return;
+  }
+  addAll({{"datagrams received", client.datagrams},
+          {"datagrams lost", client.lost_datagrams},
+          {"datagrams out of order", client.reordered_datagrams},
+          {"datagrams that came twice", client.duplicate_datagrams},
+          {"datagrams that are no part of a picture", client.bad_datagrams},
+          {"datagrams from strangers", client.foreign_datagrams},
+          {"lost datagrams that were repaired", client.repaired_datagrams},
+          {"pictures lost with a datagram", client.lost_pictures}},
+         status);
 }
 
 void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
@@ -236,7 +220,13 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
   }
   reportWhatCannotMove(status);
   status.add("measurements per second", text::decimal(period_.measurement_rate, 1));
-  addAll(jointCounts(sources_.client.statistics()), status);
+  const ClientStatistics client = sources_.client.statistics();
+  addAll({{"measurements received", client.telemetry},
+          {"measurements dropped for newer ones", client.dropped_telemetry},
+          {"measurements dropped, more than asked for", client.thinned_telemetry},
+          {"impossible values dropped", client.impossible_values},
+          {"requests refused by the robot", client.refusals}},
+         status);
   status.add("robot", connection.robot.design);
   status.add("server", connection.robot.server);
   status.add("said by the robot", connection.robot_message);
@@ -270,7 +260,11 @@ void DriverDiagnostics::reportSound(DiagnosticStatusWrapper& status) {
   status.add("listening", yesOrNo(listens));
   status.add("playing", yesOrNo(sources_.player.isPlaying()));
   status.add("messages per second", text::decimal(period_.sound_rate, 1));
-  addAll(soundCounts(sources_.client.statistics()), status);
+  const ClientStatistics client = sources_.client.statistics();
+  addAll({{"messages", client.sounds},
+          {"gaps", client.sound_gaps},
+          {"messages dropped, more than asked for", client.thinned_sounds}},
+         status);
 }
 
 void DriverDiagnostics::reportPower(DiagnosticStatusWrapper& status) {

@@ -8,8 +8,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
-#include <vector>
 
 #include "aibo_client/rcserver_client.h"
 #include "camera/link_meter.h"
@@ -30,18 +28,6 @@ class Updater;
 }  // namespace diagnostic_updater
 
 namespace aibo_driver::node {
-
-/// Counts since the start, each with the name that the diagnostics give it.
-using Counts = std::vector<std::pair<std::string, std::uint64_t>>;
-
-/// The counts in the status of the connection, the pictures, the datagrams, the joints or sound. Any thread may call
-/// these functions.
-Counts connectionCounts(const aibo_client::ClientStatistics& client);
-Counts pictureCounts(const aibo_client::ClientStatistics& client, const RawImagePublisher::Statistics& images);
-/// @return nothing if no datagram has come
-Counts datagramCounts(const aibo_client::ClientStatistics& client);
-Counts jointCounts(const aibo_client::ClientStatistics& client);
-Counts soundCounts(const aibo_client::ClientStatistics& client);
 
 /// Publishes /diagnostics, whether or not pictures come. The connection, the stream, the joints, sound and the power
 /// have one status each. The statuses are made only if somebody listens. A stream that is off, or that no subscriber
