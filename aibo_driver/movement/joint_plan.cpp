@@ -162,13 +162,13 @@ std::vector<std::string> JointPlan::jointsOf(MovementId id) const {
   });
 }
 
-std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory, SteadyTime now) const {
+std::optional<SteadyTime> JointPlan::endOf(MovementId trajectory) const {
   const Job* const job = find(trajectory);
   if (job == nullptr || !job->run) {
     return std::nullopt;
   }
-  const std::chrono::duration<double> left(job->run->trajectory.duration() - timeOf(*job, now));
-  return now + std::chrono::duration_cast<steady_clock::duration>(left);
+  const std::chrono::duration<double> duration(job->run->trajectory.duration());
+  return job->start + std::chrono::duration_cast<steady_clock::duration>(duration);
 }
 
 std::vector<Trajectory::Start> JointPlan::wantedBy(MovementId trajectory, SteadyTime now) const {

@@ -113,7 +113,7 @@ class JointPlan {
   std::vector<std::string> jointsOf(MovementId id) const;
 
   /// When a trajectory will be over. It is empty before the trajectory's beginning.
-  std::optional<SteadyTime> endOf(MovementId trajectory, SteadyTime now) const;
+  std::optional<SteadyTime> endOf(MovementId trajectory) const;
 
   /// Where a trajectory wants its joints to be, in its own order of joints.
   /// @return empty before the trajectory's beginning and after its end

@@ -745,7 +745,7 @@ Movement Mover::whole(const Record& record) const {
   if (!joints.empty()) {
     movement.joints = std::move(joints);
   }
-  movement.end = plan_.endOf(record.id(), clock_());
+  movement.end = plan_.endOf(record.id());
   return movement;
 }
 
