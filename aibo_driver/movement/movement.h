@@ -33,6 +33,12 @@ struct Movement {
   std::vector<std::string> joints;  ///< the joints that it moves; unknown if the robot moves by itself
   std::optional<SteadyTime> end;    ///< when a trajectory that has begun will end
   std::uint64_t order = 0;          ///< its number; no two movements of a driver have the same
+
+  /// Nothing else of a movement changes.
+  bool operator==(const Movement& other) const {
+    return order == other.order && joints == other.joints && end == other.end;
+  }
+  bool operator!=(const Movement& other) const { return !(*this == other); }
 };
 
 /// A movement that has ended.

@@ -12,9 +12,6 @@
 namespace aibo_driver::node {
 namespace {
 
-// The end of a trajectory is computed anew each time from two clocks, so it varies a little.
-constexpr double kSameEnd = 0.05;  // s
-
 std::string kindOf(const Movement& movement) {
   switch (movement.kind) {
     case Movement::COMMAND:
@@ -65,21 +62,6 @@ Movement toMessage(const movement::Movement& movement, movement::SteadyTime stea
     message.end = end < ros::TIME_MAX.toSec() ? ros::Time(end) : ros::TIME_MAX;
   }
   return message;
-}
-
-bool areSame(const Movement& a, const Movement& b) {
-  const double difference = a.end.toSec() - b.end.toSec();
-  return a.order == b.order && a.kind == b.kind && a.name == b.name && a.source == b.source && a.joints == b.joints &&
-         difference > -kSameEnd && difference < kSameEnd;
-}
-
-bool areSame(const MotionState& a, const MotionState& b) {
-  const auto same_movement = [](const Movement& x, const Movement& y) { return areSame(x, y); };
-  const auto same_end = [](const EndedMovement& x, const EndedMovement& y) {
-    return areSame(x.movement, y.movement) && x.how == y.how && x.reason == y.reason;
-  };
-  return std::equal(a.movements.begin(), a.movements.end(), b.movements.begin(), b.movements.end(), same_movement) &&
-         std::equal(a.ended.begin(), a.ended.end(), b.ended.begin(), b.ended.end(), same_end);
 }
 
 }  // namespace
@@ -134,9 +116,8 @@ MotionStatePublisher::MotionStatePublisher(const ros::NodeHandle& handle, const 
   ros::NodeHandle topics(handle);
   publisher_ = topics.advertise<MotionState>("motion_state", 10, kLatched);
   robot_publisher_ = topics.advertise<RobotState>("robot_state", 10, kLatched);
-  last_ = toMessage(mover_.state(), std::chrono::steady_clock::now(), ros::Time::now());
-  last_robot_.header.stamp = last_.header.stamp;
-  publisher_.publish(last_);
+  last_robot_.header.stamp = ros::Time::now();
+  publisher_.publish(toMessage(mover_.state(), std::chrono::steady_clock::now(), last_robot_.header.stamp));
   robot_publisher_.publish(last_robot_);
 }
 
@@ -145,16 +126,12 @@ void MotionStatePublisher::publish() {
   const std::lock_guard<std::mutex> lock(mutex_);
   const movement::Mover::State state = mover_.state();
   const ros::Time now = ros::Time::now();
-  const auto steady_now = std::chrono::steady_clock::now();
   const std::size_t fresh = std::min(state.ends - std::exchange(ends_, state.ends), state.ended.size());
-  std::vector<MotionState> messages = toMessages(state, fresh, steady_now, now);
-  if (areSame(messages.back(), last_)) {
-    messages.pop_back();
-  } else {
-    last_ = messages.back();
-  }
-  for (const MotionState& message : messages) {
-    publisher_.publish(message);
+  const bool has_changed = state.movements != std::exchange(movements_, state.movements);
+  if (fresh > 0 || has_changed) {
+    for (const MotionState& message : toMessages(state, fresh, std::chrono::steady_clock::now(), now)) {
+      publisher_.publish(message);
+    }
   }
   stop_memory_.remember(state.stopped_by);
   RobotState robot = toMessage(state);
