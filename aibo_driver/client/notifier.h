@@ -45,7 +45,7 @@ class Notifier {
     call(callbacks_.on_steered, "on_steered", in_force, order, walk);
   }
 
-  void ended(const MotionEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
+  void ended(const ActivityEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
 
   void refused(const Refusal& refusal) const noexcept { call(callbacks_.on_refused, "on_refused", refusal); }
 

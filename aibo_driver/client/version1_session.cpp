@@ -216,8 +216,8 @@ void Version1Session::endJointOrders() {
       continue;
     }
     const bool is_refused = !order.trouble.empty();
-    const MotionEnd end = {EndedKind::kJoints, is_refused ? EndedHow::kRefused : EndedHow::kUnknown, "",
-                           is_refused ? order.trouble : kUnknownEnd, number};
+    const ActivityEnd end = {EndedKind::kJoints, is_refused ? EndedHow::kRefused : EndedHow::kUnknown, "",
+                             is_refused ? order.trouble : kUnknownEnd, number};
     each = joint_orders_.erase(each);
     connection_.context.notifier.ended(end);
   }

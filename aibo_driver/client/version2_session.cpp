@@ -902,7 +902,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
 
 void Version2Session::onEnded(const Payload& payload) {
   const auto message = decoded<version2::EndMessage>(payload, "report of an end");
-  MotionEnd end;
+  ActivityEnd end;
   end.kind = endedKind(message.what);
   end.how = endedHow(message.how);
   end.name = beginningOf(message.name, message.name_size);

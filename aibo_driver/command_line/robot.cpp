@@ -171,7 +171,7 @@ aibo_client::Callbacks Robot::callbacks() {
     change([&] { received_.velocity = in_force.isZero() ? received_.velocity : in_force; });
   };
   callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { noteRefusal(refusal); };
-  callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
+  callbacks.on_ended = [this](const aibo_client::ActivityEnd& end) {
     change([&] { keep(end, kMostEnds, &received_.ends); });
   };
   callbacks.on_heard = [this](const aibo_client::HeardSound& sound) {

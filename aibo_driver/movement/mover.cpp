@@ -613,7 +613,7 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
   });
 }
 
-void Mover::ended(const aibo_client::MotionEnd& end) {
+void Mover::ended(const aibo_client::ActivityEnd& end) {
   // With version 1, it says that some of the joints were refused.
   const bool is_not_reached =
       end.kind == EndedKind::kJoints && end.how == EndedHow::kRefused && client_.status().protocol_version != 1;

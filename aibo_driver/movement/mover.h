@@ -201,7 +201,7 @@ class Mover {
   /// @{
   /// @see aibo_client::Callbacks
   void steered(const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk);
-  void ended(const aibo_client::MotionEnd& end);
+  void ended(const aibo_client::ActivityEnd& end);
   void refused(const aibo_client::Refusal& refusal);
   void robotChanged(const aibo_client::MotorsAndPosture& state);
   void connected();

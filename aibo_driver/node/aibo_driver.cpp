@@ -234,7 +234,7 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
   callbacks.on_steered = [this](const aibo_client::WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
     mover_.steered(in_force, order, walk);
   };
-  callbacks.on_ended = [this](const aibo_client::MotionEnd& end) {
+  callbacks.on_ended = [this](const aibo_client::ActivityEnd& end) {
     odometry_.motionEnded(end);
     mover_.ended(end);
   };

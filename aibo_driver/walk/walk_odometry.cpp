@@ -38,7 +38,7 @@ bool WalkOdometry::update(const aibo_client::Telemetry& telemetry) {
   return true;
 }
 
-void WalkOdometry::motionEnded(const aibo_client::MotionEnd& end) {
+void WalkOdometry::motionEnded(const aibo_client::ActivityEnd& end) {
   if (end.how == aibo_client::EndedHow::kFell && posture_ == PostureNow::kUnknown) {
     odometry_.lose(kLiftedWay, kLiftedTurn);
   }

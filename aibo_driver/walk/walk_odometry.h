@@ -29,7 +29,7 @@ class WalkOdometry {
 
   /// Call this when the robot reports that a motion has ended. If the robot fell or was lifted, it may be anywhere. If
   /// the robot reports its posture, the posture counts instead.
-  void motionEnded(const aibo_client::MotionEnd& end);
+  void motionEnded(const aibo_client::ActivityEnd& end);
 
   /// Call this when the robot reports its posture. If it has fallen or is lifted, it may be anywhere, even if it
   /// was only standing before.

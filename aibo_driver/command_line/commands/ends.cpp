@@ -33,7 +33,7 @@ const char* wordsOf(EndedHow how) {
 
 auto endIn(const Received& received) {
   return std::find_if(received.ends.begin(), received.ends.end(),
-                      [](const aibo_client::MotionEnd& end) { return end.order == Robot::kOrder; });
+                      [](const aibo_client::ActivityEnd& end) { return end.order == Robot::kOrder; });
 }
 
 }  // namespace
@@ -43,7 +43,7 @@ std::optional<std::string> waitForEnd(Robot& robot, const std::string& name, dou
     return std::nullopt;
   }
   const Received received = robot.received();
-  const aibo_client::MotionEnd end = *endIn(received);
+  const aibo_client::ActivityEnd end = *endIn(received);
   if (end.how != EndedHow::kDone) {
     throw FailedException(name + " " + wordsOf(end.how) + (end.reason.empty() ? "" : ": " + end.reason));
   }

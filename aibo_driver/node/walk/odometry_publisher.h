@@ -36,7 +36,7 @@ class OdometryPublisher {
   void publish(const aibo_client::Telemetry& telemetry);
 
   /// Call this when the robot reports that a motion has ended.
-  void motionEnded(const aibo_client::MotionEnd& end) { walked_.motionEnded(end); }
+  void motionEnded(const aibo_client::ActivityEnd& end) { walked_.motionEnded(end); }
 
   /// Call this when the robot reports its posture.
   void update(const aibo_client::MotorsAndPosture& state) { walked_.update(state); }

@@ -266,7 +266,7 @@ class Client {
       require(sound.samples.size() <= 2 * 16000 && sound.samples.size() % static_cast<std::size_t>(sound.channels) == 0,
               "sound is whole, and no more than a second");
     };
-    callbacks.on_ended = [this](const MotionEnd& end) { ends(end.order); };
+    callbacks.on_ended = [this](const ActivityEnd& end) { ends(end.order); };
     callbacks.on_refused = [this](const Refusal& refusal) { ends(refusal.order); };
     callbacks.on_steered = [this](const WalkVelocity&, std::uint64_t order, std::uint64_t walk) {
       if (order != walk) {

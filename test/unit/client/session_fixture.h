@@ -159,7 +159,7 @@ class SessionFixture : public testing::Test {
   std::string leds_;                   ///< as accepted: "7=255A "
   std::vector<aibo_client::WalkVelocity> steered_;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> steered_orders_;  ///< the order, and that of its walk
-  std::vector<aibo_client::MotionEnd> ended_;
+  std::vector<aibo_client::ActivityEnd> ended_;
   std::vector<aibo_client::Refusal> refusals_;
   std::vector<aibo_client::DetectedColors> colors_;
   std::vector<aibo_client::HeardSound> heard_;
@@ -205,7 +205,7 @@ class SessionFixture : public testing::Test {
     callbacks.on_heard = [this](const aibo_client::HeardSound& sound) { heard_.push_back(sound); };
     callbacks.on_sound_ended = [this](const aibo_client::SoundEnd& end) { sound_ends_.push_back(end); };
     callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { refusals_.push_back(refusal); };
-    callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { ended_.push_back(end); };
+    callbacks.on_ended = [this](const aibo_client::ActivityEnd& end) { ended_.push_back(end); };
     callbacks.log = [this](aibo_client::LogLevel level, const std::string& line) {
       log_.push_back((level == aibo_client::LogLevel::kWarn   ? ""
                       : level == aibo_client::LogLevel::kInfo ? "info "

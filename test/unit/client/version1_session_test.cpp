@@ -473,7 +473,7 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
     }
     EXPECT_EQ(' ', robot.request());
     std::vector<EndedHow> ends;
-    for (const MotionEnd& end : robot.ended_) {
+    for (const ActivityEnd& end : robot.ended_) {
       EXPECT_EQ(kFirstOrder, end.order);
       EXPECT_EQ(EndedKind::kJoints, end.kind);
       ends.push_back(end.how);

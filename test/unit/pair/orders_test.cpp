@@ -56,7 +56,7 @@ class User {
   std::string reason_;
   std::map<int, double> positions_;
   std::vector<Refusal> refusals_;
-  std::vector<MotionEnd> walks_;  ///< ends of walks
+  std::vector<ActivityEnd> walks_;  ///< ends of walks
 
  private:
   static ClientOptions options(int port, milliseconds read_timeout) {
@@ -89,7 +89,7 @@ class User {
       });
     };
     callbacks.on_refused = [this](const Refusal& refusal) { change([&] { refusals_.push_back(refusal); }); };
-    callbacks.on_ended = [this](const MotionEnd& end) {
+    callbacks.on_ended = [this](const ActivityEnd& end) {
       if (end.kind == EndedKind::kWalk) {
         change([&] { walks_.push_back(end); });
       }

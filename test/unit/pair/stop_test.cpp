@@ -145,7 +145,7 @@ class MovedRobot {
     callbacks.on_steered = [this](const WalkVelocity& velocity, std::uint64_t order, std::uint64_t walk) {
       mover_.steered(velocity, order, walk);
     };
-    callbacks.on_ended = [this](const aibo_client::MotionEnd& end) { mover_.ended(end); };
+    callbacks.on_ended = [this](const aibo_client::ActivityEnd& end) { mover_.ended(end); };
     callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { mover_.refused(refusal); };
     callbacks.on_motors_and_posture = [this](const aibo_client::MotorsAndPosture& state) {
       mover_.robotChanged(state);

@@ -72,7 +72,7 @@ struct Callbacks {
   /// An order has ended. Each order with an OrderTerms::number ends once: by on_refused if the robot has not begun it,
   /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
   /// and nothing is called. Ends that a request causes are told before the request's own answer.
-  std::function<void(const MotionEnd& end)> on_ended;
+  std::function<void(const ActivityEnd& end)> on_ended;
   /// A request was refused or dropped. A request without an OrderTerms::number may be replaced by a newer one before it
   /// is sent, without a call.
   std::function<void(const Refusal& refusal)> on_refused;

@@ -34,7 +34,7 @@ enum class EndedHow {
 /// the connection ends first; Callbacks::on_steered says which velocities are reported. A server of version 1 reports
 /// no ends. There, the client ends an order with a number: with EndedHow::kRefused if the robot has refused a part of
 /// it, otherwise with EndedHow::kUnknown once the robot has accepted what was sent of it.
-struct MotionEnd {
+struct ActivityEnd {
   EndedKind kind = EndedKind::kUnknown;
   EndedHow how = EndedHow::kUnknown;
   std::string name;    ///< the name of the motion's file, the posture or the joint; may be empty

@@ -21,7 +21,7 @@ struct OrderTerms {
   /// it. The robot's clock counts, in frames of 8 ms. If an order has waited before it reaches the client, its caller
   /// should count from the time when it was received. Nothing that stops the robot is ever too old.
   std::chrono::steady_clock::time_point not_after = std::chrono::steady_clock::now() + kLongestOrderWait;
-  /// A number of the caller's choice, by which Refusal and MotionEnd name the order. 0 means no number.
+  /// A number of the caller's choice, by which Refusal and ActivityEnd name the order. 0 means no number.
   std::uint64_t number = 0;
 };
 
