@@ -7,7 +7,7 @@
 #include <mutex>
 #include <optional>
 
-#include "aibo_client/picture.h"
+#include "aibo_client/camera.h"
 
 namespace aibo_driver::camera {
 

@@ -10,9 +10,8 @@
 #include <vector>
 
 #include "aibo_client/colors.h"
-#include "aibo_client/joints.h"
-#include "aibo_client/leds.h"
 #include "aibo_client/options.h"
+#include "aibo_client/parts.h"
 #include "aibo_client/walk.h"
 
 namespace aibo_client {

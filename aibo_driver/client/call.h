@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "aibo_client/camera.h"
 #include "aibo_client/exceptions.h"
 #include "aibo_client/orders.h"
-#include "aibo_client/picture.h"
 #include "client/command_outbox.h"
 #include "client/sound_intake.h"
 #include "protocol/motion_requests.h"

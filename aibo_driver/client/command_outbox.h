@@ -14,9 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "aibo_client/joints.h"
-#include "aibo_client/leds.h"
 #include "aibo_client/orders.h"
+#include "aibo_client/parts.h"
 #include "aibo_client/walk.h"
 
 namespace aibo_client {

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "aibo_client/motors_and_posture.h"
-#include "aibo_client/robot_info.h"
+#include "aibo_client/status.h"
+#include "aibo_client/walk.h"
 #include "client/call.h"
 #include "client/color_intake.h"
 #include "client/command_outbox.h"

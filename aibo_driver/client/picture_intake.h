@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_client/picture.h"
+#include "aibo_client/camera.h"
 #include "aibo_client/status.h"
 #include "client/notifier.h"
 #include "client/stall_detector.h"

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-#include "aibo_client/leds.h"
+#include "aibo_client/parts.h"
 #include "client/connection.h"
 #include "client/reply_parser.h"
 #include "client/session.h"

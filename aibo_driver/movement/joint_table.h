@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_client/joints.h"
+#include "aibo_client/parts.h"
 #include "aibo_client/rcserver_client.h"
 
 namespace aibo_driver::movement {

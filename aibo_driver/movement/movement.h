@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "aibo_client/motion_end.h"
+#include "aibo_client/orders.h"
 
 namespace aibo_driver::movement {
 

@@ -17,7 +17,7 @@
 #include <utility>
 #include <vector>
 
-#include "aibo_client/motion_end.h"
+#include "aibo_client/orders.h"
 #include "aibo_client/rcserver_client.h"
 #include "movement/joint_command_filter.h"
 #include "movement/joint_plan.h"

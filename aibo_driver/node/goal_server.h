@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
-#include "aibo_client/motion_end.h"
+#include "aibo_client/orders.h"
 #include "movement/mover.h"
 #include "node/actions.h"
 #include "node/bounded_action_server.h"

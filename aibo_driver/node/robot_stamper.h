@@ -12,8 +12,8 @@
 #include <mutex>
 #include <optional>
 
+#include "aibo_client/camera.h"
 #include "aibo_client/colors.h"
-#include "aibo_client/picture.h"
 #include "aibo_client/sound.h"
 #include "aibo_client/telemetry.h"
 #include "robot_time/robot_clock.h"

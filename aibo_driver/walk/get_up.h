@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "aibo_client/motors_and_posture.h"
+#include "aibo_client/walk.h"
 #include "movement/movement.h"
 
 namespace aibo_driver::walk {

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "aibo_client/motion_end.h"
-#include "aibo_client/motors_and_posture.h"
+#include "aibo_client/orders.h"
 #include "aibo_client/telemetry.h"
 #include "walk/odometry.h"
 #include "walk/walk_settings.h"
+#include "aibo_client/walk.h"
 
 namespace aibo_driver::walk {
 

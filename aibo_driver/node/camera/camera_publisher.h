@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "aibo_client/picture.h"
+#include "aibo_client/camera.h"
 #include "node/camera/calibration.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"

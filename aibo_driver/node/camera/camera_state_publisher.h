@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "aibo_client/picture.h"
+#include "aibo_client/camera.h"
 
 namespace aibo_driver::node {
 

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <optional>
 
-#include "aibo_client/motion_end.h"
+#include "aibo_client/orders.h"
 #include "aibo_client/telemetry.h"
 #include "node/driver_parameters.h"
 #include "node/robot_stamper.h"

@@ -5,22 +5,25 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
+#include "aibo_client/camera.h"
 #include "aibo_client/colors.h"
-#include "aibo_client/joints.h"
-#include "aibo_client/leds.h"
-#include "aibo_client/log.h"
-#include "aibo_client/motion_end.h"
-#include "aibo_client/motors_and_posture.h"
 #include "aibo_client/orders.h"
-#include "aibo_client/picture.h"
+#include "aibo_client/parts.h"
 #include "aibo_client/sound.h"
 #include "aibo_client/status.h"
 #include "aibo_client/telemetry.h"
 #include "aibo_client/walk.h"
 
 namespace aibo_client {
+
+enum class LogLevel { kDebug, kInfo, kWarn, kError };
+
+/// Receives one line. The library itself prints nothing. Its threads call this function, so it must be thread-safe and
+/// must not block.
+using LogSink = std::function<void(LogLevel level, const std::string& message)>;
 
 /// The longest time between two calls of Callbacks::on_awake, unless the process or the computer is held up.
 /// The value is our choice.

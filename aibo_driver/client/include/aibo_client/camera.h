@@ -1,10 +1,15 @@
 /// @file camera.h
-/// The requests that the robot's camera understands. A server that speaks version 1 of the protocol understands none of
-/// them: see RcServerClient.
+/// The robot's camera: its settings, its stream, and its pictures. A server that speaks version 1 of the protocol has
+/// no settings: see RcServerClient.
 #ifndef AIBO_CLIENT_CAMERA_H
 #define AIBO_CLIENT_CAMERA_H
 
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
 #include <tuple>
+#include <vector>
 
 namespace aibo_client {
 
@@ -55,6 +60,23 @@ struct CameraSettings {
     return {white_balance, gain, shutter_speed, auto_exposure, auto_white_balance};
   }
 };
+
+/// One picture as the robot sent it. It never changes after delivery, so threads may share it.
+struct Picture {
+  std::vector<std::uint8_t> jpeg;  ///< the robot's bytes, without the protocol's header
+  /// When the first byte of the picture's header arrived. Pictures that arrived together are 1 ns apart, in order.
+  std::chrono::steady_clock::time_point first_byte_time;
+  int width = 0;                        ///< pixels, from the JPEG's own frame header
+  int height = 0;                       ///< pixels, from the JPEG's own frame header
+  std::uint64_t connection_number = 0;  ///< the number of the connection; the client's first one is 1
+
+  // A version 1 server does not send the following members.
+  std::optional<std::uint32_t> frame_number;  ///< the OPEN-R frame (8 ms) in which the camera took the image
+  std::optional<std::uint32_t> image_count;   ///< the camera's own count of images
+  std::optional<CameraSettings> settings;     ///< in force for the image; some servers do not send them
+};
+
+using PicturePtr = std::shared_ptr<const Picture>;
 
 }  // namespace aibo_client
 

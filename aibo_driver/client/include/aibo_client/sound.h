@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "aibo_client/motion_end.h"
+#include "aibo_client/orders.h"
 
 namespace aibo_client {
 

@@ -1,6 +1,6 @@
 /// @file walk.h
-/// How a robot walks, and the postures that it takes. Velocities are relative to the floor, in the robot's own
-/// directions, with the signs of REP 103.
+/// How a robot walks, its postures and its motors. Velocities are relative to the floor, in the robot's own directions,
+/// with the signs of REP 103.
 #ifndef AIBO_CLIENT_WALK_H
 #define AIBO_CLIENT_WALK_H
 
@@ -43,6 +43,33 @@ struct WalkReading {
   double phase = 0;  ///< the phase of the step, 0..1
   WalkState state = WalkState::kNone;
 };
+
+enum class MotorState {
+  kUnknown,  ///< not known: there is no connection, or the server does not report motors
+  kOff,      ///< the joints can be moved by hand
+  kOn
+};
+
+/// The robot's present posture. Posture lists the postures that it can be told to take.
+enum class PostureNow {
+  kUnknown,  ///< none of the others, no connection, or the server does not report it
+  kStanding,
+  kSitting,
+  kLying,
+  kWalking,
+  kFallen,  ///< the robot lies on its side or its back
+  kCarried  ///< the robot is lifted
+};
+
+/// What the robot can do now. A server of version 1 does not report this.
+struct MotorsAndPosture {
+  MotorState motors = MotorState::kUnknown;
+  PostureNow posture = PostureNow::kUnknown;
+};
+
+inline bool operator==(const MotorsAndPosture& a, const MotorsAndPosture& b) {
+  return a.motors == b.motors && a.posture == b.posture;
+}
 
 }  // namespace aibo_client
 

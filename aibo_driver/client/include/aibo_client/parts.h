@@ -1,8 +1,8 @@
-/// @file joints.h
-/// Targets and limits of joints. A joint is named by its RCServer identifier (names.h). Angles are in radians. They are
+/// @file parts.h
+/// Commands to joints and LEDs. A part is named by its RCServer identifier (names.h). Angles are in radians. They are
 /// positive in the direction that Sony's Model Information calls positive.
-#ifndef AIBO_CLIENT_JOINTS_H
-#define AIBO_CLIENT_JOINTS_H
+#ifndef AIBO_CLIENT_PARTS_H
+#define AIBO_CLIENT_PARTS_H
 
 namespace aibo_client {
 
@@ -27,6 +27,17 @@ struct JointLimits {
   double speed = 0;  ///< rad/s
 };
 
+/// The two display modes of the LEDs on an ERS-7's face and back (Model Information ERS-7, section on LEDs). LEDs that
+/// are only on or off ignore the mode.
+enum class LedMode { kA, kB };
+
+/// Sets one LED.
+struct LedCommand {
+  int id = 0;         ///< 1..255
+  int intensity = 0;  ///< 0..255; 0 is off; an LED that is only on or off is on from 1
+  LedMode mode = LedMode::kA;
+};
+
 }  // namespace aibo_client
 
-#endif  // AIBO_CLIENT_JOINTS_H
+#endif  // AIBO_CLIENT_PARTS_H
