@@ -7,10 +7,14 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <functional>
+#include <future>
 #include <list>
+#include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -19,50 +23,21 @@
 #include "aibo_client/orders.h"
 #include "client/command_outbox.h"
 #include "client/sound_intake.h"
-#include "protocol/motion_requests.h"
-#include "protocol/sound_requests.h"
-#include "protocol/stick_pictures.h"
-#include "protocol/walk_requests.h"
+#include "protocol/fields.h"
+#include "protocol/request.h"
+#include "protocol/version2.h"
 
 namespace aibo_client {
-
-/// How a call has ended. A failure is passed to the caller's thread as a value and thrown there.
-enum class CallOutcome { kDone, kTimeout, kRefused, kConnectionLost, kStopped };
-
-/// The result of a call.
-struct Answer {
-  CallOutcome outcome = CallOutcome::kDone;
-  std::string problem;                 ///< empty if done
-  bool was_sent = false;               ///< the request had been sent when the call ended
-  FaultKind fault = FaultKind::kNone;  ///< the fault of the connection, if that is why the call failed
-
-  PicturePtr picture;
-  int stream_quality = 0;  ///< the quality of the stream that the picture is from; 0 if it is from none
-  bool motors_on = false;
-  std::vector<std::string> names;  ///< the names of motions or pictures
-  std::vector<std::uint8_t> file;  ///< a picture that was fetched
-  std::string changes;             ///< what the robot plays differently from the file
-  SoundProgress sound;
-  int volume = 0;
-};
-
-/// The answer of a call that has failed.
-Answer makeFailure(CallOutcome outcome, const std::string& problem, FaultKind fault = FaultKind::kNone);
 
 /// One call in progress: a request that is sent once, and what to do at its end.
 struct Call {
   using Bytes = std::vector<std::uint8_t>;
   using TimePoint = std::chrono::steady_clock::time_point;
-  /// Reads the payload of an answer.
-  /// @return nullptr, or what is wrong
-  using ReadAnswer = std::function<const char*(const unsigned char* payload, std::size_t size, Answer* answer)>;
 
   protocol::version2::Request request = {};
   std::string object;  ///< what the request is for; it follows the request's words in a message; may be empty
   int id = 0;          ///< the id in the frame of version 2
   Bytes payload;       ///< the payload of the frame of version 2; that of an order begins with 4 bytes for its expiry
-  Bytes version1;      ///< the whole request of version 1; empty if version 1 does not have it
-  ReadAnswer read_answer;  ///< reads the answer of version 2; empty if that answer has no content
 
   int quality = 0;                       ///< the quality of the picture; 0 means the stream's
   std::optional<Resolution> resolution;  ///< the resolution of the picture; empty means the stream's
@@ -74,10 +49,22 @@ struct Call {
   std::optional<OrderTerms> terms;       ///< of a request that can be too old; otherwise empty
   TimePoint since;                       ///< a picture of the stream answers the call only if it began later
   int request_number = 0;                ///< the number of the request; 0 if it has not been sent
-  std::function<void(Answer)> end;       ///< called once, with the answer, by the client's thread
+
+  /// @name How the call ends. The client's thread calls one of these functions, once
+  /// @{
+  /// Gives the caller the answer of version 2.
+  /// @return nullptr, or what is wrong with the payload; then the call goes on
+  std::function<const char*(const unsigned char* payload, std::size_t size)> answer;
+  /// Gives the caller the picture that answers the call.
+  /// @param stream_quality the quality of the stream that the picture is from; 0 if it is from none
+  std::function<void(const PicturePtr& picture, int stream_quality)> answer_with_picture;
+  /// Throws this exception in the caller's thread.
+  std::function<void(const std::exception_ptr& failure)> fail;
+  /// @}
 
   bool isForPicture() const { return request.letter == protocol::version2::REQUEST_PICTURE; }
   bool has(protocol::version2::Trait trait) const { return request.has(trait); }
+  bool wasSent() const { return request_number != 0; }
 
   /// True if `other` must not be sent any more. `other` was made before this call and has not been sent.
   bool cancels(const Call& other) const;
@@ -97,12 +84,6 @@ std::optional<RefusedRequest> refusedRequest(char letter);
 /// Describes the request in words that follow "refused to ".
 std::string describe(const Call& call);
 
-/// Why a version 1 server answered this call with an error code, and what the user can do.
-std::string explainRefusal(const Call& call, int code);
-
-/// True if version 1 of the protocol has this request.
-bool isKnownToVersion1(const Call& call);
-
 /// Encodes a payload of version 2.
 template <typename Payload>
 Call::Bytes encoded(const Payload& payload) {
@@ -111,49 +92,46 @@ Call::Bytes encoded(const Payload& payload) {
   return bytes;
 }
 
-/// A Call::read_answer for an answer with this payload of version 2.
-/// @param take called with the decoded payload and the Answer, unless the payload is malformed
-template <typename Payload, typename Take>
-Call::ReadAnswer readAs(const Take& take) {
-  return [take](const unsigned char* bytes, std::size_t size, Answer* answer) {
-    Payload payload;
-    const char* const problem = protocol::version2::decode(bytes, size, &payload);
+/// Makes a call.
+/// @param object see Call::object
+template <typename Payload = protocol::version2::NoPayload>
+Call makeCall(const protocol::version2::Request& request, const Payload& payload = {}, const std::string& object = "",
+              int id = 0) {
+  Call call;
+  call.request = request;
+  call.object = object;
+  call.id = id;
+  call.payload = encoded(payload);
+  return call;
+}
+
+/// A reply whose payload does not matter.
+struct AnyReply {};
+inline const char* decode(const unsigned char* /*payload*/, std::size_t /*size*/, AnyReply* /*reply*/) {
+  return nullptr;
+}
+
+/// Lets a call end with what its reply means to the caller.
+/// @tparam Reply a payload of version 2, or something else that decode() knows
+/// @param read makes the caller's result from the reply
+template <typename Reply, typename Read, typename Result = std::invoke_result_t<Read, const Reply&>>
+std::future<Result> expectReply(Call* call, const Read& read) {
+  const auto promise = std::make_shared<std::promise<Result>>();
+  call->answer = [promise, read](const unsigned char* payload, std::size_t size) {
+    Reply reply;
+    const char* const problem = decode(payload, size, &reply);
     if (problem == nullptr) {
-      take(payload, answer);
+      if constexpr (std::is_void_v<Result>) {
+        promise->set_value();
+      } else {
+        promise->set_value(read(reply));
+      }
     }
     return problem;
   };
+  call->fail = [promise](const std::exception_ptr& failure) { promise->set_exception(failure); };
+  return promise->get_future();
 }
-
-/// Makes a call with an empty payload and an empty answer.
-Call makeCall(const protocol::version2::Request& request, const std::string& object = "");
-
-/// @name The calls of RcServerClient. Their names and numbers are valid
-/// @{
-Call callForPicture(int quality, std::optional<Resolution> resolution);
-Call callForMotors(bool on);
-/// @param joints empty means everything that moves
-Call callToHold(const std::vector<int>& joints);
-Call callForPosture(protocol::version2::Posture posture);
-/// @param bits see motion_requests.h
-Call callToPlay(const std::string& name, int repetitions, int bits);
-/// @param name empty means all motions
-Call callToStop(const std::string& name);
-Call callToStore(const std::string& name, const Call::Bytes& content, int bits);
-Call callToDelete(const std::string& name);
-Call callForMotions();
-Call callToSavePicture(int quality);
-Call callForStickPictures();
-Call callToFetchPicture(const std::string& name);
-Call callToDeletePicture(const std::string& name);
-/// @param samples the samples to play; an empty list stops the sound
-Call callToPlaySamples(const SoundPart& part, const std::vector<std::int16_t>& samples);
-/// Makes a call of PLAY_SOUND send these samples. An empty list stops the sound.
-void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call);
-Call callForVolume(int volume);
-/// @param request SHUT_DOWN or REBOOT
-Call callToGoOff(const protocol::version2::Request& request);
-/// @}
 
 /// The calls of one connection, in the order in which they were made.
 class PendingCalls {
@@ -175,8 +153,10 @@ class PendingCalls {
   Call* find(int request_number);
   const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
 
-  /// Ends the call whose request was sent with this number, if there is one.
-  void answer(int request_number, Answer answer);
+  /// Ends the call whose request was sent with this number. There must be one.
+  /// @throw ProtocolException the payload is no answer to this request; the call goes on
+  void answer(int request_number, const unsigned char* payload, std::size_t size);
+  void answer(int request_number, const PicturePtr& picture);
 
   /// Answers the unsent calls for a picture that were made before this picture of the stream began.
   void answerFromStream(const PicturePtr& picture, int quality);
@@ -184,23 +164,17 @@ class PendingCalls {
   /// The earliest deadline; TimePoint::max() if no call waits.
   TimePoint nextDeadline() const;
 
-  /// Ends the calls that meet the condition.
-  /// @param make_answer called with the call before it ends
-  template <typename Condition, typename MakeAnswer>
-  void endIf(const Condition& condition, const MakeAnswer& make_answer) {
-    calls_.remove_if([&](Call& call) {
-      const bool ends = condition(call);
-      if (ends) {
-        Answer answer = make_answer(call);
-        answer.was_sent = call.request_number != 0;
-        call.end(std::move(answer));
-      }
-      return ends;
-    });
+  /// Ends the calls that meet the condition with an exception.
+  /// @param make_failure makes the exception from the call
+  template <typename Condition, typename MakeFailure>
+  void failIf(const Condition& condition, const MakeFailure& make_failure) {
+    endIf(condition, [&](const Call& call) { call.fail(std::make_exception_ptr(make_failure(call))); });
   }
 
-  /// Ends all calls.
-  void failAll(const Answer& failure);
+  /// Ends all calls, because the connection has ended.
+  /// @param problem the text of their exceptions
+  /// @param fault why it has ended; kNone if the client was stopped
+  void failAll(const std::string& problem, FaultKind fault);
 
   /// Call this when a request is sent. While a large request or a large answer is on its way, pictures and other
   /// answers are late.
@@ -215,6 +189,19 @@ class PendingCalls {
   /// The oldest unsent call that meets the condition, or null.
   template <typename Condition>
   Call* nextUnsent(const Condition& condition);
+
+  void remove(int request_number);
+
+  template <typename Condition, typename End>
+  void endIf(const Condition& condition, const End& end) {
+    calls_.remove_if([&](const Call& call) {
+      const bool ends = condition(call);
+      if (ends) {
+        end(call);
+      }
+      return ends;
+    });
+  }
 
   std::list<Call> calls_;
   TimePoint transfer_end_;

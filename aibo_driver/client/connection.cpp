@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "protocol/stick_pictures.h"
+
 namespace aibo_client {
 
 namespace version2 = protocol::version2;
@@ -33,11 +35,11 @@ void Connection::dropTooOld(TimePoint now) {
     commands.dropTooOld(now, reason());
     reportDropped();
   }
-  calls.endIf([now](const Call& call) { return call.request_number == 0 && call.terms && call.terms->not_after < now; },
-              [&](const Call& call) {
-                tellRefused(call, RefusalCause::kTooOld, reason());
-                return makeFailure(CallOutcome::kRefused, "The order to " + describe(call) + " is " + reason() + ".");
-              });
+  calls.failIf([now](const Call& call) { return !call.wasSent() && call.terms && call.terms->not_after < now; },
+               [&](const Call& call) {
+                 tellRefused(call, RefusalCause::kTooOld, reason());
+                 return CommandException("The order to " + describe(call) + " is " + reason() + ".");
+               });
 }
 
 void Connection::take(CommandOutbox newer) {
@@ -63,31 +65,29 @@ void Connection::reportDropped() {
 void Connection::add(Call call) {
   call.dropFrom(&commands);
   reportDropped();
-  calls.endIf([&call](const Call& other) { return other.request_number == 0 && call.cancels(other); },
-              [&](const Call& other) {
-                const std::string told = "was told to " + describe(call) + " before it was ";
-                tellRefused(other, RefusalCause::kStopped, "the robot " + told + "sent");
-                return makeFailure(CallOutcome::kRefused,
-                                   context.address + " " + told + "asked to " + describe(other) + ".");
-              });
+  calls.failIf([&call](const Call& other) { return !other.wasSent() && call.cancels(other); },
+               [&](const Call& other) {
+                 const std::string told = "was told to " + describe(call) + " before it was ";
+                 tellRefused(other, RefusalCause::kStopped, "the robot " + told + "sent");
+                 return CommandException(context.address + " " + told + "asked to " + describe(other) + ".");
+               });
   calls.add(std::move(call));
 }
 
 void Connection::expireCalls(TimePoint now) {
-  calls.endIf([now](const Call& call) { return call.deadline <= now; },
-              [&](const Call& call) {
-                const std::string time = " within " + std::to_string(call.timeout.count()) + " ms";
-                if (call.isForPicture()) {
-                  return makeFailure(CallOutcome::kTimeout, "no picture" + time + pictures.damageRemark());
-                }
-                if (call.request_number != 0) {
-                  return makeFailure(CallOutcome::kTimeout,
-                                     "no answer" + time + ". The robot may or may not " + describe(call) + ".");
-                }
-                const std::string problem = "the request could not be sent" + time;
-                tellRefused(call, RefusalCause::kTooOld, problem);
-                return makeFailure(CallOutcome::kTimeout, problem + ".");
-              });
+  calls.failIf([now](const Call& call) { return call.deadline <= now; },
+               [&](const Call& call) {
+                 const std::string time = " within " + std::to_string(call.timeout.count()) + " ms";
+                 std::string problem = "no answer" + time + ". The robot may or may not " + describe(call) + ".";
+                 if (call.isForPicture()) {
+                   problem = "no picture" + time + pictures.damageRemark();
+                 } else if (!call.wasSent()) {
+                   problem = "the request could not be sent" + time;
+                   tellRefused(call, RefusalCause::kTooOld, problem);
+                   problem += ".";
+                 }
+                 return TimeoutException(problem, FaultKind::kNone, call.wasSent());
+               });
 }
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
@@ -102,9 +102,11 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
   if (call.has(version2::NEEDS_MEMORY_STICK)) {
     calls.transferEnds(now);
   }
-  const std::string problem = context.address + " refused to " + describe(call) + ": " + why + ".";
   tellRefused(call, cause, why);
-  calls.answer(call.request_number, makeFailure(CallOutcome::kRefused, problem));
+  calls.failIf([&call](const Call& each) { return &each == &call; },
+               [&](const Call&) {
+                 return CommandException(context.address + " refused to " + describe(call) + ": " + why + ".");
+               });
 }
 
 /// The user follows a numbered order by its number, whether or not a caller waits for the answer.

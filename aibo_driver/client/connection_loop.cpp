@@ -57,7 +57,7 @@ void ConnectionLoop::start() {
 
 void ConnectionLoop::waitForConnection(milliseconds timeout) const {
   std::unique_lock<std::mutex> lock(mutex_);
-  requireOtherThread(shared_, "waitForConnection()");
+  requireOtherThread(shared_);
   connected_or_stopped_.wait_for(
       lock, timeout, [this] { return shared_.stopped || shared_.status.state == ConnectionState::kConnected; });
   requireConnection(shared_);
@@ -86,9 +86,9 @@ void ConnectionLoop::requireConnection(const Shared& shared) const {
   }
 }
 
-void ConnectionLoop::requireOtherThread(const Shared& shared, const std::string& caller) {
+void ConnectionLoop::requireOtherThread(const Shared& shared) {
   if (std::this_thread::get_id() == shared.thread) {
-    throw Exception(caller + " cannot be called from a callback: it would wait for itself");
+    throw Exception("a function that waits for the robot cannot be called from a callback: it would wait for itself");
   }
 }
 
@@ -115,7 +115,7 @@ void ConnectionLoop::run() {
       onFault(Fault::internal(error.what()));
     }
   }
-  endConnection(CallOutcome::kStopped, "the client was stopped", "", FaultKind::kNone);
+  endConnection("the client was stopped", "", FaultKind::kNone);
 }
 
 // This function ends only by an exception.
@@ -333,8 +333,7 @@ void ConnectionLoop::onFault(const Fault& cause) {
     notifier_.log(LogLevel::kWarn, std::string("No connection to the robot: ") + fault.what() + ". " + fault.advice() +
                                        " Trying again until it works.");
   }
-  endConnection(silent ? CallOutcome::kTimeout : CallOutcome::kConnectionLost, fault.what(), fault.advice(),
-                fault.kind());
+  endConnection(fault.what(), fault.advice(), fault.kind());
 }
 
 bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
@@ -342,10 +341,8 @@ bool ConnectionLoop::wasTurnedAway(const Fault& fault) const {
          steady_clock::now() - connected_ < kTurnedAwayTime;
 }
 
-// Calls in progress end with `outcome`, and unsent commands are dropped. Later commands are refused because of the
-// status.
-void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice,
-                                   FaultKind kind) {
+// Calls in progress fail, and unsent commands are dropped. Later commands are refused because of the status.
+void ConnectionLoop::endConnection(const std::string& reason, const std::string& advice, FaultKind kind) {
   transport_->close();
   connected_ = TimePoint::max();
   updateStreaming(false);
@@ -370,7 +367,7 @@ void ConnectionLoop::endConnection(CallOutcome outcome, const std::string& reaso
       connection_->calls.add(std::move(call));  // on_refused is not called: orders end with the connection
     }
     connection_->sound.connectionLost();
-    connection_->calls.failAll(makeFailure(outcome, advice.empty() ? reason : reason + ". " + advice, kind));
+    connection_->calls.failAll(advice.empty() ? reason : reason + ". " + advice, kind);
   }
   session_.reset();
   connection_.reset();

@@ -79,9 +79,9 @@ class ConnectionLoop {
   /// @throw StoppedException stop() was called
   void requireConnection(const Shared& shared) const;
 
-  /// @param caller the name of a function that waits for the client's thread
-  /// @throw Exception it was called from a callback, on that thread
-  static void requireOtherThread(const Shared& shared, const std::string& caller);
+  /// Call this in functions that wait for the client's thread.
+  /// @throw Exception this is that thread: the function was called from a callback
+  static void requireOtherThread(const Shared& shared);
 
   const std::string& address() const { return address_; }
 
@@ -104,7 +104,7 @@ class ConnectionLoop {
   void onReady();
   void onFault(const Fault& cause);
   bool wasTurnedAway(const Fault& fault) const;
-  void endConnection(CallOutcome outcome, const std::string& reason, const std::string& advice, FaultKind kind);
+  void endConnection(const std::string& reason, const std::string& advice, FaultKind kind);
   void updateStreaming(bool streaming);
   void updateMotorsAndPosture(const MotorsAndPosture& state);
   template <typename Change>

@@ -1,9 +1,9 @@
 #include "aibo_client/rcserver_client.h"
 
+#include <algorithm>
 #include <functional>
 #include <future>
 #include <memory>
-#include <type_traits>
 #include <utility>
 
 #include "aibo_client/exceptions.h"
@@ -11,6 +11,13 @@
 #include "client/argument_checks.h"
 #include "client/connection_loop.h"
 #include "client/units.h"
+#include "client/version1_requests.h"
+#include "protocol/big_endian.h"
+#include "protocol/file_list.h"
+#include "protocol/motion_requests.h"
+#include "protocol/sound_requests.h"
+#include "protocol/stick_pictures.h"
+#include "protocol/walk_requests.h"
 
 namespace aibo_client {
 
@@ -23,22 +30,6 @@ using Shared = ConnectionLoop::Shared;
 namespace {
 
 constexpr milliseconds kLongestTimeout{3600 * 1000};
-
-/// If a call has failed, throws its exception.
-void throwUnlessDone(const Answer& answer) {
-  switch (answer.outcome) {
-    case CallOutcome::kDone:
-      break;
-    case CallOutcome::kTimeout:
-      throw TimeoutException(answer.problem, answer.fault, answer.was_sent);
-    case CallOutcome::kRefused:
-      throw CommandException(answer.problem);
-    case CallOutcome::kConnectionLost:
-      throw NetworkException(answer.problem, answer.fault, answer.was_sent);
-    case CallOutcome::kStopped:
-      throw StoppedException(answer.problem);
-  }
-}
 
 /// @param words what the request is for
 /// @throw CommandException this server does not know the request
@@ -56,59 +47,50 @@ void requireRequest(const ConnectionLoop& loop, const Shared& shared, const vers
   }
 }
 
+/// Changes the shared state and a call when the call is handed over.
+using Complete = std::function<void(Shared* shared, Call* call)>;
+
 /// Hands a call to the client's thread.
-/// @param read makes the result of the call from its answer
-/// @param complete called with the shared state and the call when the call can no longer be refused here
-/// @return becomes ready with the result, or with the exception that says why the call has failed
+/// @param complete may be empty
 /// @throw the exceptions of RcServerClient::beginMotors(). If it throws, it has handed over no call
-template <typename Read, typename Result = std::invoke_result_t<Read, Answer>>
-std::future<Result> begin(
-    ConnectionLoop* loop, Call call, milliseconds timeout, const Read& read,
-    const std::function<void(Shared*, Call*)>& complete = [](Shared*, Call*) {}) {
+void handOver(ConnectionLoop* loop, Call call, milliseconds timeout, const Complete& complete = {}) {
   checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
-  const auto promise = std::make_shared<std::promise<Result>>();
   call.timeout = timeout;
   call.deadline = steady_clock::now() + timeout;
-  call.end = [promise, read](Answer answer) {
-    try {
-      throwUnlessDone(answer);
-      if constexpr (std::is_void_v<Result>) {
-        promise->set_value();
-      } else {
-        promise->set_value(read(std::move(answer)));
-      }
-    } catch (...) {
-      promise->set_exception(std::current_exception());
-    }
-  };
   loop->change([&](Shared& shared) {
     loop->requireConnection(shared);
     requireRequest(*loop, shared, call.request, describe(call), isKnownToVersion1(call));
-    complete(&shared, &call);
+    if (complete) {
+      complete(&shared, &call);
+    }
     call.dropFrom(&shared.commands);
     shared.calls.push_back(std::move(call));
   });
-  return promise->get_future();
 }
 
-void readNothing(const Answer& /*answer*/) {}
-
-/// Waits for what `begin` has begun.
-/// @param caller the name of the function, for messages
-template <typename Begin>
-auto waitFor(const ConnectionLoop& loop, const std::string& caller, const Begin& begin) {
-  loop.read([&caller](const Shared& shared) { ConnectionLoop::requireOtherThread(shared, caller); });
-  return begin().get();
+/// Sends a request and begins to wait for its reply.
+/// @tparam Reply the payload of the reply
+/// @param read makes the result from the reply
+/// @return gets the result, or the exception that says why the call has failed
+/// @throw the exceptions of handOver()
+template <typename Reply, typename Read>
+auto exchange(ConnectionLoop* loop, Call call, milliseconds timeout, const Read& read, const Complete& complete = {}) {
+  auto result = expectReply<Reply>(&call, read);
+  handOver(loop, std::move(call), timeout, complete);
+  return result;
 }
 
-/// Hands a call to the client's thread, and waits for its answer.
-/// @param caller the name of the function, for messages
-/// @param complete as for begin()
-Answer ask(
-    ConnectionLoop* loop, Call call, milliseconds timeout, const std::string& caller,
-    const std::function<void(Shared*, Call*)>& complete = [](Shared*, Call*) {}) {
-  const auto read = [](Answer answer) { return answer; };
-  return waitFor(*loop, caller, [&] { return begin(loop, std::move(call), timeout, read, complete); });
+/// Does the same if the reply has no content.
+std::future<void> exchange(ConnectionLoop* loop, Call call, milliseconds timeout, const Complete& complete = {}) {
+  return exchange<AnyReply>(
+      loop, std::move(call), timeout, [](const AnyReply&) {}, complete);
+}
+
+/// The loop, for a function that waits for the robot.
+/// @throw Exception the function was called from a callback
+ConnectionLoop* waitable(const std::unique_ptr<ConnectionLoop>& loop) {
+  loop->read(ConnectionLoop::requireOtherThread);
+  return loop.get();
 }
 
 /// Hands a command to the client's thread.
@@ -133,6 +115,49 @@ SoundPart placeOf(std::size_t size, std::uint64_t sound, bool is_last, Shared* s
   next.position += part.size;
   next.is_last = is_last;
   return part;
+}
+
+/// @name Requests that several functions make
+/// @{
+/// Puts samples into a call. If there are none, the call stops the sound.
+void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples, Call* call) {
+  Call::Bytes bytes(samples.size() * version2::BYTES_PER_SAMPLE);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    protocol::encodeBigEndian16(static_cast<unsigned short>(samples[i]), &bytes[i * version2::BYTES_PER_SAMPLE]);
+  }
+  call->payload = encoded(version2::PlayedSound{part.position, part.is_last, bytes.data(), bytes.size()});
+  call->sound_part = part;
+}
+
+/// @param name of a file; it is also in the payload
+template <typename Payload>
+Call callForFile(const version2::Request& request, Payload payload, const std::string& name, int id = 0) {
+  name.copy(payload.name, protocol::MAX_FILE_NAME_SIZE);
+  return makeCall(request, payload, name, id);
+}
+/// @}
+
+/// @name Replies that need more than their layout to be good
+/// @{
+struct MotionNames : public version2::FileList {};
+const char* decode(const unsigned char* payload, std::size_t size, MotionNames* names) {
+  return version2::decodeFileList(protocol::readMotionName, payload, size, names);
+}
+
+struct PictureNames : public version2::FileList {};
+const char* decode(const unsigned char* payload, std::size_t size, PictureNames* names) {
+  return version2::decodeFileList(protocol::readPictureName, payload, size, names);
+}
+
+struct VolumeInForce : public version2::Volume {};
+const char* decode(const unsigned char* payload, std::size_t size, VolumeInForce* volume) {
+  const char* const problem = version2::decode<version2::Volume>(payload, size, volume);
+  return problem != nullptr || volume->step <= version2::MAX_VOLUME ? problem : "it does not say the volume in force";
+}
+/// @}
+
+std::vector<std::string> namesIn(const version2::FileList& list) {
+  return {list.names, list.names + list.count};
 }
 
 version2::Posture toProtocol(Posture posture) {
@@ -244,11 +269,20 @@ bool RcServerClient::streaming() const {
 PicturePtr RcServerClient::takePicture(int quality, milliseconds timeout, int* stream_quality,
                                        std::optional<Resolution> resolution) {
   checkRange("quality", quality, 0, 100);
-  const Answer answer = ask(loop_.get(), callForPicture(quality, resolution), timeout, "takePicture()");
+  const bool is_usual = resolution.value_or(Resolution::kHigh) == Resolution::kHigh;
+  Call call = makeCall(version2::TAKE_PICTURE, version2::NoPayload(), is_usual ? "" : "of this resolution");
+  call.quality = quality;
+  call.resolution = resolution;
+  const auto promise = std::make_shared<std::promise<std::pair<PicturePtr, int>>>();
+  auto result = promise->get_future();
+  call.answer_with_picture = [promise](const PicturePtr& taken, int of) { promise->set_value({taken, of}); };
+  call.fail = [promise](const std::exception_ptr& failure) { promise->set_exception(failure); };
+  handOver(waitable(loop_), std::move(call), timeout);
+  const auto [picture, quality_of_stream] = result.get();
   if (stream_quality != nullptr) {
-    *stream_quality = answer.stream_quality;
+    *stream_quality = quality_of_stream;
   }
-  return answer.picture;
+  return picture;
 }
 
 void RcServerClient::commandJoints(const std::vector<JointTarget>& targets, milliseconds duration,
@@ -272,24 +306,31 @@ void RcServerClient::setJointSpeedLimits(const std::vector<JointSpeedLimit>& lim
 }
 
 bool RcServerClient::setMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
-  return waitFor(*loop_, "setMotors()", [&] { return beginMotors(on, timeout, terms); });
+  waitable(loop_);
+  return beginMotors(on, timeout, terms).get();
 }
 
 std::future<bool> RcServerClient::beginMotors(bool on, milliseconds timeout, const OrderTerms& terms) {
-  Call call = callForMotors(on);
+  Call call = makeCall(on ? version2::SWITCH_MOTORS_ON : version2::SWITCH_MOTORS_OFF, version2::MotorOrder{0, on});
   if (on) {
     call.terms = {terms.not_after, 0};
   }
-  return begin(loop_.get(), std::move(call), timeout, [](const Answer& answer) { return answer.motors_on; });
+  return exchange<version2::MotorState>(loop_.get(), std::move(call), timeout,
+                                        [](const auto& state) { return state.on; });
 }
 
 void RcServerClient::hold(const std::vector<int>& joints, milliseconds timeout) {
-  waitFor(*loop_, "hold()", [&] { return beginHold(joints, timeout); });
+  waitable(loop_);
+  beginHold(joints, timeout).get();
 }
 
 std::future<void> RcServerClient::beginHold(const std::vector<int>& joints, milliseconds timeout) {
   checkJointsToHold(joints);
-  return begin(loop_.get(), callToHold(joints), timeout, readNothing);
+  Call call = makeCall(version2::HOLD, version2::NoPayload(), "",
+                       joints.empty() ? version2::HOLD_EVERYTHING : version2::HOLD_JOINTS);
+  call.payload.assign(joints.begin(), joints.end());
+  call.joints = joints;
+  return exchange(loop_.get(), std::move(call), timeout);
 }
 
 void RcServerClient::steer(const WalkVelocity& velocity, const OrderTerms& terms) {
@@ -308,13 +349,15 @@ void RcServerClient::guardWalks(bool on) {
 }
 
 void RcServerClient::takePosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  waitFor(*loop_, "takePosture()", [&] { return beginPosture(posture, timeout, terms); });
+  waitable(loop_);
+  beginPosture(posture, timeout, terms).get();
 }
 
 std::future<void> RcServerClient::beginPosture(Posture posture, milliseconds timeout, const OrderTerms& terms) {
-  Call call = callForPosture(toProtocol(posture));
+  const version2::Posture id = toProtocol(posture);
+  Call call = makeCall(version2::TAKE_POSTURE, version2::PostureOrder{0}, version2::postureName(id), id);
   call.terms = terms;
-  return begin(loop_.get(), std::move(call), timeout, readNothing);
+  return exchange(loop_.get(), std::move(call), timeout);
 }
 
 void RcServerClient::commandLeds(const std::vector<LedCommand>& leds) {
@@ -330,85 +373,114 @@ void RcServerClient::commandEars(bool left, bool right) {
 
 std::string RcServerClient::playMotion(const std::string& name, int repetitions, milliseconds timeout,
                                        const OrderTerms& terms) {
-  return waitFor(*loop_, "playMotion()", [&] { return beginMotion(name, repetitions, timeout, terms); });
+  waitable(loop_);
+  return beginMotion(name, repetitions, timeout, terms).get();
 }
 
 std::future<std::string> RcServerClient::beginMotion(const std::string& name, int repetitions, milliseconds timeout,
                                                      const OrderTerms& terms) {
   checkRange("repetitions", repetitions, 1, 65535);
-  Call call = callToPlay(checkedMotionName(name), repetitions, motion_bits_);
+  const version2::MotionOrder order = {0, static_cast<unsigned short>(repetitions), ""};
+  Call call = callForFile(version2::PLAY_MOTION, order, checkedMotionName(name), motion_bits_);
   call.terms = terms;
-  return begin(loop_.get(), std::move(call), timeout, [](const Answer& answer) { return answer.changes; });
+  return exchange<version2::MotionChanges>(loop_.get(), std::move(call), timeout, [](const auto& changes) {
+    return std::string(changes.text, changes.text_size);
+  });
 }
 
 void RcServerClient::stopMotion(const std::string& name, milliseconds timeout) {
-  ask(loop_.get(), callToStop(name.empty() ? name : checkedMotionName(name)), timeout, "stopMotion()");
+  const version2::Request& request = name.empty() ? version2::STOP_ALL_MOTIONS : version2::STOP_MOTION;
+  exchange(waitable(loop_), callForFile(request, version2::MotionOrder(), name.empty() ? "" : checkedMotionName(name)),
+           timeout)
+      .get();
 }
 
 void RcServerClient::uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                                   milliseconds timeout) {
   checkMotionContent(content);
-  ask(loop_.get(), callToStore(checkedNewMotionName(name), content, motion_bits_), timeout, "uploadMotion()");
+  const version2::MotionUpload upload = {"", content.data(), content.size()};
+  Call call = callForFile(version2::STORE_MOTION, upload, checkedNewMotionName(name), motion_bits_);
+  exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
 void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout) {
-  ask(loop_.get(), callToDelete(checkedMotionName(name)), timeout, "deleteMotion()");
+  Call call = callForFile(version2::DELETE_MOTION, version2::MotionToDelete(), checkedMotionName(name));
+  exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
 std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
-  return ask(loop_.get(), callForMotions(), timeout, "listMotions()").names;
+  return exchange<MotionNames>(waitable(loop_), makeCall(version2::LIST_MOTIONS), timeout, namesIn).get();
 }
 
 std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
   checkRange("quality", quality, 1, 100);
-  return ask(loop_.get(), callToSavePicture(quality), timeout, "takePictureOnRobot()").names.at(0);
+  Call call = makeCall(version2::SAVE_PICTURE, version2::NoPayload(), "", quality);
+  const auto read = [](const auto& picture) { return std::string(picture.name); };
+  return exchange<version2::StickPicture>(waitable(loop_), std::move(call), timeout, read).get();
 }
 
 std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
-  return ask(loop_.get(), callForStickPictures(), timeout, "listPictures()").names;
+  Call call = makeCall(version2::LIST_STICK_PICTURES, version2::NoPayload(), "", version2::LIST_PICTURES);
+  return exchange<PictureNames>(waitable(loop_), std::move(call), timeout, namesIn).get();
 }
 
 std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {
-  Answer answer = ask(loop_.get(), callToFetchPicture(checkedPictureName(name)), timeout, "fetchPicture()");
-  const JpegInspection found = inspectJpeg(answer.file.data(), answer.file.size());
+  Call call = callForFile(version2::FETCH_STICK_PICTURE, version2::StickPicture(), checkedPictureName(name),
+                          version2::FETCH_PICTURE);
+  const auto read = [](const auto& file) { return Call::Bytes(file.content, file.content + file.size); };
+  Call::Bytes file = exchange<version2::FetchedPicture>(waitable(loop_), std::move(call), timeout, read).get();
+  const JpegInspection found = inspectJpeg(file.data(), file.size());
   if (!found.good()) {
     throw CommandException(loop_->address() + " has sent " + name +
                            ", which is not a picture of its camera: " + found.problem + ".");
   }
-  return std::move(answer.file);
+  return file;
 }
 
 void RcServerClient::deletePicture(const std::string& name, milliseconds timeout) {
-  ask(loop_.get(), callToDeletePicture(checkedPictureName(name)), timeout, "deletePicture()");
+  Call call = callForFile(version2::DELETE_STICK_PICTURE, version2::StickPicture(), checkedPictureName(name),
+                          version2::DELETE_PICTURE);
+  exchange(waitable(loop_), std::move(call), timeout).get();
 }
 
 void RcServerClient::shutDownRobot(milliseconds timeout) {
-  ask(loop_.get(), callToGoOff(version2::SHUT_DOWN), timeout, "shutDownRobot()");
+  exchange(waitable(loop_), makeCall(version2::SHUT_DOWN), timeout).get();
 }
 
 void RcServerClient::rebootRobot(milliseconds timeout) {
-  ask(loop_.get(), callToGoOff(version2::REBOOT), timeout, "rebootRobot()");
+  exchange(waitable(loop_), makeCall(version2::REBOOT), timeout).get();
 }
 
 SoundProgress RcServerClient::playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                                           milliseconds timeout) {
   checkRange("samples", static_cast<long long>(samples.size()), 1, kMostSamplesAtOnce);
+  SoundProgress progress;
   const auto complete = [&](Shared* shared, Call* call) {
-    setSamples(placeOf(samples.size(), sound, is_last, shared), samples, call);
+    const SoundPart part = placeOf(samples.size(), sound, is_last, shared);
+    setSamples(part, samples, call);
+    progress.sound = part.sound;
   };
-  return ask(loop_.get(), makeCall(version2::PLAY_SOUND), timeout, "playSamples()", complete).sound;
+  const auto read = [](const auto& room) { return std::min(room.samples, version2::SPEAKER_CAPACITY); };
+  Call call = makeCall(version2::PLAY_SOUND, version2::NoPayload(), "", version2::SOUND_SPEAKER);
+  progress.room = exchange<version2::SpeakerRoom>(waitable(loop_), std::move(call), timeout, read, complete).get();
+  return progress;
 }
 
 void RcServerClient::stopSound(milliseconds timeout) {
+  Call call = makeCall(version2::PLAY_SOUND, version2::NoPayload(), "", version2::SOUND_SPEAKER);
+  setSamples({0, 0, 0, true}, {}, &call);
   const auto complete = [](Shared* shared, Call* /*call*/) { shared->sound = SoundPart(); };
-  ask(loop_.get(), callToPlaySamples({0, 0, 0, true}, {}), timeout, "stopSound()", complete);
+  exchange(waitable(loop_), std::move(call), timeout, complete).get();
 }
 
 int RcServerClient::setVolume(int volume, milliseconds timeout) {
   if (volume != kVolumeOfRobot) {
     checkRange("volume", volume, 0, kLoudestVolume);
   }
-  return ask(loop_.get(), callForVolume(volume), timeout, "setVolume()").volume;
+  Call call =
+      makeCall(version2::SET_VOLUME, version2::Volume{static_cast<unsigned char>(volume)}, "", version2::SOUND_VOLUME);
+  const auto read = [](const auto& in_force) { return int{in_force.step}; };
+  return exchange<VolumeInForce>(waitable(loop_), std::move(call), timeout, read).get();
 }
 
 void RcServerClient::setTelemetryPeriod(int frames) {

@@ -5,32 +5,13 @@
 
 #include "client/fault.h"
 #include "client/units.h"
+#include "client/version1_requests.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
 namespace {
-
-Session::Bytes makeCommand(char letter, int identifier) {
-  protocol::BasicGetCommand command;
-  command.command = letter;
-  command.identifier = static_cast<unsigned char>(identifier);
-  Session::Bytes bytes(protocol::BASIC_COMMAND_SIZE);
-  protocol::encodeCommand(command, bytes.data());
-  return bytes;
-}
-
-// A request that sets a value has the layout of its reply.
-Session::Bytes makeSetCommand(char letter, int identifier, short value) {
-  protocol::ValueReply request;
-  request.letter = letter;
-  request.identifier = static_cast<unsigned char>(identifier);
-  request.value = value;
-  Session::Bytes bytes(protocol::VALUE_REQUEST_SIZE);
-  protocol::encodeValueReply(request, bytes.data());
-  return bytes;
-}
 
 const char* partOf(char letter) {
   switch (letter) {
@@ -123,7 +104,7 @@ Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
   connection_.dropTooOld(now);
   if (wish.streaming != connection_.pictures.streaming()) {
     connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
-    return makeCommand(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
+    return version1Command(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
   }
   if (!ready_) {
     return connection_.pictures.streaming() ? Bytes() : requestTrial(wish, now);
@@ -150,7 +131,7 @@ void Version1Session::warnOfMissing(const char* request, bool wanted) {
 Session::Bytes Version1Session::requestTrial(const Wish& wish, TimePoint now) {
   is_trial_owed_ = true;
   connection_.pictures.signOfPicture(now);
-  return makeCommand(protocol::REQUEST_PICTURE, wish.jpeg_quality);
+  return version1Command(protocol::REQUEST_PICTURE, wish.jpeg_quality);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
@@ -164,12 +145,12 @@ bool Version1Session::mayPoll() const {
 Session::Bytes Version1Session::requestPicture(const Wish& wish, Call* call, TimePoint now) {
   call->request_number = kOwed;
   connection_.pictures.signOfPicture(now);
-  return makeCommand(protocol::REQUEST_PICTURE, call->quality == 0 ? wish.jpeg_quality : call->quality);
+  return version1Command(protocol::REQUEST_PICTURE, call->quality == 0 ? wish.jpeg_quality : call->quality);
 }
 
 Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
   call->request_number = kOwed;
-  Bytes bytes = call->version1;
+  Bytes bytes = version1Request(*call);
   connection_.callSent(*call, bytes.size(), now);
   return bytes;
 }
@@ -179,7 +160,7 @@ Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);
     value_owed_ = ValueRequest{value.request, value.id, false, now};
-    return makeCommand(value.request, value.id);
+    return version1Command(value.request, value.id);
   }
   return has_commands ? nextCommand(now) : Bytes();
 }
@@ -240,7 +221,7 @@ Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
 
 Session::Bytes Version1Session::setValue(char letter, int id, short value, TimePoint now) {
   value_owed_ = ValueRequest{letter, id, true, now};
-  return makeSetCommand(letter, id, value);
+  return version1SetCommand(letter, id, value);
 }
 
 void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) {
@@ -288,9 +269,7 @@ void Version1Session::onPicture() {
   }
   if (owed != nullptr) {
     pictures.deliver(picture);
-    Answer answer;
-    answer.picture = picture;
-    connection_.calls.answer(kOwed, std::move(answer));
+    connection_.calls.answer(kOwed, picture);
   } else if (pictures.deliverFromStream(picture, now_)) {
     connection_.calls.answerFromStream(picture, pictures.streamQuality());
   }
@@ -374,7 +353,7 @@ void Version1Session::onCallAnswered() {
     connection_.context.notifier.ended(
         {EndedKind::kMotion, EndedHow::kUnknown, call.object, kUnknownEnd, call.order()});
   }
-  connection_.calls.answer(kOwed, {});
+  connection_.calls.answer(kOwed, nullptr, 0);
 }
 
 void Version1Session::onValue(const protocol::ValueReply& reply) {

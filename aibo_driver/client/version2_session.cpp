@@ -718,9 +718,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
     newest_frame_ = picture->frame_number;
     connection_.pictures.deliver(picture);
   }
-  Answer answer;
-  answer.picture = picture;
-  connection_.calls.answer(number, std::move(answer));
+  connection_.calls.answer(number, picture);
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
@@ -838,11 +836,8 @@ void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
   connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
 }
 
+// What the answer causes is told before the caller gets the answer.
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
-  Answer answer;
-  if (call.read_answer) {
-    expectGood(call.read_answer(payload.data, payload.size, &answer), "answer to the request to " + describe(call));
-  }
   if (call.has(version2::MOVES_BODY)) {
     bodyMovesAgain();
   }
@@ -851,7 +846,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   } else if (call.has(version2::NEEDS_MEMORY_STICK)) {
     connection_.calls.transferEnds(now_);
   }
-  connection_.calls.answer(call.request_number, std::move(answer));
+  connection_.calls.answer(call.request_number, payload.data, payload.size);
 }
 
 /// Tells that the robot has refused a request. Its caller may have stopped waiting.

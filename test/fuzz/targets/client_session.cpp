@@ -9,12 +9,15 @@
 #include "aibo_client/jpeg_inspector.h"
 #include "client/fault.h"
 #include "client/possible_values.h"
+#include "client/version1_requests.h"
 #include "client/version1_session.h"
 #include "client/version2_session.h"
 #include "client/version_negotiation.h"
 #include "fuzz_input.h"
+#include "support/calls.h"
 
 using namespace aibo_client;
+using namespace test_support;
 using std::chrono::milliseconds;
 
 namespace {
@@ -49,7 +52,7 @@ class Client {
     } catch (const Fault& fault) {
       require(!std::string(fault.what()).empty() && !fault.advice().empty(), "a fault says why, and what to do");
     }
-    connection_.calls.failAll(makeFailure(CallOutcome::kConnectionLost, "the connection ended"));
+    connection_.calls.failAll("the connection ended", FaultKind::kClosed);
     for (const auto& answer : answers_) {
       require(answer.wait_for(milliseconds(0)) == std::future_status::ready, "every caller gets an answer");
     }
@@ -147,7 +150,7 @@ class Client {
     }
   }
 
-  void wantPicture() { add(callForPicture(static_cast<int>(input_.takeByte() % 101), std::nullopt)); }
+  void wantPicture() { add(callForPicture(static_cast<int>(input_.takeByte() % 101))); }
 
   Call takeCall() {
     const unsigned kind = input_.takeByte() % 13;
@@ -159,27 +162,27 @@ class Client {
       case 1:
         return callToDelete("NOD.MTN");
       case 2:
-        return is_first ? callToStop("NOD.MTN") : callToPlay("NOD.MTN", 1, 0);
+        return is_first ? callToStop("NOD.MTN") : callToPlay("NOD.MTN");
       case 3:
-        return callToStore("NOD.MTN", content, 0);
+        return callToStore("NOD.MTN", content);
       case 4:
-        return callForMotions();
+        return makeCall(protocol::version2::LIST_MOTIONS);
       case 5:
-        return callToGoOff(protocol::version2::SHUT_DOWN);
+        return makeCall(protocol::version2::SHUT_DOWN);
       case 6:
-        return callToGoOff(protocol::version2::REBOOT);
+        return makeCall(protocol::version2::REBOOT);
       case 7:
         return callToHold(is_first ? std::vector<int>() : std::vector<int>{2, 52});
       case 8:
         return callForPosture(is_first ? protocol::version2::POSTURE_STAND : protocol::version2::POSTURE_SIT);
       case 9:
-        return callToSavePicture(is_first ? 0 : 1);
+        return makeCall(protocol::version2::SAVE_PICTURE);
       case 11:
-        return callToPlaySamples({++sounds_, 0, 2, is_first}, {1, 2});
+        return callToPlaySamples({++sounds_, 0, 2, is_first});
       case 12:
-        return callToPlaySamples({sounds_, 2, is_first ? 2U : 0U, true}, std::vector<std::int16_t>(is_first ? 2 : 0));
+        return callToPlaySamples({sounds_, 2, is_first ? 2U : 0U, true});
       default:
-        return is_first ? callForStickPictures() : callToFetchPicture("AIBO0001.JPG");
+        return callToFetchPicture("AIBO0001.JPG");
     }
   }
 
@@ -194,9 +197,10 @@ class Client {
     if (session_->protocolVersion() == 1 && !isKnownToVersion1(call)) {
       return;
     }
-    const auto promise = std::make_shared<std::promise<Answer>>();
-    answers_.push_back(promise->get_future());
-    call.end = [promise](Answer answer) { promise->set_value(std::move(answer)); };
+    answers_.push_back(call.has(protocol::version2::FETCHES_FILE)
+                           ? expectReply<protocol::version2::FetchedPicture>(&call, [](const auto&) {})
+                           : expectReply<AnyReply>(&call, [](const auto&) {}));
+    call.answer_with_picture = [answer = call.answer](const PicturePtr&, int) { answer(nullptr, 0); };
     connection_.add(std::move(call));
   }
 
@@ -292,7 +296,7 @@ class Client {
   ColorTablePtr table_ = std::make_shared<ColorTable>();
   Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);
   Connection connection_{{"robot:54321", milliseconds(500), notifier_, counters_, 1}, now_};
-  std::deque<std::future<Answer>> answers_;
+  std::deque<std::future<void>> answers_;
   std::unique_ptr<Session> session_;
 };
 

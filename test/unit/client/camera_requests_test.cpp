@@ -5,6 +5,7 @@
 #include "version2_fixture.h"
 
 using namespace aibo_client;
+using namespace test_support;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 

@@ -1,6 +1,7 @@
 // What each function of RcServerClient sends, and what it makes of the answer: the tables of docs/protocol.md.
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <future>
@@ -184,6 +185,30 @@ TEST_F(Requests, ThatAreRefusedThrowTheRobotsReason) {
     auto complaint = complaintInBackground<CommandException>(row);
     answer(&peer, peer.readRequest(), 'e', version2_frames::makeError(0, "why"));
     EXPECT_THAT(complaint.get(), HasSubstr("refused to " + row.words + ": why")) << row.sent;
+  }
+}
+
+TEST_F(Requests, WhoseAnswerNoServerSendsEndTheConnection) {
+  const struct {
+    std::string words;
+    Bytes answer;
+  } rows[] = {
+      {"list its motions", bytesOf("A/..")},
+      {"list the pictures on its memory stick", bytesOf("NOD.MTN")},
+      {"take a picture onto its memory stick", {}},
+      {"take a picture onto its memory stick", bytesOf("../A.JPG")},
+      {"send the picture MINE.JPG", Bytes(protocol::version2::MAX_STICK_PICTURE_SIZE + 1)},
+      {"play the motion NOD.MTN", bytesOf("\x1b[J")},
+      {"set its volume", {kVolumeOfRobot}},
+  };
+  for (const auto& row : rows) {
+    ScriptedPeer peer = connectVersion2(kNeeded);
+    const auto call =
+        std::find_if(kCalls.begin(), kCalls.end(), [&](const CallRow& each) { return each.words == row.words; });
+    auto complaint = complaintInBackground<NetworkException>(*call);
+    const version2_frames::Frame request = peer.readRequest();
+    answer(&peer, request, protocol::version2::replyKind(request.header.kind), row.answer);
+    EXPECT_THAT(complaint.get(), HasSubstr("bad answer to the request to " + row.words));
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <future>
 #include <memory>
 #include <string>
@@ -15,10 +16,21 @@
 #include "aibo_client/exceptions.h"
 #include "client/connection.h"
 #include "client/session.h"
+#include "support/calls.h"
 #include "support/test_pictures.h"
 
 /// The robot's frame when it says hello: ten before its numbers begin again.
 constexpr unsigned kFrame = 0xFFFFFFF6;
+
+/// How a call has ended.
+enum class CallOutcome { kDone, kTimeout, kRefused };
+struct Answer {
+  CallOutcome outcome = CallOutcome::kDone;
+  std::string problem;
+  bool was_sent = false;
+  aibo_client::PicturePtr picture;
+  int stream_quality = 0;
+};
 
 constexpr char kSilentStream[] = "robot:54321 sent nothing for 500 ms while a picture was due";
 
@@ -70,8 +82,8 @@ class SessionFixture : public testing::Test {
     return whyGivenUp([this, time] { pass(time); });
   }
 
-  std::future<aibo_client::Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
-    return add(aibo_client::callForPicture(quality, std::nullopt), timeout);
+  std::future<Answer> takePicture(int quality, milliseconds timeout = milliseconds(2000)) {
+    return add(test_support::callForPicture(quality), timeout);
   }
 
   /// Orders are numbered from kFirstOrder on.
@@ -89,18 +101,30 @@ class SessionFixture : public testing::Test {
     command([&](auto* newer) { newer->steer({velocity, terms()}); });
   }
 
-  std::future<aibo_client::Answer> add(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
-    const auto promise = std::make_shared<std::promise<aibo_client::Answer>>();
+  std::future<Answer> add(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
+    const auto promise = std::make_shared<std::promise<Answer>>();
     call.timeout = timeout;
     call.since = now_;
     call.deadline = now_ + timeout;
-    call.end = [promise](aibo_client::Answer answer) { promise->set_value(std::move(answer)); };
+    call.answer = [promise](const unsigned char*, std::size_t) { return promise->set_value({}), nullptr; };
+    call.answer_with_picture = [promise](const aibo_client::PicturePtr& picture, int stream_quality) {
+      promise->set_value({CallOutcome::kDone, "", true, picture, stream_quality});
+    };
+    call.fail = [promise](const std::exception_ptr& failure) {
+      try {
+        std::rethrow_exception(failure);
+      } catch (const aibo_client::TimeoutException& late) {
+        promise->set_value({CallOutcome::kTimeout, late.what(), late.wasSent(), nullptr});
+      } catch (const aibo_client::CommandException& refusal) {
+        promise->set_value({CallOutcome::kRefused, refusal.what(), false, nullptr});
+      }
+    };
     connection_.add(std::move(call));
     return promise->get_future();
   }
 
   /// An order, which has the next number.
-  std::future<aibo_client::Answer> order(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
+  std::future<Answer> order(aibo_client::Call call, milliseconds timeout = milliseconds(2000)) {
     call.terms = terms();
     return add(std::move(call), timeout);
   }
@@ -123,7 +147,7 @@ class SessionFixture : public testing::Test {
     });
   }
 
-  static bool done(const std::future<aibo_client::Answer>& answer) {
+  static bool done(const std::future<Answer>& answer) {
     return answer.wait_for(milliseconds(0)) == std::future_status::ready;
   }
 

@@ -11,6 +11,7 @@
 #include "version2_fixture.h"
 
 using namespace aibo_client;
+using namespace test_support;
 using std::chrono::milliseconds;
 using std::chrono::seconds;
 using test_pictures::Bytes;
@@ -63,16 +64,15 @@ class SoundTest : public Version2SessionFixture {
 
   /// Sends the samples.
   std::future<Answer> send(const SoundPart& part) {
-    auto answer = add(callToPlaySamples(part, std::vector<std::int16_t>(part.size, 7)), milliseconds(2000));
+    auto answer = add(callToPlaySamples(part), milliseconds(2000));
     EXPECT_EQ("A 2", request(0));
     return answer;
   }
 
   /// Sends the samples, which the robot accepts.
   void play(const SoundPart& part) {
-    auto progress = send(part);
+    send(part);
     answer(encoded(version2::SpeakerRoom{version2::SPEAKER_CAPACITY}));
-    EXPECT_EQ(part.sound, progress.get().sound.sound);
   }
 
   void pushEnd(int how, unsigned samples, unsigned gaps = 0, unsigned missing = 0) {

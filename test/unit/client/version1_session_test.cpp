@@ -10,6 +10,7 @@
 #include "session_fixture.h"
 
 using namespace aibo_client;
+using namespace test_support;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::AllOf;
@@ -292,8 +293,8 @@ TEST_F(Version1SessionTest, AllLedsWithTheSameIntensityAndModeAreSetTogether) {
 TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseWaits) {
   wish_ = {true, 73, 4};
   EXPECT_EQ("W73", command());
-  auto upload = add(callToStore("NOD.MTN", Bytes(1234, 7), 0), milliseconds(20000));
-  auto play = add(callToPlay("NOD.MTN", 1, 0), milliseconds(20000));
+  auto upload = add(callToStore("NOD.MTN", Bytes(1234, 7)), milliseconds(20000));
+  auto play = add(callToPlay("NOD.MTN"), milliseconds(20000));
   commandJoints({{1, 0.1}});
   const Bytes sent = bytes();
   ASSERT_EQ(18u + 1234u, sent.size());
@@ -314,7 +315,7 @@ TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseW
 TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
   wish_.streaming = true;
   command();
-  auto upload = add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
+  auto upload = add(callToStore("NOD.MTN", Bytes(65523)), milliseconds(20000));
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(1900));
   receive({'u', 0, 0, 0});
@@ -328,17 +329,17 @@ TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
     std::uint8_t code;
     std::string problem;
   } rows[] = {
-      {[] { return callForPicture(30, std::nullopt); }, 1, "refused to take a picture: error code 1."},
-      {[] { return callToPlay("NOD.MTN", 1, 0); }, 1,
+      {[] { return callForPicture(30); }, 1, "refused to take a picture: error code 1."},
+      {[] { return callToPlay("NOD.MTN"); }, 1,
        "refused to play the motion NOD.MTN: there is no such file in OPEN-R/MW/DATA/P on its memory stick, or it "
        "cannot "
        "be read (error code 1)."},
-      {[] { return callToPlay("NOD.MTN", 1, 0); }, 0, "are its motors on, and is the file a motion for this robot?"},
+      {[] { return callToPlay("NOD.MTN"); }, 0, "are its motors on, and is the file a motion for this robot?"},
       {[] { return callToDelete("NOD.MTN"); }, 2, "does not accept this as the name of a motion"},
-      {[] { return callToStore("NOD.MTN", Bytes(10), 0); }, 0, "needs a line ALLOW_UPLOAD=yes"},
+      {[] { return callToStore("NOD.MTN", Bytes(10)); }, 0, "needs a line ALLOW_UPLOAD=yes"},
       {[] { return callToDelete("NOD.MTN"); }, 0, "ALLOW_DELETE=yes"},
-      {[] { return callToGoOff(version2::SHUT_DOWN); }, 0, "refused to shut down: is it allowed?"},
-      {[] { return callToGoOff(version2::REBOOT); }, 0, "ALLOW_REBOOT=yes"},
+      {[] { return makeCall(version2::SHUT_DOWN); }, 0, "refused to shut down: is it allowed?"},
+      {[] { return makeCall(version2::REBOOT); }, 0, "ALLOW_REBOOT=yes"},
   };
   for (const auto& row : rows) {
     auto answer = add(row.call());
@@ -352,7 +353,7 @@ TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
 }
 
 TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextAnswerCouldBelongToAnyRequest) {
-  auto answer = add(callToPlay("NOD.MTN", 1, 0), milliseconds(3000));
+  auto answer = add(callToPlay("NOD.MTN"), milliseconds(3000));
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(2999));
   EXPECT_EQ("robot:54321 did not answer the request to play the motion NOD.MTN within 3000 ms",
@@ -484,7 +485,7 @@ TEST_F(Version1SessionTest, AnOrderEndsOnceAndNothingSaysHow) {
 }
 
 TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
-  auto motion = order(callToPlay("NOD.MTN", 1, 0));
+  auto motion = order(callToPlay("NOD.MTN"));
   EXPECT_EQ('P', request());
   receive({'p', 0, 0, 0});
   EXPECT_EQ(CallOutcome::kDone, motion.get().outcome);
@@ -493,7 +494,7 @@ TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
   EXPECT_EQ(EndedHow::kUnknown, ended_[0].how);
   EXPECT_EQ("NOD.MTN", ended_[0].name);
   EXPECT_EQ(kFirstOrder, ended_[0].order);
-  auto refused = order(callToPlay("SIT.MTN", 1, 0));
+  auto refused = order(callToPlay("SIT.MTN"));
   EXPECT_EQ('P', request());
   receive({'e', 0, 1, 0});
   EXPECT_EQ(CallOutcome::kRefused, refused.get().outcome);

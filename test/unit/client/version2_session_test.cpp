@@ -14,6 +14,7 @@
 #include "version2_fixture.h"
 
 using namespace aibo_client;
+using namespace test_support;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
 using testing::ElementsAre;
@@ -119,18 +120,6 @@ TEST(Version2Session, EndsIfTheServerSendsWhatNoneSends) {
     Bytes payload;
     std::string problem;
   } replies[] = {
-      {[](NewSession& session) { session.add(callForMotions()); },
-       {'A', '/', '.', '.'},
-       "bad answer to the request to list its mo"},
-      {[](NewSession& session) { session.add(callToSavePicture(85)); }, {}, "bad answer to the request to take a pic"},
-      {[](NewSession& session) { session.add(callToSavePicture(85)); },
-       {'.', '.', '/', 'A', '.', 'J', 'P', 'G'},
-       "bad answer to the request to take a pic"},
-      {[](NewSession& session) { session.add(callToFetchPicture("A.JPG")); },
-       Bytes(version2::MAX_STICK_PICTURE_SIZE + 1), "bad answer to the request to s"},
-      {[](NewSession& session) { session.add(callToPlay("NOD.MTN", 1, 0)); },
-       {0x1b, '[', 'J'},
-       "bad answer to the request to p"},
       {[](NewSession& session) {
          session.steer({0.1, 0, 0});
        },
@@ -441,7 +430,7 @@ TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsN
 void giveAllOrders(NewSession* session, std::vector<std::future<Answer>>* answers) {
   const auto order = [&](Call call) { answers->push_back(session->order(std::move(call))); };
   order(callForPosture(version2::POSTURE_SIT));
-  order(callToPlay("NOD.MTN", 1, 0));
+  order(callToPlay("NOD.MTN"));
   order(callForMotors(true));
   session->steer({});
   session->steer({0.1, 0, 0});
@@ -546,7 +535,7 @@ TEST_F(Version2SessionTest, EachOrderEndsOnceByItsNumber) {
     return ended_.back().order;
   };
   auto posture = order(callForPosture(version2::POSTURE_SIT), milliseconds(100));
-  auto motion = order(callToPlay("NOD.MTN", 1, 0), milliseconds(100));
+  auto motion = order(callToPlay("NOD.MTN"), milliseconds(100));
   commandJoints({{2, 0.1}});
   std::vector<int> numbers;
   for (const char letter : {'E', 'P', 'J'}) {
@@ -572,7 +561,7 @@ TEST_F(Version2SessionTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
   for (const int code : {0, 5}) {
     const RefusalCause cause = code == 5 ? RefusalCause::kTooOld : RefusalCause::kRobot;
     auto posture = order(callForPosture(version2::POSTURE_SIT));
-    auto motion = order(callToPlay("NOD.MTN", 1, 0), milliseconds(100));
+    auto motion = order(callToPlay("NOD.MTN"), milliseconds(100));
     auto unnumbered = add(callForPosture(version2::POSTURE_REST));
     steer({0.1, 0, 0});
     std::vector<Frame> sent;
@@ -594,11 +583,11 @@ TEST_F(Version2SessionTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
 }
 
 TEST_F(Version2SessionTest, AnOrderThatCannotBeSentIsWithdrawn) {
-  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}, 0), milliseconds(10000));
+  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}), milliseconds(10000));
   EXPECT_EQ('U', request()[0]);
   const Frame sent = frame_;
-  auto brief = order(callToPlay("SIT.MTN", 1, 0), milliseconds(100));
-  auto old = order(callToPlay("SIT.MTN", 1, 0), milliseconds(5000));
+  auto brief = order(callToPlay("SIT.MTN"), milliseconds(100));
+  auto old = order(callToPlay("SIT.MTN"), milliseconds(5000));
   pass(milliseconds(100));
   expectRefusals({{RefusedRequest::kMotion,
                    RefusalCause::kTooOld,
@@ -654,7 +643,7 @@ TEST_F(Version2SessionTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
 TEST_F(Version2SessionTest, OnlyAStopIsSentBeforeZeros) {
   wish_.streaming = true;
   commandJoints({{11, 0.1}});
-  auto motion = order(callToPlay("NOD.MTN", 1, 0));
+  auto motion = order(callToPlay("NOD.MTN"));
   steer({});
   auto held = add(callToHold({2}));
   auto posture = order(callForPosture(version2::POSTURE_SIT));
@@ -681,7 +670,7 @@ TEST_F(Version2SessionTest, TheNumbersOfOrdersThatGoOnAreNotUsedAgain) {
   EXPECT_EQ("S", requests());
   const auto walk = frame_.header.request_number;
   answer({0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(walk >> 8), static_cast<std::uint8_t>(walk)});
-  auto motion = order(callToPlay("NOD.MTN", 65535, 0));
+  auto motion = order(callToPlay("NOD.MTN", 65535));
   EXPECT_EQ("P", requests());
   const auto nod = frame_.header.request_number;
   answer({});
@@ -724,7 +713,7 @@ TEST_F(Version2SessionTest, ARefusalIsToldBeforeItsCallEnds) {
   Call posture = callForPosture(version2::POSTURE_SIT);
   posture.terms = terms();
   posture.deadline = now_ + milliseconds(2000);
-  posture.end = [&](const Answer&) { told = refusals_.size(); };
+  posture.fail = [&](const std::exception_ptr&) { told = refusals_.size(); };
   connection_.add(std::move(posture));
   EXPECT_EQ("E", requests());
   refuse("no");
@@ -761,8 +750,8 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     session.limitSpeed({{2, 1.0}});
     session.commandLeds({{1, 255}});
     auto picture = session.takePicture(10);
-    auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}, 0));
-    auto samples = session.add(callToPlaySamples({1, 0, 3, false}, {1, 2, 3}));
+    auto upload = session.add(callToStore("NOD.MTN", {1, 2, 3}));
+    auto samples = session.add(callToPlaySamples({1, 0, 3, false}));
     auto stop = session.add(letter == 'I' ? callToHold({}) : callForMotors(false));
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
@@ -786,7 +775,7 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"walk", command([](NewSession& session) {
          session.steer({0.1, 0, 0});
        })},
-      {"motion NOD", [](NewSession& session) { return session.order(callToPlay("NOD.MTN", 1, 0)); }},
+      {"motion NOD", [](NewSession& session) { return session.order(callToPlay("NOD.MTN")); }},
       {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_SIT)); }},
       {"motors on",
        [](NewSession& session) {
@@ -812,7 +801,7 @@ TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
       {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx-----"},
       {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_STAND)); },
        "xxx----"},
-      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN", 1, 0)); }, "xx-----"},
+      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN")); }, "xx-----"},
       {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x---"},
       {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-------"},
       {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x---"},
@@ -844,8 +833,8 @@ TEST_F(Version2SessionTest, WhatAStopComesBeforeIsToldWithTheReason) {
 }
 
 TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthersGoOn) {
-  auto play = add(callToPlay("NOD.MTN", 1, 0));
-  auto list = add(callForMotions(), milliseconds(200));
+  auto play = add(callToPlay("NOD.MTN"));
+  auto list = add(makeCall(version2::LIST_MOTIONS), milliseconds(200));
   auto erase = add(callToDelete("NOD.MTN"));
   auto motors = add(callForMotors(true));
   EXPECT_EQ('P', request()[0]);
@@ -862,10 +851,10 @@ TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthers
 // ---- Calls that time out
 
 TEST_F(Version2SessionTest, ACallThatCouldNotBeSentInTimeIsNotSentLater) {
-  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}, 0), milliseconds(10000));
+  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}), milliseconds(10000));
   EXPECT_EQ('U', request()[0]);
   const Frame sent = frame_;
-  auto list = add(callForMotions(), milliseconds(100));
+  auto list = add(makeCall(version2::LIST_MOTIONS), milliseconds(100));
   EXPECT_EQ("", request());
   pass(milliseconds(100));
   const Answer answered = list.get();
@@ -880,7 +869,7 @@ TEST(Version2Session, LetsAnswersAndPicturesBeLateUntilALargeUploadBeforeThemHas
   for (const bool is_refused : {false, true}) {
     NewSession session;
     session.stream();
-    auto upload = session.add(callToStore("NOD.MTN", Bytes(65523), 0), milliseconds(20000));
+    auto upload = session.add(callToStore("NOD.MTN", Bytes(65523)), milliseconds(20000));
     EXPECT_EQ('U', session.request(0)[0]);
     const version2_frames::Frame sent = session.frame_;
     session.pass(milliseconds(1000));
