@@ -193,9 +193,15 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
   camera_.fill(kNotRequested);
 }
 
+// The camera is set before the stream starts, so that its first picture has the settings. Tables of colours go before
+// the detection, so that the first push has all of them.
+const std::array<Version2Session::RequestSetting, 7> Version2Session::kSettings = {
+    &Version2Session::requestCameraSetting, &Version2Session::requestTransport,  &Version2Session::requestStream,
+    &Version2Session::requestTelemetry,     &Version2Session::requestColorTable, &Version2Session::requestColors,
+    &Version2Session::requestMicrophone};
+
 Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   connection_.dropTooOld(now);
-  const PictureIntake& pictures = connection_.pictures;
   Call* const stop = connection_.calls.nextStop();
   if (ready_ && stop != nullptr) {
     return requestCall(stop, now);
@@ -209,30 +215,16 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
   if (!ready_) {
     return {};
   }
-  if (Bytes frame = requestCameraSetting(wish, now); !frame.empty()) {
-    return frame;
-  }
-  if (Bytes frame = requestTransport(wish, now); !frame.empty()) {
-    return frame;
-  }
-  if (wish.streaming != pictures.streaming() || (wish.streaming && (wish.jpeg_quality != pictures.streamQuality() ||
-                                                                    possibleFormat(wish) != pictures.streamFormat()))) {
-    return requestStream(wish, now);
+  for (const auto request_setting : kSettings) {
+    if (Bytes frame = (this->*request_setting)(wish, now); !frame.empty()) {
+      return frame;
+    }
   }
   if (Call* const call = connection_.calls.nextForPicture()) {
     return requestPicture(wish, call);
   }
   if (Call* const call = connection_.calls.nextForRobot(frames_.present(now).has_value())) {
     return connection_.mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(call, now);
-  }
-  if (wish.telemetry_period != telemetry_period_) {
-    return requestTelemetry(wish, now);
-  }
-  if (Bytes frame = requestColors(wish, now); !frame.empty()) {
-    return frame;
-  }
-  if (Bytes frame = requestMicrophone(wish, now); !frame.empty()) {
-    return frame;
   }
   return nextCommand(now);
 }
@@ -250,7 +242,6 @@ StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
   return format;
 }
 
-// Settings are sent one by one, and before the stream starts, so that its first picture has them.
 Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
   const auto wanted = valuesOf(wish.camera);
   const auto different = std::mismatch(wanted.begin(), wanted.end(), camera_.begin());
@@ -264,7 +255,12 @@ Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint
 }
 
 Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
+  const PictureIntake& pictures = connection_.pictures;
   const StreamFormat format = possibleFormat(wish);
+  const bool is_as_wanted = wish.jpeg_quality == pictures.streamQuality() && format == pictures.streamFormat();
+  if (wish.streaming == pictures.streaming() && (!wish.streaming || is_as_wanted)) {
+    return {};
+  }
   connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now, format);
   datagrams_.expectFrom(now);
   const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
@@ -313,19 +309,33 @@ Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
 }
 
 Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
+  if (wish.telemetry_period == telemetry_period_) {
+    return {};
+  }
   telemetry_period_ = wish.telemetry_period;
   connection_.measurements.askedFor(telemetry_period_);
   const version2::TelemetryPeriod period = {static_cast<unsigned short>(wish.telemetry_period)};
   return request(version2::SEND_TELEMETRY, version2::TELEMETRY_WITH_DUTY, encoded(period), now);
 }
 
-// Tables go first, so that the first push has all of them.
-Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
-  if (wish.colors.on && wish.color_tables != color_tables_) {
-    const auto different = std::mismatch(wish.color_tables.begin(), wish.color_tables.end(), color_tables_.begin());
-    *different.second = *different.first;
-    return requestColorTable(static_cast<int>(different.first - wish.color_tables.begin()), now);
+Session::Bytes Version2Session::requestColorTable(const Wish& wish, TimePoint now) {
+  if (!wish.colors.on || wish.color_tables == color_tables_) {
+    return {};
   }
+  const auto different = std::mismatch(wish.color_tables.begin(), wish.color_tables.end(), color_tables_.begin());
+  const ColorTablePtr& wanted = *different.second = *different.first;
+  version2::ColorTable table = {static_cast<unsigned char>(different.first - wish.color_tables.begin()), {}};
+  for (std::size_t i = 0; i < kColorSegments; ++i) {
+    const std::optional<ColorRange> range = wanted ? wanted->segments.at(i) : std::nullopt;
+    const auto byte = [](int value) { return static_cast<unsigned char>(value); };
+    table.segments[i] = range ? version2::ColorSegment{byte(range->cr_min), byte(range->cr_max), byte(range->cb_min),
+                                                       byte(range->cb_max)}
+                              : version2::EMPTY_COLOR_SEGMENT;
+  }
+  return request(version2::DETECT_COLORS, version2::COLORS_TABLE, encoded(table), now);
+}
+
+Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
   if (wish.colors == connection_.colors.detection()) {
     return {};
   }
@@ -350,19 +360,6 @@ Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint no
                                                  static_cast<unsigned char>(wanted.channels),
                                                  static_cast<unsigned short>(wanted.samples_per_second)};
   return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone);
-}
-
-Session::Bytes Version2Session::requestColorTable(int channel, TimePoint now) {
-  const ColorTablePtr& wanted = color_tables_.at(static_cast<std::size_t>(channel));
-  version2::ColorTable table = {static_cast<unsigned char>(channel), {}};
-  for (std::size_t i = 0; i < kColorSegments; ++i) {
-    const std::optional<ColorRange> range = wanted ? wanted->segments.at(i) : std::nullopt;
-    const auto byte = [](int value) { return static_cast<unsigned char>(value); };
-    table.segments[i] = range ? version2::ColorSegment{byte(range->cr_min), byte(range->cr_max), byte(range->cb_min),
-                                                       byte(range->cb_max)}
-                              : version2::EMPTY_COLOR_SEGMENT;
-  }
-  return request(version2::DETECT_COLORS, version2::COLORS_TABLE, encoded(table), now);
 }
 
 Session::Bytes Version2Session::requestCall(Call* call, TimePoint now) {

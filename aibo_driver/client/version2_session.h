@@ -80,17 +80,21 @@ class Version2Session final : public Session {
     bool about_body;  ///< for example, the robot lies on its side; over when it walks or takes a posture again
   };
 
+  /// Makes the next request for a setting. It is empty if the robot has been asked for what the user wants.
+  using RequestSetting = Bytes (Version2Session::*)(const Wish& wish, TimePoint now);
+  static const std::array<RequestSetting, 7> kSettings;  ///< in the order in which they are sent
+
   Bytes requestHello(TimePoint now);
   StreamFormat possibleFormat(const Wish& wish) const;
-  Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestCameraSetting(const Wish& wish, TimePoint now);
   Bytes requestTransport(const Wish& wish, TimePoint now);
-  Bytes requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start, TimePoint now);
-  Bytes requestPicture(const Wish& wish, Call* call);
+  Bytes requestStream(const Wish& wish, TimePoint now);
   Bytes requestTelemetry(const Wish& wish, TimePoint now);
+  Bytes requestColorTable(const Wish& wish, TimePoint now);
   Bytes requestColors(const Wish& wish, TimePoint now);
   Bytes requestMicrophone(const Wish& wish, TimePoint now);
-  Bytes requestColorTable(int channel, TimePoint now);
+  Bytes requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start, TimePoint now);
+  Bytes requestPicture(const Wish& wish, Call* call);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);

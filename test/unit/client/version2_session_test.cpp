@@ -756,7 +756,7 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
     EXPECT_EQ(letter == 'I' ? "I 0" : "O 0 0 0 0 0 0", session.request());
     session.answer(letter == 'I' ? Bytes() : Bytes{0});
     EXPECT_EQ(CallOutcome::kDone, stop.get().outcome);
-    EXPECT_EQ("HWFUATVL", session.requests()) << "without J, which came before";
+    EXPECT_EQ("HWTFUAVL", session.requests()) << "without J, which came before";
   }
 }
 
