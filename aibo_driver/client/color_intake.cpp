@@ -71,7 +71,7 @@ void ColorIntake::deliver() {
   const std::optional<DetectedColors> colors = std::exchange(newest_, std::nullopt);
   const auto period = detection_.every_nth_image * kShortestImageInterval / 2;
   if (limit_.admit(colors->arrival, period).is_admitted) {
-    context_.notifier.colors(*colors);
+    context_.notifier.tell(&Callbacks::on_colors, "on_colors", *colors);
     return;
   }
   ++context_.counters.thinned_colors;

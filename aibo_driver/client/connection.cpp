@@ -25,7 +25,7 @@ void RefusalLog::refused(char letter, const std::string& problem) {
 
 void RefusalLog::refused(const Refusal& refusal) {
   ++context_.counters.refusals;
-  context_.notifier.refused(refusal);
+  context_.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
 }
 
 void Connection::dropTooOld(TimePoint now) {
@@ -58,7 +58,7 @@ void Connection::forgetSpeedLimits(const std::vector<int>& joints) {
 
 void Connection::reportDropped() {
   for (const Refusal& refusal : std::exchange(commands.dropped, {})) {
-    context.notifier.refused(refusal);
+    context.notifier.tell(&Callbacks::on_refused, "on_refused", refusal);
   }
 }
 
@@ -112,7 +112,8 @@ void Connection::refuse(const Call& call, RefusalCause cause, const std::string&
 /// The user follows a numbered order by its number, whether or not a caller waits for the answer.
 void Connection::tellRefused(const Call& call, RefusalCause cause, const std::string& reason) {
   if (call.order() != 0) {
-    context.notifier.refused({refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
+    context.notifier.tell(&Callbacks::on_refused, "on_refused",
+                          {refusedRequest(call.request.letter).value(), cause, {}, reason, call.order()});
   }
 }
 

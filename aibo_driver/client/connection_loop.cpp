@@ -42,7 +42,7 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks
   shared_.wish.jpeg_quality = options.jpeg_quality;
   shared_.wish.transport = options.picture_transport;
   shared_.status.reason = "the client has not been started";
-  transport_->setListener([this] { notifier_.awake(); });
+  transport_->setListener([this] { notifier_.tell(&Callbacks::on_awake, "on_awake"); });
 }
 
 void ConnectionLoop::start() {
@@ -386,7 +386,7 @@ void ConnectionLoop::updateStatus(const Change& change) {
     status = shared_.status;
   }
   connected_or_stopped_.notify_all();
-  notifier_.status(status);
+  notifier_.tell(&Callbacks::on_status, "on_status", status);
 }
 
 void ConnectionLoop::updateStreaming(bool streaming) {
@@ -396,7 +396,7 @@ void ConnectionLoop::updateStreaming(bool streaming) {
       return;
     }
   }
-  notifier_.streaming(streaming);
+  notifier_.tell(&Callbacks::on_streaming, "on_streaming", streaming);
 }
 
 void ConnectionLoop::updateMotorsAndPosture(const MotorsAndPosture& state) {
@@ -406,7 +406,7 @@ void ConnectionLoop::updateMotorsAndPosture(const MotorsAndPosture& state) {
       return;
     }
   }
-  notifier_.motorsAndPosture(state);
+  notifier_.tell(&Callbacks::on_motors_and_posture, "on_motors_and_posture", state);
 }
 
 }  // namespace aibo_client

@@ -6,8 +6,8 @@
 #include <exception>
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "aibo_client/callbacks.h"
 #include "client/rate_limit.h"
@@ -27,39 +27,19 @@ class Notifier {
   explicit Notifier(Callbacks callbacks, Clock clock = RateLimit::TimePoint::clock::now)
       : callbacks_(std::move(callbacks)), clock_(std::move(clock)) {}
 
-  void picture(const PicturePtr& picture) const noexcept { call(callbacks_.on_picture, "on_picture", picture); }
-  void status(const ConnectionStatus& status) const noexcept { call(callbacks_.on_status, "on_status", status); }
-  void streaming(bool streaming) const noexcept { call(callbacks_.on_streaming, "on_streaming", streaming); }
-  void telemetry(const Telemetry& telemetry) const noexcept {
-    call(callbacks_.on_telemetry, "on_telemetry", telemetry);
+  /// Calls a callback.
+  /// @param name the callback's name, for the message if it throws
+  template <typename... Arguments>
+  void tell(std::function<void(Arguments...)> Callbacks::*callback, const char* name,
+            const std::decay_t<Arguments>&... arguments) const noexcept {
+    try {
+      if (callbacks_.*callback) {
+        (callbacks_.*callback)(arguments...);
+      }
+    } catch (const std::exception& error) {
+      log(LogLevel::kError, std::string("The callback ") + name + " threw an exception: " + error.what());
+    }
   }
-  void jointsAccepted(const std::vector<JointTarget>& targets) const noexcept {
-    call(callbacks_.on_joints_accepted, "on_joints_accepted", targets);
-  }
-
-  void ledsAccepted(const std::vector<LedCommand>& leds) const noexcept {
-    call(callbacks_.on_leds_accepted, "on_leds_accepted", leds);
-  }
-
-  void steered(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) const noexcept {
-    call(callbacks_.on_steered, "on_steered", in_force, order, walk);
-  }
-
-  void ended(const ActivityEnd& end) const noexcept { call(callbacks_.on_ended, "on_ended", end); }
-
-  void refused(const Refusal& refusal) const noexcept { call(callbacks_.on_refused, "on_refused", refusal); }
-
-  void motorsAndPosture(const MotorsAndPosture& state) const noexcept {
-    call(callbacks_.on_motors_and_posture, "on_motors_and_posture", state);
-  }
-
-  void colors(const DetectedColors& colors) const noexcept { call(callbacks_.on_colors, "on_colors", colors); }
-
-  void heard(const HeardSound& sound) const noexcept { call(callbacks_.on_heard, "on_heard", sound); }
-
-  void soundEnded(const SoundEnd& end) const noexcept { call(callbacks_.on_sound_ended, "on_sound_ended", end); }
-
-  void awake() const noexcept { call(callbacks_.on_awake, "on_awake"); }
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
@@ -79,17 +59,6 @@ class Notifier {
   }
 
  private:
-  template <typename Callback, typename... Arguments>
-  void call(const Callback& callback, const char* name, const Arguments&... arguments) const noexcept {
-    try {
-      if (callback) {
-        callback(arguments...);
-      }
-    } catch (const std::exception& error) {
-      log(LogLevel::kError, std::string("The callback ") + name + " threw an exception: " + error.what());
-    }
-  }
-
   Callbacks callbacks_;
   Clock clock_;
   mutable RateLimit log_limit_{kLogBurst};

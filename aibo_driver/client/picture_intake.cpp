@@ -62,7 +62,7 @@ std::shared_ptr<Picture> PictureIntake::inspect(std::vector<std::uint8_t> jpeg, 
 
 void PictureIntake::deliver(const PicturePtr& picture) {
   ++context_.counters.pictures;
-  context_.notifier.picture(picture);
+  context_.notifier.tell(&Callbacks::on_picture, "on_picture", picture);
 }
 
 bool PictureIntake::deliverFromStream(const PicturePtr& picture, TimePoint now) {

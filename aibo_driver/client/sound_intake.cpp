@@ -66,7 +66,7 @@ void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chr
   }
   ++context_.counters.sounds;
   context_.counters.sound_gaps += sound.missing > 0 ? 1 : 0;
-  context_.notifier.heard(sound);
+  context_.notifier.tell(&Callbacks::on_heard, "on_heard", sound);
 }
 
 /// Samples of each channel in a frame.
@@ -130,13 +130,13 @@ void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
   const SoundEnd end = {playing_->sound, how, pushed.samples, pushed.gaps, pushed.missing};
   playing_.reset();
   ended_ = end.sound;
-  context_.notifier.soundEnded(end);
+  context_.notifier.tell(&Callbacks::on_sound_ended, "on_sound_ended", end);
 }
 
 void SoundIntake::end(EndedHow how) {
   if (const std::optional<SoundPart> gone = std::exchange(playing_, std::nullopt)) {
     ended_ = gone->sound;
-    context_.notifier.soundEnded({gone->sound, how, 0, 0, 0});
+    context_.notifier.tell(&Callbacks::on_sound_ended, "on_sound_ended", {gone->sound, how, 0, 0, 0});
   }
 }
 

@@ -44,7 +44,7 @@ void TelemetryIntake::deliver(Telemetry telemetry, const std::string& design) {
   }
   telemetry.connection_number = context_.number;
   ++context_.counters.telemetry;
-  context_.notifier.telemetry(telemetry);
+  context_.notifier.tell(&Callbacks::on_telemetry, "on_telemetry", telemetry);
 }
 
 bool TelemetryIntake::comesTooOften(const Telemetry& telemetry) {

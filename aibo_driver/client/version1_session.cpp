@@ -200,7 +200,7 @@ void Version1Session::endJointOrders() {
     const ActivityEnd end = {EndedKind::kJoints, is_refused ? EndedHow::kRefused : EndedHow::kUnknown, "",
                              is_refused ? order.trouble : kUnknownEnd, number};
     each = joint_orders_.erase(each);
-    connection_.context.notifier.ended(end);
+    connection_.context.notifier.tell(&Callbacks::on_ended, "on_ended", end);
   }
 }
 
@@ -350,8 +350,8 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
 void Version1Session::onCallAnswered() {
   connection_.calls.transferEnds(now_);
   if (const Call& call = *owedCall(); call.order() != 0) {
-    connection_.context.notifier.ended(
-        {EndedKind::kMotion, EndedHow::kUnknown, call.object, kUnknownEnd, call.order()});
+    connection_.context.notifier.tell(&Callbacks::on_ended, "on_ended",
+                                      {EndedKind::kMotion, EndedHow::kUnknown, call.object, kUnknownEnd, call.order()});
   }
   connection_.calls.answer(kOwed, nullptr, 0);
 }
@@ -362,7 +362,8 @@ void Version1Session::onValue(const protocol::ValueReply& reply) {
   if (request.set) {
     connection_.refusals.accepted(request.letter);
     if (request.letter == protocol::REQUEST_JOINT) {
-      connection_.context.notifier.jointsAccepted({{reply.identifier, position}});
+      connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted",
+                                        {{reply.identifier, position}});
       if (const auto order = joint_orders_.find(request.order); order != joint_orders_.end()) {
         order->second.is_accepted = true;
       }
@@ -395,7 +396,7 @@ void Version1Session::onLedsAccepted(const protocol::ValueReply& reply) {
     }
   }
   if (!leds.empty()) {
-    connection_.context.notifier.ledsAccepted(leds);
+    connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted", leds);
   }
 }
 

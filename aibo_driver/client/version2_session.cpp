@@ -758,7 +758,7 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
   for (std::size_t i = 0; i < accepted.count; ++i) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
   }
-  connection_.context.notifier.jointsAccepted(targets);
+  connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted", targets);
 }
 
 void Version2Session::onLedsAccepted(const Payload& payload) {
@@ -768,7 +768,7 @@ void Version2Session::onLedsAccepted(const Payload& payload) {
     const version2::LedValue& led = accepted.leds[i];
     leds.push_back({led.id, led.intensity, led.mode == version2::LED_MODE_B ? LedMode::kB : LedMode::kA});
   }
-  connection_.context.notifier.ledsAccepted(leds);
+  connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted", leds);
 }
 
 void Version2Session::onSteered(const Payload& payload) {
@@ -780,7 +780,8 @@ void Version2Session::onSteered(const Payload& payload) {
     orders_.erase(number);  // it began no walk
   }
   const version2::Velocity& velocity = steered.velocity;
-  connection_.context.notifier.steered({velocity.forward, velocity.left, velocity.turn}, order, orderOf(steered.walk));
+  connection_.context.notifier.tell(&Callbacks::on_steered, "on_steered",
+                                    {velocity.forward, velocity.left, velocity.turn}, order, orderOf(steered.walk));
 }
 
 // The robot may set something else than was asked for.
@@ -904,7 +905,7 @@ void Version2Session::onEnded(const Payload& payload) {
   if (end.kind == EndedKind::kJam) {
     jointFollowsAgain(end.name);
   }
-  connection_.context.notifier.ended(end);
+  connection_.context.notifier.tell(&Callbacks::on_ended, "on_ended", end);
 }
 
 void Version2Session::onReport(const Payload& payload) {
