@@ -2,10 +2,8 @@
 #ifndef AIBO_DRIVER_CLIENT_VALUE_POLL_H
 #define AIBO_DRIVER_CLIENT_VALUE_POLL_H
 
-#include <array>
 #include <chrono>
-#include <cstddef>
-#include <vector>
+#include <deque>
 
 namespace aibo_client {
 
@@ -32,7 +30,7 @@ class ValuePoll {
   explicit ValuePoll(TimePoint now);
 
   /// True if there is nothing to ask for.
-  bool empty() const;
+  bool empty() const { return values_.empty(); }
 
   /// When to ask again. It means nothing if empty().
   TimePoint dueAt() const { return due_at_; }
@@ -50,17 +48,10 @@ class ValuePoll {
   void dropAll(char request);
 
  private:
-  /// The values that one request asks for.
-  struct Group {
-    char request;
-    std::vector<int> ids;
-    std::size_t next;
-  };
+  template <typename Condition>
+  void dropIf(const Condition& condition);
 
-  Group& groupOf(char request);
-
-  std::array<Group, 2> groups_;
-  std::size_t turn_ = 0;  // the group whose turn is next, unless it is empty
+  std::deque<Value> values_;  // the next one is first
   TimePoint due_at_;
 };
 
