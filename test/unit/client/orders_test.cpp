@@ -17,7 +17,18 @@ using version2_frames::textOf;
 
 namespace {
 
-class Orders : public ClientFixture {};
+class Orders : public ClientFixture {
+ protected:
+  /// The motion's call ends, because its connection does.
+  static bool wasSent(std::future<std::string>* motion) {
+    try {
+      motion->get();
+    } catch (const NetworkException& error) {
+      return error.wasSent();
+    }
+    return ADD_FAILURE() << "not thrown", false;
+  }
+};
 
 TEST_F(Orders, ATargetWithASpeedFirstLimitsItsJointOverEachConnection) {
   for (int i = 0; i < 2; ++i) {
@@ -95,18 +106,41 @@ TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   client_.commandJoints({{1, 0.1}}, milliseconds(0), {later, 73});
   EXPECT_EQ('J', peer.readRequest().header.kind);
   peer.close();
-  const auto was_sent = [](std::future<std::string>* motion) {
-    try {
-      motion->get();
-    } catch (const NetworkException& error) {
-      return error.wasSent();
-    }
-    return ADD_FAILURE() << "not thrown", false;
-  };
-  EXPECT_TRUE(was_sent(&sent));
-  EXPECT_FALSE(was_sent(&unsent));
+  EXPECT_TRUE(wasSent(&sent));
+  EXPECT_FALSE(wasSent(&unsent));
   EXPECT_THROW(client_.beginMotion("NOD.MTN", 1, kSafetyNet, {later, 74}), NetworkException);
   EXPECT_EQ("", recorder_.orders());
+}
+
+// When the end of the stream is told, the connection counts as there, but no request is sent any more.
+TEST_F(Orders, ThatComeWhileTheConnectionEndsEndWithIt) {
+  RcServerClient* self = nullptr;
+  std::future<std::string> motion;
+  Callbacks callbacks = recorder_.callbacks();
+  callbacks.on_streaming = [&](bool streaming) {
+    if (!streaming) {
+      const auto later = std::chrono::steady_clock::now() + kSafetyNet;
+      motion = self->beginMotion("NOD.MTN", 1, kSafetyNet, {later, 71});
+      self->commandJoints({{1, 0.1}}, milliseconds(0), {later, 72});
+    }
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  self = &client;
+  client.setStreaming(true);
+  client.start();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2("J L P");
+  EXPECT_EQ('W', peer.readRequest().header.kind);
+  peer.reset();
+  EXPECT_TRUE(recorder_.waitForState(ConnectionState::kDisconnected));
+  EXPECT_FALSE(wasSent(&motion));
+  EXPECT_EQ("", recorder_.orders());
+  ScriptedPeer next = server_.accept();
+  next.agreeToVersion2("J L P");
+  client.waitForConnection(kSafetyNet);
+  EXPECT_EQ('W', next.readRequest().header.kind);
+  client.commandLeds({{200, 1}});
+  EXPECT_EQ('L', next.readRequest().header.kind) << "the first order that is sent";
 }
 
 // Some are sent, some wait for an answer, and some have not reached the client's thread, which is kept in a callback
