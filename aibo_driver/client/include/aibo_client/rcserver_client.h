@@ -133,34 +133,18 @@ class RcServerClient {
   /// @throw InvalidArgumentException there is no such number of channels, or no such rate
   void setMicrophone(const MicrophoneSettings& settings);
 
+  /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
+  ///
+  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for 20 of
+  /// each a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not say
+  /// which robot it runs on, so the client assumes an ERS-7.
+  ///
+  /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
+  /// @throw InvalidArgumentException frames is out of range
+  void setTelemetryPeriod(int frames);
+
   /// True if a stream has been requested over the present connection and has not been stopped since.
   bool streaming() const;
-
-  /// Waits for a picture that was taken after this call.
-  ///
-  /// The robot takes one picture of the given quality for this call alone. The exception is a running stream of a
-  /// version 1 server. Such a server must not be sent `F` while it streams, so the call gets the stream's next picture,
-  /// at the stream's quality.
-  ///
-  /// A damaged picture is requested again as long as time is left. If the time passes while a version 1 server owes a
-  /// picture, the client reconnects. Otherwise it could not know which request the server's next picture answers.
-  ///
-  /// @param quality 0..100; 0 means the stream's quality
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @param[out] stream_quality may be null; if the picture is from a running stream, this is the quality of that
-  ///   stream, 1..100; it is 0 if the picture was taken for this call alone
-  /// @param resolution empty means the stream's resolution
-  /// @return the picture, never null
-  /// @throw InvalidArgumentException quality or timeout is out of range
-  /// @throw NetworkException there is no connection, or it broke while waiting; the message says why and what to check,
-  ///   and kind() names the reason
-  /// @throw TimeoutException the robot is connected, but no picture came in time
-  /// @throw CommandException the robot refused because it has no such resolution; or its server speaks version 1 and
-  ///   the resolution is not Resolution::kHigh
-  /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback
-  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr,
-                         std::optional<Resolution> resolution = std::nullopt);
 
   /// Sends joints to positions, all in one request. It returns without waiting for the answer. The answer goes to
   /// on_joints_accepted, or to on_refused if the robot refuses. Targets with a speed first limit the speeds of their
@@ -193,50 +177,6 @@ class RcServerClient {
   /// @throw Exception the exceptions of commandJoints()
   void setJointSpeedLimits(const std::vector<JointSpeedLimit>& limits);
 
-  /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
-  /// switch them off is sent before everything that waits. Orders that have not been sent are dropped.
-  /// @param on true: on; false: off
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
-  ///   meaning, because the answer is the end of this request
-  /// @return true if the robot says that its motors are now on
-  /// @throw InvalidArgumentException timeout is out of range
-  /// @throw NetworkException there is no connection, or it broke while waiting
-  /// @throw TimeoutException the robot is connected, but no answer came in time
-  /// @throw CommandException the robot refused, or its server speaks version 1, which has no such request
-  /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback
-  bool setMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
-
-  /// Does the same as setMotors(), but does not wait.
-  /// @return gets the result of setMotors(), or its exception, within the timeout
-  /// @throw InvalidArgumentException timeout is out of range
-  /// @throw NetworkException the robot is not connected. If the connection breaks later, the future gets the exception
-  /// @throw CommandException the server speaks version 1
-  /// @throw StoppedException stop() was called before
-  std::future<bool> beginMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
-
-  /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
-  /// them end. This request is sent before everything that waits. Commands to these joints that have not been sent are
-  /// dropped. Motions, postures and requests to switch the motors on that have not been sent are dropped, too: their
-  /// callers get a CommandException. It returns when the robot has answered.
-  /// @param joints 0..32 identifiers of joints; each appears once. If it is empty, everything that moves stops
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw InvalidArgumentException an argument is out of range
-  /// @throw NetworkException there is no connection, or it broke while waiting; then the robot may or may not have
-  ///   obeyed
-  /// @throw TimeoutException the robot is connected, but no answer came in time
-  /// @throw CommandException the robot refused, or its server speaks version 1; nothing was sent or dropped then, and
-  ///   the message says what it needs
-  /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback
-  void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
-
-  /// Does the same as hold(), but does not wait.
-  /// @return becomes ready when hold() would return, or gets its exception, within the timeout
-  /// @throw Exception as beginMotors(); InvalidArgumentException also if `joints` is out of range
-  std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
-
   /// Makes the robot walk with a velocity. It returns without waiting for the answer. The answer goes to on_steered, or
   /// to on_refused if the robot refuses.
   ///
@@ -261,33 +201,8 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
-  /// Changes ClientOptions::guard_walks. It counts from the next call of steer(), also for a walk that goes on. Any
-  /// thread may call it.
+  /// Changes ClientOptions::guard_walks. It counts from the next call of steer(), also for a walk that goes on.
   void guardWalks(bool on);
-
-  /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
-  /// begun. on_ended says when and how it has ended. If a call has not been sent when hold() is called or its terms
-  /// end, it ends with a CommandException.
-  /// @param posture the posture
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @param terms until when the request may reach the robot, and its number
-  /// @throw InvalidArgumentException timeout is out of range
-  /// @throw NetworkException there is no connection, or it broke while waiting; wasSent() says whether the robot may
-  ///   have obeyed
-  /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still
-  ///   obey; the order then ends by on_refused or on_ended
-  /// @throw CommandException the robot refused, or its server speaks version 1 or lacks the capability `E`
-  /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback
-  void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
-
-  /// Does the same as takePosture(), but does not wait. If the order has a number, on_refused or on_ended tells how it
-  /// has ended, in addition to the future and before it becomes ready. An order that has not been sent within the
-  /// timeout is withdrawn (RefusalCause::kTooOld).
-  /// @return becomes ready when takePosture() would return, or gets its exception, within the timeout
-  /// @throw Exception as beginMotors(); CommandException also if the robot does not walk. If this function throws, it
-  ///   has given no order, and no callback names the order
-  std::future<void> beginPosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
 
   /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
   /// robot answers, each LED gets its latest command. The answer goes to on_leds_accepted, or to on_refused if the
@@ -309,23 +224,77 @@ class RcServerClient {
   /// @throw Exception the exceptions of commandLeds()
   void commandEars(bool left, bool right);
 
-  /// Plays a motion from the robot's memory stick (a file in Sony's format MTN). It returns when the robot has begun.
-  /// Motions that move different joints play at the same time. The robot stops them when this client disconnects.
+  /// @name Requests whose answer is waited for
+  /// Each function sends one request and waits for its answer, at most as long as `timeout` says, 1 ms..1 h. The
+  /// begin... functions do the same as those beside them without waiting: a future gets the result or the exception
+  /// within the timeout. If a begin... function itself throws, it has given no order, and no callback names the order.
   ///
-  /// This function and those down to rebootRobot() send one request and wait for its answer. If a version 1 server does
-  /// not answer in time, the client reconnects. Otherwise it could not know which request the server's next answer
-  /// belongs to.
-  /// @throw InvalidArgumentException an argument is out of range, or `name` is not the name of a motion
-  /// @throw NetworkException there is no connection, or it broke while waiting; wasSent() says whether the robot may
-  ///   have obeyed
+  /// If an order has a number, on_refused or on_ended tells how it has ended, in addition to the function's own end and
+  /// before it. An order that has not been sent within the timeout is withdrawn (RefusalCause::kTooOld).
+  ///
+  /// If a version 1 server does not answer in time, the client reconnects. Otherwise it could not know which request
+  /// the server's next answer belongs to.
+  /// @throw InvalidArgumentException an argument is out of range, or a name is not that of a motion or a picture
+  /// @throw NetworkException there is no connection, or it broke while waiting; the message says why and what to check,
+  ///   kind() names the reason, and wasSent() says whether the robot may have obeyed
   /// @throw TimeoutException the robot is connected, but no answer came in time. If wasSent(), the robot may still obey
   /// @throw CommandException the robot refused, or its server has no such request; the message says why, and what to do
   /// @throw StoppedException stop() was called
-  /// @throw Exception the function was called from a callback
+  /// @throw Exception the function was called from a callback; begin... functions may be
+  /// @{
+
+  /// Waits for a picture that was taken after this call.
   ///
+  /// The robot takes one picture of the given quality for this call alone. The exception is a running stream of a
+  /// version 1 server. Such a server must not be sent `F` while it streams, so the call gets the stream's next picture,
+  /// at the stream's quality.
+  ///
+  /// A damaged picture is requested again as long as time is left.
+  /// @param quality 0..100; 0 means the stream's quality
+  /// @param timeout 1 ms..1 h
+  /// @param[out] stream_quality may be null; if the picture is from a running stream, this is the quality of that
+  ///   stream, 1..100; it is 0 if the picture was taken for this call alone
+  /// @param resolution empty means the stream's resolution
+  /// @return the picture, never null
+  /// @throw CommandException also if the robot has no such resolution; one of version 1 has only Resolution::kHigh
+  PicturePtr takePicture(int quality, std::chrono::milliseconds timeout, int* stream_quality = nullptr,
+                         std::optional<Resolution> resolution = std::nullopt);
+
+  /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
+  /// switch them off is sent before everything that waits. Orders that have not been sent are dropped.
+  /// @param on true: on; false: off
+  /// @param timeout 1 ms..1 h
+  /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
+  ///   meaning, because the answer is the end of this request
+  /// @return true if the robot says that its motors are now on
+  bool setMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+  std::future<bool> beginMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+
+  /// Stops joints. Each of them brakes within its limits and stays where it comes to rest. Motions that move one of
+  /// them end. This request is sent before everything that waits. Commands to these joints that have not been sent are
+  /// dropped. Motions, postures and requests to switch the motors on that have not been sent are dropped, too: their
+  /// callers get a CommandException. It returns when the robot has answered.
+  /// @param joints 0..32 identifiers of joints; each appears once. If it is empty, everything that moves stops
+  /// @param timeout 1 ms..1 h
+  /// @throw CommandException also if the server speaks version 1; then nothing was sent or dropped
+  void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
+  std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
+
+  /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
+  /// begun. on_ended says when and how it has ended. If a call has not been sent when hold() is called or its terms
+  /// end, it ends with a CommandException.
+  /// @param posture the posture
+  /// @param timeout 1 ms..1 h
+  /// @param terms until when the request may reach the robot, and its number
+  /// @throw CommandException also if the server lacks the capability `E`, because its robot does not walk
+  void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+  std::future<void> beginPosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
+
+  /// Plays a motion from the robot's memory stick (a file in Sony's format MTN). It returns when the robot has begun.
+  /// Motions that move different joints play at the same time. The robot stops them when this client disconnects.
   /// @param name the name of the file, such as NOD.MTN: at most 8 characters, then .MTN, in upper or lower case
   /// @param repetitions 1..65535
-  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param timeout 1 ms..1 h
   /// @param terms until when the request may reach the robot, and its number. The robot may take 5 s longer to read the
   ///   file. If the request could not be sent in time, for example because the memory stick was busy with another
   ///   request, the call ends with a CommandException
@@ -334,19 +303,13 @@ class RcServerClient {
   ///   if there is nothing to say, or if the server speaks version 1, which does not tell
   std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
                          const OrderTerms& terms = {});
-
-  /// Does the same as playMotion(), but does not wait. How the order ends is told as for beginPosture().
-  /// @return gets the result of playMotion(), or its exception, within the timeout
-  /// @throw Exception as beginMotors(), except that a version 1 server can play motions; InvalidArgumentException also
-  ///   if an argument is out of range, or `name` is not the name of a motion
   std::future<std::string> beginMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
                                        const OrderTerms& terms = {});
 
   /// Stops a motion. Its joints hold their positions. With a version 2 server, calls that have not been sent and would
   /// play this motion end with a CommandException.
   /// @param name the name of the motion; empty means all that are playing
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
+  /// @param timeout 1 ms..1 h
   void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Writes a motion to the robot's memory stick. It replaces a motion of the same name. The robot's RCSERVER.CFG has
@@ -355,61 +318,48 @@ class RcServerClient {
   /// @param name the name of the file, as for playMotion()
   /// @param content the file's bytes, 1..65523, because a request of version 2 has no room for more beside a name. This
   ///   project's RCServer accepts motions of up to 64000 bytes
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
+  /// @param timeout 1 ms..1 h
   void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                     std::chrono::milliseconds timeout);
 
   /// Deletes a motion from the robot's memory stick. RCSERVER.CFG has to allow it (ALLOW_DELETE).
   /// @param name the name of the file, as for playMotion()
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
+  /// @param timeout 1 ms..1 h
   void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// The names of the motions on the robot's memory stick. Version 1 of the protocol has no such request.
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
   std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
 
   /// Takes a picture of 208x160 and stores it on the robot's memory stick. It stays there even if the connection ends.
   /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES). Version 1 of the protocol does not
   /// have them. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
   /// @param quality 1..100
-  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param timeout 1 ms..1 h
   /// @return the name of the new file, such as AIBO0001.JPG; it has not replaced another file
-  /// @throw Exception the exceptions of playMotion()
   std::string takePictureOnRobot(int quality, std::chrono::milliseconds timeout);
 
   /// The names of the pictures on the robot's memory stick.
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
   std::vector<std::string> listPictures(std::chrono::milliseconds timeout);
 
   /// Gets a picture from the robot's memory stick and leaves it there. While the picture is on its way, nothing else
   /// comes from the robot. A picture of 6 KB takes as long as one of the stream. The largest picture, 128 KiB, takes
   /// half a second at 2 Mbit/s.
   /// @param name the name of the file: at most 8 characters, then .JPG, in upper or lower case
-  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param timeout 1 ms..1 h
   /// @return the file's bytes: a whole picture of a size that the camera has (jpeg_inspector.h). Any other file is
   ///   refused with a CommandException
-  /// @throw Exception the exceptions of playMotion()
   std::vector<std::uint8_t> fetchPicture(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow ALLOW_DELETE as well as ALLOW_PICTURES.
   /// @param name the name of the file, as for fetchPicture()
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
+  /// @param timeout 1 ms..1 h
   void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Switches off the motors, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
   /// (ALLOW_SHUT_DOWN). The connection ends after the answer. This client keeps trying to reconnect.
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
   void shutDownRobot(std::chrono::milliseconds timeout);
 
   /// Does the same as shutDownRobot(), but the robot then starts again (ALLOW_REBOOT).
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
   void rebootRobot(std::chrono::milliseconds timeout);
 
   /// Sends the next samples of a sound, and waits for the robot's answer. Other requests are sent first, or wait for at
@@ -423,32 +373,20 @@ class RcServerClient {
   /// @param samples mono, kSoundRate a second; 1..kMostSamplesAtOnce, and no more than SoundProgress::room of the
   ///   last answer plus what the robot has played since
   /// @param is_last true: the sound ends with these samples
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion(); CommandException also if the sound has ended or was replaced
+  /// @param timeout 1 ms..1 h
+  /// @throw CommandException also if the sound has ended or was replaced
   SoundProgress playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                             std::chrono::milliseconds timeout);
 
   /// Stops the sound that plays, if there is one. Up to 64 ms of it are still heard.
-  /// @param timeout the longest time to wait, 1 ms..1 h
-  /// @throw Exception the exceptions of playMotion()
   void stopSound(std::chrono::milliseconds timeout);
 
   /// Sets the volume. It holds until this client disconnects.
   /// @param volume 0 (silent)..kLoudestVolume, or kVolumeOfRobot
-  /// @param timeout the longest time to wait, 1 ms..1 h
+  /// @param timeout 1 ms..1 h
   /// @return the volume in force, 0..kLoudestVolume
-  /// @throw Exception the exceptions of playMotion()
   int setVolume(int volume, std::chrono::milliseconds timeout);
-
-  /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
-  ///
-  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for 20 of
-  /// each a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not say
-  /// which robot it runs on, so the client assumes an ERS-7.
-  ///
-  /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
-  /// @throw InvalidArgumentException frames is out of range
-  void setTelemetryPeriod(int frames);
+  /// @}
 
   /// The robot's last report about its motors and its posture. It is unknown without a connection.
   MotorsAndPosture motorsAndPosture() const;
