@@ -39,8 +39,8 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks
       transport_(std::move(transport)),
       next_attempt_(steady_clock::now()),
       backoff_(options.reconnect_wait_min, options.reconnect_wait_max, std::random_device()()) {
-  shared_.wish.jpeg_quality = options.jpeg_quality;
-  shared_.wish.transport = options.picture_transport;
+  shared_.wanted.jpeg_quality = options.jpeg_quality;
+  shared_.wanted.transport = options.picture_transport;
   shared_.status.reason = "the client has not been started";
   transport_->setListener([this] { notifier_.tell(&Callbacks::on_awake, "on_awake"); });
 }
@@ -159,7 +159,7 @@ void ConnectionLoop::beginSession() {
       beginVersion1(Version1Session::VersionAnswer::kRefused);
       break;
     default:
-      beginVersion1(Version1Session::VersionAnswer::kOwed);
+      beginVersion1(Version1Session::VersionAnswer::kPending);
   }
   counters_.bytes_received += negotiation.rest().size();
   session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), steady_clock::now());
@@ -193,14 +193,14 @@ void ConnectionLoop::talk() {
   if (has_news_.exchange(false)) {
     takeNews(now);
   }
-  wish_.datagram_port = datagramPort(wish_);
-  for (Session::Bytes bytes; !(bytes = session_->nextRequest(wish_, now)).empty();) {
+  wanted_.datagram_port = datagramPort(wanted_);
+  for (Session::Bytes bytes; !(bytes = session_->nextRequest(wanted_, now)).empty();) {
     send(bytes);
     updateStreaming(connection_->pictures.streaming());
   }
 }
 
-/// Takes over the user's wishes, new calls and new commands.
+/// Takes over the user's settings, new calls and new commands.
 void ConnectionLoop::takeNews(TimePoint now) {
   std::vector<Call> calls;
   CommandOutbox commands;
@@ -208,7 +208,7 @@ void ConnectionLoop::takeNews(TimePoint now) {
     const std::lock_guard<std::mutex> lock(mutex_);
     calls = std::exchange(shared_.calls, {});
     commands = std::exchange(shared_.commands, {});
-    wish_ = shared_.wish;
+    wanted_ = shared_.wanted;
   }
   for (Call& call : calls) {
     call.since = now;
@@ -218,13 +218,13 @@ void ConnectionLoop::takeNews(TimePoint now) {
 }
 
 /// The port for pictures by UDP. It is 0 if they should come by TCP.
-int ConnectionLoop::datagramPort(const Wish& wish) {
+int ConnectionLoop::datagramPort(const Settings& wanted) {
   Connection& connection = *connection_;
-  if (wish.transport_changes != std::exchange(transport_changes_, wish.transport_changes)) {
+  if (wanted.transport_changes != std::exchange(transport_changes_, wanted.transport_changes)) {
     connection.transport_problem.clear();
     connection.lets_no_datagram_through = false;
   }
-  if (wish.transport == PictureTransport::kTcp) {
+  if (wanted.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
   } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&
              errno != ENOTCONN) {  // else the connection has just been reset, which the next read will tell
@@ -283,7 +283,7 @@ bool ConnectionLoop::takeDatagrams() {
 void ConnectionLoop::reportSession() {
   const bool is_known = read([this](const Shared& shared) {
     return shared.status.robot_message == connection_->robot_message &&
-           shared.status.transport == connection_->transport && shared.status.wanted_transport == wish_.transport &&
+           shared.status.transport == connection_->transport && shared.status.wanted_transport == wanted_.transport &&
            shared.status.transport_problem == connection_->transport_problem;
   });
   if (is_known) {
@@ -293,7 +293,7 @@ void ConnectionLoop::reportSession() {
   updateStatus([this](ConnectionStatus& status) {
     status.robot_message = connection_->robot_message;
     status.transport = connection_->transport;
-    status.wanted_transport = wish_.transport;
+    status.wanted_transport = wanted_.transport;
     status.transport_problem = connection_->transport_problem;
   });
 }

@@ -36,7 +36,7 @@ class ConnectionLoop {
   struct Shared {
     bool stopped = false;
     bool streaming = false;  ///< a stream has been requested over the present connection
-    Wish wish;
+    Settings wanted;
     ConnectionStatus status;
     MotorsAndPosture motors_and_posture;
     std::vector<Call> calls;   ///< calls that the client's thread has not taken over yet
@@ -97,7 +97,7 @@ class ConnectionLoop {
   void talk();
   void send(const Session::Bytes& bytes) { transport_->send(bytes.data(), bytes.size()); }
   void takeNews(TimePoint now);
-  int datagramPort(const Wish& wish);
+  int datagramPort(const Settings& wanted);
   void listen();
   bool takeDatagrams();
   void reportSession();
@@ -128,7 +128,7 @@ class ConnectionLoop {
   std::atomic<bool> has_news_{true};  // shared_ may hold something that the client's thread has not seen yet
 
   // Only the client's thread uses these members.
-  Wish wish_;  // the user's wishes as last seen
+  Settings wanted_;  // the user's settings as last seen
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // null until the version of the protocol is known
   ServerHabits habits_;

@@ -203,44 +203,44 @@ void RcServerClient::stop() noexcept {
 }
 
 void RcServerClient::setStreaming(bool on) {
-  loop_->change([on](Shared& shared) { shared.wish.streaming = on; });
+  loop_->change([on](Shared& shared) { shared.wanted.streaming = on; });
 }
 
 void RcServerClient::setJpegQuality(int quality) {
   checkRange("jpeg_quality", quality, 1, 100);
-  loop_->change([quality](Shared& shared) { shared.wish.jpeg_quality = quality; });
+  loop_->change([quality](Shared& shared) { shared.wanted.jpeg_quality = quality; });
 }
 
 int RcServerClient::jpegQuality() const {
-  return loop_->read([](const Shared& shared) { return shared.wish.jpeg_quality; });
+  return loop_->read([](const Shared& shared) { return shared.wanted.jpeg_quality; });
 }
 
 void RcServerClient::setStreamFormat(const StreamFormat& format) {
   checkRange("every n-th image", format.every_nth_image, 1, 65535);
-  loop_->change([&format](Shared& shared) { shared.wish.format = format; });
+  loop_->change([&format](Shared& shared) { shared.wanted.format = format; });
 }
 
 StreamFormat RcServerClient::streamFormat() const {
-  return loop_->read([](const Shared& shared) { return shared.wish.format; });
+  return loop_->read([](const Shared& shared) { return shared.wanted.format; });
 }
 
 void RcServerClient::setCameraSettings(const CameraSettings& settings) {
   checkRange("white balance", settings.white_balance, 1, 3);
   checkRange("gain", settings.gain, 1, 3);
   checkRange("shutter speed", settings.shutter_speed, 1, 3);
-  loop_->change([&settings](Shared& shared) { shared.wish.camera = settings; });
+  loop_->change([&settings](Shared& shared) { shared.wanted.camera = settings; });
 }
 
 void RcServerClient::setPictureTransport(PictureTransport transport) {
   loop_->change([transport](Shared& shared) {
-    shared.wish.transport_changes += shared.wish.transport != transport ? 1 : 0;
-    shared.wish.transport = transport;
+    shared.wanted.transport_changes += shared.wanted.transport != transport ? 1 : 0;
+    shared.wanted.transport = transport;
   });
 }
 
 void RcServerClient::setColorDetection(const ColorDetection& detection) {
   checkRange("every n-th image", detection.every_nth_image, 1, 65535);
-  loop_->change([&detection](Shared& shared) { shared.wish.colors = detection; });
+  loop_->change([&detection](Shared& shared) { shared.wanted.colors = detection; });
 }
 
 void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
@@ -249,7 +249,7 @@ void RcServerClient::setColorTable(int channel, ColorTablePtr table) {
     checkColorTable(*table);
   }
   loop_->change([channel, &table](Shared& shared) {
-    shared.wish.color_tables.at(static_cast<std::size_t>(channel)) = std::move(table);
+    shared.wanted.color_tables.at(static_cast<std::size_t>(channel)) = std::move(table);
   });
 }
 
@@ -259,7 +259,7 @@ void RcServerClient::setMicrophone(const MicrophoneSettings& settings) {
     throw InvalidArgumentException("samples per second is " + std::to_string(settings.samples_per_second) +
                                    "; it must be 8000 or 16000");
   }
-  loop_->change([&settings](Shared& shared) { shared.wish.microphone = settings; });
+  loop_->change([&settings](Shared& shared) { shared.wanted.microphone = settings; });
 }
 
 bool RcServerClient::streaming() const {
@@ -485,7 +485,7 @@ int RcServerClient::setVolume(int volume, milliseconds timeout) {
 
 void RcServerClient::setTelemetryPeriod(int frames) {
   checkRange("telemetry period", frames, 0, 65535, " frames");
-  loop_->change([frames](Shared& shared) { shared.wish.telemetry_period = frames; });
+  loop_->change([frames](Shared& shared) { shared.wanted.telemetry_period = frames; });
 }
 
 MotorsAndPosture RcServerClient::motorsAndPosture() const {

@@ -15,7 +15,7 @@
 namespace aibo_client {
 
 /// What the user wants over the present connection and over each later one.
-struct Wish {
+struct Settings {
   bool streaming = false;
   int jpeg_quality = 0;      ///< 1..100, for the stream
   int telemetry_period = 0;  ///< OPEN-R frames of 8 ms; 0 means no telemetry
@@ -49,7 +49,7 @@ class Session {
   /// The request to send now. It is empty if there is none. From then on the request counts as sent. Whenever anything
   /// may have changed, call this until nothing is left. Each request has to be sent in one piece, because some servers
   /// recognise a request by the number of bytes that arrive at once.
-  virtual Bytes nextRequest(const Wish& wish, TimePoint now) = 0;
+  virtual Bytes nextRequest(const Settings& wanted, TimePoint now) = 0;
 
   /// Call this when bytes were read.
   /// @throw ProtocolException no server of this version sends these bytes

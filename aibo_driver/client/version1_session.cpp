@@ -79,7 +79,7 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
                                  TimePoint connected)
     : connection_(connection),
       habits_(habits),
-      version_answer_owed_(answer == VersionAnswer::kOwed),
+      is_version_answer_pending_(answer == VersionAnswer::kPending),
       poll_(connected),
       ready_(answer == VersionAnswer::kRefused) {
   for (const auto& unanswered : habits_.unanswered_polls) {
@@ -89,29 +89,29 @@ Version1Session::Version1Session(Connection& connection, ServerHabits& habits, V
   }
 }
 
-// While a picture is owed, a toggle would have to wait for the picture anyway. A second `F` would make it unclear which
-// picture has which quality. `F` is never sent while the stream runs.
-Session::Bytes Version1Session::nextRequest(const Wish& wish, TimePoint now) {
-  poll_wanted_ = wish.telemetry_period > 0;
-  warnOfMissing(kStreamFormats, wish.format != StreamFormat());
-  warnOfMissing(kCameraSettings, wish.camera != CameraSettings());
-  warnOfMissing(kColorDetection, wish.colors.on);
-  warnOfMissing(kMicrophones, wish.microphone.on);
+// While a picture is pending, a toggle would have to wait for the picture anyway. A second `F` would make it unclear
+// which picture has which quality. `F` is never sent while the stream runs.
+Session::Bytes Version1Session::nextRequest(const Settings& wanted, TimePoint now) {
+  poll_wanted_ = wanted.telemetry_period > 0;
+  warnOfMissing(kStreamFormats, wanted.format != StreamFormat());
+  warnOfMissing(kCameraSettings, wanted.camera != CameraSettings());
+  warnOfMissing(kColorDetection, wanted.colors.on);
+  warnOfMissing(kMicrophones, wanted.microphone.on);
   endJointOrders();
-  if (isAnswerOwed()) {
+  if (isAnswerPending()) {
     return {};
   }
   connection_.dropTooOld(now);
-  if (wish.streaming != connection_.pictures.streaming()) {
-    connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now);
-    return version1Command(protocol::REQUEST_STREAM_TOGGLE, wish.jpeg_quality);
+  if (wanted.streaming != connection_.pictures.streaming()) {
+    connection_.pictures.streamRequested(wanted.streaming, wanted.jpeg_quality, now);
+    return version1Command(protocol::REQUEST_STREAM_TOGGLE, wanted.jpeg_quality);
   }
   if (!ready_) {
-    return connection_.pictures.streaming() ? Bytes() : requestTrial(wish, now);
+    return connection_.pictures.streaming() ? Bytes() : requestTrial(wanted, now);
   }
   Call* const picture = connection_.calls.nextForPicture();
   if (picture != nullptr && mayRequestPicture(now)) {
-    return requestPicture(wish, picture, now);
+    return requestPicture(wanted, picture, now);
   }
   Call* const call = connection_.calls.nextForRobot(true);
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
@@ -128,10 +128,10 @@ void Version1Session::warnOfMissing(const char* request, bool wanted) {
 
 // A connection can also be made to a server that is frozen, or whose robot has just gone out of reach. Pictures are the
 // only request that every version 1 server answers.
-Session::Bytes Version1Session::requestTrial(const Wish& wish, TimePoint now) {
-  is_trial_owed_ = true;
+Session::Bytes Version1Session::requestTrial(const Settings& wanted, TimePoint now) {
+  is_trial_pending_ = true;
   connection_.pictures.signOfPicture(now);
-  return version1Command(protocol::REQUEST_PICTURE, wish.jpeg_quality);
+  return version1Command(protocol::REQUEST_PICTURE, wanted.jpeg_quality);
 }
 
 bool Version1Session::mayRequestPicture(TimePoint now) const {
@@ -142,14 +142,14 @@ bool Version1Session::mayPoll() const {
   return poll_wanted_ && !poll_.empty();
 }
 
-Session::Bytes Version1Session::requestPicture(const Wish& wish, Call* call, TimePoint now) {
-  call->request_number = kOwed;
+Session::Bytes Version1Session::requestPicture(const Settings& wanted, Call* call, TimePoint now) {
+  call->request_number = kPendingNumber;
   connection_.pictures.signOfPicture(now);
-  return version1Command(protocol::REQUEST_PICTURE, call->quality == 0 ? wish.jpeg_quality : call->quality);
+  return version1Command(protocol::REQUEST_PICTURE, call->quality == 0 ? wanted.jpeg_quality : call->quality);
 }
 
 Session::Bytes Version1Session::requestCall(Call* call, TimePoint now) {
-  call->request_number = kOwed;
+  call->request_number = kPendingNumber;
   Bytes bytes = version1Request(*call);
   connection_.callSent(*call, bytes.size(), now);
   return bytes;
@@ -159,7 +159,7 @@ Session::Bytes Version1Session::nextValueRequest(TimePoint now) {
   const bool has_commands = !connection_.commands.isEmptyForVersion1();
   if (mayPoll() && (has_commands ? poll_.isOverdue(now) : now >= poll_.dueAt())) {
     const ValuePoll::Value value = poll_.take(now);
-    value_owed_ = ValueRequest{value.request, value.id, false, now};
+    pending_value_ = ValueRequest{value.request, value.id, false, now};
     return version1Command(value.request, value.id);
   }
   return has_commands ? nextCommand(now) : Bytes();
@@ -181,7 +181,7 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
   const JointCommand command = connection_.commands.joints.takeTargetAfter(last_target_, now);
   last_target_ = command.targets.front().id;
   Bytes bytes = setValue(protocol::REQUEST_JOINT, last_target_, toCentidegrees(command.targets.front().position), now);
-  value_owed_->order = command.terms.number;
+  pending_value_->order = command.terms.number;
   if (command.terms.number != 0) {
     joint_orders_.try_emplace(command.terms.number);
   }
@@ -192,7 +192,7 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
 void Version1Session::endJointOrders() {
   for (auto each = joint_orders_.begin(); each != joint_orders_.end();) {
     const auto& [number, order] = *each;
-    if (connection_.commands.joints.has(number) || (value_owed_ && value_owed_->order == number)) {
+    if (connection_.commands.joints.has(number) || (pending_value_ && pending_value_->order == number)) {
       ++each;
       continue;
     }
@@ -220,7 +220,7 @@ Session::Bytes Version1Session::nextLedOrEarCommand(TimePoint now) {
 }
 
 Session::Bytes Version1Session::setValue(char letter, int id, short value, TimePoint now) {
-  value_owed_ = ValueRequest{letter, id, true, now};
+  pending_value_ = ValueRequest{letter, id, true, now};
   return version1SetCommand(letter, id, value);
 }
 
@@ -242,7 +242,7 @@ void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
     return;
   }
   connection_.pictures.signOfPicture(now);
-  if (!connection_.pictures.streaming() && owedPicture() == nullptr) {
+  if (!connection_.pictures.streaming() && pendingPicture() == nullptr) {
     connection_.pictures.lateBytes(now);
   }
 }
@@ -250,26 +250,26 @@ void Version1Session::bytesArrived(const std::uint8_t* data, std::size_t size, T
 void Version1Session::onPicture() {
   PictureIntake& pictures = connection_.pictures;
   pictures.signOfPicture(now_);
-  version_answer_owed_ = false;
+  is_version_answer_pending_ = false;
   ready_ = true;
-  if (std::exchange(is_trial_owed_, false)) {
+  if (std::exchange(is_trial_pending_, false)) {
     parser_.takeJpeg();
     return;
   }
-  Call* const owed = owedPicture();
-  if (!pictures.streaming() && owed == nullptr) {
+  Call* const pending = pendingPicture();
+  if (!pictures.streaming() && pending == nullptr) {
     pictures.lateBytes(now_);
   }
   const PicturePtr picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
-    if (owed != nullptr) {
-      owed->request_number = 0;  // it is sent again, as long as the call's time allows
+    if (pending != nullptr) {
+      pending->request_number = 0;  // it is sent again, as long as the call's time allows
     }
     return;
   }
-  if (owed != nullptr) {
+  if (pending != nullptr) {
     pictures.deliver(picture);
-    connection_.calls.answer(kOwed, picture);
+    connection_.calls.answer(kPendingNumber, picture);
   } else if (pictures.deliverFromStream(picture, now_)) {
     connection_.calls.answerFromStream(picture, pictures.streamQuality());
   }
@@ -277,24 +277,24 @@ void Version1Session::onPicture() {
 
 void Version1Session::onValueReply() {
   const protocol::ValueReply reply = parser_.value();
-  const bool version_answer_owed = std::exchange(version_answer_owed_, false);
-  if (version_answer_owed && protocol::version2::agreesToVersion2(reply)) {
+  const bool is_version_answer = std::exchange(is_version_answer_pending_, false);
+  if (is_version_answer && protocol::version2::agreesToVersion2(reply)) {
     throw Fault::agreedTooLate(connection_.context.address);
   }
   ready_ = true;
   const bool error = reply.letter == protocol::REPLY_ERROR;
-  if (error && version_answer_owed) {
+  if (error && is_version_answer) {
     return;  // version 2 is refused, as was assumed
   }
   error ? onError(reply.value) : onAnswer(reply);
 }
 
 void Version1Session::onError(int code) {
-  if (is_trial_owed_) {
-    is_trial_owed_ = false;
-  } else if (const Call* const call = owedCall()) {
+  if (is_trial_pending_) {
+    is_trial_pending_ = false;
+  } else if (const Call* const call = pendingCall()) {
     connection_.refuse(*call, RefusalCause::kRobot, explainRefusal(*call, code), now_);
-  } else if (value_owed_) {
+  } else if (pending_value_) {
     onValueRefused(code);
   } else if (connection_.pictures.streaming()) {
     throw ProtocolException("it refused to stream pictures: " + describeError(code));
@@ -304,7 +304,7 @@ void Version1Session::onError(int code) {
 }
 
 void Version1Session::onValueRefused(int code) {
-  const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
+  const ValueRequest request = *std::exchange(pending_value_, std::nullopt);
   if (!request.set) {
     habits_.unanswered_polls.erase(request.letter);
     if (request.letter == protocol::REQUEST_JOINT && measured_joints_.erase(request.id) > 0) {
@@ -337,9 +337,9 @@ void Version1Session::onValueRefused(int code) {
 
 void Version1Session::onAnswer(const protocol::ValueReply& reply) {
   const auto answers = [&reply](char letter) { return reply.letter == protocol::version2::replyKind(letter); };
-  if (owedCall() != nullptr && answers(owedCall()->request.letter)) {
+  if (pendingCall() != nullptr && answers(pendingCall()->request.letter)) {
     onCallAnswered();
-  } else if (value_owed_ && answers(value_owed_->letter) && reply.identifier == value_owed_->id) {
+  } else if (pending_value_ && answers(pending_value_->letter) && reply.identifier == pending_value_->id) {
     onValue(reply);
   } else {
     connection_.context.warn(std::string("sent an answer to no request: '") + reply.letter + "', " +
@@ -349,15 +349,15 @@ void Version1Session::onAnswer(const protocol::ValueReply& reply) {
 
 void Version1Session::onCallAnswered() {
   connection_.calls.transferEnds(now_);
-  if (const Call& call = *owedCall(); call.order() != 0) {
+  if (const Call& call = *pendingCall(); call.order() != 0) {
     connection_.context.notifier.tell(&Callbacks::on_ended, "on_ended",
                                       {EndedKind::kMotion, EndedHow::kUnknown, call.object, kUnknownEnd, call.order()});
   }
-  connection_.calls.answer(kOwed, nullptr, 0);
+  connection_.calls.answer(kPendingNumber, nullptr, 0);
 }
 
 void Version1Session::onValue(const protocol::ValueReply& reply) {
-  const ValueRequest request = *std::exchange(value_owed_, std::nullopt);
+  const ValueRequest request = *std::exchange(pending_value_, std::nullopt);
   const double position = fromMicro(protocol::microradiansFromCentidegrees(reply.value));
   if (request.set) {
     connection_.refusals.accepted(request.letter);
@@ -400,13 +400,14 @@ void Version1Session::onLedsAccepted(const protocol::ValueReply& reply) {
   }
 }
 
-Call* Version1Session::owedPicture() const {
-  Call* const owed = owedCall();
-  return owed != nullptr && owed->isForPicture() ? owed : nullptr;
+Call* Version1Session::pendingPicture() const {
+  Call* const pending = pendingCall();
+  return pending != nullptr && pending->isForPicture() ? pending : nullptr;
 }
 
 bool Version1Session::isPictureDue() const {
-  return connection_.pictures.streaming() || is_trial_owed_ || owedPicture() != nullptr || !parser_.betweenReplies();
+  return connection_.pictures.streaming() || is_trial_pending_ || pendingPicture() != nullptr ||
+         !parser_.betweenReplies();
 }
 
 Session::TimePoint Version1Session::silenceLimit() const {
@@ -414,7 +415,7 @@ Session::TimePoint Version1Session::silenceLimit() const {
 }
 
 Session::TimePoint Version1Session::valueDeadline() const {
-  return value_owed_ ? value_owed_->sent + connection_.answerLimit() : TimePoint::max();
+  return pending_value_ ? pending_value_->sent + connection_.answerLimit() : TimePoint::max();
 }
 
 void Version1Session::checkDeadlines(TimePoint now) {
@@ -430,11 +431,12 @@ void Version1Session::checkDeadlines(TimePoint now) {
 // If a call was sent and is not answered in time, the connection ends.
 void Version1Session::checkCalls(TimePoint now) {
   std::optional<Fault> fault;
-  const Call* const owed = owedCall();
-  if (owed != nullptr && now >= owed->deadline) {
+  const Call* const pending = pendingCall();
+  if (pending != nullptr && now >= pending->deadline) {
     const std::string& address = connection_.context.address;
-    fault = owed->isForPicture() ? Fault::pictureOverdue(address, owed->timeout)
-                                 : Fault::unanswered(address, "the request to " + describe(*owed), owed->timeout);
+    fault = pending->isForPicture()
+                ? Fault::pictureOverdue(address, pending->timeout)
+                : Fault::unanswered(address, "the request to " + describe(*pending), pending->timeout);
   }
   connection_.expireCalls(now);
   if (fault) {
@@ -444,19 +446,19 @@ void Version1Session::checkCalls(TimePoint now) {
 
 void Version1Session::failUnanswered() {
   const ConnectionContext& context = connection_.context;
-  const char letter = value_owed_->letter;
-  if (!value_owed_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
+  const char letter = pending_value_->letter;
+  if (!pending_value_->set && ++habits_.unanswered_polls[letter] == ServerHabits::kUnansweredPollsLimit) {
     const std::string parts = std::string(partOf(letter)) + "s";
     context.warn("does not answer when it is asked for its " + parts +
                  ". It is not asked again, so there will be no telemetry of its " + parts);
   }
-  throw Fault::unanswered(context.address, describe(letter, value_owed_->id), connection_.answerLimit());
+  throw Fault::unanswered(context.address, describe(letter, pending_value_->id), connection_.answerLimit());
 }
 
 Session::TimePoint Version1Session::nextDeadline() const {
   const PictureIntake& pictures = connection_.pictures;
   TimePoint next = std::min({connection_.calls.nextDeadline(), silenceLimit(), valueDeadline(), pictures.nextLook()});
-  const bool free = !isAnswerOwed();
+  const bool free = !isAnswerPending();
   if (!pictures.streaming() && connection_.calls.nextForPicture() != nullptr && free && parser_.betweenReplies()) {
     next = std::min(next, pictures.drainedAt());
   }

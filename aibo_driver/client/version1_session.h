@@ -35,13 +35,13 @@ class Version1Session final : public Session {
  public:
   using TimePoint = Session::TimePoint;
   /// Whether the server was asked for version 2 of the protocol, and what it answered.
-  enum class VersionAnswer { kNotAsked, kRefused, kOwed };
+  enum class VersionAnswer { kNotAsked, kRefused, kPending };
 
   Version1Session(Connection& connection, ServerHabits& habits, VersionAnswer answer, TimePoint connected);
 
   int protocolVersion() const override { return 1; }
   bool ready() const override { return ready_; }
-  Bytes nextRequest(const Wish& wish, TimePoint now) override;
+  Bytes nextRequest(const Settings& wanted, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t*, std::size_t, TimePoint) override { return false; }  // it has none
   std::vector<Bytes> takeReplies(TimePoint) override { return {}; }
@@ -64,15 +64,15 @@ class Version1Session final : public Session {
     std::string trouble{};     ///< why the robot has refused one
   };
 
-  // The call that was sent and has not been answered, or null. owedPicture() returns only calls for a picture.
-  Call* owedCall() const { return connection_.calls.find(kOwed); }
-  Call* owedPicture() const;
-  bool isAnswerOwed() const { return value_owed_ || is_trial_owed_ || owedCall() != nullptr; }
+  // The call that was sent and has not been answered, or null. pendingPicture() returns only calls for a picture.
+  Call* pendingCall() const { return connection_.calls.find(kPendingNumber); }
+  Call* pendingPicture() const;
+  bool isAnswerPending() const { return pending_value_ || is_trial_pending_ || pendingCall() != nullptr; }
   void warnOfMissing(const char* request, bool wanted);
-  Bytes requestTrial(const Wish& wish, TimePoint now);
+  Bytes requestTrial(const Settings& wanted, TimePoint now);
   bool mayRequestPicture(TimePoint now) const;
   bool mayPoll() const;
-  Bytes requestPicture(const Wish& wish, Call* call, TimePoint now);
+  Bytes requestPicture(const Settings& wanted, Call* call, TimePoint now);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextValueRequest(TimePoint now);
   Bytes nextCommand(TimePoint now);
@@ -96,14 +96,14 @@ class Version1Session final : public Session {
   void checkCalls(TimePoint now);
   void failUnanswered();
 
-  static constexpr int kOwed = 1;  // the request number of the call that was sent and has not been answered
+  static constexpr int kPendingNumber = 1;  // the request number of the call that was sent and has not been answered
 
   Connection& connection_;
   ServerHabits& habits_;
   ReplyParser parser_;
   TimePoint now_;  // when the bytes that are being parsed were read
-  std::optional<ValueRequest> value_owed_;
-  bool version_answer_owed_;
+  std::optional<ValueRequest> pending_value_;
+  bool is_version_answer_pending_;
   std::map<std::uint64_t, JointOrder> joint_orders_;  // by OrderTerms::number
   int last_target_ = 0;                               // the id of the joint that was commanded last
   LedMode led_mode_ = LedMode::kA;                    // the mode of all LEDs, as last accepted
@@ -112,8 +112,8 @@ class Version1Session final : public Session {
   std::set<const char*> missing_;  // the requests that are wanted and that this version does not have
   std::set<int> measured_joints_;  // joints that were polled successfully and have had no fault since
   bool poll_wanted_ = false;
-  bool ready_;                  // the server has answered
-  bool is_trial_owed_ = false;  // the picture of requestTrial() is still to come
+  bool ready_;                     // the server has answered
+  bool is_trial_pending_ = false;  // the picture of requestTrial() is still to come
 };
 
 }  // namespace aibo_client

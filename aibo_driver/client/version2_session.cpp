@@ -200,7 +200,7 @@ const std::array<Version2Session::RequestSetting, 7> Version2Session::kSettings 
     &Version2Session::requestTelemetry,     &Version2Session::requestColorTable, &Version2Session::requestColors,
     &Version2Session::requestMicrophone};
 
-Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
+Session::Bytes Version2Session::nextRequest(const Settings& wanted, TimePoint now) {
   connection_.dropTooOld(now);
   Call* const stop = connection_.calls.nextStop();
   if (ready_ && stop != nullptr) {
@@ -216,12 +216,12 @@ Session::Bytes Version2Session::nextRequest(const Wish& wish, TimePoint now) {
     return {};
   }
   for (const auto request_setting : kSettings) {
-    if (Bytes frame = (this->*request_setting)(wish, now); !frame.empty()) {
+    if (Bytes frame = (this->*request_setting)(wanted, now); !frame.empty()) {
       return frame;
     }
   }
   if (Call* const call = connection_.calls.nextForPicture()) {
-    return requestPicture(wish, call);
+    return requestPicture(wanted, call);
   }
   if (Call* const call = connection_.calls.nextForRobot(frames_.present(now).has_value())) {
     return connection_.mustWaitForSpeedLimits(*call) ? requestSpeedLimits(now) : requestCall(call, now);
@@ -234,51 +234,51 @@ Session::Bytes Version2Session::requestHello(TimePoint now) {
   return request(version2::SAY_HELLO, 0, {}, now, &Version2Session::onHello);
 }
 
-StreamFormat Version2Session::possibleFormat(const Wish& wish) const {
-  StreamFormat format = wish.format;
+StreamFormat Version2Session::possibleFormat(const Settings& wanted) const {
+  StreamFormat format = wanted.format;
   if (format.resolution == Resolution::kDouble && lacks_double_resolution_) {
     format.resolution = Resolution::kHigh;
   }
   return format;
 }
 
-Session::Bytes Version2Session::requestCameraSetting(const Wish& wish, TimePoint now) {
-  const auto wanted = valuesOf(wish.camera);
-  const auto different = std::mismatch(wanted.begin(), wanted.end(), camera_.begin());
-  if (different.first == wanted.end()) {
+Session::Bytes Version2Session::requestCameraSetting(const Settings& wanted, TimePoint now) {
+  const auto values = valuesOf(wanted.camera);
+  const auto different = std::mismatch(values.begin(), values.end(), camera_.begin());
+  if (different.first == values.end()) {
     return {};
   }
   *different.second = *different.first;
-  const auto id = static_cast<int>(different.first - wanted.begin()) + 1;
+  const auto id = static_cast<int>(different.first - values.begin()) + 1;
   const version2::CameraValue value = {static_cast<unsigned char>(id), static_cast<unsigned char>(*different.first)};
   return request(version2::SET_CAMERA, id, encoded(value), now, &Version2Session::onCameraSetting);
 }
 
-Session::Bytes Version2Session::requestStream(const Wish& wish, TimePoint now) {
+Session::Bytes Version2Session::requestStream(const Settings& wanted, TimePoint now) {
   const PictureIntake& pictures = connection_.pictures;
-  const StreamFormat format = possibleFormat(wish);
-  const bool is_as_wanted = wish.jpeg_quality == pictures.streamQuality() && format == pictures.streamFormat();
-  if (wish.streaming == pictures.streaming() && (!wish.streaming || is_as_wanted)) {
+  const StreamFormat format = possibleFormat(wanted);
+  const bool is_as_wanted = wanted.jpeg_quality == pictures.streamQuality() && format == pictures.streamFormat();
+  if (wanted.streaming == pictures.streaming() && (!wanted.streaming || is_as_wanted)) {
     return {};
   }
-  connection_.pictures.streamRequested(wish.streaming, wish.jpeg_quality, now, format);
+  connection_.pictures.streamRequested(wanted.streaming, wanted.jpeg_quality, now, format);
   datagrams_.expectFrom(now);
-  const version2::StreamSettings settings = {wish.streaming, layerOf(format.resolution),
+  const version2::StreamSettings settings = {wanted.streaming, layerOf(format.resolution),
                                              static_cast<unsigned short>(format.every_nth_image)};
-  Bytes frame = request(version2::STREAM_PICTURES, wish.jpeg_quality, encoded(settings), now);
+  Bytes frame = request(version2::STREAM_PICTURES, wanted.jpeg_quality, encoded(settings), now);
   exchanges_[last_number_].is_for_double_resolution = format.resolution == Resolution::kDouble;
   return frame;
 }
 
-Session::Bytes Version2Session::requestTransport(const Wish& wish, TimePoint now) {
+Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoint now) {
   const TransportChoice::Step step =
-      transport_.next({wish.transport, wish.transport_changes, wish.datagram_port, wish.streaming}, now);
+      transport_.next({wanted.transport, wanted.transport_changes, wanted.datagram_port, wanted.streaming}, now);
   if (!transport_.problem().empty()) {
     connection_.giveUpDatagrams(transport_.problem(), transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   }
   switch (step) {
     case TransportChoice::Step::kTest:
-      return requestDatagrams(wish.datagram_port, true, test_start_, now);
+      return requestDatagrams(wanted.datagram_port, true, test_start_, now);
     case TransportChoice::Step::kBegin:
       start_ = randomStart();
       datagrams_.begin(start_, now);
@@ -300,33 +300,33 @@ Session::Bytes Version2Session::requestDatagrams(int port, bool is_test, const D
   return request(version2::SEND_DATAGRAMS, 0, encoded(order), now, &Version2Session::onDatagrams);
 }
 
-Session::Bytes Version2Session::requestPicture(const Wish& wish, Call* call) {
-  const int quality = call->quality == 0 ? wish.jpeg_quality : call->quality;
-  const Resolution resolution = call->resolution.value_or(possibleFormat(wish).resolution);
+Session::Bytes Version2Session::requestPicture(const Settings& wanted, Call* call) {
+  const int quality = call->quality == 0 ? wanted.jpeg_quality : call->quality;
+  const Resolution resolution = call->resolution.value_or(possibleFormat(wanted).resolution);
   Bytes frame = makeFrame(call->request.letter, quality, encoded(version2::PictureRequest{layerOf(resolution)}));
   call->request_number = last_number_;
   return frame;
 }
 
-Session::Bytes Version2Session::requestTelemetry(const Wish& wish, TimePoint now) {
-  if (wish.telemetry_period == telemetry_period_) {
+Session::Bytes Version2Session::requestTelemetry(const Settings& wanted, TimePoint now) {
+  if (wanted.telemetry_period == telemetry_period_) {
     return {};
   }
-  telemetry_period_ = wish.telemetry_period;
+  telemetry_period_ = wanted.telemetry_period;
   connection_.measurements.askedFor(telemetry_period_);
-  const version2::TelemetryPeriod period = {static_cast<unsigned short>(wish.telemetry_period)};
+  const version2::TelemetryPeriod period = {static_cast<unsigned short>(wanted.telemetry_period)};
   return request(version2::SEND_TELEMETRY, version2::TELEMETRY_WITH_DUTY, encoded(period), now);
 }
 
-Session::Bytes Version2Session::requestColorTable(const Wish& wish, TimePoint now) {
-  if (!wish.colors.on || wish.color_tables == color_tables_) {
+Session::Bytes Version2Session::requestColorTable(const Settings& wanted, TimePoint now) {
+  if (!wanted.colors.on || wanted.color_tables == color_tables_) {
     return {};
   }
-  const auto different = std::mismatch(wish.color_tables.begin(), wish.color_tables.end(), color_tables_.begin());
-  const ColorTablePtr& wanted = *different.second = *different.first;
-  version2::ColorTable table = {static_cast<unsigned char>(different.first - wish.color_tables.begin()), {}};
+  const auto different = std::mismatch(wanted.color_tables.begin(), wanted.color_tables.end(), color_tables_.begin());
+  const ColorTablePtr& chosen = *different.second = *different.first;
+  version2::ColorTable table = {static_cast<unsigned char>(different.first - wanted.color_tables.begin()), {}};
   for (std::size_t i = 0; i < kColorSegments; ++i) {
-    const std::optional<ColorRange> range = wanted ? wanted->segments.at(i) : std::nullopt;
+    const std::optional<ColorRange> range = chosen ? chosen->segments.at(i) : std::nullopt;
     const auto byte = [](int value) { return static_cast<unsigned char>(value); };
     table.segments[i] = range ? version2::ColorSegment{byte(range->cr_min), byte(range->cr_max), byte(range->cb_min),
                                                        byte(range->cb_max)}
@@ -335,30 +335,30 @@ Session::Bytes Version2Session::requestColorTable(const Wish& wish, TimePoint no
   return request(version2::DETECT_COLORS, version2::COLORS_TABLE, encoded(table), now);
 }
 
-Session::Bytes Version2Session::requestColors(const Wish& wish, TimePoint now) {
-  if (wish.colors == connection_.colors.detection()) {
+Session::Bytes Version2Session::requestColors(const Settings& wanted, TimePoint now) {
+  if (wanted.colors == connection_.colors.detection()) {
     return {};
   }
-  connection_.colors.askedFor(wish.colors);
-  const version2::ColorSettings settings = {static_cast<unsigned short>(wish.colors.every_nth_image),
-                                            wish.colors.with_mask};
-  return wish.colors.on ? request(version2::DETECT_COLORS, version2::COLORS_ON, encoded(settings), now)
-                        : request(version2::DETECT_COLORS, version2::COLORS_OFF, {}, now);
+  connection_.colors.askedFor(wanted.colors);
+  const version2::ColorSettings settings = {static_cast<unsigned short>(wanted.colors.every_nth_image),
+                                            wanted.colors.with_mask};
+  return wanted.colors.on ? request(version2::DETECT_COLORS, version2::COLORS_ON, encoded(settings), now)
+                          : request(version2::DETECT_COLORS, version2::COLORS_OFF, {}, now);
 }
 
 // A server starts with its microphones off.
-Session::Bytes Version2Session::requestMicrophone(const Wish& wish, TimePoint now) {
-  const MicrophoneSettings& wanted = wish.microphone;
+Session::Bytes Version2Session::requestMicrophone(const Settings& wanted, TimePoint now) {
+  const MicrophoneSettings& microphone = wanted.microphone;
   const MicrophoneSettings& asked = connection_.sound.asked();
-  if (wanted == asked || (!wanted.on && !asked.on && wanted.before_pictures == asked.before_pictures)) {
+  if (microphone == asked || (!microphone.on && !asked.on && microphone.before_pictures == asked.before_pictures)) {
     return {};
   }
-  connection_.sound.askedFor(wanted);
-  const unsigned mode = (wanted.on ? unsigned{version2::MICROPHONE_ON} : 0) |
-                        (wanted.before_pictures ? unsigned{version2::SOUND_FIRST} : 0);
+  connection_.sound.askedFor(microphone);
+  const unsigned mode = (microphone.on ? unsigned{version2::MICROPHONE_ON} : 0) |
+                        (microphone.before_pictures ? unsigned{version2::SOUND_FIRST} : 0);
   const version2::MicrophoneSettings settings = {static_cast<unsigned char>(mode),
-                                                 static_cast<unsigned char>(wanted.channels),
-                                                 static_cast<unsigned short>(wanted.samples_per_second)};
+                                                 static_cast<unsigned char>(microphone.channels),
+                                                 static_cast<unsigned short>(microphone.samples_per_second)};
   return request(version2::LISTEN, version2::SOUND_MICROPHONE, encoded(settings), now, &Version2Session::onMicrophone);
 }
 
@@ -884,7 +884,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   }
   if (letter == version2::REQUEST_DATAGRAMS) {
     ++connection_.context.counters.refusals;
-    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier wish
+    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier setting
       giveUpDatagrams("it refused to: " + problem, now_);
       connection_.lets_no_datagram_through = false;  // over the next connection it may agree
     }

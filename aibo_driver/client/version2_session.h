@@ -39,7 +39,7 @@ class Version2Session final : public Session {
 
   int protocolVersion() const override { return 2; }
   bool ready() const override { return ready_; }
-  Bytes nextRequest(const Wish& wish, TimePoint now) override;
+  Bytes nextRequest(const Settings& wanted, TimePoint now) override;
   void bytesArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   bool datagramArrived(const std::uint8_t* data, std::size_t size, TimePoint now) override;
   std::vector<Bytes> takeReplies(TimePoint now) override { return datagrams_.takeReplies(now); }
@@ -81,20 +81,20 @@ class Version2Session final : public Session {
   };
 
   /// Makes the next request for a setting. It is empty if the robot has been asked for what the user wants.
-  using RequestSetting = Bytes (Version2Session::*)(const Wish& wish, TimePoint now);
+  using RequestSetting = Bytes (Version2Session::*)(const Settings& wanted, TimePoint now);
   static const std::array<RequestSetting, 7> kSettings;  ///< in the order in which they are sent
 
   Bytes requestHello(TimePoint now);
-  StreamFormat possibleFormat(const Wish& wish) const;
-  Bytes requestCameraSetting(const Wish& wish, TimePoint now);
-  Bytes requestTransport(const Wish& wish, TimePoint now);
-  Bytes requestStream(const Wish& wish, TimePoint now);
-  Bytes requestTelemetry(const Wish& wish, TimePoint now);
-  Bytes requestColorTable(const Wish& wish, TimePoint now);
-  Bytes requestColors(const Wish& wish, TimePoint now);
-  Bytes requestMicrophone(const Wish& wish, TimePoint now);
+  StreamFormat possibleFormat(const Settings& wanted) const;
+  Bytes requestCameraSetting(const Settings& wanted, TimePoint now);
+  Bytes requestTransport(const Settings& wanted, TimePoint now);
+  Bytes requestStream(const Settings& wanted, TimePoint now);
+  Bytes requestTelemetry(const Settings& wanted, TimePoint now);
+  Bytes requestColorTable(const Settings& wanted, TimePoint now);
+  Bytes requestColors(const Settings& wanted, TimePoint now);
+  Bytes requestMicrophone(const Settings& wanted, TimePoint now);
   Bytes requestDatagrams(int port, bool is_test, const DatagramIntake::Start& start, TimePoint now);
-  Bytes requestPicture(const Wish& wish, Call* call);
+  Bytes requestPicture(const Settings& wanted, Call* call);
   Bytes requestCall(Call* call, TimePoint now);
   Bytes nextCommand(TimePoint now);
   Bytes requestSpeedLimits(TimePoint now);

@@ -29,7 +29,7 @@ enum Event {
   PICTURE_IS_WANTED,
   ROBOT_IS_ASKED,
   BODY_IS_COMMANDED,
-  WISH_CHANGES,
+  SETTINGS_CHANGE,
   COUNT
 };
 
@@ -91,7 +91,7 @@ class Client {
         break;
       default:
         require(negotiation.result() != VersionNegotiation::Result::kOpen, "patience ends");
-        beginVersion1(Version1Session::VersionAnswer::kOwed);
+        beginVersion1(Version1Session::VersionAnswer::kPending);
     }
     connection_.pictures.bytesArrived(now_);
     session_->bytesArrived(negotiation.rest().data(), negotiation.rest().size(), now_);
@@ -111,8 +111,8 @@ class Client {
       case BODY_IS_COMMANDED:
         commandBody();
         break;
-      case WISH_CHANGES:
-        changeWish();
+      case SETTINGS_CHANGE:
+        changeSettings();
         break;
       default:
         bytesArrive(input_.takeBytes(event == MANY_BYTES_ARRIVE ? input_.take16() : input_.takeByte()));
@@ -145,7 +145,7 @@ class Client {
   }
 
   void talk() {
-    for (int i = 0; !session_->nextRequest(wish_, now_).empty(); ++i) {
+    for (int i = 0; !session_->nextRequest(wanted_, now_).empty(); ++i) {
       require(i < kManyRequests, "requests come to an end");
     }
   }
@@ -241,17 +241,17 @@ class Client {
     }
   }
 
-  void changeWish() {
+  void changeSettings() {
     const unsigned bits = input_.takeByte();
-    wish_.streaming = (bits & 1U) != 0;
-    wish_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
-    wish_.jpeg_quality = 1 + static_cast<int>(bits % 100);
-    wish_.format = {static_cast<Resolution>(bits / 4 % 4), 1 + static_cast<int>(bits % 7)};
-    wish_.microphone = {(bits & 16U) != 0, 1 + static_cast<int>(bits & 1U), (bits & 8U) != 0 ? 8000 : 16000};
-    wish_.camera.gain = 1 + static_cast<int>(bits % 3);
-    wish_.camera.auto_exposure = (bits & 16U) != 0;
-    wish_.colors = {(bits & 32U) != 0, 1, (bits & 64U) != 0};
-    wish_.color_tables[bits % wish_.color_tables.size()] = (bits & 32U) != 0 ? table_ : nullptr;
+    wanted_.streaming = (bits & 1U) != 0;
+    wanted_.telemetry_period = (bits & 2U) != 0 ? 4 : 0;
+    wanted_.jpeg_quality = 1 + static_cast<int>(bits % 100);
+    wanted_.format = {static_cast<Resolution>(bits / 4 % 4), 1 + static_cast<int>(bits % 7)};
+    wanted_.microphone = {(bits & 16U) != 0, 1 + static_cast<int>(bits & 1U), (bits & 8U) != 0 ? 8000 : 16000};
+    wanted_.camera.gain = 1 + static_cast<int>(bits % 3);
+    wanted_.camera.auto_exposure = (bits & 16U) != 0;
+    wanted_.colors = {(bits & 32U) != 0, 1, (bits & 64U) != 0};
+    wanted_.color_tables[bits % wanted_.color_tables.size()] = (bits & 32U) != 0 ? table_ : nullptr;
   }
 
   Callbacks callbacks() {
@@ -292,7 +292,7 @@ class Client {
   Notifier notifier_{callbacks()};
   ClientStatistics counters_;
   ServerHabits habits_;
-  Wish wish_{false, 85, 0};
+  Settings wanted_{false, 85, 0};
   ColorTablePtr table_ = std::make_shared<ColorTable>();
   Session::TimePoint now_ = Session::TimePoint() + milliseconds(100000);
   Connection connection_{{"robot:54321", milliseconds(500), notifier_, counters_, 1}, now_};

@@ -20,7 +20,7 @@ class CameraRequestsTest : public Version2SessionFixture {
 
 TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWheneverItShouldDiffer) {
   begin();
-  wish_.streaming = true;
+  wanted_.streaming = true;
   const struct {
     int quality;
     StreamFormat format;
@@ -31,24 +31,24 @@ TEST_F(CameraRequestsTest, TheStreamIsRequestedAgainWheneverItShouldDiffer) {
       {40, {Resolution::kMiddle, 300}, "W 40 1 1 1 44"}, {40, {Resolution::kLow, 1}, "W 40 1 2 0 1"},
   };
   for (const auto& row : rows) {
-    wish_.jpeg_quality = row.quality;
-    wish_.format = row.format;
+    wanted_.jpeg_quality = row.quality;
+    wanted_.format = row.format;
     EXPECT_EQ(row.sent, request());
     EXPECT_EQ("", request());
   }
-  wish_.streaming = false;
+  wanted_.streaming = false;
   EXPECT_EQ("W 40 0 2 0 1", request());
-  wish_.jpeg_quality = 50;
+  wanted_.jpeg_quality = 50;
   EXPECT_EQ("", request()) << "the stream is off";
 }
 
 TEST_F(CameraRequestsTest, ARobotWithoutDoubleResolutionStreamsHighOneAndTheLogSaysSo) {
   begin();
-  wish_.streaming = true;
-  wish_.format = {Resolution::kDouble, 2};
+  wanted_.streaming = true;
+  wanted_.format = {Resolution::kDouble, 2};
   EXPECT_EQ("W 73 1 3 0 2", request());
   const Frame first = frame_;
-  wish_.jpeg_quality = 50;
+  wanted_.jpeg_quality = 50;
   EXPECT_EQ("W 50 1 3 0 2", request());
   refuse(first, "not supported", 2);
   refuse("not supported", 2);
@@ -61,7 +61,7 @@ TEST_F(CameraRequestsTest, ARobotWithoutDoubleResolutionStreamsHighOneAndTheLogS
 
 TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   begin();
-  wish_.format.every_nth_image = 15;
+  wanted_.format.every_nth_image = 15;
   stream();
   live(milliseconds(500 + 14 * 48 - 1));
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(2)); }));
@@ -69,7 +69,7 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
 
 TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
   begin();
-  wish_.format.resolution = Resolution::kLow;
+  wanted_.format.resolution = Resolution::kLow;
   takePictureOf(std::nullopt);
   EXPECT_EQ("F 73 2", request());
   takePictureOf(Resolution::kDouble);
@@ -90,20 +90,20 @@ TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsFor
   EXPECT_EQ(1u, delivered_for(Resolution::kHigh));
   EXPECT_EQ(0u, delivered_for(Resolution::kMiddle));
   EXPECT_EQ(2u, counters_.pictures);
-  wish_.streaming = false;
+  wanted_.streaming = false;
   request();
   EXPECT_EQ(1u, delivered_for(Resolution::kMiddle)) << "the stream is off";
 }
 
 TEST_F(CameraRequestsTest, SettingsAreSentAtTheBeginningAndWhenTheyChange) {
   sayHello();
-  wish_.streaming = true;
-  wish_.camera.gain = 3;
+  wanted_.streaming = true;
+  wanted_.camera.gain = 3;
   for (const char* each : {"G 1 3", "G 2 3", "G 3 2", "G 4 0", "G 5 0", "W 73 1 0 0 1", ""}) {
     EXPECT_EQ(each, request());
   }
-  wish_.camera.shutter_speed = 1;
-  wish_.camera.auto_white_balance = true;
+  wanted_.camera.shutter_speed = 1;
+  wanted_.camera.auto_white_balance = true;
   for (const char* each : {"G 3 1", "G 5 1", ""}) {
     EXPECT_EQ(each, request());
   }

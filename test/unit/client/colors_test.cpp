@@ -53,9 +53,9 @@ class ColorsTest : public Version2SessionFixture {
   /// The detection is on for every third image; channel 6 detects a ball, and two others something else.
   void detectBall(bool with_mask = false) {
     begin();
-    wish_.colors = {true, 3, with_mask};
+    wanted_.colors = {true, 3, with_mask};
     for (const auto& [channel, name] : {std::pair(4, "goal"), {6, "ball"}, {7, "box"}}) {
-      wish_.color_tables.at(static_cast<std::size_t>(channel)) = tableNamed(name);
+      wanted_.color_tables.at(static_cast<std::size_t>(channel)) = tableNamed(name);
       EXPECT_EQ("Z 2 " + std::to_string(channel) + " 0 0 0", request());
       agree();
     }
@@ -72,10 +72,10 @@ class ColorsTest : public Version2SessionFixture {
 
 TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
   begin();
-  wish_.color_tables[0] = tableNamed("ball");
-  wish_.color_tables[6] = tableNamed("box");
+  wanted_.color_tables[0] = tableNamed("ball");
+  wanted_.color_tables[6] = tableNamed("box");
   EXPECT_EQ("", request()) << "nobody wants to know";
-  wish_.colors = {true, 2, false};
+  wanted_.colors = {true, 2, false};
   EXPECT_EQ("Z 2 0 0 0 0", request());
   ASSERT_THAT(frame_.payload, SizeIs(4 + 4 * version2::COLOR_SEGMENTS));
   EXPECT_THAT(Bytes(frame_.payload.begin() + 4, frame_.payload.begin() + 12),
@@ -83,14 +83,14 @@ TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ("Z 1 0 2 0 0", request());
   EXPECT_EQ("", request());
-  wish_.colors.with_mask = true;
+  wanted_.colors.with_mask = true;
   EXPECT_EQ("Z 1 0 2 1 0", request());
-  wish_.colors.every_nth_image = 258;
+  wanted_.colors.every_nth_image = 258;
   EXPECT_EQ("Z 1 1 2 1 0", request());
-  wish_.color_tables[6] = nullptr;
+  wanted_.color_tables[6] = nullptr;
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ(std::count(frame_.payload.begin(), frame_.payload.end(), 128), 128);
-  wish_.colors = ColorDetection();
+  wanted_.colors = ColorDetection();
   EXPECT_EQ("Z 0", request());
   EXPECT_EQ("", request());
 }
@@ -121,7 +121,7 @@ TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
 
 TEST_F(ColorsTest, WhatTheRobotDetectedWithAnEarlierTableDoesNotGetTheNameOfTheNewOne) {
   detectBall();
-  wish_.color_tables[6] = tableNamed("box");
+  wanted_.color_tables[6] = tableNamed("box");
   EXPECT_EQ("Z 2 6 0 0 0", request());
   push(regionsOf({kBall}));
   EXPECT_THAT(colors_, IsEmpty());
@@ -204,7 +204,7 @@ TEST_F(ColorsTest, WhatWasNotAskedForIsLeftOut) {
   begin();
   push(regionsOf({kBall}));
   EXPECT_THAT(colors_, IsEmpty()) << "the detection is off";
-  wish_.colors.on = true;
+  wanted_.colors.on = true;
   request();
   agree();
   push(regionsOf({kBall}));
@@ -225,7 +225,7 @@ TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
 
 TEST_F(ColorsTest, ARefusalIsLogged) {
   detectBall();
-  wish_.colors.with_mask = true;
+  wanted_.colors.with_mask = true;
   request();
   refuse("it does not");
   EXPECT_EQ(logged("to detect colours: it does not"), 1);

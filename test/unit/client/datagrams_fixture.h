@@ -51,8 +51,8 @@ class DatagramsFixture : public Version2SessionFixture {
   }
 
   void startStream() {
-    wish_.streaming = true;
-    wish_.datagram_port = kPort;
+    wanted_.streaming = true;
+    wanted_.datagram_port = kPort;
     answer();
     asked_.clear();
   }

@@ -31,7 +31,7 @@ using Status = protocol::version2::DatagramStatus;
 class DatagramsTest : public DatagramsFixture {
  public:
   DatagramsTest() {
-    wish_.transport = PictureTransport::kUdp;
+    wanted_.transport = PictureTransport::kUdp;
     startStream();
   }
 
@@ -103,9 +103,9 @@ bool operator==(const Status& a, const Status& b) {
 class DatagramOrderTest : public DatagramsFixture {
  public:
   DatagramOrderTest() {
-    wish_.transport = PictureTransport::kUdp;
-    wish_.streaming = true;
-    wish_.datagram_port = 0x1234;
+    wanted_.transport = PictureTransport::kUdp;
+    wanted_.streaming = true;
+    wanted_.datagram_port = 0x1234;
     EXPECT_EQ('B', request()) << "before the stream";
   }
 };
@@ -114,7 +114,7 @@ TEST_F(DatagramOrderTest, NamesThePortOnceUntilItChanges) {
   EXPECT_EQ(0x1234, order_.port);
   EXPECT_EQ('W', request());
   EXPECT_EQ(0, request());
-  wish_.datagram_port = 0;
+  wanted_.datagram_port = 0;
   EXPECT_EQ('B', request());
   EXPECT_EQ(0, order_.port);
   answer(payload_);
@@ -496,7 +496,7 @@ TEST_F(DatagramsTest, ParitiesAreRequestedOnlyWhereTheLinkHasTimeForThem) {
 
 TEST_F(DatagramsTest, EachOrderHasOtherNumbers) {
   const auto first = order_;
-  wish_.datagram_port = kPort + 1;
+  wanted_.datagram_port = kPort + 1;
   answer();
   EXPECT_EQ(kPort + 1, order_.port);
   EXPECT_NE(first.first_sequence, order_.first_sequence);
@@ -537,7 +537,7 @@ TEST_F(DatagramsTest, EachGroupOfALargePictureMayLoseADatagram) {
 
 TEST_F(DatagramsTest, DatagramsAfterTheReturnToTcpAreIgnored) {
   arrive(nextPicture());
-  wish_.datagram_port = 0;
+  wanted_.datagram_port = 0;
   answer();
   arrive(nextPicture());
   EXPECT_THAT(delivered(), ElementsAre(1));

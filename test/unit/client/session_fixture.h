@@ -193,7 +193,7 @@ class SessionFixture : public testing::Test {
   std::uint64_t last_order_ = kFirstOrder - 1;
   aibo_client::Notifier notifier_;
   aibo_client::ClientStatistics counters_;
-  aibo_client::Wish wish_{false, 73, 0};
+  aibo_client::Settings wanted_{false, 73, 0};
   TimePoint now_ = TimePoint() + std::chrono::microseconds(100123456);
   aibo_client::Connection connection_{context(), now_};
 

@@ -34,7 +34,7 @@ class SoundTest : public Version2SessionFixture {
   /// Has the microphones switched on. The robot does something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
     begin();
-    wish_.microphone = {true, 3 - channels, 24000 - rate};
+    wanted_.microphone = {true, 3 - channels, 24000 - rate};
     EXPECT_EQ("A 1 1 " + std::to_string(3 - channels) + (rate == 16000 ? " 31 64" : " 62 128"), request());
     agree(channels, rate);
   }
@@ -106,7 +106,7 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
       {{false, 1, 8000, false}, ""},
   };
   for (const auto& [wanted, sent] : rows) {
-    wish_.microphone = wanted;
+    wanted_.microphone = wanted;
     EXPECT_EQ(sent, request());
     EXPECT_EQ("", request());
   }
@@ -114,7 +114,7 @@ TEST_F(SoundTest, TheMicrophonesAreAskedForOnlyWhenAndAsOftenAsThatIsWanted) {
 
 TEST_F(SoundTest, ARefusalToListenIsToldAndTheRequestIsNotRepeated) {
   begin();
-  wish_.microphone.on = true;
+  wanted_.microphone.on = true;
   EXPECT_EQ("A 1 1 2 62 128", request());
   refuse("ALLOW_MICROPHONE is not set");
   expectRefusals({{RefusedRequest::kMicrophone, RefusalCause::kRobot, {}, "ALLOW_MICROPHONE is not set", 0}});
@@ -167,7 +167,7 @@ TEST_F(SoundTest, AfterAGapWithinAFrameTheNextOneIsCountedAsEver) {
 // The rate of a push is that of the settings, so one from before a change would be misunderstood.
 TEST_F(SoundTest, SoundFromBeforeAChangeIsDropped) {
   listen(2);
-  wish_.microphone.samples_per_second = 16000;
+  wanted_.microphone.samples_per_second = 16000;
   EXPECT_EQ("A 1 1 1 62 128", request());
   push(kHeard, kSixteenMilliseconds);
   EXPECT_THAT(heard_, IsEmpty());
@@ -181,7 +181,7 @@ TEST_F(SoundTest, NothingIsMissingAfterAPause) {
   listen();
   push(kHeard, kSixteenMilliseconds);
   for (const bool on : {false, true}) {
-    wish_.microphone.on = on;
+    wanted_.microphone.on = on;
     request();
     answer(encoded(version2::MicrophoneSettings{on, 2, 16000}));
     live(seconds(10));
@@ -193,7 +193,7 @@ TEST_F(SoundTest, NothingIsMissingAfterAPause) {
 TEST_F(SoundTest, SoundThatNobodyAskedForIsDropped) {
   begin();
   push(kHeard, kSixteenMilliseconds);
-  wish_.microphone = {true, 1, 16000};
+  wanted_.microphone = {true, 1, 16000};
   request();
   agree(1, 16000);
   push(kHeard + 2, kSixteenMilliseconds, 2);

@@ -21,9 +21,9 @@ namespace {
 class TransportChoiceTest : public DatagramsFixture {
  public:
   TransportChoiceTest() {
-    wish_.transport = PictureTransport::kAuto;
-    wish_.streaming = true;
-    wish_.datagram_port = kPort;
+    wanted_.transport = PictureTransport::kAuto;
+    wanted_.streaming = true;
+    wanted_.datagram_port = kPort;
   }
 
   static Bytes testDatagram(const Bytes& request) {
@@ -200,9 +200,9 @@ TEST_F(TransportChoiceTest, TheChangeToTcpLosesAndDoublesNoPicture) {
   std::vector<Bytes> cut = nextPicture();
   cut.pop_back();
   arrive(cut);
-  wish_.transport = PictureTransport::kTcp;
-  ++wish_.transport_changes;
-  wish_.datagram_port = 0;
+  wanted_.transport = PictureTransport::kTcp;
+  ++wanted_.transport_changes;
+  wanted_.datagram_port = 0;
   answerAll();
   EXPECT_EQ("UT", ways_);
   EXPECT_EQ(0, order_.port);
@@ -219,13 +219,13 @@ TEST_F(TransportChoiceTest, AfterAChangeByTheUserUdpIsTriedAtOnce) {
   answerAll();
   watch(seconds(2));
   lets_through_ = true;
-  ++wish_.transport_changes;
+  ++wanted_.transport_changes;
   watch(milliseconds(64));
   EXPECT_EQ("U", ways_);
 }
 
 TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
-  wish_.transport = PictureTransport::kUdp;
+  wanted_.transport = PictureTransport::kUdp;
   lets_through_ = false;
   answerAll();
   EXPECT_EQ("U", ways_);

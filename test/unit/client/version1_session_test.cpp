@@ -26,7 +26,7 @@ class Version1SessionTest : public SessionFixture {
  public:
   Session& session() override { return session_; }
 
-  Bytes bytes() { return session().nextRequest(wish_, now_); }
+  Bytes bytes() { return session().nextRequest(wanted_, now_); }
 
   /// What the session sends now: "" or letter and identifier, as in "W73", and the value that is set, as in "J2=-100".
   std::string command() {
@@ -55,13 +55,13 @@ class Version1SessionTest : public SessionFixture {
 };
 
 // `W` is a toggle: one too many would switch the stream off.
-TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfWish) {
+TEST_F(Version1SessionTest, TheStreamIsToggledOnceForEachChangeOfTheSetting) {
   int toggles = 0;
   for (int i = 0; i < 1000; ++i) {
-    wish_.streaming = i % 3 != 0;
+    wanted_.streaming = i % 3 != 0;
     toggles += command().empty() ? 0 : 1;
-    EXPECT_EQ(wish_.streaming, toggles % 2 == 1);
-    EXPECT_EQ(wish_.streaming, connection_.pictures.streaming());
+    EXPECT_EQ(wanted_.streaming, toggles % 2 == 1);
+    EXPECT_EQ(wanted_.streaming, connection_.pictures.streaming());
   }
 }
 
@@ -82,9 +82,9 @@ TEST_F(Version1SessionTest, WithoutAStreamEachCallerGetsAPictureOfItsOwnQuality)
 }
 
 TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBeginsAfterTheCall) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   command();
-  wish_.jpeg_quality = 60;  // of the next stream
+  wanted_.jpeg_quality = 60;  // of the next stream
   const Bytes reply = test_pictures::makeReply(test_pictures::makeNumbered(1));
   receive(Bytes(reply.begin(), reply.begin() + 100));
   pass(milliseconds(1));
@@ -105,10 +105,10 @@ TEST_F(Version1SessionTest, DuringTheStreamEveryCallerGetsTheNextPictureThatBegi
 }
 
 TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   command();
   receivePicture(1);
-  wish_.streaming = false;
+  wanted_.streaming = false;
   command();
   auto answer = takePicture(30);
   EXPECT_EQ("", command());
@@ -146,7 +146,7 @@ TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
 }
 
 TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoesOn) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   command();
   receive(test_pictures::makeReply(Bytes(5000, 0)));
   receive(test_pictures::makeReply(Bytes(5000, 0)));
@@ -167,7 +167,7 @@ TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReporte
 TEST_F(Version1SessionTest, JointsAreSentOneAtATimeAndNothingElseMeanwhile) {
   commandJoints({{1, 0.1}, {2, 0.2}});
   EXPECT_EQ("J1=573", command());
-  wish_.streaming = true;
+  wanted_.streaming = true;
   auto answer = takePicture(10);
   EXPECT_EQ("", command()) << "TCP may join two requests, and the robot would take them for another one";
   receive({'j', 1, 0x3D, 0x02});
@@ -190,7 +190,7 @@ TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
 
 // The ERS-7's table; 20 of each a second.
 TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn) {
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   std::string asked;
   for (int i = 0; i < 40; ++i) {
     const std::string request = command();
@@ -205,7 +205,7 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
       "J43 S66 J51 S67 J52 S94 J1 S5 J2 S6 ",
       asked);
   ASSERT_EQ(40u, telemetry_.size());
-  wish_.telemetry_period = 0;
+  wanted_.telemetry_period = 0;
   EXPECT_EQ("", command());
   pass(milliseconds(5000));
   EXPECT_EQ("", command());
@@ -221,7 +221,7 @@ TEST_F(Version1SessionTest, EachValueIsReportedInItsUnitWithTheTimeOfItsFirstByt
       {"S66", {42, 0.42}},  // acceleration_front_back, m/s^2; battery
       {"S67", {42, 0.42}},  // temperature, degree Celsius
   };
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   for (const auto& [name, values] : rows) {
     std::string request = command();
     while (request != name) {
@@ -291,7 +291,7 @@ TEST_F(Version1SessionTest, AllLedsWithTheSameIntensityAndModeAreSetTogether) {
 }
 
 TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseWaits) {
-  wish_ = {true, 73, 4};
+  wanted_ = {true, 73, 4};
   EXPECT_EQ("W73", command());
   auto upload = add(callToStore("NOD.MTN", Bytes(1234, 7)), milliseconds(20000));
   auto play = add(callToPlay("NOD.MTN"), milliseconds(20000));
@@ -313,7 +313,7 @@ TEST_F(Version1SessionTest, WhileAMotionIsUploadedPicturesGoOnAndEverythingElseW
 }
 
 TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   command();
   auto upload = add(callToStore("NOD.MTN", Bytes(65523)), milliseconds(20000));
   EXPECT_FALSE(bytes().empty());
@@ -371,7 +371,7 @@ class SilentServerTest : public Version1SessionTest {
 
 // A process that is stopped is connected to as any other.
 TEST_F(SilentServerTest, IsAskedForAPictureAndNotConnectedUntilItAnswers) {
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   now_ += milliseconds(450);  // it was asked for version 2 first
   EXPECT_EQ("F73", command());
   EXPECT_EQ("", command());
@@ -395,8 +395,8 @@ TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
 }
 
 TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
-  wish_.streaming = true;
-  wish_.telemetry_period = 4;
+  wanted_.streaming = true;
+  wanted_.telemetry_period = 4;
   EXPECT_EQ("W73", command());
   EXPECT_EQ("", command());
   EXPECT_GT(silent_.nextDeadline(), now_) << "nothing is due before";
@@ -505,11 +505,11 @@ TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
 }
 
 TEST_F(Version1SessionTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   int asked = 0;
   const auto run_until_asked = [&](int times) {  // only head_pan is refused, and only after the first time
     while (asked < times) {
-      const Bytes bytes = session_.nextRequest(wish_, now_);
+      const Bytes bytes = session_.nextRequest(wanted_, now_);
       const bool is_pan = !bytes.empty() && bytes[0] == 'J' && bytes[1] == 2;
       asked += is_pan ? 1 : 0;
       if (!bytes.empty()) {
@@ -527,15 +527,15 @@ TEST_F(Version1SessionTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) 
 }
 
 TEST_F(Version1SessionTest, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   EXPECT_EQ("W73", command());
   EXPECT_TRUE(log_.empty());
-  wish_.format = {Resolution::kDouble, 4};
-  wish_.camera.gain = 3;
-  wish_.colors.on = true;
-  wish_.microphone.on = true;
-  wish_.transport = PictureTransport::kUdp;
-  wish_.datagram_port = 5000;
+  wanted_.format = {Resolution::kDouble, 4};
+  wanted_.camera.gain = 3;
+  wanted_.colors.on = true;
+  wanted_.microphone.on = true;
+  wanted_.transport = PictureTransport::kUdp;
+  wanted_.datagram_port = 5000;
   EXPECT_EQ("", command());
   EXPECT_EQ("", command());
   for (const char* each :
@@ -548,7 +548,7 @@ class LateVersionAnswerTest : public Version1SessionTest {
  protected:
   Session& session() override { return late_; }
 
-  Version1Session late_{connection_, habits_, Version1Session::VersionAnswer::kOwed, now_};
+  Version1Session late_{connection_, habits_, Version1Session::VersionAnswer::kPending, now_};
 };
 
 TEST_F(LateVersionAnswerTest, ALateAgreementEndsTheConnectionForTheServerSpeaksVersion2Now) {

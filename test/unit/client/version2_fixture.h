@@ -30,7 +30,7 @@ class Version2SessionFixture : public SessionFixture {
 
   /// What the session sends now: kind, id and the beginning of the payload, as in "W 73 1 0 0 1"; "" if nothing.
   std::string request(std::size_t longest = 256) {
-    const Bytes bytes = session_.nextRequest(wish_, now_);
+    const Bytes bytes = session_.nextRequest(wanted_, now_);
     if (bytes.empty()) {
       return "";
     }
@@ -68,7 +68,7 @@ class Version2SessionFixture : public SessionFixture {
 
   /// Has the stream, which the robot agrees to.
   void stream() {
-    wish_.streaming = true;
+    wanted_.streaming = true;
     EXPECT_EQ('W', request()[0]);
     answer(frame_.payload);
   }

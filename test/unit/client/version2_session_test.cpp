@@ -58,12 +58,12 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   const Session::TimePoint now = Session::TimePoint() + milliseconds(1000);
   Connection connection({"robot:54321", milliseconds(1700), notifier, counters}, now);
   Version2Session session(connection, now);
-  const Wish wish = {true, 85, 4};
-  EXPECT_FALSE(session.nextRequest(wish, now).empty());
+  const Settings wanted = {true, 85, 4};
+  EXPECT_FALSE(session.nextRequest(wanted, now).empty());
   Call stop = callToHold({});
   stop.deadline = now + milliseconds(5000);
   connection.add(std::move(stop));
-  EXPECT_TRUE(session.nextRequest(wish, now).empty()) << "not even for a stop";
+  EXPECT_TRUE(session.nextRequest(wanted, now).empty()) << "not even for a stop";
   EXPECT_FALSE(session.ready());
   EXPECT_NO_THROW(session.checkDeadlines(now + milliseconds(1699))) << "an answer has as much time as a picture";
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1700)), Fault);
@@ -196,7 +196,7 @@ TEST_F(Version2SessionTest, PicturesThatArrivedTogetherAre1NsApart) {
 
 TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoNotEnd) {
   stream();
-  wish_.streaming = false;
+  wanted_.streaming = false;
   request();
   answer(frame_.payload);
   pushPicture(1);
@@ -254,7 +254,7 @@ TEST_F(Version2SessionTest, ADamagedAnswerIsRequestedAgainWhileTimeIsLeft) {
 // ---- Telemetry
 
 TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   EXPECT_EQ("T 1 0 4", request());
   answer({0, 4});
   EXPECT_THAT(telemetry_, IsEmpty()) << "that was the period";
@@ -287,7 +287,7 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   EXPECT_DOUBLE_EQ(1, telemetry.sensors[1].value) << "paw_left_front, a switch";
   EXPECT_DOUBLE_EQ(80, telemetry.sensors[2].value) << "head_touch, a strength";
   EXPECT_DOUBLE_EQ(-1e-6, telemetry.sensors[3].value) << "a sensor of a newer robot";
-  wish_.telemetry_period = 0x102;
+  wanted_.telemetry_period = 0x102;
   EXPECT_EQ("T 1 1 2", request()) << "another rate";
 }
 
@@ -319,7 +319,7 @@ TEST_F(Version2SessionTest, ARobotThatWalksTellsHow) {
   EXPECT_DOUBLE_EQ(0.1, connection_.robot.walk_limits.back);
   EXPECT_DOUBLE_EQ(0.06, connection_.robot.walk_limits.left);
   EXPECT_DOUBLE_EQ(1.2, connection_.robot.walk_limits.turn);
-  wish_.telemetry_period = 4;
+  wanted_.telemetry_period = 4;
   EXPECT_EQ("T 1 0 4", request());
   answer({0, 4});
   push('t',
@@ -641,7 +641,7 @@ TEST_F(Version2SessionTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
 }
 
 TEST_F(Version2SessionTest, OnlyAStopIsSentBeforeZeros) {
-  wish_.streaming = true;
+  wanted_.streaming = true;
   commandJoints({{11, 0.1}});
   auto motion = order(callToPlay("NOD.MTN"));
   steer({});
@@ -745,7 +745,7 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
   for (const char letter : {'I', 'O'}) {
     NewSession session;
     session.pass(milliseconds(1000));  // a hello would be due
-    session.wish_ = {true, 73, 4};
+    session.wanted_ = {true, 73, 4};
     session.commandJoints({{2, 0.1}});
     session.limitSpeed({{2, 1.0}});
     session.commandLeds({{1, 255}});
