@@ -850,21 +850,6 @@ TEST_F(Version2SessionTest, OneRequestForTheMemoryStickIsSentAtATimeAndTheOthers
 
 // ---- Calls that time out
 
-TEST_F(Version2SessionTest, ACallThatCouldNotBeSentInTimeIsNotSentLater) {
-  auto upload = add(callToStore("NOD.MTN", {1, 2, 3}), milliseconds(10000));
-  EXPECT_EQ('U', request()[0]);
-  const Frame sent = frame_;
-  auto list = add(makeCall(version2::LIST_MOTIONS), milliseconds(100));
-  EXPECT_EQ("", request());
-  pass(milliseconds(100));
-  const Answer answered = list.get();
-  EXPECT_EQ(CallOutcome::kTimeout, answered.outcome);
-  EXPECT_EQ("the request could not be sent within 100 ms.", answered.problem);
-  EXPECT_FALSE(answered.was_sent);
-  answer(sent, {});
-  EXPECT_EQ("", request());
-}
-
 TEST(Version2Session, LetsAnswersAndPicturesBeLateUntilALargeUploadBeforeThemHasEnded) {
   for (const bool is_refused : {false, true}) {
     NewSession session;

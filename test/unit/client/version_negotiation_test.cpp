@@ -19,11 +19,6 @@ class VersionNegotiationTest : public testing::Test {
   VersionNegotiation negotiation_{asked_};
 };
 
-TEST_F(VersionNegotiationTest, ItAsksForVersion2) {
-  EXPECT_THAT(VersionNegotiation::request(), ElementsAre('X', 2));
-  EXPECT_EQ(Result::kOpen, negotiation_.result());
-}
-
 TEST_F(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession) {
   const struct {
     Bytes bytes;
@@ -58,12 +53,6 @@ TEST_F(VersionNegotiationTest, AHalfAnswerAtTheDeadlineIsForTheSession) {
   negotiation_.checkDeadline(asked_ + milliseconds(500));
   EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
   EXPECT_THAT(negotiation_.rest(), ElementsAre('x', 2));
-}
-
-TEST_F(VersionNegotiationTest, AnAnswerInTimeIsNotUndoneByTheDeadline) {
-  receive({'x', 2, 0, 0});
-  negotiation_.checkDeadline(asked_ + milliseconds(600));
-  EXPECT_EQ(Result::kVersion2, negotiation_.result());
 }
 
 }  // namespace
