@@ -51,20 +51,10 @@ Fault Fault::silent(const std::string& address, std::chrono::milliseconds limit)
       "port (54321), and not the console's (59000)?");
 }
 
-Fault Fault::pictureOverdue(const std::string& address, std::chrono::milliseconds limit) {
-  return Fault(FaultKind::kSilent, address + " sent no whole picture within " + std::to_string(limit.count()) + " ms",
-               "Is the robot within reach of its WLAN, and is the time allowed long enough?");
-}
-
 Fault Fault::unanswered(const std::string& address, const std::string& request, std::chrono::milliseconds limit) {
   return Fault(FaultKind::kSilent,
                address + " did not answer " + request + " within " + std::to_string(limit.count()) + " ms",
-               "Is the robot still on and within reach of its WLAN?");
-}
-
-Fault Fault::agreedTooLate(const std::string& address) {
-  return Fault(FaultKind::kSilent, address + " agreed to version 2 of the protocol too late",
-               "Is the robot within reach of its WLAN?");
+               "Is the robot still on and within reach of its WLAN, and is the time allowed long enough?");
 }
 
 Fault Fault::protocol(const std::string& address, const std::string& detail) {

@@ -30,9 +30,7 @@ class Fault : public NetworkException {
   static Fault turnedAway(const std::string& address);
   static Fault closed(const std::string& address);
   static Fault silent(const std::string& address, std::chrono::milliseconds limit);
-  static Fault pictureOverdue(const std::string& address, std::chrono::milliseconds limit);
   static Fault unanswered(const std::string& address, const std::string& request, std::chrono::milliseconds limit);
-  static Fault agreedTooLate(const std::string& address);
   static Fault protocol(const std::string& address, const std::string& detail);
   static Fault internal(const std::string& detail);
 

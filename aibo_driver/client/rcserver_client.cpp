@@ -409,7 +409,7 @@ void RcServerClient::deleteMotion(const std::string& name, milliseconds timeout)
 }
 
 std::vector<std::string> RcServerClient::listMotions(milliseconds timeout) {
-  return exchange<MotionNames>(waitable(loop_), makeCall(version2::LIST_MOTIONS), timeout, namesIn).get();
+  return exchange<MotionNames>(waitable(loop_), makeCall(version2::LIST_MOTIONS), timeout, &namesIn).get();
 }
 
 std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout) {
@@ -421,7 +421,7 @@ std::string RcServerClient::takePictureOnRobot(int quality, milliseconds timeout
 
 std::vector<std::string> RcServerClient::listPictures(milliseconds timeout) {
   Call call = makeCall(version2::LIST_STICK_PICTURES, version2::NoPayload(), "", version2::LIST_PICTURES);
-  return exchange<PictureNames>(waitable(loop_), std::move(call), timeout, namesIn).get();
+  return exchange<PictureNames>(waitable(loop_), std::move(call), timeout, &namesIn).get();
 }
 
 std::vector<std::uint8_t> RcServerClient::fetchPicture(const std::string& name, milliseconds timeout) {

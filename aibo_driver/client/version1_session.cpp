@@ -6,6 +6,7 @@
 #include "client/fault.h"
 #include "client/units.h"
 #include "client/version1_requests.h"
+#include "client/version_negotiation.h"
 #include "protocol/units.h"
 #include "protocol/version2.h"
 #include "robot_model/robot_model.h"
@@ -279,7 +280,8 @@ void Version1Session::onValueReply() {
   const protocol::ValueReply reply = parser_.value();
   const bool is_version_answer = std::exchange(is_version_answer_pending_, false);
   if (is_version_answer && protocol::version2::agreesToVersion2(reply)) {
-    throw Fault::agreedTooLate(connection_.context.address);
+    throw Fault::unanswered(connection_.context.address, "the request for version 2 of the protocol",
+                            VersionNegotiation::kPatience);
   }
   ready_ = true;
   const bool error = reply.letter == protocol::REPLY_ERROR;
@@ -433,10 +435,7 @@ void Version1Session::checkCalls(TimePoint now) {
   std::optional<Fault> fault;
   const Call* const pending = pendingCall();
   if (pending != nullptr && now >= pending->deadline) {
-    const std::string& address = connection_.context.address;
-    fault = pending->isForPicture()
-                ? Fault::pictureOverdue(address, pending->timeout)
-                : Fault::unanswered(address, "the request to " + describe(*pending), pending->timeout);
+    fault = Fault::unanswered(connection_.context.address, "the request to " + describe(*pending), pending->timeout);
   }
   connection_.expireCalls(now);
   if (fault) {

@@ -121,17 +121,9 @@ std::string beginningOf(const char* text, std::size_t size) {
   return std::string(text, shown) + (shown < size ? "..." : "");
 }
 
+// The numbers of WalkState are those of the protocol.
 WalkState walkState(int state) {
-  switch (state) {
-    case version2::WALK_STATE_NONE:
-      return WalkState::kNone;
-    case version2::WALK_STATE_GETS_READY:
-      return WalkState::kGetsReady;
-    case version2::WALK_STATE_WALKS:
-      return WalkState::kWalks;
-    default:
-      return WalkState::kUnknown;
-  }
+  return state >= 0 && state <= version2::WALK_STATE_WALKS ? static_cast<WalkState>(state) : WalkState::kUnknown;
 }
 
 // Ignores identifiers that it does not know: a newer server sends them.

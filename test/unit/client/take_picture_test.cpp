@@ -78,7 +78,7 @@ TEST_F(ACallThatWaits, FailsWithItsConnectionAndNamesTheReason) {
 TEST_F(ACallThatWaits, HasNoFaultOfItsOwnWhenItsTimeIsOverButItsConnectionHas) {
   const ScriptedPeer peer = connectVersion1();
   EXPECT_EQ(FaultKind::kNone, failureOf([this] { client_.takePicture(40, std::chrono::milliseconds(100)); }).kind);
-  EXPECT_TRUE(recorder_.waitForReason("sent no whole picture within 100 ms"));
+  EXPECT_TRUE(recorder_.waitForReason("did not answer the request to take a picture within 100 ms"));
   EXPECT_EQ(FaultKind::kSilent, client_.status().fault);
   EXPECT_EQ(1u, client_.statistics().stalls);
 }

@@ -131,7 +131,8 @@ TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
 TEST_F(Version1SessionTest, AnOwedPictureThatDoesNotComeEndsTheCallAndTheConnection) {
   auto answer = takePicture(30, milliseconds(300));
   command();
-  EXPECT_EQ("robot:54321 sent no whole picture within 300 ms", whyGivenUpWithin(milliseconds(300)));
+  EXPECT_EQ("robot:54321 did not answer the request to take a picture within 300 ms",
+            whyGivenUpWithin(milliseconds(300)));
   EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
 }
 
@@ -553,7 +554,7 @@ class LateVersionAnswerTest : public Version1SessionTest {
 
 TEST_F(LateVersionAnswerTest, ALateAgreementEndsTheConnectionForTheServerSpeaksVersion2Now) {
   const std::string why = whyGivenUp([this] { receive({'x', 2, 0, 0}); });
-  EXPECT_THAT(why, HasSubstr("agreed to version 2 of the protocol too late"));
+  EXPECT_THAT(why, HasSubstr("did not answer the request for version 2 of the protocol within 500 ms"));
 }
 
 }  // namespace
