@@ -119,7 +119,7 @@ AiboDriver::AiboDriver(const ros::NodeHandle& handle, const ros::NodeHandle& pri
       measured_joints_(joint_table_),
       power_(model_),
       policy_(parameters_.stream_on_start, parameters_.stream_on_demand),
-      connection_(handle_, parameters_.client),
+      connection_(handle_, private_handle.getNamespace(), parameters_.client),
       camera_(ros::NodeHandle(handle_, "camera"), parameters_, usedRobotClock(),
               [this] { policy_.subscribersChanged(); }),
       camera_state_(ros::NodeHandle(handle_, "camera")),

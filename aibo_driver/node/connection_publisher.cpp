@@ -59,8 +59,9 @@ std::string describeConnection(const ConnectionStatus& status, const ClientOptio
   return text;
 }
 
-ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const ClientOptions& options)
-    : options_(options) {
+ConnectionPublisher::ConnectionPublisher(const ros::NodeHandle& handle, const std::string& settings,
+                                         const ClientOptions& options)
+    : settings_(settings), options_(options) {
   ros::NodeHandle topics(handle);
   constexpr bool kLatched = true;
   connection_ = topics.advertise<Connection>("connection", 1, kLatched);
@@ -83,6 +84,7 @@ void ConnectionPublisher::publish(const ConnectionStatus& status) {
   }
   message.reason = text::plainLine(status.reason, kLongestReason);
   message.advice = status.advice;
+  message.settings = settings_;
   if (last_ && *last_ == message) {
     // The message does not contain what has changed. A robot could change it endlessly.
     return;

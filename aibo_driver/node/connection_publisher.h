@@ -22,7 +22,9 @@ std::string describeConnection(const aibo_client::ConnectionStatus& status, cons
 class ConnectionPublisher {
  public:
   /// Publishes at once that there is no connection and no stream yet.
-  ConnectionPublisher(const ros::NodeHandle& handle, const aibo_client::ClientOptions& options);
+  /// @param settings where the driver has its parameters
+  ConnectionPublisher(const ros::NodeHandle& handle, const std::string& settings,
+                      const aibo_client::ClientOptions& options);
 
   /// Publishes the state if the message differs from the last one. It never blocks. Only one thread at a time may call
   /// it.
@@ -30,6 +32,7 @@ class ConnectionPublisher {
   void publishStreaming(bool streaming);
 
  private:
+  const std::string settings_;
   const aibo_client::ClientOptions options_;
   ros::Publisher connection_;
   ros::Publisher streaming_;
