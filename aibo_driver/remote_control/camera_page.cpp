@@ -63,7 +63,7 @@ void CameraPage::takePicture() {
 void CameraPage::showTaken(const QImage& picture, const QString& path) {
   taken_ = path;
   thumbnail_->setIcon(QPixmap::fromImage(picture.scaled(kThumbnail, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
-  thumbnail_->setProperty("own_tool_tip", "Opens " + path);
+  thumbnail_->setProperty(kOwnToolTip, "Opens " + path);
   allow(thumbnail_, {});
   path_->setText(path);
 }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "remote_control/ignore_wheel.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
 namespace {

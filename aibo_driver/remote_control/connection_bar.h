@@ -6,8 +6,8 @@
 #include <QLabel>
 #include <QWidget>
 
-#include "remote_control/elided_label.h"
 #include "remote_control/robot.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
 

@@ -7,10 +7,10 @@
 #include <aibo_driver/LookAtResult.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
-#include <aibo_driver/Sound.h>
 #include <aibo_driver/Touch.h>
 #include <geometry_msgs/PointStamped.h>
 #include <geometry_msgs/Twist.h>
+#include <ros/names.h>
 #include <ros/this_node.h>
 #include <sensor_msgs/BatteryState.h>
 #include <sensor_msgs/Range.h>
@@ -20,9 +20,8 @@
 #include <utility>
 
 #include "camera/jpeg_decoder.h"
-#include "remote_control/ended_movements.h"
-#include "remote_control/from_ros.h"
-#include "remote_control/settings_messages.h"
+#include "node/bounded_message.h"
+#include "remote_control/messages.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -37,141 +36,177 @@ constexpr std::chrono::seconds kHeardFor{3};
 constexpr std::uint32_t kAllOfThem = 64;
 constexpr std::uint32_t kTheNewest = 1;
 
-constexpr int kLongestName = 200;  // characters
-
+// Reading a longer message would keep the window from clicks. A picture has 128 KB at most.
+constexpr std::size_t kMostBytes = 256 * 1024;
 constexpr std::size_t kMostJoints = 100;  // no robot has as many
-
-QImage imageOf(const camera::BgrImage& picture) {
-  QImage image(picture.width, picture.height, QImage::Format_RGB32);
-  const std::uint8_t* pixel = picture.pixels.data();
-  for (int y = 0; y < picture.height; ++y) {
-    auto* row = reinterpret_cast<QRgb*>(image.scanLine(y));
-    for (int x = 0; x < picture.width; ++x, pixel += 3) {
-      row[x] = qRgb(pixel[2], pixel[1], pixel[0]);
-    }
-  }
-  return image;
-}
-
-QStringList touchedPlaces(const Touch& touch) {
-  const std::pair<const char*, bool> places[] = {{"paw_left_front", touch.paw_left_front},
-                                                 {"paw_left_hind", touch.paw_left_hind},
-                                                 {"paw_right_front", touch.paw_right_front},
-                                                 {"paw_right_hind", touch.paw_right_hind},
-                                                 {"chin", touch.chin},
-                                                 {"head", touch.head},
-                                                 {"back_front", touch.back_front},
-                                                 {"back_middle", touch.back_middle},
-                                                 {"back_rear", touch.back_rear}};
-  QStringList touched;
-  for (const auto& [place, is_touched] : places) {
-    if (is_touched) {
-      touched.append(place);
-    }
-  }
-  return touched;
-}
-
-RobotCondition::Posture toPosture(std::uint8_t posture) {
-  switch (posture) {
-    case RobotState::STANDING:
-      return RobotCondition::Posture::kStanding;
-    case RobotState::SITTING:
-      return RobotCondition::Posture::kSitting;
-    case RobotState::LYING:
-      return RobotCondition::Posture::kLying;
-    case RobotState::WALKING:
-      return RobotCondition::Posture::kWalking;
-    case RobotState::FALLEN:
-      return RobotCondition::Posture::kFallen;
-    case RobotState::CARRIED:
-      return RobotCondition::Posture::kCarried;
-    default:
-      return RobotCondition::Posture::kNotKnown;
-  }
-}
-
-RobotCondition toCondition(const RobotState& state) {
-  RobotCondition condition;
-  condition.motors = state.motors == RobotState::ON    ? RobotCondition::Motors::kOn
-                     : state.motors == RobotState::OFF ? RobotCondition::Motors::kOff
-                                                       : RobotCondition::Motors::kNotKnown;
-  condition.posture = toPosture(state.posture);
-  condition.is_stopped = state.stopped != 0;
-  condition.stopped_by = fromRos(state.stopped_by).left(kLongestName);
-  return condition;
-}
+constexpr std::size_t kLevelsPerSecond = 10;
 
 }  // namespace
 
-template <typename Message>
-void DriverTopics::subscribe(const std::string& topic, const std::function<void(const Message&)>& receive) {
-  subscribeIn(handle_, topic, kTheNewest, receive);
+WindowQueue::WindowQueue(std::chrono::milliseconds pause) {
+  timer_.setSingleShot(true);
+  timer_.setInterval(pause);
+  QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] {
+    is_due_ = false;
+    callAvailable();
+  });
+}
+
+void WindowQueue::addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) {
+  CallbackQueue::addCallback(callback, owner);
+  if (!is_due_.exchange(true)) {
+    QMetaObject::invokeMethod(
+        &timer_, [this] { timer_.start(); }, Qt::QueuedConnection);
+  }
 }
 
 template <typename Message>
-void DriverTopics::subscribeMeasurements(const std::string& topic, std::uint32_t queue_size,
-                                         const std::function<void(const Message&)>& receive) {
-  subscribeIn(measurements_handle_, topic, queue_size, receive);
+ros::Subscriber DriverTopics::subscribe(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
+                                        const std::function<void(const Message&)>& receive) {
+  using Bounded = node::BoundedMessage<Message, kMostBytes>;
+  const auto receive_bounded = [receive](const boost::shared_ptr<const Bounded>& bounded) {
+    if (bounded->skipped == 0) {  // otherwise no driver has sent it
+      receive(bounded->message);
+    }
+  };
+  return handle.subscribe<Bounded>(topic, queue_size, receive_bounded, {}, ros::TransportHints().tcpNoDelay());
 }
 
 template <typename Message>
-void DriverTopics::subscribeIn(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
-                               const std::function<void(const Message&)>& receive) {
-  subscribers_[topic] = handle.subscribe<Message>(
-      topic, queue_size, [receive](const boost::shared_ptr<const Message>& message) { receive(*message); }, {},
-      ros::TransportHints().tcpNoDelay());
+void DriverTopics::receiveAlways(const std::string& topic, const std::function<void(const Message&)>& receive) {
+  always_.push_back(subscribe<Message>(handle_, topic, kTheNewest, receive));
 }
 
-DriverTopics::DriverTopics(const ros::NodeHandle& handle, const Post& post,
+template <typename Message>
+void DriverTopics::receiveWhileShown(Part part, ros::NodeHandle& handle, const std::string& topic,
+                                     std::uint32_t queue_size, const std::function<void(const Message&)>& receive) {
+  sources_[part].push_back([=, &handle] { return subscribe<Message>(handle, topic, queue_size, receive); });
+}
+
+DriverTopics::DriverTopics(const std::string& name_space, WindowQueue* queue, WindowQueue* measurements, Robot& robot,
                            const std::function<void()>& connection_changed)
-    : handle_(handle), measurements_handle_(handle), post_(post), stop_client_(handle) {
-  measurements_handle_.setCallbackQueue(&measurements_);
+    : handle_(name_space),
+      measurements_handle_(name_space),
+      robot_(robot),
+      connection_changed_(connection_changed),
+      stop_client_(handle_) {
+  handle_.setCallbackQueue(queue);
+  measurements_handle_.setCallbackQueue(measurements);
   leds_ = handle_.advertise<Leds>("leds", 30);
   ears_ = handle_.advertise<Ears>("ears", 1);
   joint_command_ = handle_.advertise<sensor_msgs::JointState>("joint_command", 1);
   velocity_ = handle_.advertise<geometry_msgs::Twist>("cmd_vel", 1);
   look_at_ = handle_.advertise<geometry_msgs::PointStamped>("look_at", 1);
-  subscribeStates(connection_changed);
-  subscribeAnswers();
+  receiveParts();
+  receiveStates();
 }
 
-void DriverTopics::subscribeStates(const std::function<void()>& connection_changed) {
-  subscribe<aibo_driver::Connection>("connection", [this, connection_changed](const aibo_driver::Connection& message) {
+void DriverTopics::receiveStates() {
+  receiveAlways<aibo_driver::Connection>("connection", [this](const aibo_driver::Connection& message) {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       connection_ = boost::make_shared<const aibo_driver::Connection>(message);
       last_heard_ = steady_clock::now();
     }
-    connection_changed();
+    connection_changed_();
   });
-  subscribe<LinkQuality>("link_quality", [this, connection_changed](const LinkQuality& message) {
-    hear(connection_changed);
-    LinkFigures figures;
-    figures.pictures_per_second = static_cast<double>(message.pictures_per_second);
-    figures.age = static_cast<double>(message.age);
-    figures.lost = static_cast<double>(message.lost);
-    post_([figures](Robot& robot) { Q_EMIT robot.linkMeasured(figures); });
+  receiveAlways<LinkQuality>("link_quality", [this](const LinkQuality& message) {
+    hear();
+    Q_EMIT robot_.linkMeasured({static_cast<double>(message.pictures_per_second), static_cast<double>(message.age),
+                                static_cast<double>(message.lost)});
   });
-  subscribe<std_msgs::Bool>("streaming", [this](const std_msgs::Bool& message) {
-    const bool on = message.data != 0;
-    post_([on](Robot& robot) { Q_EMIT robot.streamingChanged(on); });
+  receiveAlways<std_msgs::Bool>(
+      "streaming", [this](const std_msgs::Bool& message) { Q_EMIT robot_.streamingChanged(message.data != 0); });
+  receiveAlways<sensor_msgs::BatteryState>("battery", [this](const sensor_msgs::BatteryState& message) {
+    Q_EMIT robot_.batteryMeasured(static_cast<double>(message.percentage), static_cast<double>(message.temperature));
   });
-  subscribe<sensor_msgs::BatteryState>("battery", [this](const sensor_msgs::BatteryState& message) {
-    const auto charge = static_cast<double>(message.percentage);
-    const auto temperature = static_cast<double>(message.temperature);
-    post_([charge, temperature](Robot& robot) { Q_EMIT robot.batteryMeasured(charge, temperature); });
-  });
-  subscribe<MotionState>("motion_state", [this](const MotionState& message) {
-    const bool plays = std::any_of(message.movements.begin(), message.movements.end(),
-                                   [](const Movement& movement) { return movement.kind == Movement::MOTION; });
-    const QString text = fromRos(message.text);
-    post_([text, plays](Robot& robot) { Q_EMIT robot.movementChanged(text, plays); });
+  receiveAlways<MotionState>("motion_state", [this](const MotionState& message) {
+    Q_EMIT robot_.movementChanged(fromRos(message.text));
     complain(message.ended);
   });
-  subscribe<RobotState>("robot_state", [this](const RobotState& message) {
-    post_([condition = toCondition(message)](Robot& robot) { Q_EMIT robot.conditionChanged(condition); });
+  receiveAlways<RobotState>(
+      "robot_state", [this](const RobotState& message) { Q_EMIT robot_.conditionChanged(conditionIn(message)); });
+  receiveAlways<LedStates>("led_states", [this](const LedStates& message) {
+    LedIntensities intensities;
+    for (std::size_t i = 0; i < std::min(message.names.size(), message.intensities.size()); ++i) {
+      intensities[fromRos(message.names[i])] = static_cast<double>(message.intensities[i]);
+    }
+    Q_EMIT robot_.ledsChanged(intensities);
   });
+  receiveAlways<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
+    const bool is_ours = asked_to_look_ && asked_to_look_->stamp == message.header.stamp &&
+                         asked_to_look_->frame_id == message.header.frame_id;
+    if (is_ours) {  // otherwise it answers somebody else
+      Q_EMIT robot_.answered(message.success != 0, "look there: " + fromRos(message.message));
+    }
+  });
+}
+
+void DriverTopics::receiveParts() {
+  receiveWhileShown<sensor_msgs::CameraInfo>(Part::kPictures, handle_, "camera/camera_info", kTheNewest,
+                                             [this](const sensor_msgs::CameraInfo& message) {
+                                               if (message.K[0] > 0 && message.K[4] > 0) {  // else not calibrated
+                                                 camera_ = message;
+                                               }
+                                             });
+  receiveWhileShown<sensor_msgs::CompressedImage>(
+      Part::kPictures, handle_, "camera/image_raw/compressed", kTheNewest,
+      [this](const sensor_msgs::CompressedImage& message) { receivePicture(message); });
+  receiveWhileShown<sensor_msgs::JointState>(
+      Part::kJoints, measurements_handle_, "joint_states", kAllOfThem,
+      [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
+  receiveWhileShown<Touch>(Part::kSensors, measurements_handle_, "touch", kAllOfThem,
+                           [this](const Touch& message) { Q_EMIT robot_.touched(touchedPlacesIn(message)); });
+  for (const char* name : {"near", "far", "chest", "head"}) {
+    receiveWhileShown<sensor_msgs::Range>(Part::kSensors, measurements_handle_, std::string("range/") + name,
+                                          kTheNewest, [this, name](const sensor_msgs::Range& message) {
+                                            Q_EMIT robot_.distanceMeasured({name, static_cast<double>(message.range),
+                                                                            static_cast<double>(message.max_range)});
+                                          });
+  }
+  receiveWhileShown<Sound>(Part::kMicrophones, measurements_handle_, "microphone", kAllOfThem,
+                           [this](const Sound& message) { receiveSound(message); });
+}
+
+void DriverTopics::show(const std::set<Part>& parts) {
+  for (const auto& [part, sources] : sources_) {
+    if (parts.count(part) == 0) {
+      shown_.erase(part);
+    } else if (shown_.count(part) == 0) {
+      std::vector<ros::Subscriber>& subscribers = shown_[part];
+      for (const auto& subscribe_to : sources) {
+        subscribers.push_back(subscribe_to());
+      }
+    }
+  }
+  followSettings();
+}
+
+void DriverTopics::followSettings() {
+  const std::string owner = settings();
+  if (owner.empty() || owner == followed_) {
+    return;
+  }
+  followed_ = owner;
+  settings_ = {
+      subscribe<dynamic_reconfigure::ConfigDescription>(handle_, owner + "/parameter_descriptions", kTheNewest,
+                                                        [this](const dynamic_reconfigure::ConfigDescription& message) {
+                                                          Q_EMIT robot_.settingsDescribed(settingsIn(message));
+                                                        }),
+      subscribe<dynamic_reconfigure::Config>(
+          handle_, owner + "/parameter_updates", kTheNewest,
+          [this](const dynamic_reconfigure::Config& message) { Q_EMIT robot_.settingsChanged(valuesIn(message)); })};
+}
+
+void DriverTopics::hear() {
+  const bool was_heard = isHeard();
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_heard_ = steady_clock::now();
+  }
+  if (!was_heard) {
+    connection_changed_();
+  }
 }
 
 // Movements that ended before this window listened are no news.
@@ -180,151 +215,20 @@ void DriverTopics::complain(const std::vector<EndedMovement>& ended) {
   for (const EndedMovement& each : endedBetween(before.value_or(ended), ended)) {
     const QString complaint = complaintAbout(each);
     if (each.movement.source == ros::this_node::getName() && !complaint.isEmpty()) {
-      post_([complaint, is_refused = each.how == EndedMovement::REFUSED](Robot& robot) {
-        is_refused ? Q_EMIT robot.hinted(complaint) : Q_EMIT robot.answered(false, complaint);
-      });
+      each.how == EndedMovement::REFUSED ? Q_EMIT robot_.hinted(complaint) : Q_EMIT robot_.answered(false, complaint);
     }
   }
 }
 
-void DriverTopics::subscribeAnswers() {
-  subscribe<LedStates>("led_states", [this](const LedStates& message) {
-    LedIntensities intensities;
-    for (std::size_t i = 0; i < std::min(message.names.size(), message.intensities.size()); ++i) {
-      intensities[fromRos(message.names[i])] = static_cast<double>(message.intensities[i]);
-    }
-    post_([intensities](Robot& robot) { Q_EMIT robot.ledsChanged(intensities); });
-  });
-  subscribe<LookAtResult>("look_at_result", [this](const LookAtResult& message) {
-    bool is_ours = false;
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      is_ours = asked_to_look_ && asked_to_look_->stamp == message.header.stamp &&
-                asked_to_look_->frame_id == message.header.frame_id;
-    }
-    if (is_ours) {  // otherwise it answers somebody else
-      const bool success = message.success != 0;
-      const QString text = "look there: " + fromRos(message.message);
-      post_([success, text](Robot& robot) { Q_EMIT robot.answered(success, text); });
-    }
-  });
-}
-
-void DriverTopics::show(Part part, bool visible) {
-  switch (part) {
-    case Part::kPictures:
-      showPictures(visible);
-      break;
-    case Part::kJoints:
-      if (!visible) {
-        drop({"joint_states"});
-      } else if (subscribers_.count("joint_states") == 0) {
-        subscribeMeasurements<sensor_msgs::JointState>(
-            "joint_states", kAllOfThem, [this](const sensor_msgs::JointState& message) { receiveJoints(message); });
-      }
-      break;
-    case Part::kSensors:
-      showSensors(visible);
-      break;
-    case Part::kMicrophones:
-      if (!visible) {
-        drop({"microphone"});
-      } else if (subscribers_.count("microphone") == 0) {
-        subscribeMeasurements<Sound>("microphone", kAllOfThem,
-                                     [this](const Sound& message) { level_.add(message.samples); });
-      }
-      break;
-  }
-}
-
-void DriverTopics::drop(const std::vector<std::string>& topics) {
-  for (const std::string& topic : topics) {
-    subscribers_.erase(topic);
-  }
-}
-
-void DriverTopics::showSensors(bool visible) {
-  if (!visible) {
-    drop({"touch", "range/near", "range/far", "range/chest", "range/head"});
-    return;
-  }
-  if (subscribers_.count("touch") > 0) {
-    return;
-  }
-  subscribeMeasurements<Touch>("touch", kAllOfThem, [this](const Touch& message) {
-    post_([places = touchedPlaces(message)](Robot& robot) { Q_EMIT robot.touched(places); });
-  });
-  for (const char* name : {"near", "far", "chest", "head"}) {
-    subscribeMeasurements<sensor_msgs::Range>(
-        std::string("range/") + name, kTheNewest, [this, name](const sensor_msgs::Range& message) {
-          const Distance distance{name, static_cast<double>(message.range), static_cast<double>(message.max_range)};
-          post_([distance](Robot& robot) { Q_EMIT robot.distanceMeasured(distance); });
-        });
-  }
-}
-
-void DriverTopics::hear(const std::function<void()>& connection_changed) {
-  const bool was_heard = isHeard();
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    last_heard_ = steady_clock::now();
-  }
-  if (!was_heard) {
-    connection_changed();
-  }
-}
-
-// The camera's calibration comes with each picture, but we need it only once.
-void DriverTopics::showPictures(bool visible) {
-  const std::string jpegs = "camera/image_raw/compressed";
-  const std::string calibration = "camera/camera_info";
-  bool knows_camera = false;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    knows_camera = camera_.has_value();
-  }
-  if (!visible || knows_camera) {
-    drop({calibration});
-  } else if (subscribers_.count(calibration) == 0) {
-    subscribe<sensor_msgs::CameraInfo>(calibration, [this](const sensor_msgs::CameraInfo& message) {
-      if (message.K[0] > 0 && message.K[4] > 0) {  // otherwise it is not calibrated
-        const std::lock_guard<std::mutex> lock(mutex_);
-        camera_ = message;
-      }
-    });
-  }
-  if (!visible) {
-    drop({jpegs});
-  } else if (subscribers_.count(jpegs) == 0) {
-    subscribe<sensor_msgs::CompressedImage>(
-        jpegs, [this](const sensor_msgs::CompressedImage& message) { receivePicture(message); });
-  }
-}
-
-// If the window is too slow, a newer picture replaces the one that waits for it.
 void DriverTopics::receivePicture(const sensor_msgs::CompressedImage& message) {
-  QImage image;
   try {
-    image = imageOf(camera::decodeJpeg(message.data.data(), message.data.size()));
-  } catch (const camera::DecodeException&) {
-    return;  // the driver's diagnostics count these pictures
-  }
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
+    const camera::BgrImage picture = camera::decodeJpeg(message.data.data(), message.data.size());
     picture_stamp_ = message.header.stamp;
-  }
-  const std::lock_guard<std::mutex> lock(newest_->mutex);
-  const bool one_waits = !newest_->picture.isNull();
-  newest_->picture = image;
-  if (!one_waits) {
-    post_([newest = newest_](Robot& robot) {
-      QImage picture;
-      {
-        const std::lock_guard<std::mutex> taking(newest->mutex);
-        picture = std::exchange(newest->picture, {});
-      }
-      Q_EMIT robot.pictureArrived(picture);
-    });
+    Q_EMIT robot_.pictureArrived(
+        QImage(picture.pixels.data(), picture.width, picture.height, 3 * picture.width, QImage::Format_RGB888)
+            .rgbSwapped());
+  } catch (const camera::DecodeException&) {
+    // The driver's diagnostics count these pictures.
   }
 }
 
@@ -335,37 +239,14 @@ void DriverTopics::receiveJoints(const sensor_msgs::JointState& message) {
   for (std::size_t i = 0; i < std::min({message.name.size(), message.position.size(), kMostJoints}); ++i) {
     positions_[fromRos(message.name[i])] = message.position[i];
   }
-  positions_are_new_ = true;
+  Q_EMIT robot_.jointsMeasured(positions_);
 }
 
-void DriverTopics::takeMeasurements() {
-  measurements_.callAvailable();
-  if (level_.count() > 0) {
-    post_([level = level_.take()](Robot& robot) { Q_EMIT robot.heard(level); });
+void DriverTopics::receiveSound(const Sound& message) {
+  level_.add(message.samples);
+  if (level_.count() > message.samples_per_second * message.channels / kLevelsPerSecond) {
+    Q_EMIT robot_.heard(level_.take());
   }
-  if (std::exchange(positions_are_new_, false)) {
-    post_([positions = positions_](Robot& robot) { Q_EMIT robot.jointsMeasured(positions); });
-  }
-}
-
-void DriverTopics::followSettings(const std::string& owner) {
-  if (owner == settings_owner_) {
-    return;
-  }
-  subscribers_.erase(settings_owner_ + "/parameter_descriptions");
-  subscribers_.erase(settings_owner_ + "/parameter_updates");
-  settings_owner_ = owner;
-  if (owner.empty()) {
-    return;
-  }
-  subscribe<dynamic_reconfigure::ConfigDescription>(
-      owner + "/parameter_descriptions", [this](const dynamic_reconfigure::ConfigDescription& message) {
-        post_([settings = settingsIn(message)](Robot& robot) { Q_EMIT robot.settingsDescribed(settings); });
-      });
-  subscribe<dynamic_reconfigure::Config>(
-      owner + "/parameter_updates", [this](const dynamic_reconfigure::Config& message) {
-        post_([values = valuesIn(message)](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
-      });
 }
 
 aibo_driver::Connection::ConstPtr DriverTopics::connection() const {
@@ -385,6 +266,15 @@ bool DriverTopics::isHeard() const {
 bool DriverTopics::wasHeard() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return last_heard_ != steady_clock::time_point();
+}
+
+// In a recording, this would be the place of a driver that runs now.
+std::string DriverTopics::settings() const {
+  const aibo_driver::Connection::ConstPtr message = connection();
+  std::string problem;
+  const bool is_usable = message && message->state != aibo_driver::Connection::PLAYBACK &&
+                         ros::names::validate(message->settings, problem);
+  return is_usable ? message->settings : "";
 }
 
 void DriverTopics::publishLeds(const QStringList& names, double intensity) const {
@@ -424,19 +314,16 @@ void DriverTopics::publishVelocity(double forward, double left, double turn) con
 // The point is a metre in front of the camera. The lens' distortion does not matter, because the head moves the point
 // to the middle of the picture.
 bool DriverTopics::publishLookAt(const QPointF& place) {
-  geometry_msgs::PointStamped message;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!camera_) {
-      return false;
-    }
-    message.header.frame_id = camera_->header.frame_id;
-    message.header.stamp = picture_stamp_;
-    message.point.x = (place.x() * camera_->width - camera_->K[2]) / camera_->K[0];
-    message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
-    message.point.z = 1;
-    asked_to_look_ = message.header;
+  if (!camera_) {
+    return false;
   }
+  geometry_msgs::PointStamped message;
+  message.header.frame_id = camera_->header.frame_id;
+  message.header.stamp = picture_stamp_;
+  message.point.x = (place.x() * camera_->width - camera_->K[2]) / camera_->K[0];
+  message.point.y = (place.y() * camera_->height - camera_->K[5]) / camera_->K[4];
+  message.point.z = 1;
+  asked_to_look_ = message.header;
   look_at_.publish(message);
   return true;
 }

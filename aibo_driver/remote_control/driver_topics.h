@@ -4,6 +4,7 @@
 
 #include <aibo_driver/Connection.h>
 #include <aibo_driver/EndedMovement.h>
+#include <aibo_driver/Sound.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <sensor_msgs/CameraInfo.h>
@@ -11,12 +12,14 @@
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/Header.h>
 
+#include <QTimer>
+#include <atomic>
 #include <chrono>
 #include <functional>
 #include <map>
-#include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,31 +29,36 @@
 
 namespace aibo_driver::remote_control {
 
-/// Runs a function with the window's robot on the window's thread.
-using Post = std::function<void(const std::function<void(Robot&)>&)>;
+/// A queue whose callbacks run on the thread that made it, the window's: all that have come at once, and then none for
+/// some time. Without this pause, a flood of messages would keep the window from clicks, because Qt handles events that
+/// are posted again and again first. roscpp keeps the newest messages meanwhile.
+class WindowQueue : public ros::CallbackQueue {
+ public:
+  /// @param pause the callbacks wait for this time at most
+  explicit WindowQueue(std::chrono::milliseconds pause);
+  void addCallback(const ros::CallbackInterfacePtr& callback, std::uint64_t owner) override;
 
-/// The topics of one driver. It turns the driver's messages into signals, and the user's wishes into messages.
+ private:
+  QTimer timer_;
+  std::atomic<bool> is_due_{false};  ///< the timer runs, or is about to
+};
+
+/// The topics of one driver. It emits the robot's signals for the driver's messages, and sends messages for what the
+/// user wants.
 ///
-/// One thread must make and change it. That thread may wait for the ROS master. The publishing functions wait for
-/// nothing, and any thread may call them.
+/// One thread must make and change it. That thread may wait for the ROS master. All other functions wait for nothing.
+/// Messages come on the window's thread, which also calls the publishing functions.
 class DriverTopics {
  public:
-  /// @param handle a handle in the driver's namespace; one thread serves its callback queue
-  /// @param post must work until this object is gone
+  /// @param name_space the driver's namespace
+  /// @param queue, measurements get the callbacks; both must outlive this object
+  /// @param robot emits the signals
   /// @param connection_changed called when connection() or isHeard() may have changed
-  DriverTopics(const ros::NodeHandle& handle, const Post& post, const std::function<void()>& connection_changed);
+  DriverTopics(const std::string& name_space, WindowQueue* queue, WindowQueue* measurements, Robot& robot,
+               const std::function<void()>& connection_changed);
 
-  /// Subscribes to a part while somebody looks at it. Call this every few seconds.
-  void show(Part part, bool visible);
-
-  /// Passes on what has been measured of joints and sensors since the last call. They may come 31 times a second, which
-  /// no eye can follow, and waking a thread for each message would take more time than everything else. Always call it
-  /// on the same thread.
-  void takeMeasurements();
-
-  /// Subscribes to the settings that have this owner, unless it has done so already. With an empty owner, it only ends
-  /// the subscription.
-  void followSettings(const std::string& owner);
+  /// Subscribes to what somebody looks at, and to the driver's settings. Call this every few seconds.
+  void show(const std::set<Part>& parts);
 
   /// The newest message about the connection. It is null if there was none.
   aibo_driver::Connection::ConstPtr connection() const;
@@ -64,7 +72,8 @@ class DriverTopics {
   /// Whether the driver was ever heard.
   bool wasHeard() const;
 
-  std::string settingsOwner() const { return settings_owner_; }
+  /// Where the driver has its settings (dynamic_reconfigure). It is empty while this is not known.
+  std::string settings() const;
 
   /// Stops the robot, also while the ROS master does not answer.
   node::StopClient& stopClient() { return stop_client_; }
@@ -75,33 +84,32 @@ class DriverTopics {
   void publishVelocity(double forward, double left, double turn) const;
 
   /// @param place a place in the newest picture, 0..1 from left to right and from top to bottom
-  /// @return false if there is no picture, or if nothing is known about its camera
+  /// @return false if nothing is known about the camera
   bool publishLookAt(const QPointF& place);
 
  private:
   template <typename Message>
-  void subscribe(const std::string& topic, const std::function<void(const Message&)>& receive);
+  static ros::Subscriber subscribe(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
+                                   const std::function<void(const Message&)>& receive);
   template <typename Message>
-  void subscribeMeasurements(const std::string& topic, std::uint32_t queue_size,
-                             const std::function<void(const Message&)>& receive);
+  void receiveAlways(const std::string& topic, const std::function<void(const Message&)>& receive);
   template <typename Message>
-  void subscribeIn(ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
-                   const std::function<void(const Message&)>& receive);
-  void subscribeStates(const std::function<void()>& connection_changed);
-  void subscribeAnswers();
+  void receiveWhileShown(Part part, ros::NodeHandle& handle, const std::string& topic, std::uint32_t queue_size,
+                         const std::function<void(const Message&)>& receive);
+  void receiveStates();
+  void receiveParts();
+  void followSettings();
+  void hear();
   void complain(const std::vector<EndedMovement>& ended);
-  void showPictures(bool visible);
-  void showSensors(bool visible);
-  void drop(const std::vector<std::string>& topics);
-  void hear(const std::function<void()>& connection_changed);
   void receivePicture(const sensor_msgs::CompressedImage& message);
   void receiveJoints(const sensor_msgs::JointState& message);
+  void receiveSound(const Sound& message);
 
   const std::chrono::steady_clock::time_point made_ = std::chrono::steady_clock::now();
-  ros::CallbackQueue measurements_;  ///< they wait until takeMeasurements()
   ros::NodeHandle handle_;
   ros::NodeHandle measurements_handle_;
-  const Post post_;
+  Robot& robot_;
+  const std::function<void()> connection_changed_;
   ros::Publisher leds_;
   ros::Publisher ears_;
   ros::Publisher joint_command_;
@@ -110,23 +118,23 @@ class DriverTopics {
   node::StopClient stop_client_;
 
   mutable std::mutex mutex_;
-  aibo_driver::Connection::ConstPtr connection_;
-  std::chrono::steady_clock::time_point last_heard_;
-  std::optional<sensor_msgs::CameraInfo> camera_;  ///< the first calibration; it holds for all sizes
-  ros::Time picture_stamp_;                        ///< the stamp of the newest picture
-  std::optional<std_msgs::Header> asked_to_look_;  ///< the header of the last point on look_at; its result has it, too
+  aibo_driver::Connection::ConstPtr connection_;      // guarded by mutex_
+  std::chrono::steady_clock::time_point last_heard_;  // guarded by mutex_
 
-  struct Newest {
-    std::mutex mutex;
-    QImage picture;  ///< the picture on its way to the window; null if there is none
-  };
-  const std::shared_ptr<Newest> newest_ = std::make_shared<Newest>();
+  // The window's thread uses these members.
+  std::optional<sensor_msgs::CameraInfo> camera_;    ///< the newest calibration
+  ros::Time picture_stamp_;                          ///< the stamp of the newest picture
+  std::optional<std_msgs::Header> asked_to_look_;    ///< that of the last point on look_at; its result has it, too
   std::optional<std::vector<EndedMovement>> ended_;  ///< the movements that had ended in the newest motion_state
-  JointPositions positions_;                         ///< the positions of all joints that were measured
-  bool positions_are_new_ = false;
-  sound::Level level_;  ///< of what was heard since takeMeasurements()
-  std::string settings_owner_;
-  std::map<std::string, ros::Subscriber> subscribers_;  // last, because their callbacks use all members above
+  JointPositions positions_;                         ///< of all joints that were measured
+  sound::Level level_;                               ///< of what was heard since it was shown last
+
+  // The thread that made this object uses these members. They are last, because callbacks use all members above.
+  std::map<Part, std::vector<std::function<ros::Subscriber()>>> sources_;  ///< what a part needs
+  std::vector<ros::Subscriber> always_;
+  std::map<Part, std::vector<ros::Subscriber>> shown_;
+  std::string followed_;  ///< the settings that are followed
+  std::vector<ros::Subscriber> settings_;
 };
 
 }  // namespace aibo_driver::remote_control

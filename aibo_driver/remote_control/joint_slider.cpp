@@ -7,7 +7,7 @@
 #include <QStyleOptionSlider>
 #include <cstdlib>
 
-#include "remote_control/ignore_wheel.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
 namespace {

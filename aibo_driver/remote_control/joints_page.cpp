@@ -1,9 +1,12 @@
-#include "remote_control/joints_page.h"
+#include "remote_control/page.h"
 
 #include <QGridLayout>
 #include <QGroupBox>
+#include <QVBoxLayout>
+#include <map>
 
 #include "aibo_client/exceptions.h"
+#include "remote_control/joint_slider.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -25,11 +28,26 @@ Place placeOf(const QString& joint) {
   return {joint.startsWith("tail") ? "Tail" : "Head", QString(joint).replace('_', ' ')};
 }
 
-}  // namespace
+class JointsPage : public Page {
+ public:
+  JointsPage(Robot& robot, QWidget* parent);
 
-JointsPage::JointsPage(QWidget* parent) : Page(parent) {
+  std::optional<Part> part() const override { return Part::kJoints; }
+
+ private:
+  void showPositions(const JointPositions& positions);
+  void connectionChanged(const RobotConnection& connection) override;
+  void makeSliders(const QString& design);
+
+  Robot& robot_;
+  QString design_;
+  std::map<QString, JointSlider*> sliders_;
+};
+
+JointsPage::JointsPage(Robot& robot, QWidget* parent) : Page(parent), robot_(robot) {
   need(Needs::kMotors, this);
   makeSliders("ERS-7");
+  connect(&robot, &Robot::jointsMeasured, this, &JointsPage::showPositions);
 }
 
 void JointsPage::connectionChanged(const RobotConnection& connection) {
@@ -67,7 +85,7 @@ void JointsPage::makeSliders(const QString& design) {
       groups[place.group]->addWidget(slider);
       sliders_[slider->joint()] = slider;
       connect(slider, &JointSlider::moved, this, [this](const QString& name, double position) {
-        Q_EMIT moved({{name, position}});
+        robot_.moveJoints({{name, position}});
       });
     }
     for (const auto& [title, rows] : groups) {
@@ -87,6 +105,12 @@ void JointsPage::showPositions(const JointPositions& positions) {
       found->second->measure(joint.value());
     }
   }
+}
+
+}  // namespace
+
+Page* makeJointsPage(Robot& robot, QWidget* parent) {
+  return new JointsPage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

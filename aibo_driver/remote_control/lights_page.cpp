@@ -1,32 +1,35 @@
-#include "remote_control/lights_page.h"
+#include "remote_control/page.h"
 
 #include <QGridLayout>
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QSlider>
 #include <QVBoxLayout>
+#include <map>
 
 namespace aibo_driver::remote_control {
 namespace {
 
 constexpr int kFaceLeds = 14;
 
-/// A pattern of the face's LEDs.
-struct Pattern {
-  const char* name;
-  bool (*has)(int number);  ///< whether the LED with this number, 1..14, is part of the pattern
+class LightsPage : public Page {
+ public:
+  explicit LightsPage(Robot& robot, QWidget* parent);
+
+ private:
+  QWidget* makeFace();
+  QWidget* makeGroups();
+  QWidget* makeEars();
+  QPushButton* makeLed(const QString& name, const QString& label);
+  void showLeds(const LedIntensities& intensities);
+  double intensity() const;
+
+  Robot& robot_;
+  QSlider* intensity_;
+  LedIntensities shown_;
+  std::map<QString, QPushButton*> leds_;
 };
-
-constexpr Pattern kPatterns[] = {{"Even", [](int number) { return number % 2 == 0; }},
-                                 {"Odd", [](int number) { return number % 2 == 1; }},
-                                 {"Upper", [](int number) { return number > kFaceLeds / 2; }},
-                                 {"Lower", [](int number) { return number <= kFaceLeds / 2; }}};
-
-QString faceLed(int number) {
-  return "face_" + QString::number(number);
-}
-
-}  // namespace
 
 LightsPage::LightsPage(Robot& robot, QWidget* parent)
     : Page(parent), robot_(robot), intensity_(new QSlider(Qt::Horizontal, this)) {
@@ -67,22 +70,9 @@ QWidget* LightsPage::makeFace() {
   auto* grid = new QGridLayout(face);
   grid->setContentsMargins(4, 4, 4, 4);
   for (int number = 1; number <= kFaceLeds; ++number) {
-    grid->addWidget(makeLed(faceLed(number), QString::number(number)), (number - 1) / 7, (number - 1) % 7);
+    const QString label = QString::number(number);
+    grid->addWidget(makeLed("face_" + label, label), (number - 1) / 7, (number - 1) % 7);
   }
-  auto* patterns = new QHBoxLayout;
-  for (const Pattern& pattern : kPatterns) {
-    QStringList on;
-    for (int number = 1; number <= kFaceLeds; ++number) {
-      if (pattern.has(number)) {
-        on.append(faceLed(number));
-      }
-    }
-    patterns->addWidget(makeButton(Needs::kConnection, pattern.name, "Only these LEDs: " + on.join(", "), [this, on] {
-      robot_.setLeds({"face"}, 0);
-      robot_.setLeds(on, intensity());
-    }));
-  }
-  grid->addLayout(patterns, 2, 0, 1, 7);
   return face;
 }
 
@@ -121,6 +111,12 @@ void LightsPage::showLeds(const LedIntensities& intensities) {
     button->setStyleSheet(shines > 0 ? QString("background-color: hsl(48, 100%, %1%)").arg(90 - qRound(35 * shines))
                                      : QString());
   }
+}
+
+}  // namespace
+
+Page* makeLightsPage(Robot& robot, QWidget* parent) {
+  return new LightsPage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

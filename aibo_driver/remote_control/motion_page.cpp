@@ -1,8 +1,31 @@
-#include "remote_control/motion_page.h"
+#include "remote_control/page.h"
 
 #include <QGridLayout>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSpinBox>
+
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
+namespace {
+
+class MotionPage : public Page {
+ public:
+  explicit MotionPage(Robot& robot, QWidget* parent);
+
+ private:
+  void connectionChanged(const RobotConnection& connection) override;
+  void showMotions(const QStringList& names);
+  void play();
+
+  Robot& robot_;
+  QListWidget* list_;
+  QLineEdit* name_;
+  QSpinBox* repetitions_;
+  ElidedLabel* movement_;
+  QString listed_for_;  ///< the connection for which the motions were requested
+};
 
 MotionPage::MotionPage(Robot& robot, QWidget* parent)
     : Page(parent),
@@ -70,6 +93,12 @@ void MotionPage::connectionChanged(const RobotConnection& connection) {
   if (!robot.isEmpty()) {
     robot_.listMotions();
   }
+}
+
+}  // namespace
+
+Page* makeMotionPage(Robot& robot, QWidget* parent) {
+  return new MotionPage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

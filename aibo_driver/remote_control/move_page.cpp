@@ -1,15 +1,149 @@
-#include "remote_control/move_page.h"
+#include "remote_control/page.h"
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
+#include <cmath>
+
+#include "aibo_client/exceptions.h"
+#include "movement/joint_table.h"
+#include "remote_control/axis_pad.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
+namespace {
+
+// The velocities at the edges. aibo_teleop_joy has the same. The driver and the robot have limits of their own.
+constexpr double kForward = 0.15;  // m/s
+constexpr double kLeft = 0.06;     // m/s
+constexpr double kTurn = 1.0;      // rad/s
+
+constexpr double kDeadZone = 0.1;  // part of the half width, so that it is easy to walk straight ahead
+
+constexpr int kPeriod = 100;  // ms; the robot stops 500 ms after the last command
+
+double withoutDeadZone(double deflection) {
+  return std::abs(deflection) < kDeadZone ? 0 : deflection;
+}
+
+/// A pad that makes the robot walk while a mouse button is held on it. Up and down walk forward and backward. With the
+/// left button, the sides turn; with another button, they step sideways. Releasing the button works like a dead-man's
+/// switch: the robot is told once to stop, and then nothing more.
+class DrivePad : public AxisPad {
+ public:
+  DrivePad(Robot& robot, QWidget* parent);
+
+ private:
+  void send();
+
+  Robot& robot_;
+  QTimer timer_;
+};
+
+DrivePad::DrivePad(Robot& robot, QWidget* parent) : AxisPad(parent), robot_(robot) {
+  setObjectName("drive_pad");
+  setToolTip("The robot walks while the mouse is held down here. The right button steps to the sides.");
+  setTexts("forward", "backward", "left", "right");
+  connect(this, &AxisPad::moved, this, [this] {
+    if (!timer_.isActive()) {
+      send();
+      timer_.start(kPeriod);
+    }
+  });
+  connect(this, &AxisPad::released, this, [this] {
+    timer_.stop();
+    robot_.walk(0, 0, 0);
+  });
+  connect(&timer_, &QTimer::timeout, this, &DrivePad::send);
+}
+
+void DrivePad::send() {
+  const double forward = withoutDeadZone(chosen().y());
+  const double left = -withoutDeadZone(chosen().x());
+  const bool turns = button() == Qt::LeftButton;
+  robot_.walk(forward * kForward, turns ? 0 : left * kLeft, turns ? left * kTurn : 0);
+}
+
+constexpr const char* kPan = "head_pan";
+constexpr const char* kTilt = "head_tilt";
+
+/// -1 is the lowest position, 1 is the highest.
+double toPad(double position, const movement::JointProperties& joint) {
+  return 2 * (position - joint.lowest) / (joint.highest - joint.lowest) - 1;
+}
+
+double fromPad(double place, const movement::JointProperties& joint) {
+  return joint.lowest + (place + 1) / 2 * (joint.highest - joint.lowest);
+}
+
+/// A pad that points the head: to the sides with head_pan, up and down with head_tilt. Its mark shows where the head
+/// is.
+class HeadPad : public AxisPad {
+ public:
+  HeadPad(Robot& robot, QWidget* parent);
+
+  /// Uses the limits of this robot. It does nothing if the robot is not known.
+  void setDesign(const QString& design);
+
+  void showPositions(const JointPositions& positions);
+
+ private:
+  movement::JointProperties pan_;
+  movement::JointProperties tilt_;
+};
+
+HeadPad::HeadPad(Robot& robot, QWidget* parent) : AxisPad(parent) {
+  setObjectName("head_pad");
+  setToolTip("Points the head. The green mark is where it is.");
+  setTexts("up", "down", "left", "right");
+  setDesign("ERS-7");
+  // The robot counts angles to the left as positive.
+  connect(this, &AxisPad::moved, this, [this, &robot](const QPointF& place) {
+    robot.moveJoints({{kPan, fromPad(-place.x(), pan_)}, {kTilt, fromPad(place.y(), tilt_)}});
+  });
+}
+
+void HeadPad::setDesign(const QString& design) {
+  try {
+    const movement::JointTable table(design.toStdString(), kAnySpeed);
+    const auto pan = table.findByName(kPan);
+    const auto tilt = table.findByName(kTilt);
+    if (pan && tilt) {
+      pan_ = table[*pan];
+      tilt_ = table[*tilt];
+    }
+  } catch (const aibo_client::InvalidArgumentException&) {
+    // The driver refuses commands to such a robot.
+  }
+}
+
+void HeadPad::showPositions(const JointPositions& positions) {
+  if (isVisible() && positions.contains(kPan) && positions.contains(kTilt)) {
+    setMeasured(QPointF(-toPad(positions[kPan], pan_), toPad(positions[kTilt], tilt_)));
+  }
+}
+
+class MovePage : public Page {
+ public:
+  MovePage(Robot& robot, QWidget* parent);
+
+  std::optional<Part> part() const override { return Part::kJoints; }
+
+ private:
+  void connectionChanged(const RobotConnection& connection) override;
+
+  DrivePad* drive_pad_;
+  HeadPad* head_pad_;
+  ElidedLabel* movement_;
+  QCheckBox* guard_;
+};
 
 MovePage::MovePage(Robot& robot, QWidget* parent)
     : Page(parent),
-      drive_pad_(new DrivePad(this)),
-      head_pad_(new HeadPad(this)),
+      drive_pad_(new DrivePad(robot, this)),
+      head_pad_(new HeadPad(robot, this)),
       movement_(new ElidedLabel(this)),
       guard_(new QCheckBox("Guard", this)) {
   need(Needs::kFeet, drive_pad_);
@@ -48,8 +182,6 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   grid->addLayout(who_moves, 2, 0, 1, 2);
   grid->addLayout(buttons, 3, 0, 1, 2);
   setMinimumHeight(widget()->minimumSizeHint().height());  // nobody should have to scroll to a pad
-  connect(drive_pad_, &DrivePad::walk, &robot, &Robot::walk);
-  connect(head_pad_, &HeadPad::pointed, &robot, &Robot::moveJoints);
   connect(&robot, &Robot::jointsMeasured, this, [this](const JointPositions& positions) {
     if (hasRobot()) {
       head_pad_->showPositions(positions);
@@ -76,6 +208,12 @@ void MovePage::connectionChanged(const RobotConnection& connection) {
   } else {
     head_pad_->setMeasured(std::nullopt);
   }
+}
+
+}  // namespace
+
+Page* makeMovePage(Robot& robot, QWidget* parent) {
+  return new MovePage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

@@ -6,12 +6,36 @@
 #include <QScrollArea>
 #include <QWidget>
 #include <functional>
+#include <optional>
 #include <vector>
 
-#include "remote_control/allow.h"
 #include "remote_control/robot.h"
 
 namespace aibo_driver::remote_control {
+
+/// What a part of the window needs from the robot. Each need includes those above it, but kMotors does not need a
+/// server of version 2.
+enum class Needs {
+  kConnection,
+  kVersion2,    ///< a server of version 2
+  kNotStopped,  ///< the robot must not be stopped: the part moves it or switches the motors on
+  kMotors,      ///< the motors must be on, with any server
+  kFeet         ///< the robot must stand on its feet
+};
+
+/// Why the robot cannot do something now. It is empty if the robot can do it, or if nobody knows.
+QString whyNot(Needs needs, const RobotConnection& connection, const RobotCondition& condition);
+
+/// Enables a widget, or disables it and says why in its tooltip. When the widget is enabled, its own tooltip comes
+/// back.
+/// @param why_not the reason; empty enables the widget
+void allow(QWidget* widget, const QString& why_not);
+
+/// The property of a widget with the tooltip that it has while it is enabled.
+constexpr const char* kOwnToolTip = "own_tool_tip";
+
+/// A text field with this property takes spaces after its first letter. In all others, the space bar stops the robot.
+constexpr const char* kTakesSpaces = "takes_spaces";
 
 /// A part of the window. Each of its widgets can be used while the robot can do what the widget is for. It scrolls if
 /// it needs more room than it has, so nothing on it changes the size of anything else.
@@ -19,23 +43,16 @@ class Page : public QScrollArea {
   Q_OBJECT
 
  public:
-  explicit Page(QWidget* parent = nullptr) : QScrollArea(parent) {
-    setWidgetResizable(true);
-    setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::NoFocus);
-    viewport()->setAutoFillBackground(false);
-  }
+  explicit Page(QWidget* parent = nullptr);
 
-  Q_SIGNAL void visibilityChanged();
+  /// The part of the robot's data that this page shows. It may change with visibilityChanged().
+  virtual std::optional<Part> part() const { return std::nullopt; }
 
   /// Enables its widgets, or disables them and says why.
-  void setState(const RobotConnection& connection, const RobotCondition& condition) {
-    for (const Control& control : controls_) {
-      allow(control.widget, whyNot(control.needs, connection, condition));
-    }
-    has_robot_ = connection.hasRobot();
-    connectionChanged(connection);
-  }
+  void setState(const RobotConnection& connection, const RobotCondition& condition);
+
+ Q_SIGNALS:
+  void visibilityChanged();
 
  protected:
   /// What was measured before the robot was lost may come later.
@@ -50,30 +67,13 @@ class Page : public QScrollArea {
   }
 
   /// Makes a widget for everything on the page. It replaces the previous one.
-  QWidget* makeContent() {
-    auto* content = new QWidget;
-    setWidget(content);
-    content->setAutoFillBackground(false);  // it shows the window's background
-    return content;
-  }
+  QWidget* makeContent();
 
-  QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked) {
-    auto* button = new QPushButton(text, this);
-    button->setObjectName(text);
-    button->setToolTip(tip);
-    connect(button, &QPushButton::clicked, this, clicked);
-    return need(needs, button);
-  }
+  QPushButton* makeButton(Needs needs, const QString& text, const QString& tip, const std::function<void()>& clicked);
 
  private:
-  void showEvent(QShowEvent* event) override {
-    QScrollArea::showEvent(event);
-    Q_EMIT visibilityChanged();
-  }
-  void hideEvent(QHideEvent* event) override {
-    QScrollArea::hideEvent(event);
-    Q_EMIT visibilityChanged();
-  }
+  void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   virtual void connectionChanged(const RobotConnection&) {}
 
   struct Control {
@@ -83,6 +83,14 @@ class Page : public QScrollArea {
   std::vector<Control> controls_;
   bool has_robot_ = false;
 };
+
+// These functions make the pages. The robot must outlive them. See docs/remote_control.md.
+Page* makeMovePage(Robot& robot, QWidget* parent);     ///< walking, the head, postures and the motors
+Page* makeMotionPage(Robot& robot, QWidget* parent);   ///< the motions on the robot, and what moves it now
+Page* makeJointsPage(Robot& robot, QWidget* parent);   ///< a slider for each joint
+Page* makeLightsPage(Robot& robot, QWidget* parent);   ///< the LEDs, as the driver reports them, and the ears
+Page* makeSensorsPage(Robot& robot, QWidget* parent);  ///< what touches the robot, and its range finders
+Page* makeSoundPage(Robot& robot, QWidget* parent);    ///< how loud it is around the robot, and speech
 
 }  // namespace aibo_driver::remote_control
 

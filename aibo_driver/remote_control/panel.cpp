@@ -1,5 +1,4 @@
-#include "remote_control/panel.h"
-
+#include <rviz/panel.h>
 #include <ros/this_node.h>
 
 #include <pluginlib/class_list_macros.hpp>
@@ -9,6 +8,9 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "remote_control/remote_control.h"
+#include "remote_control/ros_robot.h"
+
 namespace aibo_driver::remote_control {
 namespace {
 
@@ -16,6 +18,24 @@ constexpr const char* kNamespace = "Driver";
 constexpr const char* kFolder = "Picture Folder";
 
 }  // namespace
+
+/// The window as a panel of rviz: aibo_driver/RemoteControl. rviz's configuration keeps the driver's namespace and the
+/// folder for pictures.
+class Panel : public rviz::Panel {
+  Q_OBJECT
+
+ public:
+  explicit Panel(QWidget* parent = nullptr);
+  ~Panel() override;
+
+  void onInitialize() override;
+  void load(const rviz::Config& config) override;
+  void save(rviz::Config config) const override;
+
+ private:
+  RosRobot robot_;
+  RemoteControl* window_;
+};
 
 Panel::Panel(QWidget* parent) : rviz::Panel(parent), window_(new RemoteControl(robot_, this)) {
   auto* layout = new QVBoxLayout(this);
@@ -62,3 +82,5 @@ void Panel::save(rviz::Config config) const {
 }  // namespace aibo_driver::remote_control
 
 PLUGINLIB_EXPORT_CLASS(aibo_driver::remote_control::Panel, rviz::Panel)
+
+#include "panel.moc"

@@ -16,13 +16,6 @@
 #include <QVBoxLayout>
 
 #include "remote_control/axis_pad.h"
-#include "remote_control/joints_page.h"
-#include "remote_control/lights_page.h"
-#include "remote_control/motion_page.h"
-#include "remote_control/move_page.h"
-#include "remote_control/plain_text.h"
-#include "remote_control/sensors_page.h"
-#include "remote_control/sound_page.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -142,19 +135,16 @@ QLayout* RemoteControl::makeTopRow() {
 }
 
 QWidget* RemoteControl::makePages() {
-  auto* joints = new JointsPage(this);
-  connect(joints, &JointsPage::moved, &robot_, &Robot::moveJoints);
-  connect(&robot_, &Robot::jointsMeasured, joints, &JointsPage::showPositions);
   auto* tabs = new QTabWidget(this);
   auto* style = new NarrowTabs;
   style->setParent(tabs);
   tabs->tabBar()->setStyle(style);
   tabs->setUsesScrollButtons(false);  // they would hide titles
   const std::pair<const char*, Page*> pages[] = {
-      {"Move", new MovePage(robot_, this)},      {"Camera", camera_page_},
-      {"Motions", new MotionPage(robot_, this)}, {"Joints", joints},
-      {"Lights", new LightsPage(robot_, this)},  {"Sensors", new SensorsPage(robot_, this)},
-      {"Sound", new SoundPage(robot_, this)}};
+      {"Move", makeMovePage(robot_, this)},      {"Camera", camera_page_},
+      {"Motions", makeMotionPage(robot_, this)}, {"Joints", makeJointsPage(robot_, this)},
+      {"Lights", makeLightsPage(robot_, this)},  {"Sensors", makeSensorsPage(robot_, this)},
+      {"Sound", makeSoundPage(robot_, this)}};
   for (const auto& [title, page] : pages) {
     page->setObjectName(title);
     tabs->addTab(page, title);
@@ -219,8 +209,7 @@ void RemoteControl::keepSpaceBar() {
 bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
   const bool is_key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   const auto* const edit = qobject_cast<const QLineEdit*>(watched);
-  const bool is_written_in =
-      edit != nullptr && edit->property(SoundPage::kTakesSpaces).toBool() && !edit->text().isEmpty();
+  const bool is_written_in = edit != nullptr && edit->property(kTakesSpaces).toBool() && !edit->text().isEmpty();
   if (!is_key || static_cast<QKeyEvent*>(event)->key() != (is_written_in ? Qt::Key_Escape : Qt::Key_Space)) {
     return QWidget::eventFilter(watched, event);
   }
@@ -233,11 +222,16 @@ bool RemoteControl::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void RemoteControl::askForWhatIsVisible() {
-  const auto is_visible = [this](const QString& page) { return findChild<Page*>(page)->isVisible(); };
-  robot_.show(Part::kPictures, picture_->isVisible());
-  robot_.show(Part::kJoints, is_visible("Move") || is_visible("Joints"));
-  robot_.show(Part::kSensors, is_visible("Sensors"));
-  robot_.show(Part::kMicrophones, findChild<SoundPage*>()->listens());
+  std::set<Part> parts;
+  if (picture_->isVisible()) {
+    parts.insert(Part::kPictures);
+  }
+  for (const Page* page : pages_) {
+    if (page->isVisible() && page->part()) {
+      parts.insert(*page->part());
+    }
+  }
+  robot_.show(parts);
 }
 
 void RemoteControl::letGoOfPads() {

@@ -10,9 +10,9 @@
 
 #include "remote_control/camera_page.h"
 #include "remote_control/connection_bar.h"
-#include "remote_control/elided_label.h"
 #include "remote_control/page.h"
 #include "remote_control/picture_view.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
 

@@ -12,6 +12,7 @@
 #include <QVariant>
 #include <QVector>
 #include <limits>
+#include <set>
 
 namespace aibo_driver::remote_control {
 
@@ -66,16 +67,13 @@ struct LinkFigures {
   double lost = kUnknown;  ///< 0..1
 };
 
-/// A setting of the driver that can be changed while it runs.
+/// A setting of the driver that can be changed while it runs: a number, or one of some values.
 struct Setting {
-  enum class Kind { kSwitch, kInteger, kNumber, kChoice };
-
   QString name;  ///< the name of the parameter
   QString description;
-  Kind kind = Kind::kInteger;
-  double lowest = 0;
-  double highest = 0;
-  QVector<QPair<QString, QVariant>> choices;  ///< texts and values
+  QVariant lowest;                            ///< an int or a double
+  QVariant highest;                           ///< the same
+  QVector<QPair<QString, QVariant>> choices;  ///< texts and values; empty for a number
 };
 
 /// The measurement of a range finder.
@@ -108,8 +106,8 @@ class Robot : public QObject {
   /// @param name_space such as "/aibo"; empty means the first driver that is found
   virtual void useDriver(const QString& name_space) = 0;
 
-  /// Says whether somebody looks at a part. At first nobody looks at any part.
-  virtual void show(Part part, bool visible) = 0;
+  /// Says which parts somebody looks at. At first these are none.
+  virtual void show(const std::set<Part>& parts) = 0;
 
   /// Stops everything that moves, at once and until release(). It waits for no other call.
   virtual void stop() = 0;
@@ -171,8 +169,7 @@ class Robot : public QObject {
   void pictureTaken(const QImage& picture, const QString& path);
 
   /// @param text what moves the robot, in one line
-  /// @param motion_plays whether a motion is part of this
-  void movementChanged(const QString& text, bool motion_plays);
+  void movementChanged(const QString& text);
   void motionsListed(const QStringList& names);
   void settingsDescribed(const QVector<aibo_driver::remote_control::Setting>& settings);
 

@@ -14,15 +14,11 @@
 #include <QDateTime>
 #include <QDir>
 #include <QSaveFile>
-#include <QSemaphore>
-#include <QThread>
-#include <atomic>
 #include <type_traits>
 #include <utility>
 
 #include "aibo_client/options.h"
-#include "remote_control/from_ros.h"
-#include "remote_control/settings_messages.h"
+#include "remote_control/messages.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -30,8 +26,6 @@ namespace {
 constexpr const char* kNoMasterText = "the ROS master does not answer: is roscore running?";
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
-constexpr std::chrono::milliseconds kJointsPeriod{100};
-constexpr std::chrono::milliseconds kSensorsPeriod{250};  // nobody can read figures that change more often
 
 /// Saves a JPEG. The time is part of the file's name.
 /// @return the path of the file
@@ -71,10 +65,8 @@ QString noAnswerText(const std::string& service) {
 
 }  // namespace
 
-RosRobot::RosRobot(QObject* parent) : Robot(parent), callbacks_(ros::NodeHandle("/"), receipts_) {
+RosRobot::RosRobot(QObject* parent) : Robot(parent) {
   connection_.text = "no driver has been found yet";
-  connect(&measurements_timer_, &QTimer::timeout, this, &RosRobot::takeMeasurements);
-  callbacks_.start();
   manager_ = std::thread(&RosRobot::manageTopics, this);  // uses all members above
 }
 
@@ -82,8 +74,7 @@ RosRobot::~RosRobot() {
   calls_.cancel();
   wish([](Wishes& wishes) { wishes.end = true; });
   manager_.join();
-  topics_.reset();  // the topics must end before their callback queue
-  callbacks_.stop();
+  topics_.reset();  // the topics must end before their queues
 }
 
 // The following functions run on the thread that asks the master.
@@ -108,13 +99,7 @@ void RosRobot::manageTopics() {
         useTopicsOf(chosen);
       }
       if (topics_) {
-        for (const Part part : {Part::kPictures, Part::kJoints, Part::kSensors, Part::kMicrophones}) {
-          topics_->show(part, wishes.visible.count(part) > 0);
-        }
-        const std::string owner = settingsOf(name_space_, master_);
-        topics_->followSettings(owner.empty() ? topics_->settingsOwner() : owner);
-        const std::lock_guard<std::mutex> lock(mutex_);
-        settings_owner_ = topics_->settingsOwner();
+        topics_->show(wishes.visible);
       }
     }
     reportConnection();
@@ -138,21 +123,15 @@ std::string RosRobot::findDriver() const {
 }
 
 void RosRobot::search() {
-  const std::optional<MasterState> answer = askMaster();
-  master_answers_ = answer.has_value();
-  if (!answer) {
+  const std::optional<TopicTypes> types = askMaster();
+  master_answers_ = types.has_value();
+  if (!types) {
     return;
   }
-  master_ = *answer;
-  std::vector<std::string> found = driversIn(master_);
-  if (found == std::exchange(found_drivers_, found)) {
-    return;
+  const std::vector<std::string> found = driversIn(*types);
+  if (found != std::exchange(found_drivers_, found)) {
+    post([drivers = fromRos(found)](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
   }
-  QStringList drivers;
-  for (const std::string& driver : found) {
-    drivers.append(fromRos(driver));
-  }
-  post([drivers](Robot& robot) { Q_EMIT robot.driversFound(drivers); });
 }
 
 // What the old driver has said is not true of the new one, which may never say anything about it.
@@ -165,7 +144,7 @@ void RosRobot::forgetDriver(const std::string& next) {
   post([](Robot& robot) {
     Q_EMIT robot.conditionChanged({});
     Q_EMIT robot.streamingChanged(false);
-    Q_EMIT robot.movementChanged("", false);
+    Q_EMIT robot.movementChanged("");
     Q_EMIT robot.ledsChanged({});
     Q_EMIT robot.settingsDescribed({});
     Q_EMIT robot.settingsChanged({});
@@ -178,37 +157,13 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     const std::lock_guard<std::mutex> lock(mutex_);
     old = std::exchange(topics_, nullptr);
   }
-  old.reset();  // this waits for its callbacks
+  old.reset();  // this waits for its callbacks; from now on none comes
   forgetDriver(name_space);
-  // Messages that are still on their way from the old driver must not be taken for the new driver's.
-  const auto is_current = std::make_shared<std::atomic<bool>>(true);
-  // Messages may come faster than the window can show them. They wait in roscpp, which keeps the newest, so that they
-  // do not delay what the user does.
-  constexpr int kMostAtOnce = 64;
-  constexpr int kPatience = 100;  // ms; no longer, because the window may be closing
-  const auto places = std::make_shared<QSemaphore>(kMostAtOnce);
-  ros::NodeHandle handle(callbacks_.handle(), name_space);
-  auto made = std::shared_ptr<DriverTopics>(new DriverTopics(
-                                                handle,
-                                                [this, is_current, places](const std::function<void(Robot&)>& work) {
-                                                  const bool has_place = QThread::currentThread() != thread() &&
-                                                                         places->tryAcquire(1, kPatience);
-                                                  post([is_current, places, has_place, work](Robot& robot) {
-                                                    places->release(has_place ? 1 : 0);
-                                                    if (*is_current) {
-                                                      work(robot);
-                                                    }
-                                                  });
-                                                },
-                                                [this] {
-                                                  const std::lock_guard<std::mutex> lock(mutex_);
-                                                  connection_changed_ = true;
-                                                  changed_.notify_all();
-                                                }),
-                                            [is_current](DriverTopics* topics) {
-                                              *is_current = false;
-                                              delete topics;
-                                            });
+  const auto made = std::make_shared<DriverTopics>(name_space, &queue_, &measurements_, *this, [this] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    connection_changed_ = true;
+    changed_.notify_all();
+  });
   const std::lock_guard<std::mutex> lock(mutex_);
   topics_ = made;
   name_space_ = name_space;
@@ -317,28 +272,8 @@ void RosRobot::useDriver(const QString& name_space) {
   wish([&name_space](Wishes& wishes) { wishes.name_space = name_space.toStdString(); });
 }
 
-void RosRobot::show(Part part, bool visible) {
-  wish([part, visible](Wishes& wishes) {
-    if (visible) {
-      wishes.visible.insert(part);
-    } else {
-      wishes.visible.erase(part);
-    }
-  });
-  const std::lock_guard<std::mutex> lock(mutex_);
-  if (wishes_.visible.count(Part::kJoints) + wishes_.visible.count(Part::kMicrophones) > 0) {
-    measurements_timer_.start(kJointsPeriod);
-  } else if (wishes_.visible.count(Part::kSensors) > 0) {
-    measurements_timer_.start(kSensorsPeriod);
-  } else {
-    measurements_timer_.stop();
-  }
-}
-
-void RosRobot::takeMeasurements() {
-  if (const auto used = topics()) {
-    used->takeMeasurements();
-  }
+void RosRobot::show(const std::set<Part>& parts) {
+  wish([&parts](Wishes& wishes) { wishes.visible = parts; });
 }
 
 void RosRobot::stop() {
@@ -390,11 +325,8 @@ void RosRobot::takePosture(const QString& posture) {
 void RosRobot::listMotions() {
   call<ListMotions>("list motions", "list_motions", {},
                     [this, driver = connection_.name_space](const ListMotions::Response& response) {
-                      QStringList names;
-                      for (const std::string& name : response.names) {
-                        names.append(fromRos(name));
-                      }
-                      postFrom(driver, [names](Robot& robot) { Q_EMIT robot.motionsListed(names); });
+                      postFrom(driver,
+                               [names = fromRos(response.names)](Robot& robot) { Q_EMIT robot.motionsListed(names); });
                     });
 }
 
@@ -410,11 +342,8 @@ void RosRobot::stopMotions() {
 }
 
 void RosRobot::changeSetting(const QString& name, const QVariant& value) {
-  std::string owner;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    owner = settings_owner_;
-  }
+  const auto used = topics();
+  const std::string settings = used ? used->settings() : "";
   dynamic_reconfigure::Reconfigure::Request request;
   request.config = changeOf(name, value);
   const auto done = [this, name,
@@ -423,7 +352,7 @@ void RosRobot::changeSetting(const QString& name, const QVariant& value) {
     postFrom(driver, [values](Robot& robot) { Q_EMIT robot.settingsChanged(values); });
     answer(true, name + " is " + values.value(name).toString());
   };
-  call<dynamic_reconfigure::Reconfigure>(name, owner + "/set_parameters", request, done);
+  call<dynamic_reconfigure::Reconfigure>(name, settings + "/set_parameters", request, done);
 }
 
 void RosRobot::setLeds(const QStringList& names, double intensity) {

@@ -2,15 +2,14 @@
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 #define AIBO_DRIVER_REMOTE_CONTROL_ROS_ROBOT_H
 
-#include <QTimer>
 #include <condition_variable>
 #include <memory>
 #include <mutex>
 #include <set>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "node/callback_threads.h"
 #include "remote_control/driver_search.h"
 #include "remote_control/driver_topics.h"
 #include "remote_control/robot.h"
@@ -21,7 +20,7 @@ namespace aibo_driver::remote_control {
 /// The robot behind a running driver.
 ///
 /// Functions that may wait for a node or for the ROS master run on threads of this object. One thread asks the master
-/// and makes topics, one takes messages, and each call of a service has its own thread.
+/// and makes topics, and each call of a service has its own thread. Messages come on the window's thread.
 class RosRobot : public Robot {
   Q_OBJECT
 
@@ -33,7 +32,7 @@ class RosRobot : public Robot {
   ~RosRobot() override;
 
   void useDriver(const QString& name_space) override;
-  void show(Part part, bool visible) override;
+  void show(const std::set<Part>& parts) override;
   void stop() override;
   void release() override;
   void takePicture(const QString& folder) override;
@@ -88,12 +87,14 @@ class RosRobot : public Robot {
   /// Does the work unless another driver is used by then.
   /// @param driver the namespace of the driver that the work is about
   void postFrom(const QString& driver, const std::function<void(Robot&)>& work);
-  void takeMeasurements();
+
+  // Nobody sees more pictures than the screen shows, and nobody can read figures that change more often.
+  WindowQueue queue_{std::chrono::milliseconds(20)};
+  WindowQueue measurements_{std::chrono::milliseconds(100)};
 
   // The window's thread uses these members.
   RobotConnection connection_;
   ServiceCalls calls_;
-  QTimer measurements_timer_;  ///< runs while somebody looks at measurements
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
@@ -101,16 +102,12 @@ class RosRobot : public Robot {
   bool connection_changed_ = false;
   std::shared_ptr<DriverTopics> topics_;  ///< null if no driver is known
   std::string name_space_;                ///< the namespace of the topics
-  std::string settings_owner_;
 
   // The thread that asks the master uses these members.
   bool master_answers_ = true;
   QString reported_connection_;
   std::vector<std::string> found_drivers_;
-  MasterState master_;
 
-  node::ReceiptClock receipts_;  ///< gets no signs of life, because the age of messages does not matter here
-  node::CallbackThreads callbacks_;
   std::thread manager_;
 };
 

@@ -1,8 +1,12 @@
-#include "remote_control/sensors_page.h"
+#include "remote_control/page.h"
 
+#include <QGridLayout>
 #include <QGroupBox>
+#include <QLabel>
+#include <QProgressBar>
 #include <QVBoxLayout>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace aibo_driver::remote_control {
@@ -31,7 +35,21 @@ QString words(const Distance& distance) {
   return QString("%1: %2 m").arg(distance.name).arg(distance.metres, 0, 'f', 2);
 }
 
-}  // namespace
+class SensorsPage : public Page {
+ public:
+  explicit SensorsPage(Robot& robot, QWidget* parent);
+
+  std::optional<Part> part() const override { return Part::kSensors; }
+
+ private:
+  void connectionChanged(const RobotConnection& connection) override;
+  void showTouched(const QStringList& places);
+  void showDistance(const Distance& distance);
+
+  std::map<QString, QLabel*> places_;
+  QGridLayout* distances_;
+  std::map<QString, QProgressBar*> bars_;  ///< made for the range finders that the robot has
+};
 
 SensorsPage::SensorsPage(Robot& robot, QWidget* parent) : Page(parent) {
   auto* touch = new QGroupBox("Touch", this);
@@ -104,6 +122,12 @@ void SensorsPage::showDistance(const Distance& distance) {
   if (colors != bar->palette()) {
     bar->setPalette(colors);
   }
+}
+
+}  // namespace
+
+Page* makeSensorsPage(Robot& robot, QWidget* parent) {
+  return new SensorsPage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

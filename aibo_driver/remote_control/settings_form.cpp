@@ -1,13 +1,11 @@
 #include "remote_control/settings_form.h"
 
-#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
-#include <QSpinBox>
 
-#include "remote_control/ignore_wheel.h"
+#include "remote_control/widgets.h"
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -19,29 +17,11 @@ QString labelOf(const QString& name) {
   return label;
 }
 
-/// A value is sent when it is complete, not with each key.
-template <typename Box>
-Box* makeSpinBox(QWidget* parent) {
-  auto* box = new Box(parent);
-  box->setKeyboardTracking(false);
-  box->setFocusPolicy(Qt::StrongFocus);  // the mouse wheel does not give it the focus
-  new IgnoreWheel(box);
-  return box;
-}
-
 }  // namespace
-
-QWidget* SettingsForm::makeSwitch(const Setting& setting) {
-  auto* box = new QCheckBox(form_);
-  connect(box, &QCheckBox::clicked, this, [this, name = setting.name](bool on) { Q_EMIT changed(name, on); });
-  show_[setting.name] = [box](const QVariant& value) { box->setChecked(value.toBool()); };
-  return box;
-}
 
 QWidget* SettingsForm::makeChoice(const Setting& setting) {
   auto* box = new QComboBox(form_);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);  // its list shows long texts in full
-  new IgnoreWheel(box);
   for (const auto& [text, value] : setting.choices) {
     box->addItem(text, value);
   }
@@ -51,43 +31,24 @@ QWidget* SettingsForm::makeChoice(const Setting& setting) {
   return box;
 }
 
-QWidget* SettingsForm::makeInteger(const Setting& setting) {
-  auto* box = makeSpinBox<QSpinBox>(form_);
-  box->setRange(static_cast<int>(setting.lowest), static_cast<int>(setting.highest));
-  connect(box, qOverload<int>(&QSpinBox::valueChanged), this,
-          [this, name = setting.name](int value) { Q_EMIT changed(name, value); });
-  show_[setting.name] = [box](const QVariant& value) {
-    const QSignalBlocker nobody_changed_it(box);
-    box->setValue(value.toInt());
-  };
-  return box;
-}
-
+// A value is sent when it is complete, not with each key.
 QWidget* SettingsForm::makeNumber(const Setting& setting) {
-  auto* box = makeSpinBox<QDoubleSpinBox>(form_);
-  box->setRange(setting.lowest, setting.highest);
-  box->setSingleStep(setting.highest > 2 ? 1 : 0.1);
+  const bool is_whole = setting.lowest.type() != QVariant::Double;
+  auto* box = new QDoubleSpinBox(form_);
+  box->setDecimals(is_whole ? 0 : 2);
+  box->setRange(setting.lowest.toDouble(), setting.highest.toDouble());
+  box->setSingleStep(setting.highest.toDouble() > 2 ? 1 : 0.1);
+  box->setKeyboardTracking(false);
+  box->setFocusPolicy(Qt::StrongFocus);  // the mouse wheel does not give it the focus
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this, name = setting.name](double value) { Q_EMIT changed(name, value); });
+          [this, is_whole, name = setting.name](double value) {
+            Q_EMIT changed(name, is_whole ? QVariant(qRound(value)) : QVariant(value));
+          });
   show_[setting.name] = [box](const QVariant& value) {
     const QSignalBlocker nobody_changed_it(box);
     box->setValue(value.toDouble());
   };
   return box;
-}
-
-QWidget* SettingsForm::makeEditor(const Setting& setting) {
-  switch (setting.kind) {
-    case Setting::Kind::kSwitch:
-      return makeSwitch(setting);
-    case Setting::Kind::kChoice:
-      return makeChoice(setting);
-    case Setting::Kind::kNumber:
-      return makeNumber(setting);
-    case Setting::Kind::kInteger:
-      break;
-  }
-  return makeInteger(setting);
 }
 
 void SettingsForm::describe(const QVector<Setting>& settings) {
@@ -99,9 +60,10 @@ void SettingsForm::describe(const QVector<Setting>& settings) {
   rows->setContentsMargins(0, 0, 0, 0);
   rows->setVerticalSpacing(3);
   for (const Setting& setting : settings) {
-    QWidget* editor = makeEditor(setting);
+    QWidget* editor = setting.choices.empty() ? makeNumber(setting) : makeChoice(setting);
     editor->setObjectName(setting.name);
     editor->setToolTip(setting.description);
+    new IgnoreWheel(editor);
     rows->addRow(labelOf(setting.name), editor);
   }
   auto* whole = new QVBoxLayout(this);

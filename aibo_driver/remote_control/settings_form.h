@@ -26,11 +26,8 @@ class SettingsForm : public QWidget {
   void changed(const QString& name, const QVariant& value);
 
  private:
-  QWidget* makeSwitch(const Setting& setting);
   QWidget* makeChoice(const Setting& setting);
-  QWidget* makeInteger(const Setting& setting);
   QWidget* makeNumber(const Setting& setting);
-  QWidget* makeEditor(const Setting& setting);
 
   QWidget* form_ = nullptr;
   SettingValues values_;

@@ -1,7 +1,11 @@
-#include "remote_control/sound_page.h"
+#include "remote_control/page.h"
 
+#include <QCheckBox>
 #include <QGroupBox>
 #include <QHBoxLayout>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
@@ -16,7 +20,32 @@ constexpr std::chrono::milliseconds kSilence{3000};
 constexpr int kLongestText = 1000;  // characters; the service takes 4000 bytes
 const QColor kLoudColor("#e53935");
 
-}  // namespace
+class SoundPage : public Page {
+ public:
+  explicit SoundPage(Robot& robot, QWidget* parent);
+
+  /// The robot's microphones are open only while the user wants it.
+  std::optional<Part> part() const override {
+    return listen_->isChecked() ? std::make_optional(Part::kMicrophones) : std::nullopt;
+  }
+
+ private:
+  bool listens() const { return isVisible() && listen_->isChecked(); }
+  QWidget* makeMicrophones();
+  QWidget* makeSpeech();
+  void showLevel(double level);
+  void waitForSound();
+  void showSilence();
+  void connectionChanged(const RobotConnection& connection) override;
+  void say();
+
+  Robot& robot_;
+  QCheckBox* listen_;
+  QProgressBar* level_;
+  QLineEdit* text_;
+  bool had_robot_ = false;
+  QTimer silence_;  ///< runs out when nothing has come for a while
+};
 
 SoundPage::SoundPage(Robot& robot, QWidget* parent)
     : Page(parent),
@@ -113,6 +142,12 @@ void SoundPage::connectionChanged(const RobotConnection& connection) {
 void SoundPage::showSilence() {
   level_->setValue(kQuiet);
   level_->setFormat("nothing comes: does the robot's RCSERVER.CFG say ALLOW_MICROPHONE=yes?");
+}
+
+}  // namespace
+
+Page* makeSoundPage(Robot& robot, QWidget* parent) {
+  return new SoundPage(robot, parent);
 }
 
 }  // namespace aibo_driver::remote_control

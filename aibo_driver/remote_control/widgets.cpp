@@ -1,13 +1,37 @@
-#include "remote_control/plain_text.h"
+#include "remote_control/widgets.h"
 
 #include <QApplication>
 #include <QFileDialog>
 #include <QHelpEvent>
-#include <QLabel>
+#include <QPainter>
 #include <QTextDocument>
 #include <QToolTip>
 
 namespace aibo_driver::remote_control {
+
+ElidedLabel::ElidedLabel(QWidget* parent, Qt::TextElideMode dots) : QLabel(parent), dots_(dots) {
+  QSizePolicy policy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  policy.setRetainSizeWhenHidden(true);
+  setSizePolicy(policy);
+  setFixedHeight(fontMetrics().lineSpacing() + 2);
+}
+
+void ElidedLabel::showText(const QString& text) {
+  setText(text);
+  setToolTip(text);
+}
+
+void ElidedLabel::paintEvent(QPaintEvent*) {
+  QPainter(this).drawText(rect(), alignment(), fontMetrics().elidedText(text(), dots_, width()));
+}
+
+bool IgnoreWheel::eventFilter(QObject*, QEvent* event) {
+  const bool is_wheel = event->type() == QEvent::Wheel;
+  if (is_wheel) {
+    event->ignore();  // then the page gets it
+  }
+  return is_wheel;
+}
 
 PlainText::PlainText(QWidget* window) : QObject(window) {
   QCoreApplication::instance()->installEventFilter(this);

@@ -1,10 +1,51 @@
-#include "remote_control/settings_messages.h"
+#include "remote_control/messages.h"
 
 #include <aibo_driver/AiboDriverConfig.h>
 #include <gmock/gmock.h>
 
 namespace aibo_driver::remote_control {
 namespace {
+
+std::vector<EndedMovement> ended(const std::string& letters) {
+  std::vector<EndedMovement> all;
+  for (const char letter : letters) {
+    all.emplace_back().reason = letter;
+  }
+  return all;
+}
+
+TEST(EndedMovements, AreNewIfTheMessageBeforeDidNotHaveThem) {
+  EXPECT_EQ(endedBetween(ended(""), ended("ab")), ended("ab"));
+  EXPECT_EQ(endedBetween(ended("ab"), ended("ab")), ended(""));
+  EXPECT_EQ(endedBetween(ended("ab"), ended("abc")), ended("c"));
+  EXPECT_EQ(endedBetween(ended("abcdefgh"), ended("bcdefghi")), ended("i")) << "the oldest is left out";
+  EXPECT_EQ(endedBetween(ended("aab"), ended("aaba")), ended("a"));
+  EXPECT_EQ(endedBetween(ended("ab"), ended("bcd")), ended("cd")) << "only the newest is still there";
+  EXPECT_EQ(endedBetween(ended("abc"), ended("ab")), ended("ab")) << "another driver with fewer of them";
+  EXPECT_EQ(endedBetween(ended("ab"), ended("xy")), ended("xy")) << "another driver";
+}
+
+TEST(EndedMovements, AreToldIfTheyDidNotArriveAndNobodyWantedThat) {
+  EndedMovement each;
+  each.movement.kind = Movement::COMMAND;
+  each.reason = "the motors are off";
+  each.how = EndedMovement::REFUSED;
+  EXPECT_EQ(complaintAbout(each), "joints: the motors are off");
+  for (const auto& [kind, name] : {std::pair<int, const char*>(Movement::TRAJECTORY, "trajectory"),
+                                   {Movement::WALK, "walk"},
+                                   {Movement::LOOK_AT, "look there"}}) {
+    each.movement.kind = static_cast<std::uint8_t>(kind);
+    EXPECT_EQ(complaintAbout(each), name + QString(": the motors are off"));
+  }
+  each.movement.kind = Movement::MOTION;
+  each.movement.name = "NOD.MTN";
+  each.how = EndedMovement::NOT_REACHED;
+  EXPECT_EQ(complaintAbout(each), "NOD.MTN: the motors are off");
+  for (const auto how : {EndedMovement::DONE, EndedMovement::REPLACED, EndedMovement::STOPPED}) {
+    each.how = how;
+    EXPECT_EQ(complaintAbout(each), "");
+  }
+}
 
 // The driver's own description, as its generated code publishes it, with the ranges of two numbers.
 Setting settingOf(const QString& name) {
@@ -23,19 +64,19 @@ Setting settingOf(const QString& name) {
   return found == settings.end() ? Setting() : *found;
 }
 
-TEST(SettingsMessages, EachSettingOfTheDriverHasItsKindAndRange) {
-  const std::tuple<QString, Setting::Kind, double, double> rows[] = {
-      {"jpeg_quality", Setting::Kind::kInteger, 1, 100},
-      {"telemetry_rate", Setting::Kind::kNumber, 0.25, 31.25},
-      {"auto_exposure", Setting::Kind::kSwitch, 0, 0},
-      {"resolution", Setting::Kind::kChoice, 0, 0}};
-  for (const auto& [name, kind, lowest, highest] : rows) {
+TEST(SettingsMessages, EachSettingOfTheDriverHasItsRangeOrItsChoices) {
+  const std::tuple<QString, QVariant, QVariant, int> rows[] = {{"jpeg_quality", 1, 100, 0},
+                                                               {"telemetry_rate", 0.25, 31.25, 0},
+                                                               {"auto_exposure", false, false, 2},
+                                                               {"resolution", "208x160", "208x160", 4}};
+  for (const auto& [name, lowest, highest, choices] : rows) {
     const Setting setting = settingOf(name);
-    EXPECT_EQ(setting.kind, kind) << name.toStdString();
     EXPECT_EQ(setting.lowest, lowest) << name.toStdString();
     EXPECT_EQ(setting.highest, highest) << name.toStdString();
+    EXPECT_EQ(setting.choices.size(), choices) << name.toStdString();
     EXPECT_FALSE(setting.description.isEmpty()) << name.toStdString();
   }
+  EXPECT_EQ(settingOf("auto_exposure").choices.value(1), qMakePair(QString("yes"), QVariant(true)));
   EXPECT_EQ(settingOf("resolution").choices.value(2).first, "208x160 (layer H)");
   EXPECT_EQ(settingOf("resolution").choices.value(2).second, QVariant("208x160"));
   const auto description = AiboDriverConfig::__getDescriptionMessage__();
