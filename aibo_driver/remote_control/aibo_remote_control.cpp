@@ -1,19 +1,14 @@
 // aibo_remote_control: the panel of rviz as a window of its own.
 
 #include <ros/init.h>
-#include <ros/master.h>
 #include <ros/this_node.h>
-#include <signal.h>
 
 #include <QApplication>
-#include <QLabel>
 #include <QMainWindow>
 #include <QScreen>
 #include <QTimer>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
-#include <thread>
 
 #include "node/node.h"
 #include "remote_control/remote_control.h"
@@ -39,48 +34,24 @@ void endWithoutDisplay(QtMsgType type, const QMessageLogContext& /*context*/, co
 /// @return the exit status
 int showWindow(QApplication* application) {
   using namespace aibo_driver::remote_control;
-  constexpr int kLookForCtrlC = 100;  // ms
-  constexpr int kQuickStart = 500;    // ms
-  std::unique_ptr<RosRobot> robot;
-  QMainWindow window;  // ends before the robot
+  RosRobot robot;
+  QMainWindow window;
   window.setWindowTitle("Aibo");
   window.resize(QSize(480, 780).boundedTo(QGuiApplication::primaryScreen()->availableSize()));
-  auto* waiting = new QLabel("The ROS master at " + QString::fromStdString(ros::master::getURI()) +
-                             " does not answer: is roscore running? This window waits for it.");
-  waiting->setTextFormat(Qt::PlainText);
-  waiting->setMargin(20);
-  waiting->setWordWrap(true);
-  waiting->setAlignment(Qt::AlignCenter);
-  window.setCentralWidget(waiting);
-  QTimer::singleShot(kQuickStart, &window, &QWidget::show);
-  // ros::start() returns when the master has answered. Nothing can interrupt it if the master hangs.
-  std::thread([application, &robot, &window] {
-    ros::start();
-    const auto use_ros = [&robot, &window] {
-      if (!ros::ok()) {
-        return;
-      }
-      robot = std::make_unique<RosRobot>();
-      auto* control = new RemoteControl(*robot);
-      const QString name_space = QString::fromStdString(ros::this_node::getNamespace());
-      control->useDriver(name_space == "/" ? QString() : name_space);
-      window.setCentralWidget(control);
-      window.show();
-    };
-    QMetaObject::invokeMethod(application, use_ros);
-  }).detach();
+  auto* control = new RemoteControl(robot);
+  const QString name_space = QString::fromStdString(ros::this_node::getNamespace());
+  control->useDriver(name_space == "/" ? QString() : name_space);
+  window.setCentralWidget(control);
+  window.show();
   QTimer timer;
-  QObject::connect(&timer, &QTimer::timeout, application, [application] {
+  QObject::connect(&timer, &QTimer::timeout, application, [] {
     if (ros::isShuttingDown()) {
-      application->quit();
+      QApplication::quit();
     }
   });
+  constexpr int kLookForCtrlC = 100;  // ms
   timer.start(kLookForCtrlC);
-  const int status = QApplication::exec();
-  if (!robot) {
-    std::_Exit(status);  // the thread may still wait
-  }
-  return status;
+  return QApplication::exec();
 }
 
 }  // namespace

@@ -1,8 +1,10 @@
 #include "remote_control/camera_page.h"
 
+#include <QDesktopServices>
 #include <QGridLayout>
 #include <QPixmap>
 #include <QStandardPaths>
+#include <QUrl>
 
 namespace aibo_driver::remote_control {
 namespace {
@@ -40,7 +42,7 @@ CameraPage::CameraPage(Robot& robot, QWidget* parent)
   grid->addWidget(settings_, 2, 0, 1, 2);
   grid->setRowStretch(3, 1);
   setFolder(folder_);
-  connect(thumbnail_, &QPushButton::clicked, this, [this] { Q_EMIT opened(taken_); });
+  connect(thumbnail_, &QPushButton::clicked, this, [this] { QDesktopServices::openUrl(QUrl::fromLocalFile(taken_)); });
   connect(folder_button_, &QPushButton::clicked, this, &CameraPage::chooseFolder);
   connect(settings_, &SettingsForm::changed, &robot, &Robot::changeSetting);
   connect(&robot, &Robot::settingsDescribed, settings_, &SettingsForm::describe);

@@ -31,9 +31,6 @@ class CameraPage : public Page {
   /// Emitted when somebody has chosen another folder.
   void folderChanged();
 
-  /// Emitted when somebody wants to see a picture that was taken.
-  void opened(const QString& path);
-
  private:
   void connectionChanged(const RobotConnection& connection) override;
   void showTaken(const QImage& picture, const QString& path);

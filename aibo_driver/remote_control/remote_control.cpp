@@ -3,7 +3,6 @@
 #include <QAbstractItemView>
 #include <QAbstractSpinBox>
 #include <QComboBox>
-#include <QDesktopServices>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -12,7 +11,6 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTime>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include "remote_control/axis_pad.h"
@@ -165,8 +163,6 @@ void RemoteControl::connectSignals() {
   connect(picture_, &PictureView::clicked, this, &RemoteControl::lookAt);
   connect(picture_, &PictureView::visibilityChanged, this, &RemoteControl::askForWhatIsVisible);
   connect(camera_page_, &CameraPage::folderChanged, this, &RemoteControl::changed);
-  connect(camera_page_, &CameraPage::opened, this,
-          [](const QString& path) { QDesktopServices::openUrl(QUrl::fromLocalFile(path)); });
   connect(connection_bar_, &ConnectionBar::chosen, this, [this](const QString& name_space) {
     useDriver(name_space);
     Q_EMIT changed();

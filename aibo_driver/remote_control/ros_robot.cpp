@@ -7,6 +7,8 @@
 #include <aibo_driver/StopMotion.h>
 #include <aibo_driver/TakePicture.h>
 #include <dynamic_reconfigure/Reconfigure.h>
+#include <ros/init.h>
+#include <ros/master.h>
 #include <ros/names.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -22,8 +24,6 @@
 
 namespace aibo_driver::remote_control {
 namespace {
-
-constexpr const char* kNoMasterText = "the ROS master does not answer: is roscore running?";
 
 constexpr std::chrono::milliseconds kSearchPeriod{2000};
 
@@ -52,6 +52,10 @@ RobotConnection::State toState(std::uint8_t state) {
     default:
       return RobotConnection::State::kDisconnected;
   }
+}
+
+QString noMasterText() {
+  return "the ROS master at " + QString::fromStdString(ros::master::getURI()) + " does not answer: is roscore running?";
 }
 
 QString noDriverText(const QString& name_space) {
@@ -94,6 +98,9 @@ void RosRobot::manageTopics() {
       next_search = std::chrono::steady_clock::now() + kSearchPeriod;
     }
     if (master_answers_) {  // otherwise roscpp would wait until it answers
+      if (!ros::isStarted()) {
+        ros::start();
+      }
       const std::string chosen = wishes.name_space.empty() ? findDriver() : wishes.name_space;
       if (chosen != name_space_) {
         useTopicsOf(chosen);
@@ -180,7 +187,7 @@ RobotConnection RosRobot::connectionNow() const {
   }
   if (!topics_ || !topics_->isHeard() || !message) {
     now.state = master_answers_ ? RobotConnection::State::kNoDriver : RobotConnection::State::kNoMaster;
-    now.text = master_answers_ ? noDriverText(now.name_space) : QString(kNoMasterText);
+    now.text = master_answers_ ? noDriverText(now.name_space) : noMasterText();
     return now;
   }
   now.state = toState(message->state);
@@ -188,7 +195,7 @@ RobotConnection RosRobot::connectionNow() const {
   now.address = fromRos(aibo_client::addressText(message->host, message->port));
   now.protocol_version = message->protocol_version;
   now.master_answers = master_answers_;
-  now.text = fromRos(message->text) + (master_answers_ ? QString() : QString("; ") + kNoMasterText);
+  now.text = fromRos(message->text) + (master_answers_ ? QString() : "; " + noMasterText());
   return now;
 }
 

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <string>
 #include <thread>
@@ -25,7 +26,7 @@ class RosRobot : public Robot {
   Q_OBJECT
 
  public:
-  /// Call ros::init() before.
+  /// Call ros::init() before. ros::start() is called when the ROS master answers.
   explicit RosRobot(QObject* parent = nullptr);
 
   /// Ends the calls that are still running.

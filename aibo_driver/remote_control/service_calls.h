@@ -40,7 +40,7 @@ class ServiceCalls {
       ros::ServiceClient client;
       if (node::isAdvertised(name)) {       // otherwise roscpp would wait for a master that hangs
         constexpr bool kPersistent = true;  // another thread can end only such a connection
-        client = handle_.serviceClient<Service>(name, kPersistent);
+        client = ros::NodeHandle().serviceClient<Service>(name, kPersistent);
       }
       const bool answered = publishClient(call, client) && client.call(request, response);
       if (!isEnding()) {
@@ -65,7 +65,6 @@ class ServiceCalls {
   bool isEnding();
 
   std::mutex mutex_;
-  ros::NodeHandle handle_;
   std::list<Call> calls_;
   bool is_ending_ = false;
 };

@@ -318,7 +318,7 @@ TEST(RemoteControlRos, WaitsForADriverThatHasNotBeenHeardAndForTheMaster) {
   EXPECT_TRUE(user.waitForText("connection", "waiting for the driver in /later: is it running?"));
   master->setWelcome(test_support::Welcome::kReset);
   master->endConnections(test_support::Action::kReset);
-  EXPECT_TRUE(user.waitForText("connection", "the ROS master does not answer: is roscore running?"));
+  EXPECT_TRUE(user.waitForText("connection", "does not answer: is roscore running?"));
   master->heal();
   const ros::Publisher driver = ros::NodeHandle("/later").advertise<Connection>("connection", 1, true);
   Connection heard;
