@@ -2,29 +2,23 @@
 #ifndef AIBO_DRIVER_COMMAND_LINE_COMMAND_H
 #define AIBO_DRIVER_COMMAND_LINE_COMMAND_H
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "aibo_client/exceptions.h"
 #include "command_line/output.h"
 #include "command_line/robot.h"
 
 namespace aibo_driver::command_line {
 
-/// The exit status of the program. docs/command_line.md and the manual describe the values for scripts. After Ctrl-C it
+/// The exit status of the program. docs/command_line.md describes the values for scripts. After Ctrl-C it
 /// is 128 + the signal.
 enum ExitStatus {
   kDone = 0,
   kFailed = 1,       ///< the robot refused, or did not do what it was told; or a file could not be read or written
   kWrongUsage = 2,   ///< wrong arguments
   kUnreachable = 3,  ///< no connection to the robot, or it was lost
-};
-
-/// Thrown if the command was carried out but did not succeed.
-class FailedException : public aibo_client::Exception {
- public:
-  using Exception::Exception;
 };
 
 /// The words that the user typed behind the name of a command, and the options for all commands.
@@ -58,7 +52,7 @@ struct Example {
   std::string effect;
 };
 
-/// A command. Help, manual, completion and the parser of arguments all use this description.
+/// A command. The help and the parser of arguments both use this description.
 struct Command {
   std::string name;
   /// The command's words, such as "FILE [NAME]" or "JOINT=ANGLE..."; empty if it has none. The parser allows as many
@@ -67,9 +61,8 @@ struct Command {
   std::string summary;  ///< a few words
   std::string details;  ///< whole sentences
   std::vector<Example> examples;
-  ExitStatus (*run)(const Arguments& arguments, Output& output);
-  std::vector<Option> options = {};           ///< the command's own options
-  std::vector<std::string> completions = {};  ///< completions of its words; "FILE" stands for files
+  std::function<ExitStatus(const Arguments& arguments, Output& output)> run;
+  std::vector<Option> options = {};  ///< the command's own options
 };
 
 /// All commands, in the order of the help.

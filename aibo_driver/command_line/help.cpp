@@ -49,7 +49,7 @@ const std::vector<Option>& commonOptions() {
       {"port", "N", "54321", "its RCServer's port"},
       {"timeout", "S", "5", "longest time to wait for the connection, 0.1 to 60"},
       {"json", "", "", "results for scripts, as JSON"},
-      {"help", "", "", "explains a command"},
+      {"help,h", "", "", "explains a command"},
       {"version", "", "", "shows the version of this program"}};
   return options;
 }
@@ -80,9 +80,7 @@ std::string generalHelp() {
   }
   std::ostringstream options;
   options << describe(kCommonTitle, commonOptions());
-  return text + "\n" + options.str() +
-         "\n`aibo help COMMAND` explains a command, with examples.\n`source <(aibo completion)` lets bash complete "
-         "them. `aibo manual | man -l -` is the manual.";
+  return text + "\n" + options.str() + "\n`aibo help COMMAND` explains a command, with examples.";
 }
 
 std::string helpOf(const Command& command) {

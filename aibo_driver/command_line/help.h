@@ -1,5 +1,5 @@
 /// @file help.h
-/// The program's help, manual and completion. All of them are made from the table of commands, so they cannot differ.
+/// The program's help. It is made from the table of commands, as the parser is.
 #ifndef AIBO_DRIVER_COMMAND_LINE_HELP_H
 #define AIBO_DRIVER_COMMAND_LINE_HELP_H
 
@@ -24,8 +24,7 @@ std::string generalHelp();
 /// Describes one command in full.
 std::string helpOf(const Command& command);
 
-std::vector<Command> helpCommands();    ///< help
-std::vector<Command> manualCommands();  ///< manual (in roff) and completion (a script for bash)
+std::vector<Command> helpCommands();  ///< help
 
 }  // namespace aibo_driver::command_line
 

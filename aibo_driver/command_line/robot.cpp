@@ -6,12 +6,14 @@
 
 #include "aibo_client/exceptions.h"
 #include "command_line/interruption.h"
+#include "command_line/quantities.h"
 
 namespace aibo_driver::command_line {
 
 using aibo_client::ClientOptions;
 using aibo_client::ConnectionState;
 using aibo_client::ConnectionStatus;
+using aibo_client::EndedHow;
 using aibo_client::FaultKind;
 using aibo_client::LogLevel;
 using aibo_client::RcServerClient;
@@ -36,6 +38,26 @@ ClientOptions optionsFor(const RobotAddress& address, ClientOptions options) {
 
 std::string wordsOf(const aibo_client::Refusal& refusal) {
   return (refusal.cause == RefusalCause::kRobot ? "the robot refused: " : "") + refusal.reason;
+}
+
+const char* wordsOf(EndedHow how) {
+  switch (how) {
+    case EndedHow::kDone:
+      return "was done";
+    case EndedHow::kReplaced:
+      return "was replaced";
+    case EndedHow::kStopped:
+      return "was stopped";
+    case EndedHow::kRefused:
+      return "could not go on";
+    case EndedHow::kFell:
+      return "ended because the robot fell or was lifted";
+    case EndedHow::kUnknown:
+    case EndedHow::kNotReached:
+    case EndedHow::kLost:
+      break;
+  }
+  return "ended in a way that this program does not know";
 }
 
 /// Limits something that a robot can send endlessly. The newest items are kept.
@@ -155,6 +177,17 @@ bool Robot::waitUnlessRefused(const std::function<bool(const Received&)>& done, 
   return in_time;
 }
 
+std::optional<std::string> Robot::waitForEnd(const std::string& name, double seconds) {
+  if (!waitUntil([](const Received& received) { return received.end.has_value(); }, nanosecondsOf(seconds))) {
+    return std::nullopt;
+  }
+  const aibo_client::ActivityEnd end = *received().end;
+  if (end.how != EndedHow::kDone) {
+    throw FailedException(name + " " + wordsOf(end.how) + (end.reason.empty() ? "" : ": " + end.reason));
+  }
+  return end.reason;
+}
+
 aibo_client::Callbacks Robot::callbacks() {
   aibo_client::Callbacks callbacks;
   callbacks.on_status = [this](const ConnectionStatus& status) { noteStatus(status); };
@@ -172,7 +205,11 @@ aibo_client::Callbacks Robot::callbacks() {
   };
   callbacks.on_refused = [this](const aibo_client::Refusal& refusal) { noteRefusal(refusal); };
   callbacks.on_ended = [this](const aibo_client::ActivityEnd& end) {
-    change([&] { keep(end, kMostEnds, &received_.ends); });
+    change([&] {
+      if (end.order == kOrder && !received_.end) {
+        received_.end = end;
+      }
+    });
   };
   callbacks.on_heard = [this](const aibo_client::HeardSound& sound) {
     change([&] { keep(sound, kMostSounds, &received_.sounds); });
@@ -233,12 +270,13 @@ void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   });
 }
 
-// The refusal of a motion or posture is the exception of its call. What was replaced before it was sent was replaced by
-// this program.
+// The refusal of a motion or posture is the exception of its call. What was replaced or stopped before it was sent was
+// replaced or stopped by this program.
 void Robot::noteRefusal(const aibo_client::Refusal& refusal) {
   const bool has_a_call = refusal.request == RefusedRequest::kMotion || refusal.request == RefusedRequest::kPosture;
+  const bool is_ours = refusal.cause == RefusalCause::kReplaced || refusal.cause == RefusalCause::kStopped;
   change([&] {
-    if (!has_a_call && refusal.cause != RefusalCause::kReplaced && !received_.refusal) {
+    if (!has_a_call && !is_ours && !received_.refusal) {
       received_.refusal = wordsOf(refusal);
     }
   });

@@ -21,6 +21,12 @@
 
 namespace aibo_driver::command_line {
 
+/// Thrown if a command was carried out but did not succeed.
+class FailedException : public aibo_client::Exception {
+ public:
+  using Exception::Exception;
+};
+
 /// The address of a robot.
 struct RobotAddress {
   std::string host = "127.0.0.1";
@@ -45,7 +51,7 @@ struct Received {
   std::map<int, double> accepted_joints;              ///< rad, by identifier
   std::optional<aibo_client::WalkVelocity> velocity;  ///< that of the walk, within the robot's limits; the latest but 0
   std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
-  std::deque<aibo_client::ActivityEnd> ends;          ///< the newest kMostEnds
+  std::optional<aibo_client::ActivityEnd> end;          ///< that of the command's order; empty while it has not ended
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet
   std::uint64_t lost_pictures = 0;                    ///< pictures that nobody took in time
@@ -57,7 +63,6 @@ struct Received {
 class Robot {
  public:
   static constexpr std::size_t kMostPictures = 64;
-  static constexpr std::size_t kMostEnds = 64;
   static constexpr std::size_t kMostSounds = 256;             ///< about 4 s
   static constexpr int kTelemetryPeriod = 4;                  ///< frames
   static constexpr std::uint64_t kOrder = 1;                  ///< the number of a command's order
@@ -111,6 +116,14 @@ class Robot {
   /// Waits like waitUntil() after an order that no call waits for.
   /// @throw CommandException the order was refused
   bool waitUnlessRefused(const std::function<bool(const Received&)>& done, std::chrono::nanoseconds timeout);
+
+  /// Waits until the robot reports the end of the command's order.
+  /// @param name what was ordered, for messages
+  /// @param seconds the longest time to wait
+  /// @return what the robot has said about its end, usually nothing; none if it has not ended within this time
+  /// @throw FailedException it ended in another way; the message says so
+  /// @throw NetworkException, Interrupted for the reasons of waitUntil()
+  std::optional<std::string> waitForEnd(const std::string& name, double seconds);
 
   /// Shows the user the client's warnings, and an order's refusal that nobody waited for, since the last call. The
   /// destructor does so, too.

@@ -71,51 +71,16 @@ ExitStatus showSensors(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-ExitStatus showBattery(const Arguments& arguments, Output& output) {
-  Robot robot(arguments.robot, output);
-  robot.connect();
-  const robot_model::RobotModel& model = robot.model();
-  const int charge_at = robot_model::findSensorByName(model, "battery");
-  const int temperature_at = robot_model::findSensorByName(model, "temperature");
-  if (charge_at == robot_model::NO_SENSOR || temperature_at == robot_model::NO_SENSOR) {
-    throw FailedException(std::string("the ") + model.design +
-                          " does not report how full its battery is: `aibo sensors` shows what it measures");
-  }
-  const int charge_id = model.sensors[charge_at].identifier;
-  const int temperature_id = model.sensors[temperature_at].identifier;
-  robot.client().setTelemetryPeriod(Robot::kTelemetryPeriod);
-  const bool measured = robot.waitUntil(
-      [&](const Received& received) {
-        return received.sensors.count(charge_id) > 0 && received.sensors.count(temperature_id) > 0;
-      },
-      Robot::kMeasureTimeout);
-  if (!measured) {
-    throw FailedException("the robot does not report its battery: does its server support sensors?");
-  }
-  const std::map<int, double> sensors = robot.received().sensors;
-  const double charge = sensors.at(charge_id);
-  const double temperature = sensors.at(temperature_id);
-  char words[128];
-  std::snprintf(words, sizeof words, "%.0f %% charged, %.0f degrees Celsius", 100 * charge, temperature);
-  output.result(words, Json::object({{"charge", charge}, {"temperature", temperature}}));
-  return kDone;
-}
-
 }  // namespace
 
 std::vector<Command> bodyCommands() {
   return {{"sensors",
            "",
            "shows what the sensors measure",
-           "It shows distances, accelerations, buttons, touch and the battery. A server of version 1 takes a second.",
+           "It shows distances, accelerations, buttons, touch and the battery, whose charge goes from 0 to 1. A server "
+           "of version 1 takes a second.",
            {{"sensors", "one line a sensor"}, {"--json sensors", "the same for scripts"}},
-           showSensors},
-          {"battery",
-           "",
-           "shows how full and how warm the battery is",
-           "The charge goes from 0 to 1 in JSON.",
-           {{"battery", "such as 87 % charged, 29 degrees Celsius"}},
-           showBattery}};
+           showSensors}};
 }
 
 }  // namespace aibo_driver::command_line

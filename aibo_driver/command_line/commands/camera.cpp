@@ -2,7 +2,6 @@
 #include <chrono>
 #include <cstdio>
 #include <ctime>
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +11,6 @@
 #include "command_line/commands/commands.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
-#include "command_line/stream_report.h"
-#include "files/files.h"
 
 namespace aibo_driver::command_line {
 
@@ -146,50 +143,16 @@ ExitStatus picture(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-/// The place where the pictures of `watch` go.
-class Album {
- public:
-  Album(const Arguments& arguments, Output& output) : output_(output), plays_(arguments.has("play")) {
-    if (arguments.has("save")) {
-      folder_ = arguments.get("save");
-      if (!std::filesystem::is_directory(folder_)) {
-        throw files::FileException("cannot save to '" + folder_ + "': there is no such folder; make it first");
-      }
-      prefix_ = "aibo-" + timeInName() + "-";
-    }
-    if (plays_) {
-      output_.leaveStandardOutputToBytes();
-    }
-  }
-
-  void add(const aibo_client::Picture& picture) {
-    if (plays_) {
-      output_.bytes(picture.jpeg);
-    }
-    if (!folder_.empty()) {
-      char number[32];
-      std::snprintf(number, sizeof number, "%06llu.jpg", ++saved_);
-      output_.picture((std::filesystem::path(folder_) / (prefix_ + number)).string(), picture.jpeg);
-    }
-  }
-
-  unsigned long long saved() const { return saved_; }
-
- private:
-  Output& output_;
-  const bool plays_;
-  std::string folder_;
-  std::string prefix_;
-  unsigned long long saved_ = 0;
-};
-
 /// Takes the stream's pictures until a point in time.
-void takeUntil(Robot& robot, LinkMeter& meter, int every, Album& album, steady_clock::time_point end) {
+/// @param player gets the pictures; may be null
+void takeUntil(Robot& robot, LinkMeter& meter, int every, Output* player, steady_clock::time_point end) {
   const auto has_pictures = [](const Received& received) { return !received.pictures.empty(); };
   while (robot.waitUntil(has_pictures, end - steady_clock::now(), Robot::Loss::kIsTolerated)) {
     for (const ArrivedPicture& arrived : robot.takePictures()) {
       meter.add(*arrived.picture, arrived.age, every, arrived.time);
-      album.add(*arrived.picture);
+      if (player != nullptr) {
+        player->bytes(arrived.picture->jpeg);
+      }
     }
   }
 }
@@ -208,7 +171,10 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
   const int every = arguments.wholeNumber("every", 1, 65535);
   const aibo_client::StreamFormat format{resolutionIn(arguments), every};
   const std::optional<CameraSettings> settings = cameraSettingsIn(arguments);
-  Album album(arguments, output);
+  const bool plays = arguments.has("play");
+  if (plays) {
+    output.leaveStandardOutputToBytes();
+  }
   Robot robot(arguments.robot, output, clientOptionsIn(arguments));
   robot.client().setStreamFormat(format);
   if (settings) {
@@ -221,7 +187,7 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
     const steady_clock::time_point begin = steady_clock::now();
     for (double second = 0; seconds == 0 || second < seconds;) {
       second = seconds == 0 ? second + 1 : std::min(second + 1, seconds);
-      takeUntil(robot, meter, every, album, begin + nanosecondsOf(second));
+      takeUntil(robot, meter, every, plays ? &output : nullptr, begin + nanosecondsOf(second));
       robot.showWarnings();
       reportSecond(robot, meter, output);
     }
@@ -232,13 +198,38 @@ ExitStatus watch(const Arguments& arguments, Output& output) {
   if (lost > 0) {
     output.note("This computer was too slow for " + counted(lost, "picture") + ".");
   }
-  if (album.saved() > 0) {
-    output.note("Saved " + counted(album.saved(), "picture") + ".");
-  }
   return kDone;
 }
 
 }  // namespace
+
+std::string wordsOf(const LinkMeter::Reading& reading) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%5.1f pictures/s %6.1f KB/s", reading.picturesPerSecond(),
+                reading.kilobytesPerSecond());
+  std::string words = text;
+  if (reading.mean_age) {
+    std::snprintf(text, sizeof text, "   age %3.0f ms (worst %3.0f)", 1000 * *reading.mean_age,
+                  1000 * *reading.worst_age);
+    words += text;
+  }
+  if (reading.loss) {
+    std::snprintf(text, sizeof text, "   loss %.1f %%", 100 * *reading.loss);
+    words += text;
+  }
+  return words;
+}
+
+Json jsonOf(const LinkMeter::Reading& reading) {
+  return Json::object({{"seconds", reading.seconds},
+                       {"pictures", reading.pictures},
+                       {"bytes", reading.bytes},
+                       {"pictures_per_second", reading.picturesPerSecond()},
+                       {"age", reading.mean_age},
+                       {"worst_age", reading.worst_age},
+                       {"loss", reading.loss},
+                       {"longest_gap", reading.longest_gap}});
+}
 
 std::vector<Command> cameraCommands() {
   return {
@@ -260,12 +251,11 @@ std::vector<Command> cameraCommands() {
        "version 1 tells neither. A lost connection is made again. With --json, each second is a document in a line of "
        "its own.",
        {{"watch", "pictures a second, data rate, age, loss"},
-        {"watch --save pictures --seconds 10", "saves each picture in the folder `pictures`"},
-        {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"}},
+        {"watch --play | ffplay -f mjpeg -i -", "shows the stream; or: | mpv -"},
+        {"watch --play | ffmpeg -f mjpeg -i - -c copy %06d.jpg", "saves each picture in a file"}},
        watch,
        withCameraOptions(
            {{"seconds", "S", "0", "how long to watch; 0: until Ctrl-C"},
-            {"save", "FOLDER", "", "saves each picture in this folder"},
             {"play", "", "",
              "writes the pictures (MJPEG) to the standard output, and the figures to the standard error output"},
             {"every", "N", "1", "every n-th image of the camera"}})}};

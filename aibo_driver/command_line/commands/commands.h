@@ -1,15 +1,18 @@
 /// @file commands.h
-/// The commands that talk to a robot, a function for each source file. command.h says what a command is.
+/// The commands that talk to a robot, a function for each source file, and what several of them print. command.h says
+/// what a command is.
 #ifndef AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
 #define AIBO_DRIVER_COMMAND_LINE_COMMANDS_COMMANDS_H
 
+#include <string>
 #include <vector>
 
 #include "command_line/command.h"
+#include "camera/link_meter.h"
 
 namespace aibo_driver::command_line {
 
-std::vector<Command> bodyCommands();         ///< sensors, battery
+std::vector<Command> bodyCommands();         ///< sensors
 std::vector<Command> cameraCommands();       ///< picture, watch
 std::vector<Command> doctorCommands();       ///< doctor
 std::vector<Command> jointCommands();        ///< joints, move
@@ -18,6 +21,11 @@ std::vector<Command> memoryStickCommands();  ///< snap, pictures, fetch, delete
 std::vector<Command> motionCommands();       ///< motions, play, upload
 std::vector<Command> powerCommands();        ///< motors, stop
 std::vector<Command> soundCommands();        ///< listen, play-sound, say
+
+/// Describes how pictures come in one line: pictures a second, data rate, age, loss.
+std::string wordsOf(const camera::LinkMeter::Reading& reading);
+
+Json jsonOf(const camera::LinkMeter::Reading& reading);
 
 }  // namespace aibo_driver::command_line
 

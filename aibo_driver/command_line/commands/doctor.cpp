@@ -1,21 +1,14 @@
-#include <netdb.h>
-#include <sys/socket.h>
-
-#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "client/fault.h"
 #include "client/tcp_transport.h"
 #include "command_line/commands/commands.h"
-#include "command_line/local_clients.h"
 #include "command_line/quantities.h"
-#include "command_line/stream_report.h"
-#include "text/number.h"
 
 namespace aibo_driver::command_line {
 
@@ -35,7 +28,7 @@ constexpr double kLongGap = 0.5;        // s, between two pictures
 constexpr double kLowCharge = 0.2;      // the driver's diagnostics have the same limit
 constexpr double kBatteryPatience = 3;  // s
 constexpr char kWlanSwitch[] =
-    " If the robot was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
+    "If the robot was never in this WLAN: is its switch WIRELESS, under the stomach cover, on? Press the pause "
     "button, and wait until the robot has stopped, before you set it.";
 
 /// One line of the report.
@@ -46,35 +39,6 @@ struct Finding {
   std::string advice;  ///< what to do; empty if all is well
 };
 
-/// The result of looking up the robot's name. The lookup runs on a thread that may be left behind.
-struct Lookup {
-  std::string address;
-  double seconds = 0;
-};
-
-double secondsSince(steady_clock::time_point begin) {
-  return std::chrono::duration<double>(steady_clock::now() - begin).count();
-}
-
-std::string inMilliseconds(double seconds) {
-  return text::decimal(1000 * seconds, 1) + " ms";
-}
-
-std::string numericAddress(const aibo_client::SocketAddress& address) {
-  char host[NI_MAXHOST] = "";
-  ::getnameinfo(reinterpret_cast<const sockaddr*>(&address.storage), address.size, host, sizeof host, nullptr, 0,
-                NI_NUMERICHOST);
-  return host;
-}
-
-/// The robot's own among the addresses of its name, or empty. OPEN-R's IPStack knows only IPv4, but a name may have
-/// another address as well: by Debian's /etc/hosts, localhost is ::1, too.
-std::string robotsAddress(const std::vector<aibo_client::SocketAddress>& addresses) {
-  const auto found = std::find_if(addresses.begin(), addresses.end(),
-                                  [](const auto& each) { return each.storage.ss_family == AF_INET; });
-  return addresses.empty() ? "" : numericAddress(found == addresses.end() ? addresses.front() : *found);
-}
-
 /// Checks one thing after the other, until a problem makes the next check impossible.
 class Doctor {
  public:
@@ -82,7 +46,7 @@ class Doctor {
       : address_(address), seconds_(seconds), output_(output) {}
 
   ExitStatus run() {
-    const bool reachable = checkPort() && checkServer();
+    const bool reachable = checkServer();
     conclude();
     return !reachable ? kUnreachable : problems_ > 0 ? kFailed : kDone;
   }
@@ -99,59 +63,55 @@ class Doctor {
     }
   }
 
-  /// @return false if no program listens there
-  bool checkPort() {
-    const auto lookup = std::make_shared<Lookup>();
-    aibo_client::TcpTransport transport([lookup](const std::string& host, int port) {
-      const steady_clock::time_point begin = steady_clock::now();
-      aibo_client::NameLookupResult result = aibo_client::resolveWithSystem(host, port);
-      lookup->seconds = secondsSince(begin);
-      lookup->address = robotsAddress(result.addresses);
-      return result;
-    });
-    const steady_clock::time_point begin = steady_clock::now();
-    const std::string port = "port " + std::to_string(address_.port);
+  /// @return false if the robot does not serve this client
+  bool checkServer() {
+    Robot robot(address_, output_);
     try {
-      transport.connect(address_.host, address_.port, begin + address_.timeout);
-      const double seconds = secondsSince(begin);
-      findName(*lookup);
-      find({"port", true, port + " answers in " + inMilliseconds(seconds - lookup->seconds), ""});
+      robot.connect();
+      checkVersion(robot);
+      checkBattery(robot);
+      checkStream(robot);
       return true;
-    } catch (const aibo_client::Fault& fault) {
-      if (fault.kind() == FaultKind::kNameNotFound) {
-        find({"name", false, fault.what(), fault.advice()});
-        return false;
-      }
-      if (fault.kind() != FaultKind::kNoAnswer) {
-        findName(*lookup);
-      }
-      if (fault.kind() == FaultKind::kTurnedAway) {
-        find({"port", true, port + " answers", ""});
-        return true;  // checkServer() will find out more
-      }
-      find({"port", false, fault.what(), adviceFor(fault)});
+    } catch (const aibo_client::NetworkException& error) {
+      find({topicOf(error.kind()), false, error.what(), adviceFor(error.kind())});
       return false;
     }
   }
 
-  void findName(const Lookup& lookup) {
-    numeric_address_ = lookup.address.empty() ? address_.host : lookup.address;
-    if (lookup.address.empty()) {
-      find({"name", true, address_.host + " is an address", ""});
-    } else {
-      find(
-          {"name", true, address_.host + " is " + lookup.address + ", found in " + inMilliseconds(lookup.seconds), ""});
+  static std::string topicOf(FaultKind kind) {
+    switch (kind) {
+      case FaultKind::kNameNotFound:
+        return "name";
+      case FaultKind::kRefused:
+      case FaultKind::kUnreachable:
+      case FaultKind::kNoAnswer:
+        return "port";
+      default:
+        return "server";
     }
   }
 
-  std::string adviceFor(const aibo_client::Fault& fault) {
-    if (fault.kind() == FaultKind::kRefused && consoleAnswers()) {
-      return "The robot's console (port 59000) answers: the robot is on, but RCServer is not running. The console says "
-             "why.";
+  /// What to do beside what the fault says itself.
+  std::string adviceFor(FaultKind kind) {
+    switch (kind) {
+      case FaultKind::kRefused:
+        return consoleAnswers() ? "The robot's console (port 59000) answers: the robot is on, but RCServer is not "
+                                  "running. The console says why."
+                                : "";
+      case FaultKind::kUnreachable:
+      case FaultKind::kNoAnswer:
+        return kWlanSwitch;
+      case FaultKind::kTurnedAway:
+        return "`ss -tp dport = :" + std::to_string(address_.port) +
+               "` lists the programs of this computer that are connected. If there is none, another computer has the "
+               "robot, or this computer's address is not among the ALLOWED_ADDRESSES in RCSERVER.CFG. The robot's "
+               "console (port 59000) says which.";
+      case FaultKind::kClosed:
+      case FaultKind::kSilent:
+        return "Is the robot within reach of its WLAN?";
+      default:
+        return "";
     }
-    const bool nobody_there = fault.kind() == FaultKind::kNoAnswer || fault.kind() == FaultKind::kUnreachable;
-    return fault.advice() + (nobody_there ? kWlanSwitch : "") +
-           (address_.host_is_given ? "" : " Name the robot: aibo doctor HOST.");
   }
 
   bool consoleAnswers() {
@@ -162,36 +122,6 @@ class Doctor {
     } catch (const aibo_client::Fault&) {
       return false;
     }
-  }
-
-  /// @return false if the server does not serve this client
-  bool checkServer() {
-    Robot robot(address_, output_);
-    try {
-      robot.connect();
-      checkVersion(robot);
-      checkBattery(robot);
-      checkStream(robot);
-      return true;
-    } catch (const aibo_client::NetworkException& error) {
-      const bool turned_away = error.kind() == FaultKind::kTurnedAway;
-      find({"server", false, error.what(), turned_away ? whoIsConnected() : "Is the robot within reach of its WLAN?"});
-      return false;
-    }
-  }
-
-  std::string whoIsConnected() const {
-    const std::vector<std::string> clients = localClients(numeric_address_, address_.port);
-    std::string names;
-    for (const std::string& name : clients) {
-      names += (names.empty() ? "" : ", ") + name;
-    }
-    if (!clients.empty()) {
-      return "On this computer, " + names +
-             (clients.size() == 1 ? " is connected to the robot: end it." : " are connected to the robot: end them.");
-    }
-    return "Another computer has the robot, or this computer's address is not among the ALLOWED_ADDRESSES in "
-           "RCSERVER.CFG. The robot's console (port 59000) says which.";
   }
 
   void checkVersion(const Robot& robot) {
@@ -273,7 +203,6 @@ class Doctor {
   const RobotAddress address_;
   const double seconds_;
   Output& output_;
-  std::string numeric_address_;
   std::vector<Json> findings_;
   int problems_ = 0;
   camera::LinkMeter::Reading stream_;
@@ -296,7 +225,7 @@ std::vector<Command> doctorCommands() {
   return {{"doctor",
            "[HOST]",
            "checks the way to a robot, and says what to do",
-           "It checks name, port, server and battery, and then the stream for --seconds. It moves nothing. The exit "
+           "It connects, and checks server and battery, and then the stream for --seconds. It moves nothing. The exit "
            "status is 0 if all is well, 1 if something is bad, 3 if the robot does not serve this computer.",
            {{"doctor 192.168.1.20", "the first thing to run with a new robot"},
             {"--json doctor", "one document, for scripts"}},

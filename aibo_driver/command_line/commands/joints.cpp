@@ -8,7 +8,6 @@
 
 #include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
-#include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "movement/joint_command_filter.h"
@@ -153,7 +152,7 @@ class Mover {
       longest = std::max(longest, std::abs(target(id) - position(id)) / wanted.speed);
     }
     const bool arrived = robot_.reportsEnds()
-                             ? waitForEnd(robot_, "the movement", longest + kMargin).has_value()
+                             ? robot_.waitForEnd("the movement", longest + kMargin).has_value()
                              : waitUntilNear(targets, kThere, longest) || waitUntilNear(targets, kNear, kMargin);
     if (!arrived) {
       throw FailedException("not all joints have arrived in time; `aibo joints` shows where they are");
@@ -269,11 +268,6 @@ ExitStatus showJoints(const Arguments& arguments, Output& output) {
 }  // namespace
 
 std::vector<Command> jointCommands() {
-  std::vector<std::string> joints;
-  const movement::JointTable table("ERS-7", movement::kUsualSpeedLimit);
-  for (const movement::JointProperties& joint : table.joints()) {
-    joints.push_back(joint.name + "=");
-  }
   return {
       {"joints",
        "",
@@ -291,8 +285,7 @@ std::vector<Command> jointCommands() {
         {"move tail_pan=-0.5rad mouth=-20deg --duration 2", "both arrive after 2 s"}},
        moveJoints,
        {{"duration", "S", "", "time after which all arrive together, 0 to 60; longer if the speed does not allow it"},
-        {"speed", "SPEED", "", "greatest speed, such as 60deg/s; at most 171deg/s"}},
-       joints}};
+        {"speed", "SPEED", "", "greatest speed, such as 60deg/s; at most 171deg/s"}}}};
 }
 
 }  // namespace aibo_driver::command_line

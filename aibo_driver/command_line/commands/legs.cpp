@@ -6,7 +6,6 @@
 
 #include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
-#include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "text/number.h"
@@ -64,7 +63,7 @@ void steer(Robot& robot, const WalkVelocity& velocity, double seconds) {
   try {
     do {
       robot.client().steer(velocity, Robot::terms());
-    } while (!robot.waitUnlessRefused(hasEnded,
+    } while (!robot.waitUnlessRefused([](const Received& received) { return received.end.has_value(); },
                                       std::min<std::chrono::nanoseconds>(kSteeringPeriod, end - steady_clock::now())) &&
              steady_clock::now() < end);
   } catch (const Interrupted&) {
@@ -98,7 +97,7 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   if (isOther(in_force, velocity)) {
     output.note("The robot cannot walk with " + wordsOf(velocity) + ": it walks with " + wordsOf(in_force) + ".");
   }
-  if (!waitForEnd(robot, "the walk", kLongestPosture)) {
+  if (!robot.waitForEnd("the walk", kLongestPosture)) {
     throw FailedException("the robot does not say that it stands");
   }
   output.result(
@@ -108,40 +107,27 @@ ExitStatus walk(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
-ExitStatus takePosture(const Arguments& arguments, Output& output, Posture posture, const std::string& name,
-                       const std::string& words) {
-  Robot robot(arguments.robot, output);
-  robot.connect();
-  robot.client().takePosture(posture, Robot::kTimeout, Robot::terms());
-  if (!waitForEnd(robot, name, kLongestPosture)) {
-    throw FailedException("the robot did not take the posture in time");
-  }
-  output.result(words, Json::object({{"posture", name}}));
-  return kDone;
-}
-
-ExitStatus stand(const Arguments& arguments, Output& output) {
-  return takePosture(arguments, output, Posture::kStand, "stand", "The robot stands.");
-}
-
-ExitStatus sit(const Arguments& arguments, Output& output) {
-  return takePosture(arguments, output, Posture::kSit, "sit", "The robot sits.");
-}
-
-ExitStatus rest(const Arguments& arguments, Output& output) {
-  return takePosture(arguments, output, Posture::kRest, "rest", "The robot lies, and its motors are off.");
-}
-
-Command postureCommand(const std::string& name, const std::string& summary,
-                       ExitStatus (*run)(const Arguments& arguments, Output& output)) {
+/// @param motors what happens to the motors, in a sentence
+/// @param done what the user is told at the end
+Command postureCommand(const std::string& name, Posture posture, const std::string& summary, const std::string& motors,
+                       const std::string& done) {
+  const auto take = [=](const Arguments& arguments, Output& output) {
+    Robot robot(arguments.robot, output);
+    robot.connect();
+    robot.client().takePosture(posture, Robot::kTimeout, Robot::terms());
+    if (!robot.waitForEnd(name, kLongestPosture)) {
+      throw FailedException("the robot did not take the posture in time");
+    }
+    output.result(done, Json::object({{"posture", name}}));
+    return kDone;
+  };
   return {name,
           "",
           summary,
-          "It ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. To stand or sit, "
-          "the robot switches its motors on. A server of version 1 has no such request; a motion such as SIT.MTN may "
-          "do.",
+          "The command ends when the robot has taken the posture. Ctrl-C ends it at once, and the joints hold. " +
+              motors + " A server of version 1 has no such request.",
           {{name, summary}},
-          run};
+          take};
 }
 
 }  // namespace
@@ -153,19 +139,19 @@ std::vector<Command> legCommands() {
        "walks for a short time",
        "Speeds need units: m/s, cm/s or mm/s, and deg/s or rad/s for turn; negative ones go back, to the right and "
        "clockwise. The robot keeps to its limits, and the command says with which velocity it walks then. It stands up "
-       "first if it has to, and stands at the end. Ctrl-C stops "
-       "it, and so does a lost connection, within half a second. The robot ends the walk before edges and walls that "
-       "its "
-       "sensors see; backward and sideways, it walks only where it has just walked. The motors have to be on. A server "
+       "first if it has to, and stands at the end. Ctrl-C stops it, and so does a lost connection, within half a "
+       "second. The robot ends the walk before edges and walls that its sensors see; backward and sideways, it walks "
+       "only where it has just walked. The motors have to be on. A server "
        "of version 1 cannot walk.",
        {{"walk forward=5cm/s --seconds 3", "about 15 cm"}, {"walk turn=-20deg/s", "to the right"}},
        walk,
        {{"seconds", "S", "1", "how long, 0.1 to 60"},
-        {"unguarded", "", "", "walk on before edges and walls, and where the robot cannot see"}},
-       {"forward=", "left=", "turn="}},
-      postureCommand("stand", "stands up", stand),
-      postureCommand("sit", "sits down", sit),
-      postureCommand("rest", "lies down and switches the motors off", rest)};
+        {"unguarded", "", "", "walk on before edges and walls, and where the robot cannot see"}}},
+      postureCommand("stand", Posture::kStand, "stands up", "The robot switches its motors on first.",
+                     "The robot stands."),
+      postureCommand("sit", Posture::kSit, "sits down", "The robot switches its motors on first.", "The robot sits."),
+      postureCommand("rest", Posture::kRest, "lies down and switches the motors off",
+                     "The motors are off when the robot lies.", "The robot lies, and its motors are off.")};
 }
 
 }  // namespace aibo_driver::command_line

@@ -7,7 +7,6 @@
 
 #include "aibo_client/exceptions.h"
 #include "command_line/commands/commands.h"
-#include "command_line/commands/ends.h"
 #include "command_line/interruption.h"
 #include "command_line/quantities.h"
 #include "files/files.h"
@@ -36,7 +35,7 @@ std::optional<std::string> waitWhileItPlays(Robot& robot, const std::string& nam
   std::optional<std::string> done;
   try {
     if (robot.reportsEnds()) {
-      done = waitForEnd(robot, name, seconds);
+      done = robot.waitForEnd(name, seconds);
     } else {
       robot.waitUntil([](const Received&) { return false; }, nanosecondsOf(seconds));
     }
@@ -109,11 +108,11 @@ std::vector<Command> motionCommands() {
        "MOTION",
        "plays a motion from the robot's memory stick",
        "It stays connected until the motion has ended, because the robot stops its motions when its client goes; "
-       "Ctrl-C stops it. The motors have to be on. Joints keep to the driver's usual speed limit, 3 rad/s.",
+       "Ctrl-C stops it. The motors have to be on. Joints are as fast as the motion asks for, up to their own limits.",
        {{"play nod", "plays NOD.MTN once"}, {"play wag --times 3", "three times"}},
        play,
        {{"times", "N", "1", "how often, 1 to 65535"},
-        {"speed", "V", "", "limit for all joints, such as 90deg/s"},
+        {"speed", "V", "", "limit for all joints, such as 90deg/s; 5.8deg/s to 1145deg/s"},
         {"seconds", "S", "",
          "longest time to play; the default is to its end, or 10 if the server does not report ends"}}},
       {"upload",
@@ -122,9 +121,7 @@ std::vector<Command> motionCommands() {
        "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
        "motion gets the name of its file: at most eight characters and .MTN.",
        {{"upload wave.mtn", "the robot can now play WAVE.MTN"}},
-       upload,
-       {},
-       {"FILE"}}};
+       upload}};
 }
 
 }  // namespace aibo_driver::command_line

@@ -48,9 +48,7 @@ std::vector<Command> powerCommands() {
        "With the motors off, the joints can be moved by hand, and a robot that stands will fall: hold it. They stay as "
        "they are when the command ends. A server of version 1 has no such request.",
        {{"motors on", "the joints hold where they are"}, {"motors off", "the robot goes limp"}},
-       switchMotors,
-       {},
-       {"on", "off"}},
+       switchMotors},
       {"stop",
        "",
        "stops everything that moves",

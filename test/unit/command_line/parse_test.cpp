@@ -34,9 +34,9 @@ TEST_F(Parse, OptionsMayBeAnywhere) {
   }
   EXPECT_EQ(parse({"joints", "--port", "4"}).arguments.robot.port, 4);
   for (const char* option : {"--host", "--port", "--timeout"}) {
-    EXPECT_EQ(parse({option, "1", "battery"}).command->name, "battery") << option;
-    EXPECT_EQ(parse({std::string(option) + "=1", "battery"}).command->name, "battery") << option;
-    EXPECT_EQ(parse({"battery", option, "1"}).command->name, "battery") << option;
+    EXPECT_EQ(parse({option, "1", "sensors"}).command->name, "sensors") << option;
+    EXPECT_EQ(parse({std::string(option) + "=1", "sensors"}).command->name, "sensors") << option;
+    EXPECT_EQ(parse({"sensors", option, "1"}).command->name, "sensors") << option;
     EXPECT_THROW(parse({option}), aibo_client::InvalidArgumentException) << option;
   }
 }
@@ -83,6 +83,7 @@ TEST_F(Parse, TakesAsManyWordsAsTheSynopsisSays) {
 
 TEST_F(Parse, HelpAndVersionNeedNoArguments) {
   EXPECT_TRUE(parse({"--help"}).help);
+  EXPECT_TRUE(parse({"move", "-h"}).help);
   EXPECT_TRUE(parse({"--version"}).version);
   EXPECT_EQ(parse({"move", "--help"}).command->name, "move");
   EXPECT_TRUE(parse({"move", "--version"}).version);

@@ -1,4 +1,4 @@
-#include "command_line/stream_report.h"
+#include "command_line/commands/commands.h"
 
 #include <gmock/gmock.h>
 
