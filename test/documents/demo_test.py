@@ -16,7 +16,7 @@ DEMO = SCRIPTS / 'demo'
 # Stands for each program that scripts/demo starts. It notes its name, arguments and environment, and then does what
 # PLAY says for this name: Python statements.
 PROGRAM = '''#!/usr/bin/python3
-import json, os, signal, socket, subprocess, sys, time
+import json, os, signal, subprocess, sys, time
 from pathlib import Path
 name, home = os.path.basename(sys.argv[0]), Path(%(home)r)
 with open(home / 'log', 'a') as log:
@@ -28,12 +28,13 @@ exec((home / 'plays' / name).read_text())
 PLAYS = {
     'install_dependencies': '',
     'build': '',
-    # roslaunch is a master, prints what its nodes say, and ends at Ctrl-C.
+    # roslaunch says which nodes there are and which it has started, prints what they say, and ends at Ctrl-C.
     'roslaunch': '''
 signal.signal(signal.SIGINT, lambda *_: ((home / 'interrupted').touch(), sys.exit(0)))
+print('NODES\\n  /\\n    aibo_rcserver (aibo_driver/aibo_rcserver)\\n  /aibo/\\n    aibo_driver (aibo_driver/aibo_driver_node)')
+for name in ('master', 'rosout-1', 'aibo_rcserver-2', 'aibo_driver-3'):
+    print('process[' + name + ']: started with pid [1]')
 print('a node says something', flush=True)
-master = [word[7:] for word in sys.argv if word.startswith('--port=')]
-listener = socket.create_server(('127.0.0.1', int(master[0]))) if master else None
 while True:
     signal.pause()
 ''',
@@ -181,7 +182,7 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(self.started('rosservice')[1].get('ROS_NAMESPACE'), None)
         self.assertEqual(self.started('rosservice')[0][0][:2], ['call', '/aibo/take_picture'])
         self.assertIn(f'take_picture saved {self.place}/picture.jpg: 1234 bytes\n', out)
-        for words in ('Starting the simulated ERS-7', environment['ROS_MASTER_URI'], 'Stopping\n'):
+        for words in ('Starting the simulated ERS-7', environment['ROS_MASTER_URI'], 'Start: 2 nodes in', 'Stopping\n'):
             self.assertIn(words, out)
         self.assertTrue((self.home / 'interrupted').exists())
 
@@ -246,7 +247,8 @@ class StepsTest(unittest.TestCase):
         self.assertIn('no such file\n', errors)
         self.assertIn('roslaunch did not start', errors)
         self.assertNotIn('wait_for_end', self.waits(), 'nothing has to be waited for')
-        self.play('roslaunch', PLAYS['roslaunch'].replace('while True:\n    signal.pause()', 'listener.accept()[0].recv(1)'))
+        self.play('roslaunch', PLAYS['roslaunch'].replace(
+            'while True:\n    signal.pause()', "while 'rosservice' not in (home / 'log').read_text():\n    time.sleep(0.02)"))
         self.assertIn('the nodes did not start, or stopped by themselves', self.demo(status=1))
         self.play('build', 'sys.exit(1)')
         (self.home / 'log').unlink()
