@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 from .objects import SOURCES
-from .problem import Problem
+from . import Problem
 
 RUNTIME = SOURCES / "memory_stick" / "debian"
 PREFIX = "mipsel-linux-gnu-"
@@ -36,7 +36,7 @@ esac
 """
 
 LINKER = """#!/bin/sh
-exec {python} -B {link} "$@"
+PYTHONPATH={scripts} exec {python} -B -m stick.link "$@"
 """
 
 
@@ -75,7 +75,7 @@ def _make_programs(sdk, tools):
     # There is nothing to strip: link.py leaves symbols out. GNU ld itself refuses undefined ones.
     for name, program in (("ar", PREFIX + "ar"), ("readelf", PREFIX + "readelf"), ("nm", "true"), ("strip", "true")):
         (tools / "bin" / ("mipsel-linux-" + name)).symlink_to(shutil.which(program))
-    _write_program(tools / "bin/ld", LINKER.format(python=sys.executable, link=Path(__file__).with_name("link.py")))
+    _write_program(tools / "bin/ld", LINKER.format(scripts=Path(__file__).parents[1], python=sys.executable))
 
 
 def _write_program(path, text):

@@ -8,9 +8,8 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-from . import sdk as sony
+from . import Problem, raise_any, sdk as sony
 from .objects import SOURCES, robot_objects, shared_sources
-from .problem import Problem, raise_any
 
 OPENR_FOLDERS = ("OPEN_R/include/MCOOP", "OPEN_R/include/R4000", "OPEN_R/include")
 FROM_ELSEWHERE = {"def.h", "entry.h", "jpeglib.h", "jerror.h"}  # stubgen2, libjpeg

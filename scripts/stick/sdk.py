@@ -6,8 +6,7 @@ import subprocess
 import zlib
 from typing import NamedTuple
 
-from . import debian
-from .problem import Problem, raise_any
+from . import Problem, debian, raise_any
 
 WHAT_IT_IS = (
     "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has OPEN-R's",

@@ -3,10 +3,9 @@ import gzip
 import re
 import zlib
 
-from . import sdk as sony
+from . import Problem, sdk as sony
 from .binary import Program
 from .objects import robot_objects, services
-from .problem import Problem
 from .wlan import parse_wlan_conf, wlan_conf
 
 # OPEN-R's own services: Programmer's Guide, Level2 Reference Guide.

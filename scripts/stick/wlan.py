@@ -3,7 +3,7 @@ import ipaddress
 import re
 from typing import NamedTuple
 
-from .problem import Problem
+from . import Problem
 
 HOST_NAME = "AIBO"
 UNUSED_KEY = "AIBO2"  # if there is no encryption; Sony's examples have no empty key

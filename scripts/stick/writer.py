@@ -4,10 +4,9 @@ import re
 import shutil
 import subprocess
 
-from . import debian, sdk as sony
+from . import Problem, debian, raise_any, sdk as sony
 from .binary import Program, read
 from .objects import PROGRAMS, STICK_FILES, robot_objects
-from .problem import Problem, raise_any
 
 
 def libjpeg_problems(libjpeg):

@@ -5,7 +5,7 @@ import random
 import shutil
 
 import fake_program
-from stick.merge import merge
+from stick.link import merge
 
 LOG = 'echo "${{0##*/}} $*" >> "${{0%/*}}/{up}/log"\n'
 

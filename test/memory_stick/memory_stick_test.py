@@ -30,9 +30,8 @@ sys.path.insert(0, str(SCRIPT.parent))
 runpy.run_path(str(SCRIPT))  # loads its modules
 import fake_program as fake  # noqa: E402
 import fake_sdk  # noqa: E402
-from stick import binary, debian, sdk as sony  # noqa: E402
-from stick.merge import merge, relocations_by_section  # noqa: E402
-from stick.problem import Problem  # noqa: E402
+from stick import Problem, binary, debian, sdk as sony  # noqa: E402
+from stick.link import merge, relocations_by_section  # noqa: E402
 from stick.wlan import Wlan, wlan_conf  # noqa: E402
 
 C_HEADERS = ("algorithm ctype.h dirent.h errno.h limits.h math.h setjmp.h stdarg.h stddef.h stdio.h stdlib.h string.h "
