@@ -311,19 +311,11 @@ class OnBothVersions:
         self.assertIn("NONE.MTN", self.aibo("play", "none", status=FAILED).errors)
         self.aibo("play", "../../x", status=WRONG_USAGE)
 
-    def test_keeps_pictures_on_the_robot_only_if_it_is_allowed(self):
-        for words in (["snap"], ["pictures"], ["fetch", "aibo0001"], ["delete", "aibo0001.jpg"]):
-            with self.subTest(words):
-                self.assertRegex(self.aibo(*words, status=FAILED).errors, "ALLOW_PICTURES|ALLOW_DELETE|version 1")
-        self.assertEqual(os.listdir(self.folder), [])
-        self.aibo("fetch", "../../x", status=WRONG_USAGE)
-        self.aibo("fetch", "", status=WRONG_USAGE)
-        self.aibo("snap", "-q", "0", status=WRONG_USAGE)
-
-    def test_uploads_only_what_is_allowed(self):
+    def test_uploads_and_deletes_only_what_is_allowed(self):
         self.aibo("upload", NOD, "wave", status=FAILED)
         self.assertIn("not a motion", self.aibo("upload", PROJECT / "package.xml", "wave", status=FAILED).errors)
         self.aibo("upload", NOD, "con", status=WRONG_USAGE)
+        self.aibo("delete", "nod", status=FAILED)
 
     def test_watches_the_stream(self):
         watched = self.aibo("--json", "watch", "--seconds", "1.4")
@@ -705,35 +697,6 @@ class WithPermission(TestCase):
         allows = next(f for f in self.examined()["findings"] if f["topic"] == "allows")
         self.assertEqual(allows["text"], "upload, delete, pictures, shut down, reboot")
 
-    def test_pictures_are_taken_listed_fetched_and_deleted(self):
-        self.assertIn("no pictures", self.text("pictures"))
-        self.assertEqual(self.json("snap", "-q", "40"), {"picture": "AIBO0001.JPG"})
-        self.assertEqual(self.asked("M", "snap", "-q", "30"), [("M", 30, b"")])
-        self.assertEqual(self.said, "AIBO0002.JPG is on the robot's memory stick.\n")
-        self.assertEqual(self.json("pictures")["pictures"], ["AIBO0001.JPG", "AIBO0002.JPG"])
-        fetched = self.json("fetch", "aibo0001")
-        content = (self.stick / "AIBO0001.JPG").read_bytes()
-        self.assertEqual(fetched, {"picture": "AIBO0001.JPG", "file": f"{self.folder}/AIBO0001.JPG",
-                                   "bytes": len(content)})
-        self.assertEqual((self.folder / "AIBO0001.JPG").read_bytes(), content)
-        self.assertEqual(self.text("fetch", "aibo0001"),
-                         f"AIBO0001.JPG, {len(content)} bytes: {self.folder}/AIBO0001.JPG\n")
-        self.assertEqual(self.aibo("fetch", "AIBO0002.JPG", "-o", "-").stdout,
-                         (self.stick / "AIBO0002.JPG").read_bytes())
-        self.assertEqual(self.json("delete", "aibo0001.jpg"), {"picture": "AIBO0001.JPG"})
-        self.assertEqual(self.json("pictures")["pictures"], ["AIBO0002.JPG"])
-
-    def test_what_cannot_be_fetched_is_said(self):
-        (self.stick / "EVIL.JPG").write_text("echo owned", encoding="ascii")
-        self.assertIn("not a picture of its camera", self.aibo("fetch", "evil", status=FAILED).errors)
-        self.assertIn("NONE.JPG", self.aibo("fetch", "none", status=FAILED).errors)
-        self.text("snap")
-        (self.folder / "mine.jpg").write_text("precious")
-        self.assertIn("not a JPEG", self.aibo("fetch", "aibo0001", "-o", "mine.jpg", status=FAILED).errors)
-        self.assertEqual((self.folder / "mine.jpg").read_text(), "precious")
-        self.assertIn("mine.jpg", os.listdir(self.folder))
-        self.assertNotIn("AIBO0001.JPG", os.listdir(self.folder))
-
 
 class WithSound(TestCase):
     """A robot that hears 1000 in its left ear and -1000 in its right one."""
@@ -882,7 +845,7 @@ class Lost(TestCase):
             (b"T", "move", "mouth=0deg"), (b"J", "move", "mouth=0deg"), (b"E", "stand"), (b"P", "play", "nod"),
             (b"S", "walk", "forward=1cm/s"), (b"O", "motors", "on"), (b"I", "stop"), (b"A", "listen"),
             (b"AH", "listen", "a.wav"), (b"F", "picture", "-o", "b.jpg"), (b"N", "motions"), (b"U", "upload", str(NOD)),
-            (b"M", "snap"), (b"Y", "fetch", "aibo0001"), (b"D", "delete", "nod"))]
+            (b"D", "delete", "nod"))]
         for words, command in lost:
             with self.subTest(words), command:
                 said = b"".join(command.communicate())
@@ -1116,7 +1079,7 @@ class WrongUsage(TestCase):
                       ["walk", "turn=1rad/s", "turn=2rad/s"], ["move", "mouth=0deg", "mouth=1deg"], ["walk", "up=1rad/s"], ["doctor", "10.0.0.1/x"],
                       ["--host", "10.0.0.1/x", "joints"], ["watch", "--shutter", "x"], ["picture", "--gain", "loud"],
                       ["picture", "--white-balance", "x"], ["picture", "-q", "0"], ["picture", "-q", "101"],
-                      ["picture", "-q", "x"], ["snap", "-q", "101"], ["picture", "--resolution", "1x1"],
+                      ["picture", "-q", "x"], ["picture", "--resolution", "1x1"],
                       ["watch", "--every", "0"], ["watch", "--seconds", "-1"], ["watch", "--seconds", "604801"],
                       ["joints", "--fast"], ["--port", "70000", "joints"], ["doctor", "--seconds", "nan"],
                       ["play", "nod", "--seconds", "soon"], ["play", "nod", "--seconds", "3601"],

@@ -17,8 +17,7 @@ std::vector<Command> cameraCommands();       ///< picture, watch
 std::vector<Command> doctorCommands();       ///< doctor
 std::vector<Command> jointCommands();        ///< joints, move
 std::vector<Command> legCommands();          ///< walk, stand, sit, rest
-std::vector<Command> memoryStickCommands();  ///< snap, pictures, fetch, delete
-std::vector<Command> motionCommands();       ///< motions, play, upload
+std::vector<Command> motionCommands();       ///< motions, play, upload, delete
 std::vector<Command> powerCommands();        ///< motors, stop
 std::vector<Command> soundCommands();        ///< listen, play-sound, say
 

@@ -94,6 +94,15 @@ ExitStatus upload(const Arguments& arguments, Output& output) {
   return kDone;
 }
 
+ExitStatus deleteMotion(const Arguments& arguments, Output& output) {
+  const std::string name = files::motionFileName(arguments.words.front());
+  Robot robot(arguments.robot, output);
+  robot.connect();
+  robot.client().deleteMotion(name, kFileTimeout);
+  output.result(name + " was deleted from the robot.", Json::object({{"motion", name}}));
+  return kDone;
+}
+
 }  // namespace
 
 std::vector<Command> motionCommands() {
@@ -121,7 +130,13 @@ std::vector<Command> motionCommands() {
        "The file has to be a motion (MTN). RCSERVER.CFG on the robot has to allow it (ALLOW_UPLOAD). Without NAME, the "
        "motion gets the name of its file: at most eight characters and .MTN.",
        {{"upload wave.mtn", "the robot can now play WAVE.MTN"}},
-       upload}};
+       upload},
+      {"delete",
+       "MOTION",
+       "deletes a motion from the robot's memory stick",
+       "RCSERVER.CFG on the robot has to allow it (ALLOW_DELETE).",
+       {{"delete wave", "WAVE.MTN is gone"}},
+       deleteMotion}};
 }
 
 }  // namespace aibo_driver::command_line
