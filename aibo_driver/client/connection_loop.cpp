@@ -169,7 +169,7 @@ VersionNegotiation ConnectionLoop::negotiate() {
   send(VersionNegotiation::request());
   VersionNegotiation negotiation(steady_clock::now());
   while (negotiation.result() == VersionNegotiation::Result::kOpen) {
-    const bool readable = transport_->wait(negotiation.deadline());
+    const bool readable = transport_->wait(negotiation.deadline()).connection;
     const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
     heard_ = heard_ || size > 0;
     negotiation.bytesArrived(buffer_.data(), size);
@@ -235,16 +235,16 @@ int ConnectionLoop::datagramPort(const Settings& wanted) {
 }
 
 void ConnectionLoop::listen() {
-  const bool readable = transport_->wait(session_->nextDeadline());
+  const TcpTransport::Readable readable = transport_->wait(session_->nextDeadline());
   const TimePoint begin = steady_clock::now();
-  const std::size_t size = readable ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
+  const std::size_t size = readable.connection ? transport_->receive(buffer_.data(), buffer_.size()) : 0;
   if (size > 0) {
     heard_ = true;
     counters_.bytes_received += size;
     connection_->pictures.bytesArrived(begin);
     session_->bytesArrived(buffer_.data(), size, begin);
   }
-  if (takeDatagrams() && size < buffer_.size()) {
+  if ((!readable.datagrams || takeDatagrams()) && size < buffer_.size()) {
     connection_->pictures.foundEmpty(begin);
   }
   const TimePoint now = steady_clock::now();  // the callbacks may have taken long

@@ -32,18 +32,14 @@ bool DatagramSocket::open(int connection) {
   }
   portIn(&own) = 0;
   FileDescriptor socket(::socket(own.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
-  if (!socket.valid() || ::bind(socket.get(), asAddress(&own), own_size) != 0) {
+  if (!socket.valid() || ::bind(socket.get(), asAddress(&own), own_size) != 0 ||
+      ::getsockname(socket.get(), asAddress(&own), &own_size) != 0) {
     return false;
   }
   ::setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &kDatagramBufferSize, sizeof kDatagramBufferSize);
   socket_ = std::move(socket);
+  port_ = ntohs(portIn(&own));
   return true;
-}
-
-int DatagramSocket::port() const {
-  sockaddr_storage own = {};
-  socklen_t size = sizeof own;
-  return isOpen() && ::getsockname(socket_.get(), asAddress(&own), &size) == 0 ? ntohs(portIn(&own)) : 0;
 }
 
 std::optional<DatagramSocket::Origin> DatagramSocket::receive(std::uint8_t* buffer, std::size_t capacity,

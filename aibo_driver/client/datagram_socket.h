@@ -30,7 +30,7 @@ class DatagramSocket {
   int descriptor() const { return socket_.get(); }
 
   /// The port that was taken. It is 0 if the socket is not open.
-  int port() const;
+  int port() const { return isOpen() ? port_ : 0; }
 
   /// Takes the next datagram, without waiting.
   /// @param[out] size how many bytes were written to buffer; bytes that do not fit are lost
@@ -50,6 +50,7 @@ class DatagramSocket {
   bool isPeer(const sockaddr_storage& sender) const;
 
   FileDescriptor socket_;
+  int port_ = 0;
   sockaddr_storage peer_ = {};
   sockaddr_storage sender_ = {};
   socklen_t sender_size_ = 0;

@@ -185,13 +185,13 @@ void TcpTransport::checkConnected(int socket) const {
   }
 }
 
-bool TcpTransport::wait(TimePoint deadline) {
-  const short events =
+TcpTransport::Readable TcpTransport::wait(TimePoint deadline) {
+  const auto [connection, datagrams] =
       pollOnce(socket_.get(), hasUnsent() ? POLLIN | POLLOUT : POLLIN, deadline, datagrams_.descriptor());
-  if ((events & POLLOUT) != 0) {
+  if ((connection & POLLOUT) != 0) {
     sendOn();
   }
-  return (events & ~POLLOUT) != 0;
+  return {(connection & ~POLLOUT) != 0, datagrams != 0};
 }
 
 std::size_t TcpTransport::receive(std::uint8_t* buffer, std::size_t capacity) {
@@ -242,7 +242,7 @@ void TcpTransport::abort() noexcept {
 
 /// Waits for the event or the deadline. It does not return early if wakeUp() is called.
 bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
-  while (pollOnce(descriptor, events, deadline) == 0) {
+  while (pollOnce(descriptor, events, deadline).first == 0) {
     if (steady_clock::now() >= deadline) {
       return false;
     }
@@ -251,9 +251,8 @@ bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
 }
 
 /// @param other the wait also ends when this descriptor is readable
-/// @return which of the events the descriptor has, or that it has an error; 0 at the deadline or if the wait ended
-///   early
-short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, int other) {
+/// @return which events each of the two has, errors included; 0 at the deadline or if the wait ended early
+std::pair<short, short> TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, int other) {
   // poll() skips a descriptor of -1.
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
   const int count = ::poll(polled, 3, pollTimeout(deadline));
@@ -267,7 +266,7 @@ short TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, i
   if (aborted_) {
     throw StoppedException("the client was stopped");
   }
-  return count > 0 ? polled[1].revents : static_cast<short>(0);
+  return count > 0 ? std::make_pair(polled[1].revents, polled[2].revents) : std::pair<short, short>();
 }
 
 void TcpTransport::throwFault(int error) const {

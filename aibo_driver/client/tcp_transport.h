@@ -25,6 +25,12 @@ using TimePoint = std::chrono::steady_clock::time_point;
 /// may call the other functions.
 class TcpTransport {
  public:
+  /// Where something has arrived.
+  struct Readable {
+    bool connection;  ///< receive() has bytes or a fault to report
+    bool datagrams;   ///< datagrams().receive() has a datagram
+  };
+
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
   /// @param on_awake called whenever the thread has waited here, at least every kLongestSleep
@@ -35,13 +41,12 @@ class TcpTransport {
   /// @throw StoppedException abort() was called
   void connect(const std::string& host, int port, TimePoint deadline);
 
-  /// Waits until receive() has bytes or a fault to report, wakeUp() is called, or the deadline passes. Without a
-  /// connection it only waits for the last two. Meanwhile it sends what send() has left, and it may return early after
-  /// that, or after kLongestSleep.
-  /// @return true if receive() has something to report
+  /// Waits until something has arrived, wakeUp() is called, or the deadline passes. Without a connection it only waits
+  /// for the last two. Meanwhile it sends what send() has left, and it may return early after that, or after
+  /// kLongestSleep.
   /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
-  bool wait(TimePoint deadline);
+  Readable wait(TimePoint deadline);
 
   /// Reads what has arrived, without waiting.
   /// @return the number of bytes written to buffer; if it is below capacity, nothing more is there now
@@ -78,7 +83,7 @@ class TcpTransport {
   FileDescriptor beginToConnect(const SocketAddress& address) const;
   void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
-  short pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
+  std::pair<short, short> pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
   void sendOn();
   [[noreturn]] void throwFault(int error) const;
 

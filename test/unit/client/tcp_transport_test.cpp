@@ -54,9 +54,9 @@ TEST(TcpTransportTest, BytesGoBothWays) {
   std::uint8_t buffer[16];
   EXPECT_EQ(0u, transport.receive(buffer, sizeof buffer));
   peer.send({1, 2, 3});
-  ASSERT_TRUE(transport.wait(soon()));
+  ASSERT_TRUE(transport.wait(soon()).connection);
   EXPECT_EQ(3u, transport.receive(buffer, sizeof buffer));
-  EXPECT_FALSE(transport.wait(in(milliseconds(1))));
+  EXPECT_FALSE(transport.wait(in(milliseconds(1))).connection);
 }
 
 TEST(TcpTransportTest, EachKindOfFailureIsRecognised) {
@@ -98,7 +98,7 @@ TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
     transport.connect("127.0.0.1", server.port(), soon());
     ScriptedPeer peer = server.accept();
     resets ? peer.reset() : peer.close();
-    ASSERT_TRUE(transport.wait(soon()));
+    ASSERT_TRUE(transport.wait(soon()).connection);
     EXPECT_EQ(FaultKind::kClosed, faultOf([&] { transport.receive(buffer, sizeof buffer); })) << resets;
   }
 }
@@ -108,7 +108,7 @@ TEST(TcpTransportTest, AWaitIsShortAndItsEndIsTold) {
   int times_awake = 0;
   transport.setListener([&times_awake] { ++times_awake; });
   const TimePoint end = soon();
-  EXPECT_FALSE(transport.wait(end));
+  EXPECT_FALSE(transport.wait(end).connection);
   EXPECT_LT(steady_clock::now(), end);
   EXPECT_EQ(1, times_awake);
 }
@@ -117,7 +117,7 @@ TEST(TcpTransportTest, WakeUpEndsAWaitEvenIfItCameBefore) {
   TcpTransport transport;
   transport.wakeUp();
   const TimePoint end = soon();
-  EXPECT_FALSE(transport.wait(end));
+  EXPECT_FALSE(transport.wait(end).connection);
   EXPECT_LT(steady_clock::now(), end);
 }
 
@@ -158,7 +158,7 @@ TEST(TcpTransportTest, BytesThatTheNetworkDoesNotTakeAtOnceAreSentWhileWaiting) 
   request.resize(sent);
   auto received = std::async(std::launch::async, [&] { return peer.read(request.size()); });
   while (received.wait_for(seconds(0)) != std::future_status::ready) {
-    EXPECT_FALSE(transport.wait(in(milliseconds(10))));
+    EXPECT_FALSE(transport.wait(in(milliseconds(10))).connection);
   }
   EXPECT_TRUE(request == received.get());
   EXPECT_FALSE(transport.hasUnsent());
