@@ -327,16 +327,16 @@ std::optional<int> AiboDriver::askedEveryNthImage() const {
 }
 
 void AiboDriver::publishPicture(const aibo_client::Picture& picture) {
-  const ros::Time stamp = camera_.stamp(picture);
+  const auto [stamp, taken] = camera_.momentOf(picture);
+  camera_state_.update(picture, stamp, camera_.frameId());
   const bool is_decoded = raw_images_.hasSubscribers();
-  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture, is_decoded);
+  const sensor_msgs::CompressedImageConstPtr message = camera_.publish(picture, stamp, is_decoded);
   if (is_decoded) {
     raw_images_.publish(message);
   }
-  camera_state_.update(picture, stamp, camera_.frameId());
   const auto now = std::chrono::steady_clock::now();
   meter_.add(picture, (ros::Time::now() - stamp).toSec(), askedEveryNthImage().value_or(0), now);
-  adapter_.picturePublished(now, camera_.takenAt(picture));
+  adapter_.picturePublished(now, taken);
 }
 
 void AiboDriver::report() {

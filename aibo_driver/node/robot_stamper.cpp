@@ -28,43 +28,31 @@ RobotStamper::RobotStamper(robot_time::RobotClock* robot_clock, std::chrono::nan
       ros_now_(std::move(ros_now)),
       steady_now_(std::move(steady_now)) {}
 
-ros::Time RobotStamper::stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
-                              SteadyTime arrival) {
-  return find(connection_number, frame_number, arrival).stamp;
-}
-
-std::optional<RobotStamper::SteadyTime> RobotStamper::takenAt(const aibo_client::Picture& picture) {
-  if (robot_clock_ == nullptr || !picture.frame_number) {
-    return std::nullopt;
-  }
-  return find(picture.connection_number, picture.frame_number, picture.first_byte_time).taken;
-}
-
-RobotStamper::Stamped RobotStamper::find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
-                                         SteadyTime arrival) {
+RobotStamper::Moment RobotStamper::find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number,
+                                        SteadyTime arrival) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::size_t remembered = std::min(count_, kRemembered);
   for (std::size_t i = 0; i < remembered; ++i) {
     if (latest_[i].arrival == arrival && latest_[i].frame_number == frame_number) {
-      return latest_[i];
+      return latest_[i].moment;
     }
   }
-  const bool by_frame = robot_clock_ != nullptr && frame_number;
-  // If a robot's frame numbers run too fast, they must not move the stamps into the future.
-  const SteadyTime taken =
-      by_frame ? std::min(robot_clock_->timeOf(connection_number, *frame_number, arrival), arrival) : arrival;
-  ros::Time stamp = toRosTime(taken);
+  Moment moment;
+  if (robot_clock_ != nullptr && frame_number) {
+    // If a robot's frame numbers run too fast, they must not move the stamps into the future.
+    moment.taken = std::min(robot_clock_->timeOf(connection_number, *frame_number, arrival), arrival);
+  }
+  moment.stamp = toRosTime(moment.taken.value_or(arrival));
   if (count_ > 0) {
-    const ros::Time last = latest_[(count_ - 1) % kRemembered].stamp;
-    const bool clock_was_set_back = stamp + ros::Duration(kClockStep.count()) < last;
-    if (stamp <= last && !clock_was_set_back) {
-      stamp = last + ros::Duration(0, 1);
+    const ros::Time last = latest_[(count_ - 1) % kRemembered].moment.stamp;
+    const auto step_back = static_cast<std::int64_t>(last.toNSec() - moment.stamp.toNSec());
+    if (step_back >= 0 && step_back <= kClockStep.count()) {
+      moment.stamp = last + ros::Duration(0, 1);
     }
   }
-  Stamped& newest = latest_[count_ % kRemembered];
-  newest = {arrival, frame_number, taken, stamp};
+  latest_[count_ % kRemembered] = {arrival, frame_number, moment};
   ++count_;
-  return newest;
+  return moment;
 }
 
 ros::Time RobotStamper::toRosTime(SteadyTime time) const {

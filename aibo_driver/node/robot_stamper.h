@@ -34,8 +34,16 @@ class RobotStamper {
  public:
   using SteadyTime = std::chrono::steady_clock::time_point;
 
+  /// When the robot took a picture.
+  struct Moment {
+    ros::Time stamp;
+    /// The same on the steady clock, without `time_offset`. It is off by the shortest delay of a message (RobotClock).
+    /// It is empty if the picture has no frame number or the robot has no clock.
+    std::optional<SteadyTime> taken;
+  };
+
   /// A smaller step is jitter between the two clocks. A bigger step means that somebody has set ROS' clock.
-  static constexpr std::chrono::seconds kClockStep{1};
+  static constexpr std::chrono::nanoseconds kClockStep = std::chrono::seconds(1);
 
   /// @param robot_clock must outlive the stamper; if it is null, the stamp of each message is its time of arrival
   /// @param time_offset added to every stamp
@@ -46,27 +54,26 @@ class RobotStamper {
 
   /// The same picture gets the same stamp as long as it is among the kRemembered latest pictures. The stamp is never
   /// before the epoch, even if a simulated clock has not begun to run.
-  ros::Time stamp(const aibo_client::Picture& picture) {
-    return stamp(picture.connection_number, picture.frame_number, picture.first_byte_time);
-  }
+  ros::Time stamp(const aibo_client::Picture& picture) { return momentOf(picture).stamp; }
 
-  /// When the robot took the picture, on the steady clock. It is off by the shortest delay of a message (RobotClock).
-  /// It is empty if the picture has no frame number or the robot has no clock.
-  std::optional<SteadyTime> takenAt(const aibo_client::Picture& picture);
+  /// When the robot took the picture. Its stamp is that of stamp().
+  Moment momentOf(const aibo_client::Picture& picture) {
+    return find(picture.connection_number, picture.frame_number, picture.first_byte_time);
+  }
 
   /// The stamp of telemetry.
   ros::Time stamp(const aibo_client::Telemetry& telemetry) {
-    return stamp(telemetry.connection_number, telemetry.frame_number, telemetry.arrival);
+    return find(telemetry.connection_number, telemetry.frame_number, telemetry.arrival).stamp;
   }
 
   /// The stamp of detected colours.
   ros::Time stamp(const aibo_client::DetectedColors& colors) {
-    return stamp(colors.connection_number, colors.frame_number, colors.arrival);
+    return find(colors.connection_number, colors.frame_number, colors.arrival).stamp;
   }
 
   /// The stamp of the first sample.
   ros::Time stamp(const aibo_client::HeardSound& sound) {
-    return stamp(sound.connection_number, sound.frame_number, sound.arrival);
+    return find(sound.connection_number, sound.frame_number, sound.arrival).stamp;
   }
 
  private:
@@ -75,13 +82,11 @@ class RobotStamper {
   struct Stamped {
     SteadyTime arrival;
     std::optional<std::uint32_t> frame_number;  ///< distinguishes messages that arrive together
-    SteadyTime taken;
-    ros::Time stamp;
+    Moment moment;
   };
 
   /// Computes the stamp if it is not among the latest ones.
-  Stamped find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
-  ros::Time stamp(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
+  Moment find(std::uint64_t connection_number, std::optional<std::uint32_t> frame_number, SteadyTime arrival);
   ros::Time toRosTime(SteadyTime time) const;
 
   robot_time::RobotClock* const robot_clock_;

@@ -30,25 +30,28 @@ CameraPublisher::CameraPublisher(const ros::NodeHandle& camera_handle, const Dri
                                                                      kPictureQueueSize, on_change, on_change);
 }
 
-sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, bool is_wanted) {
+// A message wakes roscpp's thread, which takes the lock that every question for subscribers takes, too. So all
+// questions come before the message.
+sensor_msgs::CompressedImageConstPtr CameraPublisher::publish(const Picture& picture, const ros::Time& stamp,
+                                                              bool is_wanted) {
+  calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));
   const bool has_listeners = compressed_publisher_.getNumSubscribers() > 0;
-  sensor_msgs::CompressedImageConstPtr message;
-  if (has_listeners || is_wanted) {
-    message = boost::make_shared<sensor_msgs::CompressedImage>(toMessage(picture));
+  if (camera_info_publisher_.getNumSubscribers() > 0) {
+    publishCameraInfo(picture, stamp);
   }
+  if (!has_listeners && !is_wanted) {
+    return nullptr;
+  }
+  const auto message = boost::make_shared<const sensor_msgs::CompressedImage>(toMessage(picture, stamp));
   if (has_listeners) {
     compressed_publisher_.publish(message);
-  }
-  calibration_.pictureCame(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height));
-  if (camera_info_publisher_.getNumSubscribers() > 0) {
-    publishCameraInfo(picture);
   }
   return message;
 }
 
-sensor_msgs::CompressedImage CameraPublisher::toMessage(const Picture& picture) {
+sensor_msgs::CompressedImage CameraPublisher::toMessage(const Picture& picture, const ros::Time& stamp) const {
   sensor_msgs::CompressedImage message;
-  message.header.stamp = stamper_.stamp(picture);
+  message.header.stamp = stamp;
   message.header.frame_id = frame_id_;
   message.format = kFormat;
   message.data = picture.jpeg;
@@ -59,10 +62,10 @@ bool CameraPublisher::hasSubscribers() const {
   return compressed_publisher_.getNumSubscribers() > 0 || camera_info_publisher_.getNumSubscribers() > 0;
 }
 
-void CameraPublisher::publishCameraInfo(const Picture& picture) {
+void CameraPublisher::publishCameraInfo(const Picture& picture, const ros::Time& stamp) {
   const auto message = boost::make_shared<sensor_msgs::CameraInfo>(
       calibration_.infoFor(static_cast<std::uint32_t>(picture.width), static_cast<std::uint32_t>(picture.height)));
-  message->header.stamp = stamp(picture);
+  message->header.stamp = stamp;
   message->header.frame_id = frame_id_;
   camera_info_publisher_.publish(sensor_msgs::CameraInfoConstPtr(message));
 }

@@ -6,7 +6,6 @@
 #include <sensor_msgs/CompressedImage.h>
 
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "aibo_client/camera.h"
@@ -34,26 +33,25 @@ class CameraPublisher {
                   robot_time::RobotClock* robot_clock, const std::function<void()>& subscribers_changed);
 
   /// Publishes a picture to its subscribers. It never blocks. Only one thread at a time may call it.
+  /// @param stamp the stamp of momentOf()
   /// @param is_wanted true if the caller needs the message, too
   /// @return the message; null if nobody needs it
-  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture, bool is_wanted);
+  sensor_msgs::CompressedImageConstPtr publish(const Picture& picture, const ros::Time& stamp, bool is_wanted);
 
   /// The picture as a message. The same picture gets the same header each time. Any thread may call it.
-  sensor_msgs::CompressedImage toMessage(const Picture& picture);
+  sensor_msgs::CompressedImage toMessage(const Picture& picture) { return toMessage(picture, momentOf(picture).stamp); }
 
-  /// The stamp of the picture's messages. Call this for each picture, even if nobody listens: all pictures tell us the
-  /// robot's clock. Any thread may call it.
-  ros::Time stamp(const Picture& picture) { return stamper_.stamp(picture); }
+  /// When the picture was taken, and the stamp of its messages. Call this for each picture, even if nobody listens: all
+  /// pictures tell us the robot's clock. Any thread may call it.
+  RobotStamper::Moment momentOf(const Picture& picture) { return stamper_.momentOf(picture); }
 
   const std::string& frameId() const { return frame_id_; }
-
-  /// See RobotStamper::takenAt(). Any thread may call it.
-  std::optional<RobotStamper::SteadyTime> takenAt(const Picture& picture) { return stamper_.takenAt(picture); }
 
   bool hasSubscribers() const;
 
  private:
-  void publishCameraInfo(const Picture& picture);
+  sensor_msgs::CompressedImage toMessage(const Picture& picture, const ros::Time& stamp) const;
+  void publishCameraInfo(const Picture& picture, const ros::Time& stamp);
 
   const std::string frame_id_;
   RobotStamper stamper_;

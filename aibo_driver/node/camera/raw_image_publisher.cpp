@@ -52,9 +52,6 @@ RawImagePublisher::~RawImagePublisher() {
 }
 
 void RawImagePublisher::publish(const sensor_msgs::CompressedImageConstPtr& picture) {
-  if (!hasSubscribers()) {
-    return;
-  }
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     statistics_.skipped += waiting_ ? 1 : 0;

@@ -41,7 +41,7 @@ class RawImagePublisher {
   RawImagePublisher(const RawImagePublisher&) = delete;
   RawImagePublisher& operator=(const RawImagePublisher&) = delete;
 
-  /// Hands a picture to the decoder if there are subscribers. It never blocks. Any thread may call it.
+  /// Hands a picture to the decoder. Call it only while hasSubscribers(). It never blocks. Any thread may call it.
   void publish(const sensor_msgs::CompressedImageConstPtr& picture);
 
   bool hasSubscribers() const;

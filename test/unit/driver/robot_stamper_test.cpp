@@ -51,13 +51,13 @@ TEST_F(RobotStamperTest, TheStampOfAPictureWithoutAFrameNumberIsTheArrivalOfItsF
 TEST_F(RobotStamperTest, KnowsWhenAPictureWithAFrameNumberWasTaken) {
   RobotStamper stamper = makeStamper(0ns, &robot_clock_);
   Picture picture = pictureOf(steady_now_);
-  EXPECT_EQ(stamper.takenAt(picture), std::nullopt);
+  EXPECT_EQ(stamper.momentOf(picture).taken, std::nullopt);
   picture.frame_number = 100;
-  EXPECT_EQ(stamper.takenAt(picture), steady_now_);
+  EXPECT_EQ(stamper.momentOf(picture).taken, steady_now_);
   picture.frame_number = 105;
   picture.first_byte_time = steady_now_ + 70ms;
-  EXPECT_EQ(stamper.takenAt(picture), steady_now_ + 40ms);
-  EXPECT_EQ(makeStamper(0ns).takenAt(picture), std::nullopt) << "without the robot's clock";
+  EXPECT_EQ(stamper.momentOf(picture).taken, steady_now_ + 40ms);
+  EXPECT_EQ(makeStamper(0ns).momentOf(picture).taken, std::nullopt) << "without the robot's clock";
 }
 
 TEST_F(RobotStamperTest, StampsKeepTheIntervalOfTheFrameNumbersEvenIfAMessageIsLate) {
