@@ -126,7 +126,6 @@ OStatus RCServer::DoDestroy(const OSystemEvent&) {
   }
   delete session_;
   session_ = NULL;
-  picture_.Destroy();
   file_.Destroy();
   file_desk_.Destroy();
   datagrams_.Destroy();
@@ -155,11 +154,8 @@ void RCServer::NotifyImage(const ONotifyEvent& event) {
 }
 
 void RCServer::NotifyPicture(const ONotifyEvent& event) {
-  picture_.Hold(event, observer[event.ObsIndex()]);
-  if (pictures_.Take(picture_.Get())) {
-    UsePicture(picture_.Get());
-  } else {
-    picture_.Release();
+  if (pictures_.Take(event, observer[event.ObsIndex()])) {
+    UsePicture();
   }
 }
 
@@ -527,7 +523,6 @@ void RCServer::ForgetClient() {
   client_ = NULL;
   session_->End();
   pictures_.Forget();
-  picture_.Release();
   file_.Release();
   power_down_.CarryOut(Now());
   body_->SendCommands();
@@ -556,8 +551,8 @@ void RCServer::ServeClient() {
     }
   }
   power_down_.Note(Now());
-  if (picture_.IsThere() && !session_->Camera().Wants(pictures_.Order())) {
-    picture_.Release();
+  if (pictures_.HasPicture() && !session_->Camera().Wants(pictures_.Order())) {
+    pictures_.DropPicture();
   }
   body_->SendCommands();
   if (!SendOutput()) {
@@ -578,7 +573,7 @@ bool RCServer::SendOutput() {
   if (const PictureDatagrams::KeptPicture* left_over = datagrams_.TakeLeftOver(Now())) {
     return SendLeftOver(*left_over);
   }
-  if (picture_.IsThere() && !SoundGoesFirst()) {
+  if (pictures_.HasPicture() && !SoundGoesFirst()) {
     return SendPicture();
   }
   if (file_.IsThere()) {
@@ -588,9 +583,9 @@ bool RCServer::SendOutput() {
 }
 
 bool RCServer::SendPicture() {
-  const EncodedPicture& picture = picture_.Get();
+  const EncodedPicture& picture = pictures_.Picture();
   const size_t size = PutPicture(pictures_.Order(), pictures_.Header(), picture.jpeg, picture.size);
-  picture_.Release();
+  pictures_.DropPicture();
   last_picture_ = Now();
   return client_->Send(size, true);
 }
@@ -633,16 +628,10 @@ void RCServer::OfferImage(OFbkImageVectorData* image_vector) {
 // Finds the kind of picture to make of this image. False if none is due.
 bool RCServer::FindOrder(PictureOrder* order) {
   // A picture that still waits is replaced by one of this newer image.
-  if (pictures_.IsWaiting()) {
-    *order = pictures_.WaitingOrder();
-  } else if (picture_.IsThere()) {
-    picture_.Release();
-    *order = pictures_.Order();
-  } else {
+  if (!pictures_.TakeBack(order)) {
     return !IsSendingPicture() && session_->Camera().ImageArrived(pictures_.ImageCount(), order);
   }
   if (!session_->Camera().Wants(*order)) {
-    pictures_.DropWaiting();
     return false;
   }
   session_->Camera().TakeAgain(*order, pictures_.ImageCount());
@@ -667,7 +656,8 @@ void RCServer::BeginPicture() {
   }
 }
 
-void RCServer::UsePicture(const EncodedPicture& picture) {
+void RCServer::UsePicture() {
+  const EncodedPicture& picture = pictures_.Picture();
   if (picture.size == 0) {
     OSYSLOG1((osyslogERROR, "RCServer: no picture: %s", picture.problem));
     DropClient("there is no picture for it", true);
@@ -675,11 +665,11 @@ void RCServer::UsePicture(const EncodedPicture& picture) {
   }
   if (pictures_.Order().is_for_stick) {
     session_->PictureTaken(picture.jpeg, picture.size);
-    picture_.Release();
+    pictures_.DropPicture();
   } else if (datagrams_.IsOn() && pictures_.Order().is_of_stream && session_->Camera().Wants(pictures_.Order())) {
     last_picture_ = Now();
     datagrams_.Send(pictures_.Header(), picture.jpeg, picture.size, Now());
-    picture_.Release();
+    pictures_.DropPicture();
   }
   ServeClient();
 }

@@ -151,7 +151,7 @@ class RCServer : public OObject {
   bool IsSendingPicture() const;
   bool SoundGoesFirst() const;
   void BeginPicture();
-  void UsePicture(const EncodedPicture& picture);
+  void UsePicture();
 
   // What has been noticed of the client.
   struct Signs {
@@ -185,7 +185,6 @@ class RCServer : public OObject {
   PowerDown power_down_;
   HeldRegion<FileResult> file_;  ///< the file that is sent to the client
   PictureTaker pictures_;
-  HeldRegion<EncodedPicture> picture_;  ///< the picture that is sent to the client
   PictureDatagrams datagrams_;
   ReportLimit reports_;  ///< for clients that connect and leave
   Settings settings_;

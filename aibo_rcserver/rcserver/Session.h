@@ -10,7 +10,6 @@
 #include "protocol/request_reader.h"
 #include "protocol/version2.h"
 #include "rcserver/Outbox.h"
-#include "rcserver/camera/ColorCounter.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver/requests/FileOrder.h"
 #include "rcserver/requests/MotionCommands.h"

@@ -120,16 +120,31 @@ void PictureTaker::Begin() {
   jobs_.Send();
 }
 
-bool PictureTaker::Take(const EncodedPicture& picture) {
-  if (picture.ticket != ticket_) {
+bool PictureTaker::TakeBack(PictureOrder* order) {
+  const bool is_any = is_waiting_ || HasPicture();
+  if (is_any) {
+    *order = is_waiting_ ? waiting_order_ : order_;
+  }
+  if (!is_waiting_) {
+    DropPicture();
+  }
+  is_waiting_ = false;
+  return is_any;
+}
+
+bool PictureTaker::Take(const ONotifyEvent& event, OObserver* observer) {
+  picture_.Hold(event, observer);
+  if (Picture().ticket != ticket_) {
+    DropPicture();
     return false;
   }
   ticket_ = 0;
-  header_.quality = static_cast<unsigned char>(picture.quality);
+  header_.quality = static_cast<unsigned char>(Picture().quality);
   return true;
 }
 
 void PictureTaker::Forget() {
   ticket_ = 0;
   is_waiting_ = false;
+  DropPicture();
 }

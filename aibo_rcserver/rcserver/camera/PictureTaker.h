@@ -23,7 +23,10 @@ class PictureTaker {
   bool Create(OSubject* gate) { return jobs_.Create(gate); }
 
   /// Call in DoDestroy.
-  void Destroy() { jobs_.Destroy(); }
+  void Destroy() {
+    picture_.Destroy();
+    jobs_.Destroy();
+  }
 
   /// Call for each image of the camera.
   void CountImage(OFbkImageVectorData* image);
@@ -44,12 +47,10 @@ class PictureTaker {
   const char* Offer(OFbkImageVectorData* image, const PictureOrder& order,
                     const protocol::version2::CameraSettings& settings);
 
-  /// True from Offer() to Begin().
-  bool IsWaiting() const { return is_waiting_; }
-  const PictureOrder& WaitingOrder() const { return waiting_order_; }
-
-  /// Drops the image that waits.
-  void DropWaiting() { is_waiting_ = false; }
+  /// Drops the image that waits, or the picture that has been made, so that a later image can replace it.
+  /// @param[out] order what it was for
+  /// @return false if there is neither
+  bool TakeBack(PictureOrder* order);
 
   /// True if an image waits and the encoder is ready for it.
   bool MayBegin() const { return is_waiting_ && jobs_.IsFree(); }
@@ -57,15 +58,18 @@ class PictureTaker {
   /// Passes the waiting image to the encoder. Call it only if MayBegin().
   void Begin();
 
-  /// Call when the client is gone. Drops the picture that is being made and the waiting image.
+  /// Call when the client is gone. Drops all.
   void Forget();
 
-  /// Call when PictureEncoder has finished a picture.
-  /// @return false if the picture was dropped meanwhile
-  bool Take(const EncodedPicture& picture);
+  /// Call when PictureEncoder has finished a picture (gate Picture). It is kept until it is dropped.
+  /// @return false if it was dropped meanwhile
+  bool Take(const ONotifyEvent& event, OObserver* observer);
 
-  /// @name The picture that is being made, or the last one
+  /// @name The picture that has been made
   /// @{
+  bool HasPicture() const { return picture_.IsThere(); }
+  const EncodedPicture& Picture() const { return picture_.Get(); }
+  void DropPicture() { picture_.Release(); }
   const PictureOrder& Order() const { return order_; }
   const protocol::version2::ImageHeader& Header() const { return header_; }
   /// @}
@@ -77,7 +81,8 @@ class PictureTaker {
   PictureOrder waiting_order_;
   protocol::version2::ImageHeader waiting_header_;
   unsigned ticket_;  ///< of the picture that is being made; 0: there is none
-  PictureOrder order_;
+  HeldRegion<EncodedPicture> picture_;
+  PictureOrder order_;  ///< of the picture that is being made or has been made
   protocol::version2::ImageHeader header_;
 };
 
