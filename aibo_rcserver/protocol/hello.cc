@@ -179,59 +179,24 @@ const char* decodeLine(Text line, bool* is_there, Hello* hello) {
   return decodeValue(key, line, hello);
 }
 
-class LineWriter {
- public:
-  explicit LineWriter(unsigned char* out) : out_(out), size_(0) {}
-
-  void append(const char* text) {
-    memcpy(out_ + size_, text, strlen(text));
-    size_ += strlen(text);
-  }
-
-  void appendKey(Key key) {
-    append(KEY_NAMES[key]);
-    append("=");
-  }
-
-  void appendLine(Key key, const char* value) {
-    appendKey(key);
-    append(value);
-    append("\n");
-  }
-
-  size_t size() const { return size_; }
-
- private:
-  unsigned char* out_;
-  size_t size_;
-};
-
 }  // namespace
 
 size_t encodeHello(const Hello& hello, unsigned char* out) {
-  char number[16];
-  sprintf(number, "%u", hello.frame_number);
-  LineWriter writer(out);
-  writer.appendLine(KEY_ROBOT, hello.robot);
-  writer.appendLine(KEY_SERVER, hello.server);
-  writer.appendLine(KEY_FRAME_NUMBER, number);
-  writer.appendLine(KEY_CAPABILITIES, hello.capabilities);
-  writer.appendKey(KEY_LIMITS);
+  char* const begin = reinterpret_cast<char*>(out);
+  char* end = begin;
+  end += sprintf(end, "robot=%s\nserver=%s\nframe_number=%u\ncapabilities=%s\nlimits=", hello.robot, hello.server,
+                 hello.frame_number, hello.capabilities);
   for (size_t i = 0; i < hello.joint_count; ++i) {
     const JointLimits& joint = hello.joints[i];
-    char limits[64];
-    sprintf(limits, "%s%d:%d:%d:%d", i > 0 ? " " : "", joint.id, joint.lower, joint.upper, joint.speed);
-    writer.append(limits);
+    end += sprintf(end, "%s%d:%d:%d:%d", i > 0 ? " " : "", joint.id, joint.lower, joint.upper, joint.speed);
   }
-  writer.append("\n");
+  end += sprintf(end, "\n");
   const WalkLimits& walk = hello.walk;
   if (walk.forward > 0 || walk.back > 0 || walk.left > 0 || walk.turn > 0) {
-    char limits[64];
-    sprintf(limits, "%d:%d:%d:%d", thousandths(walk.forward), thousandths(walk.back), thousandths(walk.left),
-            thousandths(walk.turn));
-    writer.appendLine(KEY_WALK_LIMITS, limits);
+    end += sprintf(end, "walk_limits=%d:%d:%d:%d\n", thousandths(walk.forward), thousandths(walk.back),
+                   thousandths(walk.left), thousandths(walk.turn));
   }
-  return writer.size();
+  return static_cast<size_t>(end - begin);
 }
 
 const char* decodeHello(const unsigned char* payload, size_t size, Hello* hello) {
