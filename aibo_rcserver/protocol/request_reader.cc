@@ -54,11 +54,6 @@ bool RequestReader::isLetter(char letter) {
   return hasTwoSizes(letter) || sizeOf(letter) != 0;
 }
 
-void RequestReader::reset() {
-  waiting_size_ = 0;
-  content_left_ = 0;
-}
-
 size_t RequestReader::append(const unsigned char* bytes, size_t size) {
   const size_t taken = smaller(size, sizeof(waiting_) - waiting_size_);
   memcpy(waiting_ + waiting_size_, bytes, taken);
@@ -82,10 +77,6 @@ bool RequestReader::next(Request* request) {
   }
   take(size);
   return true;
-}
-
-size_t RequestReader::contentLeft() const {
-  return content_left_;
 }
 
 size_t RequestReader::takeContent(unsigned char* out, size_t capacity) {

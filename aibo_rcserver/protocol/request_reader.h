@@ -57,9 +57,6 @@ class RequestReader {
   /// True if these bytes begin with a whole request.
   static bool beginsWithRequest(const unsigned char* bytes, size_t size) { return frontSize(bytes, size) > 0; }
 
-  /// Call for a new client.
-  void reset();
-
   /// Adds received bytes.
   /// @return how many were taken: all, if `size` is at most MAX_APPENDED and the last next() returned false or the last
   ///   takeContent() returned 0
@@ -70,7 +67,7 @@ class RequestReader {
   bool next(Request* request);
 
   /// Bytes of the announced content that were neither taken nor skipped.
-  size_t contentLeft() const;
+  size_t contentLeft() const { return content_left_; }
 
   /// Takes waiting bytes of the content.
   /// @param out room for `capacity` bytes
