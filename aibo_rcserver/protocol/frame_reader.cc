@@ -40,14 +40,6 @@ bool FrameReader::isBetweenFrames() const {
   return header_bytes_size_ == 0 || result() == FRAME_COMPLETE;
 }
 
-const FrameHeader& FrameReader::header() const {
-  return header_;
-}
-
-const unsigned char* FrameReader::payload() const {
-  return buffer_;
-}
-
 size_t FrameReader::appendHeader(const unsigned char* bytes, size_t size) {
   if (hasHeader() || size == 0) {
     return 0;
@@ -71,10 +63,6 @@ size_t FrameReader::appendPayload(const unsigned char* bytes, size_t size) {
   }
   payload_size_ += taken;
   return taken;
-}
-
-bool FrameReader::hasHeader() const {
-  return header_bytes_size_ == FRAME_HEADER_SIZE;
 }
 
 FrameReader::Result FrameReader::result() const {

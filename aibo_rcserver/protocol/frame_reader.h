@@ -45,10 +45,10 @@ class FrameReader {
   bool isBetweenFrames() const;
 
   /// Valid after FRAME_COMPLETE and FRAME_TOO_LARGE, until the next append().
-  const FrameHeader& header() const;
+  const FrameHeader& header() const { return header_; }
 
   /// header().payload_size bytes. Valid after FRAME_COMPLETE, until the next append().
-  const unsigned char* payload() const;
+  const unsigned char* payload() const { return buffer_; }
 
  private:
   FrameReader(const FrameReader&);
@@ -56,7 +56,7 @@ class FrameReader {
 
   size_t appendHeader(const unsigned char* bytes, size_t size);
   size_t appendPayload(const unsigned char* bytes, size_t size);
-  bool hasHeader() const;
+  bool hasHeader() const { return header_bytes_size_ == FRAME_HEADER_SIZE; }
   Result result() const;
 
   unsigned char* const buffer_;
