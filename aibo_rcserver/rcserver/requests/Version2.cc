@@ -14,14 +14,6 @@ namespace {
 
 const char SERVER_NAME[] = "aibo_rcserver 0.1.0";
 
-// The requests that this server knows. The hello lists their letters in this order.
-const Request* const REQUESTS[] = {
-    &SAY_HELLO,      &TAKE_PICTURE,  &STREAM_PICTURES, &MOVE_JOINTS,         &LIMIT_SPEEDS, &SEND_TELEMETRY,
-    &TELL_OF_MOTORS, &HOLD,          &SET_LEDS,        &MOVE_EARS,           &SET_CAMERA,   &DETECT_COLORS,
-    &SEND_DATAGRAMS, &PLAY_MOTION,   &LIST_MOTIONS,    &TELL_VOLUME,         &STEER,        &TAKE_POSTURE,
-    &STORE_MOTION,   &DELETE_MOTION, &SAVE_PICTURE,    &LIST_STICK_PICTURES, &SHUT_DOWN,    &REBOOT};
-const int NUMBER_OF_REQUESTS = static_cast<int>(sizeof(REQUESTS) / sizeof(REQUESTS[0]));
-
 // Identifiers of the two ears.
 const int LEFT = 1;
 const int RIGHT = 2;
@@ -44,9 +36,9 @@ Version2::Version2(const Robot& robot, const Settings& settings, FileOrder& file
       colors_(robot.colors, exchange_),
       sound_(robot.microphone, robot.speaker, exchange_) {
   char* end = capabilities_;
-  for (int i = 0; i < NUMBER_OF_REQUESTS; ++i) {
-    if (Serves(*REQUESTS[i]) && settings.Allows(REQUESTS[i]->setting)) {
-      end += sprintf(end, "%s%c", i == 0 ? "" : " ", REQUESTS[i]->letter);
+  for (const Row* row = ROWS; row->request != NULL; ++row) {
+    if (Serves(*row->request) && settings.Allows(row->request->setting)) {
+      end += sprintf(end, "%s%c", row == ROWS ? "" : " ", row->request->letter);
     }
   }
 }
@@ -65,10 +57,10 @@ void Version2::Handle(const FrameHeader& request, const unsigned char* payload, 
                      "bad request: number 0 is reserved for messages that the server pushes; use 1 to 65535");
     return;
   }
-  for (int i = 0; i < NUMBER_OF_REQUESTS; ++i) {
-    if (REQUESTS[i]->letter == request.kind && Serves(*REQUESTS[i])) {
-      if (exchange_.IsAllowed(REQUESTS[i]->setting)) {
-        CarryOut(request.kind);
+  for (const Row* row = ROWS; row->request != NULL; ++row) {
+    if (row->request->letter == request.kind && Serves(*row->request)) {
+      if (exchange_.IsAllowed(row->request->setting)) {
+        (this->*row->carry_out)();
       }
       return;
     }
@@ -112,61 +104,6 @@ void Version2::Measured(unsigned frame) {
 
 bool Version2::Serves(const Request& request) const {
   return !request.has(MOVES_BODY) || robot_.joints.Walking().CanWalk();
-}
-
-void Version2::CarryOut(char letter) {
-  switch (letter) {
-    case REQUEST_HELLO:
-      return SayHello();
-    case REQUEST_PICTURE:
-      return camera_.TakePicture();
-    case REQUEST_STREAM:
-      return camera_.Stream();
-    case REQUEST_CAMERA:
-      return camera_.SetCamera();
-    case REQUEST_DATAGRAMS:
-      return camera_.SendDatagrams();
-    case REQUEST_COLORS:
-      return colors_.CarryOut();
-    case REQUEST_SOUND:
-      return sound_.CarryOut();
-    case REQUEST_TELEMETRY:
-      return telemetry_.SetPeriod();
-    case REQUEST_JOINTS:
-      return moves_.MoveJoints();
-    case REQUEST_SPEED_LIMITS:
-      return moves_.LimitSpeeds();
-    case REQUEST_MOTORS:
-      return moves_.SwitchMotors();
-    case REQUEST_HOLD:
-      return moves_.Hold();
-    case REQUEST_STEER:
-      return moves_.Steer();
-    case REQUEST_POSTURE:
-      return moves_.TakePosture();
-    case REQUEST_UPLOAD:
-      return stick_.StoreMotion();
-    case REQUEST_DELETE:
-      return stick_.DeleteMotion();
-    case REQUEST_PLAY:
-      return stick_.PlayMotion();
-    case REQUEST_LIST:
-      return stick_.ListMotions();
-    case REQUEST_SAVE_PICTURE:
-      return stick_.SavePicture();
-    case REQUEST_PICTURES:
-      return stick_.HandlePicture();
-    case REQUEST_LEDS:
-      return SetLeds();
-    case REQUEST_EARS:
-      return MoveEars();
-    case REQUEST_SHUT_DOWN:
-      return GoOff(POWER_SHUT_DOWN);
-    case REQUEST_REBOOT:
-      return GoOff(POWER_REBOOT);
-    default:
-      break;
-  }
 }
 
 void Version2::SayHello() {
@@ -229,3 +166,40 @@ void Version2::GoOff(PowerOrder order) {
     exchange_.ReplyWithoutPayload();
   }
 }
+
+void Version2::ShutDown() {
+  GoOff(POWER_SHUT_DOWN);
+}
+
+void Version2::Reboot() {
+  GoOff(POWER_REBOOT);
+}
+
+// The hello lists the letters in this order.
+const Version2::Row Version2::ROWS[] = {
+    {&SAY_HELLO, &Version2::SayHello},
+    {&TAKE_PICTURE, &Version2::Pass<CameraRequests, &Version2::camera_, &CameraRequests::TakePicture>},
+    {&STREAM_PICTURES, &Version2::Pass<CameraRequests, &Version2::camera_, &CameraRequests::Stream>},
+    {&MOVE_JOINTS, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::MoveJoints>},
+    {&LIMIT_SPEEDS, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::LimitSpeeds>},
+    {&SEND_TELEMETRY, &Version2::Pass<TelemetryRequests, &Version2::telemetry_, &TelemetryRequests::SetPeriod>},
+    {&TELL_OF_MOTORS, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::SwitchMotors>},
+    {&HOLD, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::Hold>},
+    {&SET_LEDS, &Version2::SetLeds},
+    {&MOVE_EARS, &Version2::MoveEars},
+    {&SET_CAMERA, &Version2::Pass<CameraRequests, &Version2::camera_, &CameraRequests::SetCamera>},
+    {&DETECT_COLORS, &Version2::Pass<ColorRequests, &Version2::colors_, &ColorRequests::CarryOut>},
+    {&SEND_DATAGRAMS, &Version2::Pass<CameraRequests, &Version2::camera_, &CameraRequests::SendDatagrams>},
+    {&PLAY_MOTION, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::PlayMotion>},
+    {&LIST_MOTIONS, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::ListMotions>},
+    {&TELL_VOLUME, &Version2::Pass<SoundRequests, &Version2::sound_, &SoundRequests::CarryOut>},
+    {&STEER, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::Steer>},
+    {&TAKE_POSTURE, &Version2::Pass<MoveRequests, &Version2::moves_, &MoveRequests::TakePosture>},
+    {&STORE_MOTION, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::StoreMotion>},
+    {&DELETE_MOTION, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::DeleteMotion>},
+    {&SAVE_PICTURE, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::SavePicture>},
+    {&LIST_STICK_PICTURES, &Version2::Pass<StickRequests, &Version2::stick_, &StickRequests::HandlePicture>},
+    {&SHUT_DOWN, &Version2::ShutDown},
+    {&REBOOT, &Version2::Reboot},
+    {NULL, NULL},
+};

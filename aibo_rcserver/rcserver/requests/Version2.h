@@ -55,13 +55,27 @@ class Version2 {
   Version2(const Version2&);
   Version2& operator=(const Version2&);
 
+  /// A request that this server knows.
+  struct Row {
+    const protocol::version2::Request* request;
+    void (Version2::*carry_out)();
+  };
+  static const Row ROWS[];
+
+  /// Has one of the members below carry out a request.
+  template <typename Part, Part Version2::*PART, void (Part::*CARRY_OUT)()>
+  void Pass() {
+    ((this->*PART).*CARRY_OUT)();
+  }
+
   bool Serves(const protocol::version2::Request& request) const;
-  void CarryOut(char letter);
   void SayHello();
   void SetLeds();
   void MoveEars();
   bool SetEar(int identifier, bool draw);
   void GoOff(PowerOrder order);
+  void ShutDown();
+  void Reboot();
 
   const Robot& robot_;
   Exchange exchange_;
