@@ -229,8 +229,8 @@ class RcServerClient {
   /// begin... functions do the same as those beside them without waiting: a future gets the result or the exception
   /// within the timeout. If a begin... function itself throws, it has given no order, and no callback names the order.
   ///
-  /// If an order has a number, on_refused or on_ended tells how it has ended, in addition to the function's own end and
-  /// before it. An order that has not been sent within the timeout is withdrawn (RefusalCause::kTooOld).
+  /// If an order has a number, on_refused or on_ended also tells how it has ended. A refusal is told before the
+  /// function ends. An order that has not been sent within the timeout is withdrawn (RefusalCause::kTooOld).
   ///
   /// If a version 1 server does not answer in time, the client reconnects. Otherwise it could not know which request
   /// the server's next answer belongs to.
