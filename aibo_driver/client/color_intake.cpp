@@ -22,12 +22,6 @@ DetectedRegion regionOf(const version2::ColorRegion& region, const std::string& 
           region.left,    region.top, region.width,  region.height};
 }
 
-void expectGood(const char* problem) {
-  if (problem != nullptr) {
-    throw ProtocolException(std::string("bad colours: ") + problem);
-  }
-}
-
 }  // namespace
 
 void ColorIntake::askedFor(const ColorDetection& detection) {
@@ -36,8 +30,7 @@ void ColorIntake::askedFor(const ColorDetection& detection) {
 
 void ColorIntake::receive(const unsigned char* payload, std::size_t size, const ColorTables& tables,
                           std::chrono::steady_clock::time_point arrival) {
-  version2::ColorRegions regions;
-  expectGood(version2::decode(payload, size, &regions));
+  const auto regions = decoded<version2::ColorRegions>(payload, size, "colours");
   if (!detection_.on) {
     return;  // it was on its way when the detection was switched off
   }
@@ -58,7 +51,8 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
   }
   if (regions.has_plane) {
     colors.mask.resize(static_cast<std::size_t>(colors.width) * static_cast<std::size_t>(colors.height));
-    expectGood(version2::unpackColorPlane(regions.plane, regions.plane_size, colors.mask.size(), colors.mask.data()));
+    expectGood(version2::unpackColorPlane(regions.plane, regions.plane_size, colors.mask.size(), colors.mask.data()),
+               "colours");
   }
   dropImpossible(&colors);
   newest_ = std::move(colors);

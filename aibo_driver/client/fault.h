@@ -4,9 +4,11 @@
 #define AIBO_DRIVER_CLIENT_FAULT_H
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 
 #include "aibo_client/exceptions.h"
+#include "protocol/fields.h"
 
 namespace aibo_client {
 
@@ -43,6 +45,24 @@ class ProtocolException : public Exception {
  public:
   using Exception::Exception;
 };
+
+/// @param problem what a decoder of the protocol says; null if nothing is wrong
+/// @param what the name of what was decoded, for the message
+/// @throw ProtocolException something is wrong
+inline void expectGood(const char* problem, const char* what) {
+  if (problem != nullptr) {
+    throw ProtocolException(std::string("bad ") + what + ": " + problem);
+  }
+}
+
+/// Decodes a payload of version 2.
+/// @throw ProtocolException it is malformed
+template <typename Content>
+Content decoded(const unsigned char* payload, std::size_t size, const char* what) {
+  Content content;
+  expectGood(protocol::version2::decode(payload, size, &content), what);
+  return content;
+}
 
 }  // namespace aibo_client
 

@@ -23,15 +23,6 @@ constexpr std::chrono::seconds kLongestDelay{5};
 // The robot's clock may be faster than this computer's by one part in this number. Our choice.
 constexpr int kClockTolerance = 64;
 
-template <typename Content>
-Content decoded(const unsigned char* payload, std::size_t size) {
-  Content content;
-  if (const char* const problem = version2::decode(payload, size, &content)) {
-    throw ProtocolException(std::string("bad sound: ") + problem);
-  }
-  return content;
-}
-
 }  // namespace
 
 void SoundIntake::askedFor(const MicrophoneSettings& settings) {
@@ -41,7 +32,7 @@ void SoundIntake::askedFor(const MicrophoneSettings& settings) {
 }
 
 void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chrono::steady_clock::time_point arrival) {
-  const auto pushed = decoded<version2::HeardSound>(payload, size);
+  const auto pushed = decoded<version2::HeardSound>(payload, size, "sound");
   if (!in_force_ || !in_force_->on || pushed.channels != in_force_->channels) {
     return;  // it was on its way when the settings were changed
   }
@@ -113,7 +104,7 @@ void SoundIntake::accepted(const SoundPart& part) {
 }
 
 void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
-  const auto pushed = decoded<version2::SoundEnd>(payload, size);
+  const auto pushed = decoded<version2::SoundEnd>(payload, size, "sound");
   const bool is_known_already = pushed.how == version2::END_REPLACED || pushed.how == version2::END_STOPPED;
   if (!playing_ || is_known_already) {
     return;

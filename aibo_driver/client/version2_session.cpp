@@ -73,22 +73,6 @@ void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
   elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
 }
 
-/// @throw ProtocolException if a decoder has found a problem
-void expectGood(const char* problem, const std::string& what) {
-  if (problem != nullptr) {
-    throw ProtocolException("bad " + what + ": " + problem);
-  }
-}
-
-/// @param name the name of the payload, for the message
-/// @throw ProtocolException the payload is malformed
-template <typename Content, typename Payload>
-Content decoded(const Payload& payload, const char* name) {
-  Content content;
-  expectGood(version2::decode(payload.data, payload.size, &content), name);
-  return content;
-}
-
 RobotInfo makeRobotInfo(const version2::Hello& hello) {
   RobotInfo robot;
   robot.design = hello.robot;
@@ -644,7 +628,7 @@ void Version2Session::onHello(const Payload& payload) {
 
 std::shared_ptr<Picture> Version2Session::takePictureFrom(const Payload& payload) {
   connection_.pictures.signOfPicture(now_);
-  const auto picture = decoded<version2::PicturePayload>(payload, "picture");
+  const auto picture = decoded<version2::PicturePayload>(payload.data, payload.size, "picture");
   frames_.told(picture.header.frame_number, now_);
   return inspect(Bytes(picture.jpeg, picture.jpeg + picture.jpeg_size), picture.header, frame_began_);
 }
@@ -711,7 +695,7 @@ void Version2Session::onRequestedPicture(int number, const Payload& payload) {
 }
 
 void Version2Session::onTelemetry(const Payload& payload) {
-  const auto measured = decoded<version2::Telemetry>(payload, "telemetry");
+  const auto measured = decoded<version2::Telemetry>(payload.data, payload.size, "telemetry");
   frames_.told(measured.frame_number, now_);
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
     // So many wait only if this process was held up for long. Then the oldest are worth least.
@@ -745,7 +729,7 @@ void Version2Session::onColors(const Payload& payload) {
 }
 
 void Version2Session::onJointsAccepted(const Payload& payload) {
-  const auto accepted = decoded<version2::JointTargets>(payload, "reply to joint targets");
+  const auto accepted = decoded<version2::JointTargets>(payload.data, payload.size, "reply to joint targets");
   std::vector<JointTarget> targets;
   for (std::size_t i = 0; i < accepted.count; ++i) {
     targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
@@ -754,7 +738,7 @@ void Version2Session::onJointsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onLedsAccepted(const Payload& payload) {
-  const auto accepted = decoded<version2::LedValues>(payload, "reply to LEDs");
+  const auto accepted = decoded<version2::LedValues>(payload.data, payload.size, "reply to LEDs");
   std::vector<LedCommand> leds;
   for (std::size_t i = 0; i < accepted.count; ++i) {
     const version2::LedValue& led = accepted.leds[i];
@@ -764,7 +748,7 @@ void Version2Session::onLedsAccepted(const Payload& payload) {
 }
 
 void Version2Session::onSteered(const Payload& payload) {
-  const auto steered = decoded<version2::SteeringReply>(payload, "reply to steering");
+  const auto steered = decoded<version2::SteeringReply>(payload.data, payload.size, "reply to steering");
   bodyMovesAgain();
   const int number = reader_.header().request_number;
   const std::uint64_t order = orderOf(number);
@@ -798,7 +782,8 @@ void Version2Session::onSound(const Payload& payload) {
 }
 
 void Version2Session::onMicrophone(const Payload& payload) {
-  const auto settings = decoded<version2::MicrophoneSettings>(payload, "reply to a request to listen");
+  const auto settings =
+      decoded<version2::MicrophoneSettings>(payload.data, payload.size, "reply to a request to listen");
   if (outstanding(version2::REQUEST_SOUND) == 1) {  // it is the newest
     connection_.sound.inForce({(settings.mode & version2::MICROPHONE_ON) != 0, settings.channels,
                                settings.samples_per_second, (settings.mode & version2::SOUND_FIRST) != 0});
@@ -806,7 +791,7 @@ void Version2Session::onMicrophone(const Payload& payload) {
 }
 
 void Version2Session::onDatagrams(const Payload& payload) {
-  const auto order = decoded<version2::DatagramOrder>(payload, "reply to an order of datagrams");
+  const auto order = decoded<version2::DatagramOrder>(payload.data, payload.size, "reply to an order of datagrams");
   if (order.port == 0 || order.is_test || order.first_sequence != start_.sequence ||
       order.first_picture != start_.picture) {
     return;
@@ -841,7 +826,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
 
 /// Tells that the robot has refused a request. Its caller may have stopped waiting.
 void Version2Session::onError(int number, const Payload& payload) {
-  const auto message = decoded<version2::ErrorMessage>(payload, "error message");
+  const auto message = decoded<version2::ErrorMessage>(payload.data, payload.size, "error message");
   const std::string problem = describe(message);
   const RefusalCause cause = message.code == version2::CODE_TOO_OLD ? RefusalCause::kTooOld : RefusalCause::kRobot;
   const auto refused = orders_.extract(number);
@@ -886,7 +871,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
 }
 
 void Version2Session::onEnded(const Payload& payload) {
-  const auto message = decoded<version2::EndMessage>(payload, "report of an end");
+  const auto message = decoded<version2::EndMessage>(payload.data, payload.size, "report of an end");
   ActivityEnd end;
   end.kind = endedKind(message.what);
   end.how = endedHow(message.how);
@@ -901,7 +886,7 @@ void Version2Session::onEnded(const Payload& payload) {
 }
 
 void Version2Session::onReport(const Payload& payload) {
-  const auto message = decoded<version2::ErrorMessage>(payload, "error message");
+  const auto message = decoded<version2::ErrorMessage>(payload.data, payload.size, "error message");
   const Report report = {describe(message), message.code == version2::CODE_JOINT_FAULT,
                          message.code == version2::CODE_REFUSED};
   removeIf(&reports_, [&report](const Report& each) { return each.text == report.text; });
@@ -915,7 +900,7 @@ void Version2Session::onReport(const Payload& payload) {
 }
 
 void Version2Session::onMotorsAndPosture(const Payload& payload) {
-  const auto state = decoded<version2::MotorsAndPosture>(payload, "state of motors and posture");
+  const auto state = decoded<version2::MotorsAndPosture>(payload.data, payload.size, "state of motors and posture");
   const bool is_known = state.posture <= version2::POSTURE_CARRIED;
   connection_.motors_and_posture = {state.motors_on ? MotorState::kOn : MotorState::kOff,
                                     is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
