@@ -28,15 +28,6 @@ void Output::result(const std::string& words, const Json& json) {
   write(results_to_stderr_ ? stderr : stdout, line.data(), line.size());
 }
 
-void Output::names(const std::string& kind, const std::vector<std::string>& names) {
-  std::string words;
-  for (const std::string& name : names) {
-    words += (words.empty() ? "" : "\n") + name;
-  }
-  result(names.empty() ? "There are no " + kind + " on the robot." : words,
-         Json::object({{kind, Json::array({names.begin(), names.end()})}}));
-}
-
 void Output::note(const std::string& words) {
   std::fprintf(stderr, "%s\n", text::plainText(words).c_str());
 }

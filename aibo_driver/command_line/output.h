@@ -33,11 +33,6 @@ class Output {
   /// @throw OutputException
   void result(const std::string& words, const Json& json);
 
-  /// Shows the names of files on the robot, one per line.
-  /// @param kind the kind of the files, such as "motions"
-  /// @throw OutputException
-  void names(const std::string& kind, const std::vector<std::string>& names);
-
   /// Tells the user something that is not a result. It never fails.
   void note(const std::string& words);
 

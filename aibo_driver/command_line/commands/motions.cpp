@@ -25,7 +25,13 @@ constexpr double kBlindPlay = 10;           // s, for a server that does not rep
 ExitStatus list(const Arguments& arguments, Output& output) {
   Robot robot(arguments.robot, output);
   robot.connect();
-  output.names("motions", robot.client().listMotions(kFileTimeout));
+  const std::vector<std::string> names = robot.client().listMotions(kFileTimeout);
+  std::string words;
+  for (const std::string& name : names) {
+    words += (words.empty() ? "" : "\n") + name;
+  }
+  output.result(names.empty() ? "There are no motions on the robot." : words,
+                Json::object({{"motions", Json::array({names.begin(), names.end()})}}));
   return kDone;
 }
 
