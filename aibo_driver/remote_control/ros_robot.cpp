@@ -164,6 +164,10 @@ void RosRobot::useTopicsOf(const std::string& name_space) {
     const std::lock_guard<std::mutex> lock(mutex_);
     old = std::exchange(topics_, nullptr);
   }
+  // The window may just be publishing. It must not be the last owner, because unsubscribing may wait for the master.
+  while (old.use_count() > 1) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   old.reset();  // this waits for its callbacks; from now on none comes
   forgetDriver(name_space);
   const auto made = std::make_shared<DriverTopics>(name_space, &queue_, &measurements_, *this, [this] {
