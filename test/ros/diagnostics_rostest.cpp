@@ -61,8 +61,9 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<diagnostic_msgs::DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
   DriverProcess driver("/tree", robot.port(), {"_jpeg_quality:=40", "_frame_rate:=15", "_read_timeout:=20"});
-  for (const char* const name : {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream",
-                                 "Joints/tree aibo_driver: joints", "Power/tree aibo_driver: power"}) {
+  for (const char* const name :
+       {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream", "Joints/tree aibo_driver: joints",
+        "Power/tree aibo_driver: power", "Sound/tree aibo_driver: sound"}) {
     EXPECT_TRUE(tree.waitFor([name](const diagnostic_msgs::DiagnosticArray& array) {
       return std::any_of(array.status.begin(), array.status.end(), [name](const DiagnosticStatus& status) {
         return status.name == std::string("/Aibo/") + name && status.level == DiagnosticStatus::OK;
