@@ -33,7 +33,7 @@ struct DriverParameters {
   std::string color_tables = "pink_ball";  ///< for ColorTableService::loadAtStart()
   int microphone_channels = 2;             ///< channels of the topic microphone, 1..2
   bool sound_priority = false;             ///< pictures wait for what the microphones hear
-  bool stream_on_demand = false;           ///< stream only while a camera topic has a subscriber
+  bool stream_on_demand = true;            ///< stream only while a camera topic has a subscriber
   std::string frame_id = "camera_optical_frame";
   std::string camera_name;                  ///< letters, digits and underscores
   std::string camera_info_url;              ///< may be empty: see calibrationFile()

@@ -159,7 +159,7 @@ class DriverBenchmark {
     return [&robot, streams] {
       return std::make_unique<test_support::DriverProcess>(
           kNamespace, robot.port(),
-          std::vector<std::string>{"_telemetry_rate:=0",
+          std::vector<std::string>{"_telemetry_rate:=0", "_stream_on_demand:=false",
                                    streams ? "_stream_on_start:=true" : "_stream_on_start:=false"});
     };
   }

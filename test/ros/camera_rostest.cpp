@@ -234,7 +234,7 @@ TEST(Calibration, ThatCannotBelongToTheCameraIsRefusedAndNotPublished) {
 
 TEST(Camera, StateIsToldForTheFirstPictureOfEachConnection) {
   TopicListener<aibo_driver::CameraState> states("/each/camera/state");
-  DriverUser user("/each");
+  DriverUser user("/each", {test_support::kStreams});
   ASSERT_TRUE(states.waitForFirst());
   user.proxy.cut();
   EXPECT_THAT(states.waitForCount(2), SizeIs(2)) << "the robot's settings may be others";
@@ -244,7 +244,7 @@ TEST(Camera, OnDemandTheRobotStreamsOnlyWhileACameraTopicHasASubscriber) {
   SimulatedRobot robot;
   TopicListener<std_msgs::Bool> streaming("/demand/streaming");
   DiagnosticsListener diagnostics;
-  DriverProcess driver("/demand", robot.port(), {"_stream_on_demand:=true"});
+  DriverProcess driver("/demand", robot.port());
   const auto becomes = [&streaming](bool on) {
     return streaming.waitFor([on](const std_msgs::Bool& message) { return static_cast<bool>(message.data) == on; });
   };
@@ -287,7 +287,8 @@ TEST(TakePicture, WithoutAStreamAnswersAPictureThatWasTakenAfterTheCall) {
 }
 
 TEST(TakePicture, FromASilentRobotEndsWithItsTimeoutAndDelaysNobodyElse) {
-  DriverUser user("/silent", {"_stream_on_start:=false", "_take_picture_timeout:=10", "_read_timeout:=60"});
+  DriverUser user(
+      "/silent", {test_support::kStreams, "_stream_on_start:=false", "_take_picture_timeout:=10", "_read_timeout:=60"});
   user.proxy.setMute(true);
   auto waiting = std::async(std::launch::async, [&user] { return user.call<TakePicture>("take_picture"); });
   ASSERT_TRUE(user.proxy.waitForRequest("F", kSafetyNet));

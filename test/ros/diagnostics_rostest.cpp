@@ -25,6 +25,7 @@ using test_support::Bytes;
 using test_support::DiagnosticsListener;
 using test_support::DriverProcess;
 using test_support::FaultProxy;
+using test_support::kStreams;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 
@@ -60,7 +61,7 @@ class Watch {
 TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   TopicListener<diagnostic_msgs::DiagnosticArray> tree("/diagnostics_agg");
   SimulatedRobot robot;
-  DriverProcess driver("/tree", robot.port(), {"_jpeg_quality:=40", "_frame_rate:=15", "_read_timeout:=20"});
+  DriverProcess driver("/tree", robot.port(), {kStreams, "_jpeg_quality:=40", "_frame_rate:=15", "_read_timeout:=20"});
   for (const char* const name :
        {"Connection/tree aibo_driver: connection", "Camera/tree aibo_driver: stream", "Joints/tree aibo_driver: joints",
         "Power/tree aibo_driver: power", "Sound/tree aibo_driver: sound"}) {
@@ -87,7 +88,7 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
   Watch watch("alone");
-  const DriverProcess driver("/alone", 1);
+  const DriverProcess driver("/alone", 1, {kStreams});
   watch.waitFor("stream", DiagnosticStatus::WARN, "no pictures: the robot is not connected");
   watch.waitFor("joints", DiagnosticStatus::WARN, "no joint positions: the robot is not connected");
   watch.waitFor("power", DiagnosticStatus::OK, "idle: the robot is not connected");
@@ -119,7 +120,7 @@ Bytes cutBeforeItsEnd(Bytes jpeg) {
 }
 
 // The frame numbers of a PictureServer do not keep pace with the time.
-const std::vector<std::string> kWithoutRobotTime = {"_use_robot_time:=false", "_read_timeout:=20"};
+const std::vector<std::string> kWithoutRobotTime = {kStreams, "_use_robot_time:=false", "_read_timeout:=20"};
 
 TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   test_support::PictureServer server(2, 20ms);
@@ -154,7 +155,8 @@ TEST(StreamDiagnostics, WarnOfAStreamThatIsSlowOrStandsStill) {
 TEST(StreamDiagnostics, WarnOfDataThatComesLate) {
   SimulatedRobot robot;
   FaultProxy proxy(robot.port());
-  DriverProcess driver("/late", proxy.port(), {"_read_timeout:=20", "_telemetry_rate:=0", test_support::kByTcp});
+  DriverProcess driver("/late", proxy.port(),
+                       {kStreams, "_read_timeout:=20", "_telemetry_rate:=0", test_support::kByTcp});
   Watch watch("late");
   watch.waitFor("joints", DiagnosticStatus::OK, "idle: telemetry_rate is 0");
   watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
@@ -172,7 +174,7 @@ TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
   way.target_host = "127.0.0.3";
   way.target_port = robot.port();
   FaultProxy proxy(way);
-  DriverProcess driver("/no_udp", proxy.port(), {"_transport:=udp", "_read_timeout:=20"});
+  DriverProcess driver("/no_udp", proxy.port(), {kStreams, "_transport:=udp", "_read_timeout:=20"});
   const auto fallen_back = Watch("no_udp").waitFor("stream", DiagnosticStatus::WARN,
                                                    "pictures come by TCP, not by UDP: no datagram has come");
   EXPECT_EQ(DiagnosticsListener::value(fallen_back, "transport"), "tcp");

@@ -185,7 +185,7 @@ TEST(Settings, WithoutGuardTheRobotWalksBackWhereItCannotSee) {
 
 TEST(Settings, OfTheCameraAreSeenInItsState) {
   TopicListener<CameraState> states("/settings_camera/camera/state");
-  SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2"});
+  SettingsUser user("/settings_camera", {"_gain:=2", "_shutter_speed:=2", test_support::kStreams});
   ASSERT_TRUE(states.waitFor([](const auto& state) { return state.gain == CameraState::GAIN_MID; }));
   user.set(change(&Config::ints, "shutter_speed", int(CameraState::SHUTTER_FAST)));
   user.set(change(&Config::ints, "gain", int(CameraState::GAIN_HIGH)));

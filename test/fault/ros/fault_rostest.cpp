@@ -82,7 +82,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhateverTheRobotDoes) {
     TopicListener<Connection> connection("/" + name + "/connection");
     const bool is_served = welcome == Welcome::kServe;
     DriverProcess driver("/" + name, proxy_.port(),
-                         {test_support::kByTcp, is_served ? kPatient : "_read_timeout:=0.5"});
+                         {test_support::kByTcp, test_support::kStreams, is_served ? kPatient : "_read_timeout:=0.5"});
     EXPECT_TRUE(connection.waitFor([&](const Connection& message) {
       return is_served ? message.state == Connection::CONNECTED : !message.reason.empty();
     })) << name;

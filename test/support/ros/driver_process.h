@@ -13,6 +13,9 @@ namespace test_support {
 /// A parameter: all pictures come over the connection, and so through a proxy.
 constexpr const char* kByTcp = "_transport:=tcp";
 
+// Pictures come although nobody subscribes.
+constexpr const char* kStreams = "_stream_on_demand:=false";
+
 /// The executable aibo_driver_node in a namespace of its own.
 class DriverProcess : public Process {
  public:
