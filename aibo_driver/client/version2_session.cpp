@@ -616,7 +616,9 @@ void Version2Session::onReply(char kind, int number, const Payload& payload) {
 void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
-  connection_.robot = makeRobotInfo(hello);
+  if (!ready_) {  // later hellos are only heartbeats
+    connection_.robot = makeRobotInfo(hello);
+  }
   const TimePoint sent = exchanges_.at(reader_.header().request_number).sent;
   if (!ready_ || timeAhead(hello.frame_number, sent) > TimePoint::duration::zero()) {
     robot_frame_ = hello.frame_number;

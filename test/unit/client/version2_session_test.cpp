@@ -29,7 +29,7 @@ namespace {
 
 class Version2SessionTest : public Version2SessionFixture {
  public:
-  Version2SessionTest() { begin("F W J V T"); }
+  Version2SessionTest() { begin("F W J V T S"); }
 };
 
 /// For the rows of tables.
@@ -312,9 +312,6 @@ TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewest64AreReported
 }
 
 TEST_F(Version2SessionTest, ARobotThatWalksTellsHow) {
-  push('h', {});
-  EXPECT_EQ("H 0", request());
-  answer(version2_frames::makeHello("S"));
   EXPECT_DOUBLE_EQ(0.15, connection_.robot.walk_limits.forward);
   EXPECT_DOUBLE_EQ(0.1, connection_.robot.walk_limits.back);
   EXPECT_DOUBLE_EQ(0.06, connection_.robot.walk_limits.left);
