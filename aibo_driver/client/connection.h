@@ -119,8 +119,6 @@ struct Connection {
   MotorsAndPosture motors_and_posture;  ///< the last report of the robot
   PictureTransport transport = PictureTransport::kTcp;  ///< the transport of the stream's pictures
   std::string transport_problem;                        ///< why the pictures do not come by UDP; empty if they may
-  unsigned transport_changes = 0;                       ///< Settings::transport_changes when the connection began
-  bool lets_no_datagram_through = false;                ///< true if the problem is that no datagram gets through
 
  private:
   void tellRefused(const Call& call, RefusalCause cause, const std::string& reason);

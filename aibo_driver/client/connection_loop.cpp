@@ -143,9 +143,6 @@ void ConnectionLoop::connectAndServe() {
 void ConnectionLoop::beginSession() {
   connection_.emplace(ConnectionContext{address_, options_.read_timeout, notifier_, counters_, counters_.connections},
                       connected_);
-  connection_->transport_changes = transport_changes_;
-  connection_->transport_problem = datagrams_blocked_;
-  connection_->lets_no_datagram_through = !datagrams_blocked_.empty();
   if (options_.protocol_version == 1) {
     beginVersion1(Version1Session::VersionAnswer::kNotAsked);
     return;
@@ -222,7 +219,6 @@ int ConnectionLoop::datagramPort(const Settings& wanted) {
   Connection& connection = *connection_;
   if (wanted.transport_changes != std::exchange(transport_changes_, wanted.transport_changes)) {
     connection.transport_problem.clear();
-    connection.lets_no_datagram_through = false;
   }
   if (wanted.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
@@ -230,7 +226,6 @@ int ConnectionLoop::datagramPort(const Settings& wanted) {
              errno != ENOTCONN) {  // else the connection has just been reset, which the next read will tell
     connection.giveUpDatagrams("this computer has no free socket");
   }
-  datagrams_blocked_ = connection.lets_no_datagram_through ? connection.transport_problem : "";
   return transport_->datagrams().port();
 }
 

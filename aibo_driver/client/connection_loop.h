@@ -133,7 +133,6 @@ class ConnectionLoop {
   std::unique_ptr<Session> session_;  // null until the version of the protocol is known
   ServerHabits habits_;
   unsigned transport_changes_ = 0;          // how many of the user's changes have been carried out
-  std::string datagrams_blocked_;           // why no datagram has ever come; empty if one has come or none was due
   TimePoint connected_ = TimePoint::max();  // when the connection was made; max without one
   bool heard_ = false;                      // the server has sent something
   TimePoint attempt_began_;                 // when the present or last attempt to connect began

@@ -11,7 +11,6 @@ namespace version2 = protocol::version2;
 
 void DatagramIntake::begin(const Start& start, TimePoint now) {
   DatagramIntake next(*context_);  // it knows nothing of the request before
-  next.something_came_ = something_came_;
   next.warned_ = warned_;
   next.on_ = next.used_ = true;
   next.waits_until_ = now + kConfirmation;
@@ -65,7 +64,6 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   count(verdict);
   const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
   if (is_believed) {
-    something_came_ = true;
     // After an outage, the pictures before it are too old to be repeated.
     if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
       settle(std::int64_t{datagram.picture} - 1, now);

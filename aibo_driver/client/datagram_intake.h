@@ -100,9 +100,6 @@ class DatagramIntake {
   /// True if begin() was ever called.
   bool wereUsed() const { return used_; }
 
-  /// True if no datagram has come over this connection.
-  bool nothingCame() const { return !something_came_; }
-
  private:
   /// Something that must come now and then.
   struct Expectation {
@@ -128,7 +125,6 @@ class DatagramIntake {
   TimePoint waits_until_;  // for the robot's answer
   Start start_;
   bool used_ = false;
-  bool something_came_ = false;
   bool warned_ = false;
   Expectation datagram_;
   Expectation good_picture_;

@@ -36,10 +36,6 @@ class TransportChoice {
   /// What to ask the robot for.
   enum class Step { kNone, kTest, kBegin, kEnd };
 
-  /// @param given_up no datagram came over the earlier connections
-  /// @param changes how often the user had changed the transport by then
-  TransportChoice(bool given_up, unsigned changes) : changes_(changes), trials_{given_up} {}
-
   /// The next step. It counts as done.
   Step next(const Situation& situation, TimePoint now);
 
@@ -77,7 +73,7 @@ class TransportChoice {
   Step test(TimePoint now);
 
   PictureTransport wanted_ = PictureTransport::kTcp;
-  unsigned changes_;
+  unsigned changes_ = 0;
   Trials trials_;
   int port_ = 0;
   TimePoint next_look_ = TimePoint::max();

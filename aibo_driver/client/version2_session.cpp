@@ -163,7 +163,6 @@ Version2Session::Version2Session(Connection& connection, TimePoint connected)
       reader_(buffer_.data(), buffer_.size()),
       next_hello_(connected),
       datagrams_(connection.context),
-      transport_(!connection.transport_problem.empty(), connection.transport_changes),
       test_start_(randomStart()) {
   connection_.measurements.askedFor(telemetry_period_);
   camera_.fill(kNotRequested);
@@ -800,14 +799,12 @@ void Version2Session::onDatagrams(const Payload& payload) {
   }
   connection_.transport = PictureTransport::kUdp;
   connection_.transport_problem.clear();
-  connection_.lets_no_datagram_through = false;
   datagrams_.confirmed(now_);
   deliverWholePictures(now_);
 }
 
 void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
   connection_.giveUpDatagrams(why, transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
-  connection_.lets_no_datagram_through = datagrams_.nothingCame();
   transport_.giveUp(now);
   datagrams_.end();
   connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
@@ -865,7 +862,6 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
     ++connection_.context.counters.refusals;
     if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier setting
       giveUpDatagrams("it refused to: " + problem, now_);
-      connection_.lets_no_datagram_through = false;  // over the next connection it may agree
     }
     return;
   }

@@ -124,7 +124,6 @@ TEST_F(DatagramOrderTest, NamesThePortOnceUntilItChanges) {
 TEST_F(DatagramOrderTest, ThatIsRefusedMeansTcp) {
   refuse("no endpoint");
   EXPECT_EQ("it refused to: no endpoint", connection_.transport_problem);
-  EXPECT_FALSE(connection_.lets_no_datagram_through) << "over the next connection it may agree";
   EXPECT_EQ(1u, counters_.refusals);
   answer();
   arriveByTcp(1, frameOf(1));
@@ -272,13 +271,6 @@ TEST_F(DatagramsTest, APictureIsBelievedToBeAsFarAheadAsTheOutageWasLong) {
   EXPECT_THAT(delivered(), ElementsAre(1, 27));
 }
 
-TEST_F(DatagramsTest, DatagramsThatStopComingDoNotMeanThatNoneGetsThrough) {
-  live(milliseconds(320), [this] { arrive(nextPicture()); });
-  live(milliseconds(1300));
-  EXPECT_NE("", connection_.transport_problem);
-  EXPECT_FALSE(connection_.lets_no_datagram_through);
-}
-
 TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
   for (const int outage : {600, 990, 1010, 1200}) {
     asked_.clear();
@@ -295,7 +287,6 @@ TEST_F(DatagramsTest, AnOutageOfTheRadioIsNoReasonForTcp) {
 TEST_F(DatagramsTest, WithoutAWholePictureInTwentyThePicturesComeByTcpWhereSilenceIsAFault) {
   live(std::chrono::seconds(1), [this] { arrive(nextCut()); });
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no picture is complete"));
-  EXPECT_FALSE(connection_.lets_no_datagram_through);
   ASSERT_EQ(PictureTransport::kTcp, connection_.transport);
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(std::chrono::seconds(1)); }));
 }
@@ -620,27 +611,6 @@ TEST_F(DatagramClientTest, TheWholeIpv6AddressOfTheRobotIsCompared) {
   test_support::UdpSocket("127.0.0.2").send(startStream(&peer), {0});
   EXPECT_TRUE(eventually([&] { return client.statistics().foreign_datagrams == 1; }));
   EXPECT_EQ(0u, client.statistics().bad_datagrams) << "nobody reads it";
-}
-
-TEST_F(DatagramClientTest, WhereNoDatagramEverCameTheNextConnectionBeginsWithATest) {
-  client_.setPictureTransport(PictureTransport::kUdp);
-  client_.setStreaming(true);
-  {
-    ScriptedPeer peer = connectVersion2("F W B");
-    startStream(&peer);
-    EXPECT_EQ(0, orderIn(peer.readRequest()).port) << "after 1 s";
-    EXPECT_THAT(client_.status().transport_problem, HasSubstr("no datagram"));
-  }
-  ScriptedPeer peer = connectVersion2("F W B");
-  version2_frames::Frame request = peer.readRequest();
-  EXPECT_TRUE(orderIn(request).is_test);
-  client_.setPictureTransport(PictureTransport::kTcp);
-  client_.setPictureTransport(PictureTransport::kUdp);  // before the client's thread has seen the other one
-  while (orderIn(request).is_test || request.header.kind != 'B') {
-    confirm(&peer, request);
-    request = peer.readRequest();
-  }
-  EXPECT_GT(orderIn(request).port, 0) << "the user asks for it";
 }
 
 // The callback takes longer than StallDetector::kStallLimit, so what comes meanwhile is no longer fresh.

@@ -137,8 +137,8 @@ TEST_F(TransportChoiceTest, WhenDatagramsStopPicturesComeByTcpAndUdpIsTriedAgain
 }
 
 TEST(TransportChoicePauseTest, ThePauseDoesNotGrowForEver) {
-  TransportChoice choice(false, 5);
-  const TransportChoice::Situation situation = {PictureTransport::kAuto, 5, kPort, true};
+  TransportChoice choice;
+  const TransportChoice::Situation situation = {PictureTransport::kAuto, 0, kPort, true};
   TransportChoice::TimePoint now(seconds(1000));
   std::vector<long> pauses;
   for (int i = 0; i < 6; ++i) {
