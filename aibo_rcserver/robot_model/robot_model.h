@@ -78,7 +78,6 @@ struct CouplingRow {
 /// The rows are Sony's, in ascending order. Some overlap, and some leave gaps of a degree; see coupledLowest().
 /// `lowest` first falls and then rises, so the follower is never restricted more between two positions of the leader
 /// than at one of them. So every allowed posture can be reached from any other.
-/// reached from every other one.
 struct Coupling {
   int leader;    ///< index of the leader
   int follower;  ///< index of the follower, which is never a leader itself
