@@ -132,19 +132,24 @@ void OrderAudit::judgeStop(const Round& round, const Call& stop) {
   }
 }
 
-// No two commands send a joint to the same target.
+// No two commands send a joint to the same target. A trajectory may pass through one target of a command, but not
+// through all of them at once.
 void OrderAudit::judgeAge(const Round& round) {
   for (const Order& order : round.orders) {
+    std::map<double, std::size_t> found;  // how many of the targets, by time
     for (const Accepted& accepted : round.accepted) {
       const auto target = order.targets.find(accepted.joint);
-      if (order.kind != "command" || target == order.targets.end() ||
-          std::abs(target->second - accepted.target) > kSameTarget) {
-        continue;
+      if (target != order.targets.end() && std::abs(target->second - accepted.target) < kSameTarget) {
+        ++found[accepted.time];
       }
-      ages_.push_back(accepted.time - order.time);
-      if (ages_.back() > kTooOld + kOnTheWay) {
-        complain_(clock(accepted.time) + "the robot accepted a command of " + order.user + " that was " +
-                  text(ages_.back()) + " s old");
+    }
+    for (const auto& [time, targets] : found) {
+      if (order.kind == "command" && targets == order.targets.size()) {
+        ages_.push_back(time - order.time);
+        if (ages_.back() > kTooOld + kOnTheWay) {
+          complain_(clock(time) + "the robot accepted a command of " + order.user + " that was " + text(ages_.back()) +
+                    " s old");
+        }
       }
     }
   }

@@ -113,7 +113,7 @@ class User {
 
   Targets anyTargets() {
     Targets targets;
-    for (int i = uniform(1, 3); i > 0; --i) {
+    while (targets.size() < 2) {
       const robot_model::Joint& joint = model_->joints[uniform(0, model_->number_of_joints - 1)];
       targets[joint.name] = anyTarget(joint);
     }
