@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 
-
 #include "simulator/ers7/camera/ycrcb_image.h"
 #include "support/good_calibration.h"
 
