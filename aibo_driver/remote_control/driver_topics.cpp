@@ -33,7 +33,7 @@ constexpr std::chrono::seconds kTimeToSpeak{5};
 constexpr std::chrono::seconds kHeardFor{3};
 
 // The joints of a robot of version 1 come one by one, and a short touch must not be missed.
-constexpr std::uint32_t kAllOfThem = 64;
+constexpr std::uint32_t kAllOfThem = 16;
 constexpr std::uint32_t kTheNewest = 1;
 
 // Reading a longer message would keep the window from clicks. A picture has 128 KB at most.
@@ -273,7 +273,7 @@ std::string DriverTopics::settings() const {
   const aibo_driver::Connection::ConstPtr message = connection();
   std::string problem;
   const bool is_usable = message && message->state != aibo_driver::Connection::PLAYBACK &&
-                         ros::names::validate(message->settings, problem);
+                         message->settings.find('/') == 0 && ros::names::validate(message->settings, problem);
   return is_usable ? message->settings : "";
 }
 

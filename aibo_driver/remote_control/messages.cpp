@@ -14,6 +14,10 @@ using dynamic_reconfigure::Config;
 constexpr std::size_t kLongestText = 1000;  // bytes
 constexpr int kLongestName = 200;           // characters
 
+// More than a driver has; each is a row of the form, and its choices are searched by a regular expression.
+constexpr int kMostSettings = 100;
+constexpr std::size_t kLongestEditMethod = 4096;  // bytes
+
 RobotCondition::Posture postureOf(std::uint8_t posture) {
   switch (posture) {
     case RobotState::STANDING:
@@ -148,6 +152,9 @@ QVector<Setting> settingsIn(const dynamic_reconfigure::ConfigDescription& descri
       setting.description = fromRos(parameter.description);
       setting.lowest = lowest.value(setting.name);
       setting.highest = highest.value(setting.name);
+      if (settings.size() == kMostSettings || parameter.edit_method.size() > kLongestEditMethod) {
+        continue;
+      }
       const bool is_text = parameter.type == "str";
       setting.choices = parameter.type == "bool" ? QVector<QPair<QString, QVariant>>{{"no", false}, {"yes", true}}
                                                  : choicesIn(QString::fromStdString(parameter.edit_method), is_text);

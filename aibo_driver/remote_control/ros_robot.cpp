@@ -97,7 +97,7 @@ void RosRobot::manageTopics() {
       search();
       next_search = std::chrono::steady_clock::now() + kSearchPeriod;
     }
-    if (master_answers_) {  // otherwise roscpp would wait until it answers
+    if (master_answers_ && !ros::isShuttingDown()) {  // without a master, roscpp would wait until it answers
       if (!ros::isStarted()) {
         ros::start();
       }
@@ -280,6 +280,11 @@ void RosRobot::call(const QString& request, const std::string& service, const ty
 }
 
 void RosRobot::useDriver(const QString& name_space) {
+  std::string problem;
+  if (!ros::names::validate(name_space.toStdString(), problem)) {
+    answer(false, "driver: " + fromRos(problem));
+    return;
+  }
   wish([&name_space](Wishes& wishes) { wishes.name_space = name_space.toStdString(); });
 }
 
@@ -355,6 +360,10 @@ void RosRobot::stopMotions() {
 void RosRobot::changeSetting(const QString& name, const QVariant& value) {
   const auto used = topics();
   const std::string settings = used ? used->settings() : "";
+  if (settings.empty()) {
+    answer(false, name + ": the driver has not said where its settings are");
+    return;
+  }
   dynamic_reconfigure::Reconfigure::Request request;
   request.config = changeOf(name, value);
   const auto done = [this, name,

@@ -323,6 +323,7 @@ TEST(RemoteControlRos, WaitsForADriverThatHasNotBeenHeardAndForTheMaster) {
   const ros::Publisher driver = ros::NodeHandle("/later").advertise<Connection>("connection", 1, true);
   Connection heard;
   heard.text = "the robot is off";
+  heard.settings = "~lie";  // no place for settings
   driver.publish(heard);
   EXPECT_TRUE(user.waitForText("connection", "the robot is off"));
 }
