@@ -81,6 +81,11 @@ void JointPlan::add(MovementId id, const TrajectoryRequest& request, const Arriv
                     SteadyTime now, milliseconds oldest) {
   resume(now);
   Job job{id, request, arrival, start, oldest, std::nullopt};
+  for (const Job& other : jobs_) {
+    if (other.run && other.start > now && job.sharesJointWith(other)) {
+      job.start = std::max(job.start, other.start);  // the other one is sent ahead, and knows no position before
+    }
+  }
   // This also refuses at once a request that could otherwise be refused only later.
   plan(job, now);
   if (start > now) {

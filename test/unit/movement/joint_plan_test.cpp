@@ -161,6 +161,15 @@ TEST_F(JointPlanTest, AFutureStartLeavesTheOldOneRunningUntilThen) {
   EXPECT_NEAR(velocity(later, 2.016), 0.25 - 4 * 0.016, 1e-3) << "a cubic that turns";
 }
 
+TEST_F(JointPlanTest, ATrajectoryInPlaceOfOneThatIsSentAheadStartsWhenThatWouldHave) {
+  add(pan({{4, {1}, {}}}), 0, 0);
+  add(pan({{1, {0}, {0}}}), 2, 0);
+  run(0, 1.952);
+  const auto newest = add(pan({{1, {0.2}, {0}}}), 1.952, 1.952);
+  run(1.984, 2.016);
+  EXPECT_NEAR(wanted(newest, 2.016), 0.5 + 0.016 * 0.25, 1e-3) << "the joint is at 0.5 at 2 s";
+}
+
 TEST_F(JointPlanTest, PassedPointsAreLeftOut) {
   const auto late = add(pan({{0.3, {0.4}, {}}, {0.6, {0.2}, {}}, {1.0, {-0.3}, {}}}), -0.5, 0);
   run(0, 0.096);
