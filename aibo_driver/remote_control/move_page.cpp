@@ -15,7 +15,7 @@
 namespace aibo_driver::remote_control {
 namespace {
 
-// The velocities at the edges. aibo_teleop_joy has the same. The driver and the robot have limits of their own.
+// The velocities at the edges, as in config/joy.yaml. The driver and the robot have limits of their own.
 constexpr double kForward = 0.15;  // m/s
 constexpr double kLeft = 0.06;     // m/s
 constexpr double kTurn = 1.0;      // rad/s

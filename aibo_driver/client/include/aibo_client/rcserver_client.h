@@ -135,9 +135,9 @@ class RcServerClient {
 
   /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
   ///
-  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for 20 of
-  /// each a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not say
-  /// which robot it runs on, so the client assumes an ERS-7.
+  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for each
+  /// about once a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not
+  /// say which robot it runs on, so the client assumes an ERS-7.
   ///
   /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException frames is out of range
