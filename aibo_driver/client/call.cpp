@@ -1,7 +1,6 @@
 #include "client/call.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "client/fault.h"
 #include "protocol/motion_requests.h"

@@ -3,7 +3,6 @@
 #ifndef AIBO_DRIVER_CLIENT_VERSION1_REQUESTS_H
 #define AIBO_DRIVER_CLIENT_VERSION1_REQUESTS_H
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

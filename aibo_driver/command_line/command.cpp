@@ -24,8 +24,8 @@ int Arguments::wholeNumber(const std::string& option, int lowest, int highest) c
 const std::vector<Command>& allCommands() {
   static const std::vector<Command> commands = [] {
     std::vector<Command> all;
-    for (const auto& commands_of : {doctorCommands, cameraCommands, jointCommands, legCommands,
-                                    motionCommands, bodyCommands, soundCommands, powerCommands, helpCommands}) {
+    for (const auto& commands_of : {doctorCommands, cameraCommands, jointCommands, legCommands, motionCommands,
+                                    bodyCommands, soundCommands, powerCommands, helpCommands}) {
       const std::vector<Command> more = commands_of();
       all.insert(all.end(), more.begin(), more.end());
     }

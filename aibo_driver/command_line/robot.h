@@ -51,7 +51,7 @@ struct Received {
   std::map<int, double> accepted_joints;              ///< rad, by identifier
   std::optional<aibo_client::WalkVelocity> velocity;  ///< that of the walk, within the robot's limits; the latest but 0
   std::optional<std::string> refusal;                 ///< why an order that no call waits for was refused; the first
-  std::optional<aibo_client::ActivityEnd> end;          ///< that of the command's order; empty while it has not ended
+  std::optional<aibo_client::ActivityEnd> end;        ///< that of the command's order; empty while it has not ended
   std::deque<ArrivedPicture> pictures;                ///< the newest kMostPictures that nobody has taken yet
   std::deque<aibo_client::HeardSound> sounds;         ///< the newest kMostSounds that nobody has taken yet
   std::uint64_t lost_pictures = 0;                    ///< pictures that nobody took in time

@@ -1,5 +1,5 @@
-#include <rviz/panel.h>
 #include <ros/this_node.h>
+#include <rviz/panel.h>
 
 #include <pluginlib/class_list_macros.hpp>
 

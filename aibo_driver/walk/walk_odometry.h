@@ -7,9 +7,9 @@
 
 #include "aibo_client/orders.h"
 #include "aibo_client/telemetry.h"
+#include "aibo_client/walk.h"
 #include "walk/odometry.h"
 #include "walk/walk_settings.h"
-#include "aibo_client/walk.h"
 
 namespace aibo_driver::walk {
 

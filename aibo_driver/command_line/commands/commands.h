@@ -7,19 +7,19 @@
 #include <string>
 #include <vector>
 
-#include "command_line/command.h"
 #include "camera/link_meter.h"
+#include "command_line/command.h"
 
 namespace aibo_driver::command_line {
 
-std::vector<Command> bodyCommands();         ///< sensors
-std::vector<Command> cameraCommands();       ///< picture, watch
-std::vector<Command> doctorCommands();       ///< doctor
-std::vector<Command> jointCommands();        ///< joints, move
-std::vector<Command> legCommands();          ///< walk, stand, sit, rest
-std::vector<Command> motionCommands();       ///< motions, play, upload, delete
-std::vector<Command> powerCommands();        ///< motors, stop
-std::vector<Command> soundCommands();        ///< listen, play-sound, say
+std::vector<Command> bodyCommands();    ///< sensors
+std::vector<Command> cameraCommands();  ///< picture, watch
+std::vector<Command> doctorCommands();  ///< doctor
+std::vector<Command> jointCommands();   ///< joints, move
+std::vector<Command> legCommands();     ///< walk, stand, sit, rest
+std::vector<Command> motionCommands();  ///< motions, play, upload, delete
+std::vector<Command> powerCommands();   ///< motors, stop
+std::vector<Command> soundCommands();   ///< listen, play-sound, say
 
 /// Describes how pictures come in one line: pictures a second, data rate, age, loss.
 std::string wordsOf(const camera::LinkMeter::Reading& reading);
