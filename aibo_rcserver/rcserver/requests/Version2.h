@@ -62,13 +62,26 @@ class Version2 {
   };
   static const Row ROWS[];
 
-  /// Has one of the members below carry out a request.
-  template <typename Part, Part Version2::*PART, void (Part::*CARRY_OUT)()>
-  void Pass() {
-    ((this->*PART).*CARRY_OUT)();
-  }
-
   bool Serves(const protocol::version2::Request& request) const;
+  void TakePicture() { camera_.TakePicture(); }
+  void StreamPictures() { camera_.Stream(); }
+  void MoveJoints() { moves_.MoveJoints(); }
+  void LimitSpeeds() { moves_.LimitSpeeds(); }
+  void SetTelemetry() { telemetry_.SetPeriod(); }
+  void SwitchMotors() { moves_.SwitchMotors(); }
+  void Hold() { moves_.Hold(); }
+  void SetCamera() { camera_.SetCamera(); }
+  void DetectColors() { colors_.CarryOut(); }
+  void SendDatagrams() { camera_.SendDatagrams(); }
+  void PlayMotion() { stick_.PlayMotion(); }
+  void ListMotions() { stick_.ListMotions(); }
+  void HandleSound() { sound_.CarryOut(); }
+  void Steer() { moves_.Steer(); }
+  void TakePosture() { moves_.TakePosture(); }
+  void StoreMotion() { stick_.StoreMotion(); }
+  void DeleteMotion() { stick_.DeleteMotion(); }
+  void SavePicture() { stick_.SavePicture(); }
+  void HandlePicture() { stick_.HandlePicture(); }
   void SayHello();
   void SetLeds();
   void MoveEars();
