@@ -3,6 +3,7 @@
 //
 // When somebody stops the robot, or anything else moves it, the program ends. So nothing goes on by itself.
 
+#include <aibo_driver/Connection.h>
 #include <aibo_driver/MotionState.h>
 #include <aibo_driver/RobotState.h>
 #include <geometry_msgs/PointStamped.h>
@@ -40,6 +41,7 @@ class FollowBall {
       : walks_(aibo_driver::node::readFlag(parameters, "walk")) {
     if (walks_) {
       velocities_ = handle.advertise<Twist>("cmd_vel", 1);
+      connection_ = handle.subscribe("connection", 10, &FollowBall::receiveConnection, this);
     } else {
       points_ = handle.advertise<PointStamped>("look_at", 1);
       others_points_ = handle.subscribe("look_at", 10, &FollowBall::receivePoint, this);
@@ -72,6 +74,11 @@ class FollowBall {
   bool isOurs(const Movement& movement) const {
     return movement.source == ros::this_node::getName() ||
            (!walks_ && (movement.kind == Movement::LOOK_AT || movement.kind == Movement::WALK));
+  }
+
+  // Over a new connection, the driver refuses velocities until they pause.
+  void receiveConnection(const aibo_driver::Connection::ConstPtr& connection) {
+    endIf(connection->state == aibo_driver::Connection::CONNECTED ? "" : "the connection was lost");
   }
 
   void receivePoint(const ros::MessageEvent<const PointStamped>& event) {
@@ -143,6 +150,7 @@ class FollowBall {
   ros::Publisher velocities_;
   ros::Publisher points_;
   ros::Subscriber others_points_;
+  ros::Subscriber connection_;
   ros::Subscriber motion_;
   ros::Subscriber state_;
   ros::Subscriber mask_;

@@ -66,6 +66,12 @@ class FollowBall : public ::testing::Test {
     points.publish(geometry_msgs::PointStamped());
   }
 
+  void loseConnection() {
+    ros::Publisher& connections = user_.publisherOf<aibo_driver::Connection>("connection");
+    EXPECT_TRUE(DriverUser::becomesTrue([&connections] { return connections.getNumSubscribers() > 0; }));
+    connections.publish(aibo_driver::Connection());
+  }
+
   void move(const std::string& source, std::uint8_t kind) {
     Movement movement;
     movement.source = source;
@@ -129,6 +135,7 @@ TEST_F(FollowBall, EndsWhenSomebodyStopsTheRobotOrAnythingElseMovesIt) {
       {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::POSTURE); }},
       {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::WALK); }},
       {kWalks, "/follows/aibo_look_at moves the robot", [this] { move("/follows/aibo_look_at", Movement::LOOK_AT); }},
+      {kWalks, "the connection was lost", [this] { loseConnection(); }},
       {!kWalks, "/user has stopped the robot", [this] { driver_.stop("/user"); }},
       {!kWalks, "the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }},
       {!kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::COMMAND); }},
