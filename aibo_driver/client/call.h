@@ -158,7 +158,7 @@ class PendingCalls {
   void answer(int request_number, const unsigned char* payload, std::size_t size);
   void answer(int request_number, const PicturePtr& picture);
 
-  /// Answers the unsent calls for a picture that were made before this picture of the stream began.
+  /// Answers calls for a picture by this picture of the stream, if they are unsent and were made before it began.
   void answerFromStream(const PicturePtr& picture, int quality);
 
   /// The earliest deadline; TimePoint::max() if no call waits.

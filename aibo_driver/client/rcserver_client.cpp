@@ -71,7 +71,7 @@ void handOver(ConnectionLoop* loop, Call call, milliseconds timeout, const Compl
 /// Sends a request and begins to wait for its reply.
 /// @tparam Reply the payload of the reply
 /// @param read makes the result from the reply
-/// @return gets the result, or the exception that says why the call has failed
+/// @return a future: the result, or the exception that says why the call has failed
 /// @throw the exceptions of handOver()
 template <typename Reply, typename Read>
 auto exchange(ConnectionLoop* loop, Call call, milliseconds timeout, const Read& read, const Complete& complete = {}) {

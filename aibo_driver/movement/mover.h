@@ -67,8 +67,8 @@ class Mover {
   struct Answer {
     MovementId id = 0;
     std::shared_future<EndedMovement> end;  ///< becomes ready when the movement has ended
-    bool is_uncertain = false;              ///< the robot has not said yet whether it begins; `end` comes when it does
-    std::string remark;  ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
+    bool is_uncertain = false;  ///< the robot has not said whether the movement begins; `end` tells it later
+    std::string remark;         ///< the reason if is_uncertain; otherwise the result of RcServerClient::playMotion()
 
     /// Null if the movement goes on.
     const EndedMovement* ended() const {

@@ -17,7 +17,7 @@ struct BoundedMessage {
   Message message;          ///< empty if it was too long
   std::size_t skipped = 0;  ///< the length in bytes of a message that was too long; otherwise 0
 
-  /// Why it is refused, in words that follow a colon. The text is empty if it is not too long.
+  /// Why the message is refused, in words that follow a colon; empty if the message is not too long.
   std::string refusal() const {
     return skipped == 0 ? ""
                         : "it has " + std::to_string(skipped) + " bytes, and at most " + std::to_string(most_bytes) +

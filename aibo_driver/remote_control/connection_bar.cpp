@@ -56,7 +56,7 @@ ConnectionBar::ConnectionBar(QWidget* parent)
   link_->setObjectName("link");
   link_->setAlignment(Qt::AlignRight);
   battery_->setFixedWidth(fontMetrics().horizontalAdvance("Battery 100 %, 25 \u00B0C "));
-  link_->setToolTip("Pictures a second; how old they are when they are published; the share that did not come");
+  link_->setToolTip("Pictures a second; how old they are when they are published; the share that did not arrive");
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->addWidget(lamp_, 0, 0);

@@ -278,10 +278,10 @@ void RemoteControl::showStopButton() {
   stop_button_->setText(releases ? "Release" : "STOP");
   const bool obeys = !connection_.isPlayback();
   stop_button_->setEnabled(obeys);
-  stop_button_->setToolTip(!obeys ? "Not now: " + connection_.text
-                           : releases
-                               ? "Lets the robot move again. Nothing starts by itself."
-                               : "Holds everything that moves, at once and until Release. Or press the space bar.");
+  stop_button_->setToolTip(
+      !obeys     ? "Not now: " + connection_.text
+      : releases ? "Lets the robot move again. Nothing starts by itself."
+                 : "Immediately stops everything that moves, until Release. The space bar does the same.");
   const char* const color = !obeys ? "#9e9e9e" : releases ? "#1565c0" : "#c62828";
   stop_button_->setStyleSheet(QString("background: %1; color: white; font-weight: bold; padding: 6px 18px").arg(color));
 }

@@ -109,7 +109,7 @@ class Robot : public QObject {
   /// Says which parts somebody looks at. At first these are none.
   virtual void show(const std::set<Part>& parts) = 0;
 
-  /// Stops everything that moves, at once and until release(). It waits for no other call.
+  /// Immediately stops everything that moves, and holds it until release(). It waits for no other call.
   virtual void stop() = 0;
 
   /// Lets the robot move again after a stop.

@@ -24,7 +24,7 @@ namespace version2 {
 class FrameReader {
  public:
   enum Result {
-    FRAME_INCOMPLETE,  ///< all bytes are taken, and more are needed
+    FRAME_INCOMPLETE,  ///< all bytes have been read, and the frame needs more
     FRAME_COMPLETE,    ///< header() and payload() hold a frame
     FRAME_TOO_LARGE    ///< header() announces more than the buffer holds: a protocol error, so close the connection
   };

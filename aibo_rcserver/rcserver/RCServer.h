@@ -189,7 +189,7 @@ class RCServer : public OObject {
   ReportLimit reports_;  ///< for clients that connect and leave
   Settings settings_;
   Session* session_;       ///< from DoInit to DoDestroy
-  longword last_picture_;  ///< when one was sent
+  longword last_picture_;  ///< when the last picture was sent
   Signs signs_;
   longword last_attempt_;   ///< frame of the last attempt to listen
   unsigned strangers_;      ///< aborted since the last report on the console

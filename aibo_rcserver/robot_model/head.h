@@ -37,7 +37,7 @@ double findViewError(const Point& place, const HeadAngles& angles);
 
 /// How neck and head turn to show a place in the middle of the picture, within joint limits and with a closed mouth. Of
 /// several solutions, it takes the one with the most upright neck. The head's current position has no influence.
-/// @return findViewError() of these angles: below 0.001 if the camera sees the place in the middle. The camera cannot
+/// @return findViewError() of these angles: below 0.001 if the place is in the middle of the picture. The camera cannot
 ///   look behind the robot, at the floor beside it, or at places nearer to the head than the camera
 double findHeadAngles(const Point& place, HeadAngles* angles);
 

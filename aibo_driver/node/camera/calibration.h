@@ -51,8 +51,8 @@ class Calibration {
   const std::string file_;
 
   std::mutex mutex_;
-  sensor_msgs::CameraInfo stored_;    ///< K[0] is 0 if there is none
-  bool misfit_reported_ = false;      ///< reported since stored_ was last changed
+  sensor_msgs::CameraInfo stored_;    ///< K[0] is 0 if no calibration is stored
+  bool misfit_reported_ = false;      ///< a misfit was reported after the last change of stored_
   std::uint32_t picture_width_ = 0;   ///< the width of the latest picture; 0 before the first one
   std::uint32_t picture_height_ = 0;  ///< the height of the latest picture; 0 before the first one
 

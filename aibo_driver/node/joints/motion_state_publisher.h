@@ -49,8 +49,8 @@ class MotionStatePublisher {
   const movement::Mover& mover_;
   StopMemory& stop_memory_;
   std::mutex mutex_;
-  std::vector<movement::Movement> movements_;  ///< as they were published
-  std::size_t ends_ = 0;                       ///< how many ends have been published
+  std::vector<movement::Movement> movements_;  ///< as last published
+  std::size_t ends_ = 0;                       ///< how many movements had ended at the last publication
   RobotState last_robot_;
   ros::Publisher publisher_;
   ros::Publisher robot_publisher_;

@@ -77,7 +77,7 @@ class JoySteering {
   int lastButton() const;
 
   const JoyMapping mapping_;
-  std::vector<int> buttons_;  ///< as they were last read
+  std::vector<int> buttons_;  ///< the buttons in the last message
   bool steers_ = false;
   bool is_halted_ = false;  ///< stopped or released; until the dead-man button is let go
 };

@@ -27,7 +27,7 @@ class StickRequests {
   void HandlePicture();  ///< `Y`
 
   /// Ends a `P` whose file is being read. The memory stick stays busy.
-  /// @param why follows the name of the motion, as in "NOD.MTN ..."
+  /// @param why the words after the name of the motion, as in "NOD.MTN ..."
   void EndWaitingMotion(const char* why);
 
   /// Answers the request that has been waiting for the memory stick.

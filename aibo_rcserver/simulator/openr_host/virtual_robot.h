@@ -64,7 +64,7 @@ class VirtualRobot {
   /// The kind of sound that the speaker takes; empty if the primitive is not an open speaker.
   virtual std::optional<OSpeakerSoundType> soundTypeOf(OPrimitiveID /*id*/) const { return std::nullopt; }
 
-  /// Plays and hears for 8 ms. Called for every frame in turn while something is played, or somebody listens.
+  /// Plays and hears for 8 ms. While something is played or somebody listens, it is called for each frame in turn.
   /// @param played null while nothing is played
   virtual MicrophoneFrame passSound(longword /*frame*/, const SpeakerFrame* /*played*/) { return {}; }
 
