@@ -245,7 +245,7 @@ class StepsTest(unittest.TestCase):
         self.play('roslaunch', "sys.exit('no such file')")
         errors = self.demo(status=1)
         self.assertIn('no such file\n', errors)
-        self.assertIn('roslaunch did not start', errors)
+        self.assertIn('the nodes did not start, or stopped by themselves', errors)
         self.assertNotIn('wait_for_end', self.waits(), 'nothing has to be waited for')
         self.play('roslaunch', PLAYS['roslaunch'].replace(
             'while True:\n    signal.pause()', "while 'rosservice' not in (home / 'log').read_text():\n    time.sleep(0.02)"))
