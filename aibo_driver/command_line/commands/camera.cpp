@@ -93,7 +93,7 @@ aibo_client::ClientOptions clientOptionsIn(const Arguments& arguments) {
 
 /// The time of day for a name, such as 20261122-185601.
 std::string timeInName() {
-  const std::time_t now = std::time(nullptr);
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   std::tm local = {};
   ::localtime_r(&now, &local);
   char text[32];
