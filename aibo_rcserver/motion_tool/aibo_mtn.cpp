@@ -47,17 +47,11 @@ void read(const std::string& bytes, const std::string& file, mtn::Motion& motion
   }
 }
 
-// The robot that the motion is for; null, with a warning, if it is unknown.
-const robot_model::RobotModel* robotOf(const mtn::Motion& motion) {
-  const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design());
-  if (robot == nullptr) {
-    std::cerr << "aibo_mtn: not checked: there is no robot with the design \""
-              << motion_tool::forTerminal(motion.design()) << "\"\n";
-  }
-  return robot;
-}
-
-void warn(const std::string& remark) {
+// What a robot does differently may be intended, so it does not stop anything.
+void warnOfChanges(const mtn::Motion& motion) {
+  const robot_model::RobotModel* robot = motion_tool::robotOf(motion);
+  const std::string remark = robot == nullptr ? "neither an ERS-7 nor an ERS-210 has any of its joints"
+                                              : motion_tool::describeChanges(motion, *robot);
   if (!remark.empty()) {
     std::cerr << "aibo_mtn: " << motion_tool::forTerminal(remark) << '\n';
   }
@@ -83,13 +77,7 @@ void make(const std::string& source, const std::string& target) {
   }
   mtn::Motion motion;
   read(bytes, target, motion);
-  if (const robot_model::RobotModel* robot = robotOf(motion)) {
-    // These may be intended, so they do not stop anything.
-    for (const std::string& obstacle : motion_tool::findObstacles(motion, *robot)) {
-      warn(obstacle);
-    }
-    warn(motion_tool::describeChanges(motion, *robot));
-  }
+  warnOfChanges(motion);
   writeFile(target, bytes);
 }
 
@@ -123,9 +111,7 @@ void print(const std::string& source) {
   mtn::Motion motion;
   read(bytes, source, motion);
   std::cout << motion_tool::printTextForm(motion);
-  if (const robot_model::RobotModel* robot = robotOf(motion)) {
-    warn(motion_tool::describeChanges(motion, *robot));
-  }
+  warnOfChanges(motion);
 }
 
 // Removes an option from the arguments, wherever it is.

@@ -42,7 +42,7 @@ struct KeyFrameMotion {
 KeyFrameMotion parseTextForm(std::istream& text);
 
 /// Prints a motion in the text form. encodeMtn() makes the same key frames from it. Every key frame names all joints; a
-/// joint that the robot lacks is named by its locator.
+/// joint that the robot lacks is named by its locator. The robot is that of robotOf(), or else the file's design.
 std::string printTextForm(const mtn::Motion& motion);
 
 /// The bytes of a motion file (layout.h).
@@ -59,13 +59,9 @@ std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotM
 /// not printable ASCII. Motion files come from anywhere.
 std::string forTerminal(std::string line);
 
-/// The robot for this design in a motion file; null if there is none.
-const robot_model::RobotModel* modelOf(const std::string& design);
-
-/// Lists for the author everything that the robot cannot do exactly: missing joints, positions beyond limits, joints in
-/// each other's way, and joints that are too fast. Joints outside the motion are assumed to be out of the way.
-/// @return one line each; empty if the robot can do all of it
-std::vector<std::string> findObstacles(const mtn::Motion& motion, const robot_model::RobotModel& robot);
+/// The robot that has the most of the motion's joints and ears; null if no robot has any. Designs do not tell: Sony's
+/// motions for the ERS-7 have "DRX-1000", "DRX-1000_Head" and more.
+const robot_model::RobotModel* robotOf(const mtn::Motion& motion);
 
 }  // namespace motion_tool
 

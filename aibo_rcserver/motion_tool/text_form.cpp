@@ -9,6 +9,9 @@
 #include "protocol/text.h"
 
 namespace motion_tool {
+
+using robot_model::RobotModel;
+
 namespace {
 
 constexpr double kMicroradiansPerDegree = 1e6 * 3.14159265358979323846 / 180;
@@ -27,7 +30,7 @@ std::string designOf(const std::string& robot) {
 }
 
 // Returns an unknown design unchanged.
-std::string robotOf(const std::string& design) {
+std::string nameOf(const std::string& design) {
   for (const auto& [name, known_design] : kRobots) {
     if (design == known_design) {
       return name;
@@ -36,8 +39,12 @@ std::string robotOf(const std::string& design) {
   return design;
 }
 
-bool isEar(const std::string& design, const std::string& locator) {
-  const robot_model::RobotModel* robot = modelOf(design);
+// Null if there is no such robot.
+const RobotModel* modelOf(const std::string& design) {
+  return robot_model::findRobotModel(nameOf(design).c_str());
+}
+
+bool isEar(const RobotModel* robot, const std::string& locator) {
   return robot != nullptr && findEarByLocator(*robot, locator.c_str()) != robot_model::NO_EAR;
 }
 
@@ -153,7 +160,7 @@ class Parser {
 
   void parsePosition(const std::string& joint, const std::string& degrees) {
     const std::string locator = locatorOf(joint);
-    if (isEar(motion_.design, locator)) {
+    if (isEar(modelOf(motion_.design), locator)) {
       setPosition(locator, joint, parseEar(joint, degrees));
       return;
     }
@@ -176,7 +183,7 @@ class Parser {
     if (joint.rfind("PRM:", 0) == 0) {
       return joint;
     }
-    const robot_model::RobotModel* robot = modelOf(motion_.design);
+    const RobotModel* robot = modelOf(motion_.design);
     if (robot == nullptr) {
       throw std::runtime_error("which robot? \"robot ERS-7\" or \"robot ERS-210\" comes first");
     }
@@ -229,9 +236,7 @@ std::string quoted(const std::string& text) {
   return result;
 }
 
-std::string jointName(const mtn::Motion& motion, int joint) {
-  const robot_model::RobotModel* robot = modelOf(motion.design());
-  const char* const locator = motion.locator(joint);
+std::string jointName(const RobotModel* robot, const char* locator) {
   if (robot == nullptr) {
     return locator;
   }
@@ -244,9 +249,8 @@ std::string jointName(const mtn::Motion& motion, int joint) {
 }
 
 // An ear's value is a state, not an angle.
-std::string valueOf(const mtn::Motion& motion, int key_frame, int joint) {
-  const int value = motion.position(key_frame, joint);
-  return isEar(motion.design(), motion.locator(joint)) ? std::to_string(value) : degreesOf(value);
+std::string valueOf(const RobotModel* robot, const char* locator, int position) {
+  return isEar(robot, locator) ? std::to_string(position) : degreesOf(position);
 }
 
 }  // namespace
@@ -259,24 +263,24 @@ std::string forTerminal(std::string line) {
   return line;
 }
 
-const robot_model::RobotModel* modelOf(const std::string& design) {
-  return robot_model::findRobotModel(robotOf(design).c_str());
-}
-
 KeyFrameMotion parseTextForm(std::istream& text) {
   return Parser().parse(text);
 }
 
 std::string printTextForm(const mtn::Motion& motion) {
+  const RobotModel* const robot = robotOf(motion);
   std::ostringstream text;
   text << "name " << quoted(motion.name()) << "\ncreator " << quoted(motion.creator()) << "\nrobot "
-       << quoted(robotOf(motion.design())) << "\nframe " << motion.frameMilliseconds() << '\n';
+       << quoted(robot != nullptr ? robot->design : nameOf(motion.design())) << "\nframe " << motion.frameMilliseconds()
+       << '\n';
   int milliseconds = 0;
   for (int key_frame = 0; key_frame < motion.numberOfKeyFrames(); ++key_frame) {
     milliseconds += motion.milliseconds(key_frame);
     text << "\nat " << milliseconds << '\n';
     for (int joint = 0; joint < motion.numberOfJoints(); ++joint) {
-      text << "  " << jointName(motion, joint) << ' ' << valueOf(motion, key_frame, joint) << '\n';
+      const char* const locator = motion.locator(joint);
+      text << "  " << jointName(robot, locator) << ' ' << valueOf(robot, locator, motion.position(key_frame, joint))
+           << '\n';
     }
   }
   return text.str();

@@ -46,18 +46,9 @@ const char* verb(int count) {
   return count == 1 ? "is" : "are";
 }
 
-int timeOf(const Motion& motion, int key_frame) {
-  int milliseconds = 0;
-  for (int i = 1; i <= key_frame; ++i) {
-    milliseconds += motion.milliseconds(i);
-  }
-  return milliseconds;
-}
-
 }  // namespace
 
 const int FittedMotion::TOLERANCE;
-const int FittedMotion::MOST_CLIPPED;
 const size_t FittedMotion::MAX_PROBLEM_SIZE;
 const size_t FittedMotion::MAX_DESCRIPTION_SIZE;
 
@@ -72,29 +63,23 @@ bool FittedMotion::fit(const Motion& motion, const RobotModel& robot, bool leave
   motion_ = &motion;
   robot_ = &robot;
   number_of_key_frames_ = motion.numberOfKeyFrames();
-  if (findParts(leave_out) && checkPositions()) {
-    return true;
+  if (!findParts(leave_out)) {
+    clear();
+    return false;
   }
-  clear();
-  return false;
-}
-
-bool FittedMotion::moves(int joint) const {
-  return std::count(joints_, joints_ + number_of_joints_, joint) > 0;
+  measureClips();
+  return true;
 }
 
 void FittedMotion::posture(int key_frame, int* positions) const {
-  int place[robot_model::MAX_JOINTS];  // for each of the robot's joints, its index in `positions`
-  std::fill(place, place + robot_model::MAX_JOINTS, static_cast<int>(NO_JOINT));
   for (int i = 0; i < number_of_joints_; ++i) {
     const Joint& limits = robot_->joints[joints_[i]];
-    place[joints_[i]] = i;
     positions[i] = std::min(std::max(motion_->position(key_frame, columns_[i]), limits.lowest), limits.highest);
   }
   for (int i = 0; i < robot_->number_of_couplings; ++i) {
     const Coupling& coupling = robot_->couplings[i];
-    const int leader = place[coupling.leader];
-    const int follower = place[coupling.follower];
+    const int leader = places_[coupling.leader];
+    const int follower = places_[coupling.follower];
     if (leader != NO_JOINT && follower != NO_JOINT) {
       positions[follower] = std::max(positions[follower], coupledLowest(coupling, positions[leader]));
     }
@@ -107,44 +92,39 @@ bool FittedMotion::flicks(int key_frame, int ear) const {
 }
 
 int FittedMotion::milliseconds(int key_frame, const int* speed_limits) const {
-  int from[robot_model::MAX_JOINTS];
-  int to[robot_model::MAX_JOINTS];
-  posture(key_frame - 1, from);
-  posture(key_frame, to);
-  double longest = motion_->milliseconds(key_frame);
-  for (int i = 0; i < number_of_joints_; ++i) {
-    const double way = abs(to[i] - from[i]) - TOLERANCE;
-    longest = std::max(longest, ceil(way * 1000 / speed_limits[joints_[i]]));
-  }
-  return static_cast<int>(longest);
+  int slowest = NO_JOINT;
+  const double needed = slowestTime(key_frame, speed_limits, &slowest);
+  return std::max(motion_->milliseconds(key_frame), static_cast<int>(needed));
 }
 
 void FittedMotion::describe(const int* speed_limits, char* text) const {
   const char* separator = "";
   text[0] = '\0';
-  if (changes_.left_out > 0) {
-    text += sprintf(text, "%d joint%s that this robot does not have %s left out", changes_.left_out,
-                    ending(changes_.left_out), verb(changes_.left_out));
+  if (left_out_ > 0) {
+    text += sprintf(text, "%d joint%s that this robot does not have %s left out", left_out_, ending(left_out_),
+                    verb(left_out_));
     separator = "; ";
   }
-  if (changes_.clipped > 0) {
-    text += sprintf(text, "%s%d position%s %s clipped, by up to %s degrees (%s at %d ms)", separator, changes_.clipped,
-                    ending(changes_.clipped), verb(changes_.clipped), Degrees(changes_.farthest).text,
-                    robot_->joints[changes_.farthest_joint].name, timeOf(*motion_, changes_.farthest_key_frame));
+  char part[MAX_DESCRIPTION_SIZE];
+  if (describeClips(part) > 0) {
+    text += sprintf(text, "%s%s", separator, part);
     separator = "; ";
   }
-  char steps[MAX_DESCRIPTION_SIZE / 2];
-  if (describeSteps(speed_limits, steps) > 0) {
-    sprintf(text, "%s%s", separator, steps);
+  if (describeSteps(speed_limits, part) > 0) {
+    sprintf(text, "%s%s", separator, part);
   }
 }
 
 void FittedMotion::clear() {
   number_of_key_frames_ = 0;
   number_of_joints_ = 0;
+  std::fill(places_, places_ + robot_model::MAX_JOINTS, static_cast<int>(NO_JOINT));
   std::fill(ears_, ears_ + MAX_EARS, static_cast<int>(NO_EAR));
-  const Changes none = {0, 0, 0, NO_JOINT, 0};
-  changes_ = none;
+  left_out_ = 0;
+  for (int i = 0; i < robot_model::MAX_JOINTS; ++i) {
+    const Clip none = {i, 0, 0};
+    clips_[i] = none;
+  }
 }
 
 // Finds the robot's joints and ears by their locators, which are unique within a motion.
@@ -155,6 +135,7 @@ bool FittedMotion::findParts(bool leave_out) {
     const int joint = findJointByLocator(*robot_, locator);
     const int ear = findEarByLocator(*robot_, locator);
     if (joint != NO_JOINT) {
+      places_[joint] = number_of_joints_;
       joints_[number_of_joints_] = joint;
       columns_[number_of_joints_] = i;
       ++number_of_joints_;
@@ -162,7 +143,7 @@ bool FittedMotion::findParts(bool leave_out) {
       ears_[ear] = i;
       has_ears = true;
     } else if (leave_out) {
-      ++changes_.left_out;
+      ++left_out_;
     } else {
       sprintf(problem_, "moves the joint %s, which this robot does not have", locator);
       return false;
@@ -175,36 +156,94 @@ bool FittedMotion::findParts(bool leave_out) {
   return true;
 }
 
-bool FittedMotion::checkPositions() {
+void FittedMotion::measureClips() {
+  int from[robot_model::MAX_JOINTS];
+  int to[robot_model::MAX_JOINTS];
+  int begin = 0;
   for (int key_frame = 0; key_frame < number_of_key_frames_; ++key_frame) {
-    int positions[robot_model::MAX_JOINTS];
-    posture(key_frame, positions);
-    countClipped(key_frame, positions);
+    const int duration = motion_->milliseconds(key_frame);
+    posture(key_frame, to);
+    if (key_frame > 0) {
+      measureOnTheWay(from, to, begin, duration);
+    }
+    begin += duration;
+    for (int i = 0; i < number_of_joints_; ++i) {
+      noteClip(joints_[i], abs(to[i] - motion_->position(key_frame, columns_[i])), begin);
+    }
+    std::copy(to, to + number_of_joints_, from);
   }
-  if (changes_.farthest <= MOST_CLIPPED) {
-    return true;
-  }
-  const int column = columns_[std::find(joints_, joints_ + number_of_joints_, changes_.farthest_joint) - joints_];
-  const int key_frame = changes_.farthest_key_frame;
-  sprintf(problem_, "moves %s to %s degrees at %d ms, %s beyond what it can do there; up to %s are clipped",
-          robot_->joints[changes_.farthest_joint].name, Degrees(motion_->position(key_frame, column)).text,
-          timeOf(*motion_, key_frame), Degrees(changes_.farthest).text, Degrees(MOST_CLIPPED).text);
-  return false;
 }
 
-void FittedMotion::countClipped(int key_frame, const int* posture) {
-  for (int i = 0; i < number_of_joints_; ++i) {
-    const int distance = abs(posture[i] - motion_->position(key_frame, columns_[i]));
-    if (distance <= TOLERANCE) {
+// The follower's way is straight, and its limit changes only at the ends of the coupling's rows. So it is farthest
+// below its limit at such an end, or just beyond it.
+void FittedMotion::measureOnTheWay(const int* from, const int* to, int begin, int duration) {
+  for (int i = 0; i < robot_->number_of_couplings; ++i) {
+    const Coupling& coupling = robot_->couplings[i];
+    const int leader = places_[coupling.leader];
+    const int follower = places_[coupling.follower];
+    if (leader == NO_JOINT || follower == NO_JOINT) {
       continue;
     }
-    ++changes_.clipped;
-    if (distance > changes_.farthest) {
-      changes_.farthest = distance;
-      changes_.farthest_joint = joints_[i];
-      changes_.farthest_key_frame = key_frame;
+    for (int end = 0; end < 4 * coupling.number_of_rows; ++end) {
+      const robot_model::CouplingRow& row = coupling.rows[end / 4];
+      const int ends[] = {row.from - 1, row.from, row.to, row.to + 1};
+      const int at = ends[end % 4];
+      if (at > std::min(from[leader], to[leader]) && at < std::max(from[leader], to[leader])) {
+        const double passed = static_cast<double>(at - from[leader]) / (to[leader] - from[leader]);
+        const double position = from[follower] + passed * (to[follower] - from[follower]);
+        noteClip(coupling.follower, coupledLowest(coupling, at) - position, begin + passed * duration);
+      }
     }
   }
+}
+
+void FittedMotion::noteClip(int joint, double distance, double time) {
+  if (distance > TOLERANCE && distance > clips_[joint].distance) {
+    clips_[joint].distance = static_cast<int>(distance);
+    clips_[joint].time = static_cast<int>(time + 0.5);
+  }
+}
+
+bool FittedMotion::isFarther(const Clip& a, const Clip& b) {
+  return a.distance != b.distance ? a.distance > b.distance : a.joint < b.joint;
+}
+
+// The time that the joints need for the step to a key frame at these speeds, in milliseconds.
+double FittedMotion::slowestTime(int key_frame, const int* speed_limits, int* joint) const {
+  int from[robot_model::MAX_JOINTS];
+  int to[robot_model::MAX_JOINTS];
+  posture(key_frame - 1, from);
+  posture(key_frame, to);
+  double longest = 0;
+  for (int i = 0; i < number_of_joints_; ++i) {
+    const double way = abs(to[i] - from[i]) - TOLERANCE;
+    const double time = ceil(way * 1000 / speed_limits[joints_[i]]);
+    if (time > longest) {
+      longest = time;
+      *joint = joints_[i];
+    }
+  }
+  return longest;
+}
+
+// Describes the largest clips, and returns the number of clipped joints.
+int FittedMotion::describeClips(char* text) const {
+  const int most_told = 3;
+  Clip clips[robot_model::MAX_JOINTS];
+  std::copy(clips_, clips_ + robot_model::MAX_JOINTS, clips);
+  std::sort(clips, clips + robot_model::MAX_JOINTS, isFarther);
+  int count = 0;
+  for (; count < robot_model::MAX_JOINTS && clips[count].distance > 0; ++count) {
+    const Clip& clip = clips[count];
+    if (count < most_told) {
+      text += sprintf(text, count == 0 ? "%s is clipped by up to %s degrees (at %d ms)" : ", %s by up to %s (at %d ms)",
+                      robot_->joints[clip.joint].name, Degrees(clip.distance).text, clip.time);
+    }
+  }
+  if (count > most_told) {
+    sprintf(text, ", and %d more joint%s", count - most_told, ending(count - most_told));
+  }
+  return count;
 }
 
 // Describes the steps that take longer, and returns their number.
@@ -212,15 +251,29 @@ int FittedMotion::describeSteps(const int* speed_limits, char* text) const {
   int count = 0;
   double all = 0;
   double longer = 0;
+  double worst = 0;
+  int worst_joint = NO_JOINT;
+  int worst_time = 0;
+  int time = 0;
   for (int key_frame = 1; key_frame < number_of_key_frames_; ++key_frame) {
-    const int time = milliseconds(key_frame, speed_limits);
+    int slowest = NO_JOINT;
     const int wanted = motion_->milliseconds(key_frame);
-    all += time;
-    longer += static_cast<double>(time) - wanted;
-    count += time > wanted ? 1 : 0;
+    const double excess = std::max(slowestTime(key_frame, speed_limits, &slowest) - wanted, 0.0);
+    time += wanted;
+    all += wanted + excess;
+    longer += excess;
+    count += excess > 0 ? 1 : 0;
+    if (excess > worst) {
+      worst = excess;
+      worst_joint = slowest;
+      worst_time = time;
+    }
   }
-  sprintf(text, "%d step%s %s too fast, so it takes %s s, which is %s s longer", count, ending(count), verb(count),
-          Seconds(all).text, Seconds(longer).text);
+  if (count > 0) {
+    sprintf(text, "%d step%s %s too fast (%s%s at %d ms), so it takes %s s, which is %s s longer", count, ending(count),
+            verb(count), count > 1 ? "most of all " : "", robot_->joints[worst_joint].name, worst_time,
+            Seconds(all).text, Seconds(longer).text);
+  }
   return count;
 }
 

@@ -11,11 +11,15 @@
 namespace mtn {
 
 /// Fits a motion to a robot: it finds the joints and ears, moves positions into the robot's reach, and gives more time
-/// to steps that are too fast.
+/// to steps that are too fast. Only the joints decide whether the robot plays a motion, because Sony's motions name
+/// their robot in many ways ("DRX-1000_Head").
 ///
 /// A position is clipped if it is beyond a joint's limit, or if the joint would hit another joint of the motion there
-/// (robot_model::clampPosture()). Joints outside the motion are assumed to be out of the way. Sony's own samples are up
-/// to 3 degrees off. A motion that is off by more than MOST_CLIPPED is refused: the robot might fall.
+/// (robot_model::clampPosture()). Joints outside the motion are assumed to be out of the way. No distance is too far:
+/// motions of Sony's own software for the ERS-7 are up to 20 degrees off.
+///
+/// On the straight way between two key frames, a joint can hit another one although it does not at the ends. The key
+/// frames cannot avoid that, but JointPlanner does. describe() counts it as clipped.
 ///
 /// The fitted key frames are computed on each call, because this object has no memory of its own.
 class FittedMotion {
@@ -24,20 +28,9 @@ class FittedMotion {
   /// rounding in Sony's motions is about a tenth of this.
   static const int TOLERANCE = 17;
 
-  /// How far a position may exceed a limit, in microradians: 5 degrees. The value is our choice.
-  static const int MOST_CLIPPED = 87266;
-
   static const size_t MAX_PROBLEM_SIZE = 192;
 
-  static const size_t MAX_DESCRIPTION_SIZE = 320;
-
-  struct Changes {
-    int left_out;            ///< joints that the robot lacks
-    int clipped;             ///< positions that exceed a limit by more than TOLERANCE
-    int farthest;            ///< largest distance of a clipped position from its limit, in microradians
-    int farthest_joint;      ///< the joint of that position: index in the robot's table
-    int farthest_key_frame;  ///< the key frame of that position
-  };
+  static const size_t MAX_DESCRIPTION_SIZE = 448;
 
   FittedMotion();
 
@@ -50,7 +43,8 @@ class FittedMotion {
   /// accepted.
   const char* problem() const { return problem_; }
 
-  const Changes& changes() const { return changes_; }
+  /// How many joints of the motion the robot lacks.
+  int leftOut() const { return left_out_; }
 
   int numberOfKeyFrames() const { return number_of_key_frames_; }
 
@@ -62,7 +56,7 @@ class FittedMotion {
   int joint(int i) const { return joints_[i]; }
 
   /// @param joint index in the robot's table
-  bool moves(int joint) const;
+  bool moves(int joint) const { return places_[joint] != robot_model::NO_JOINT; }
 
   /// The clipped positions of the joints in a key frame, in microradians.
   /// @param key_frame 0..numberOfKeyFrames() - 1
@@ -80,8 +74,9 @@ class FittedMotion {
   /// @param speed_limits for each joint of the robot's table, in microradian/s, above 0
   int milliseconds(int key_frame, const int* speed_limits) const;
 
-  /// Describes all changes in one line: "2 positions are clipped, by up to 1.8 degrees (right_hind_elevator at 656 ms);
-  /// 1 step is too fast, so it takes 8.53 s, which is 0.19 s longer".
+  /// Describes the changes in one line: "head_tilt is clipped by up to 5.0 degrees (at 800 ms), mouth by up to 1.8 (at
+  /// 0 ms); 1 step is too fast (neck_tilt at 656 ms), so it takes 8.53 s, which is 0.19 s longer". At most three joints
+  /// are named, those with the largest distances.
   /// @param[out] text room for MAX_DESCRIPTION_SIZE; empty if nothing changes
   void describe(const int* speed_limits, char* text) const;
 
@@ -89,10 +84,21 @@ class FittedMotion {
   FittedMotion(const FittedMotion&);
   FittedMotion& operator=(const FittedMotion&);
 
+  /// The largest distance by which a joint was clipped.
+  struct Clip {
+    int joint;     ///< index in the robot's table
+    int distance;  ///< in microradians; 0 if it is not clipped
+    int time;      ///< in milliseconds from the beginning
+  };
+
+  static bool isFarther(const Clip& a, const Clip& b);
   void clear();
   bool findParts(bool leave_out);
-  bool checkPositions();
-  void countClipped(int key_frame, const int* posture);
+  void measureClips();
+  void measureOnTheWay(const int* from, const int* to, int begin, int duration);
+  void noteClip(int joint, double distance, double time);
+  double slowestTime(int key_frame, const int* speed_limits, int* joint) const;
+  int describeClips(char* text) const;
   int describeSteps(const int* speed_limits, char* text) const;
 
   const Motion* motion_;
@@ -101,8 +107,10 @@ class FittedMotion {
   int number_of_joints_;
   int joints_[robot_model::MAX_JOINTS];   ///< indices in the robot's table
   int columns_[robot_model::MAX_JOINTS];  ///< the joint's number in the motion
+  int places_[robot_model::MAX_JOINTS];   ///< for each of the robot's joints, its place in joints_, or NO_JOINT
   int ears_[robot_model::MAX_EARS];       ///< the motion's number of each of the robot's ears, or NO_EAR
-  Changes changes_;
+  int left_out_;
+  Clip clips_[robot_model::MAX_JOINTS];  ///< for each of the robot's joints
   char problem_[MAX_PROBLEM_SIZE];
 };
 

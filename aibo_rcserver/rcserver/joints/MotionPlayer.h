@@ -45,8 +45,8 @@ class MotionPlayer {
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
                    const bool* commanded, unsigned short number = 0);
 
-  /// How the last motion that Play() began differs from its file, in one line such as "2 positions are clipped, by up
-  /// to 1.8 degrees (right_hind_elevator at 656 ms)"; empty if it is played as it is.
+  /// How the last motion that Play() began differs from its file, in one line (mtn::FittedMotion::describe()); empty if
+  /// it is played as it is.
   const char* Changes() const { return changes_; }
 
   /// Stops a motion, if it is being played; its joints brake, stop and hold.

@@ -78,8 +78,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   readEverything(motion);
   printAndReadAgain(motion);
-  if (const robot_model::RobotModel* robot = motion_tool::modelOf(motion.design())) {
-    motion_tool::findObstacles(motion, *robot);
+  if (const robot_model::RobotModel* robot = motion_tool::robotOf(motion)) {
     fitTo(motion, *robot);
   }
   return 0;

@@ -79,6 +79,17 @@ TEST(TextForm, SurvivesTheRoundTrip) {
   EXPECT_EQ(motion_tool::encodeMtn(parse(text)), bytes);
 }
 
+TEST(TextForm, NamesTheJointsOfAMotionWhateverItsDesignIs) {
+  KeyFrameMotion motion = sampleMotion();
+  motion.design = "DRX-1000_Head";
+  const std::string text = print(motion_tool::encodeMtn(motion));
+  EXPECT_THAT(text, HasSubstr("robot ERS-7\n"));
+  EXPECT_THAT(text, HasSubstr("  head_pan 0\n  head_tilt 0\n"));
+  EXPECT_EQ(print(motion_tool::encodeMtn(parse(text))), text);
+  motion.locators = {"PRM:/r9/c1-Joint2:91", "PRM:/r9/c2-Joint2:92"};
+  EXPECT_THAT(print(motion_tool::encodeMtn(motion)), HasSubstr("robot DRX-1000_Head\n"));
+}
+
 TEST(TextForm, PrintsNoControlCharacters) {
   KeyFrameMotion motion = sampleMotion();
   motion.name = "#\x1b[2J\n#";

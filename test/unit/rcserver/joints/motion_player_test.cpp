@@ -175,11 +175,23 @@ TEST_F(AMotion, TakesLongerIfAStepIsTooFast) {
                                       "at 160 left_front_knee 100 head_pan 10\n"
                                       "at 960 left_front_knee 100 head_pan 60\n")),
             "");
-  EXPECT_THAT(player_->Changes(), StrEq("1 step is too fast, so it takes 1.13 s, which is 0.17 s longer"));
+  EXPECT_THAT(player_->Changes(),
+              StrEq("1 step is too fast (left_front_knee at 160 ms), so it takes 1.13 s, which is 0.17 s longer"));
   const std::vector<double> path = pathOf("head_pan");
   EXPECT_LT(distance(path, 331 / kFrame * kFrame, 10), 0.5) << "the other joints wait for it";
   EXPECT_LT(distance(path, 731 / kFrame * kFrame, 35), 0.5);
   EXPECT_NEAR(static_cast<double>(path.size()) * kFrame, 1131, 80);
+}
+
+// Model Information ERS-7, 2.1.2: while the neck is below -39 degrees, the head is not below 5.
+TEST_F(AMotion, KeepsItsJointsApartBetweenKeyFramesToo) {
+  ASSERT_EQ(play("A.MTN", motionBytes("at 0 neck_tilt 0 head_tilt -5\nat 1600 neck_tilt -75 head_tilt 5\n")), "");
+  EXPECT_THAT(player_->Changes(), StrEq("head_tilt is clipped by up to 4.8 degrees (at 832 ms)"));
+  for (int frame = 0; player_->IsPlaying() && frame < kPatience; ++frame) {
+    passFrame();
+    EXPECT_TRUE(at("neck_tilt") > -39 || at("head_tilt") > 4.9999) << at("neck_tilt") << " " << at("head_tilt");
+  }
+  EXPECT_NEAR(at("neck_tilt"), -75, 1e-4);
 }
 
 TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
