@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <strings.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include <system_error>
 
 #include "client/file_descriptor.h"
+#include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
@@ -28,6 +31,8 @@ using aibo_client::FileDescriptor;
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestUnpacked = 64U << 20U;  // bytes; a memory stick of Sony's has 16 MB
 
 /// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
@@ -51,6 +56,19 @@ void checkPath(const std::string& path, const char* verb) {
     throw FileException(std::string("cannot ") + verb + " '" + path +
                         "': '~' is not expanded here; give the whole path");
   }
+}
+
+/// The content of a gzipped file, or else the file itself.
+FileDescriptor unpacked(FileDescriptor file) {
+  struct stat properties {};
+  std::string begin(2, '\0');
+  // The kernel's files have no size, and reading them may wait.
+  if (::fstat(file.get(), &properties) != 0 || properties.st_size == 0 ||
+      ::pread(file.get(), begin.data(), begin.size(), 0) < 0 || !host_files::isGzipped(begin)) {
+    return file;
+  }
+  const std::vector<std::uint8_t> bytes = host_files::readRegularFile(file.get(), kLongestUnpacked);
+  return memoryFile("what was gzipped", host_files::unpacked({bytes.begin(), bytes.end()}, kLongestUnpacked));
 }
 
 bool isJpegName(const fs::path& path) {
@@ -203,10 +221,19 @@ FileDescriptor openToRead(const std::string& path) {
                          " (working directory: " + fs::current_path(error).string() + ")");
   }
   try {
-    return FileDescriptor(host_files::openRegularFile(path));
+    return unpacked(FileDescriptor(host_files::openRegularFile(path)));
   } catch (const host_files::Unreadable& why) {
     failToRead(path, why.what());
   }
+}
+
+FileDescriptor memoryFile(const std::string& name, const std::string& content) {
+  FileDescriptor file(::memfd_create(name.c_str(), MFD_CLOEXEC));
+  if (!file.valid() ||
+      ::pwrite(file.get(), content.data(), content.size(), 0) != static_cast<ssize_t>(content.size())) {
+    throw FileException("no memory for " + name + ": " + std::strerror(errno));
+  }
+  return file;
 }
 
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {

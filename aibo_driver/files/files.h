@@ -20,15 +20,20 @@ class FileException : public aibo_client::Exception {
   using Exception::Exception;
 };
 
-/// Opens a file to read it.
+/// Opens a file to read it. Of a gzipped file, it opens the content, in memory.
 /// @param path an absolute path, or a path relative to the working directory of the process
 /// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
-///   characters; ...
+///   characters; it is gzipped, and damaged or longer than 64 MiB; ...
 aibo_client::FileDescriptor openToRead(const std::string& path);
+
+/// A file in memory, open for reading and writing at its beginning.
+/// @param name for messages
+/// @throw FileException there is no memory for it
+aibo_client::FileDescriptor memoryFile(const std::string& name, const std::string& content);
 
 /// Reads a whole file.
 /// @param path for openToRead()
-/// @param longest the largest number of bytes that the file may have
+/// @param longest the largest number of bytes that the file may have, unpacked
 /// @throw FileException it cannot be opened, or is longer; ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
@@ -36,8 +41,8 @@ std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest)
 /// @param chosen the user's choice; if empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
 std::string pictureFolder(const std::string& chosen);
 
-/// Reads a motion. Anybody who may ask for an upload may name any file, and somebody else may have taken the robot's
-/// place. So only motions may leave this computer.
+/// Reads a motion, gzipped or not. Anybody who may ask for an upload may name any file, and somebody else may have
+/// taken the robot's place. So only motions may leave this computer.
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why
 std::vector<std::uint8_t> loadMotion(const std::string& path);
 

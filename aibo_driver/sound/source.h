@@ -27,7 +27,7 @@ class Source {
 };
 
 /// Opens a sound file: WAV, FLAC or Ogg, of any rate, with up to 8 channels, of which the mean is played. It is read
-/// while it plays, so its length does not matter.
+/// while it plays, so its length does not matter unless it is gzipped.
 ///
 /// Anybody who may ask for a sound may name any file, and somebody else may have taken the robot's place. So only
 /// sounds leave this computer.

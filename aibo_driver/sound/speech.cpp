@@ -3,7 +3,6 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -37,15 +36,6 @@ bool isVoice(const std::string& voice) {
          std::all_of(voice.begin(), voice.end(), [](char c) {
            return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '+';
          });
-}
-
-FileDescriptor memoryFile(const char* name, const std::string& content) {
-  FileDescriptor file(::memfd_create(name, MFD_CLOEXEC));
-  if (!file.valid() ||
-      ::pwrite(file.get(), content.data(), content.size(), 0) != static_cast<ssize_t>(content.size())) {
-    throw FileException(std::string("no memory for speech: ") + std::strerror(errno));
-  }
-  return file;
 }
 
 /// Starts espeak-ng. It reads the text as standard input, and writes to its descriptor 3.
@@ -100,8 +90,8 @@ std::unique_ptr<Source> speak(const std::string& text, const std::string& voice)
   if (!isVoice(chosen)) {
     throw InvalidArgumentException("a voice has a name of letters and digits, such as en or de");
   }
-  const FileDescriptor words = memoryFile("text", text);
-  FileDescriptor sound = memoryFile("speech", "");
+  const FileDescriptor words = files::memoryFile("the text", text);
+  FileDescriptor sound = files::memoryFile("speech", "");
   waitFor(start(words, sound, chosen), chosen);
   return readSound(std::move(sound), "the speech");
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 #include "motion_tool/archive.h"
 #include "motion_tool/motion_tool.h"
@@ -27,8 +28,7 @@ const char kUsage[] =
 
 std::string readFile(const std::string& name) {
   try {
-    const std::vector<unsigned char> content = host_files::readRegularFile(name, kLongestFile);
-    return {content.begin(), content.end()};
+    return host_files::readUnpacked(name, kLongestFile);
   } catch (const host_files::Unreadable& why) {
     throw std::runtime_error(name + " cannot be read: " + why.what());
   }

@@ -8,6 +8,11 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <utility>
+
+#include "host_files/gzip.h"
+#include "host_files/regular_file.h"
+#include "mtn/layout.h"
 
 namespace motion_tool {
 namespace {
@@ -33,6 +38,9 @@ std::size_t decode32(const std::string& bytes, std::size_t offset) {
   return value;
 }
 
+// Of all files together. Sony's memory sticks have 16 MB.
+constexpr std::size_t kLongestContents = 64U << 20U;  // bytes
+
 ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
   const std::size_t entry = kHeaderSize + number * kEntrySize;
   const std::string name = bytes.substr(entry + kTypeSize, kNameSize);
@@ -43,7 +51,19 @@ ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
                              std::to_string(size) + " bytes from byte " + std::to_string(offset) +
                              ", and the archive has " + std::to_string(bytes.size()));
   }
-  return {name.substr(0, name.find('\0')), bytes.substr(entry, kTypeSize), bytes.substr(offset, size)};
+  return {name.substr(0, name.find('\0')), bytes.substr(offset, size)};
+}
+
+void unpackContents(std::vector<ArchivedFile>& files) {
+  std::size_t room = kLongestContents;  // a small archive could fill any disk
+  for (ArchivedFile& file : files) {
+    try {
+      file.content = host_files::unpacked(std::move(file.content), room);
+    } catch (const host_files::Unreadable& why) {
+      throw std::runtime_error(fileNameOf(file) + " in the archive cannot be unpacked: " + why.what());
+    }
+    room -= file.content.size();
+  }
 }
 
 // Makes a new file instead of writing through a link.
@@ -88,6 +108,7 @@ std::vector<ArchivedFile> readArchive(const std::string& bytes) {
       throw std::runtime_error("the files of the archive overlap: together they are larger than the archive");
     }
   }
+  unpackContents(files);
   return files;
 }
 
@@ -99,10 +120,8 @@ std::string fileNameOf(const ArchivedFile& file) {
   if (name.front() == '-') {  // most programs would take it for an option
     name.front() = '_';
   }
-  if (file.type == "OMTN") {
-    return name + ".mtn";
-  }
-  return name + (file.type == "WAVE" ? ".wav" : ".bin");
+  const std::string begin = file.content.substr(0, 4);
+  return name + (begin == mtn::MAGIC ? ".mtn" : begin == "RIFF" ? ".wav" : ".bin");
 }
 
 void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, bool overwrite) {

@@ -1,5 +1,5 @@
 /// @file archive.h
-/// Archives of motions (ODA), as Sony's samples have them.
+/// Archives of motions (ODA), as Sony's samples and its software for the ERS-7 have them.
 #ifndef AIBO_RCSERVER_MOTION_TOOL_ARCHIVE_H
 #define AIBO_RCSERVER_MOTION_TOOL_ARCHIVE_H
 
@@ -10,14 +10,13 @@ namespace motion_tool {
 
 struct ArchivedFile {
   std::string name;  ///< as in the archive; any bytes
-  std::string type;  ///< four letters: OMTN is a motion, WAVE a sound
   std::string content;
 };
 
 /// True if the bytes begin like an archive.
 bool isArchive(const std::string& bytes);
 
-/// Reads an archive. All integers are little-endian:
+/// Reads an archive, and unpacks those of its files that are gzipped. All integers are little-endian:
 ///
 ///     header     64 bytes: ODAR, uint16 major version, uint16 minor version, uint32 number of files,
 ///                uint32 size of an entry (144), zeros
@@ -25,12 +24,15 @@ bool isArchive(const std::string& bytes);
 ///                uint32 size of the content, uint32 unused
 ///     contents
 ///
-/// @throw std::runtime_error the bytes are not an archive, or the archive is cut off or has overlapping files
+/// The type is no promise: placeholders of eight or no bytes have the type of a motion.
+///
+/// @throw std::runtime_error the bytes are not an archive; it is cut off or has overlapping files; a file of it cannot
+///   be unpacked; its files would have more than 64 MiB in all
 std::vector<ArchivedFile> readArchive(const std::string& bytes);
 
 /// A safe file name: letters, digits, `-` and `_` stay, everything else becomes `_`; then `.mtn` for a motion, `.wav`
-/// for a sound, or `.bin`. It neither leads to another folder nor begins with a dot or `-`. Two files of an archive
-/// may get the same name.
+/// for a sound, or `.bin`, by the beginning of the content. It neither leads to another folder nor begins with a dot or
+/// `-`. Two files of an archive may get the same name.
 std::string fileNameOf(const ArchivedFile& file);
 
 /// Writes all files to a folder, and makes the folder if necessary.

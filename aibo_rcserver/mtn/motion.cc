@@ -92,6 +92,9 @@ bool Motion::readAll(const unsigned char* bytes, size_t size) {
     return fail("it has %lu bytes, and at most %lu are allowed", static_cast<unsigned long>(size),
                 static_cast<unsigned long>(MAX_FILE_SIZE));
   }
+  if (size > 1 && bytes[0] == 0x1f && bytes[1] == 0x8b) {
+    return fail("it is gzipped; gzip -d unpacks it, and so do aibo upload and upload_motion");
+  }
   if (size < MAGIC_SIZE || memcmp(bytes, MAGIC, MAGIC_SIZE) != 0) {
     return fail("it does not begin with %s", MAGIC);
   }

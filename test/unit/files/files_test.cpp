@@ -9,6 +9,7 @@
 #include <csignal>
 #include <future>
 
+#include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "support/test_pictures.h"
@@ -79,6 +80,19 @@ TEST_F(LoadFileTest, SaysWhyItFails) {
   EXPECT_THAT(loadRefusal((folder_ / "pipe").string()), HasSubstr("not a regular file"));
   EXPECT_THAT(loadRefusal("~/nod.mtn"), HasSubstr("'~' is not expanded"));
   EXPECT_THAT(loadRefusal(""), HasSubstr("no such file"));
+}
+
+// A small file could fill any memory.
+TEST_F(LoadFileTest, UnpacksAGzippedFileUpToTheLengthAllowed) {
+  using test_support::gzipped;
+  EXPECT_THAT(loadFile(write(gzipped("abc")), 3), testing::ElementsAre('a', 'b', 'c'));
+  EXPECT_THAT(loadFile(write(gzipped("")), 3), testing::SizeIs(0));
+  EXPECT_THAT(loadFile(write("\x1f"), 3), testing::ElementsAre(0x1f));
+  EXPECT_THAT(loadRefusal(write(gzipped("abc")), 2), testing::EndsWith("it has more than the 2 bytes allowed"));
+  EXPECT_THAT(loadRefusal(write(gzipped("abc").substr(0, 12))),
+              testing::EndsWith("nod.mtn': it is gzipped, but damaged or cut off"));
+  EXPECT_THAT(loadRefusal(write(gzipped(std::string((64U << 20U) + 1, 'x')))),
+              testing::EndsWith("nod.mtn': unpacked, it has more than the 67108864 bytes allowed"));
 }
 
 // The kernel's have no size, and reading them may wait for ever, or take from others what was in them.

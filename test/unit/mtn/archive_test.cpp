@@ -6,7 +6,11 @@
 
 #include <array>
 #include <stdexcept>
+#include <tuple>
+#include <utility>
 
+#include "motion_tool/motion_tool.h"
+#include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 
@@ -14,6 +18,7 @@ namespace {
 
 using motion_tool::ArchivedFile;
 using motion_tool::fileNameOf;
+using test_support::gzipped;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -32,13 +37,12 @@ std::string padded(std::string text, std::size_t size) {
   return text;
 }
 
-/// An archive, made as archive.h describes it.
+/// An archive of motions, made as archive.h describes it.
 std::string archiveOf(const std::vector<ArchivedFile>& files) {
   std::string bytes = padded("ODAR" + std::string("\0\0\3\0", 4) + encode32(files.size()) + encode32(144), 64);
   std::size_t offset = 64 + 144 * files.size();
   for (const ArchivedFile& file : files) {
-    bytes +=
-        padded(file.type, 4) + padded(file.name, 128) + encode32(offset) + encode32(file.content.size()) + encode32(0);
+    bytes += "OMTN" + padded(file.name, 128) + encode32(offset) + encode32(file.content.size()) + encode32(0);
     offset += file.content.size();
   }
   for (const ArchivedFile& file : files) {
@@ -56,15 +60,13 @@ std::string contentOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-const std::vector<ArchivedFile> kFiles = {
-    {"a_sit#wave", "OMTN", "OMTN..."}, {"bark", "WAVE", "RIFF"}, {"growl", "WAVE", "RIF"}};
+const std::vector<ArchivedFile> kFiles = {{"a_sit#wave", "OMTN..."}, {"bark", "RIFF"}, {"growl", "RIF"}};
 
-TEST(Archive, IsReadWithNamesTypesAndContents) {
+TEST(Archive, IsReadWithNamesAndContents) {
   const std::vector<ArchivedFile> files = motion_tool::readArchive(archiveOf(kFiles));
   ASSERT_THAT(files, testing::SizeIs(kFiles.size()));
   for (std::size_t i = 0; i < files.size(); ++i) {
     EXPECT_EQ(files[i].name, kFiles[i].name);
-    EXPECT_EQ(files[i].type, kFiles[i].type);
     EXPECT_EQ(files[i].content, kFiles[i].content);
   }
 }
@@ -94,22 +96,49 @@ TEST(Archive, IsRefusedIfANumberLeadsBeyondItsEnd) {
 }
 
 TEST(Archive, IsRefusedIfItsFilesOverlap) {
-  std::string bytes = archiveOf({{"a", "OMTN", std::string(200, 'x')}, {"b", "OMTN", std::string(200, 'y')}});
+  std::string bytes = archiveOf({{"a", std::string(200, 'x')}, {"b", std::string(200, 'y')}});
   bytes.replace(64 + 144 + 132, 8, encode32(64 + 2 * 144) + encode32(400));
   EXPECT_THAT(problemOf(bytes), HasSubstr("overlap"));
 }
 
-TEST(Archive, NoNameLeadsOutOfTheFolder) {
-  EXPECT_EQ(fileNameOf({"a_sit#sit-1", "OMTN", ""}), "a_sit_sit-1.mtn");
-  EXPECT_EQ(fileNameOf({"bark", "WAVE", ""}), "bark.wav");
-  EXPECT_EQ(fileNameOf({"x", std::string("LED\0", 4), ""}), "x.bin");
-  EXPECT_EQ(fileNameOf({"../../etc/passwd", "OMTN", ""}), "______etc_passwd.mtn");
-  EXPECT_EQ(fileNameOf({"/etc/x", "OMTN", ""}), "_etc_x.mtn");
-  EXPECT_EQ(fileNameOf({"C:\\x", "OMTN", ""}), "C__x.mtn");
-  EXPECT_EQ(fileNameOf({".bashrc", "OMTN", ""}), "_bashrc.mtn");
-  EXPECT_EQ(fileNameOf({"-rf", "OMTN", ""}), "_rf.mtn");
-  EXPECT_EQ(fileNameOf({"", "OMTN", ""}), "_.mtn");
-  EXPECT_EQ(fileNameOf({"\x1b[2J\n\xc3\xa4", "OMTN", ""}), "__2J___.mtn");
+// As on the memory sticks of Sony's software.
+TEST(Archive, GzippedFilesOfItAreUnpacked) {
+  const std::vector<ArchivedFile> packed = {{"a", gzipped("OMTN...")}, {"b", gzipped("")}, {"c", "OMTN"}};
+  const std::vector<ArchivedFile> files = motion_tool::readArchive(archiveOf(packed));
+  ASSERT_THAT(files, testing::SizeIs(3));
+  EXPECT_EQ(files[0].content, "OMTN...");
+  EXPECT_EQ(files[1].content, "");
+  EXPECT_EQ(files[2].content, "OMTN");
+}
+
+TEST(Archive, IsRefusedIfAGzippedFileOfItCannotBeUnpacked) {
+  const std::string good = gzipped("OMTN...");
+  const std::string whole = "in the archive cannot be unpacked: it is gzipped, but damaged or cut off";
+  const std::string another_checksum = std::string(good).replace(good.size() - 5, 1, "?");
+  for (const std::string& bad : {good.substr(0, good.size() - 1), good.substr(0, 2), another_checksum}) {
+    EXPECT_THAT(problemOf(archiveOf({{"a", "OMTN"}, {"bad", bad}})), HasSubstr(whole));
+  }
+  const std::string huge = gzipped(std::string(40U << 20U, 'x'));
+  EXPECT_THAT(problemOf(archiveOf({{"a", huge}, {"b", huge}})), HasSubstr("more than the 25165824 bytes allowed"));
+}
+
+TEST(Archive, FilesAreNamedByTheirContentAndStayInTheFolder) {
+  const std::tuple<std::string, std::string, std::string> rows[] = {
+      {"a_sit#sit-1", "OMTN...", "a_sit_sit-1.mtn"},
+      {"bark", "RIFF...", "bark.wav"},
+      {"x", "NotOMTN ", "x.bin"},
+      {"x", "", "x.bin"},
+      {"../../etc/passwd", "OMTN", "______etc_passwd.mtn"},
+      {"/etc/x", "OMTN", "_etc_x.mtn"},
+      {"C:\\x", "OMTN", "C__x.mtn"},
+      {".bashrc", "OMTN", "_bashrc.mtn"},
+      {"-rf", "OMTN", "_rf.mtn"},
+      {"", "OMTN", "_.mtn"},
+      {"\x1b[2J\n\xc3\xa4", "OMTN", "__2J___.mtn"},
+  };
+  for (const auto& [name, content, file] : rows) {
+    EXPECT_EQ(fileNameOf({name, content}), file);
+  }
 }
 
 class UnpackedArchive : public ::testing::Test {
@@ -149,8 +178,7 @@ TEST_F(UnpackedArchive, WritesThroughNoLink) {
 }
 
 TEST_F(UnpackedArchive, RefusesTwoFilesOfTheSameName) {
-  EXPECT_THAT(problemOf({{"a#b", "OMTN", "1"}, {"a_b", "OMTN", "2"}}, true),
-              HasSubstr("two files that would be named a_b.mtn"));
+  EXPECT_THAT(problemOf({{"a#b", "OMTN"}, {"a_b", "OMTN"}}, true), HasSubstr("two files that would be named a_b.mtn"));
   EXPECT_EQ(numberOfFiles(), 0);
 }
 
@@ -176,7 +204,7 @@ class AiboMtn : public UnpackedArchive {
 
 TEST_F(AiboMtn, ListsAnArchive) {
   EXPECT_EQ(run(archive()),
-            "       7  a_sit_wave.mtn  (a_sit#wave)\n       4  bark.wav  (bark)\n       3  growl.wav  (growl)\n0");
+            "       7  a_sit_wave.mtn  (a_sit#wave)\n       4  bark.wav  (bark)\n       3  growl.bin  (growl)\n0");
   EXPECT_EQ(numberOfFiles(), 0);
 }
 
@@ -185,17 +213,34 @@ TEST_F(AiboMtn, UnpacksAnArchive) {
   EXPECT_EQ(contentOf(folder_ / "bark.wav"), "RIFF");
   EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()),
               AllOf(HasSubstr("already exists; --force"), testing::Not(HasSubstr("bark.wav  (bark)"))));
-  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("growl.wav  (growl)\n0"));
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string() + " --force"), HasSubstr("growl.bin  (growl)\n0"));
+}
+
+// A memory stick of Sony's software is gzipped at any of its levels.
+TEST_F(AiboMtn, ReadsGzippedFiles) {
+  std::istringstream text("name HOP\nrobot ERS-7\nat 0 tail_pan 0\nat 800 tail_pan 50\n");
+  const std::string motion = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+  const std::pair<const char*, std::string> rows[] = {
+      {"plain.mtn", motion}, {"gzipped.mtn", gzipped(motion)}, {"cut.mtn", gzipped(motion).substr(0, 40)}};
+  for (const auto& [name, content] : rows) {
+    temporary_.write(name, content);
+  }
+  const std::string printed = run((root_ / "plain.mtn").string());
+  EXPECT_THAT(printed, HasSubstr("on an ERS-7, tail_pan is clipped by up to 5.0 degrees (at 800 ms)\n0"));
+  EXPECT_EQ(run((root_ / "gzipped.mtn").string()), printed);
+  EXPECT_THAT(run((root_ / "cut.mtn").string()), HasSubstr("cannot be read: it is gzipped, but damaged or cut off\n1"));
+
+  temporary_.write("x.oda", gzipped(archiveOf({{"hop", gzipped(motion)}, {"none", gzipped("NotOMTN ")}})));
+  EXPECT_THAT(run("--unpack " + archive() + " " + folder_.string()), HasSubstr("hop.mtn  (hop)\n       8  none.bin"));
+  EXPECT_EQ(contentOf(folder_ / "hop.mtn"), motion);
 }
 
 TEST_F(AiboMtn, MakesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
   const std::string text = (root_ / "x.txt").string();
   const std::string file = (root_ / "x.mtn").string();
-  const std::string clipped =
-      "aibo_mtn: on an ERS-7, 1 position is clipped, by up to 2.0 degrees (head_pan at 1600 ms)\n";
+  const std::string clipped = "aibo_mtn: on an ERS-7, head_pan is clipped by up to 2.0 degrees (at 1600 ms)\n";
   std::ofstream(text) << "name HOP\nrobot ERS-7\nat 0 head_pan 0\nat 1600 head_pan 90\n";
-  const std::string made = run(text + " " + file);
-  EXPECT_THAT(made, AllOf(HasSubstr("aibo_mtn: at 1600 ms, head_pan is at 90.0 degrees"), HasSubstr(clipped + "0")));
+  EXPECT_EQ(run(text + " " + file), clipped + "0");
   EXPECT_THAT(run(file), AllOf(HasSubstr("name HOP\n"), HasSubstr("head_pan 89.99998\n"), HasSubstr(clipped + "0")));
   EXPECT_THAT(run("--help"), AllOf(HasSubstr("usage:"), HasSubstr("folder; --force overwrites files there\n0")));
   EXPECT_THAT(run(text + " /nowhere/x.mtn"), HasSubstr("/nowhere/x.mtn cannot be written\n1"));

@@ -98,6 +98,7 @@ TEST_F(MotionFile, RefusesEveryTruncationAndSaysWhy) {
     EXPECT_NE(problemOf(sample_.substr(0, size)), "") << size << " bytes";
   }
   EXPECT_THAT(problemOf(""), HasSubstr("OMTN"));
+  EXPECT_THAT(problemOf("\x1f\x8b\x08"), HasSubstr("it is gzipped; gzip -d unpacks it"));
   EXPECT_THAT(problemOf(sample_.substr(0, kSection2)), HasSubstr("before section 2"));
   EXPECT_THAT(problemOf(sample_.substr(0, kSection2 + 10)), HasSubstr("section 2 is cut off: 10 bytes of 64"));
 }

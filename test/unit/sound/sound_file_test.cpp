@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "sound/recording.h"
+#include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "wav_files.h"
@@ -63,6 +64,18 @@ TEST_F(SoundFileTest, AFileWithTheRobotsRateIsPlayedBitByBit) {
   EXPECT_EQ(samples, readAll("a.wav"));
   writeSoundFile(path("a.flac"), samples, 16000, 1, SF_FORMAT_FLAC | SF_FORMAT_PCM_16);
   EXPECT_EQ(samples, readAll("a.flac"));
+}
+
+TEST_F(SoundFileTest, AGzippedFileIsPlayed) {
+  writeSoundFile(path("a.wav"), tone(16000));
+  std::ifstream file(path("a.wav"), std::ios::binary);
+  const std::string packed = test_support::gzipped({std::istreambuf_iterator<char>(file), {}});
+  folder_.write("packed.wav", packed);
+  EXPECT_EQ(tone(16000), readAll("packed.wav"));
+  folder_.write("cut.wav", packed.substr(0, packed.size() / 2));
+  EXPECT_THAT(complaintAbout("cut.wav"), HasSubstr("it is gzipped, but damaged or cut off"));
+  folder_.write("secret.wav", test_support::gzipped("RIFX is not it"));
+  EXPECT_THAT(complaintAbout("secret.wav"), HasSubstr("no WAV, FLAC or Ogg file"));
 }
 
 TEST_F(SoundFileTest, OfSeveralChannelsTheMeanIsPlayed) {

@@ -2,6 +2,7 @@
 
 #include <cstring>
 
+#include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 
 namespace simulated_ers7 {
@@ -38,8 +39,7 @@ Value valueAt(const std::string& bytes, std::size_t offset) {
 
 std::string readFile(const std::string& path) {
   try {
-    const std::vector<unsigned char> bytes = host_files::readRegularFile(path, kLongestFile);
-    return {bytes.begin(), bytes.end()};
+    return host_files::readUnpacked(path, kLongestFile);
   } catch (const host_files::Unreadable& why) {
     throw SoundError(path + ": cannot be read: " + why.what());
   }

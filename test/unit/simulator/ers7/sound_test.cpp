@@ -9,6 +9,7 @@
 
 #include "simulator/ers7/console_commands.h"
 #include "simulator/ers7/simulated_ers7.h"
+#include "support/gzip.h"
 #include "support/temporary_folder.h"
 
 namespace simulated_ers7 {
@@ -116,9 +117,12 @@ TEST_F(SimulatedSoundTest, AFileOfAnotherProgramIsHeardWithoutItsOtherChunks) {
     bytes.insert(place, "LIST\3\0\0\0abc\0", 12);
   }
   bytes.replace(bytes.find("fmt ") + 8, 2, "\xfe\xff");  // the format is extensible
-  std::ofstream(path, std::ios::binary) << bytes;
-  EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
-  EXPECT_EQ(robot_.passSound(0, nullptr)[0].L, 1000);
+  unsigned time = 0;
+  for (const std::string& content : {bytes, test_support::gzipped(bytes)}) {
+    std::ofstream(path, std::ios::binary) << content;
+    EXPECT_EQ(obeyConsole(robot_, "hear " + path), "ok: hear " + path + "\n");
+    EXPECT_EQ(robot_.passSound(time++, nullptr)[0].L, 1000);
+  }
 }
 
 // So a program can play it on this computer.
