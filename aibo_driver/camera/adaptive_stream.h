@@ -18,7 +18,7 @@ namespace aibo_driver::camera {
 ///   because the shortest delay of messages cannot be measured.
 /// - It lowers the stream when all pictures of kPatience, or a third of those of the last second, are late. If fewer
 ///   pictures come than are asked for, the link is full. What it carries then says how far to go. Otherwise it goes
-///   down one step. A lost packet holds up one or two pictures, which is no reason to go down, so there must be
+///   down one step. A lost packet delays one or two pictures, which is no reason to go down, so there must be
 ///   kFewestLate.
 /// - It raises the stream one step at a time. No picture of kCalmTime may have been older than kCalm times the limit,
 ///   and the present step must have lasted for the waiting time of the next. If a step proves too much within kTrial,

@@ -76,9 +76,9 @@ struct Call {
   void dropFrom(CommandOutbox* commands) const;
 };
 
-/// How the refusal of such a request is told, in both versions of the protocol.
+/// As what the refusal of such a request is reported, in both versions of the protocol.
 /// @param letter the letter of the request
-/// @return empty if its refusal is only logged, or only told to its caller
+/// @return empty if its refusal is only logged, or only thrown to its caller
 std::optional<RefusedRequest> refusedRequest(char letter);
 
 /// Describes the request in words that follow "refused to ".

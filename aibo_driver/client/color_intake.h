@@ -19,7 +19,7 @@ struct ConnectionContext;
 using ColorTables = std::array<ColorTablePtr, kMostColorChannels>;
 
 /// Checks and delivers the colours that were detected over one connection. It does not trust the robot: it delivers
-/// only what is possible, and no more than was asked for. Whatever it drops is counted, and logged once.
+/// only what is possible, and no more than was asked for. What it drops is counted, and logged once.
 class ColorIntake {
  public:
   /// @param context must outlive the object

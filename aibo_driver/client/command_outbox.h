@@ -37,7 +37,7 @@ struct EarCommand {
   static constexpr int kRight = 2;  ///< RCServer identifier
 
   int id = 0;
-  bool drawn = false;  ///< true: draw the ear; false: let it go
+  bool drawn = false;  ///< true: draw the ear; false: release it
 };
 
 /// Commands to parts of the body. Only the latest command to each part is kept, in the place of the first one that
@@ -86,7 +86,7 @@ class JointCommands {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// Adds a command.
-  /// @return the older targets of its joints, which were removed, as of takeJoints()
+  /// @return the older targets of its joints, which it has replaced, as from takeJoints()
   std::vector<JointCommand> add(JointCommand command);
 
   /// Removes and returns the commands whose time has passed.
@@ -132,7 +132,7 @@ struct CommandOutbox {
   std::optional<SteeringCommand> steering;  ///< the newest velocity, which is not 0
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
-  std::vector<Refusal> dropped;  ///< refusals that nobody has been told about yet
+  std::vector<Refusal> dropped;  ///< refusals that have not been reported yet
 
   /// True if nothing waits that version 1 knows.
   bool isEmptyForVersion1() const { return speed_limits.empty() && joints.empty() && leds.empty() && ears.empty(); }

@@ -21,8 +21,8 @@
 
 namespace aibo_client {
 
-/// Reports requests that the robot refused although no call waits for them. Those of RefusedRequest are told to the
-/// client's user. Others are logged, each problem once.
+/// Reports refusals of requests for which no call waits. Those of RefusedRequest go to the client's user. Others are
+/// logged, each problem once.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
@@ -31,7 +31,7 @@ class RefusalLog {
   /// @param problem what was refused and why, in words that follow "refused "
   void refused(char letter, const std::string& problem);
 
-  /// Tells the client's user of a refusal.
+  /// Reports a refusal to the client's user.
   void refused(const Refusal& refusal);
 
   /// Call this when the robot has accepted such a request. Its next refusal is then logged again.
@@ -77,8 +77,8 @@ struct Connection {
     return call.has(protocol::version2::TAKES_OVER_JOINTS) && !commands.speed_limits.empty();
   }
 
-  /// Adds a call. If it stops the robot or takes over joints, older orders that have not been sent must not move the
-  /// robot after it. They are dropped.
+  /// Adds a call. If it stops the robot or takes over joints, older orders that have not been sent are dropped, so that
+  /// they do not move the robot after it.
   void add(Call call);
 
   /// Ends the calls whose deadline has passed. An order that has not been sent is withdrawn.

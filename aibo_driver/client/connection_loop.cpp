@@ -21,8 +21,7 @@ constexpr milliseconds kTurnedAwayTime{1000};
 // A flood of datagrams must not keep the thread from its other work.
 constexpr int kMostDatagramsAtOnce = 512;
 
-// `fault` and `robot` need no comparison: `fault` changes only together with `reason`, and `robot` only together with
-// `state`.
+// `fault` changes only together with `reason`, and `robot` only together with `state`, so they are not compared.
 bool operator==(const ConnectionStatus& a, const ConnectionStatus& b) {
   return a.state == b.state && a.protocol_version == b.protocol_version && a.reason == b.reason &&
          a.advice == b.advice && a.robot_message == b.robot_message && a.transport == b.transport &&
@@ -223,7 +222,7 @@ int ConnectionLoop::datagramPort(const Settings& wanted) {
   if (wanted.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
   } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&
-             errno != ENOTCONN) {  // else the connection has just been reset, which the next read will tell
+             errno != ENOTCONN) {  // otherwise the connection was reset, and the next read says so
     connection.giveUpDatagrams("this computer has no free socket");
   }
   return transport_->datagrams().port();
@@ -247,7 +246,7 @@ void ConnectionLoop::listen() {
   for (const Session::Bytes& reply : session_->takeReplies(now)) {
     transport_->datagrams().reply(reply.data(), reply.size());
   }
-  if (session_->ready()) {  // the robot may tell it before it has said hello
+  if (session_->ready()) {  // the robot may report this before its hello
     updateMotorsAndPosture(connection_->motors_and_posture);
   }
   reportSession();

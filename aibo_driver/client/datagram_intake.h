@@ -38,7 +38,7 @@ class DatagramIntake {
   static constexpr std::chrono::milliseconds kMostPatience{100};
 
   /// If no datagram has come for this long although TCP works, something on the way swallows them. If no good picture
-  /// has come in spite of time for kMostGivenUp, most datagrams get lost, or somebody forges them.
+  /// has come in the time for kMostGivenUp pictures, most datagrams get lost, or somebody forges them.
   static constexpr std::chrono::milliseconds kSilence{1000};
   /// While the radio is out, TCP is silent, too. So the silence counts only if TCP has worked after datagrams were
   /// missing for this long.
@@ -50,7 +50,7 @@ class DatagramIntake {
   static constexpr int kMostGivenUp = 20;
   /// The robot numbers the pictures that it sends, at most one in 32 ms. A picture is plausible if its number is at
   /// most kAtOnce further ahead of the last good one than the time allows. Otherwise it is probably forged, and counts
-  /// only if no plausible one has come for kJump since the first such picture. A computer that was held up may have
+  /// only if no plausible one has come for kJump since the first such picture. A computer that stalled may have
   /// lost the pictures in between.
   static constexpr int kAtOnce = 4;
   static constexpr std::chrono::milliseconds kPicturePeriod{32};
@@ -73,7 +73,7 @@ class DatagramIntake {
   void heardByTcp(TimePoint now);
 
   /// Call this when a datagram has come from the robot's address.
-  /// @return true if it was the robot that sent it, as far as its numbers show that
+  /// @return true if its numbers show that the robot sent it
   bool arrived(const std::uint8_t* data, std::size_t size, TimePoint now);
 
   /// The next whole picture, in order; its number is plausible. Call goodPicture() if its JPEG is good.

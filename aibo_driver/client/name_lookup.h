@@ -25,7 +25,7 @@ struct NameLookupResult {
 /// Looks up a name, however long that takes. It is called on a thread of its own.
 using Resolver = std::function<NameLookupResult(const std::string& host, int port)>;
 
-/// Uses the system's resolver: /etc/hosts, DNS, mDNS, whatever is configured.
+/// Uses the system's resolver: /etc/hosts, DNS, mDNS or others, as configured.
 NameLookupResult resolveWithSystem(const std::string& host, int port);
 
 /// Accepts only numeric addresses. It never blocks.

@@ -54,7 +54,7 @@ class PictureAssembly {
   /// When takeWhole() will return the picture that waits, if nothing else comes. It is TimePoint::max() if none waits.
   TimePoint endOfWaiting(TimePoint::duration patience) const;
 
-  /// What the robot has to be told.
+  /// The status to send to the robot.
   /// @param all_sent false: parts that may still be on their way, or that a parity may still replace, are not asked for
   protocol::version2::DatagramStatus status(bool all_sent) const;
 

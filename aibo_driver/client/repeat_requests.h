@@ -12,16 +12,16 @@
 
 namespace aibo_client {
 
-/// Decides when the robot is told which pictures are complete and which parts are missing. It is told at once what is
-/// new. If nothing comes after that, the robot's datagrams or the status were lost, and it is told again a few times,
-/// at growing intervals.
+/// Decides when to send the robot a status: which pictures are complete and which parts are missing. A new status is
+/// sent at once. If nothing comes after it, the robot's datagrams or the status were lost, and the status is repeated a
+/// few times, at growing intervals.
 class RepeatRequests {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
   using Duration = TimePoint::duration;
   using Status = protocol::version2::DatagramStatus;
 
-  /// How often a status is told again.
+  /// How often a status is repeated.
   static constexpr int kMostAttempts = 4;
   /// If no part is missing, the next datagram belongs to the next picture. A camera needs up to 40 ms for it.
   static constexpr std::chrono::milliseconds kPictureInterval{50};
@@ -36,7 +36,7 @@ class RepeatRequests {
     attempts_ = 0;
   }
 
-  /// The status to tell now. It is empty if there is nothing to tell.
+  /// The status to send now. It is empty if there is none.
   /// @param spacing the usual time between two datagrams
   std::optional<Status> next(const PictureAssembly& assembly, Duration spacing, TimePoint now) {
     const bool is_overdue = now >= deadline(assembly, spacing);
@@ -50,7 +50,7 @@ class RepeatRequests {
     return status;
   }
 
-  /// When to tell the status again if nothing comes until then.
+  /// When to repeat the status if nothing comes until then.
   /// @param spacing 0 if it is not known
   TimePoint deadline(const PictureAssembly& assembly, Duration spacing) const {
     if (last_ == TimePoint() || attempts_ >= kMostAttempts) {
@@ -66,12 +66,12 @@ class RepeatRequests {
     return status.picture != told_.picture || (partsIn(status) & ~partsIn(told_)) != 0;
   }
 
-  /// The parts that the status asks for. Only the first 64 parts of a picture are told apart.
+  /// The parts that the status asks for. Only the first 64 parts of a picture have bits of their own.
   static std::uint64_t partsIn(const Status& status) {
     return status.first_part < 64 ? std::uint64_t{status.missing} << status.first_part : status.missing;
   }
 
-  TimePoint last_;  // when a datagram last came or a status was told
+  TimePoint last_;  // when a datagram last came or a status was sent
   int attempts_ = 0;
   Status told_ = {};
 };

@@ -13,8 +13,8 @@
 namespace aibo_client {
 
 /// Knows the robot's present frame, so that the robot can tell which orders are too old. Only messages that came over
-/// one TCP connection count: anybody can forge a datagram, and a robot that was restarted counts from 0. A message
-/// that was late makes the frame seem earlier than it is, so orders err by being refused.
+/// one TCP connection count: anybody can forge a datagram, and a robot that was restarted counts from 0. A late message
+/// makes the frame seem earlier than it is, so an order may be refused too soon, but never carried out too late.
 class RobotFrames {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -34,7 +34,7 @@ class RobotFrames {
     }
   }
 
-  /// The robot's present frame. It is empty if no message of the last 2 s tells it.
+  /// The robot's present frame. It is empty if no message of the last 2 s has a frame.
   std::optional<std::uint32_t> present(TimePoint now) const {
     if (!frame_ || now - time_ > kLongestAge) {
       return std::nullopt;

@@ -8,8 +8,8 @@
 
 namespace aibo_client {
 
-/// Tells from the numbers of datagrams which of them were lost, late or sent twice. A datagram counts as lost if it has
-/// not come when kSize later ones could have come.
+/// Finds out which datagrams were lost, late or sent twice, from their numbers. A datagram counts as lost if it has not
+/// come when kSize later ones could have come.
 class SequenceWindow {
  public:
   static constexpr std::int64_t kSize = 64;

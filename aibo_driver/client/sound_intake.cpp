@@ -65,8 +65,8 @@ unsigned SoundIntake::frameSize() const {
   return version2::SAMPLES_PER_FRAME * static_cast<unsigned>(in_force_->samples_per_second) / 16000;
 }
 
-/// Samples of each channel that should have come before this frame. A frame number that goes back means nothing, nor
-/// does one that is further ahead than time has passed: users put silence in the place of what is missing.
+/// Samples of each channel that should have come before this frame. A frame number that goes back, or that is further
+/// ahead than time has passed, is ignored, because users fill what is missing with silence.
 std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned count,
                                          std::chrono::steady_clock::time_point arrival) {
   const auto skipped = next_frame_ ? static_cast<std::int32_t>(frame_number - *next_frame_) : 0;

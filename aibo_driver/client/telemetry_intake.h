@@ -19,7 +19,7 @@ namespace aibo_client {
 struct ConnectionContext;
 
 /// Checks and delivers the measurements of one connection. It does not trust the robot: it delivers only what is
-/// possible, and no more than was asked for. Whatever it drops is counted, and logged once for each joint and sensor.
+/// possible, and no more than was asked for. What it drops is counted, and logged once for each joint and sensor.
 class TelemetryIntake {
  public:
   /// The most telemetry that is delivered at once, if more has arrived together. It is two seconds at the highest rate.

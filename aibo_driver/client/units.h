@@ -22,7 +22,7 @@ inline double fromMicro(int value) {
 }
 
 /// Rounds a velocity of a walk as version 2 sends it: to whole mm/s or mrad/s. So a velocity that is sent as 0 also
-/// counts as 0 here: it lets go, and is never too old.
+/// counts as 0 here: it ends a walk, and is never too old.
 inline double wholeThousandths(double value) {
   return std::round(value * 1000) / 1000;
 }

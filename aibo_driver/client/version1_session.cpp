@@ -42,7 +42,7 @@ constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint 
 // The server reports a joint's fault by refusing the next request about this joint, whatever that request is.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
-// What version 1 has no request for, and what follows from that.
+// What version 1 has no request for, and the consequences.
 constexpr char kStreamFormats[] =
     "for resolution and rate of the stream: it sends every image of its camera, at 208x160";
 constexpr char kCameraSettings[] = "to set the camera: its settings stay as they are";
@@ -189,7 +189,7 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
   return bytes;
 }
 
-/// Tells the ends of commands. This version does not say when joints arrive.
+/// Reports the ends of commands. This version does not say when joints arrive.
 void Version1Session::endJointOrders() {
   for (auto each = joint_orders_.begin(); each != joint_orders_.end();) {
     const auto& [number, order] = *each;
@@ -329,7 +329,7 @@ void Version1Session::onValueRefused(int code) {
   if (const auto order = joint_orders_.find(number); order != joint_orders_.end()) {
     order->second.trouble = reason;
     if (order->second.is_accepted || connection_.commands.joints.has(number)) {
-      number = 0;  // endJointOrders() tells the end of the whole command
+      number = 0;  // endJointOrders() reports the end of the whole command
     } else {
       joint_orders_.erase(order);
     }

@@ -699,7 +699,7 @@ void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload.data, payload.size, "telemetry");
   frames_.told(measured.frame_number, now_);
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
-    // So many wait only if this process was held up for long. Then the oldest are worth least.
+    // So many wait only if this process stalled for long. Then the oldest are worth least.
     telemetry_.pop_front();
     ++connection_.context.counters.dropped_telemetry;
   }

@@ -16,12 +16,12 @@ namespace aibo_driver::command_line {
 /// is 128 + the signal.
 enum ExitStatus {
   kDone = 0,
-  kFailed = 1,       ///< the robot refused, or did not do what it was told; or a file could not be read or written
+  kFailed = 1,       ///< the robot refused or failed; or a file could not be read or written
   kWrongUsage = 2,   ///< wrong arguments
   kUnreachable = 3,  ///< no connection to the robot, or it was lost
 };
 
-/// The words that the user typed behind the name of a command, and the options for all commands.
+/// The words that the user typed after the name of a command, and the options for all commands.
 struct Arguments {
   RobotAddress robot;
   std::vector<std::string> words;             ///< the words that are not options
@@ -48,7 +48,7 @@ struct Option {
 };
 
 struct Example {
-  std::string arguments;  ///< the words behind "aibo "
+  std::string arguments;  ///< the words after "aibo "
   std::string effect;
 };
 

@@ -76,7 +76,7 @@ RobotAddress addressIn(const Arguments& arguments) {
   return address;
 }
 
-/// Sorts the words behind a command into options and others.
+/// Sorts the words after a command into options and others.
 /// @throw InvalidArgumentException an option is not among `options`, or lacks its value
 void sortInto(const std::vector<std::string>& words, const std::vector<Option>& options, Arguments* arguments) {
   po::options_description all = describe("", options);

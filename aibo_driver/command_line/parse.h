@@ -22,7 +22,7 @@ struct CommandLine {
 bool wantsJson(const std::vector<std::string>& words);
 
 /// Parses the words. The first word that is no option is the command. Its options and the common ones may be anywhere
-/// behind it.
+/// after it.
 /// @param words the words without the program's name
 /// @throw InvalidArgumentException something is wrong; the message says what
 CommandLine parse(const std::vector<std::string>& words);

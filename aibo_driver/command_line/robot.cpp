@@ -79,8 +79,8 @@ Robot::Robot(const RobotAddress& address, Output& output, const ClientOptions& b
 
 Robot::~Robot() {
   client_->stop();
-  // The client has logged why the connection was lost, and that it tries again. A command that ended with the
-  // connection does not, and says why itself.
+  // The client has logged why the connection was lost, and that it tries again. A command that ends with the connection
+  // does not try again, and reports the reason itself.
   const auto says_why = [this](const std::string& text) { return text.find(last_loss_) != std::string::npos; };
   if (!last_loss_.empty()) {
     warnings_.erase(std::remove_if(warnings_.begin(), warnings_.end(), says_why), warnings_.end());
@@ -270,8 +270,8 @@ void Robot::noteTelemetry(const aibo_client::Telemetry& telemetry) {
   });
 }
 
-// The refusal of a motion or posture is the exception of its call. What was replaced or stopped before it was sent was
-// replaced or stopped by this program.
+// The refusal of a motion or posture is the exception of its call. If an order was replaced or stopped before it was
+// sent, this program has done so.
 void Robot::noteRefusal(const aibo_client::Refusal& refusal) {
   const bool has_a_call = refusal.request == RefusedRequest::kMotion || refusal.request == RefusedRequest::kPosture;
   const bool is_ours = refusal.cause == RefusalCause::kReplaced || refusal.cause == RefusalCause::kStopped;

@@ -69,7 +69,7 @@ class Robot {
   static constexpr std::chrono::seconds kMeasureTimeout{3};   ///< a version 1 server measures one value after the other
   static constexpr std::chrono::milliseconds kTimeout{2000};  ///< for a request that is answered at once
 
-  /// Whether a lost connection ends the waiting. The connection is made again in any case.
+  /// Whether a lost connection ends the waiting. The client reconnects in any case.
   enum class Loss { kFails, kIsTolerated };
 
   /// @param base all options except for the address

@@ -58,7 +58,7 @@ struct JointStep {
 /// measured any more, its end is unknown.
 ///
 /// Every kPeriod the robot is told where the joints should be kLookahead later. So the robot always knows what comes
-/// next, and a message that is late by less than kLookahead does not make it falter. If the caller is held up for
+/// next, and a message that is late by less than kLookahead does not make it falter. If the caller stalls for
 /// longer than kLongestGap, the joints have stopped meanwhile, and would have to jump to catch up. So trajectories
 /// resume where they were.
 ///
@@ -98,7 +98,7 @@ class JointPlan {
   std::vector<JointStep> advance(SteadyTime now);
 
   /// Targets that make each joint that may be moving stay where it is, without turning back. They are for a robot that
-  /// cannot be told to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays where
+  /// has no request to hold. A joint of a command stays where it should be by now. A joint of a trajectory stays where
   /// it was last sent.
   /// @param only the joints of this trajectory; empty means all joints
   JointTargets holdingTargets(SteadyTime now, std::optional<MovementId> only = std::nullopt) const;

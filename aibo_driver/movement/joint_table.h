@@ -71,7 +71,7 @@ class JointTable {
   }
   std::vector<int> identifiersOfLegs() const;
 
-  /// How fast the joints of the legs can move by themselves, without speed limits.
+  /// How fast the joints of the legs can move without speed limits.
   std::vector<aibo_client::JointSpeedLimit> ownSpeedsOfLegs() const;
 
   /// Scales the speed limits of all joints. Any thread may call it.

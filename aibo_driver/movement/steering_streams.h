@@ -20,7 +20,7 @@ class SteeringStreams {
   /// A stream has ended when no velocity has come for this long.
   static constexpr std::chrono::milliseconds kPause{500};
 
-  /// Notes a velocity. While this process was held up, its node has not paused.
+  /// Notes a velocity. The time for which this process stalled is not a pause of the node.
   /// @param now when the velocity is read
   /// @return what has overruled the velocity's stream; empty if the velocity counts
   std::string receive(const Order& order, bool is_zero, SteadyTime now);

@@ -100,8 +100,8 @@ class AiboDriver {
 
   // Each member uses only the members before it. ROS may call back as soon as a topic or service is advertised.
   ReceiptClock receipts_;
-  /// For settings, reports, and subscribers that come and go. It is not in the pool, because enough callers that wait
-  /// would hold it up.
+  /// For settings, reports, and subscribers that come and go. It is not in the pool, because enough waiting callers
+  /// would delay it.
   CallbackThreads own_thread_;
   ros::NodeHandle handle_;
   const OnlyDriver only_driver_;

@@ -13,10 +13,10 @@
 
 namespace aibo_driver::node {
 
-/// An action server that keeps few goals, whatever other nodes send. actionlib keeps each goal for 5 s after its end,
-/// begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and names a
-/// goal that never came. It publishes all that it keeps at each change. One cancel with a time in the future would end
-/// all later goals. What a goal asked for is not kept after its end.
+/// An action server that keeps few goals, even if other nodes send many. actionlib keeps each goal for 5 s after its
+/// end, begins these 5 s again whenever somebody cancels all goals, and never forgets a cancel that has no time and
+/// names a goal that never came. It publishes all that it keeps at each change. One cancel with a time in the future
+/// would end all later goals. What a goal asked for is not kept after its end.
 template <typename Action>
 class BoundedActionServer : public actionlib::ActionServer<Action> {
  public:
@@ -37,9 +37,9 @@ class BoundedActionServer : public actionlib::ActionServer<Action> {
                       const Cancel& cancel)
       : actionlib::ActionServer<Action>(handle, name, accept, cancel, false), actions_(handle, name) {}
 
-  // actionlib tells of neither a goal that was cancelled before it came nor a cancel of an unknown goal. So this
-  // listens to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than
-  // actionlib's own would drop calls, and the last one could come before actionlib has read its last message.
+  // actionlib does not report a goal that was cancelled before it came, or a cancel of an unknown goal. So this listens
+  // to the same topics, and is called right after actionlib, which subscribed first. A shorter queue than actionlib's
+  // own would drop calls, and the last one could come before actionlib has read its last message.
   void start() {
     constexpr std::uint32_t kQueueOfActionlib = 50;  // actionlib_server_sub_queue_size in action_server_imp.h
     actionlib::ActionServer<Action>::start();

@@ -10,8 +10,8 @@
 
 namespace aibo_driver::node {
 
-/// A message whose contents are not read if it is too long. Reading a million names keeps a processor busy that is
-/// needed elsewhere, for example for stop.
+/// A message whose contents are not read if it is too long. Reading a million names takes processor time that is needed
+/// elsewhere, for example for stop.
 template <typename Message, std::size_t most_bytes>
 struct BoundedMessage {
   Message message;          ///< empty if it was too long

@@ -15,14 +15,14 @@
 
 namespace aibo_driver::node {
 
-/// Knows when messages and calls came. If a process was held up, it reads the messages that waited for it only
+/// Knows when messages and calls came. If a process stalls, it reads the messages that have come meanwhile only
 /// afterwards. Such a message may have come right after the last sign of life, so we assume that it did. Any thread may
 /// call any function.
 class ReceiptClock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// After a longer gap between two signs of life, the process was held up. It is twice aibo_client::kLongestSleep.
+  /// After a longer gap between two signs of life, the process stalled. It is twice aibo_client::kLongestSleep.
   static constexpr std::chrono::milliseconds kLongestGap{500};
   /// After such a gap, everything that waited has been read within this time.
   static constexpr std::chrono::milliseconds kCatchingUp{200};
@@ -41,7 +41,7 @@ class ReceiptClock {
 
   std::mutex mutex_;
   std::optional<TimePoint> last_;  ///< the last sign of life
-  TimePoint before_gap_;           ///< the last sign of life before the process was held up
+  TimePoint before_gap_;           ///< the last sign of life before the process stalled
   TimePoint caught_up_;            ///< messages that are read before this time may be old
 };
 

@@ -118,7 +118,7 @@ class GoalServer : public Action {
   void checkSize(const GoalOf<Spec>& goal) const {
     if (goals_.size() >= kMostGoals) {
       throw aibo_client::CommandException(std::to_string(kMostGoals) +
-                                          " goals go on already, and no more may. Cancel some of them.");
+                                          " goals are already active, and no more are accepted. Cancel some of them.");
     }
     const std::size_t size = ros::serialization::serializationLength(goal);
     if (size > kMostBytesOfGoal) {

@@ -79,7 +79,7 @@ OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
       }
     }
   } catch (const NoAnswer&) {
-    // Without the master nobody can tell, but then nobody can find this driver either.
+    // Without the master this is unknown, but without it no node can find this driver either.
   }
 }
 

@@ -1,5 +1,5 @@
-/// @file parameter_value.h
-/// Reads values of parameters, and tells the user which are refused. Any thread may call the functions.
+/// @file parameter_value.h Reads values of parameters, and makes messages about refused ones. Any thread may call the
+///   functions.
 #ifndef AIBO_DRIVER_NODE_PARAMETER_VALUE_H
 #define AIBO_DRIVER_NODE_PARAMETER_VALUE_H
 

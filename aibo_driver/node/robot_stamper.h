@@ -22,8 +22,8 @@ namespace aibo_driver::node {
 
 /// Stamps the messages of one stream, either pictures or telemetry. The stamp is the time on ROS' clock when the robot
 /// took the picture or measured. If a message has no frame number, for example because it comes from a version 1
-/// server, its stamp is its time of arrival. No stamp is later than the arrival of its message, whatever the frame
-/// number says. The only exceptions are `time_offset`, and a few nanoseconds that tell messages apart that arrive
+/// server, its stamp is its time of arrival. No stamp is later than the arrival of its message, even if the frame
+/// number is. The only exceptions are `time_offset`, and a few nanoseconds that distinguish messages that arrive
 /// together.
 ///
 /// The time is computed on the steady clock. It is converted to ROS' clock when the stamp is first asked for. So when

@@ -13,9 +13,9 @@
 
 namespace aibo_driver::node {
 
-/// Remembers who has stopped the robot, even if the driver ends without a word. It is a parameter, `stopped_by` in the
-/// driver's namespace, which is there while the robot is stopped. A thread of its own writes it, so that a stop never
-/// waits for the ROS master, and writes it again every few seconds for a master that was restarted.
+/// Remembers who has stopped the robot, even if the driver crashes. It is a parameter, `stopped_by` in the driver's
+/// namespace, which is there while the robot is stopped. A thread of its own writes it, so that a stop never waits for
+/// the ROS master, and writes it again every few seconds for a master that was restarted.
 class StopMemory {
  public:
   /// Reads the parameter.

@@ -14,7 +14,7 @@ namespace aibo_driver::node {
 
 /// Thrown if no answer came.
 struct NoAnswer {
-  bool is_silent;  ///< true: it took too long; false: nobody is there, or whoever is there does not speak XML-RPC
+  bool is_silent;  ///< true: it took too long; false: nobody is there, or the program there does not speak XML-RPC
 };
 
 /// A program that answers XML-RPC: the ROS master or a node.

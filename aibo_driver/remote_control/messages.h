@@ -31,7 +31,7 @@ QStringList touchedPlacesIn(const Touch& message);
 std::vector<EndedMovement> endedBetween(const std::vector<EndedMovement>& before,
                                         const std::vector<EndedMovement>& now);
 
-/// What the user is told about a movement that failed. It is empty if the movement did what it should, or if somebody
+/// What the user reads about a movement that failed. It is empty if the movement did what it should, or if somebody
 /// wanted it to end.
 QString complaintAbout(const EndedMovement& ended);
 

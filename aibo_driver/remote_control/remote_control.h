@@ -19,8 +19,8 @@ namespace aibo_driver::remote_control {
 /// The whole window: STOP, the last answer, the connection, the live picture and the pages. It shows only what the
 /// robot reports, never what was clicked.
 ///
-/// Whoever moves the mouse to STOP must meet it, whatever happens meanwhile. So STOP is in the top left corner, and
-/// nothing above the pages changes its size.
+/// STOP must not move while somebody moves the mouse to it. So it is in the top left corner, and nothing above the
+/// pages changes its size.
 class RemoteControl : public QWidget {
   Q_OBJECT
 

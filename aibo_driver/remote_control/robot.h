@@ -140,7 +140,7 @@ class Robot : public QObject {
   /// Speaks a text, in English.
   virtual void say(const QString& text) = 0;
 
-  /// Ends the speech, or whatever sound plays.
+  /// Ends the speech or other sound that plays.
   virtual void stopSound() = 0;
 
   /// Repeat this several times a second. The robot stops soon after the last call.

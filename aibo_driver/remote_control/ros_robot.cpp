@@ -121,7 +121,7 @@ void RosRobot::manageTopics() {
 }
 
 // The master may know drivers that do not run any more. So a driver that is never heard is given up, and the next is
-// tried. A driver that was heard stays, because whoever presses STOP means the robot that the window has shown.
+// tried. A driver that was heard stays, because a user who presses STOP means the robot that the window has shown.
 std::string RosRobot::findDriver() const {
   if (topics_ && (topics_->areNew() || topics_->wasHeard())) {
     return name_space_;
@@ -141,7 +141,7 @@ void RosRobot::search() {
   }
 }
 
-// What the old driver has said is not true of the new one, which may never say anything about it.
+// The reports of the old driver are not true of the new one, which may never replace them.
 void RosRobot::forgetDriver(const std::string& next) {
   RobotConnection waits;
   waits.state = RobotConnection::State::kWaiting;

@@ -77,7 +77,7 @@ class RosRobot : public Robot {
 
   /// @param request what was asked for, in words
   /// @param service the service's name, either in the driver's namespace or a full name
-  /// @param also may be empty; otherwise it is called on a thread of its own, with each answer that tells of a success
+  /// @param also may be empty; otherwise it is called on a thread of its own, with each answer that reports success
   template <typename Service>
   void call(const QString& request, const std::string& service, const typename Service::Request& arguments,
             const std::function<void(const typename Service::Response&)>& also = {});

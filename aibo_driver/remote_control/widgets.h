@@ -1,5 +1,4 @@
-/// @file widgets.h
-/// What this window's widgets do otherwise than Qt's.
+/// @file widgets.h What this window's widgets do differently from Qt's.
 #ifndef AIBO_DRIVER_REMOTE_CONTROL_WIDGETS_H
 #define AIBO_DRIVER_REMOTE_CONTROL_WIDGETS_H
 
@@ -8,7 +7,7 @@
 
 namespace aibo_driver::remote_control {
 
-/// One line of text. What has no room is replaced by three dots, so a text moves nothing, however long it is.
+/// One line of text. What has no room is replaced by three dots, so that a long text moves nothing.
 class ElidedLabel : public QLabel {
  public:
   /// @param dots where the three dots are

@@ -10,8 +10,8 @@ namespace aibo_driver::robot_time {
 /// Estimates offset and drift between two clocks from messages that travel from one to the other.
 ///
 /// A message can be late, but never early. So we look for the straight line below the measured latenesses that is
-/// closest to them. It shows how far the clocks are apart and how fast they drift, whatever the delays above it are.
-/// This works as long as a message meets no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of
+/// closest to them. It shows how far the clocks are apart and how fast they drift, however long the delays are. This
+/// works as long as a message meets no delay once in a while (Moon, Skelly and Towsley, "Estimation and removal of
 /// clock skew from network delay measurements", 1999). All messages have the shortest delay in common. It cannot be
 /// told from an offset of the clocks, so the line contains it.
 ///

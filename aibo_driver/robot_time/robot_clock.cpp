@@ -19,7 +19,7 @@ constexpr double kImplausible = 1.0;  // s
 // time.
 constexpr std::int32_t kFramesOfDisorder = 125;
 
-// The radio may hold up messages for this long. A robot's frame numbers never stop; those of a simulation may stop.
+// The radio may delay messages for this long. A robot's frame numbers never stop; those of a simulation may stop.
 constexpr std::chrono::seconds kPatience{5};
 
 double seconds(std::chrono::steady_clock::duration duration) {

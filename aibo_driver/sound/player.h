@@ -65,7 +65,7 @@ class Player {
   /// @throw the exceptions of RcServerClient::playSamples()
   std::shared_ptr<Playback> play(std::unique_ptr<Source> source);
 
-  /// Stops this sound, or whichever plays if it is null. Nothing happens if it has ended.
+  /// Stops this sound, or the one that plays if it is null. Nothing happens if it has ended.
   /// @throw the exceptions of RcServerClient::stopSound()
   void stop(const std::shared_ptr<Playback>& playback = nullptr);
 

@@ -15,8 +15,8 @@
 
 namespace aibo_driver::text {
 
-/// Makes the lines of a log plain, short and few, whoever logs them. A library such as roscpp quotes what strangers
-/// send to it, as often as they send it.
+/// Makes all lines of a log plain, short and few. A library such as roscpp quotes what strangers send to it, as often
+/// as they send it.
 ///
 /// Each statement that logs may log kBurst lines at once, and in the long run one per kPeriod. So a flood from one of
 /// them hides no line of another one. The next line says how many were left out. Lines are cut at kLongest bytes and

@@ -35,7 +35,7 @@ class ThrottledWarnings {
 
   void warn(const std::string& text);
 
-  /// Logs a text even if it was logged a moment ago. This is for news that others cause.
+  /// Logs a text even if it was logged a moment ago, for events that others cause.
   void say(const std::string& text);
 
  private:

@@ -35,8 +35,8 @@ using aibo_driver::tools::Timeline;
 using rosbag::MessageInstance;
 
 const ros::WallDuration kReportPeriod(1.0);  // as often as a driver says something
-const ros::WallDuration kLook(0.1);          // how often it looks whether somebody watches
-const ros::WallDuration kOthers(1.0);        // after the first one who watches, for the others to connect
+const ros::WallDuration kLook(0.1);          // how often it checks for subscribers
+const ros::WallDuration kOthers(1.0);        // after the first subscriber, for the others to connect
 const ros::WallDuration kBetweenLoops(0.1);  // a recording of a single moment would repeat without a pause
 const ros::WallDuration kLastMoment(0.5);    // for the last messages to arrive
 
@@ -273,7 +273,7 @@ class Playback {
   const bool loops_;
   const ros::Time start_;
   bool& failed_;
-  const aibo_driver::node::OnlyDriver only_driver_;  // the window could not tell which of the two it shows
+  const aibo_driver::node::OnlyDriver only_driver_;  // the window could not say which of the two it shows
   BodyFrames frames_;
   ros::SteadyTime watched_by_;  ///< when it begins
   State state_ = State::kWaiting;

@@ -77,7 +77,7 @@ class RefusalNotice {
  private:
   using EndedMovement = aibo_driver::EndedMovement;
 
-  // While the key is held down, the same reason comes again, with the advice to let go.
+  // While the key is held down, the same reason comes again, with the advice to release it.
   void receive(const aibo_driver::MotionState::ConstPtr& state) {
     const auto is_ours = [](const EndedMovement& each) {
       return each.movement.source == ros::this_node::getName() && each.movement.kind == aibo_driver::Movement::WALK;
@@ -125,7 +125,7 @@ void steer(KeySteering* keys, const ros::Publisher& publisher, teleop::StopAndRe
       continue;
     }
     const aibo_client::WalkVelocity velocity = keys->velocity(steady_clock::now());
-    if (walks || is_steered) {  // a key may also stop what another node lets walk
+    if (walks || is_steered) {  // a key may also stop a walk of another node
       publisher.publish(teleop::toTwist(velocity));
     }
     walks = !velocity.isZero();

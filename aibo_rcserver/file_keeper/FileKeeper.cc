@@ -54,7 +54,7 @@ void FileKeeper::NotifyJob(const ONotifyEvent& event) {
   results_.Send();
 }
 
-// Reports a stick that is missing or write-protected. If OPEN-R does not tell, the job is tried anyway.
+// Reports a stick that is missing or write-protected. If OPEN-R does not know, the job is tried anyway.
 FileResult::Outcome FileKeeper::CheckStick(FileJob::Operation operation) {
   OMemoryStickStatus status = omemorystickUNDEF;
   if (OPENR::GetMemoryStickStatus(&status) != oSUCCESS) {

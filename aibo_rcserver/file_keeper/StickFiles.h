@@ -10,7 +10,7 @@
 #include "protocol/file_list.h"
 #include "protocol/text.h"
 
-/// Reads, stores, deletes and lists motions and pictures, whatever they contain.
+/// Reads, stores, deletes and lists motions and pictures, without a look at their content.
 ///
 /// A name cannot lead out of the folder (text.h). Some file systems distinguish upper and lower case, and the memory
 /// stick does not, so a search ignores case. A file is written under another name first, so that it is always
@@ -38,7 +38,7 @@ class StickFiles {
   /// @return DONE or FAILED, for instance if the stick is full; then nothing of the motion is left
   FileResult::Outcome StoreMotion(const protocol::MotionName& name, const unsigned char* bytes, size_t size) const;
 
-  /// Stores a picture under a new name: AIBO0001.JPG, or the highest number so far plus one. OPEN-R does not tell the
+  /// Stores a picture under a new name: AIBO0001.JPG, or the highest number so far plus one. OPEN-R does not report the
   /// free space, so this writes PICTURE_RESERVE bytes beside the picture and removes them again.
   /// @param[out] name set if DONE
   /// @return DONE, FULL, TOO_MANY, NO_NUMBER or FAILED; unless DONE, nothing of the picture is left

@@ -165,7 +165,7 @@ void JpegEncoder::FillStrip(const CameraImage& image, size_t top, JSAMPROW y_row
   Halve(chroma_rows, image.width, cr_);
 }
 
-// In all bands, the row above replaces the last row's tag: nothing tells which band has the tag.
+// In all bands, the row above replaces the last row's tag, because the band with the tag is not known.
 void JpegEncoder::FillDoubleStrip(const CameraImage& image, const DetailBands& detail, size_t top,
                                   JSAMPROW y_rows[STRIP_HEIGHT]) {
   const size_t last = image.height - 1;

@@ -93,7 +93,7 @@ class Writer {
 
  private:
   void put(const void* bytes, size_t size) {
-    // Text and content may be empty, and then without an address, which memcpy does not allow.
+    // Text and content may be empty and have no address, and memcpy does not allow a null pointer.
     if (out_ != NULL && size > 0) {
       memcpy(out_ + size_, bytes, size);
     }

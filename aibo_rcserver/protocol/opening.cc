@@ -36,7 +36,7 @@ Opening::Verdict Opening::verdict() const {
   return is_of_letters_ || ends_with_space_ || size_ > FILE_REQUEST_SIZE ? UNCLEAR : CLIENT;
 }
 
-// A space as the second byte of a request tells nothing: "F " asks for a picture of quality 32.
+// A space as the second byte of a request proves nothing: "F " asks for a picture of quality 32.
 void Opening::take(unsigned char byte) {
   const bool is_second = size_ % 2 == 1;
   if (size_ == 0 && !RequestReader::isLetter(static_cast<char>(byte))) {

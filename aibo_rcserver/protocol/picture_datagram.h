@@ -28,7 +28,7 @@ struct DatagramOrder {
   template <typename Fields>
   void visit(Fields& fields) {
     fields.number(port);
-    fields.flag(is_test, "the byte behind the port is not 0 (pictures) or 1 (a test)");
+    fields.flag(is_test, "the byte after the port is not 0 (pictures) or 1 (a test)");
     fields.zeros(1);
     fields.number(first_sequence);
     fields.number(first_picture);

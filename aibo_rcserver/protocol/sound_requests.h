@@ -93,7 +93,7 @@ struct PlayedSound {
   template <typename Fields>
   void visit(Fields& fields) {
     fields.number(position);
-    fields.flag(last, "the samples are neither the last (1) nor not (0)");
+    fields.flag(last, "the mark of the last samples is neither 0 nor 1");
     fields.zeros(3);
     fields.content(samples, samples_size);
     fields.require(samples_size % BYTES_PER_SAMPLE == 0, "half a sample");

@@ -380,15 +380,15 @@ struct LedValues {
 
 const Request SET_LEDS = {REQUEST_LEDS, "set LEDs", 0, NULL};
 
-/// Payload of `K` and its reply: uint8 left, uint8 right; 1 = drawn by the magnet, 0 = let go.
+/// Payload of `K` and its reply: uint8 left, uint8 right; 1 = drawn by the magnet, 0 = released.
 struct EarPositions {
   bool left;   ///< request: draw it; reply: it is drawn
   bool right;  ///< likewise
 
   template <typename Fields>
   void visit(Fields& fields) {
-    fields.flag(left, "an ear is neither drawn (1) nor let go (0)");
-    fields.flag(right, "an ear is neither drawn (1) nor let go (0)");
+    fields.flag(left, "an ear is neither drawn (1) nor released (0)");
+    fields.flag(right, "an ear is neither drawn (1) nor released (0)");
   }
 };
 

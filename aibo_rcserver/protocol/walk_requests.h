@@ -68,7 +68,7 @@ struct WalkLimits {
 };
 
 /// Payload of `E`, whose id is a Posture: uint32 not after. The empty reply comes when the robot begins to move; a
-/// pushed `i` (ENDED_POSTURE) tells how it ended.
+/// pushed `i` (ENDED_POSTURE) says how it ended.
 struct PostureOrder {
   unsigned not_after;  ///< frame (isTooOld())
 

@@ -5,14 +5,14 @@
 
 #include "robot_model/robot_model.h"
 
-/// The present frame is the last one reported, plus the time since then. So it goes on while the robot's program is
-/// held up, when frames are reported late. It never goes back, although frames may be reported that are older than it.
+/// The present frame is the last one reported, plus the time since then. So it goes on while the robot's program
+/// stalls, and frames are reported late. It never goes back, although frames may be reported that are older than it.
 ///
-/// It also notices that the program was held up: frames are reported every 40 ms at least, so a pause of LONGEST_PAUSE
+/// It also notices that the program stalled: frames are reported every 40 ms at least, so a pause of LONGEST_PAUSE
 /// has no other reason. What clients have sent meanwhile waits in the IPStack, and arrives within CATCHING_UP. Both
 /// values are our choice.
 ///
-/// Times are in milliseconds, on a clock that runs on while the program is held up. Frames and times may overflow.
+/// Times are in milliseconds, on a clock that runs on while the program stalls. Frames and times may overflow.
 class FrameClock {
  public:
   static const unsigned LONGEST_PAUSE = 500;

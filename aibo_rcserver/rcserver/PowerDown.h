@@ -10,7 +10,7 @@
 
 /// Carries out an order to switch the robot off or to reboot it. A client, the pause button or a low battery gives the
 /// order. The motors go off at once, unless the robot has to lie down. The robot lies down or goes off when the client
-/// has been told and has gone.
+/// has been informed and has gone.
 ///
 /// Times are OPEN-R frames.
 class PowerDown {
@@ -38,7 +38,7 @@ class PowerDown {
   bool IsOrdered() const { return order_ != POWER_STAYS_ON; }
 
   /// Gives the order that follows from an alarm. The console says so.
-  /// @return the reason, to be told to the client; NULL if nothing changes
+  /// @return the reason, for the client; NULL if nothing changes
   const char* Obey(PowerSupply::Alarm alarm);
 
   /// Call when an order may have been given. The motors go off, unless the robot has to lie down.

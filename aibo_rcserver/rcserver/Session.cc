@@ -62,7 +62,7 @@ void Session::FileDone(const FileResult& result, unsigned now) {
   outbox_.Reserve(false);
 }
 
-// A client of version 1 is not told, because it would take the message for the answer to its next request.
+// A client of version 1 gets no message, because it would take the message for the answer to its next request.
 void Session::RobotGoesOff(const char* reason) {
   talk_.power_reason = reason;
   if (talk_.version == protocol::version2::VERSION) {

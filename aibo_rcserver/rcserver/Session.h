@@ -73,7 +73,7 @@ class Session {
     outbox_.Reserve(files_.IsPending());
   }
 
-  /// Ends the session because the robot goes off. A client of version 2 is told the reason.
+  /// Ends the session because the robot goes off. A client of version 2 gets the reason.
   /// @param reason in words; must outlive this
   void RobotGoesOff(const char* reason);
 

@@ -4,7 +4,7 @@
 
 #include <MCOOP.h>
 
-/// The time of a clock that runs on while the robot's program is held up. Tekkotsu takes its time from the same call.
+/// The time of a clock that runs on while the robot's program stalls. Tekkotsu takes its time from the same call.
 /// It overflows after 49 days.
 inline unsigned SystemMilliseconds() {
   SystemTime time;

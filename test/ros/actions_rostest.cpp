@@ -166,7 +166,7 @@ TEST(Actions, RejectGoalsThatAreTooManyOrTooLong) {
   }
   PlayGoal too_many(client, PlayUser::nod(1));
   ASSERT_EQ(too_many.waitForEnd(), State::REJECTED);
-  EXPECT_THAT(too_many.result()->message, HasSubstr("Nothing was done: 32 goals go on already"));
+  EXPECT_THAT(too_many.result()->message, HasSubstr("Nothing was done: 32 goals are already active"));
   thread.stop();
 }
 

@@ -187,7 +187,7 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
   Watch watch("jam");
   test_support::TopicPublishers topics("/jam");
   watch.waitFor("joints", DiagnosticStatus::OK, "measurements/s");
-  // Again and again, because a driver that is held up drops commands.
+  // Again and again, because a driver that stalls drops commands.
   const auto moves_until = [&](double position, int level, const std::string& text) {
     std_msgs::Float64 command;
     command.data = position;

@@ -35,7 +35,7 @@ PointStamped point(const std::string& frame, double x, double y, double z) {
   return message;
 }
 
-/// A robot, its driver, and a node that turns its head to points. A node or a driver that is held up for half a second
+/// A robot, its driver, and a node that turns its head to points. A node or a driver that stalls for half a second
 /// drops a point, so each point is given again until it has had its effect.
 class LookUser : public JointUser {
  public:

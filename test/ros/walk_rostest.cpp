@@ -222,7 +222,7 @@ class GoalUser : public JointUser {
   TopicListener<MotionState> state;
 };
 
-// A driver or a robot that is held up for half a second gives a walk up. Then the goal is given again.
+// A driver or a robot that stalls for half a second gives a walk up. Then the goal is given again.
 TEST(Goal, SucceedsWhenTheRobotIsThere) {
   GoalUser user("/goes");
   EXPECT_TRUE(

@@ -35,7 +35,7 @@ struct Options {
 };
 
 /// Driver, simulated robot, a proxy between them, and five nodes that give random orders of all kinds, while links are
-/// cut, processes are held up and the memory stick is slow. In rounds: some seconds of orders, then silence until all
+/// cut, processes stall and the memory stick is slow. In rounds: some seconds of orders, then silence until all
 /// has ended. Then the round is judged. Needs a running ROS master and a spinner.
 class Soak {
  public:

@@ -91,7 +91,7 @@ class Doctor {
     }
   }
 
-  /// What to do beside what the fault says itself.
+  /// What to do in addition to the fault's own advice.
   std::string adviceFor(FaultKind kind) {
     switch (kind) {
       case FaultKind::kRefused:

@@ -12,10 +12,10 @@
 
 namespace aibo_driver::node {
 
-/// The state of the LEDs, as far as the robot has reported it. RCServer switches all LEDs off when a connection ends,
-/// so after each connection to a version 2 server they are known to be off. A version 1 server may be an older one that
-/// leaves the LEDs as they are. With such a server, an LED is unknown until the robot has accepted a command to it.
-/// Without a connection all LEDs are unknown.
+/// The state of the LEDs, as the robot has reported it. RCServer switches all LEDs off when a connection ends, so after
+/// each connection to a version 2 server they are known to be off. A version 1 server may be an older one that leaves
+/// the LEDs as they are. With such a server, an LED is unknown until the robot has accepted a command to it. Without a
+/// connection all LEDs are unknown.
 ///
 /// Not thread-safe.
 class LedMemory {

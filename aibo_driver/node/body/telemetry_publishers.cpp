@@ -8,7 +8,7 @@
 namespace aibo_driver::node {
 namespace {
 
-// The size of each subscriber's queue. This many messages can come at once after the radio was held up
+// The size of each subscriber's queue. This many messages can come at once after an outage of the radio
 // (rcserver_client.h).
 constexpr std::uint32_t kTelemetryQueueSize = 64;
 

@@ -42,7 +42,7 @@ class CameraPublisher {
   sensor_msgs::CompressedImage toMessage(const Picture& picture) { return toMessage(picture, momentOf(picture).stamp); }
 
   /// When the picture was taken, and the stamp of its messages. Call this for each picture, even if nobody listens: all
-  /// pictures tell us the robot's clock. Any thread may call it.
+  /// pictures show the robot's clock. Any thread may call it.
   RobotStamper::Moment momentOf(const Picture& picture) { return stamper_.momentOf(picture); }
 
   const std::string& frameId() const { return frame_id_; }

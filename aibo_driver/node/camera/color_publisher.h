@@ -23,7 +23,7 @@ class ColorPublisher {
   ColorPublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                  robot_time::RobotClock* robot_clock);
 
-  /// Tells `detect` what the robot should send, now and whenever a subscriber comes or goes.
+  /// Calls `detect` with what the robot should send, now and whenever a subscriber comes or goes.
   /// @param detect must not block
   void start(std::function<void(const aibo_client::ColorDetection&)> detect);
 

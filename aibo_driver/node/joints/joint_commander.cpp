@@ -14,8 +14,8 @@ namespace aibo_driver::node {
 
 namespace {
 
-// Several programs may each command some of the joints, so messages must not replace each other. A driver that was held
-// up reads all that have waited at once, and each of them has to get its end.
+// Several programs may each command some of the joints, so messages must not replace each other. A driver that stalled
+// reads all waiting messages at once, and each of them has to get its end.
 constexpr std::uint32_t kCommandQueueSize = 200;
 
 // A newer trajectory may replace another one, or it may move other joints.

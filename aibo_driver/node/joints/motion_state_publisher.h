@@ -26,9 +26,8 @@ std::uint8_t endConstant(aibo_client::EndedHow how);
 /// @param steady_now, now the same time on the two clocks; the stamps are those of the second one
 MotionState toMessage(const movement::Mover::State& state, movement::SteadyTime steady_now, const ros::Time& now);
 
-/// Makes the messages that tell of the newest ends, with at most kEndsInMessage in each. The last one is the present
-/// state.
-/// @param fresh how many of the ends are to be told; at most those in the state
+/// Makes the messages with the newest ends, at most kEndsInMessage in each. The last one is the present state.
+/// @param fresh how many of the ends are new; at most those in the state
 std::vector<MotionState> toMessages(const movement::Mover::State& state, std::size_t fresh,
                                     movement::SteadyTime steady_now, const ros::Time& now);
 

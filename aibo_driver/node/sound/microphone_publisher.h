@@ -28,7 +28,7 @@ class MicrophonePublisher {
   MicrophonePublisher(const ros::NodeHandle& handle, const DriverParameters& parameters,
                       robot_time::RobotClock* robot_clock);
 
-  /// Tells `listen` what the robot should send, now and whenever a subscriber comes or goes.
+  /// Calls `listen` with what the robot should send, now and whenever a subscriber comes or goes.
   /// @param listen must not block
   void start(std::function<void(const aibo_client::MicrophoneSettings&)> listen);
 

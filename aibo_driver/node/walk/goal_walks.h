@@ -15,7 +15,7 @@
 
 namespace aibo_driver::node {
 
-/// Walks to goals, by odometry. Whatever else happens to the robot ends a walk, and nothing resumes it.
+/// Walks to goals, by odometry. Everything else that happens to the robot ends a walk, and nothing resumes it.
 ///
 /// Only one thread at a time may use it.
 class GoalWalks {

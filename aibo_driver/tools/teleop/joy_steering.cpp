@@ -43,7 +43,7 @@ JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<in
   return orders;
 }
 
-// When the button is released, the robot is told once to stop.
+// When the button is released, the robot gets one order to stop.
 void JoySteering::readSticks(bool is_pressed, const std::vector<float>& axes, JoyOrders* orders) {
   if (is_pressed) {
     orders->walk = {deflection(axes, mapping_.forward_axis) * mapping_.speeds.forward,

@@ -54,8 +54,8 @@ struct JoyOrders {
 
 /// Turns the state of a joystick into orders.
 ///
-/// For safety, nothing moves unless the dead-man button is pressed. After a stop or a release it has to be let go and
-/// pressed again, so that a stick that is still deflected does not make the robot walk on.
+/// For safety, nothing moves unless the dead-man button is pressed. After a stop or a release it has to be released and
+/// pressed again. Otherwise a stick that is still deflected would make the robot walk on.
 class JoySteering {
  public:
   explicit JoySteering(const JoyMapping& mapping) : mapping_(mapping) {}
@@ -79,7 +79,7 @@ class JoySteering {
   const JoyMapping mapping_;
   std::vector<int> buttons_;  ///< the buttons in the last message
   bool steers_ = false;
-  bool is_halted_ = false;  ///< stopped or released; until the dead-man button is let go
+  bool is_halted_ = false;  ///< the robot was stopped or released; true until the dead-man button is up
 };
 
 /// Where the head looks, in rad.

@@ -72,7 +72,7 @@ class ServiceCaller {
 class StopAndRelease {
  public:
   /// @param handle a handle in the driver's namespace
-  /// @param how a sentence that tells the user how to release the robot
+  /// @param how a sentence for the user about how to release the robot
   /// @param tell shows the user who has stopped the robot, and that it may move again
   StopAndRelease(ros::NodeHandle handle, std::string how, std::function<void(const std::string&)> tell);
 

@@ -32,7 +32,7 @@ class ImageObserver {
   /// limit.
   static const size_t MAX_OWED = 256;
 
-  /// What to tell a client whose picture RequestPicture() refuses.
+  /// The error for a client whose picture RequestPicture() refuses.
   static const char TOO_MANY_OWED[];
 
   ImageObserver();

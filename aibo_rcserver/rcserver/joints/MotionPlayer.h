@@ -23,8 +23,8 @@ class MotionPlayer {
   /// Room for a problem that Play() returns.
   static const size_t MAX_PROBLEM_SIZE = 256;
 
-  /// A motion that took longer than it should by this time or more, in milliseconds, was held up, and its end says so.
-  /// Vectors of 32 ms and their queue make a difference of up to 64 ms. Our choice.
+  /// If a motion took longer than it should by at least this time, in milliseconds, its end says that the program
+  /// stalled. Vectors of 32 ms and their queue make a difference of up to 64 ms. Our choice.
   static const int HELD_UP = 100;
 
   /// All must outlive this.
@@ -41,7 +41,7 @@ class MotionPlayer {
   /// @param commanded one element for each joint: true if it was commanded after the motion was requested. Such a
   ///   command takes precedence over the motion. NULL if no joint was commanded
   /// @param number of the request of version 2, otherwise 0
-  /// @return NULL, or an error text that tells the user why it is not played
+  /// @return NULL, or an error text for the user: why it is not played
   const char* Play(const protocol::MotionName& name, size_t size, int repetitions, bool leave_out,
                    const bool* commanded, unsigned short number = 0);
 
@@ -76,7 +76,7 @@ class MotionPlayer {
   bool TakeFlick(int ear);
 
   /// Call before NextFrame(), once for all frames that are computed at this time.
-  /// @param now in milliseconds, on a clock that runs on while the robot's program is held up; may overflow
+  /// @param now in milliseconds, on a clock that runs on while the robot's program stalls; may overflow
   void SetTime(unsigned now) { now_ = now; }
 
   /// Call once in each frame, before JointPlanner::NextFrame().

@@ -24,7 +24,7 @@ struct EndReason {
   void Describe(char* text) const;
 };
 
-/// Each order ends once. Its end is kept until the client has been told.
+/// Each order ends once. Its end is kept until it has been reported to the client.
 ///
 /// Also keeps whether a client has to let go before the robot walks. Otherwise, a client that keeps steering would
 /// restart a walk at once that something else has ended.
@@ -51,8 +51,7 @@ class OrderBook {
     unsigned char how;      ///< END_DONE and so on
     unsigned short number;  ///< of the request; 0 if it is not the present client's
     protocol::FileName name;
-    char
-        reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE empty, or that it was held up
+    char reason[MAX_TEXT_SIZE];  ///< such as "left_front_knee was commanded"; for END_DONE empty, or that it stalled
   };
 
   OrderBook();
@@ -68,18 +67,19 @@ class OrderBook {
   /// counts.
   void Spoil(int order, const EndReason& reason);
 
-  /// Ends an order. NO_ORDER is ignored. Without a number, the client is told only of a posture: an earlier client has
-  /// begun a rest. A motion without a number was begun in version 1, which tells no ends.
+  /// Ends an order. NO_ORDER is ignored. Without a number, only the end of a posture is reported: an earlier client has
+  /// begun a rest. A motion without a number was begun in version 1, which reports no ends.
   void End(int order, const EndReason& reason);
 
   /// The number of the order's request; 0 if it has none, or for NO_ORDER.
   unsigned short Number(int order) const { return order == NO_ORDER ? 0 : live_[order].end.number; }
 
-  /// Returns each end that the client is to be told once, the oldest first.
+  /// Returns each end to be reported to the client once, the oldest first.
   /// @return false if there is none
   bool Take(OrderEnd* end);
 
-  /// Forgets the ends that the client has not taken. What goes on is not the next client's, who must let go first.
+  /// Forgets the ends that the client has not taken. The orders that go on do not belong to the next client, which must
+  /// let go first.
   void ClientGone();
 
   /// From now on, the client must let go before the robot walks.

@@ -10,7 +10,7 @@
 #include "rcserver/requests/FileOrder.h"
 
 /// Plays, stops, stores, deletes and lists the motions on the memory stick. A request that fails changes nothing, and
-/// FileOrder::Problem() tells the reason.
+/// FileOrder::Problem() has the reason.
 ///
 /// A request that needs the memory stick is PENDING until Finish(). Play(), Upload(), Delete() and List() must not be
 /// called while the FileOrder has a request PENDING.

@@ -8,14 +8,14 @@
 #include "rcserver/requests/Robot.h"
 #include "rcserver/requests/StickRequests.h"
 
-/// Passes orders to joints, legs and motors, and tells how they end. StickRequests plays motions.
+/// Passes orders to joints, legs and motors, and reports how they end. StickRequests plays motions.
 class MoveRequests {
  public:
   /// All must outlive this.
   /// @param stick ends a motion whose file is being read when the robot is stopped
   MoveRequests(const Robot& robot, StickRequests& stick, Exchange& exchange);
 
-  /// A new client has been told nothing.
+  /// Nothing has been reported to a new client.
   void Begin() { has_told_motors_ = false; }
 
   void MoveJoints();    ///< `J`

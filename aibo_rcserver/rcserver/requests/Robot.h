@@ -14,7 +14,7 @@
 #include "rcserver/joints/JointControl.h"
 #include "rcserver/requests/FileJobs.h"
 
-/// An order about the robot's power. PowerDown carries it out after the client has been told and has gone.
+/// An order about the robot's power. PowerDown carries it out after the client has been informed and has gone.
 enum PowerOrder {
   POWER_STAYS_ON,
   POWER_SHUT_DOWN,

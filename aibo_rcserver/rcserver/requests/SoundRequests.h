@@ -18,8 +18,8 @@ class SoundRequests {
   /// `A`
   void CarryOut();
 
-  /// Pushes sound from the microphone, if the client listens. What does not fit in the outbox is lost. The client can
-  /// tell by the frame numbers.
+  /// Pushes sound from the microphone, if the client listens. What does not fit in the outbox is lost. The frame
+  /// numbers show this to the client.
   void Heard(OSoundVectorData* vector);
 
   /// Pushes the ends of sounds. One that does not fit in the outbox is pushed the next time.

@@ -63,7 +63,7 @@ class DriverUser {
     return response;
   }
 
-  /// Tries again and again, because a driver that is held up for long drops orders.
+  /// Tries again and again, because a driver that stalls for long drops orders.
   static bool becomesTrue(const std::function<bool()>& attempt) {
     const auto end = std::chrono::steady_clock::now() + kSafetyNet;
     while (!attempt()) {

@@ -24,7 +24,7 @@ class GoalWatch {
   using ResultPtr = boost::shared_ptr<const Result>;
   using FeedbackPtr = boost::shared_ptr<const Feedback>;
 
-  /// Gives a goal again and again, until its first feedback comes: a driver that is held up for half a second refuses
+  /// Gives a goal again and again, until its first feedback comes: a driver that stalls for half a second refuses
   /// goals.
   static std::unique_ptr<GoalWatch> begin(Client& client, const Goal& goal) {
     std::unique_ptr<GoalWatch> watch;

@@ -40,7 +40,7 @@ class JointUser : public DriverUser {
     return call<std_srvs::SetBool>("motors", request);
   }
 
-  // Gives an order again and again, until the joints are there: a driver that is held up for long drops orders.
+  // Gives an order again and again, until the joints are there: a driver that stalls for long drops orders.
   bool reaches(const Posture& posture, const std::function<void()>& order) {
     std::map<std::string, double> elsewhere = posture;
     for (int attempt = 1; attempt <= 6 && !elsewhere.empty(); ++attempt) {

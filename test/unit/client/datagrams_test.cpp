@@ -249,7 +249,7 @@ TEST_F(DatagramsTest, OnlyGoodPicturesPostponeTheReturnToTcp) {
   EXPECT_EQ(PictureTransport::kTcp, connection_.transport);
 }
 
-// A computer that was held up finds some pictures in the system's buffer, which had no room for the ones after them.
+// A computer that stalled finds some pictures in the system's buffer, which had no room for the ones after them.
 TEST_F(DatagramsTest, AJumpInTheNumbersOfPicturesIsBelievedSoon) {
   live(milliseconds(900));
   arrive(nextPicture());

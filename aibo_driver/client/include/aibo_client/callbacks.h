@@ -25,15 +25,15 @@ enum class LogLevel { kDebug, kInfo, kWarn, kError };
 /// must not block.
 using LogSink = std::function<void(LogLevel level, const std::string& message)>;
 
-/// The longest time between two calls of Callbacks::on_awake, unless the process or the computer is held up.
+/// The longest time between two calls of Callbacks::on_awake, unless the process or the computer stalls.
 /// The value is our choice.
 constexpr std::chrono::milliseconds kLongestSleep{250};
 
 /// The functions that the client calls. Any of them may be empty.
 ///
 /// The client's thread calls them, one at a time. They must not block, and must not call stop() or a function that
-/// waits for the robot (those with a timeout, except begin...()): while one runs, nothing is read from the robot. An
-/// exception that one throws is logged. The rules of `log` are those of LogSink.
+/// waits for the robot (those with a timeout, except begin...()): while a callback runs, nothing is read from the
+/// robot. An exception from a callback is logged. The rules of `log` are those of LogSink.
 ///
 /// @code
 /// aibo_client::Callbacks callbacks;
@@ -56,7 +56,7 @@ struct Callbacks {
   std::function<void(const ConnectionStatus& status)> on_status;
   /// streaming() has changed.
   std::function<void(bool streaming)> on_streaming;
-  /// Measurements of the robot, in order. If several have arrived together, for example after the radio was held up,
+  /// Measurements of the robot, in order. If several have arrived together, for example after an outage of the radio,
   /// this is called for each of them, but only for the newest 64. Telemetry that comes more than twice as often as
   /// requested is dropped. Values that no joint or sensor of this robot can have are dropped, too.
   std::function<void(const Telemetry& telemetry)> on_telemetry;
@@ -69,15 +69,15 @@ struct Callbacks {
   /// The robot has accepted a velocity to walk with.
   /// @param in_force the velocity, within the robot's limits
   /// @param order the OrderTerms::number of the order that asked for it
-  /// @param walk tells which walk goes on: the OrderTerms::number of the order that began it; 0 if there is no walk. If
-  ///   it equals `order`, this order has begun the walk. Otherwise this order has ended
+  /// @param walk the walk that goes on: the OrderTerms::number of the order that began it; 0 if there is no walk. If it
+  ///   equals `order`, this order has begun the walk. Otherwise this order has ended
   std::function<void(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk)> on_steered;
   /// An order has ended. Each order with an OrderTerms::number ends once: by on_refused if the robot has not begun it,
   /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
-  /// and nothing is called. Ends that a request causes are told before the request's own answer.
+  /// and nothing is called. Ends that a request causes are reported before the request's own answer.
   std::function<void(const ActivityEnd& end)> on_ended;
-  /// A request was refused or dropped. A request without an OrderTerms::number may be replaced by a newer one before it
-  /// is sent, without a call.
+  /// A request was refused or dropped. If a newer request replaces one without an OrderTerms::number before that is
+  /// sent, this is not called.
   std::function<void(const Refusal& refusal)> on_refused;
   /// A version 2 server says that the motors or the posture have changed. This is also called soon after the connection
   /// is made and, with everything unknown, when a connection ends.
@@ -90,8 +90,8 @@ struct Callbacks {
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;
-  /// The client's thread is alive. It calls this after each wait, and waits for kLongestSleep at most: from start() to
-  /// stop(), with or without a connection.
+  /// The client's thread is alive. From start() to stop(), with or without a connection, the thread calls this after
+  /// each wait, and waits for kLongestSleep at most.
   std::function<void()> on_awake;
   LogSink log;
 };

@@ -28,7 +28,7 @@ enum class FaultKind {
 /// try {
 ///   robot.playMotion("NOD.MTN", 1, 2s);
 /// } catch (const aibo_client::NetworkException& error) {
-///   std::cerr << error.what() << (error.wasSent() ? " It may nod all the same.\n" : "\n");
+///   std::cerr << error.what() << (error.wasSent() ? " It may nod nevertheless.\n" : "\n");
 /// } catch (const aibo_client::Exception& error) {
 ///   std::cerr << error.what() << '\n';  // for example, the robot has no such motion
 /// }
@@ -65,7 +65,7 @@ class NetworkException : public Exception {
   bool was_sent_;
 };
 
-/// Thrown if no answer came in the time allowed. kind() is FaultKind::kNone if the time of this call has passed. It is
+/// Thrown if no answer came in the allowed time. kind() is FaultKind::kNone if the time of this call has passed. It is
 /// FaultKind::kSilent if the whole connection was given up for its silence while the call waited.
 class TimeoutException : public NetworkException {
  public:

@@ -10,8 +10,8 @@
 
 namespace aibo_client {
 
-/// How long an order may be on its way to the robot, unless its caller says otherwise. An order to move is meant for
-/// now: after this time the user has seen that nothing moves. The value is our choice.
+/// How long an order may be on its way to the robot, unless its caller says otherwise. After this time, the user has
+/// seen that nothing moves, and does not expect the movement any more. The value is our choice.
 constexpr std::chrono::milliseconds kLongestOrderWait{500};
 
 /// The terms of an order to move.
@@ -32,14 +32,14 @@ enum class RefusedRequest {
   kLeds,
   kEars,
   kMicrophone,
-  kMotion,  ///< not if it has no OrderTerms::number and a call waits; that call throws in any case
+  kMotion,  ///< not if it has no OrderTerms::number and a call waits for it, because that call throws
   kPosture  ///< likewise
 };
 
 /// Why such a request is not carried out. New causes may be added at the end.
 enum class RefusalCause {
   kRobot,    ///< the robot has refused the request
-  kTooOld,   ///< it was not sent until OrderTerms::not_after or within the call's time, or it reached the robot later
+  kTooOld,   ///< it could not be sent or reach the robot by OrderTerms::not_after or within the call's time
   kStopped,  ///< a stop, a posture, a motion or the motors' switch came before it was sent
   kReplaced  ///< before it was sent, a later order took its joints (`ids`), or a later velocity took its place
 };

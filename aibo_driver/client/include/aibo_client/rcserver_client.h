@@ -22,8 +22,8 @@ namespace aibo_client {
 class ConnectionLoop;
 class TcpTransport;
 
-/// Keeps one connection to an RCServer. It gets pictures and telemetry over it, moves the joints, and gives the robot
-/// every other order that its server knows.
+/// Keeps one connection to an RCServer. Over this connection it receives pictures and telemetry, moves the joints, and
+/// sends the robot every other request that its server supports.
 ///
 /// A thread of its own connects, splits the byte stream into pictures and replies, and reconnects after every fault,
 /// with growing, jittered waits. It asks each server for version 2 of the protocol. It falls back to version 1 if the
@@ -96,7 +96,7 @@ class RcServerClient {
   /// The last format that setStreamFormat() set.
   StreamFormat streamFormat() const;
 
-  /// Sets how the pictures of the stream come. It takes effect as setStreaming() does. If the server speaks
+  /// Sets how the pictures of the stream are sent. It takes effect as setStreaming() does. If the server speaks
   /// version 1, the pictures come by TCP, and the log says so.
   ///
   /// A datagram is accepted only from the robot's address. A picture is delivered when all its datagrams have come, but
@@ -128,8 +128,8 @@ class RcServerClient {
 
   /// Switches the robot's microphones on or off. It takes effect as setStreaming() does, and does not need the stream.
   /// Two channels at 16000 samples/s take 520 kbit/s. The robot refuses unless its RCSERVER.CFG allows it
-  /// (ALLOW_MICROPHONE); on_refused tells. A server that speaks version 1 hears nothing.
-  /// The log then says so once.
+  /// (ALLOW_MICROPHONE), and on_refused reports this. A server that speaks version 1 has no microphones, and the log
+  /// says so once.
   /// @throw InvalidArgumentException there is no such number of channels, or no such rate
   void setMicrophone(const MicrophoneSettings& settings);
 
@@ -152,9 +152,9 @@ class RcServerClient {
   ///
   /// A command is carried out once or not at all. Without a connection it is refused. If commands come faster than the
   /// robot answers, each joint goes to its latest target, and older targets that have not been sent are dropped.
-  /// on_refused tells when the last target of a command was dropped, or when the robot got it too late. on_ended tells
-  /// when none of the command's joints is under way for it any more: done if each joint that no other order has taken
-  /// was measured within 0.05 rad of its target.
+  /// on_refused reports that the last target of a command was dropped, or that it reached the robot too late. on_ended
+  /// reports that no joint moves for this command any more. The command is done if each joint that no other order has
+  /// taken was measured within 0.05 rad of its target.
   ///
   /// A version 1 server gets one joint at a time, each after the answer to the previous one. Such a server does not
   /// know durations, so the joints move as fast as their speed limits allow. The terms say until when the first target
@@ -183,14 +183,14 @@ class RcServerClient {
   /// The robot stops walking and stands 500 ms after the last call, so call this again and again. A velocity of 0 stops
   /// it at once, in an orderly way. A robot that does not stand yet first stands up.
   ///
-  /// A walk begins only after a velocity of 0, which says that the user let go of the controls. It has to come after
-  /// the connection was made, after anything else that took or held a leg, after a fall, and after an end or a refusal
-  /// by the robot. It is sent before everything else that waits but what stops the robot, so nothing but that and a
-  /// newer one drops it.
+  /// A walk begins only after a velocity of 0, which says that the user has released the controls. This velocity has to
+  /// come after the connection was made, after anything else that took or held a leg, after a fall, and after an end or
+  /// a refusal by the robot. It is sent before everything that waits, except for what stops the robot. Only a newer
+  /// velocity of 0 and a stop drop it.
   ///
-  /// Only the newest velocity counts. on_refused tells if an older one was dropped before it was sent. It also tells if
-  /// hold(), takePosture(), motors off or a command to the legs came before it was sent. Without a connection a
-  /// velocity is refused, and nothing is repeated after a reconnect.
+  /// Only the newest velocity counts. on_refused reports an older one that was dropped before it was sent. It also
+  /// reports a velocity that was dropped because of hold(), takePosture(), motors off or a command to the legs. Without
+  /// a connection a velocity is refused, and nothing is repeated after a reconnect.
   ///
   /// @param velocity at most 32.767 m/s and rad/s; the robot keeps its limits (RobotInfo::walk_limits)
   /// @param terms until when the velocity may reach the robot, and its number; a velocity of 0 is never too old
@@ -217,19 +217,19 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void commandLeds(const std::vector<LedCommand>& leds);
 
-  /// Flicks the ears. The robot lets go of a drawn ear after 128 ms, because the ear's magnet must not stay energised.
-  /// It returns without waiting, like commandLeds().
-  /// @param left true: draw the left ear; false: let it go at once
-  /// @param right true: draw the right ear; false: let it go at once
+  /// Flicks the ears. The robot releases a drawn ear after 128 ms, because the ear's magnet must not stay energised.
+  /// The function returns without waiting, like commandLeds().
+  /// @param left true: draw the left ear; false: release it at once
+  /// @param right true: draw the right ear; false: release it at once
   /// @throw Exception the exceptions of commandLeds()
   void commandEars(bool left, bool right);
 
-  /// @name Requests whose answer is waited for
+  /// @name Requests that wait for their answer
   /// Each function sends one request and waits for its answer, at most as long as `timeout` says, 1 ms..1 h. The
   /// begin... functions do the same as those beside them without waiting: a future gets the result or the exception
   /// within the timeout. If a begin... function itself throws, it has given no order, and no callback names the order.
   ///
-  /// If an order has a number, on_refused or on_ended also tells how it has ended. A refusal is told before the
+  /// If an order has a number, on_refused or on_ended also reports how it has ended. A refusal is reported before the
   /// function ends. An order that has not been sent within the timeout is withdrawn (RefusalCause::kTooOld).
   ///
   /// If a version 1 server does not answer in time, the client reconnects. Otherwise it could not know which request
@@ -246,7 +246,7 @@ class RcServerClient {
   /// Waits for a picture that was taken after this call.
   ///
   /// The robot takes one picture of the given quality for this call alone. The exception is a running stream of a
-  /// version 1 server. Such a server must not be sent `F` while it streams, so the call gets the stream's next picture,
+  /// version 1 server. Such a server must not get `F` while it streams, so the call returns the stream's next picture,
   /// at the stream's quality.
   ///
   /// A damaged picture is requested again as long as time is left.
@@ -281,8 +281,8 @@ class RcServerClient {
   std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
 
   /// Makes the robot take a posture. This ends a walk and the motions that move legs. It returns when the robot has
-  /// begun. on_ended says when and how it has ended. If a call has not been sent when hold() is called or its terms
-  /// end, it ends with a CommandException.
+  /// begun. on_ended reports when and how the posture has ended. If a call has not been sent when hold() is called or
+  /// its terms end, the call throws a CommandException.
   /// @param posture the posture
   /// @param timeout 1 ms..1 h
   /// @param terms until when the request may reach the robot, and its number
@@ -300,7 +300,7 @@ class RcServerClient {
   ///   request, the call ends with a CommandException
   /// @return what the robot plays differently from the file, in one line: positions that it clips, by how much the
   ///   motion is longer because it is too fast for the joints' speed limits, and joints that it leaves out. It is empty
-  ///   if there is nothing to say, or if the server speaks version 1, which does not tell
+  ///   if nothing differs, or if the server speaks version 1, which does not report this
   std::string playMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
                          const OrderTerms& terms = {});
   std::future<std::string> beginMotion(const std::string& name, int repetitions, std::chrono::milliseconds timeout,
@@ -313,10 +313,10 @@ class RcServerClient {
   void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Writes a motion to the robot's memory stick. It replaces a motion of the same name. The robot's RCSERVER.CFG has
-  /// to allow it (ALLOW_UPLOAD). Pictures go on meanwhile. A version 1 server gets no other request until the upload is
-  /// done.
+  /// to allow it (ALLOW_UPLOAD). The stream goes on meanwhile. A version 1 server gets no other request until the
+  /// upload is done.
   /// @param name the name of the file, as for playMotion()
-  /// @param content the file's bytes, 1..65523, because a request of version 2 has no room for more beside a name. This
+  /// @param content the file's bytes, 1..65523: a request of version 2 has no room for more besides the name. This
   ///   project's RCServer accepts motions of up to 64000 bytes
   /// @param timeout 1 ms..1 h
   void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
@@ -355,7 +355,7 @@ class RcServerClient {
   /// @param timeout 1 ms..1 h
   void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
 
-  /// Switches off the motors, so that the robot sinks down, and then the robot. RCSERVER.CFG has to allow it
+  /// Switches off the motors, so that the robot sinks down, and then the robot itself. RCSERVER.CFG has to allow it
   /// (ALLOW_SHUT_DOWN). The connection ends after the answer. This client keeps trying to reconnect.
   void shutDownRobot(std::chrono::milliseconds timeout);
 

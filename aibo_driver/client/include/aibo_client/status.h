@@ -29,7 +29,7 @@ struct RobotInfo {
   }
 };
 
-/// How far the client has got.
+/// How far the connection has been made.
 enum class ConnectionState {
   kDisconnected,
   kConnecting,  ///< also while a connection exists but the robot has not answered yet
@@ -40,16 +40,16 @@ enum class ConnectionState {
 struct ConnectionStatus {
   ConnectionState state = ConnectionState::kDisconnected;
   int protocol_version = 0;  ///< 1 or 2 once connected; 0 otherwise
-  /// Why the last connection or attempt ended; empty when all is well. If the robot had said why it goes off, that
-  /// comes first until the robot answers again.
+  /// Why the last connection or attempt ended; empty when all is well. If the robot has said why it goes off, this
+  /// text begins with that until the robot answers again.
   std::string reason;
   std::string advice;                  ///< what the user should check; empty when all is well
   FaultKind fault = FaultKind::kNone;  ///< the same reason as `reason`, for programs; kNone when all is well
   RobotInfo robot;                     ///< the introduction of a version 2 server once connected; otherwise empty
   /// The last report that a version 2 server sent without a request. For example, a joint does not move, or the server
   /// hangs up for some reason. The report is kept until the next connection. A report about a joint ends when the
-  /// server says that the joint follows its commands again; then the last report before it that still holds is here. It
-  /// is empty if there is none.
+  /// server says that the joint follows its commands again. Then the last earlier report that still holds is here, or
+  /// nothing.
   std::string robot_message;
   PictureTransport transport = PictureTransport::kTcp;         ///< how the pictures of the stream come now
   PictureTransport wanted_transport = PictureTransport::kTcp;  ///< as last set by the user
@@ -88,10 +88,10 @@ struct ClientStatistics {
   Counter pictures;             ///< good pictures delivered
   Counter corrupt_pictures;     ///< pictures dropped: not a whole baseline JPEG of a size the camera has
   Counter unexpected_pictures;  ///< good pictures dropped: the stream is off (it was just stopped)
-  Counter stale_pictures;       ///< good pictures dropped: this process was held up, and they waited unread
+  Counter stale_pictures;       ///< good pictures dropped: this process stalled, and they waited unread
   Counter bytes_received;       ///< bytes read from the socket
   Counter telemetry;            ///< telemetry delivered
-  Counter dropped_telemetry;    ///< telemetry dropped: this process was held up, and more than 64 waited unread
+  Counter dropped_telemetry;    ///< telemetry dropped: this process stalled, and more than 64 waited unread
   Counter thinned_telemetry;    ///< telemetry dropped: it came more than twice as often as requested
   Counter thinned_colors;       ///< detected colours dropped: they came more than twice as often as requested
   Counter sounds;               ///< pieces of heard sound that were delivered

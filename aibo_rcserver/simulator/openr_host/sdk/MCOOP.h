@@ -10,7 +10,7 @@ typedef slongword sError;
 const sError sSUCCESS = 0;
 const sError sFAIL = 2;
 
-/// A clock that runs on while objects are held up. It may begin anywhere.
+/// A clock that runs on while objects stall. It may begin anywhere.
 sError GetSystemTime(SystemTime* time);
 
 #endif  // OPENR_MCOOP_H
