@@ -115,7 +115,7 @@ class BareLibjpeg {
  private:
   static constexpr size_t kRows = 16;  // of pixels, in a strip of macroblocks
 
-  // Behind the last row, it is repeated. Behind the last column comes what is there: readers cut both off.
+  // After the last row, this row is repeated. After the last column come arbitrary pixels. Readers cut both off.
   void writeStrip(const CameraImage& image, size_t top) {
     std::array<JSAMPROW, kRows> y{};
     std::array<JSAMPROW, kRows / 2> cb{};
@@ -163,7 +163,7 @@ class Account {
   double bytes_ = 0;
 };
 
-// The first one fetches the image into the processor's caches, so they take turns at that.
+// The first encoder fetches the image into the processor's caches, so the encoders take turns at being first.
 void encodePicture(benchmark::State& state) {
   const auto width = static_cast<size_t>(state.range(0));
   const size_t height = width * 160 / 208;

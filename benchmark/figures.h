@@ -1,5 +1,4 @@
-/// @file figures.h
-/// How benchmarks hand over what they measured: a line of JSON for each figure, which report.py turns into a table.
+/// @file figures.h The output of benchmarks: a line of JSON for each figure. report.py turns these lines into a table.
 #ifndef BENCHMARK_FIGURES_H
 #define BENCHMARK_FIGURES_H
 
@@ -15,7 +14,7 @@ using Rounds = std::vector<double>;
 
 /// What a figure is compared with, in the same run.
 struct Comparison {
-  std::string with;  ///< a limit or a rival; empty: with nothing, and the mark is a value, not a ratio
+  std::string with;  ///< a limit or a rival; if empty, the figure is not compared, and the mark is a value, not a ratio
   Rounds rounds{};
 };
 
@@ -34,7 +33,7 @@ inline Mark atLeast(double value) {
   return {Mark::Kind::kAtLeast, value};
 }
 
-/// The same for the figure itself, whatever it is compared with.
+/// The same for the figure itself, even if it is compared with something.
 inline Mark ofValue(Mark mark) {
   mark.of_value = true;
   return mark;

@@ -11,7 +11,7 @@
 
 namespace benchmark_figures {
 
-/// The processor time that a process has used so far, all its threads, user and system: s.
+/// The processor time that a process has used so far, in s: all its threads, user and system.
 inline double processorSeconds(pid_t process) {
   clockid_t clock = 0;
   timespec time{};
@@ -21,7 +21,7 @@ inline double processorSeconds(pid_t process) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The memory that a process uses; what it shares with others counts in part: MB.
+/// The memory that a process uses, in MB. Memory that it shares with others counts in part.
 inline double memoryMegabytes(pid_t process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/smaps_rollup");
   std::string key;

@@ -1,6 +1,6 @@
-// Measures what a driver costs and how long pictures take through it: ours as node and nodelet, the least that a node
-// can do, an MJPEG reader in Python, and OpenCV. All get the same JPEGs from this process, over 127.0.0.1, at the rate
-// of a camera and as fast as they take them, and publish to a subscriber in it. Processor time is that of the driver's
+// Measures what a driver costs and how long pictures take through it: ours as node and nodelet, a minimal node, an
+// MJPEG reader in Python, and OpenCV. All get the same JPEGs from this process, over 127.0.0.1, at the rate of a camera
+// and as fast as they take them, and publish to a subscriber in this process. Processor time is that of the driver's
 // process alone. Each round measures everything once, so that a busy computer slows all of it down.
 //
 //   driver_benchmark [--rounds N] [--seconds N]
@@ -48,7 +48,7 @@ using std::chrono::steady_clock;
 
 constexpr char kNamespace[] = "/driver_benchmark";
 constexpr microseconds kCameraPeriod{33445};  // of the ERS-7: 29.9 pictures a second
-constexpr microseconds kFullRate{0};          // a picture is due whenever the one before has been taken
+constexpr microseconds kFullRate{0};          // a picture is due when the previous one has been taken
 constexpr seconds kLongestWarmUp{2};
 constexpr seconds kFullRateWindow{1};  // thousands of pictures
 constexpr seconds kSafetyNet{30};
@@ -119,7 +119,7 @@ class Subscriber {
     }
   }
 
-  // A decoded picture does not tell its number. At the rate of a camera, it is the newest.
+  // A decoded picture does not have its number. At the rate of a camera, it is the newest.
   void onRaw(const sensor_msgs::ImageConstPtr&) {
     const auto now = steady_clock::now();
     const std::lock_guard<std::mutex> lock(mutex_);
@@ -205,7 +205,7 @@ class DriverBenchmark {
     }
   }
 
-  // Both at once: so little happens that it takes longer to measure.
+  // Both at once, because little happens and measuring takes longer.
   void measureIdle() {
     const std::vector<std::pair<std::string, Start>> nodes = {{"node, idle", node(camera_.robot, false)},
                                                               {"empty node, idle", command({MINIMAL_NODE})}};

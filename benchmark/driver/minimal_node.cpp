@@ -1,9 +1,9 @@
-// The least that a driver can do, to compare with: asks the robot for its stream by the protocol's version 1 and
-// publishes each JPEG. It checks nothing, knows no joints, and ends when anything is wrong.
+// A minimal driver, for comparison: it asks the robot for its stream by version 1 of the protocol and publishes each
+// JPEG. It checks nothing, knows no joints, and ends when anything is wrong.
 //
 //   minimal_node [PORT]
 //
-// Without a port it has nothing to do: what it costs then is roscpp's.
+// Without a port it has nothing to do, so its cost is that of roscpp.
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <ros/callback_queue.h>

@@ -1,4 +1,4 @@
-// Lets RCServer's joints stand or walk, to count instructions. Joints do what they are told, the floor is level, and
+// Lets RCServer's joints stand or walk, to count instructions. Joints follow their commands, the floor is level, and
 // the sensors report as often as a robot's.
 //
 //   count_walk SPEED SECONDS    walks forward at SPEED, in mm/s, with the guard; at 0 it only stands

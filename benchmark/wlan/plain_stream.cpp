@@ -56,8 +56,8 @@ FileDescriptor openSocket() {
   return socket;
 }
 
-/// A server for one client. It begins with each picture when it is due, or, if the ones before it are not sent yet, as
-/// soon as they are.
+/// A server for one client. It begins to send each picture when it is due, or when the previous pictures have been
+/// sent.
 class Server {
  public:
   explicit Server(const NetworkHost& host) {
@@ -88,7 +88,7 @@ class Server {
  private:
   void run() {
     const FileDescriptor client(::accept4(listener_.get(), nullptr, nullptr, SOCK_CLOEXEC));
-    const timeval patience = {0, 10000};  // until it looks whether it shall stop
+    const timeval patience = {0, 10000};  // until it checks whether it has to stop
     ::setsockopt(client.get(), SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
     std::vector<std::uint8_t> picture(kPictureSize);
     for (auto due = steady_clock::now(); client.valid(); due += kPeriod) {
@@ -101,7 +101,7 @@ class Server {
     }
   }
 
-  /// @return false if the connection has ended, or the server shall stop
+  /// @return false if the connection has ended, or the server has to stop
   bool sendAll(int socket, const std::vector<std::uint8_t>& bytes) const {
     std::size_t sent = 0;
     while (sent < bytes.size()) {

@@ -6,8 +6,8 @@
 
 namespace wlan_benchmark {
 
-/// What a stream of JPEGs over TCP is without this project's limits: a server that sends each picture, 30 a second,
-/// with sockets as the kernel makes them, and a reader. No picture is left out, and nobody connects again.
+/// A stream of JPEGs over TCP without this project's limits: a server that sends 30 pictures a second, with the
+/// kernel's default sockets, and a reader. No picture is left out, and the reader never reconnects.
 /// @param trial its radio and its length count
 /// @throw fault_bench::NoNetworkHosts, std::system_error
 fault_bench::Result runPlainStream(const fault_bench::Trial& trial);

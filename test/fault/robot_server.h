@@ -66,7 +66,7 @@ class RobotServer {
 
   int port() const { return machine_.hostPort(kRobotPort); }
 
-  /// Looks up a picture; nothing if there was none like it.
+  /// Looks up a picture. The result is empty if the server has not sent it.
   std::optional<Encoded> find(const std::vector<std::uint8_t>& jpeg) const {
     const std::lock_guard<std::mutex> lock(mutex_);
     const auto found = encoded_.find(hash(jpeg.data(), jpeg.size()));

@@ -16,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Aborts, which is a finding, unless the condition holds.
+/// Aborts unless the condition holds. libFuzzer reports this as a finding.
 inline void require(bool condition, const char* what) {
   if (!condition) {
     std::fprintf(stderr, "finding: this does not hold: %s\n", what);
@@ -74,7 +74,7 @@ class PiecewiseInput {
 
   bool empty() const { return input_.empty(); }
 
-  /// Empty only if the input is.
+  /// Empty only if the input is empty.
   Bytes takePiece() {
     const std::size_t size = sizes_[turn_++ % sizes_.size()];
     return size == 0 ? input_.takeAll() : input_.takeBytes(size);

@@ -11,7 +11,7 @@ namespace version2 = protocol::version2;
 constexpr unsigned kFramesPerSecond = 125;
 constexpr unsigned kFramesBetweenSteering = 12;
 
-/// For the server to boot, and for an answer.
+/// The time for the server to boot, and for an answer.
 constexpr unsigned kPatience = 100;
 
 }  // namespace

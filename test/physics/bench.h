@@ -26,7 +26,7 @@ struct Step {
   int state = 0;     ///< protocol::version2::WalkState
 };
 
-/// What an end says that the robot pushes.
+/// An end that the robot pushes.
 struct End {
   int what;
   int how;

@@ -23,7 +23,7 @@ class Fall : public ::testing::Test {
   physics::Bench bench_;
 };
 
-// Pushed over, it stops walking at once, and after a second its legs no longer push against whatever is there.
+// A robot that is pushed over stops walking at once, and after a second its legs do not push against anything any more.
 TEST_F(Fall, EndsTheWalkAndLetsTheLegsGoSoft) {
   walk();
   bench_.robot().push({0, 16, 0});

@@ -25,7 +25,8 @@ std::size_t joint(const PhysicalErs7& robot, const char* name) {
   return static_cast<std::size_t>(robot_model::findJointByName(robot.model(), name));
 }
 
-// Stretched forward from the shoulder, the leg hangs lower with a weaker motor: by its torque over the stiffness.
+// A leg that is stretched forward from the shoulder hangs lower with a weaker motor, by its torque divided by the
+// stiffness.
 TEST(PhysicalErs7, HangsUnderALoadByWhatItsTorqueAllows) {
   double sag[2];
   for (const bool is_weak : {false, true}) {

@@ -11,7 +11,7 @@ using version2::Posture;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// A robot that takes postures. It must not tip over on any way.
+/// A robot that takes postures. It must not tip over on the way.
 class PostureTaker {
  public:
   explicit PostureTaker(const World& world = World()) : bench_(world) {}

@@ -18,7 +18,7 @@ constexpr unsigned kFramesPerSecond = 125;
 constexpr std::size_t kFirstJoint = 4;  ///< of the legs, in the robot's table
 constexpr std::size_t kLegJoints = 12;
 
-/// Until the robot has got up to speed: this is not measured.
+/// Until the robot has reached its speed; this time is not measured.
 constexpr double kRunUp = 1.5;
 
 constexpr double kFastestTrot = 0.2;  ///< m/s; GaitParameters::highest

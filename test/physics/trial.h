@@ -71,7 +71,7 @@ std::vector<std::string> problemsOf(const Record& record, bool on_level_ground =
 /// How a limp robot lies before it is told to stand.
 enum class Lying { kOnLeftSide, kOnRightSide, kOnBack };
 
-/// What came of an order to stand.
+/// The result of an order to stand.
 struct Rise {
   bool stands = false;       ///< upright on all its feet, and it says so
   double seconds = 0;        ///< until it said that the order has ended
@@ -80,7 +80,7 @@ struct Rise {
   std::string reason;        ///< why it does not stand
 };
 
-/// The robot has stood, fell, and was left limp for two seconds.
+/// The robot stood, fell, and was limp for two seconds.
 Rise standUp(const World& world, Lying lying);
 
 /// Somebody has bent the legs of the limp robot, each joint to any angle within its limits, and let go. Always the same

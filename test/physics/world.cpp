@@ -36,7 +36,7 @@ double between(double low, double high, double part) {
   return low + (high - low) * part;
 }
 
-/// For numbers of which the double matters as much as the half.
+/// For numbers of which double the value matters as much as half the value.
 double betweenByFactors(double low, double high, double part) {
   return low * std::pow(high / low, part);
 }

@@ -57,7 +57,7 @@ const std::vector<World>& unevenFloors();
 /// The same robot on another floor.
 World onFloor(World world, const World& floor);
 
-/// One line that tells everything about a world.
+/// All numbers of a world in one line.
 std::string describe(const World& world);
 
 }  // namespace physics

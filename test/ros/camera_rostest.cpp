@@ -161,7 +161,7 @@ class CalibrationUser {
     driver_ = std::make_unique<DriverProcess>(name_space_, robot_.port(), parameters_);
   }
 
-  // What is published with the next picture that is taken; a message without numbers if nothing is.
+  // The calibration that is published with the next picture; a message without numbers if there is none.
   CameraInfo next() {
     const auto is_new = [now = ros::Time::now()](const CameraInfo& info) { return info.header.stamp > now; };
     const auto info = camera_infos_.waitFor(is_new);

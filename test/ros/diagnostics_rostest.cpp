@@ -34,7 +34,7 @@ double numberIn(const DiagnosticStatus& status, const std::string& key) {
   return value.empty() ? -1 : std::stod(value);
 }
 
-/// What the driver of a namespace says of itself.
+/// The statuses of the driver in a namespace.
 class Watch {
  public:
   explicit Watch(const std::string& driver) : node_(driver + "/aibo_driver: ") {}

@@ -46,7 +46,7 @@ class LookUser : public JointUser {
         node_({AIBO_LOOK_AT, "__ns:=" + name_space, "_frame_prefix:=" + prefix}),
         results_(name_space + "/look_at_result") {}
 
-  /// What the node says of a point, once that contains this text.
+  /// The node's result for a point, once it contains this text.
   LookAtResult lookAt(const PointStamped& where, const std::string& message) {
     LookAtResult said;
     EXPECT_TRUE(becomesTrue([&] {
@@ -222,7 +222,7 @@ class RoomTest : public ::testing::Test {
     robot_.publish("connection", connection);
   }
 
-  /// Tells when the robot was switched on, and waits for a ball that swings since then.
+  /// Publishes when the robot was switched on, and waits for a ball that has been swinging since then.
   bool swings(ros::Duration since_switched_on) {
     aibo_driver::CameraState state;
     state.header.stamp = ros::Time::now() - ros::Duration(2.2);  // it took long to arrive

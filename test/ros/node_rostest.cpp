@@ -120,7 +120,7 @@ std::string answerTo(const std::string& header, int port) {
   return {answer.begin(), answer.end()};
 }
 
-/// What a new subscriber is told of a topic with its first message.
+/// What a new subscriber learns about a topic with its first message.
 std::map<std::string, std::string> firstHeaderOf(const std::string& topic) {
   using Event = ros::MessageEvent<const topic_tools::ShapeShifter>;
   const auto header = std::make_shared<std::promise<ros::M_string>>();

@@ -53,7 +53,7 @@ using trajectory_msgs::JointTrajectory;
 // More than the noise of a joint that stands.
 constexpr double kStill = 0.02;  // rad
 
-// A robot, its driver, and a user who watches what becomes of his orders.
+// A robot, its driver, and a user who watches how the orders end.
 class OrderUser : public JointUser {
  public:
   explicit OrderUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
@@ -183,7 +183,7 @@ TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
-// To the driver, its user is silent meanwhile.
+// Meanwhile the driver hears nothing from its user.
 TEST(Orders, AHeldJoystickIsNotLetGoWhileTheDriverIsFrozen) {
   OrderUser user("/held");
   user.steer(0.1);

@@ -271,7 +271,7 @@ TEST_F(RemoteControlRosTest, StopsAsOftenAsItIsAskedToWhileTheMasterHangsOrIsDea
   }
 }
 
-// Whoever is stopped by SIGSTOP answers nobody; the window goes on.
+// A process that is stopped by SIGSTOP does not answer, but the window goes on.
 TEST_F(RemoteControlRosTest, GoesOnWhenTheDriverHasHungOrWasStartedAgain) {
   driver_->signal(SIGSTOP);
   QTest::mouseClick(user_.find<QAbstractButton>("Sit"), Qt::LeftButton);
@@ -285,7 +285,7 @@ TEST_F(RemoteControlRosTest, GoesOnWhenTheDriverHasHungOrWasStartedAgain) {
   driver_ = std::make_unique<DriverProcess>("/remote", simulated_.port(), kPatient);
   EXPECT_TRUE(user_.waitForConnection());
   EXPECT_TRUE(user_.click("stop", "stop: The robot holds"));
-  // Otherwise it could come after the fixture has forgotten it, for the next driver.
+  // Otherwise the answer could come after the end of this test, when the next driver runs.
   EXPECT_TRUE(user_.waitFor([] { return ros::param::has("/remote/stopped_by"); }));
 }
 

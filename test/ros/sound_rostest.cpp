@@ -104,7 +104,7 @@ TEST(Microphone, IsOpenedWithItsParametersAndAGapIsSilenceInAudio) {
   robot.agreeToVersion2("F A");
   TopicListener<audio_common_msgs::AudioDataStamped> audio("/gap/audio");
   version2::MicrophoneSettings settings = nextSettings(&robot);
-  while ((settings.mode & version2::MICROPHONE_ON) == 0) {  // the driver tells of the priority before
+  while ((settings.mode & version2::MICROPHONE_ON) == 0) {  // the driver sends the priority before this
     settings = nextSettings(&robot);
   }
   EXPECT_EQ(settings.mode, version2::MICROPHONE_ON | version2::SOUND_FIRST);

@@ -115,7 +115,7 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   EXPECT_TRUE(walker.stands());
 }
 
-// If this computer holds the driver up, the robot is first, after 0.5 s.
+// If this computer stalls the driver, the robot is first, after 0.5 s.
 TEST(Walk, IsStoppedByTheDriverAfterTheTimeOfTheParameter) {
   Walker walker("/short", {"_cmd_vel_timeout:=0.2"});
   EXPECT_TRUE(walker.becomesTrue([&walker] {
@@ -222,7 +222,7 @@ class GoalUser : public JointUser {
   TopicListener<MotionState> state;
 };
 
-// A driver or a robot that stalls for half a second gives a walk up. Then the goal is given again.
+// A driver or a robot that stalls for half a second ends the walk. Then the goal is published again.
 TEST(Goal, SucceedsWhenTheRobotIsThere) {
   GoalUser user("/goes");
   EXPECT_TRUE(

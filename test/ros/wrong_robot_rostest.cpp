@@ -1,4 +1,4 @@
-// A robot that is not of the kind that the driver was told.
+// A robot that is not of the kind in the driver's parameter.
 
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <gmock/gmock.h>

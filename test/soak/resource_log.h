@@ -20,8 +20,8 @@ class ResourceLog {
   /// @param seconds since the beginning
   void sample(int process, double seconds);
 
-  /// @return what became more from the first quarter to the last one, after a warm-up of 5 minutes; empty: nothing did,
-  ///   or there were less than 10 more minutes, which say nothing
+  /// @return what has grown from the first quarter to the last one, after a warm-up of 5 minutes; empty if nothing has
+  ///   grown, or if less than 10 more minutes were measured, which is too short
   std::string growth() const;
 
  private:

@@ -192,7 +192,7 @@ void Soak::end() {
   if (const std::string growth = robot_resources_.growth(); !growth.empty()) {
     complain("server: " + growth);
   }
-  // A computer that holds the driver up for more than 100 ms costs pictures.
+  // A computer that stalls the driver for more than 100 ms costs pictures.
   if (1000 * pictures_.lostInCalm() > pictures_.calmCount()) {
     complain("pictures were lost in calm periods");
   }
@@ -258,7 +258,7 @@ void Soak::expectSuccess(const std::string& name, Service service) {
   }
 }
 
-// One after the other at once: none is refused because of the one before.
+// They are called immediately after each other, and none is refused because of the previous one.
 void Soak::getReady() {
   std_srvs::SetBool motors;
   motors.request.data = 1;

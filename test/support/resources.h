@@ -23,8 +23,7 @@ struct Resources {
   /// @param process ID of a process; "self" = this one
   static Resources of(const std::string& process = "self");
 
-  /// Waits for this process to hold no more descriptors and threads than this.
-  /// @return what it holds more; empty if nothing
+  /// Waits until this process has no more descriptors and threads than this. @return what it has more; empty if nothing
   std::string growth() const;
 };
 

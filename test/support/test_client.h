@@ -35,7 +35,7 @@ struct Frame {
   std::vector<uint8_t> payload;
 };
 
-/// Takes everything from the kernel as soon as it is looked at; see RawClient for one that leaves bytes there.
+/// Each look at this client reads everything from the kernel; RawClient leaves bytes there.
 class TestClient {
  public:
   /// @param receive_buffer bytes that the kernel may hold for this client; 0 = the kernel's default

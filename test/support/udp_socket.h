@@ -43,12 +43,12 @@ class UdpSocket {
     ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
   }
 
-  /// Sends to whom next() has last had a datagram from.
+  /// Sends to the sender of the last datagram of next().
   void reply(const std::vector<std::uint8_t>& bytes) {
     ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&sender_), sizeof(sender_));
   }
 
-  /// The port from which next() has last had a datagram.
+  /// The port of the sender of the last datagram of next().
   std::uint16_t senderPort() const { return ntohs(sender_.sin_port); }
 
   /// The next datagram, if it is here already.

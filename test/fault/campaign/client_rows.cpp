@@ -100,13 +100,13 @@ class FaultExperiment : public ClientExperiment {
     return static_cast<int>(version() == 1 ? protocol::PICTURE_HEADER_SIZE : protocol::version2::FRAME_HEADER_SIZE);
   }
 
-  /// Bytes in front of the first JPEG.
+  /// Bytes before the first JPEG.
   int greetingSize() const {
     const int hello = version() == 1 ? 0 : static_cast<int>(version2_frames::makeHello().size());
     return static_cast<int>(protocol::VALUE_REPLY_SIZE) + headerSize() + hello;
   }
 
-  // The witness sees the picture. Any error will do, even a refusal: the fault may turn a header into one.
+  // The witness sees the picture. Every error is good, even a refusal, because the fault may turn a header into one.
   void takePicture() {
     try {
       client_.takePicture(0, std::chrono::seconds(1));
@@ -120,7 +120,7 @@ class FaultExperiment : public ClientExperiment {
   const Moment moment_;
 };
 
-/// absence: the server hangs, cannot be reached, or turns the client away, and is well again after some time.
+/// absence: the server hangs, cannot be reached, or turns the client away, and recovers after some time.
 class AbsenceExperiment : public ClientExperiment {
  public:
   using ClientExperiment::ClientExperiment;

@@ -34,7 +34,7 @@ class ServerExperiment : public Experiment {
   RobotServer server_;
 };
 
-/// hanging: a client asks for pictures, and then reads nothing, hardly anything, or vanishes. Soon the server serves
+/// hanging: a client asks for pictures, and then reads nothing, reads very slowly, or vanishes. Soon the server serves
 /// the next client.
 class HangingClientExperiment : public ServerExperiment {
  public:
@@ -92,7 +92,7 @@ class RequestExperiment : public ServerExperiment {
   }
 
  private:
-  // More than can be under way.
+  // More bytes than can be under way.
   static constexpr int kManyPictures = 10;
 
   Outcome attempt(unsigned trial, Random& random) override {

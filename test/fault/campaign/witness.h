@@ -17,8 +17,9 @@ namespace fault_bench {
 /// Checks what a client delivers against what a PictureServer has sent. The witness must outlive the client, and the
 /// server must outlive the witness.
 ///
-/// It complains unless every picture is, byte for byte, one that the server has sent; comes once, and not after a newer
-/// one; and unless all pictures of a connection come. When a connection ends, the status must give reason and advice.
+/// It complains if a picture is not, byte for byte, one that the server has sent, if a picture comes twice or after a
+/// newer one, and if a picture of a connection is missing. When a connection ends, the status must give reason and
+/// advice.
 class Witness {
  public:
   struct Sighting {

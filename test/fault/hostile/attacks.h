@@ -16,7 +16,7 @@ namespace hostile {
 using Random = std::mt19937;
 using TimePoint = std::chrono::steady_clock::time_point;
 
-/// An attack of a robot. It is endless; whoever uses it ends it.
+/// An attack of a robot. It is endless, so its user has to end it.
 struct RobotAttack {
   std::string name;
   int version;  ///< of the protocol, 1 or 2
@@ -38,7 +38,7 @@ struct ClientAttack {
 
 const std::vector<ClientAttack>& clientAttacks();
 
-/// Attacks a port of 127.0.0.1 until `end`. When the server ends a connection, a new one follows.
+/// Attacks a port of 127.0.0.1 until `end`. When the server ends a connection, the attacker makes a new one.
 void carryOut(const ClientAttack& attack, int port, Random& random, TimePoint end);
 
 }  // namespace hostile

@@ -45,7 +45,7 @@ std::string anySize(Random& random) {
   return header('U', static_cast<unsigned>(random()) | 0x10000U);
 }
 
-/// The server may have turned the client away: then nobody is there.
+/// The server may have turned the client away. Then there is no connection.
 std::unique_ptr<RawClient> connectTo(int port, const std::string& first) {
   try {
     auto client = std::make_unique<RawClient>(port);

@@ -67,7 +67,7 @@ FileDescriptor openTunDevice() {
   return packets;
 }
 
-/// Computers differ in how TCP reacts to losses. Reno's way is the one that every system knows, old ones too.
+/// Computers differ in how TCP reacts to losses. Every system knows Reno, even an old one.
 void useOrdinaryTcp() {
   constexpr char kName[] = "reno";
   const FileDescriptor setting(::open("/proc/sys/net/ipv4/tcp_congestion_control", O_WRONLY | O_CLOEXEC));

@@ -8,14 +8,14 @@
 
 namespace fault_bench {
 
-/// This machine cannot play two hosts; the text says what is missing.
+/// Thrown if this machine cannot act as two hosts. The text says what is missing.
 class NoNetworkHosts : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A network namespace with a loopback device and one TUN device, which is the only way out: to the network, a host of
-/// its own. It lasts until the last thread has left it and its descriptors are closed.
+/// A network namespace with a loopback device and one TUN device, which is the only way out. To the network, it is a
+/// host of its own. It lasts until the last thread has left it and its descriptors are closed.
 class NetworkHost {
  public:
   /// @param address IPv4 address of the host; 10.0.0.0/8 is its network

@@ -100,7 +100,7 @@ Result evaluate(const Trial& trial, const Observer& observer, steady_clock::time
                                  Milliseconds(sighting.seen_at - sighting.picture.image_at).count()});
   }
   summarize(trial, result);
-  // A computer that holds somebody up costs stale pictures, or the connection.
+  // A computer that stalls a process costs stale pictures, or the connection.
   const bool may_lose = trial.radio.loss > 0 || !trial.radio.outages.empty() || client.connections > 1;
   if (!sightings.empty() && !may_lose &&
       sightings.back().picture.number - sightings.front().picture.number + 1 >
@@ -157,7 +157,7 @@ Result run(const Trial& trial) {
       rival.emplace(options, aibo_client::Callbacks());
       rival->start();
     }
-    std::this_thread::sleep_until(link.begin() + trial.length);  // the length is what the rates are measured over
+    std::this_thread::sleep_until(link.begin() + trial.length);  // the rates are measured over this length
     const auto deadline = steady_clock::now() + kSafetyNet;
     while (!observer.hasSeenSince(link.begin() + endOfOutages(trial)) && steady_clock::now() < deadline) {
       std::this_thread::sleep_for(milliseconds(10));

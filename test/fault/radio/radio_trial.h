@@ -22,7 +22,7 @@ struct Trial {
   bool has_rival = false;  ///< another client on the same computer asks for the place all the time
 };
 
-/// What came of a trial.
+/// The result of a trial.
 struct Result {
   /// A picture that the client has delivered.
   struct Delivery {

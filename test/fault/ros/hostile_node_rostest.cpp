@@ -1,4 +1,5 @@
-// The driver's node with other nodes that attack it: whoever reaches the ROS master can. Meanwhile `stop` has to work.
+// The driver's node with other nodes that attack it, as every node that reaches the ROS master can. Meanwhile `stop`
+// has to work.
 
 #include <actionlib_msgs/GoalID.h>
 #include <actionlib_msgs/GoalStatusArray.h>
@@ -54,7 +55,7 @@ using test_support::TopicListener;
 
 constexpr char kHostile[] = "\x1b[2J\x1b]0;you\x07\n[ERROR] ";
 
-/// Ever new names that no part of the robot has.
+/// New names each time, which no part of the robot has.
 class Names {
  public:
   std::string next() { return kHostile + std::to_string(++count_); }
@@ -128,7 +129,7 @@ class HostileNode : public testing::Test {
     }
   }
 
-  /// @return true if a stop is answered within kSafetyNet. A slow computer's robot may say so later.
+  /// @return true if a stop is answered within kSafetyNet. On a slow computer, the robot may report the stop later.
   bool stops() {
     const auto answer = std::make_shared<std::promise<bool>>();
     stop_.stop([answer](const std_srvs::Trigger::Response* response) { answer->set_value(response != nullptr); });

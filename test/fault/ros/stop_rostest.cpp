@@ -1,4 +1,4 @@
-// A stop depends on nobody else: neither on the ROS master, nor on free descriptors, nor on the life of the driver.
+// A stop does not depend on the ROS master or on free descriptors, and outlives the driver.
 
 #include <aibo_driver/RobotState.h>
 #include <gmock/gmock.h>
@@ -54,7 +54,7 @@ bool becomesTrue(const std::function<bool()>& condition) {
   return condition();
 }
 
-// A robot's connection does not end because this computer is slow: without descriptors there is no other one.
+// The robot's connection must not end because this computer is slow: without descriptors there is no new one.
 constexpr const char* kKeepsRobot = "_read_timeout:=60";
 
 /// Keys for a program that reads them from a terminal.
@@ -91,7 +91,7 @@ TEST(Stop, NeedsNoMaster) {
   const SimulatedRobot robot;
   DriverProcess driver("/alone", robot.port(), {kKeepsRobot}, environment);
   driver.waitForOutput("onnected to", kSafetyNet);
-  EXPECT_TRUE(becomesTrue([&] {  // on a slow computer, an order may be too old when the robot could have it
+  EXPECT_TRUE(becomesTrue([&] {  // on a slow computer, an order may be too old when it could reach the robot
     Process stand({"rosservice", "call", "--wait", "/alone/stand"}, environment);
     return stand.waitForExit(kSafetyNet) && stand.output().find("success: True") != std::string::npos;
   }));

@@ -40,7 +40,7 @@ class Client {
  public:
   explicit Client(FuzzInput& input) : input_(input) {}
 
-  // A fault ends the connection; every caller gets an answer all the same.
+  // A fault ends the connection, but every caller gets an answer.
   void run() {
     try {
       begin();
@@ -131,7 +131,7 @@ class Client {
     const auto end = now_ + time;
     while (now_ < end) {
       talk();
-      look();  // somebody may have been in no mood to wait at all
+      look();  // a caller may have allowed no time at all
       talk();
       require(session_->nextDeadline() > now_, "the loop does not spin");
       now_ = std::min(end, session_->nextDeadline());

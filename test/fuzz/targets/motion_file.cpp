@@ -23,7 +23,7 @@ void readEverything(const mtn::Motion& motion) {
   }
 }
 
-// Texts in other character sets, or with `#` or blanks in them, do not survive; everything else does.
+// Texts in other character sets, or with `#` or blanks in them, are changed; everything else stays.
 void printAndReadAgain(const mtn::Motion& motion) {
   std::istringstream text(motion_tool::printTextForm(motion));
   try {
@@ -32,7 +32,7 @@ void printAndReadAgain(const mtn::Motion& motion) {
   }
 }
 
-// Whatever the file says, what is played is within the joints' limits and takes time.
+// Every motion that is played is within the joints' limits and takes time.
 void fitTo(const mtn::Motion& motion, const robot_model::RobotModel& robot) {
   mtn::FittedMotion fitted;
   if (!fitted.fit(motion, robot, true)) {

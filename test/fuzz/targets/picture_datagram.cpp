@@ -88,7 +88,7 @@ class Receiver {
     return bytes;
   }
 
-  // Never of a picture that takePart() makes.
+  // A part that never belongs to a picture of takePart().
   Bytes takeRaw() {
     Bytes bytes = input_.takeBytes(input_.takeByte());
     if (bytes.size() > kQualityOffset) {
@@ -124,7 +124,7 @@ class Receiver {
     }
   }
 
-  // Both numbers pass the largest one.
+  // Both counters overflow.
   static constexpr DatagramIntake::Start kStart = {0xffffff00, 0xfffffff0};
 
   FuzzInput& input_;

@@ -18,7 +18,7 @@
 
 namespace test_support {
 
-/// What the programs that steer, or that move the robot by themselves, see of a driver.
+/// The part of a driver that programs see which steer or move the robot.
 class FakeDriver {
  public:
   explicit FakeDriver(const std::string& name_space, bool is_slow = false) : handle_(name_space), is_slow_(is_slow) {
@@ -125,7 +125,7 @@ class FakeDriver {
   const bool is_slow_;
   std::promise<void> release_was_called_;
   std::promise<void> may_answer_;
-  std::mutex mutex_;  ///< of what is told and seen, because services are called on several threads
+  std::mutex mutex_;  ///< guards the data, because services are called on several threads
   aibo_driver::RobotState state_now_;
   unsigned ball_left_ = 0;
   unsigned ball_width_ = 0;

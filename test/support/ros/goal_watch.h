@@ -46,7 +46,7 @@ class GoalWatch {
   GoalWatch(const GoalWatch&) = delete;
   GoalWatch& operator=(const GoalWatch&) = delete;
 
-  /// Null if the goal ends without, or none comes in time.
+  /// Null if the goal ends without feedback, or if none comes in time.
   FeedbackPtr waitForFeedback() {
     std::unique_lock<std::mutex> lock(mutex_);
     changed_.wait_for(lock, kSafetyNet, [this] { return feedback_ != nullptr || over_; });

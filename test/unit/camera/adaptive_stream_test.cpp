@@ -103,7 +103,7 @@ TEST_F(AdaptiveStreamTest, ComesBackToTheBestWhenTheLinkIsGoodAgain) {
   EXPECT_EQ(stream_.inForce().every_nth_image, 1);
 }
 
-// Whoever plays the robot chooses the ages, and when they change.
+// A hostile robot chooses the ages, and when they change.
 TEST_F(AdaptiveStreamTest, ARobotThatLiesIsAskedForFewChangesAndIsBelievedAgain) {
   const auto begin = now_;
   bool lies = true;

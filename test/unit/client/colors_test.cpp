@@ -32,7 +32,7 @@ ColorTablePtr tableNamed(const std::string& name) {
 
 const version2::ColorRegion kBall = {6, 100, 64 * 50, 64 * 40 + 32, 45, 36, 11, 10};
 
-/// These regions behind one of a channel that nobody has given a table.
+/// These regions after one of a channel that has no table.
 version2::ColorRegions regionsOf(std::vector<version2::ColorRegion> regions) {
   regions.insert(regions.begin(), {1, 4, 64 * 3, 64 * 2, 3, 2, 2, 2});
   version2::ColorRegions colors = {7, 400, 104, 80, static_cast<unsigned char>(regions.size()), false, {}, nullptr, 0};

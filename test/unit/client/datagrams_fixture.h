@@ -57,7 +57,7 @@ class DatagramsFixture : public Version2SessionFixture {
     asked_.clear();
   }
 
-  /// Lets time pass while TCP works; `every_32_ms` is called as the camera takes its images.
+  /// Lets time pass while TCP works. `every_32_ms` is called for each image of the camera.
   template <typename Action>
   void live(milliseconds time, const Action& every_32_ms) {
     for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {

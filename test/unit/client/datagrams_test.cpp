@@ -199,8 +199,8 @@ TEST_F(DatagramsTest, NonsenseIsCountedLoggedOnceAndDoesNoHarm) {
   EXPECT_EQ(1, logged("that is dropped"));
 }
 
-// Of pictures that the robot never sent, in its name: whole ones that are no JPEGs, and incomplete ones, whose numbers
-// are far ahead, or not so far.
+// Pictures in the robot's name that it never sent: whole ones that are no JPEGs, and incomplete ones, with numbers far
+// ahead or a little ahead.
 TEST_F(DatagramsTest, ForgedOnesDoNotStopTheStream) {
   live(std::chrono::seconds(5), [this] {
     for (const unsigned picture : {60000U, 60001U, picture_ + 40, picture_ + 65, 100U}) {

@@ -1,4 +1,4 @@
-// What becomes of orders between a user's thread and the client's, and over connections.
+// How orders get from a user's thread to the client's, and how they end with connections.
 #include <gmock/gmock.h>
 
 #include <atomic>
@@ -112,7 +112,7 @@ TEST_F(Orders, EndWithTheirConnectionWithoutACall) {
   EXPECT_EQ("", recorder_.orders());
 }
 
-// When the end of the stream is told, the connection counts as there, but no request is sent any more.
+// When the end of the stream is reported, the connection still exists for users, but no request is sent any more.
 TEST_F(Orders, ThatComeWhileTheConnectionEndsEndWithIt) {
   RcServerClient* self = nullptr;
   std::future<std::string> motion;

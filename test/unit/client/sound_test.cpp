@@ -31,7 +31,7 @@ const std::vector<std::int16_t> kSixteenMilliseconds(512, 1000);  // two channel
 
 class SoundTest : public Version2SessionFixture {
  public:
-  /// Has the microphones switched on. The robot does something else than it was asked for.
+  /// Switches the microphones on. The robot sets something else than it was asked for.
   void listen(int channels = 2, int rate = 16000) {
     begin();
     wanted_.microphone = {true, 3 - channels, 24000 - rate};

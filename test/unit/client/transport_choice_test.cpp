@@ -37,7 +37,7 @@ class TransportChoiceTest : public DatagramsFixture {
 
   bool isTest() const { return payload_.at(2) == 1; }
 
-  /// Lives for some time. The robot sends its pictures the way that it was told last.
+  /// Lets time pass. The robot sends its pictures by the transport of the last request.
   void watch(milliseconds time) {
     static const Bytes kJpeg = makeJpeg(1);
     for (const TimePoint end = now_ + time; now_ < end;) {
@@ -175,7 +175,7 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   EXPECT_FALSE(isTest());
 }
 
-// Those that the robot has sent by TCP may come after the first ones by UDP.
+// Pictures that the robot has sent by TCP may come after the first ones by UDP.
 TEST_F(TransportChoiceTest, PicturesByUdpWaitALittleForThoseThatWereSentByTcpBefore) {
   beUntilTest();
   arrive(testDatagram(payload_));

@@ -370,7 +370,7 @@ class SilentServerTest : public Version1SessionTest {
   Version1Session silent_{connection_, habits_, Version1Session::VersionAnswer::kNotAsked, now_};
 };
 
-// A process that is stopped is connected to as any other.
+// Connections to a stopped process succeed, too.
 TEST_F(SilentServerTest, IsAskedForAPictureAndNotConnectedUntilItAnswers) {
   wanted_.telemetry_period = 4;
   now_ += milliseconds(450);  // it was asked for version 2 first

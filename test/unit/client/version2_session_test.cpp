@@ -438,7 +438,7 @@ TEST(Version2Session, TellsUntilWhichFrameAnOrderIsGood) {
   constexpr unsigned kLast = 0xFFFFFFFF;
   const struct {
     unsigned frame;     // as told
-    milliseconds age;   // of what told it
+    milliseconds age;   // the message with the frame
     milliseconds wait;  // how long the order is good
     unsigned not_after;
   } rows[] = {
@@ -466,7 +466,7 @@ TEST(Version2Session, TellsUntilWhichFrameAnOrderIsGood) {
 }
 
 TEST(Version2Session, SendsTheExpiryOfEachKindOfOrder) {
-  NewSession session;  // it has told the frame kFrame
+  NewSession session;  // it had the frame kFrame
   std::vector<std::future<Answer>> answers;
   giveAllOrders(&session, &answers);
   std::string kinds;
@@ -543,7 +543,7 @@ TEST_F(Version2SessionTest, EachOrderEndsOnceByItsNumber) {
   pass(milliseconds(100));
   EXPECT_TRUE(posture.get().was_sent);
   EXPECT_TRUE(motion.get().was_sent);
-  receive(makeFrame('e', numbers[0], {}));  // the answers come all the same
+  receive(makeFrame('e', numbers[0], {}));  // the answers come nevertheless
   receive(makeFrame('p', numbers[1], {}));
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(kFirstOrder + static_cast<unsigned>(i), end(i + 1, numbers[static_cast<std::size_t>(i)]));

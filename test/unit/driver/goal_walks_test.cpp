@@ -26,7 +26,7 @@ class GoalWalksTest : public ::testing::Test {
     parameters_.walk.turn_scale = 2;
   }
 
-  // All poses are told relative to this one, except those in the frame of the robot.
+  // All poses are relative to this one, except those in the frame of the robot.
   static constexpr walk::PlanePose kOrigin{3, -2, 0.7};
 
   static geometry_msgs::PoseStamped goalAt(double x, double y = 0, const std::string& frame = "odom") {
@@ -59,7 +59,7 @@ class GoalWalksTest : public ::testing::Test {
     return last;
   }
 
-  // The robot walks as it is told.
+  // The robot walks with the commanded velocity.
   void walkOn(GoalWalks::Walk& walk, double forward) {
     now_ += GoalWalks::kPeriod;
     here_->x += forward;

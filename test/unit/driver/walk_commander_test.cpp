@@ -39,7 +39,7 @@ class WalkCommanderTest : public ::testing::Test {
     commander_.receive(twist, order("/teleop"));
   }
 
-  // What the robot was told about walking since the last call.
+  // The velocities that were sent to the robot since the last call.
   std::vector<std::string> toldToWalk() {
     std::vector<std::string> told;
     for (const std::string& each : client_.told) {

@@ -95,7 +95,7 @@ TEST_F(LoadFileTest, UnpacksAGzippedFileUpToTheLengthAllowed) {
               testing::EndsWith("nod.mtn': unpacked, it has more than the 67108864 bytes allowed"));
 }
 
-// The kernel's have no size, and reading them may wait for ever, or take from others what was in them.
+// Files of the kernel have no size. Reading them may wait for ever, or take their content from other readers.
 TEST_F(LoadFileTest, ReadsNothingOfTheKernelsFiles) {
   for (const std::string path : {"/proc/kmsg", "/proc/self/environ", "/proc/self/pagemap"}) {
     if (fs::exists(path)) {

@@ -62,7 +62,8 @@ std::vector<std::string> withoutSpeedLimits(std::vector<std::string> told) {
   return told;
 }
 
-// A robot that stands with all joints at 0, and says nothing by itself. Time stands still unless a test lets it pass.
+// A robot that stands with all joints at 0, and reports nothing by itself. Time stands still unless a test lets it
+// pass.
 struct Robot {
   Robot() {
     client.present.protocol_version = 2;

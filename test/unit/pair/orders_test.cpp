@@ -1,4 +1,4 @@
-// Orders, and the truth about them, between the client library and a running server.
+// Orders and the reports of their ends, between the client library and a running server.
 #include <gmock/gmock.h>
 
 #include <condition_variable>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr int kHeadPan = 2;
 
-/// A client, and what it has told.
+/// A client, and its reports.
 class User {
  public:
   explicit User(const SimulatedRobot& robot, milliseconds read_timeout = seconds(10))
@@ -163,7 +163,7 @@ TEST(PairOfVersion2Test, AWalkIsNotEndedByAnEarlierCommandToTheLegs) {
     for (int i = 0; i < 50; ++i) {
       user.client().commandJoints({{kKnee, 0.3 + 0.001 * i}}, milliseconds(40));
     }
-    user.client().steer({});  // whatever moves a leg demands letting go
+    user.client().steer({});  // after every movement of a leg, the client has to let go
     for (int i = 0; i < 20; ++i) {
       user.client().steer({0.1, 0, 0});
       std::this_thread::sleep_for(milliseconds(10));

@@ -258,7 +258,7 @@ TEST_F(StopTest, WinsEachRaceAgainstEveryKindOfOrder) {
 TEST(HeldJoystick, IsNotLetGoByWhatItsUserDoesNotDo) {
   MovedRobot robot;
   std::atomic<bool> is_over{false};
-  std::atomic<bool> has_paused{false};  // this computer has held the user up, who has let go by that
+  std::atomic<bool> has_paused{false};  // this computer has stalled the user, which counts as letting go
   const auto holder = std::async(std::launch::async, [&] {
     SteadyTime last = now();
     for (int i = 0; !is_over; ++i) {

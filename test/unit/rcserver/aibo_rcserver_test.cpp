@@ -242,8 +242,8 @@ class Eye {
   bool has_agreed_ = false;
 };
 
-// The same image shows the same room from the same place, unless one of these options changes it, or the computer held
-// up one of the robots, so that its head came later to where it is.
+// The same image shows the same room from the same place, unless one of these options changes it, or one of the robots
+// stalled on a busy computer, so that its head arrived later.
 TEST(AiboRCServer, ShowsTheRoomThatItIsTold) {
   const TemporaryFolder folder;
   const test_pictures::Bytes photograph = test_pictures::make();

@@ -39,7 +39,7 @@ class FileJobsTest : public FakeRobotFixture {
     return all;
   }
 
-  // The memory stick is at work for this time, in which nothing is told but the answers to the heartbeat.
+  // The memory stick works for this time. Meanwhile only the answers to the heartbeat come.
   void wait(double seconds) {
     for (double passed = 0; passed < seconds; passed += 0.5) {
       EXPECT_EQ(answerTo('H', 0).header.kind, 'h');

@@ -107,7 +107,7 @@ class OrdersTest : public Version2Fixture {
     return -1;
   }
 
-  // Steers for a number of frames, so that no walk ends for want of steering.
+  // Steers for a number of frames, so that no walk ends because the client is silent.
   void steer(int number, unsigned frames) {
     for (unsigned passed = 0; passed < frames; passed += 12) {
       ask(number, kWalk);
@@ -372,7 +372,7 @@ TEST_F(OrdersTest, DemandLettingGoIfTheyTakeOrHoldALeg) {
     for (const Asked& asked : orders) {
       answersTo(2, asked);
     }
-    passFrames(400);  // silence is no letting go
+    passFrames(400);  // silence does not count as letting go
     heard();
     EXPECT_THAT(answersTo(3, kWalk), Contains(demands ? HasSubstr("let go first") : HasSubstr("s3")));
     answersTo(4, kLetGo);

@@ -315,7 +315,7 @@ class FakeRobotFixture : public RCServerFixture {
     takeImage();
   }
 
-  /// The next frame, if it is here. What the robot tells of its motors and its posture unasked is skipped.
+  /// The next frame, if it is here. Pushed reports of the motors and the posture are skipped.
   std::optional<Frame> frameThatIsHere() {
     std::optional<Frame> next = client_->nextFrame();
     while (next && next->header.kind == protocol::version2::MOTORS_AND_POSTURE_PUSH &&

@@ -380,7 +380,8 @@ TEST_F(SoundTest, TheVolumeIsTheRobotsUntilAClientSetsOne) {
   EXPECT_EQ(robot_.speaker_requests.at(oprmreqSPEAKER_SET_VOLUME), ospkvol10dB) << "its switch was moved";
 }
 
-// While nothing can be sent, half a second of sound waits. What comes after that is lost, and the frame numbers tell.
+// While nothing can be sent, half a second of sound waits. Sound that comes after that is lost, and the frame numbers
+// show it.
 TEST_F(SoundTest, AClientThatReadsLateMissesSoundAndTheRestIsInTime) {
   disconnect();
   connectVersion2(2048);

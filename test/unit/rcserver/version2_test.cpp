@@ -141,7 +141,7 @@ TEST_F(Version2Test, HelloHasTheRobotTheTimeAndTheLimitsOfItsJoints) {
 }
 
 TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
-  answerTo('T', 0, period(4));  // to read is not to say something
+  answerTo('T', 0, period(4));  // a client that only reads is silent
   for (int second = 0; second < 20; ++second) {
     hello();
     passFrames(125);

@@ -1,4 +1,4 @@
-// The window, without a display and with a robot that only writes down what is wished of it.
+// The window, without a display and with a robot that only records what the window asks for.
 #include "remote_control/remote_control.h"
 
 #include <gmock/gmock.h>
@@ -17,7 +17,7 @@ using Motors = RobotCondition::Motors;
 using Posture = RobotCondition::Posture;
 using State = RobotConnection::State;
 
-/// Writes down what is wished of it. Tests emit its signals.
+/// Records what the window asks for. Tests emit its signals.
 class FakeRobot : public Robot {
  public:
   /// Wishes in words, such as "play NOD.MTN 2".

@@ -106,7 +106,7 @@ TEST_F(SoundFileTest, OggIsPlayed) {
   EXPECT_NEAR(10000, amplitudeOfTone(readAll("a.ogg")), 500);
 }
 
-// Anybody may name any file, and whoever plays the robot would get it.
+// Anybody may name any file, and an impostor of the robot would get it.
 TEST_F(SoundFileTest, OnlySoundsLeaveThisComputer) {
   std::ofstream(path("secret.txt")) << "RIFX is not it";
   EXPECT_THAT(complaintAbout("secret.txt"), HasSubstr("no WAV, FLAC or Ogg file"));

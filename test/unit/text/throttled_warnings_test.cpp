@@ -34,7 +34,7 @@ TEST_F(ThrottledWarningsTest, WhatIsRepeatedAllTheTimeIsLoggedOnceInEachPeriod) 
   EXPECT_THAT(logged_, SizeIs(2));
 }
 
-// However many names a stranger thinks of.
+// Even if a stranger sends many names.
 TEST_F(ThrottledWarningsTest, AFloodOfDifferentOnesIsALineASecondAndSaysSo) {
   for (int i = 0; i < 100'000; ++i) {
     warnings_.warn("No joint is named 'joint" + std::to_string(i) + "'.");

@@ -180,7 +180,7 @@ TEST_F(Ers7Urdf, HasInertiasThatABodyCanHave) {
   }
 }
 
-// Its feet are what it stands on, and its belly what it lies on, as in the simulated robot.
+// The robot stands on its feet and lies on its belly, as the simulated robot does.
 TEST_F(Ers7Urdf, TouchesTheFloorWhereTheSimulatedRobotDoes) {
   for (const char* foot : {"left_front", "left_hind", "right_front", "right_hind"}) {
     const urdf::LinkConstSharedPtr link = urdf_.model().getLink(foot + std::string("_foot_link"));

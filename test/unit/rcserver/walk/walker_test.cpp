@@ -39,7 +39,7 @@ constexpr FallWatch::Reading kInTheAir = {0, 0, kGravity, {}};
 const WalkGuard::Reading kFloor = {0.223, 2, 2, {}, {true, true, true, true}};
 const WalkGuard::Reading kEdge = {0.9, 2, 2, {}, {true, true, true, true}};
 
-// An ERS-7 that stands, and whose joints do what they are told. The lowest feet are on the floor if there is one.
+// An ERS-7 that stands, and whose joints follow their commands. The lowest feet are on the floor if there is one.
 struct WalkingRobot {
   WalkingRobot() {
     joints.Take(POSTURE_STAND);
@@ -327,7 +327,7 @@ TEST_F(Walk, HasToBeLetGoFirstAfterEachOfTheseEnds) {
     row.event(robot);
     for (int i = 0; i < 10; ++i) {
       EXPECT_THAT(robot.order(kAhead), AllOf(StartsWith(row.why), HasSubstr("let go first: send zero velocities")));
-      robot.pass(100);  // silence is no letting go: a frozen link looks the same
+      robot.pass(100);  // silence does not count as letting go: a frozen link looks the same
     }
     robot.letGo();
     robot.steer(kAhead, 1000);
@@ -696,7 +696,7 @@ TEST_F(Fall, LeavesLegsAloneThatSomethingElseHasMovedSince) {
   }
 }
 
-// The physics tells if it gets up from that; this shows what it tries.
+// The physics tests show whether the robot gets up; this test shows what it tries.
 TEST_F(Fall, IsFollowedByAStandOverTheBelly) {
   feels = kOnItsBack;
   pass(100);

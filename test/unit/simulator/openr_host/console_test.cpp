@@ -76,7 +76,7 @@ TEST_F(ConsoleTest, AListenerThatDoesNotReadDelaysNothingAndIsToldAboutLostMessa
     print(line);
     quick.received();
   }
-  const std::chrono::seconds limit(300);  // the megabytes take their time on a busy computer
+  const std::chrono::seconds limit(300);  // the megabytes take long on a busy computer
   EXPECT_TRUE(test_.runUntil([&] { return quick.received().size() >= kPrinted * line.size(); }, limit));
   const std::string end = " messages lost: this console was not read]\n";
   ASSERT_TRUE(test_.runUntil(

@@ -95,7 +95,7 @@ TEST_F(ReadyNotifyTest, TheSubjectIsToldWhichObserversAreReadyAndWhichNoLonger) 
     EXPECT_NE(event.IsAssert(), event.IsDeassert());
     events.push_back(std::string(event.SenderID() == receiver_.observerId() ? "receiver" : "other") +
                      (event.IsAssert() ? " ready" : " not ready"));
-    // The subject's state is already updated when it is told.
+    // The subject's state is already updated when its callback runs.
     states.push_back(sender_.subject().IsReady() != 0);
   };
   boot();
