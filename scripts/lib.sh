@@ -108,7 +108,7 @@ if [ -f /opt/ros/noetic/setup.bash ]; then
   source_setup /opt/ros/noetic/setup.bash
 fi
 
-# use_private_ros FOLDER: nodes use only this machine and log to the folder, whatever the environment. It works even if
+# use_private_ros FOLDER: nodes use only this machine and log to the folder, in any environment. It works even if
 # the host's name has no address.
 use_private_ros() {
   unset ROS_HOSTNAME ROS_NAMESPACE ROS_MASTER_URI ROSCONSOLE_CONFIG_FILE

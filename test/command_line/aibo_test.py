@@ -205,7 +205,7 @@ class TestCase(unittest.TestCase):
         return server.port
 
     def aibo(self, *words, status=DONE, port=None):
-        """Runs a command. Whatever happens, nothing that a terminal obeys comes out, and a failure is said once."""
+        """Runs a command. In any case, nothing that a terminal obeys comes out, and a failure is reported once."""
         result = run(*words, port=port or self.robot.port, folder=self.folder)
         self.assertEqual(result.returncode, status, (words, result.stdout, result.stderr))
         self.assertNotRegex(result.stderr, CONTROL)
@@ -435,7 +435,7 @@ class Version1(OnBothVersions, TestCase):
         self.assertEqual(witness.sent[-1], b"P" + bytes(17), "no name: all")
 
     def check_hold(self, witness):
-        """The joints are told to stay where they are: such a server may go on without its client."""
+        """The joints are commanded to where they are, because such a server may go on without its client."""
         for joint, farthest in (b"\2", 6000), (b"\x33", 3000):
             commands = [piece[2:] for piece in witness.sent if piece[:2] == b"J" + joint and len(piece) == 4]
             self.assertLess(struct.unpack("<h", commands[-1])[0], farthest)
@@ -486,7 +486,7 @@ class Version2(OnBothVersions, TestCase):
 
 
 class Asked(TestCase):
-    """What a robot is asked, and how its answers are told."""
+    """The requests to a robot, and how its answers are shown."""
 
     @classmethod
     def setUpClass(cls):

@@ -38,7 +38,7 @@ print('a node says something', flush=True)
 while True:
     signal.pause()
 ''',
-    # The monitor ends when a file tells it how.
+    # The monitor ends when a file says how.
     'rosrun': '''
 signal.signal(signal.SIGINT, lambda *_: sys.exit(0))
 while not (home / 'monitor').exists():
