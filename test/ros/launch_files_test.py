@@ -112,7 +112,8 @@ class LaunchFilesTest(unittest.TestCase):
                 ('aibo_playback/bag', '/tmp/a.bag'), ('aibo_playback/recorded_ns', ''),
                 ('aibo_playback/frame_prefix', ''), ('aibo_playback/loop', False), ('aibo_playback/rate', 1.0),
                 ('aibo_playback/start', 0.0), ('aibo_playback/wait', 30.0))}},
-            'record.launch': {},
+            'record.launch': {'/aibo/record_monitor/' + name: value for name, value in (
+                ('seconds', 1), ('first_picture_timeout', 0))},
             'teleop.launch': {'/aibo/aibo_teleop_keyboard/' + name: speed for name, speed in
                               (('speed', 0.1), ('side_speed', 0.05), ('turn_speed', 0.5))},
             'view.launch': {},
@@ -258,6 +259,13 @@ class LaunchFilesTest(unittest.TestCase):
         for name, node in nodes(resolve('playback.launch', ns='left', bag='/tmp/a.bag')).items():
             self.assertEqual(dict(node.remap_args),
                              {topic: '/playback/left' + topic for topic in ('/tf', '/tf_static')}, name)
+
+    def test_a_namespace_may_begin_with_a_slash(self):
+        def started(name, ns):
+            config = resolve(name, ns=ns, **({'bag': '/tmp/a.bag'} if name == 'playback.launch' else {}))
+            return parameters(config), {each: (node.args, node.remap_args) for each, node in nodes(config).items()}
+        for name in ('aibo.launch', 'model.launch', 'playback.launch', 'record.launch', 'teleop.launch', 'view.launch'):
+            self.assertEqual(started(name, '/team/left'), started(name, 'team/left'), name)
 
     def test_playback_has_the_recorded_namespace(self):
         for given in ('team/right', '/team/right'):
