@@ -3,18 +3,28 @@
 // recording, and where it is. Nothing that a robot obeys is published, and all topics, also tf and diagnostics, are in
 // the namespace of the playback. So a robot that runs meanwhile neither moves nor looks like the recorded one.
 
+#include <aibo_driver/CameraState.h>
+#include <aibo_driver/ColorRegions.h>
 #include <aibo_driver/Connection.h>
+#include <aibo_driver/LedStates.h>
+#include <aibo_driver/LinkQuality.h>
+#include <aibo_driver/MotionState.h>
+#include <aibo_driver/RobotState.h>
+#include <aibo_driver/Sound.h>
+#include <aibo_driver/Touch.h>
 #include <ros/ros.h>
 #include <std_srvs/SetBool.h>
 #include <tf2_msgs/TFMessage.h>
 #include <topic_tools/shape_shifter.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/join.hpp>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -53,6 +63,20 @@ std::string minutes(const ros::Duration& duration) {
 bool isLatched(const ros::M_string& connection_header) {
   const auto found = connection_header.find("latching");
   return found != connection_header.end() && found->second == "1";
+}
+
+template <typename Message>
+bool hasChanged(const rosbag::ConnectionInfo& recorded) {
+  return recorded.datatype == ros::message_traits::DataType<Message>::value() &&
+         recorded.md5sum != ros::message_traits::MD5Sum<Message>::value();
+}
+
+/// Whether these are messages of the driver's, as another version defines them. Subscribers cannot receive them.
+bool isOfAnotherVersion(const rosbag::ConnectionInfo& recorded) {
+  using namespace aibo_driver;  // NOLINT(google-build-using-namespace): its messages
+  return hasChanged<CameraState>(recorded) || hasChanged<ColorRegions>(recorded) || hasChanged<Connection>(recorded) ||
+         hasChanged<LedStates>(recorded) || hasChanged<LinkQuality>(recorded) || hasChanged<MotionState>(recorded) ||
+         hasChanged<RobotState>(recorded) || hasChanged<Sound>(recorded) || hasChanged<Touch>(recorded);
 }
 
 class Playback {
@@ -104,13 +128,21 @@ class Playback {
     constexpr bool kLatched = true;
     connection_ = handle_.advertise<Connection>("connection", 1, kLatched);
     tf_ = handle_.advertise<tf2_msgs::TFMessage>("tf", kQueueSize);
+    std::set<std::string> left_out;
     for (const rosbag::ConnectionInfo* info : recording_.messages().getConnections()) {
       const std::string& name = recording_.topics().at(info->topic);
-      if (name != "connection") {
+      if (isOfAnotherVersion(*info)) {
+        left_out.insert(name);
+      } else if (name != "connection") {
         ros::AdvertiseOptions options(name, kQueueSize, info->md5sum, info->datatype, info->msg_def);
         options.latch = isLatched(*info->header);
         publishers_[info->topic] = handle_.advertise(options);
       }
+    }
+    if (!left_out.empty()) {
+      ROS_WARN_STREAM(recording_.name() << " is from another version of aibo_driver. Topics that nobody could receive "
+                                           "are left out: "
+                                        << boost::algorithm::join(left_out, ", ") << ".");
     }
   }
 

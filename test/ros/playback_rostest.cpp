@@ -1,5 +1,6 @@
 // Recordings, played again by aibo_playback.
 
+#include <aibo_driver/LinkQuality.h>
 #include <aibo_driver/RobotState.h>
 #include <gmock/gmock.h>
 #include <nav_msgs/Odometry.h>
@@ -38,6 +39,14 @@ class WalkBag {
     connection.text = text;
     connection.robot = "ERS-7";
     writeLatched("connection", connection);
+  }
+
+  /// As a driver of another version, which has started twice.
+  void connectAsOfOld() {
+    const std::string md5sum(32, '1');
+    write("connection", Connection(), "1", md5sum);
+    write("link_quality", aibo_driver::LinkQuality(), "0", md5sum);
+    write("link_quality", aibo_driver::LinkQuality(), "1", md5sum);
   }
 
   void report(const std::string& stopped_by) {
@@ -104,11 +113,12 @@ class WalkBag {
   }
 
   template <typename Message>
-  void write(const std::string& topic, const Message& message, const std::string& latching = "0") {
+  void write(const std::string& topic, const Message& message, const std::string& latching = "0",
+             const std::string& md5sum = ros::message_traits::MD5Sum<Message>::value()) {
     bag_.write(name_space_ + "/" + topic, kBegin + ros::Duration(time_), message,
                boost::make_shared<ros::M_string>(
                    ros::M_string{{"type", ros::message_traits::datatype(message)},
-                                 {"md5sum", ros::message_traits::md5sum(message)},
+                                 {"md5sum", md5sum},
                                  {"message_definition", ros::message_traits::definition(message)},
                                  {"latching", latching}}));
   }
@@ -312,6 +322,24 @@ TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobot) {
   EXPECT_THAT(topics("/right"),
               ::testing::UnorderedElementsAre("/diagnostics", "/right/connection", "/right/camera/image_raw"))
       << "it has no other pictures";
+}
+
+TEST_F(PlaybackTest, TopicsOfAnotherVersionAreNamedOnceAndLeftOut) {
+  TopicListener<aibo_driver::LinkQuality> link("/newer/link_quality");
+  TopicListener<nav_msgs::Odometry> odom("/newer/odom");
+  {
+    WalkBag bag(path("old.bag"), "/aibo");
+    bag.connectAsOfOld();
+    bag.walk(1);
+  }
+  Process playback(command(path("old.bag"), "/newer", {}));
+  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS);
+  const std::string output = playback.output();
+  const std::string what = "old.bag is from another version of aibo_driver";
+  EXPECT_THAT(output, testing::HasSubstr("left out: connection, link_quality."));
+  EXPECT_EQ(output.find(what), output.rfind(what)) << output;
+  EXPECT_THAT(output, Not(testing::HasSubstr("wants topic"))) << "roscpp's complaint for each subscriber";
+  EXPECT_FALSE(odom.waitForCount(1).empty());
 }
 
 TEST_F(PlaybackTest, DamageIsSaidWhereItIs) {

@@ -3,6 +3,7 @@
 #include <sensor_msgs/Imu.h>
 
 #include <array>
+#include <boost/algorithm/string/join.hpp>
 #include <cstring>
 #include <set>
 #include <sstream>
@@ -37,14 +38,6 @@ std::set<std::string> robotsIn(const std::set<std::string>& topics) {
     }
   }
   return robots;
-}
-
-std::string inOneLine(const std::set<std::string>& names) {
-  std::string line;
-  for (const std::string& name : names) {
-    line += (line.empty() ? "" : ", ") + name;
-  }
-  return line;
 }
 
 void open(rosbag::Bag& bag, const std::string& path) {
@@ -96,13 +89,15 @@ void Recording::choose(const std::string& recorded_namespace) {
   std::set<std::string> robots = robotsIn(topics);
   if (robots.empty()) {
     throw std::runtime_error(all.size() == 0 ? name_ + " is empty: the driver sent nothing while it was recorded."
-                                             : name_ + " has no robot, but only the topics " + inOneLine(topics) + ".");
+                                             : name_ + " has no robot, but only the topics " +
+                                                   boost::algorithm::join(topics, ", ") + ".");
   }
   if (!recorded_namespace.empty() && robots.count(recorded_namespace) == 0) {
-    throw std::runtime_error(name_ + " has no robot in " + recorded_namespace + ", but in " + inOneLine(robots) + ".");
+    throw std::runtime_error(name_ + " has no robot in " + recorded_namespace + ", but in " +
+                             boost::algorithm::join(robots, ", ") + ".");
   }
   if (recorded_namespace.empty() && robots.size() > 1) {
-    throw std::runtime_error(name_ + " has several robots: " + inOneLine(robots) +
+    throw std::runtime_error(name_ + " has several robots: " + boost::algorithm::join(robots, ", ") +
                              ". Choose one, such as recorded_ns:=" + robots.begin()->substr(1) + ".");
   }
   name_space_ = recorded_namespace.empty() ? *robots.begin() : recorded_namespace;
