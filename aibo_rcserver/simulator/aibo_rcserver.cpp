@@ -1,6 +1,7 @@
 // Boots a memory stick with RCServer on a simulated ERS-7.
 
 #include <signal.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <boost/program_options.hpp>
@@ -9,6 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <ext/stdio_sync_filebuf.h>
 #include <filesystem>
 #include <iostream>
 #include <optional>
@@ -32,6 +34,7 @@ namespace {
 namespace po = boost::program_options;
 
 constexpr int kWrongUsage = 2;
+constexpr unsigned kSecondsToStop = 5;
 constexpr double kMostEncodeTime = 10000;  // milliseconds
 constexpr double kMostStickTime = 60000;   // milliseconds
 
@@ -227,6 +230,13 @@ openr_host::Machine* stoppable_machine = nullptr;
 
 void stopMachine(int) {
   stoppable_machine->stop();
+  alarm(kSecondsToStop);
+}
+
+void giveUp(int) {
+  constexpr char kText[] = "aibo_rcserver: an object does not return, so the robot cannot stop in order\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, kText, sizeof(kText) - 1);
+  _exit(EXIT_FAILURE);
 }
 
 // Stops the machine on Ctrl-C, or when roslaunch ends. A second signal kills the process.
@@ -237,6 +247,23 @@ void stopOnSignal(openr_host::Machine& machine) {
   action.sa_flags = static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  signal(SIGALRM, giveUp);
+}
+
+ssize_t readInput(void* /*unused*/, char* buffer, std::size_t size) {
+  const ssize_t count = read(STDIN_FILENO, buffer, size);
+  if (count <= 0) {
+    std::cerr << "aibo_rcserver: an object waits for input that cannot come\n";
+    std::_Exit(EXIT_FAILURE);
+  }
+  return count;
+}
+
+// Sony's samples repeat a question until they get an answer, for ever if there is no more input.
+void endWithInput() {
+  stdin = fopencookie(nullptr, "r", {readInput, nullptr, nullptr, nullptr});
+  static __gnu_cxx::stdio_sync_filebuf<char> input(stdin);
+  std::cin.rdbuf(&input);
 }
 
 void run(const Options& options) {
@@ -255,6 +282,7 @@ void run(const Options& options) {
   host.open_to_read = openToRead;
   setHostSettings(host);
   stopOnSignal(machine);
+  endWithInput();
   machine.boot();
   announce(machine, machine_options, options);
   machine.run();

@@ -58,8 +58,8 @@ class Robot:
         self.console.close()
         self.answers.close()
         self.process.terminate()
-        self.output += self.process.communicate(timeout=LIMIT)[0]
-        return self.process.returncode
+        self.output += self.process.stdout.read()  # communicate() would lose what readline() has buffered
+        return self.process.wait(LIMIT)
 
     def kill(self):
         self.process.kill()
@@ -101,6 +101,21 @@ class OpenrObjectTest(unittest.TestCase):
         subprocess.run([str(SCRIPT), "--build", str(folder)], env={**os.environ, "OPENR_WORK": str(self.work / "work")},
                        stdout=subprocess.DEVNULL, timeout=LIMIT, check=True)
 
+    def test_an_object_that_does_not_return_can_be_ended(self):
+        nodder = self.work / "source" / "Nodder" / "Nodder.cc"
+        shutil.copytree(str(EXAMPLE), str(nodder.parents[1]))
+        source = nodder.read_text()
+        for loop, reason in (("for (;;) {}", "an object does not return"),
+                             ("while (getchar() != 'y') {}", "an object waits for input"),
+                             ("char c; while (!(cin >> c)) {}", "an object waits for input")):
+            nodder.write_text(source.replace("BeginNod();", 'OSYSPRINT(("loops\\n")); ' + loop, 1))
+            robot = Robot(nodder.parents[1], self.work / "work")
+            self.addCleanup(robot.kill)
+            robot.ask("press head_touch")
+            robot.wait_for("loops\n")
+            self.assertEqual(robot.stop(), 1)
+            self.assertIn(reason, robot.output)
+
     def fail_to_run(self, folder, *more):
         run = subprocess.run([str(SCRIPT), str(folder), *more], env={**os.environ, "OPENR_WORK": str(self.work)},
                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
@@ -114,11 +129,17 @@ class OpenrObjectTest(unittest.TestCase):
         self.assertIn("my objects' has a space in it", self.fail_to_run(self.work / "my objects"))
         broken = self.work / "source" / "broken"
         shutil.copytree(str(EXAMPLE), str(broken))
+        (broken / "Nodder" / "My part.cc").touch()
+        self.assertIn("/Nodder/My part.cc' has a space in it", self.fail_to_run(broken))
+        (broken / "Nodder" / "My part.cc").unlink()
         self.assertIn("there is no stub.cfg in '/none'", self.fail_to_run(broken, "OTHER.BIN=/none"))
         (broken / "MS" / "OPEN-R" / "MW" / "CONF" / "OBJECT.CFG").write_text("/MS/OPEN-R/MW/OBJS/OTHER.BIN\n")
         self.assertIn("OTHER.BIN is neither on the memory stick", self.fail_to_run(broken))
-        (broken / "Nodder" / "Nodder.cc").write_text("#include <Missing.h>\n")
-        self.assertIn("NODDER.BIN cannot be built", self.fail_to_run(broken))
+        for source, is_about_headers in (("#include <Missing.h>\n", True), ("Missing missing;\n", False)):
+            (broken / "Nodder" / "Nodder.cc").write_text(source)
+            output = self.fail_to_run(broken)
+            self.assertIn("NODDER.BIN cannot be built", output)
+            self.assertIs("If the header is Sony's" in output, is_about_headers)
         (broken / "Nodder" / "stub.cfg").unlink()
         self.assertIn("there is no object in", self.fail_to_run(broken))
 

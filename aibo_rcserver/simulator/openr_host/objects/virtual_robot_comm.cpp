@@ -95,14 +95,16 @@ void VirtualRobotComm::passFrame(longword frame) {
 
 // Busy observers find the newest vector (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
+  has_sensed_ = true;
   if (sensor_->isWanted()) {
     sensor_->setData(robot_.captureSensors(frame));
     sensor_->notifyAll();
   }
 }
 
+// An object knows the robot's pose when it gets its first image.
 void VirtualRobotComm::look(longword frame) {
-  if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
+  if (has_sensed_ && robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
     image_sensor_->setData(robot_.captureImage(frame));
     image_sensor_->notifyAll();
   }

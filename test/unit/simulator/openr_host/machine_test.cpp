@@ -206,9 +206,9 @@ TEST_F(MachineTest, SleepsUntilTheNextFrameInWhichObjectsMayGetSomething) {
   EXPECT_EQ(clock.waited_for[2], 11U);
 }
 
-TEST_F(MachineTest, DeliversTheImagesThatAreDue) {
+TEST_F(MachineTest, DeliversTheImagesThatAreDueAfterTheFirstSensors) {
   Machine& machine = boot();
-  robot_.frames_with_image = {4, 8, 13};
+  robot_.frames_with_image = {1, 4, 8, 13};
   while (clock_.frame() < 13) {
     clock_.step();
     machine.runPending();
