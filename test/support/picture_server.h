@@ -61,7 +61,7 @@ class PictureServer {
   /// Number of the picture that was sent last.
   std::uint64_t lastNumber() const { return number_; }
 
-  /// When a picture was sent. Only of the last 4096 pictures.
+  /// When a picture was sent. Only the last 4096 pictures are known.
   TimePoint timeOf(std::uint64_t number) const;
 
  private:

@@ -135,7 +135,7 @@ class Link {
     Pipe out;              // towards this side
     bool ended = false;    // this side sends no more
     bool told = false;     // this side has got a FIN
-    bool blocked = false;  // the kernel takes no more for it
+    bool blocked = false;  // the kernel's buffer for this side is full
   };
 
   bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const;

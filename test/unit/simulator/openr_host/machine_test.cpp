@@ -90,7 +90,7 @@ class Echo : public TestObject {
   byte* data_ = nullptr;
 };
 
-/// Five frames pass each time somebody wants to wait for one, and no time in reality.
+/// Each wait for a frame passes five frames at once, without waiting in reality.
 class HastyClock : public Clock {
  public:
   std::chrono::nanoseconds now() const override { return now_; }
