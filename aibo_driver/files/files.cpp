@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <climits>
@@ -20,6 +19,7 @@
 #include "client/file_descriptor.h"
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
+#include "host_files/replace_file.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
 #include "text/plain_text.h"
@@ -147,70 +147,6 @@ std::string fileNameOnRobot(const std::string& name, const std::string& ending) 
   return file;
 }
 
-/// A file with a unique name. It is deleted unless it is renamed.
-class TemporaryFile {
- public:
-  TemporaryFile(const FileDescriptor& folder, const fs::path& target) : folder_(folder.get()) {
-    static std::atomic<unsigned> counter{0};
-    name_ = "." + target.filename().string() + "." + std::to_string(::getpid()) + "." + std::to_string(counter++);
-    // 0666 less the umask, as any file that a program writes for its user.
-    descriptor_ = ::openat(folder_, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (descriptor_ < 0) {
-      fail("create a file in " + target.parent_path().string());
-    }
-  }
-
-  ~TemporaryFile() {
-    close();
-    if (!name_.empty()) {
-      ::unlinkat(folder_, name_.c_str(), 0);
-    }
-  }
-
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-  void write(const std::vector<std::uint8_t>& bytes) {
-    std::size_t written = 0;
-    while (written < bytes.size()) {
-      const ssize_t count = ::write(descriptor_, bytes.data() + written, bytes.size() - written);
-      if (count < 0 && errno != EINTR) {
-        fail("write " + name_);
-      }
-      written += count > 0 ? static_cast<std::size_t>(count) : 0;
-    }
-  }
-
-  void renameTo(const fs::path& target) {
-    if (::fsync(descriptor_) != 0 || close() != 0 ||
-        ::renameat(folder_, name_.c_str(), folder_, target.filename().c_str()) != 0) {
-      fail("write " + target.string());
-    }
-    name_.clear();
-  }
-
- private:
-  int close() {
-    const int result = descriptor_ < 0 ? 0 : ::close(descriptor_);
-    descriptor_ = -1;
-    return result;
-  }
-
-  [[noreturn]] static void fail(const std::string& what) {
-    throw FileException("cannot " + what + ": " + std::strerror(errno));
-  }
-
-  const int folder_;
-  std::string name_;
-  int descriptor_ = -1;
-};
-
-void replace(const FileDescriptor& folder, const fs::path& target, const std::vector<std::uint8_t>& content) {
-  TemporaryFile file(folder, target);
-  file.write(content);
-  file.renameTo(target);
-}
-
 }  // namespace
 
 FileDescriptor openToRead(const std::string& path) {
@@ -321,18 +257,22 @@ std::string saveJpeg(const std::string& folder, const std::string& path, const s
   }
   const FileDescriptor parent = openFolderOf(target);
   checkTarget(parent, target);
-  replace(parent, target, withoutComments(jpeg));
+  const std::vector<std::uint8_t> saved = withoutComments(jpeg);
+  try {
+    host_files::replaceFile(parent.get(), target.filename(), {saved.begin(), saved.end()});
+  } catch (const host_files::Unwritable& why) {
+    throw FileException("cannot write " + target.string() + ": " + why.what());
+  }
   return target.string();
 }
 
-void replaceFile(const std::string& path, const std::vector<std::uint8_t>& content) {
+void replaceFile(const std::string& path, const std::string& content) {
   checkPath(path, "write");
-  std::error_code error;
-  const fs::path target = fs::weakly_canonical(fs::absolute(path, error), error);
-  if (error || target.filename().empty() || (fs::exists(target, error) && !fs::is_regular_file(target, error))) {
-    throw FileException("cannot write '" + path + "': that is not a regular file");
+  try {
+    host_files::replaceFile(path, content);
+  } catch (const host_files::Unwritable& why) {
+    throw FileException("cannot write '" + path + "': " + why.what());
   }
-  replace(openFolderOf(target), target, content);
 }
 
 std::string motionFileName(const std::string& name) {

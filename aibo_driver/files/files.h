@@ -46,8 +46,8 @@ std::string pictureFolder(const std::string& chosen);
 /// @throw FileException the file cannot be read, or is not a whole motion; the message says why
 std::vector<std::uint8_t> loadMotion(const std::string& path);
 
-/// Writes a picture to a file, without its comments and application data (withoutComments()). On any error the old file
-/// stays as it was. Nobody ever sees half a file.
+/// Writes a picture to a file, without its comments and application data (withoutComments()). The file is whole or as
+/// it was (replace_file.h).
 ///
 /// Anybody who reaches the ROS master may call take_picture, and whoever plays the robot chooses the picture. So
 /// pictures only go into the folder for pictures, and only replace JPEGs.
@@ -59,11 +59,9 @@ std::vector<std::uint8_t> loadMotion(const std::string& path);
 ///   JPEG, the file exists and is not a JPEG, its folder does not exist, permission is missing, the disk is full, ...
 std::string saveJpeg(const std::string& folder, const std::string& path, const std::vector<std::uint8_t>& jpeg);
 
-/// Writes a file. On any error the old file stays as it was. Nobody ever sees half a file.
-/// @param path an absolute path, or a path relative to the working directory; a link is followed
-/// @throw FileException the path holds control characters, its folder does not exist, it is not a regular file,
-///   permission is missing, the disk is full, ...
-void replaceFile(const std::string& path, const std::vector<std::uint8_t>& content);
+/// Writes a file, which is whole or as it was (replace_file.h).
+/// @throw FileException the path holds control characters, or for the reasons of host_files::replaceFile()
+void replaceFile(const std::string& path, const std::string& content);
 
 /// The picture without the segments that programs ignore and in which anything could be hidden. These are comments, and
 /// application data other than a JFIF header without a thumbnail. Everything that makes up the image stays as it is.

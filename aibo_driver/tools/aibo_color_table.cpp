@@ -49,7 +49,7 @@ void makeTable(const options::variables_map& values) {
     return;
   }
   const auto& output = values["output"].as<std::string>();
-  aibo_driver::files::replaceFile(output, {yaml.begin(), yaml.end()});
+  aibo_driver::files::replaceFile(output, yaml);
   std::fprintf(stderr, "It is in %s.\n", output.c_str());
 }
 

@@ -1,7 +1,6 @@
 // Makes motion files from text, and prints motion files as text (docs/motions.md).
 #include <algorithm>
 #include <exception>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -11,6 +10,7 @@
 
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
+#include "host_files/replace_file.h"
 #include "motion_tool/archive.h"
 #include "motion_tool/motion_tool.h"
 
@@ -35,9 +35,10 @@ std::string readFile(const std::string& name) {
 }
 
 void writeFile(const std::string& name, const std::string& content) {
-  std::ofstream file(name, std::ios::binary);
-  if (!file.write(content.data(), static_cast<std::streamsize>(content.size())).flush()) {
-    throw std::runtime_error(name + " cannot be written");
+  try {
+    host_files::replaceFile(name, content);
+  } catch (const host_files::Unwritable& why) {
+    throw std::runtime_error(name + " cannot be written: " + why.what());
   }
 }
 

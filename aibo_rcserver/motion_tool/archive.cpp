@@ -1,11 +1,15 @@
 #include "motion_tool/archive.h"
 
+#include <dirent.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
+#include <cstring>
 #include <filesystem>
+#include <memory>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -13,6 +17,8 @@
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 #include "mtn/layout.h"
+
+#include "host_files/replace_file.h"
 
 namespace motion_tool {
 namespace {
@@ -63,17 +69,6 @@ void unpackContents(std::vector<ArchivedFile>& files) {
       throw std::runtime_error(fileNameOf(file) + " in the archive cannot be unpacked: " + why.what());
     }
     room -= file.content.size();
-  }
-}
-
-// Makes a new file instead of writing through a link.
-void write(const fs::path& path, const std::string& content) {
-  fs::remove(path);
-  std::FILE* const file = std::fopen(path.c_str(), "wbx");
-  const bool is_written = file != nullptr && std::fwrite(content.data(), 1, content.size(), file) == content.size();
-  const bool is_closed = file != nullptr && std::fclose(file) == 0;
-  if (!is_written || !is_closed) {
-    throw std::runtime_error(path.string() + " cannot be written");
   }
 }
 
@@ -137,8 +132,17 @@ void unpack(const std::vector<ArchivedFile>& files, const std::string& folder, b
     }
   }
   fs::create_directories(folder);
+  const std::unique_ptr<DIR, int (*)(DIR*)> opened(::opendir(folder.c_str()), ::closedir);
+  if (!opened) {
+    throw std::runtime_error(folder + " cannot be opened: " + std::strerror(errno));
+  }
   for (const ArchivedFile& file : files) {
-    write(fs::path(folder) / fileNameOf(file), file.content);
+    try {
+      host_files::replaceFile(::dirfd(opened.get()), fileNameOf(file),
+                              file.content);  // a link is replaced, not followed
+    } catch (const host_files::Unwritable& why) {
+      throw std::runtime_error((fs::path(folder) / fileNameOf(file)).string() + " cannot be written: " + why.what());
+    }
   }
 }
 

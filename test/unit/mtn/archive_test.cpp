@@ -243,7 +243,8 @@ TEST_F(AiboMtn, MakesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
   EXPECT_EQ(run(text + " " + file), clipped + "0");
   EXPECT_THAT(run(file), AllOf(HasSubstr("name HOP\n"), HasSubstr("head_pan 89.99998\n"), HasSubstr(clipped + "0")));
   EXPECT_THAT(run("--help"), AllOf(HasSubstr("usage:"), HasSubstr("folder; --force overwrites files there\n0")));
-  EXPECT_THAT(run(text + " /nowhere/x.mtn"), HasSubstr("/nowhere/x.mtn cannot be written\n1"));
+  EXPECT_THAT(run(text + " /nowhere/x.mtn"),
+              HasSubstr("/nowhere/x.mtn cannot be written: the folder /nowhere: No such file or directory\n1"));
 }
 
 TEST_F(AiboMtn, SaysWhatIsWrongAndFails) {
