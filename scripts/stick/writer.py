@@ -1,12 +1,15 @@
 """Builds the programs and writes the memory stick."""
 import os
 import re
-import shutil
 import subprocess
+import sys
 
 from . import Problem, debian, raise_any, sdk as sony
 from .binary import Program, read
-from .objects import PROGRAMS, STICK_FILES, robot_objects
+from .objects import PROGRAMS, SOURCES, STICK_FILES, robot_objects
+
+sys.path.append(str(SOURCES / "host_files"))
+from replace_file import replace_file  # noqa: E402
 
 
 def libjpeg_problems(libjpeg):
@@ -77,7 +80,7 @@ def write(sdk, model, programs, wlan_conf, output):
         _copy_folder(STICK_FILES / "MW", open_r / "MW", keep=("RCSERVER.CFG",))
         (open_r / "MW" / "OBJS").mkdir(exist_ok=True)
         for program in programs:
-            shutil.copyfile(str(program), str(open_r / "MW" / "OBJS" / program.name))
+            replace_file(open_r / "MW" / "OBJS" / program.name, program.read_bytes())
         notes = sony.notes_on_revision(open_r)
         notes += _write_wlan_conf(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT", wlan_conf)
         os.sync()
@@ -94,16 +97,13 @@ def _copy_folder(source, target, keep=()):
             copy.mkdir(parents=True, exist_ok=True)
         elif path.name not in keep or not copy.exists():
             copy.parent.mkdir(parents=True, exist_ok=True)
-            shutil.copyfile(str(path), str(copy))
+            replace_file(copy, path.read_bytes())
 
 
 def _write_wlan_conf(path, text):
     if text is not None:
-        if path.exists():
-            path.unlink()  # a new file gets new permissions
         # It has the WEP key, so on a disk only its owner may read it. A memory stick has no permissions.
-        with open(str(path), "wb", opener=lambda name, flags: os.open(name, flags, 0o600)) as file:
-            file.write(text.encode("ascii"))
+        replace_file(path, text.encode("ascii"), 0o600)
         return []
     if path.exists():
         return [f"{path} was not changed."]

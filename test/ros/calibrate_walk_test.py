@@ -3,12 +3,15 @@ import importlib.machinery
 import importlib.util
 import math
 import os
+import sys
 import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
-PROGRAM = Path(__file__).resolve().parents[2] / 'aibo_driver/tools/aibo_calibrate_walk'
+PROJECT = Path(__file__).resolve().parents[2]
+PROGRAM = PROJECT / 'aibo_driver/tools/aibo_calibrate_walk'
+sys.path.append(str(PROJECT / 'aibo_rcserver/host_files'))
 loader = importlib.machinery.SourceFileLoader('aibo_calibrate_walk', str(PROGRAM))
 program = importlib.util.module_from_spec(importlib.util.spec_from_loader('aibo_calibrate_walk', loader))
 loader.exec_module(program)
@@ -119,8 +122,11 @@ class CalibrateWalkTest(unittest.TestCase):
             Path(folder + '/.ros/walk_calibration.yaml').write_text('of: an earlier day\n', encoding='utf-8')
             with mock.patch.dict(os.environ, HOME=folder):
                 self.run_program(parameters)
-            with open(folder + '/.ros/walk_calibration.yaml', encoding='utf-8') as file:
-                self.assertEqual(program.yaml.safe_load(file), {**program.USUAL, 'walk_scale': 0.72})
+            text = Path(folder + '/.ros/walk_calibration.yaml').read_text(encoding='utf-8')
+            self.assertEqual(program.yaml.safe_load(text), {**program.USUAL, 'walk_scale': 0.72})
+            for size in range(1, len(text) - 1):
+                with self.assertRaises(program.yaml.YAMLError, msg='half of it is no calibration'):
+                    program.yaml.safe_load(text[:size])
             with self.assertRaises(OSError):
                 self.run_program(parameters, folder + '/missing/a.yaml')
             with self.assertRaises(OSError):
