@@ -1,6 +1,8 @@
 #include "node/camera/calibration.h"
 
 #include <camera_calibration_parsers/parse.h>
+#include <camera_calibration_parsers/parse_ini.h>
+#include <camera_calibration_parsers/parse_yml.h>
 #include <ros/console.h>
 #include <ros/package.h>
 
@@ -11,11 +13,13 @@
 #include <exception>
 #include <filesystem>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <system_error>
 
 #include "aibo_client/exceptions.h"
 #include "aibo_client/jpeg_inspector.h"
+#include "files/files.h"
 #include "node/camera/nominal_calibration.h"
 
 namespace aibo_driver::node {
@@ -145,23 +149,18 @@ std::string problemOf(const sensor_msgs::CameraInfo& info) {
   return {};
 }
 
-// writeCalibration() does not notice a full disk.
-bool saveCalibration(const CameraInfo& info, const std::string& camera_name, const std::string& file) {
-  const std::filesystem::path target = std::filesystem::weakly_canonical(file);  // a link stays one
-  // The parser goes by the extension.
-  const std::filesystem::path part = target.parent_path() / (".part_" + target.filename().string());
-  std::string name;
-  CameraInfo written;
-  std::error_code error;
-  if (camera_calibration_parsers::writeCalibration(part, camera_name, info) &&
-      camera_calibration_parsers::readCalibration(part, name, written)) {
-    std::filesystem::rename(part, target, error);
-    if (!error) {
-      return true;
-    }
+void saveCalibration(const CameraInfo& info, const std::string& camera_name, const std::string& file) {
+  const std::filesystem::path path = file;
+  const std::string ending = path.extension();
+  std::ostringstream text;
+  const bool is_known = ending == ".ini" ? camera_calibration_parsers::writeCalibrationIni(text, camera_name, info)
+                                         : (ending == ".yaml" || ending == ".yml") &&
+                                               camera_calibration_parsers::writeCalibrationYml(text, camera_name, info);
+  if (!is_known) {
+    throw files::FileException(file + " has to end in .yaml, .yml or .ini");
   }
-  std::filesystem::remove(part, error);
-  return false;
+  std::filesystem::create_directories(path.parent_path());
+  files::replaceFile(file, text.str());
 }
 
 Calibration::Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
@@ -229,9 +228,7 @@ std::string Calibration::store(const CameraInfo& info) {
     return "it is for pictures of " + sizeOf(info) + ", but the robot sends " + sizeOf(width, height);
   }
   try {
-    if (!saveCalibration(info, camera_name_, file_)) {
-      return file_ + " cannot be written";
-    }
+    saveCalibration(info, camera_name_, file_);
   } catch (const std::exception& error) {
     return error.what();
   }

@@ -76,10 +76,11 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
 /// @return the problem, for a message to the user; empty if there is none
 std::string problemOf(const sensor_msgs::CameraInfo& info);
 
-/// Writes a calibration to a file, whose folder is made if it is missing. On any error the old file stays as it was.
-/// @return false if it cannot be written, for example because the disk is full
-/// @throw std::filesystem::filesystem_error the path cannot be followed
-bool saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
+/// Writes a calibration to a file, which is whole or as it was (replace_file.h). Its folder is made if it is missing.
+/// @param file ends in .yaml, .yml or .ini
+/// @throw files::FileException the file ends otherwise, or cannot be written
+/// @throw std::filesystem::filesystem_error its folder cannot be made
+void saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
 
 }  // namespace aibo_driver::node
 

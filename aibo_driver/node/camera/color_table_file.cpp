@@ -120,18 +120,21 @@ ColorTable loadColorTable(const std::string& file) {
 
 std::string toYaml(const ColorTable& table) {
   std::ostringstream text;
-  text << "name: " << YAML::Dump(YAML::Node(table.name)) << "\nranges:\n";
+  text << "name: " << YAML::Dump(YAML::Node(table.name)) << "\nranges: [";
+  const char* separator = "\n";
   for (std::size_t first = 0; first < table.segments.size();) {
     std::size_t end = first + 1;
     while (end < table.segments.size() && table.segments[end] == table.segments[first]) {
       ++end;
     }
     if (const std::optional<ColorRange>& range = table.segments[first]) {
-      text << "- {y: [" << first * kYPerSegment << ", " << end * kYPerSegment - 1 << "], cr: [" << range->cr_min << ", "
-           << range->cr_max << "], cb: [" << range->cb_min << ", " << range->cb_max << "]}\n";
+      text << separator << "  {y: [" << first * kYPerSegment << ", " << end * kYPerSegment - 1 << "], cr: ["
+           << range->cr_min << ", " << range->cr_max << "], cb: [" << range->cb_min << ", " << range->cb_max << "]}";
+      separator = ",\n";
     }
     first = end;
   }
+  text << "\n]\n";  // without its last bracket, a file that was cut off is no YAML
   return text.str();
 }
 

@@ -1,13 +1,14 @@
 #include "node/camera/calibration.h"
 
+#include <camera_calibration_parsers/parse.h>
 #include <gmock/gmock.h>
 #include <ros/package.h>
-#include <sys/resource.h>
 
-#include <csignal>
 #include <cstdint>
 
 #include "aibo_client/exceptions.h"
+#include "files/files.h"
+#include "support/full_disk.h"
 #include "support/good_calibration.h"
 #include "support/temporary_folder.h"
 
@@ -66,20 +67,32 @@ TEST(CalibrationFile, OfAUrlThatNamesNoneIsRefused) {
 TEST(CalibrationFile, StaysAsItWasIfTheDiskIsFull) {
   const test_support::TemporaryFolder folder;
   const std::string file = folder.path("eye.yaml").string();
-  ASSERT_TRUE(saveCalibration(goodCalibration(), "left", file));
+  saveCalibration(goodCalibration(), "left", file);
   const auto size = std::filesystem::file_size(file);
-  const auto before = std::signal(SIGXFSZ, SIG_IGN);  // then writing fails, as on a full disk
-  rlimit limit{};
-  ::getrlimit(RLIMIT_FSIZE, &limit);
-  const rlimit full = {100, limit.rlim_max};
-  ::setrlimit(RLIMIT_FSIZE, &full);
-  const bool is_saved = saveCalibration(goodCalibration(), "right", file);
-  ::setrlimit(RLIMIT_FSIZE, &limit);
-  std::signal(SIGXFSZ, before);
-  EXPECT_FALSE(is_saved);
+  {
+    const test_support::FullDisk full;
+    EXPECT_THROW(saveCalibration(goodCalibration(), "right", file), files::FileException);
+  }
   EXPECT_EQ(std::filesystem::file_size(file), size);
   const std::filesystem::directory_iterator files(folder.path());
   EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing else is left";
+}
+
+TEST(CalibrationFile, IsNotReadIfItWasCutOff) {
+  const test_support::TemporaryFolder folder;
+  const std::string file = folder.path("new/eye.yaml").string();
+  saveCalibration(goodCalibration(), "left", file);
+  std::string name;
+  CameraInfo info;
+  EXPECT_TRUE(camera_calibration_parsers::readCalibration(file, name, info));
+  for (auto size = std::filesystem::file_size(file) - 2; size > 0; --size) {
+    std::filesystem::resize_file(file, size);
+    EXPECT_FALSE(camera_calibration_parsers::readCalibration(file, name, info)) << size;
+  }
+}
+
+TEST(CalibrationFile, OfAnotherKindIsRefused) {
+  EXPECT_THROW(saveCalibration(goodCalibration(), "left", "/nowhere/eye.txt"), files::FileException);
 }
 
 TEST(Calibration, OfEveryModelAndSizeIsAccepted) {

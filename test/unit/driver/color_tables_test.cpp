@@ -21,9 +21,10 @@ using ::testing::Pair;
 
 constexpr char kPink[] =
     "name: pink\n"
-    "ranges:\n"
-    "- {y: [0, 159], cr: [150, 230], cb: [120, 190]}\n"
-    "- {y: [160, 255], cr: [160, 230], cb: [120, 190]}\n";
+    "ranges: [\n"
+    "  {y: [0, 159], cr: [150, 230], cb: [120, 190]},\n"
+    "  {y: [160, 255], cr: [160, 230], cb: [120, 190]}\n"
+    "]\n";
 
 std::string tableRefusal(const std::string& text) {
   return test_support::refusalOf<ColorTableException>([&] { parseColorTable(text, "FILE"); });
@@ -36,7 +37,8 @@ TEST(ColorTableFile, HasRangesForStepsOfBrightness) {
   EXPECT_EQ(table.segments[19], (ColorRange{150, 230, 120, 190}));
   EXPECT_EQ(table.segments[20], (ColorRange{160, 230, 120, 190}));
   EXPECT_EQ(table.segments[31], (ColorRange{160, 230, 120, 190}));
-  const ColorTable corrected = parseColorTable(kPink + std::string("- {y: [8, 15], cr: [1, 2], cb: [3, 4]}\n"), "FILE");
+  const ColorTable corrected = parseColorTable(
+      "name: a\nranges:\n- {y: [0, 255], cr: [0, 1], cb: [0, 1]}\n- {y: [8, 15], cr: [1, 2], cb: [3, 4]}\n", "FILE");
   EXPECT_EQ(corrected.segments[1], (ColorRange{1, 2, 3, 4})) << "the last range counts";
 }
 
@@ -50,6 +52,13 @@ TEST(ColorTableFile, IsWrittenAsItIsRead) {
   const ColorTable again = parseColorTable(toYaml(gaps), "FILE");
   EXPECT_EQ(again.name, gaps.name);
   EXPECT_EQ(again.segments, gaps.segments);
+}
+
+TEST(ColorTableFile, IsRefusedIfItWasCutOff) {
+  const std::string whole = kPink;
+  for (std::size_t size = 0; size < whole.size() - 1; ++size) {
+    EXPECT_NE(tableRefusal(whole.substr(0, size)), "") << size;
+  }
 }
 
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
