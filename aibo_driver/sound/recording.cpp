@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sndfile.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -34,8 +35,10 @@ Recording::Recording(const std::string& path, const aibo_client::MicrophoneSetti
   info.format = SF_FORMAT_WAV | SF_FORMAT_PCM_16;
   file_.reset(::sf_open_fd(descriptor, SFM_WRITE, &info, SF_TRUE));
   if (!file_) {
+    ::unlink(path.c_str());
     throw FileException("cannot write '" + path + "': " + ::sf_strerror(nullptr));
   }
+  ::sf_command(file_.get(), SFC_SET_UPDATE_HEADER_AUTO, nullptr, SF_TRUE);
 }
 
 void Recording::add(const aibo_client::HeardSound& sound) {

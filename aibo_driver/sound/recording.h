@@ -13,7 +13,8 @@
 namespace aibo_driver::sound {
 
 /// Writes what the robot hears to a WAV file. Sound that is missing becomes silence, so that all that follows is in
-/// time.
+/// time. The file is a whole one after each part, so nothing of it is lost if the disk is full or the program is
+/// killed.
 class Recording {
  public:
   /// @param path of a file that does not exist yet; its folder does

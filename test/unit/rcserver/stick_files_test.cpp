@@ -1,11 +1,9 @@
 #include "file_keeper/StickFiles.h"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "motion_bytes.h"
+#include "support/full_disk.h"
 #include "support/memory_stick.h"
 
 namespace {
@@ -70,6 +68,16 @@ TEST_F(FilesOnTheStick, AnUploadFollowsNoLink) {
   EXPECT_FALSE(std::filesystem::is_symlink(folder_ / "HOP.MTN"));
 }
 
+TEST_F(FilesOnTheStick, WhatAResetHasLeftIsNoMotionAndDoesNotBlock) {
+  for (const char* name : {"UPLOAD.TMP", "RESERVE.TMP"}) {
+    stick_.write(std::string(DATA_FOLDER) + "/" + name, "half");
+  }
+  EXPECT_THAT(listed(), testing::IsEmpty());
+  EXPECT_TRUE(store("HOP.MTN", "new"));
+  EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "new");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "UPLOAD.TMP"));
+}
+
 TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
   std::string content;
@@ -99,18 +107,12 @@ TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
   EXPECT_EQ(read("LINK.MTN", &content), FileResult::FAILED);
 }
 
-// A limit on the size of files acts like a full memory stick: writing fails halfway.
 TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {
   EXPECT_TRUE(store("HOP.MTN", "old"));
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, SIG_IGN);
-  const rlimit small = {100, before.rlim_max};
-  setrlimit(RLIMIT_FSIZE, &small);
-  const bool is_stored = store("HOP.MTN", std::string(60000, 'x'));
-  setrlimit(RLIMIT_FSIZE, &before);
-  std::signal(SIGXFSZ, SIG_DFL);
-  EXPECT_FALSE(is_stored);
+  {
+    const test_support::FullDisk full;
+    EXPECT_FALSE(store("HOP.MTN", std::string(60000, 'x')));
+  }
   EXPECT_THAT(inFolder(), testing::ElementsAre("HOP.MTN"));
   EXPECT_EQ(fileContent(folder_ / "HOP.MTN"), "old");
 }

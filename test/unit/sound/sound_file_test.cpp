@@ -8,6 +8,7 @@
 
 #include "files/files.h"
 #include "sound/recording.h"
+#include "support/full_disk.h"
 #include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -192,6 +193,22 @@ TEST_F(SoundFileTest, ALongGapIsAsLongInARecording) {
   sound.samples = {1};
   recording.add(sound);
   EXPECT_EQ(40002.0 / 16000, recording.seconds());
+}
+
+TEST_F(SoundFileTest, ARecordingIsAWholeFileAtEachMoment) {
+  Recording recording(path("heard.wav"), {true, 1, 16000});
+  aibo_client::HeardSound sound;
+  sound.channels = 1;
+  sound.samples_per_second = 16000;
+  sound.samples = {1, 2};
+  recording.add(sound);
+  EXPECT_THAT(readAll("heard.wav"), testing::ElementsAre(1, 2));
+  sound.samples.resize(16000);
+  {
+    const test_support::FullDisk full;
+    EXPECT_THROW(recording.add(sound), aibo_driver::files::FileException);
+  }
+  EXPECT_THAT(readAll("heard.wav"), testing::SizeIs((100 - 44) / 2));
 }
 
 TEST_F(SoundFileTest, ARecordingReplacesNoFile) {

@@ -80,31 +80,26 @@ std::vector<OSoundSampleStereo16> readWav(const std::string& path) {
   return samples;
 }
 
-WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary), is_pipe_(file_.tellp() < 0) {
-  writeHeader();
+WavWriter::WavWriter(const std::string& path) : file_(path, std::ios::binary) {
+  writeHeader(kEndless);
   if (!file_.flush()) {
     throw SoundError(path + ": cannot be written");
   }
 }
 
 WavWriter::~WavWriter() {
-  if (!is_pipe_) {
-    file_.seekp(0);
-    writeHeader();
+  if (file_.seekp(0)) {  // not in a pipe
+    writeHeader(size_);
   }
 }
 
 void WavWriter::write(const openr_host::SpeakerFrame& samples) {
-  file_.write(reinterpret_cast<const char*>(samples.data()), sizeof(samples));
+  file_.write(reinterpret_cast<const char*>(samples.data()), sizeof(samples)).flush();
   size_ += static_cast<std::uint32_t>(sizeof(samples));
-  if (is_pipe_) {
-    file_.flush();
-  }
 }
 
-void WavWriter::writeHeader() {
+void WavWriter::writeHeader(std::uint32_t size) {
   const auto put = [this](const auto& value) { file_.write(reinterpret_cast<const char*>(&value), sizeof(value)); };
-  const std::uint32_t size = is_pipe_ ? kEndless : size_;
   file_.write("RIFF", 4);
   put(static_cast<std::uint32_t>(size + kHeaderSize - 8));
   file_.write("WAVEfmt ", 8);

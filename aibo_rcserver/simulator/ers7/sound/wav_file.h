@@ -25,8 +25,8 @@ class SoundError : public std::runtime_error {
 /// @throw SoundError the file has another format or cannot be read
 std::vector<OSoundSampleStereo16> readWav(const std::string& path);
 
-/// Writes the speaker's sound to a mono WAV file, which is complete when this object is destroyed. A pipe gets the
-/// sound at once, so that a program can play it.
+/// Writes the speaker's sound to a mono WAV file, or to a pipe, so that a program can play it at once. The header of a
+/// file tells the size when this object is destroyed. Until then, as in a pipe, the sound ends where the file ends.
 class WavWriter {
  public:
   /// @throw SoundError the file cannot be written
@@ -38,10 +38,9 @@ class WavWriter {
   void write(const openr_host::SpeakerFrame& samples);
 
  private:
-  void writeHeader();
+  void writeHeader(std::uint32_t size);
 
   std::ofstream file_;
-  const bool is_pipe_;
   std::uint32_t size_ = 0;  ///< bytes of samples
 };
 
