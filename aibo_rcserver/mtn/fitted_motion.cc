@@ -10,6 +10,7 @@
 namespace mtn {
 
 using robot_model::Coupling;
+using robot_model::CouplingRow;
 using robot_model::Joint;
 using robot_model::MAX_EARS;
 using robot_model::NO_EAR;
@@ -174,8 +175,8 @@ void FittedMotion::measureClips() {
   }
 }
 
-// The follower's way is straight, and its limit changes only at the ends of the coupling's rows. So it is farthest
-// below its limit at such an end, or just beyond it.
+// Both ways are straight. So while the leader passes a row and the gaps beside it, the follower is farthest below the
+// row's limit at the beginning or the end.
 void FittedMotion::measureOnTheWay(const int* from, const int* to, int begin, int duration) {
   for (int i = 0; i < robot_->number_of_couplings; ++i) {
     const Coupling& coupling = robot_->couplings[i];
@@ -184,14 +185,13 @@ void FittedMotion::measureOnTheWay(const int* from, const int* to, int begin, in
     if (leader == NO_JOINT || follower == NO_JOINT) {
       continue;
     }
-    for (int end = 0; end < 4 * coupling.number_of_rows; ++end) {
-      const robot_model::CouplingRow& row = coupling.rows[end / 4];
-      const int ends[] = {row.from - 1, row.from, row.to, row.to + 1};
-      const int at = ends[end % 4];
+    for (int end = 1; end < 2 * coupling.number_of_rows - 1; ++end) {
+      const CouplingRow* const row = &coupling.rows[end / 2];
+      const int at = end % 2 == 0 ? std::min(row[0].from, row[-1].to) : std::max(row[0].to, row[1].from);
       if (at > std::min(from[leader], to[leader]) && at < std::max(from[leader], to[leader])) {
         const double passed = static_cast<double>(at - from[leader]) / (to[leader] - from[leader]);
         const double position = from[follower] + passed * (to[follower] - from[follower]);
-        noteClip(coupling.follower, coupledLowest(coupling, at) - position, begin + passed * duration);
+        noteClip(coupling.follower, row->lowest - position, begin + passed * duration);
       }
     }
   }
