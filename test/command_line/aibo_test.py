@@ -623,9 +623,10 @@ class Asked(TestCase):
             b"", flood=lambda i: version2_frame(b"f", struct.pack(
                 ">IIHHBBH", (2 * i - 999) % 2**32, 8 * i, 208, 160, 1, 0, 0) + jpeg),  # every second image
             answers={b"T": [[b"\0\4", measured(S={66: 876000})]], b"W": [[b"\1\0\0\1"]]}))
-        *_, battery, stream, _ = self.json("doctor", "--seconds", "1", port=port, status=FAILED)["findings"]
+        report = self.json("doctor", "--seconds", "1", port=port, status=FAILED)
+        *_, battery, stream, _ = report["findings"]
         self.assertEqual(battery, {"topic": "battery", "good": True, "text": "88 % charged", "advice": ""})
-        self.assertRegex(stream["text"], r"\d\d\.\d pictures/s .* loss [4-9]\d\.\d %$")
+        self.assertGreater(report["stream"]["loss"], 0.4)
         self.assertFalse(stream["good"])
 
     def test_a_robot_that_falls_silent_is_bad(self):
