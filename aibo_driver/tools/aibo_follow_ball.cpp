@@ -15,6 +15,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "node/node.h"
 #include "text/plain_text.h"
@@ -95,7 +96,7 @@ class FollowBall {
   }
 
   void end(const std::string& why) {
-    mask_.shutdown();  // nothing moves from now on
+    mask_.shutdown();  // no command follows
     ROS_WARN_STREAM("The robot does not follow the ball any more: " << why << ". To go on: rosrun aibo_driver "
                                                                     << "aibo_follow_ball"
                                                                     << (walks_ ? " _walk:=true" : ""));
@@ -105,7 +106,9 @@ class FollowBall {
   // Without masks there are no commands, and then the driver stops the robot.
   void receiveMask(const sensor_msgs::Image::ConstPtr& mask) {
     if (const std::string& problem = state_problem_.empty() ? motion_problem_ : state_problem_; !problem.empty()) {
-      ROS_INFO_STREAM_ONCE("The robot cannot follow the ball yet: " << problem << ".");
+      if (problem != std::exchange(told_problem_, problem)) {
+        ROS_INFO_STREAM("The robot cannot follow the ball yet: " << problem << ".");
+      }
       return;
     }
     has_begun_ = true;
@@ -144,9 +147,11 @@ class FollowBall {
 
   const bool walks_;  // false: it moves only the head
   bool has_begun_ = false;
-  std::string state_problem_;   // why it cannot begin; empty if it can
-  std::string motion_problem_;  // the same
-  int last_seen_on_ = 1;        // -1 means on the right
+  // Why it cannot begin; empty if it can.
+  std::string state_problem_ = "robot_state has not come";
+  std::string motion_problem_ = "motion_state has not come";
+  std::string told_problem_;  // the last of them that was logged
+  int last_seen_on_ = 1;      // -1 means on the right
   ros::Publisher velocities_;
   ros::Publisher points_;
   ros::Subscriber others_points_;

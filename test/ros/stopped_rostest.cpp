@@ -164,6 +164,27 @@ TEST_F(FollowBall, BeginsWhenTheMotorsAreOnAndNothingElseMovesTheRobotButAWalkLe
   EXPECT_TRUE(follows());
 }
 
+TEST(FollowTheBall, BeginsOnlyWhenTheDriverHasToldWhatMovesTheRobot) {
+  Process node({AIBO_FOLLOW_BALL, "__ns:=/untold", "_walk:=true"});
+  TopicPublishers driver("/untold");
+  TopicListener<Twist> steps("/untold/cmd_vel");
+  sensor_msgs::Image mask;
+  mask.encoding = "rgb8";
+  driver.publish("color_mask", mask);
+  node.waitForOutput("cannot follow the ball yet: robot_state has not come", kSafetyNet);
+  driver.publish("robot_state", RobotState());
+  EXPECT_TRUE(DriverUser::becomesTrue([&] {
+    driver.publish("color_mask", mask);
+    return node.output().find("cannot follow the ball yet: motion_state has not come") != std::string::npos;
+  }));
+  EXPECT_EQ(steps.count(), 0U);
+  driver.publish("motion_state", aibo_driver::MotionState());
+  EXPECT_TRUE(DriverUser::becomesTrue([&] {
+    driver.publish("color_mask", mask);
+    return steps.count() > 0;
+  }));
+}
+
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
   FakeDriver driver("/stares");
   TopicListener<LookAtResult> results("/stares/look_at_result");
