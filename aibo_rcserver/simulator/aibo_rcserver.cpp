@@ -79,7 +79,7 @@ po::options_description describe(Options& options) {
     ("no-console", po::bool_switch(&options.no_console), "disable the wireless console")
     ("protocol-version", po::value(&options.protocol_version)->default_value(protocol::version2::VERSION),
      "newest version of the protocol that the RCServer speaks; with 1 it answers like a server of 2005 or 2006")
-    ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick()),
+    ("memory-stick", po::value(&options.memory_stick)->default_value(ownMemoryStick(), "its own"),
      "folder with the content of the robot's memory stick")
     ("robot", po::value(&options.robot.design)->default_value("ERS-7"),
      "model of the simulated robot: ERS-7, or ERS-210, which has that robot's joints, sensors, LEDs and ears")
