@@ -10,6 +10,7 @@
 #include "camera/jpeg_decoder.h"
 #include "files/files.h"
 #include "node/camera/color_table_file.h"
+#include "text/sentence.h"
 #include "tools/color_table_maker.h"
 
 namespace {
@@ -44,6 +45,7 @@ void makeTable(const options::variables_map& values) {
   std::fprintf(stderr, "The table contains %.1f %% of the region and %.1f %% of the rest of the picture.\n",
                100 * coverage.inside, 100 * coverage.outside);
   const std::string yaml = aibo_driver::node::toYaml(table);
+  aibo_driver::node::parseColorTable(yaml, "the table");  // refuses a name that could not be loaded
   if (values.count("output") == 0) {
     std::cout << yaml;
     return;
@@ -81,7 +83,7 @@ int main(int argc, char** argv) {
     makeTable(values);
     return 0;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "aibo_color_table: %s.\n", error.what());
+    std::fprintf(stderr, "aibo_color_table: %s\n", aibo_driver::text::sentence(error.what()).c_str());
     return 1;
   }
 }

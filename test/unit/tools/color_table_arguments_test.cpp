@@ -1,0 +1,55 @@
+// What aibo_color_table says of arguments that it cannot use.
+
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "support/process.h"
+#include "support/safety_net.h"
+#include "support/temporary_folder.h"
+#include "support/test_pictures.h"
+
+namespace {
+
+using ::testing::HasSubstr;
+
+TEST(ColorTableProgram, SaysWhichArgumentIsWrong) {
+  const test_support::TemporaryFolder folder;
+  const test_pictures::Bytes jpeg = test_pictures::make();
+  folder.write("a.jpg", std::string(jpeg.begin(), jpeg.end()));
+  const std::string picture = folder.path("a.jpg").string();
+  const std::string absent = folder.path("absent/b").string();
+  const std::string region = "--region=0,0,8,8";
+  const struct {
+    std::vector<std::string> arguments;
+    const char* problem;
+  } rows[] = {
+      {{picture, "--region=0,0,8"}, "--region is '0,0,8'; it has to be LEFT,TOP,WIDTH,HEIGHT in pixels"},
+      {{picture, "--region=0,0,8,8,8"}, "--region is '0,0,8,8,8'; it has to be"},
+      {{picture, "--region=0,0,8,8mm"}, "--region is '0,0,8,8mm'; it has to be"},
+      {{picture, "--region=-1,0,8,8"}, "the region -1,0,8,8 is not within the picture, which has 208x160 pixels"},
+      {{picture, "--region=0,0,0,8"}, "the region 0,0,0,8 is not within the picture"},
+      {{picture, "--region=0,153,8,8"}, "the region 0,153,8,8 is not within the picture"},
+      {{picture, "--region=0,0,3,5"}, "the region has 15 pixels; it must have at least 16"},
+      {{picture, region, "--margin=-1"}, "--margin is -1; it must be 0..127"},
+      {{picture, region, "--margin=128"}, "--margin is 128; it must be 0..127"},
+      {{picture, region, "--margin=few"}, "the argument ('few') for option '--margin' is invalid"},
+      {{picture, region, "--name=" + std::string(65, 'a')}, "a name of 1 to 64 bytes, without control characters"},
+      {{picture, region, "--output=" + absent}, "absent does not exist"},
+      {{picture, region, "--output=" + folder.path().string()}, "that is not a regular file"},
+      {{absent, region}, "there is no such file"},
+      {{folder.path().string(), region}, "it is not a regular file"},
+      {{picture, picture, region}, "too many positional options"},
+      {{picture, region, "--fast"}, "unrecognised option '--fast'"},
+  };
+  for (const auto& row : rows) {
+    std::vector<std::string> command{AIBO_COLOR_TABLE};
+    command.insert(command.end(), row.arguments.begin(), row.arguments.end());
+    test_support::Process program(command);
+    EXPECT_EQ(program.waitForExit(test_support::kSafetyNet), 1) << row.problem;
+    EXPECT_THAT(program.output(), HasSubstr(row.problem));
+  }
+}
+
+}  // namespace
