@@ -255,6 +255,17 @@ class StepsTest(unittest.TestCase):
         self.demo(status=1)
         self.assertEqual(self.started('roslaunch')[0], [])
 
+    def test_ends_when_a_node_does_not_start(self):
+        for line, said in (('ERROR: cannot launch node of type [aibo_driver/aibo_room]: Cannot locate node',
+                            'cannot launch node of type [aibo_driver/aibo_room]'),
+                           ('local launch of aibo_driver/aibo_room failed', 'launch of aibo_driver/aibo_room failed'),
+                           ('\x1b[31m[aibo_room-4] process has died [pid 7, exit code 1, cmd x].\x1b[0m',
+                            '[aibo_room-4] process has died')):
+            with self.subTest(line):
+                self.play('roslaunch', PLAYS['roslaunch'].replace("print('a node says something'", f'print({line!r}'))
+                errors = self.demo(status=1)
+                self.assertIn(f'a node did not start, or has ended with an error: {said}', errors)
+
     def test_ctrl_c_ends_it_at_any_time(self):
         self.play('rosservice', "(home / 'asked').touch()\nsys.exit('no picture yet')")
         child, terminal = pty.fork()
