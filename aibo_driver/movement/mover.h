@@ -160,8 +160,8 @@ class Mover {
   /// @name Ends
   /// @{
 
-  /// Ends everything that moves the robot, and refuses all orders until release().
-  /// @throw NetworkException, TimeoutException, StoppedException, CommandException the robot could not be told; all
+  /// Ends everything that moves the robot, and refuses all orders but the posture rest until release().
+  /// @throw NetworkException, TimeoutException, StoppedException, CommandException the robot could not be told; the
   ///   orders are refused nevertheless
   void stop(const Order& by);
 

@@ -262,7 +262,7 @@ void AiboDriver::stayStopped() {
   try {
     mover_.stop({*node, std::chrono::steady_clock::now()});
   } catch (const aibo_client::Exception&) {
-    // There is no connection yet, but from now on no order moves the robot.
+    // There is no connection yet, but from now on no order but rest moves the robot.
   }
 }
 
@@ -271,7 +271,7 @@ void AiboDriver::letItGetUp(const std::string& source) {
   constexpr bool kOneShot = true;
   constexpr bool kAutostart = false;
   const auto stand = [this, source](const ros::SteadyTimerEvent&) {
-    ROS_INFO("The robot has fallen, and gets up.");
+    ROS_INFO("The robot has fallen, and is told to get up.");
     mover_.takePosture({source, std::chrono::steady_clock::now()}, aibo_client::Posture::kStand);
   };
   get_up_timer_ =

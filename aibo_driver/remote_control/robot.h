@@ -56,7 +56,7 @@ struct RobotCondition {
 
   Motors motors = Motors::kNotKnown;
   Posture posture = Posture::kNotKnown;
-  bool is_stopped = false;  ///< nothing moves the robot until it is released
+  bool is_stopped = false;  ///< until it is released, only rest moves the robot
   QString stopped_by;       ///< the node that called stop
 };
 
@@ -109,7 +109,7 @@ class Robot : public QObject {
   /// Says which parts somebody looks at. At first these are none.
   virtual void show(const std::set<Part>& parts) = 0;
 
-  /// Immediately stops everything that moves, and holds it until release(). It waits for no other call.
+  /// Immediately stops everything that moves, and holds it until release() or rest. It waits for no other call.
   virtual void stop() = 0;
 
   /// Lets the robot move again after a stop.
