@@ -69,7 +69,7 @@ std::string eachLineAfter(const std::string& prefix, const std::string& text) {
 }
 
 void make(const std::string& source, const std::string& target) {
-  std::istringstream text(readFile(source));
+  const std::string text = readFile(source);
   std::string bytes;
   try {
     bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));

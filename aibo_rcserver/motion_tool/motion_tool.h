@@ -3,7 +3,6 @@
 #ifndef AIBO_RCSERVER_MOTION_TOOL_MOTION_TOOL_H
 #define AIBO_RCSERVER_MOTION_TOOL_MOTION_TOOL_H
 
-#include <istream>
 #include <string>
 #include <vector>
 
@@ -38,8 +37,9 @@ struct KeyFrameMotion {
 ///
 /// A `#` begins a comment. Joints and degrees may continue on the lines below their `at`. The first key frame names all
 /// joints of the motion. The ears left_ear and right_ear have states instead of degrees: whole numbers such as 0 and 1.
+/// @param text the bytes of the file, as any editor writes them (protocol::textInFile())
 /// @throw std::runtime_error lists all mistakes, one "line 3: ..." per line
-KeyFrameMotion parseTextForm(std::istream& text);
+KeyFrameMotion parseTextForm(const std::string& text);
 
 /// Prints a motion in the text form. encodeMtn() makes the same key frames from it. Every key frame names all joints; a
 /// joint that the robot lacks is named by its locator. The robot is that of robotOf(), or else the file's design.

@@ -263,8 +263,10 @@ std::string forTerminal(std::string line) {
   return line;
 }
 
-KeyFrameMotion parseTextForm(std::istream& text) {
-  return Parser().parse(text);
+KeyFrameMotion parseTextForm(const std::string& text) {
+  const protocol::Text shown = protocol::textInFile(text.data(), text.size());
+  std::istringstream lines(std::string(shown.begin, shown.size));
+  return Parser().parse(lines);
 }
 
 std::string printTextForm(const mtn::Motion& motion) {

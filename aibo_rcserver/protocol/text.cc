@@ -188,6 +188,19 @@ size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit) {
   return limit;
 }
 
+Text textInFile(const char* bytes, size_t size) {
+  static const char BYTE_ORDER_MARK[] = {'\xef', '\xbb', '\xbf'};
+  Text text = {bytes, size};
+  if (size >= sizeof(BYTE_ORDER_MARK) && memcmp(bytes, BYTE_ORDER_MARK, sizeof(BYTE_ORDER_MARK)) == 0) {
+    text.begin += sizeof(BYTE_ORDER_MARK);
+    text.size -= sizeof(BYTE_ORDER_MARK);
+  }
+  while (text.size > 0 && memchr(" \t\r\n\x1a", text.begin[text.size - 1], 5) != NULL) {
+    --text.size;
+  }
+  return text;
+}
+
 const char* readMotionName(const char* text, size_t size, MotionName& name) {
   return readFileName(MOTION_NAME, text, size, name);
 }

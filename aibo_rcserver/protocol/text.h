@@ -1,5 +1,6 @@
 /// @file text.h
-/// Texts in both versions: UTF-8 without hidden characters, and names of files on the memory stick.
+/// Texts in both versions: UTF-8 without hidden characters, and names of files on the memory stick. And texts in files
+/// that people edit.
 #ifndef AIBO_RCSERVER_PROTOCOL_TEXT_H
 #define AIBO_RCSERVER_PROTOCOL_TEXT_H
 
@@ -15,6 +16,16 @@ bool isPlainText(const char* bytes, size_t size);
 
 /// The largest size up to `limit` at which a well-formed text can be cut between characters.
 size_t sizeOfWholeCharacters(const char* bytes, size_t size, size_t limit);
+
+/// A part of somebody else's bytes; not zero-terminated.
+struct Text {
+  const char* begin;
+  size_t size;
+};
+
+/// What an editor shows of a text file: without the byte order mark of UTF-8, which some editors put at the beginning,
+/// and without white space and DOS' end of file (0x1a) at the end. Each reader of a file that people edit uses this.
+Text textInFile(const char* bytes, size_t size);
 
 /// In characters: "WALK_FWD.MTN".
 const size_t MAX_FILE_NAME_SIZE = 12;

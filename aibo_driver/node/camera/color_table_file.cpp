@@ -86,7 +86,8 @@ ColorTable parseColorTable(const std::string& text, const std::string& source) {
   }
   YAML::Node file;
   try {
-    file = YAML::Load(text);
+    const protocol::Text shown = protocol::textInFile(text.data(), text.size());
+    file = YAML::Load(std::string(shown.begin, shown.size));
   } catch (const YAML::Exception& error) {  // the library's text may quote the file, which may be any file
     throw ColorTableException(source + ": it is not YAML: see its line " + std::to_string(error.mark.line + 1) + ".");
   }

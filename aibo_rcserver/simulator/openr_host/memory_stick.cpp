@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host_files/regular_file.h"
+#include "protocol/text.h"
 
 namespace openr_host {
 namespace {
@@ -178,8 +179,9 @@ bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& nam
 std::istringstream openConfiguration(const std::string& path) {
   constexpr std::size_t kLongest = 1'000'000;  // bytes
   try {
-    const std::vector<unsigned char> text = host_files::readRegularFile(path, kLongest);
-    return std::istringstream(std::string(text.begin(), text.end()));
+    const std::vector<unsigned char> bytes = host_files::readRegularFile(path, kLongest);
+    const protocol::Text text = protocol::textInFile(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return std::istringstream(std::string(text.begin, text.size));
   } catch (const host_files::Unreadable& why) {
     throw std::runtime_error(path + ": cannot be read: " + why.what());
   }

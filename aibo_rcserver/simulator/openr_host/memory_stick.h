@@ -48,7 +48,7 @@ std::filesystem::path findOnMemoryStick(const std::filesystem::path& folder, con
 /// True if findOnMemoryStick() would find it.
 bool isOnMemoryStick(const std::filesystem::path& folder, const std::string& name);
 
-/// The text of a configuration file.
+/// The text of a configuration file, whatever editor wrote it (protocol::textInFile()).
 /// @throw std::runtime_error it is no regular file, too long, or cannot be read; the text names it
 std::istringstream openConfiguration(const std::string& path);
 

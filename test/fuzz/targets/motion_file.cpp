@@ -25,9 +25,8 @@ void readEverything(const mtn::Motion& motion) {
 
 // Texts in other character sets, or with `#` or blanks in them, are changed; everything else stays.
 void printAndReadAgain(const mtn::Motion& motion) {
-  std::istringstream text(motion_tool::printTextForm(motion));
   try {
-    motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+    motion_tool::encodeMtn(motion_tool::parseTextForm(motion_tool::printTextForm(motion)));
   } catch (const std::runtime_error&) {
   }
 }

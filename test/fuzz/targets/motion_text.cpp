@@ -1,5 +1,4 @@
 // The text form of motions: any text. An accepted text makes an accepted motion file.
-#include <sstream>
 #include <stdexcept>
 
 #include "fuzz_input.h"
@@ -7,7 +6,7 @@
 #include "mtn/motion.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  std::istringstream text(FuzzInput(data, size).takeText(size));
+  const std::string text = FuzzInput(data, size).takeText(size);
   std::string bytes;
   try {
     bytes = motion_tool::encodeMtn(motion_tool::parseTextForm(text));

@@ -61,6 +61,17 @@ TEST(ColorTableFile, IsRefusedIfItWasCutOff) {
   }
 }
 
+// Of Notepad, of an editor under DOS, and of one that writes Latin-1.
+TEST(ColorTableFile, IsReadWhateverEditorWroteIt) {
+  for (const char* const text :
+       {"\xef\xbb\xbfname: pink # sch\xc3\xb6n\r\nranges: [{y: [0, 7], cr: [1, 2], cb: [3, 4]}]\r\n",
+        "name: pink\r\nranges: [{y: [0, 7], cr: [1, 2], cb: [3, 4]}]\r\n\x1a",
+        "# \xfc\x1a\x85\xff\nname: pink\nranges: [{y: [0, 7], cr: [1, 2], cb: [3, 4]}]"}) {
+    EXPECT_EQ(tableRefusal(text), "") << text;
+    EXPECT_EQ(parseColorTable(text, "FILE").segments[0], (ColorRange{1, 2, 3, 4})) << text;
+  }
+}
+
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
   EXPECT_THAT(tableRefusal("{"), HasSubstr("FILE: it is not YAML"));
   EXPECT_THAT(tableRefusal("name: a\n\tkey: b"), HasSubstr("see its line 2."));

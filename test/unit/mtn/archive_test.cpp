@@ -218,8 +218,8 @@ TEST_F(AiboMtn, UnpacksAnArchive) {
 
 // A memory stick of Sony's software is gzipped at any of its levels.
 TEST_F(AiboMtn, ReadsGzippedFiles) {
-  std::istringstream text("name HOP\nrobot ERS-7\nat 0 tail_pan 0\nat 800 tail_pan 50\n");
-  const std::string motion = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+  const std::string motion = motion_tool::encodeMtn(
+      motion_tool::parseTextForm("name HOP\nrobot ERS-7\nat 0 tail_pan 0\nat 800 tail_pan 50\n"));
   const std::pair<const char*, std::string> rows[] = {
       {"plain.mtn", motion}, {"gzipped.mtn", gzipped(motion)}, {"cut.mtn", gzipped(motion).substr(0, 40)}};
   for (const auto& [name, content] : rows) {

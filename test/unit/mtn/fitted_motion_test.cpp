@@ -25,8 +25,7 @@ class FittedMotionOfAnErs7 : public ::testing::Test {
 
   /// Fits a motion in text form to an ERS-7.
   bool fit(const std::string& key_frames, bool leave_out = false, const std::string& robot = "ERS-7") {
-    std::istringstream text("robot " + robot + "\n" + key_frames);
-    bytes_ = motion_tool::encodeMtn(motion_tool::parseTextForm(text));
+    bytes_ = motion_tool::encodeMtn(motion_tool::parseTextForm("robot " + robot + "\n" + key_frames));
     EXPECT_TRUE(motion_.read(reinterpret_cast<const unsigned char*>(bytes_.data()), bytes_.size()))
         << motion_.problem();
     return fitted_.fit(motion_, robot_, leave_out);

@@ -7,8 +7,7 @@ namespace {
 // A motion in text form, with another robot's name in its file.
 struct MotionOf {
   explicit MotionOf(const std::string& key_frames, const std::string& design = "DRX-1000") {
-    std::istringstream text("robot ERS-7\n" + key_frames);
-    motion_tool::KeyFrameMotion content = motion_tool::parseTextForm(text);
+    motion_tool::KeyFrameMotion content = motion_tool::parseTextForm("robot ERS-7\n" + key_frames);
     content.design = design;
     bytes = motion_tool::encodeMtn(content);
     EXPECT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();

@@ -10,15 +10,15 @@ namespace {
 
 const char* const kMotions[] = {"LIE", "NOD", "WAG", "SIT"};
 
-std::string fileOf(const std::string& name) {
-  std::ifstream stream(MOTIONS "/" + name + ".MTN", std::ios::binary);
+std::string fileOf(const std::string& path) {
+  std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
 TEST(ShippedMotions, AreMadeFromTheirSources) {
   for (const std::string name : kMotions) {
-    std::ifstream source(MOTION_SOURCES "/" + name + ".txt");
-    EXPECT_EQ(fileOf(name), motion_tool::encodeMtn(motion_tool::parseTextForm(source)))
+    const std::string source = fileOf(MOTION_SOURCES "/" + name + ".txt");
+    EXPECT_EQ(fileOf(MOTIONS "/" + name + ".MTN"), motion_tool::encodeMtn(motion_tool::parseTextForm(source)))
         << name << ": make it again: docs/motions.md";
   }
 }

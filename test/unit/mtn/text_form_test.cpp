@@ -14,8 +14,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 KeyFrameMotion parse(const std::string& text) {
-  std::istringstream stream(text);
-  return motion_tool::parseTextForm(stream);
+  return motion_tool::parseTextForm(text);
 }
 
 std::string problemOf(const std::string& text) {
@@ -51,6 +50,19 @@ TEST(TextForm, IsParsed) {
   EXPECT_THAT(motion.key_frames[1].positions, ElementsAre(-17453, 357792));
   EXPECT_EQ(motion.key_frames[2].milliseconds, 160);
   EXPECT_EQ(motion.key_frames[2].positions, motion.key_frames[1].positions);
+}
+
+// Of Notepad, of an editor under DOS, and of one that writes Latin-1.
+TEST(TextForm, IsParsedWhateverEditorWroteIt) {
+  const std::string nod = "name NOD\nrobot ERS-7\nat 0 head_pan 0\nat 320 head_pan 10";
+  const std::string rows[] = {
+      "\xef\xbb\xbfname NOD\r\nrobot ERS-7\r\nat 0 head_pan 0 # gr\xc3\xbcn\r\nat 320 head_pan 10\r\n",
+      "name NOD\r\nrobot ERS-7\r\nat 0 head_pan 0\r\nat 320 head_pan 10\r\n\x1a",
+      "# \xfc\x04\x1a\x85\nname NOD\nrobot ERS-7\n#\xff\nat 0 head_pan 0\nat 320 head_pan 10#" + std::string(1, '\0'),
+  };
+  for (const std::string& text : rows) {
+    EXPECT_EQ(motion_tool::encodeMtn(parse(text)), motion_tool::encodeMtn(parse(nod))) << text;
+  }
 }
 
 TEST(TextForm, NamesTheEarsAndTheirStates) {
@@ -103,6 +115,10 @@ TEST(TextForm, NamesTheLineOfAMistake) {
   const std::string begin = "robot ERS-7\nat 0 head_pan 1\n";
   EXPECT_EQ(problemOf(begin), "");
   EXPECT_THAT(problemOf("robot ERS-7\nat 16 head_pan 1\n"), HasSubstr("line 2: the first key frame must be at 0 ms"));
+  EXPECT_THAT(problemOf("\xef\xbb\xbf" + begin + "n\xc3\xbc 1\n"),
+              HasSubstr("line 3: an ERS-7 has no joint \"n\xc3\xbc\""));
+  EXPECT_THAT(problemOf(begin + "\x1a\nat 16\n"), HasSubstr("line 3: \x1a has no angle"));
+  EXPECT_THAT(problemOf(begin + "at 16 head_pan 1\xc2\xb0\n"), HasSubstr("line 3: \"1\xc2\xb0\" is not a number"));
   EXPECT_THAT(problemOf(begin + "at 0\n"), HasSubstr("line 3: the key frames are not in the order"));
   EXPECT_THAT(problemOf(begin + "at 32\nat 16\n"), HasSubstr("line 4: the key frames are not in the order"));
   EXPECT_THAT(problemOf(begin + "at 16 head_pan\n"), HasSubstr("line 3: head_pan has no angle"));

@@ -73,6 +73,29 @@ TEST(PlainText, IsCutBetweenCharacters) {
   }
 }
 
+TEST(TextInAFile, IsWhatAnEditorShowsOfIt) {
+  const std::string mark = "\xef\xbb\xbf";
+  const std::string rows[][2] = {
+      {"", ""},
+      {mark, ""},
+      {"\x1a", ""},
+      {mark + "a b\r\n", "a b"},
+      {"a\r\n\x1a", "a"},
+      {"\n a\x1a\r\n\x1a\x1a", "\n a"},
+      {"a\x1a"
+       "b",
+       "a\x1a"
+       "b"},
+      {mark + mark + "a", mark + "a"},
+      {"\xef\xbb", "\xef\xbb"},
+  };
+  for (const auto& [file, text] : rows) {
+    const Bytes bytes = bytesOf(file);  // memory of exactly its size
+    const Text found = textInFile(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    EXPECT_EQ(std::string(found.begin, found.size), text) << file;
+  }
+}
+
 // The name that was read, or what is wrong with it. The text lies in memory of exactly its size.
 std::string read(const std::string& text) {
   const Bytes bytes = bytesOf(text);

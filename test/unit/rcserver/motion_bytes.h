@@ -12,8 +12,7 @@
 
 /// A motion file made from its text form (docs/motions.md), for an ERS-7 unless the text names another robot.
 inline std::string motionBytes(const std::string& text) {
-  std::istringstream stream("robot ERS-7\n" + text);
-  return motion_tool::encodeMtn(motion_tool::parseTextForm(stream));
+  return motion_tool::encodeMtn(motion_tool::parseTextForm("robot ERS-7\n" + text));
 }
 
 inline std::string fileContent(const std::string& path) {
