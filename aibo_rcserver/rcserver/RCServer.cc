@@ -228,7 +228,7 @@ void RCServer::ListenCont(ANTENVMSG msg) {
   }
   connection->Accepted(*answer);
   if (!settings_.allowed_addresses.Allow(connection->ClientAddress())) {
-    TurnAway(connection, "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it");
+    TurnAwayByAddress(connection);
   } else if (power_down_.IsOrdered()) {
     TurnAway(connection, "the robot goes off");
   } else if (client_ == NULL) {
@@ -473,6 +473,14 @@ void RCServer::AdmitNewcomer() {
   Connection* const newcomer = newcomer_;
   newcomer_ = NULL;
   Admit(newcomer);
+}
+
+void RCServer::TurnAwayByAddress(Connection* newcomer) {
+  char reason[64 + MAX_SETTINGS_FAULT_SIZE] = "ALLOWED_ADDRESSES in RCSERVER.CFG does not name it";
+  if (settings_.fault[0] != '\0') {
+    sprintf(reason, "RCSERVER.CFG is ignored: %s", settings_.fault);
+  }
+  TurnAway(newcomer, reason);
 }
 
 void RCServer::TurnAwayWhileBusy(Connection* newcomer) {

@@ -133,6 +133,7 @@ class RCServer : public OObject {
   void NewcomerReceived(const TCPEndpointReceiveMsg& answer);
   void CheckNewcomer();
   void AdmitNewcomer();
+  void TurnAwayByAddress(Connection* newcomer);
   void TurnAwayWhileBusy(Connection* newcomer);
   void CloseNewcomer(Connection* newcomer, bool abort);
   void TurnAway(Connection* newcomer, const char* reason);

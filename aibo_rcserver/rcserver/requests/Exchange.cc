@@ -32,7 +32,11 @@ bool Exchange::IsAllowed(const char* setting) {
   const bool is_allowed = settings_.Allows(setting);
   if (!is_allowed) {
     char text[MAX_ERROR_TEXT_SIZE];
-    sprintf(text, "this is not allowed; %s=yes in RCSERVER.CFG on the memory stick allows it", setting);
+    if (settings_.fault[0] != '\0') {
+      sprintf(text, "this is not allowed, because RCSERVER.CFG on the memory stick is ignored: %s", settings_.fault);
+    } else {
+      sprintf(text, "this is not allowed; %s=yes in RCSERVER.CFG on the memory stick allows it", setting);
+    }
     Refuse(CODE_REFUSED, text);
   }
   return is_allowed;

@@ -3,8 +3,11 @@
 #include <OPENR/OSyslog.h>
 #include <ctype.h>
 #include <dirent.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <algorithm>
 
 #include "protocol/text.h"
 
@@ -34,80 +37,102 @@ const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
 }
 
-// Some editors put a byte order mark in front of a file.
-void SkipByteOrderMark(FILE* file) {
-  char begin[3];
-  if (fread(begin, 1, sizeof(begin), file) != sizeof(begin) || memcmp(begin, "\xef\xbb\xbf", sizeof(begin)) != 0) {
-    rewind(file);
+// The size of a character at which some editors show a new line, although it ends no line here; 0 if there is none.
+// Besides those of ASCII, these are NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
+size_t SizeOfUnclearLineEnd(const char* text, const char* end) {
+  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 6) != NULL) {
+    return 1;
   }
+  if (*text == '\x85') {
+    return (text[-1] & 0x80) == 0 ? 1 : 0;  // otherwise it is a part of a character of UTF-8
+  }
+  if (end - text >= 2 && memcmp(text, "\xc2\x85", 2) == 0) {
+    return 2;
+  }
+  return end - text >= 3 && (memcmp(text, "\xe2\x80\xa8", 3) == 0 || memcmp(text, "\xe2\x80\xa9", 3) == 0) ? 3 : 0;
 }
 
-// Reads lines NAME=VALUE into settings. Accepts the line ends of all systems.
+bool IsLetter(char character) {
+  return character == '_' || (toupper(character) >= 'A' && toupper(character) <= 'Z');
+}
+
+// True for NAME=, whatever the name.
+bool BeginsLikeSetting(const char* text, const char* end) {
+  while (text < end && (*text == ' ' || *text == '\t')) {
+    ++text;
+  }
+  const char* const name = text;
+  while (text < end && IsLetter(*text)) {
+    ++text;
+  }
+  const bool has_name = text > name;
+  while (text < end && (*text == ' ' || *text == '\t')) {
+    ++text;
+  }
+  return has_name && text < end && *text == '=';
+}
+
+// True if an editor may show a part of the comment as a line of its own, which may be meant to keep others out.
+bool HidesSetting(const char* comment, const char* end) {
+  for (const char* text = comment; text < end; ++text) {
+    const size_t size = SizeOfUnclearLineEnd(text, end);
+    if (size > 0 && BeginsLikeSetting(text + size, end)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Reads lines NAME=VALUE into settings.
 class Reader {
  public:
-  explicit Reader(Settings* settings) : settings_(*settings), number_(0), last_(0), is_text_(true) {
-    memset(is_set_, 0, sizeof(is_set_));
-  }
+  explicit Reader(Settings* settings) : settings_(*settings) { memset(is_set_, 0, sizeof(is_set_)); }
 
-  // Reads the next line. False at the end of the file.
-  bool Next(FILE* file);
+  // Applies a line. Returns its problem, or NULL.
+  const char* Read(const char* begin, const char* end);
 
-  // The line's number, from 1.
-  int Number() const { return number_; }
-
-  // The line in capitals, without its comment.
+  // The line in capitals, without its comment, and with a '?' for each byte that the console should not get.
   const char* Line() const { return line_; }
 
-  // Applies the line's setting. Returns the problem, or NULL.
-  const char* Set();
-
  private:
+  bool TakeLine(const char* begin, const char* end);
+  const char* Set();
   const char* ReadValue(int setting, const char* value);
   const char* ReadSeconds(const char* value);
 
   Settings& settings_;
-  int number_;
-  int last_;      // character
-  bool is_text_;  // the line, also its comment
   char line_[MAX_SETTINGS_LINE_SIZE + 1];
   bool is_set_[NUMBER_OF_SETTINGS];
 };
 
-bool Reader::Next(FILE* file) {
-  int character = getc(file);
-  if (character == '\n' && last_ == '\r') {
-    character = getc(file);
+const char* Reader::Read(const char* begin, const char* end) {
+  const char* const comment = std::find(begin, end, '#');
+  if (!TakeLine(begin, comment)) {
+    return "it has a character that is not ASCII outside of a comment, or more than 1023 characters";
   }
-  if (character == EOF) {
-    return false;
+  if (HidesSetting(comment, end)) {
+    return "some editors show a setting in its comment on a line of its own";
   }
-  ++number_;
-  is_text_ = true;
-  size_t size = 0;
-  bool is_comment = false;
-  for (; character != EOF && character != '\n' && character != '\r'; character = getc(file)) {
-    is_comment = is_comment || character == '#';
-    is_text_ = is_text_ && (character == '\t' || (character >= ' ' && character <= '~')) &&
-               (is_comment || size < MAX_SETTINGS_LINE_SIZE);
-    if (!is_comment && size < MAX_SETTINGS_LINE_SIZE) {
-      line_[size] = static_cast<char>(toupper(character));
-      ++size;
-    }
+  return Set();
+}
+
+// False if the line has characters that no setting has, or too many.
+bool Reader::TakeLine(const char* begin, const char* end) {
+  while (end > begin && (end[-1] == ' ' || end[-1] == '\t')) {
+    --end;
   }
-  last_ = character;
-  while (size > 0 && isspace(static_cast<unsigned char>(line_[size - 1]))) {
-    --size;
+  bool is_plain = end - begin <= static_cast<ptrdiff_t>(MAX_SETTINGS_LINE_SIZE);
+  char* out = line_;
+  for (; begin < end && out < line_ + MAX_SETTINGS_LINE_SIZE; ++begin) {
+    const bool is_known = *begin == '\t' || (*begin >= ' ' && *begin <= '~');
+    is_plain = is_plain && is_known;
+    *out++ = static_cast<char>(is_known ? toupper(*begin) : '?');
   }
-  line_[size] = '\0';
-  return true;
+  *out = '\0';
+  return is_plain;
 }
 
 const char* Reader::Set() {
-  if (!is_text_) {
-    // Some editors show a new line at a form feed, NEL or U+2028, which is not a line end here. So a setting could be
-    // hidden in a comment. NEL and U+2028 begin with a byte above 0x7f in every encoding.
-    return "it has a character that is not ASCII or is a control character, or more than 1023 characters";
-  }
   const char* const name = SkipSpaces(line_);
   const size_t name_size = strcspn(name, " \t=");
   const char* const value = SkipSpaces(name + name_size);
@@ -154,9 +179,10 @@ const char* Reader::ReadSeconds(const char* value) {
   return NULL;
 }
 
-// The settings when the file has a wrong line, which may have been meant to keep others out.
-void MakeSafe(Settings* settings) {
+// The settings when the file has a fault, which may have been meant to keep others out.
+void MakeSafe(Settings* settings, const char* fault) {
   *settings = Settings();
+  sprintf(settings->fault, "%.*s", static_cast<int>(MAX_SETTINGS_FAULT_SIZE), fault);
   settings->motors_at_boot = false;
   settings->allow_sound = false;
   settings->allowed_addresses.AllowOnlyThisComputer();
@@ -168,6 +194,32 @@ class OnConsole : public SettingsProblems {
     OSYSLOG1((osyslogERROR, "RCServer: %s, line %d: %s", SETTINGS_FILE, line, text));
   }
 };
+
+// The line ends of all systems count.
+const char* EndOfLine(const char* text, const char* end) {
+  while (text < end && *text != '\r' && *text != '\n') {
+    ++text;
+  }
+  return text;
+}
+
+const char* NextLine(const char* line_end, const char* end) {
+  const bool has_two = end - line_end >= 2 && line_end[0] == '\r' && line_end[1] == '\n';
+  return line_end == end ? end : line_end + (has_two ? 2 : 1);
+}
+
+// Reads an open file. Returns false if that is not possible.
+bool ReadFile(FILE* file, Settings* settings) {
+  char* const bytes = static_cast<char*>(malloc(MAX_SETTINGS_FILE_SIZE + 1));
+  const size_t size = bytes != NULL ? fread(bytes, 1, MAX_SETTINGS_FILE_SIZE + 1, file) : 0;
+  const bool is_whole = bytes != NULL && size <= MAX_SETTINGS_FILE_SIZE && !ferror(file);
+  if (is_whole) {
+    OnConsole problems;
+    readSettings(bytes, size, settings, problems);
+  }
+  free(bytes);
+  return is_whole;
+}
 
 // The name of SETTINGS_FILE without its folder.
 const char* SettingsFileName() {
@@ -235,24 +287,27 @@ bool Settings::Allows(const char* setting) const {
   return setting == NULL;
 }
 
-void readSettings(FILE* file, Settings* settings, SettingsProblems& problems) {
+void readSettings(const char* bytes, size_t size, Settings* settings, SettingsProblems& problems) {
+  const protocol::Text text = protocol::textInFile(bytes, size);
+  const char* const end = text.begin + text.size;
   Reader reader(settings);
-  bool is_safe = true;
-  SkipByteOrderMark(file);
-  while (reader.Next(file)) {
-    if (const char* problem = reader.Set()) {
-      char text[256];
-      sprintf(text, "%s, so nothing is allowed: \"%.60s\"", problem, reader.Line());
-      problems.Report(reader.Number(), text);
-      is_safe = false;
+  char first_fault[MAX_SETTINGS_FAULT_SIZE + 1] = "";
+  int number = 0;
+  for (const char* line = text.begin; line < end;) {
+    ++number;
+    const char* const line_end = EndOfLine(line, end);
+    if (const char* problem = reader.Read(line, line_end)) {
+      char report[256];
+      sprintf(report, "%s, so nothing is allowed: \"%.60s\"", problem, reader.Line());
+      problems.Report(number, report);
+      if (first_fault[0] == '\0') {
+        sprintf(first_fault, "line %d: %.100s", number, problem);
+      }
     }
+    line = NextLine(line_end, end);
   }
-  if (ferror(file)) {
-    problems.Report(reader.Number() + 1, "it cannot be read, so nothing is allowed");
-    is_safe = false;
-  }
-  if (!is_safe) {
-    MakeSafe(settings);
+  if (first_fault[0] != '\0') {
+    MakeSafe(settings, first_fault);
   }
 }
 
@@ -261,21 +316,22 @@ Settings readSettingsFile(const HostSettings& host) {
   char path[MAX_PATH_SIZE];
   char name[64];
   FILE* file = pathOnMemoryStick(host, SETTINGS_FILE, path) ? host.open_to_read(path) : NULL;
+  const bool is_read = file != NULL && ReadFile(file, &settings);
   if (file != NULL) {
-    OnConsole problems;
-    readSettings(file, &settings, problems);
     fclose(file);
-  } else if (FindInFolder(host, IsSettingsFile, name)) {  // opening it cannot tell whether the file exists
-    MakeSafe(&settings);
-    OSYSLOG1((osyslogERROR, "RCServer: %s cannot be read; only 127.0.0.1 may connect", SETTINGS_FILE));
-  } else {
+  }
+  if (!is_read && (file != NULL || FindInFolder(host, IsSettingsFile, name))) {
+    MakeSafe(&settings, "it cannot be read, or has more than 64 KB");
+    OSYSLOG1(
+        (osyslogERROR, "RCServer: %s cannot be read, or has more than 64 KB, so nothing is allowed", SETTINGS_FILE));
+  } else if (file == NULL) {
     OSYSPRINT(
         ("RCServer: no %s on the memory stick: upload, delete, pictures on it, listening, shutting down and "
          "rebooting are not allowed\n",
          SETTINGS_FILE));
   }
   if (FindInFolder(host, IsLookAlike, name)) {
-    MakeSafe(&settings);
+    MakeSafe(&settings, "there is another file beside it whose name begins with RCSERV");
     OSYSLOG1((osyslogERROR, "RCServer: %s has another file, %s, which is not read; rename it to %s or remove it",
               SETTINGS_FOLDER, protocol::isPlainText(name, strlen(name)) ? name : "RCSERVER...", SettingsFileName()));
   }

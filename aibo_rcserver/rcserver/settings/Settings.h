@@ -4,7 +4,6 @@
 #define AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H
 
 #include <stddef.h>
-#include <stdio.h>
 
 #include "objects/HostSettings.h"
 #include "rcserver/settings/AllowedAddresses.h"
@@ -15,6 +14,12 @@ const char SETTINGS_FILE[] = "OPEN-R/MW/CONF/RCSERVER.CFG";
 
 /// Longest line that is accepted, without its comment.
 const size_t MAX_SETTINGS_LINE_SIZE = 1023;
+
+/// Longest file that is read, in bytes.
+const size_t MAX_SETTINGS_FILE_SIZE = 65536;
+
+/// Longest Settings::fault.
+const size_t MAX_SETTINGS_FAULT_SIZE = 119;
 
 /// The constructor sets the defaults, which allow nothing dangerous.
 struct Settings {
@@ -28,7 +33,9 @@ struct Settings {
         allow_reboot(false),
         motors_at_boot(true),
         power_monitor(true),
-        silent_client_seconds(10) {}
+        silent_client_seconds(10) {
+    fault[0] = '\0';
+  }
 
   /// True if this setting is yes.
   /// @param setting the name in the file of one that is yes or no; NULL: always true
@@ -45,6 +52,8 @@ struct Settings {
   bool power_monitor;                  ///< POWER_MONITOR: pause button and low battery switch the robot off
   AllowedAddresses allowed_addresses;  ///< ALLOWED_ADDRESSES
   unsigned silent_client_seconds;      ///< SILENT_CLIENT_SECONDS, 1..3600: after this time, a client counts as silent
+  /// Why the file is ignored and only 127.0.0.1 may connect: "line 2: it is neither yes nor no". Otherwise empty.
+  char fault[MAX_SETTINGS_FAULT_SIZE + 1];
 };
 
 /// Receives the problems in the file, line by line.
@@ -57,15 +66,16 @@ class SettingsProblems {
   virtual void Report(int line, const char* text) = 0;
 };
 
-/// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, case does not matter, and the
-/// line ends of all systems are accepted. If any line is wrong, the whole file is ignored, because that line may have
-/// been a restriction. Then only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all
-/// other settings have their defaults.
-void readSettings(FILE* file, Settings* settings, SettingsProblems& problems);
+/// Reads lines of the form NAME=VALUE. Empty lines and comments after a # are skipped, and case does not matter. Any
+/// editor may have written the text (protocol::textInFile()): the line ends of all systems are accepted, and comments
+/// have any characters. If any line is wrong, the whole file is ignored, because that line may have been a restriction.
+/// Then only 127.0.0.1 may connect, clients play no sound, the motors are off at boot, and all other settings have
+/// their defaults. A line is also wrong if an editor may show a setting in its comment on a line of its own.
+void readSettings(const char* bytes, size_t size, Settings* settings, SettingsProblems& problems);
 
 /// Reads RCSERVER.CFG from the memory stick. The console shows each wrong line and who may connect. Without the file,
-/// the defaults hold. An unreadable file, or another file there whose name begins with RCSERVER, counts as a wrong
-/// line.
+/// the defaults hold. A file that is unreadable or too long, or another file there whose name begins with RCSERVER,
+/// counts as a wrong line.
 Settings readSettingsFile(const HostSettings& host);
 
 #endif  // AIBO_RCSERVER_RCSERVER_SETTINGS_SETTINGS_H

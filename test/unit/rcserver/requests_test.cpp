@@ -259,6 +259,13 @@ TEST_F(Requests, AreRefusedUnlessTheOwnerAllowsThem) {
   }
 }
 
+TEST_F(Requests, AreRefusedWithTheWrongLineWhileTheFileIsIgnored) {
+  for (const RequestNotAllowed& row : kNotAllowed) {
+    expectRefusal(answerOfNewRobot(std::string(kEverything) + "#\nALLOW_EVERYTHING=yes", row.kind, row.id, row.payload),
+                  CODE_REFUSED, "RCSERVER.CFG on the memory stick is ignored: line 8: there is no such setting");
+  }
+}
+
 TEST_F(Requests, ThatAreCarriedOutAreThoseOfTheHello) {
   EXPECT_THAT(textOf(answerOfNewRobot("", 'H', 0, "")),
               HasSubstr("capabilities=H F W J V T O I L K G Z B P N A S E\n"));
