@@ -26,7 +26,7 @@ bool Call::cancels(const Call& other) const {
 }
 
 void Call::dropFrom(CommandOutbox* commands) const {
-  const std::string reason = "the robot was told to " + describe(*this) + " before it was sent";
+  const std::string reason = "the robot was told to " + describe(*this) + " before this request was sent";
   if (has(version2::STOPS_ROBOT) || has(version2::TAKES_OVER_JOINTS)) {
     commands->stopJoints(joints, reason);
   }

@@ -128,25 +128,25 @@ void CommandOutbox::command(JointCommand newer) {
   const bool takes_legs = std::any_of(newer.targets.begin(), newer.targets.end(),
                                       [](const JointTarget& target) { return isOfLeg(target.id); });
   if (takes_legs) {
-    drop(&steering, RefusalCause::kReplaced, "the legs were commanded before it was sent");
+    drop(&steering, RefusalCause::kReplaced, "a command to the legs came before this one was sent");
   }
   std::vector<JointCommand> replaced = joints.add(std::move(newer));
   replaced.erase(std::remove_if(replaced.begin(), replaced.end(),
                                 [](const JointCommand& command) { return command.terms.number == 0; }),
                  replaced.end());
-  drop(replaced, RefusalCause::kReplaced, "newer commands took all its joints before it was sent");
+  drop(replaced, RefusalCause::kReplaced, "newer commands took all joints of this one before it was sent");
 }
 
 void CommandOutbox::steer(const SteeringCommand& newer) {
   const bool is_zero = newer.velocity.isZero();
   if (!is_zero) {
-    drop(joints.takeJoints(isOfLeg), RefusalCause::kReplaced, "the robot was told to walk before it was sent");
+    drop(joints.takeJoints(isOfLeg), RefusalCause::kReplaced, "a walk was commanded before this was sent");
   }
   for (std::optional<SteeringCommand>* const older : {&steering, is_zero ? &let_go : &steering}) {
     if (*older && (*older)->terms.number == 0) {
       older->reset();
     }
-    drop(older, RefusalCause::kReplaced, "another velocity came before it was sent");
+    drop(older, RefusalCause::kReplaced, "another velocity came before this one was sent");
   }
   (is_zero ? let_go : steering) = newer;
 }

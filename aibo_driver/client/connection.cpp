@@ -67,9 +67,9 @@ void Connection::add(Call call) {
   reportDropped();
   calls.failIf([&call](const Call& other) { return !other.wasSent() && call.cancels(other); },
                [&](const Call& other) {
-                 const std::string told = "was told to " + describe(call) + " before it was ";
-                 tellRefused(other, RefusalCause::kStopped, "the robot " + told + "sent");
-                 return CommandException(context.address + " " + told + "asked to " + describe(other) + ".");
+                 const std::string told = "was told to " + describe(call) + " before ";
+                 tellRefused(other, RefusalCause::kStopped, "the robot " + told + "this request was sent");
+                 return CommandException(context.address + " " + told + "it was asked to " + describe(other) + ".");
                });
   calls.add(std::move(call));
 }

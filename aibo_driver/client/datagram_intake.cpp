@@ -10,7 +10,7 @@ namespace aibo_client {
 namespace version2 = protocol::version2;
 
 void DatagramIntake::begin(const Start& start, TimePoint now) {
-  DatagramIntake next(*context_);  // it knows nothing of the request before
+  DatagramIntake next(*context_);  // without the state of the previous request
   next.warned_ = warned_;
   next.on_ = next.used_ = true;
   next.waits_until_ = now + kConfirmation;
@@ -182,8 +182,7 @@ std::string DatagramIntake::problem(TimePoint now, std::chrono::milliseconds ext
     return "";
   }
   if (now < datagram_.deadline(kSilence + extra_interval)) {
-    return "datagrams come, but no good picture; so many of them are lost, or somebody sends others in the robot's "
-           "name";
+    return "datagrams come, but no good picture: too many are lost, or somebody else sends some in the robot's name";
   }
   return "no datagram has come for 1 s, while TCP works; a firewall, a NAT or a tunnel between robot and computer does "
          "not let UDP through";

@@ -18,9 +18,8 @@ Fault Fault::nameNotFound(const std::string& host, const std::string& detail) {
 }
 
 Fault Fault::refused(const std::string& address) {
-  return Fault(
-      FaultKind::kRefused, address + " refused the connection",
-      "Is the RCServer running there, is this its port, and is no other client connected? It serves one at a time.");
+  return Fault(FaultKind::kRefused, address + " refused the connection",
+               "Is the RCServer running there on this port, or is another client connected? It serves one at a time.");
 }
 
 Fault Fault::unreachable(const std::string& address, const std::string& detail) {
@@ -54,12 +53,12 @@ Fault Fault::silent(const std::string& address, std::chrono::milliseconds limit)
 Fault Fault::unanswered(const std::string& address, const std::string& request, std::chrono::milliseconds limit) {
   return Fault(FaultKind::kSilent,
                address + " did not answer " + request + " within " + std::to_string(limit.count()) + " ms",
-               "Is the robot still on and within reach of its WLAN, and is the time allowed long enough?");
+               "Is the robot still on and within reach of its WLAN, and is the allowed time long enough?");
 }
 
 Fault Fault::protocol(const std::string& address, const std::string& detail) {
   return Fault(FaultKind::kProtocol, address + " does not speak the RCServer's protocol: " + detail,
-               "Is it really an RCServer that listens there?");
+               "Is the program that listens there really an RCServer?");
 }
 
 Fault Fault::internal(const std::string& detail) {

@@ -69,7 +69,7 @@ bool PictureIntake::deliverFromStream(const PicturePtr& picture, TimePoint now) 
   if (!streaming_) {
     ++context_.counters.unexpected_pictures;
     if (now - off_since_ > kStopTime) {
-      throw ProtocolException("it goes on sending pictures although it was told to stop, or was never asked");
+      throw ProtocolException("it sends pictures although it was told to stop, or was never asked for any");
     }
     return false;
   }

@@ -252,7 +252,7 @@ void JointPlan::checkWaiting(const Job& newer) const {
     const auto waits = [&](const Job& each) { return !each.run && !newer.replaces(each) && is_meant(each); };
     if (std::count_if(jobs_.begin(), jobs_.end(), waits) >= static_cast<std::ptrdiff_t>(most)) {
       throw aibo_client::InvalidArgumentException(std::to_string(most) + " trajectories" + whose +
-                                                  " wait for their time already, and no more may wait");
+                                                  " already wait for their start, and no more are accepted");
     }
   };
   for (const std::string& joint : newer.request.joints) {
@@ -261,7 +261,7 @@ void JointPlan::checkWaiting(const Job& newer) const {
   check(kMostWaiting, "", [](const Job&) { return true; });
 }
 
-// Trajectories that run start later by the time for which the caller was held up.
+// Shifts the beginning of running trajectories by the time for which the caller stalled.
 void JointPlan::resume(SteadyTime now) {
   const steady_clock::duration gap = now - std::exchange(advanced_, now);
   for (Job& job : jobs_) {

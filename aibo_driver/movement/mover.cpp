@@ -241,7 +241,7 @@ Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
 void Mover::requireRoom(Kind kind) const {
   if (idsOf([kind](const Record& each) { return each.movement.kind == kind; }).size() >= kMostOfAKind) {
     throw CommandException(std::to_string(kMostOfAKind) +
-                           " others of its kind have not ended yet, and no more may begin.");
+                           " others of this kind have not ended yet, and no more are accepted.");
   }
 }
 

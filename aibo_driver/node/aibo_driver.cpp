@@ -23,7 +23,7 @@ namespace {
 // Calls of stop and of motors do not wait for each other.
 constexpr int kStopThreads = 2;
 
-// Callers of take_picture hold up no posture, and get a refusal at once when too many wait. A new posture ends the one
+// Callers of take_picture delay no posture, and get a refusal at once when too many wait. A new posture ends the one
 // before it, so it must not wait until that one has answered.
 constexpr int kPoolThreads = kMostPictureCalls + 4;
 
@@ -33,10 +33,10 @@ constexpr double kReportPeriod = 1.0;  // s
 
 constexpr double kAtOnce = 0.01;  // s; a timer needs some time
 
-// Whoever connects to this process and says nothing keeps a descriptor of it, and without one it accepts nobody.
-// Systems begin with a limit of 1024, and let a process raise it.
+// A connection on which nothing is said takes a descriptor of this process, and without a free descriptor it accepts no
+// other. The usual limit is 1024, and a process may raise it.
 void raiseDescriptorLimit() {
-  constexpr rlim_t kEnough = 65536;  // one address has fewer ports to connect from
+  constexpr rlim_t kEnough = 65536;  // one address cannot make more connections
   rlimit limit = {};
   if (::getrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur < kEnough) {
     limit.rlim_cur = std::min(limit.rlim_max, kEnough);
@@ -266,7 +266,7 @@ void AiboDriver::stayStopped() {
   }
 }
 
-// The robot is told by a thread that may wait for its answer.
+// A thread that may wait for the robot's answer stops the robot.
 void AiboDriver::letItGetUp(const std::string& source) {
   constexpr bool kOneShot = true;
   constexpr bool kAutostart = false;
@@ -288,7 +288,7 @@ void AiboDriver::refused(const aibo_client::Refusal& refusal) {
   mover_.refused(refusal);
   if (refusal.request == Request::kSpeedLimits || refusal.request == Request::kLeds ||
       refusal.request == Request::kEars || refusal.request == Request::kMicrophone) {
-    movement_warnings_.warn("The robot did not do what it was told: " + text::sentence(refusal.reason));
+    movement_warnings_.warn("The robot refused a request: " + text::sentence(refusal.reason));
   }
 }
 
@@ -355,7 +355,7 @@ void AiboDriver::report() {
 }
 
 void AiboDriver::publishTelemetry(const aibo_client::Telemetry& telemetry) {
-  // All telemetry tells us the robot's clock, even if nobody listens.
+  // All telemetry shows the robot's clock, even if nobody listens.
   telemetry_stamper_.stamp(telemetry);
   measured_joints_.update(telemetry);
   telemetry_.publish(telemetry);

@@ -172,8 +172,8 @@ void DriverDiagnostics::summarizeStream(DiagnosticStatusWrapper& status) const {
   const camera::LinkMeter::Reading& reading = period_.stream;
   if (period_.damaged > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(period_.damaged) +
-                                               " damaged pictures dropped: is the RCServer on the robot the one that "
-                                               "belongs to this driver, and its memory stick in order?");
+                                               " damaged pictures dropped: does the RCServer on the robot belong to "
+                                               "this driver, and is its memory stick in order?");
   } else if (reading.pictures > 0 && reading.slow_for > kSlowTime) {
     status.summary(DiagnosticStatus::WARN, "only " + text::decimal(reading.picturesPerSecond(), 1) + " of " +
                                                text::decimal(period_.asked_rate, 1) +
@@ -205,8 +205,8 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
     status.summary(DiagnosticStatus::ERROR, "the robot says: " + connection.robot_message);
   } else if (period_.impossible > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(period_.impossible) +
-                                               " impossible values dropped, which the log names: is that part of the "
-                                               "robot broken, or does its RCServer not belong to this driver?");
+                                               " impossible values dropped: is the joint or sensor that the log names "
+                                               "broken, or does the RCServer not belong to this driver?");
   } else if (period_.thinned > 0) {
     status.summary(DiagnosticStatus::WARN, std::to_string(period_.thinned) +
                                                " measurements dropped: the robot sends more than twice as many as it "

@@ -52,8 +52,8 @@ class Rosout {
   ros::ROSOutAppender appender_;
 };
 
-/// Takes the place of what prints each line of rosconsole to the terminal. All that this process logs comes here, also
-/// what roscpp logs about strangers.
+/// Replaces rosconsole's output to the terminal. All that this process logs comes here, also what roscpp logs about
+/// strangers.
 void logPlainly(void* event, ros::console::Level level, const char* text, const char* file, const char* function,
                 int line) {
   static auto* const lines = new text::LogLines;  // until the last line
@@ -87,7 +87,7 @@ ros::NodeHandle startWithSlack() {
 void endAtOnce(int) {
   constexpr char kReason[] =
       "This node has not ended within 10 s, most likely because the ROS master does not answer. It ends now, without "
-      "signing off.\n";
+      "unregistering.\n";
   if (::write(STDERR_FILENO, kReason, sizeof(kReason) - 1) < 0) {
     // Nobody can read the text, so the failure is ignored.
   }
@@ -124,13 +124,13 @@ bool isOfThisComputer(const std::string& host) {
   return is_own;
 }
 
-// Other nodes would see the topics of this one and never get a message, without a word from anybody.
+// Other nodes would see the topics of this one and never get a message, and nothing would say why.
 void warnOfWrongAddress() {
   if (const std::string& host = ros::network::getHost(); !isOfThisComputer(host)) {
     ROS_WARN_STREAM("Other nodes are told to connect to "
                     << host
                     << ", which is not an address of this computer. They will get "
-                       "no messages, unless somebody passes them on. Are ROS_IP "
+                       "no messages, unless something forwards them. Are ROS_IP "
                        "and ROS_HOSTNAME right?");
   }
 }

@@ -36,7 +36,7 @@ LightsPage::LightsPage(Robot& robot, QWidget* parent)
   intensity_->setObjectName("intensity");
   intensity_->setRange(1, 100);
   intensity_->setValue(100);
-  intensity_->setToolTip("How bright the LEDs are that are switched on from now on");
+  intensity_->setToolTip("The brightness of LEDs that you switch on next");
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel("Intensity", this));
   row->addWidget(intensity_);

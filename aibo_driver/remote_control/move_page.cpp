@@ -30,7 +30,7 @@ double withoutDeadZone(double deflection) {
 
 /// A pad that makes the robot walk while a mouse button is held on it. Up and down walk forward and backward. With the
 /// left button, the sides turn; with another button, they step sideways. Releasing the button works like a dead-man's
-/// switch: the robot is told once to stop, and then nothing more.
+/// switch: the robot gets one order to stop, and then nothing more.
 class DrivePad : public AxisPad {
  public:
   DrivePad(Robot& robot, QWidget* parent);
@@ -167,7 +167,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
   buttons->addWidget(makeButton(Needs::kNotStopped, "Motors on", "The joints hold their positions and can be moved",
                                 [&robot] { robot.setMotors(true); }));
   buttons->addWidget(makeButton(Needs::kVersion2, "Motors off",
-                                "The joints can be moved by hand. A robot that stands falls!",
+                                "The joints can be moved by hand. A standing robot falls!",
                                 [&robot] { robot.setMotors(false); }));
   movement_->setObjectName("who_moves");
   guard_->setObjectName("guard_walks");
@@ -175,7 +175,7 @@ MovePage::MovePage(Robot& robot, QWidget* parent)
       "Walks end before edges and walls. Backward and sideways, where it cannot see, the robot walks only where it has "
       "just walked.");
   guard_->setFixedHeight(movement_->minimumHeight());
-  guard_->hide();  // until the driver has told whether it is on
+  guard_->hide();  // until the driver has said whether it is on
   auto* who_moves = new QHBoxLayout;
   who_moves->addWidget(movement_, 1);
   who_moves->addWidget(need(Needs::kVersion2, guard_));

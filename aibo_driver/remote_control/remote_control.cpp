@@ -80,7 +80,7 @@ RemoteControl::RemoteControl(Robot& robot, QWidget* parent)
   status_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   status_->setFixedHeight(2 * fontMetrics().lineSpacing() + 2);
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  status_->setText("Nothing has been asked of the robot yet.");
+  status_->setText("No command has been sent to the robot yet.");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->setSpacing(4);

@@ -96,7 +96,7 @@ QWidget* SoundPage::makeSpeech() {
   row->setContentsMargins(4, 4, 4, 4);
   row->addWidget(need(Needs::kVersion2, text_), 1);
   row->addWidget(makeButton(Needs::kVersion2, "Say", "Speaks the text", [this] { say(); }));
-  row->addWidget(makeButton(Needs::kVersion2, "Silence", "Ends the speech, or whatever sound plays",
+  row->addWidget(makeButton(Needs::kVersion2, "Silence", "Ends the speech or other sound that plays",
                             [this] { robot_.stopSound(); }));
   connect(text_, &QLineEdit::returnPressed, this, &SoundPage::say);
   return group;

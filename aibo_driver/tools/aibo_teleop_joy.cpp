@@ -89,7 +89,7 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
   return mapping;
 }
 
-// A short press is one message of many. Those that come while this program is held up have to wait, or a stop is lost.
+// A short press is one message of many. Those that come while this program stalls have to wait, or a stop is lost.
 // Our choice: some seconds of messages.
 constexpr int kJoyQueueSize = 100;
 
@@ -108,8 +108,8 @@ std::string pictureName() {
 
 std::string howToRelease(const JoyMapping& mapping) {
   return mapping.release_button == teleop::kNoPlace
-             ? "It moves again after the service release."
-             : "It moves again after the release button together with the dead-man button; then let go of both.";
+             ? "Call the service release to let it move."
+             : "To let it move, press the release button together with the dead-man button, then release both.";
 }
 
 class JoyTeleop {

@@ -238,7 +238,7 @@ class CommandsTest(unittest.TestCase):
         return done.stdout
 
     def test_the_action_in_python_plays_a_motion(self):
-        # A machine that is held up for half a second loses the connection, and the robot's motion ends.
+        # A machine that stalls for half a second loses the connection, and the robot's motion ends.
         self.assertRegex(self.run_python('docs/python.md'),
                          'It was played to its end|the connection to the robot was lost')
 

@@ -116,7 +116,7 @@ std::vector<Command> motionCommands() {
       {"motions",
        "",
        "lists the motions on the robot's memory stick",
-       "A server of version 1 cannot list them; it plays them by name all the same.",
+       "A server of version 1 cannot list them, but plays them by name.",
        {{"motions", "one name a line"}},
        list},
       {"play",

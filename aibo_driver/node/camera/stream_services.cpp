@@ -41,7 +41,7 @@ class PictureCall {
     if (++calls_ > kMostPictureCalls) {
       --calls_;
       throw aibo_client::CommandException(std::to_string(kMostPictureCalls) +
-                                          " calls wait for a picture already. Call again when one is answered.");
+                                          " calls already wait for a picture. Call again when one has been answered.");
     }
   }
   ~PictureCall() { --calls_; }
@@ -62,8 +62,7 @@ std::optional<aibo_client::Resolution> resolutionIn(const TakePicture::Request& 
   return resolution;
 }
 
-/// Answers a caller who wants the stream on or off. Success means that the stream is so, or that it will be without the
-/// caller's help.
+/// Answers a caller who wants the stream on or off. Success means that the stream is in this state, or soon will be.
 template <typename Response>
 std::string answerWish(bool wanted, const StreamPolicy& policy, const DriverParameters& parameters,
                        const aibo_client::RcServerClient& client, Response* response) {

@@ -40,7 +40,7 @@ OStatus Nodder::DoInit(const OSystemEvent&) {
   SET_ALL_READY_AND_NOTIFY_ENTRY;
   if (OPENR::OpenPrimitive(TOUCH, &touch_) != oSUCCESS || OPENR::OpenPrimitive(TILT, &tilt_) != oSUCCESS ||
       !MakeRegions()) {
-    OSYSLOG1((osyslogERROR, "this robot has not the head of an ERS-7"));
+    OSYSLOG1((osyslogERROR, "this robot does not have the head of an ERS-7"));
     return oFAIL;
   }
   return oSUCCESS;

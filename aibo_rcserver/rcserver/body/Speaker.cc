@@ -83,7 +83,7 @@ const char* Speaker::Add(const PlayedSound& part, unsigned size) {
   }
   const unsigned most = sound_.begin + SPEAKER_CAPACITY;
   if (size > SPEAKER_CAPACITY || IsAfter(part.position, most) || IsAfter(after, most)) {
-    return "the robot has no room for so many samples yet; the answers tell how many may follow";
+    return "the robot has no room for so many samples yet; the answers say how many may follow";
   }
   while (IsAfter(part.position, sound_.end)) {
     AddSilence();

@@ -157,7 +157,7 @@ void MotionPlayer::ReportDone(const PlayedMotion& motion) {
   if (longer >= HELD_UP) {
     const unsigned took = (motion.Elapsed(now_) + 5) / 10;
     const unsigned should = (motion.Played() + 5) / 10;
-    sprintf(words, "the robot's program was held up, so it took %u.%02u s instead of %u.%02u s", took / 100, took % 100,
+    sprintf(words, "the robot's program stalled, so it took %u.%02u s instead of %u.%02u s", took / 100, took % 100,
             should / 100, should % 100);
   }
   orders_.End(motion.Order(), EndReason::Of(END_DONE, "%s", words));

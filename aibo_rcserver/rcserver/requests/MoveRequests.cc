@@ -16,11 +16,11 @@ double WholeThousandths(double value) {
 const char* WordsFor(JointWatch::Verdict fault) {
   switch (fault) {
     case JointWatch::JAMMED:
-      return "is jammed: its motor pushes and it does not move. It is held where it is until it is commanded again";
+      return "is jammed: its motor pushes, but it does not move. It is held in place until the next command to it";
     case JointWatch::LIMP:
       return "is limp: its motor got no gain. Switch the motors off and on again; the robot's console has the reason";
     default:
-      return "does not follow its commands. It is held where it is until it is commanded again";
+      return "does not follow its commands. It is held in place until the next command to it";
   }
 }
 

@@ -22,10 +22,10 @@ const char kHelp[] =
     "lie SIDE          lets it fall on its left, right or back, or puts it back on its feet\n"
     "stick STATE       makes the memory stick ready, full, locked, out or slow\n"
     "hear FILE         lets its microphones hear a WAV file of 16 kHz, or silence\n"
-    "joint NAME        tells where a joint really is, in degrees: head_pan...\n"
-    "light NAME        tells the intensity of an LED, 0 to 255: face_1...\n"
-    "ear NAME          tells whether the magnet draws an ear: left_ear, right_ear\n"
-    "where             tells where it really is: x and y in metres, yaw in radian\n"
+    "joint NAME        shows where a joint really is, in degrees: head_pan...\n"
+    "light NAME        shows the intensity of an LED, 0 to 255: face_1...\n"
+    "ear NAME          shows whether the magnet draws an ear: left_ear, right_ear\n"
+    "where             shows where the robot really is: x and y in metres, yaw in radian\n"
     "help              prints this list\n";
 
 std::vector<std::string> wordsOf(const std::string& line) {

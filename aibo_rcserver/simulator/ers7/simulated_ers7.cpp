@@ -279,7 +279,7 @@ void SimulatedErs7::obey(const openr_host::EffectorCommand& command) {
 void SimulatedErs7::passFrameOfEars() {
   for (std::size_t i = 0; i < ears_.size(); ++i) {
     if (ears_[i].passFrame()) {
-      OSYSLOG1((osyslogWARNING, "%s was energised for %d ms without a pause and is too hot now: let it go",
+      OSYSLOG1((osyslogWARNING, "%s was energised for %d ms without a pause and is too hot now: release it",
                 model_.ears[i].name, static_cast<int>(8 * Ear::kMostFramesEnergised)));
     }
   }

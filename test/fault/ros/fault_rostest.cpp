@@ -109,7 +109,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhoseMasterDoesNotAnswer) {
   silence.paused = true;
   master.setConditions(silence);
   driver.signal(SIGINT);
-  driver.waitForOutput("without signing off", kSafetyNet);
+  driver.waitForOutput("without unregistering", kSafetyNet);
   EXPECT_EQ(driver.waitForExit(kSafetyNet).value_or(-1), EXIT_FAILURE);
 
   master.setConditions({});

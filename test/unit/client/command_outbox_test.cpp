@@ -128,13 +128,13 @@ TEST(CommandOutboxTest, AnOrderOfWhichNothingIsLeftIsReplaced) {
   outbox.command({milliseconds(100), {{1, 0.3}}, {at(1000), 0}});
   EXPECT_EQ("", takeDropped(&outbox)) << "joint 2 is left";
   outbox.command({milliseconds(100), {{1, 0.4}, {2, 0.4}}, {at(1000), 2}});
-  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 2 newer commands took all its joints before it was sent;",
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#1 2 newer commands took all joints of this one before it was sent;",
             takeDropped(&outbox))
       << "the one without a number is replaced silently";
 }
 
 TEST(CommandOutboxTest, AVelocityOf0IsSentBeforeAVelocityThatCameAfterIt) {
-  const std::string why = " another velocity came before it was sent;";
+  const std::string why = " another velocity came before this one was sent;";
   const std::string replaced = "S" + std::to_string(kReplaced) + "#";
   CommandOutbox outbox;
   outbox.steer({kForward, {at(1000), 1}});
@@ -165,8 +165,7 @@ TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   CommandOutbox outbox;
   outbox.command({milliseconds(100), {{1, 0.1}, {kLegJoint, 0.2}}, {at(1000), 1}});
   outbox.steer({kForward, {at(1000), 2}});
-  EXPECT_EQ("J" + std::to_string(kReplaced) + "#0 11 the robot was told to walk before it was sent;",
-            takeDropped(&outbox))
+  EXPECT_EQ("J" + std::to_string(kReplaced) + "#0 11 a walk was commanded before this was sent;", takeDropped(&outbox))
       << "joint 1 goes on";
   EXPECT_THAT(takeAll(outbox.joints), testing::ElementsAre("1:1 in 100"));
   outbox.command({milliseconds(100), {{2, 0.1}}, {at(1000), 3}});
@@ -174,8 +173,8 @@ TEST(CommandOutboxTest, OfAWalkAndACommandToTheLegsTheNewerOneCounts) {
   CommandOutbox newer;
   newer.command({milliseconds(100), {{1, 0.3}, {43, 0.3}}, {at(1000), 4}});  // the head and the last joint of the legs
   outbox.append(newer);
-  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 the legs were commanded before it was sent;J" +
-                std::to_string(kReplaced) + "#1 1 newer commands took all its joints before it was sent;",
+  EXPECT_EQ("S" + std::to_string(kReplaced) + "#2 a command to the legs came before this one was sent;J" +
+                std::to_string(kReplaced) + "#1 1 newer commands took all joints of this one before it was sent;",
             takeDropped(&outbox));
   EXPECT_FALSE(outbox.steering);
   outbox.steer({{}, {at(1000), 5}});

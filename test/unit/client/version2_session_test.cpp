@@ -203,7 +203,7 @@ TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoN
   EXPECT_EQ(1u, counters_.unexpected_pictures);
   EXPECT_THAT(pictures_, IsEmpty());
   live(milliseconds(1100));
-  EXPECT_THAT(whyGivenUp([this] { pushPicture(2); }), HasSubstr("it goes on sending pictures"));
+  EXPECT_THAT(whyGivenUp([this] { pushPicture(2); }), HasSubstr("it sends pictures although it was told to stop"));
 }
 
 TEST_F(Version2SessionTest, DuringTheStreamEachCallerGetsItsOwnPictureAtItsOwnQualityInAnyOrder) {
@@ -820,7 +820,7 @@ TEST_F(Version2SessionTest, WhatAStopComesBeforeIsToldWithTheReason) {
   auto posture = order(callForPosture(version2::POSTURE_SIT));
   commandJoints({{2, 0.5}, {3, 0.5}});
   auto held = add(callToHold({2}));
-  const std::string reason = "the robot was told to hold its joints before it was sent";
+  const std::string reason = "the robot was told to hold its joints before this request was sent";
   expectRefusals({{RefusedRequest::kJoints, RefusalCause::kStopped, {2}, reason, 0},
                   {RefusedRequest::kPosture, RefusalCause::kStopped, {}, reason, kFirstOrder}});
   EXPECT_EQ("robot:54321 was told to hold its joints before it was asked to take the posture sit.",

@@ -74,7 +74,7 @@ TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   EXPECT_EQ(clock.receipt(woken + milliseconds(200)), woken + milliseconds(200));
   clock.alive(woken + milliseconds(190));  // another thread was quicker
   EXPECT_EQ(clock.receipt(woken + milliseconds(700)), woken + milliseconds(700)) << "no sign of life is missing";
-  EXPECT_EQ(clock.receipt(woken + milliseconds(2000)), woken + milliseconds(700)) << "held up again";
+  EXPECT_EQ(clock.receipt(woken + milliseconds(2000)), woken + milliseconds(700)) << "stalled again";
   EXPECT_EQ(clock.receipt(woken + milliseconds(2199)), woken + milliseconds(700));
   EXPECT_EQ(clock.receipt(woken + milliseconds(2200)), woken + milliseconds(2200));
 }

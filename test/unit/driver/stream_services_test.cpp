@@ -123,7 +123,7 @@ TEST_F(StreamServicesTest, RefuseAPictureAtOnceWhileFourCallsWait) {
         return sensor_msgs::CompressedImage();
       });
   call();
-  EXPECT_THAT(answers, ElementsAre(HasSubstr("4 calls wait for a picture already"), HasSubstr("Took a picture"),
+  EXPECT_THAT(answers, ElementsAre(HasSubstr("4 calls already wait for a picture"), HasSubstr("Took a picture"),
                                    HasSubstr("Took"), HasSubstr("Took"), HasSubstr("Took")));
 }
 

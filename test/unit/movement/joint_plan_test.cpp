@@ -236,14 +236,14 @@ TEST_F(JointPlanTest, AtMostTwoTrajectoriesOfAJointWait) {
   const auto head = [this](double start) { return refusal(pan({{1, {0}, {}}}), start, 0); };
   EXPECT_EQ(head(50), "accepted");
   EXPECT_EQ(head(51), "accepted");
-  EXPECT_EQ(head(52), "2 trajectories of head_pan wait for their time already, and no more may wait");
-  EXPECT_THAT(refusal(both(0, -0.2, 1), 52, 0), HasSubstr("of head_pan wait"));
+  EXPECT_EQ(head(52), "2 trajectories of head_pan already wait for their start, and no more are accepted");
+  EXPECT_THAT(refusal(both(0, -0.2, 1), 52, 0), HasSubstr("of head_pan already wait"));
   EXPECT_EQ(refusal({{"mouth"}, {{1, {-0.2}, {}}}}, 52, 0), "accepted");
   EXPECT_EQ(head(0), "accepted") << "what begins at once does not wait";
   EXPECT_EQ(head(60), "accepted");
   EXPECT_EQ(head(70), "accepted");
   EXPECT_EQ(head(65), "accepted") << "it replaces the one at 70";
-  EXPECT_THAT(head(70), HasSubstr("of head_pan wait"));
+  EXPECT_THAT(head(70), HasSubstr("of head_pan already wait"));
 }
 
 TEST_F(JointPlanTest, AtMost32TrajectoriesWait) {
@@ -259,7 +259,7 @@ TEST_F(JointPlanTest, AtMost32TrajectoriesWait) {
   for (std::size_t i = 0; i < 32; ++i) {
     EXPECT_EQ(wait(i / 2, 10 + static_cast<double>(i)), "accepted");
   }
-  EXPECT_EQ(wait(17, 50), "32 trajectories wait for their time already, and no more may wait");
+  EXPECT_EQ(wait(17, 50), "32 trajectories already wait for their start, and no more are accepted");
   EXPECT_EQ(wait(17, 0), "accepted") << "what begins at once does not wait";
   EXPECT_EQ(wait(0, 5), "accepted") << "it replaces two";
   EXPECT_EQ(wait(17, 50), "accepted");

@@ -764,7 +764,7 @@ TEST_F(MoverTest, AtMost32MotionsGoOn) {
   for (int i = 0; i < 32; ++i) {
     EXPECT_EQ(textOf(play("NOD.MTN")), "-");
   }
-  EXPECT_THAT(textOf(play("NOD.MTN")), StartsWith("REFUSED 32 others of its kind"));
+  EXPECT_THAT(textOf(play("NOD.MTN")), StartsWith("REFUSED 32 others of this kind"));
   EXPECT_EQ(textOf(sit()), "-");
 }
 
@@ -912,7 +912,7 @@ TEST_F(MoverTest, AStepIsAsOldAsTheStepBefore) {
   now += 1s;
   measure(0);
   follow("mouth", -0.1);
-  EXPECT_EQ(client.terms.not_after, last + 500ms) << "what the driver sends after a hold-up is too old";
+  EXPECT_EQ(client.terms.not_after, last + 500ms) << "what the driver sends after a stall is too old";
 }
 
 TEST_F(MoverTest, ATrajectoryWhoseStepCannotBeSentIsLost) {
@@ -1155,7 +1155,7 @@ TEST_F(MoverTest, AVelocityToAGoalIsAsOldAsTheOneBefore) {
   now += 100ms;
   mover.steerToGoal(goal.id, {0.1, 0, 0});
   EXPECT_EQ(client.terms.not_after, received + 500ms);
-  now += 3s;  // the driver is held up
+  now += 3s;  // the driver stalls
   mover.steerToGoal(goal.id, {0.1, 0, 0});
   EXPECT_EQ(client.terms.not_after, received + 600ms);
 }

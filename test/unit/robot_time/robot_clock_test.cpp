@@ -191,8 +191,8 @@ TEST(RobotClock, BeginsATimelineWhenTheSteadyClockStoodStill) {
 TEST(RobotClock, BeginsATimelineWhenAllMessagesAreTooLateForLong) {
   RobotClock clock;
   clock.timeOf(1, 1000, at(100));
-  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1004, at(103))), 100.032, 0.001) << "may have been held up";
-  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1250, at(105))), 102, 0.001) << "may have been held up";
+  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1004, at(103))), 100.032, 0.001) << "may have stalled";
+  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1250, at(105))), 102, 0.001) << "may have stalled";
   EXPECT_EQ(clock.timeOf(1, 1275, at(105.2)), at(105.2)) << "a robot whose frames stood still for 3 s";
 }
 

@@ -209,7 +209,7 @@ TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
     return std::string(end.reason);
   };
   EXPECT_EQ(endOf(64), "");
-  EXPECT_EQ(endOf(970), "the robot's program was held up, so it took 1.78 s instead of 0.82 s");
+  EXPECT_EQ(endOf(970), "the robot's program stalled, so it took 1.78 s instead of 0.82 s");
   EXPECT_EQ(endOf(0), "") << "the next one is in time";
 }
 
