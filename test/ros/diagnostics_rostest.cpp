@@ -16,6 +16,7 @@
 #include "support/ros/topic_publishers.h"
 #include "support/scripted_server.h"
 #include "support/simulated_robot.h"
+#include "support/version2_frames.h"
 
 namespace {
 
@@ -75,15 +76,31 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
   const DiagnosticStatus connection = watch.waitFor("connection", DiagnosticStatus::OK);
   EXPECT_EQ(connection.hardware_id, "127.0.0.1:" + std::to_string(robot.port()));
   EXPECT_EQ(numberIn(connection, "protocol version"), 2);
-  EXPECT_EQ(numberIn(connection, "connections made"), 1);
+  for (const auto& [count, value] : {std::pair("connections made", 1),
+                                     {"attempts failed", 0},
+                                     {"streams given up for silence", 0},
+                                     {"protocol errors", 0}}) {
+    EXPECT_EQ(numberIn(connection, count), value) << count;
+  }
+  EXPECT_GT(numberIn(connection, "bytes received"), 0);
   const DiagnosticStatus stream = watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s, ");
   EXPECT_EQ(stream.message, DiagnosticsListener::value(stream, "pictures per second") + " pictures/s, " +
                                 DiagnosticsListener::value(stream, "KB per second") + " KB/s");
   EXPECT_EQ(numberIn(stream, "quality asked for"), 40);
   EXPECT_EQ(DiagnosticsListener::value(stream, "adaptive"), "off");
   EXPECT_EQ(numberIn(stream, "pictures per second asked for"), 15);
+  EXPECT_GT(numberIn(stream, "pictures received"), 0);
+  for (const char* const count :
+       {"pictures damaged", "pictures nobody asked for", "images decoded", "images not decodable"}) {
+    EXPECT_EQ(numberIn(stream, count), 0) << count;
+  }
   const DiagnosticStatus joints = watch.waitFor("joints", DiagnosticStatus::OK, " measurements/s");
   EXPECT_EQ(DiagnosticsListener::value(joints, "robot"), "ERS-7");
+  EXPECT_GT(numberIn(joints, "measurements received"), 0);
+  for (const char* const count :
+       {"measurements dropped, more than asked for", "impossible values dropped", "requests refused by the robot"}) {
+    EXPECT_EQ(numberIn(joints, count), 0) << count;
+  }
 }
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
@@ -134,8 +151,14 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
     const DiagnosticStatus later = watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s");
     EXPECT_EQ(DiagnosticsListener::value(later, count), "1") << "it is still counted";
   }
+}
+
+TEST(StreamDiagnostics, AreOkWhileNobodyWantsPictures) {
+  Watch watch("idle");
+  const DriverProcess driver("/idle", 1);
+  watch.waitFor("stream", DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
   std_srvs::SetBool off;
-  ASSERT_TRUE(ros::service::call("/damage/set_streaming", off));
+  ASSERT_TRUE(ros::service::call("/idle/set_streaming", off));
   watch.waitFor("stream", DiagnosticStatus::OK, "idle: the stream is off");
 }
 
@@ -200,6 +223,22 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
   EXPECT_TRUE(moves_until(1, DiagnosticStatus::ERROR, "head_pan is jammed"));
   ASSERT_THAT(robot.type("free head_pan"), testing::HasSubstr("ok"));
   EXPECT_TRUE(moves_until(0.5, DiagnosticStatus::OK, "measurements/s"));
+}
+
+TEST(JointDiagnostics, WarnOfMeasurementsThatWereDropped) {
+  test_support::PictureServer server(2, 20ms);
+  const DriverProcess driver("/drops", server.port(),
+                             {"_telemetry_rate:=1", "_stream_on_start:=false", "_read_timeout:=20"});
+  Watch watch("drops");
+  server.setTelemetry(true);  // 31 times a second
+  const auto too_many = watch.waitFor("joints", DiagnosticStatus::WARN, " measurements dropped: the robot sends more");
+  EXPECT_GT(numberIn(too_many, "measurements dropped, more than asked for"), 0);
+  server.flood([frame = 0U]() mutable {
+    constexpr int kImpossible = 2'147'000'000;  // microradian
+    return version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(frame += 4, {{'J', 1, kImpossible}}));
+  });
+  const auto impossible = watch.waitFor("joints", DiagnosticStatus::WARN, " impossible values dropped");
+  EXPECT_GT(numberIn(impossible, "impossible values dropped"), 0);
 }
 
 TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {
