@@ -60,9 +60,10 @@ QVector<QPair<QString, QVariant>> choicesIn(const QString& edit_method, bool are
   auto entries = pattern.globalMatch(edit_method);
   while (entries.hasNext()) {
     const QRegularExpressionMatch entry = entries.next();
-    const QVariant value = are_texts ? QVariant(entry.captured(2)) : QVariant(entry.captured(2).toInt());
-    const QString name = are_texts ? entry.captured(2) : entry.captured(1);
-    choices.append({entry.captured(3).isEmpty() ? name : name + " (" + entry.captured(3) + ")", value});
+    const auto part = [&entry](int number) { return fromRos(entry.captured(number).toStdString()); };
+    const QVariant value = are_texts ? QVariant(part(2)) : QVariant(part(2).toInt());
+    const QString name = are_texts ? part(2) : part(1);
+    choices.append({part(3).isEmpty() ? name : name + " (" + part(3) + ")", value});
   }
   return choices;
 }
@@ -178,7 +179,7 @@ SettingValues valuesIn(const Config& message) {
     values[fromRos(parameter.name)] = parameter.value;
   }
   for (const auto& parameter : message.strs) {
-    values[fromRos(parameter.name)] = QString::fromStdString(parameter.value);
+    values[fromRos(parameter.name)] = fromRos(parameter.value);
   }
   return values;
 }

@@ -4,6 +4,7 @@
 #include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "remote_control/widgets.h"
 
@@ -12,9 +13,8 @@ namespace {
 
 /// Turns "jpeg_quality" into "Jpeg quality".
 QString labelOf(const QString& name) {
-  QString label = QString(name).replace('_', ' ');
-  label[0] = label[0].toUpper();
-  return label;
+  const QString label = QString(name).replace('_', ' ');
+  return label.left(1).toUpper() + label.mid(1);
 }
 
 }  // namespace
@@ -44,8 +44,11 @@ QWidget* SettingsForm::makeNumber(const Setting& setting) {
           [this, is_whole, name = setting.name](double value) {
             Q_EMIT changed(name, is_whole ? QVariant(qRound(value)) : QVariant(value));
           });
-  show_[setting.name] = [box](const QVariant& value) {
+  show_[setting.name] = [box, setting](const QVariant& value) {
     const QSignalBlocker nobody_changed_it(box);
+    // A new driver's values can come before its limits.
+    box->setRange(std::min(setting.lowest.toDouble(), value.toDouble()),
+                  std::max(setting.highest.toDouble(), value.toDouble()));
     box->setValue(value.toDouble());
   };
   return box;

@@ -99,6 +99,20 @@ TEST(SettingsMessages, AChoiceMayHaveAnyDescriptionAndValue) {
   EXPECT_EQ(settingsIn(description).at(0).choices, expected);
 }
 
+TEST(SettingsMessages, EachTextIsOnePlainLine) {
+  auto description = AiboDriverConfig::__getDescriptionMessage__();
+  description.groups.at(0).parameters.resize(1);
+  auto& parameter = description.groups[0].parameters[0];
+  parameter.name = parameter.description = "a\x1b\nb";
+  parameter.type = "str";
+  parameter.edit_method = "{'enum': [{'name': 'B', 'value': 'c\x1b\nd', 'srcline': 1, 'description': 'x\x1bz'}]}";
+  const Setting setting = settingsIn(description).at(0);
+  EXPECT_EQ(setting.name, "a??b");
+  EXPECT_EQ(setting.description, "a??b");
+  EXPECT_EQ(setting.choices, (QVector<QPair<QString, QVariant>>{{"c??d (x?z)", "c??d"}}));
+  EXPECT_EQ(valuesIn(changeOf("a", "g\x1b\nh")), (SettingValues{{"a", "g??h"}}));
+}
+
 TEST(SettingsMessages, AChangeComesBackAsItsValue) {
   const SettingValues values{{"a", 7},     {"b", -3},   {"c", 0.5},       {"d", 0.25},
                              {"e", false}, {"f", true}, {"g", "208x160"}, {"h", ""}};

@@ -289,7 +289,7 @@ TEST_F(RemoteControlTest, ShowsWhatLooksLikeHtmlAsItIs) {
   const QString html = "&lt;b&gt; <img src=\"/dev/stdin\">";  // Qt takes either for HTML if it comes first
   robot_.connectIt();
   Q_EMIT robot_.movementChanged(html);
-  Q_EMIT robot_.settingsDescribed({{html, html, 1, 100, {}}});
+  Q_EMIT robot_.settingsDescribed({{html, html, 1, 100, {}}, {"choice", html, {}, {}, {{html, html}}}});
   window_.setFolder(html);
   Q_EMIT robot_.answered(false, html);
   auto* tabs = find<QTabWidget>("");
@@ -654,6 +654,13 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForceAndAskForWhatTheUserChooses) 
   open("Move");
   EXPECT_EQ(click("guard_walks"), QStringList("guard false"));
   EXPECT_TRUE(find<QCheckBox>("guard_walks")->isChecked()) << "the window shows what the robot reports";
+}
+
+TEST_F(RemoteControlTest, ASettingIsNeverCutByOldLimits) {
+  Q_EMIT robot_.settingsDescribed({{"gain", "", 1, 3, {}}, {"speed_scale", "", 0.1, 1.0, {}}});
+  Q_EMIT robot_.settingsChanged({{"gain", 5}, {"speed_scale", 0.05}});
+  EXPECT_EQ(find<QDoubleSpinBox>("gain")->value(), 5);
+  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.05);
 }
 
 TEST_F(RemoteControlTest, EachJointHasASliderWithinTheLimitsOfItsRobot) {
