@@ -105,9 +105,11 @@ std::string beginningOf(const char* text, std::size_t size) {
   return std::string(text, shown) + (shown < size ? "..." : "");
 }
 
-// The numbers of WalkState are those of the protocol.
-WalkState walkState(int state) {
-  return state >= 0 && state <= version2::WALK_STATE_WALKS ? static_cast<WalkState>(state) : WalkState::kUnknown;
+/// The value that has this number of the protocol. A number that only a newer server knows is Enum::kUnknown.
+/// @param highest the highest number of the protocol that Enum has
+template <typename Enum>
+Enum known(unsigned number, unsigned highest) {
+  return number <= highest ? static_cast<Enum>(number) : Enum::kUnknown;
 }
 
 // Ignores identifiers that it does not know: a newer server sends them.
@@ -129,7 +131,7 @@ void setWalk(int id, int value, std::optional<WalkReading>* walk) {
       (*walk)->phase = fromMicro(value);
       break;
     case version2::WALK_STATE:
-      (*walk)->state = walkState(value);
+      (*walk)->state = known<WalkState>(static_cast<unsigned>(value), version2::WALK_STATE_WALKS);
       break;
     default:
       break;
@@ -145,14 +147,6 @@ std::string describe(const version2::ErrorMessage& message) {
 bool isOrder(char letter) {
   return letter == version2::REQUEST_JOINTS || letter == version2::REQUEST_STEER ||
          letter == version2::REQUEST_POSTURE || letter == version2::REQUEST_PLAY;
-}
-
-EndedKind endedKind(unsigned what) {
-  return what <= version2::ENDED_JOINTS ? static_cast<EndedKind>(what) : EndedKind::kUnknown;
-}
-
-EndedHow endedHow(unsigned how) {
-  return how <= version2::END_FELL ? static_cast<EndedHow>(how) : EndedHow::kUnknown;
 }
 
 }  // namespace
@@ -871,8 +865,8 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
 void Version2Session::onEnded(const Payload& payload) {
   const auto message = decoded<version2::EndMessage>(payload.data, payload.size, "report of an end");
   ActivityEnd end;
-  end.kind = endedKind(message.what);
-  end.how = endedHow(message.how);
+  end.kind = known<EndedKind>(message.what, version2::ENDED_JOINTS);
+  end.how = known<EndedHow>(message.how, version2::END_FELL);
   end.name = beginningOf(message.name, message.name_size);
   end.reason = beginningOf(message.reason, message.reason_size);
   end.order = orderOf(message.order);
@@ -899,9 +893,8 @@ void Version2Session::onReport(const Payload& payload) {
 
 void Version2Session::onMotorsAndPosture(const Payload& payload) {
   const auto state = decoded<version2::MotorsAndPosture>(payload.data, payload.size, "state of motors and posture");
-  const bool is_known = state.posture <= version2::POSTURE_CARRIED;
   connection_.motors_and_posture = {state.motors_on ? MotorState::kOn : MotorState::kOff,
-                                    is_known ? static_cast<PostureNow>(state.posture) : PostureNow::kUnknown};
+                                    known<PostureNow>(state.posture, version2::POSTURE_CARRIED)};
 }
 
 // The report of a joint's fault begins with its name.

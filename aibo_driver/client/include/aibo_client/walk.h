@@ -28,11 +28,12 @@ enum class Posture {
   kRest  ///< the robot lies down, then switches its motors off
 };
 
+/// The first three numbers are those of docs/protocol.md.
 enum class WalkState {
-  kNone,       ///< it does not walk
-  kGetsReady,  ///< it stands up before it walks
-  kWalks,
-  kUnknown  ///< something that only a newer server knows
+  kNone = 0,       ///< it does not walk
+  kGetsReady = 1,  ///< it stands up before it walks
+  kWalks = 2,
+  kUnknown = 3  ///< something that only a newer server knows
 };
 
 /// How the robot walked when telemetry was measured.
@@ -50,15 +51,16 @@ enum class MotorState {
   kOn
 };
 
-/// The robot's present posture. Posture lists the postures that it can be told to take.
+/// The robot's present posture, with the numbers of docs/protocol.md. Posture lists the postures that it can be told to
+/// take.
 enum class PostureNow {
-  kUnknown,  ///< none of the others, no connection, or the server does not report it
-  kStanding,
-  kSitting,
-  kLying,
-  kWalking,
-  kFallen,  ///< the robot lies on its side or its back
-  kCarried  ///< the robot is lifted
+  kUnknown = 0,  ///< none of the others, no connection, or the server does not report it
+  kStanding = 1,
+  kSitting = 2,
+  kLying = 3,
+  kWalking = 4,
+  kFallen = 5,  ///< the robot lies on its side or its back
+  kCarried = 6  ///< the robot is lifted
 };
 
 /// What the robot can do now. A server of version 1 does not report this.
