@@ -251,7 +251,6 @@ class RcServerClient {
   ///
   /// A damaged picture is requested again as long as time is left.
   /// @param quality 0..100; 0 means the stream's quality
-  /// @param timeout 1 ms..1 h
   /// @param[out] stream_quality may be null; if the picture is from a running stream, this is the quality of that
   ///   stream, 1..100; it is 0 if the picture was taken for this call alone
   /// @param resolution empty means the stream's resolution
@@ -263,7 +262,6 @@ class RcServerClient {
   /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
   /// switch them off is sent before everything that waits. Orders that have not been sent are dropped.
   /// @param on true: on; false: off
-  /// @param timeout 1 ms..1 h
   /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
   ///   meaning, because the answer is the end of this request
   /// @return true if the robot says that its motors are now on
@@ -275,7 +273,6 @@ class RcServerClient {
   /// dropped. Motions, postures and requests to switch the motors on that have not been sent are dropped, too: their
   /// callers get a CommandException. It returns when the robot has answered.
   /// @param joints 0..32 identifiers of joints; each appears once. If it is empty, everything that moves stops
-  /// @param timeout 1 ms..1 h
   /// @throw CommandException also if the server speaks version 1; then nothing was sent or dropped
   void hold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
   std::future<void> beginHold(const std::vector<int>& joints, std::chrono::milliseconds timeout);
@@ -284,7 +281,6 @@ class RcServerClient {
   /// begun. on_ended reports when and how the posture has ended. If a call has not been sent when hold() is called or
   /// its terms end, the call throws a CommandException.
   /// @param posture the posture
-  /// @param timeout 1 ms..1 h
   /// @param terms until when the request may reach the robot, and its number
   /// @throw CommandException also if the server lacks the capability `E`, because its robot does not walk
   void takePosture(Posture posture, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
@@ -294,7 +290,6 @@ class RcServerClient {
   /// Motions that move different joints play at the same time. The robot stops them when this client disconnects.
   /// @param name the name of the file, such as NOD.MTN: at most 8 characters, then .MTN, in upper or lower case
   /// @param repetitions 1..65535
-  /// @param timeout 1 ms..1 h
   /// @param terms until when the request may reach the robot, and its number. The robot may take 5 s longer to read the
   ///   file. If the request could not be sent in time, for example because the memory stick was busy with another
   ///   request, the call ends with a CommandException
@@ -309,7 +304,6 @@ class RcServerClient {
   /// Stops a motion. Its joints hold their positions. With a version 2 server, calls that have not been sent and would
   /// play this motion end with a CommandException.
   /// @param name the name of the motion; empty means all that are playing
-  /// @param timeout 1 ms..1 h
   void stopMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Writes a motion to the robot's memory stick. It replaces a motion of the same name. The robot's RCSERVER.CFG has
@@ -318,13 +312,11 @@ class RcServerClient {
   /// @param name the name of the file, as for playMotion()
   /// @param content the file's bytes, 1..65523: a request of version 2 has no room for more besides the name. This
   ///   project's RCServer accepts motions of up to 64000 bytes
-  /// @param timeout 1 ms..1 h
   void uploadMotion(const std::string& name, const std::vector<std::uint8_t>& content,
                     std::chrono::milliseconds timeout);
 
   /// Deletes a motion from the robot's memory stick. RCSERVER.CFG has to allow it (ALLOW_DELETE).
   /// @param name the name of the file, as for playMotion()
-  /// @param timeout 1 ms..1 h
   void deleteMotion(const std::string& name, std::chrono::milliseconds timeout);
 
   /// The names of the motions on the robot's memory stick. Version 1 of the protocol has no such request.
@@ -334,7 +326,6 @@ class RcServerClient {
   /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES). Version 1 of the protocol does not
   /// have them. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
   /// @param quality 1..100
-  /// @param timeout 1 ms..1 h
   /// @return the name of the new file, such as AIBO0001.JPG; it has not replaced another file
   std::string takePictureOnRobot(int quality, std::chrono::milliseconds timeout);
 
@@ -345,14 +336,12 @@ class RcServerClient {
   /// comes from the robot. A picture of 6 KB takes as long as one of the stream. The largest picture, 128 KiB, takes
   /// half a second at 2 Mbit/s.
   /// @param name the name of the file: at most 8 characters, then .JPG, in upper or lower case
-  /// @param timeout 1 ms..1 h
   /// @return the file's bytes: a whole picture of a size that the camera has (jpeg_inspector.h). Any other file is
   ///   refused with a CommandException
   std::vector<std::uint8_t> fetchPicture(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow ALLOW_DELETE as well as ALLOW_PICTURES.
   /// @param name the name of the file, as for fetchPicture()
-  /// @param timeout 1 ms..1 h
   void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
 
   /// Switches off the motors, so that the robot sinks down, and then the robot itself. RCSERVER.CFG has to allow it
@@ -373,7 +362,6 @@ class RcServerClient {
   /// @param samples mono, kSoundRate a second; 1..kMostSamplesAtOnce, and no more than SoundProgress::room of the
   ///   last answer plus what the robot has played since
   /// @param is_last true: the sound ends with these samples
-  /// @param timeout 1 ms..1 h
   /// @throw CommandException also if the sound has ended or was replaced
   SoundProgress playSamples(std::uint64_t sound, const std::vector<std::int16_t>& samples, bool is_last,
                             std::chrono::milliseconds timeout);
@@ -383,7 +371,6 @@ class RcServerClient {
 
   /// Sets the volume. It holds until this client disconnects.
   /// @param volume 0 (silent)..kLoudestVolume, or kVolumeOfRobot
-  /// @param timeout 1 ms..1 h
   /// @return the volume in force, 0..kLoudestVolume
   int setVolume(int volume, std::chrono::milliseconds timeout);
   /// @}
