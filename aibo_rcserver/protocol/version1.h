@@ -22,8 +22,8 @@ const unsigned char DEFAULT_JPEG_QUALITY = 85;
 /// Higher numbers mean the same (report, section 3.3.6).
 const unsigned char MAX_JPEG_QUALITY = 100;
 
-/// The largest picture, in bytes, that either side sends or accepts. The worst 208x160 picture at quality 100 takes
-/// 99.5 KiB at 4:2:0 (libjpeg-turbo's tjBufSize), and 197 KiB at 4:4:4.
+/// The largest picture, in bytes, that either side sends or accepts. Our choice: the worst 208x160 picture at quality
+/// 100 takes 99.5 KiB at 4:2:0 (libjpeg-turbo's tjBufSize), and 197 KiB at 4:4:4.
 const size_t MAX_PICTURE_SIZE = 256 * 1024;
 
 /// The first bytes of every request (report, section 2.3).

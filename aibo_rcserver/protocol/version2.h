@@ -3,7 +3,8 @@
 ///
 /// A client requests version 2 in version 1 (versionRequest()). After the server's consent (versionReply()) both sides
 /// send only frames: a header of 8 bytes, then a payload whose layout depends on the kind in the header. Integers are
-/// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms.
+/// big-endian, angles are in microradians, times on the robot are in OPEN-R frames of 8 ms. Numbers whose source is not
+/// named are our choice.
 ///
 /// encode() and decode() in fields.h convert each payload struct. Beside it is the request's row (request.h). Other
 /// headers have more payloads: hello.h, motion_requests.h, walk_requests.h, camera_settings.h, color_requests.h,

@@ -27,7 +27,7 @@ enum class PictureTransport {
   kTcp,  ///< each picture comes whole; one that has lost a packet comes late and delays the pictures behind it
   kUdp,  ///< a lost packet delays its picture for a few milliseconds, or keeps it from coming; no other waits for it
   /// By UDP where datagrams come, otherwise by TCP. It is tried before the pictures are sent that way, and tried again
-  /// every 10 s.
+  /// every 10 s, which is our choice.
   kAuto
 };
 

@@ -9,7 +9,8 @@
 
 namespace aibo_client {
 
-/// How to reach the robot, and how long to wait for it. The constructor of RcServerClient checks every option.
+/// How to reach the robot, and how long to wait for it. The constructor of RcServerClient checks every option. Where no
+/// source is named, defaults and ranges are our choice.
 struct ClientOptions {
   std::string host = "127.0.0.1";  ///< name or address of the robot, without a port; an IPv6 address without brackets
   int port = 54321;                ///< 1..65535; the RCServer's port (section 2.2 of the report that README.md names)

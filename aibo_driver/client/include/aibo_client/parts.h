@@ -1,6 +1,7 @@
 /// @file parts.h
 /// Commands to joints and LEDs. A part is named by its RCServer identifier (names.h). Angles are in radians. They are
-/// positive in the direction that Sony's Model Information calls positive.
+/// positive in the direction that Sony's Model Information calls positive. The ranges of positions and speeds are our
+/// choice.
 #ifndef AIBO_CLIENT_PARTS_H
 #define AIBO_CLIENT_PARTS_H
 

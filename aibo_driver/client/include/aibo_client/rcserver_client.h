@@ -32,7 +32,7 @@ class TcpTransport;
 ///
 /// After a reconnect, the stream and telemetry are requested again if they are still wanted. A single picture is not
 /// requested again, and no command is ever repeated: the robot carries it out once or not at all. All waiting uses the
-/// steady clock and ends at once when stop() is called.
+/// steady clock and ends at once when stop() is called. Times and ranges are our choice.
 ///
 /// Any thread may call every member function, unless its comment says otherwise.
 ///

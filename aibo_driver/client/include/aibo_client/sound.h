@@ -16,7 +16,7 @@ namespace aibo_client {
 constexpr int kSoundRate = 16000;
 
 /// The most samples that RcServerClient::playSamples() takes at once, 128 ms. They delay a request to stop by 33 ms on
-/// a link of 1 Mbit/s.
+/// a link of 1 Mbit/s. The value is our choice.
 constexpr std::size_t kMostSamplesAtOnce = 2048;
 
 /// The highest volume. The lowest is 0, which is silent.
