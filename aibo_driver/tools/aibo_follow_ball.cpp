@@ -97,9 +97,9 @@ class FollowBall {
 
   void end(const std::string& why) {
     mask_.shutdown();  // no command follows
-    ROS_WARN_STREAM("The robot does not follow the ball any more: " << why << ". To go on: rosrun aibo_driver "
-                                                                    << "aibo_follow_ball"
-                                                                    << (walks_ ? " _walk:=true" : ""));
+    ROS_WARN_STREAM_ONCE("The robot does not follow the ball any more: " << why << ". To go on: rosrun aibo_driver "
+                                                                         << "aibo_follow_ball"
+                                                                         << (walks_ ? " _walk:=true" : ""));
     ros::requestShutdown();
   }
 
