@@ -198,6 +198,7 @@ void ConnectionLoop::talk() {
 
 /// Takes over the user's settings, new calls and new commands.
 void ConnectionLoop::takeNews(TimePoint now) {
+  const PictureTransport transport = wanted_.transport;
   std::vector<Call> calls;
   CommandOutbox commands;
   {
@@ -205,6 +206,9 @@ void ConnectionLoop::takeNews(TimePoint now) {
     calls = std::exchange(shared_.calls, {});
     commands = std::exchange(shared_.commands, {});
     wanted_ = shared_.wanted;
+  }
+  if (wanted_.transport != transport) {
+    connection_->transport_problem.clear();
   }
   for (Call& call : calls) {
     call.since = now;
@@ -216,9 +220,6 @@ void ConnectionLoop::takeNews(TimePoint now) {
 /// The port for pictures by UDP. It is 0 if they should come by TCP.
 int ConnectionLoop::datagramPort(const Settings& wanted) {
   Connection& connection = *connection_;
-  if (wanted.transport_changes != std::exchange(transport_changes_, wanted.transport_changes)) {
-    connection.transport_problem.clear();
-  }
   if (wanted.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
   } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&

@@ -132,7 +132,6 @@ class ConnectionLoop {
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // null until the version of the protocol is known
   ServerHabits habits_;
-  unsigned transport_changes_ = 0;          // how many of the user's changes have been carried out
   TimePoint connected_ = TimePoint::max();  // when the connection was made; max without one
   bool heard_ = false;                      // the server has sent something
   TimePoint attempt_began_;                 // when the present or last attempt to connect began
