@@ -1,31 +1,9 @@
-#include "camera/camera_options.h"
+#include "node/camera/camera_state_publisher.h"
 
 #include <gtest/gtest.h>
 
-#include "node/camera/camera_state_publisher.h"
-
 namespace aibo_driver::node {
 namespace {
-
-using aibo_client::Resolution;
-
-TEST(CameraOptions, AResolutionIsOneOfTheCamerasLayersOrDouble) {
-  EXPECT_EQ(camera::resolutionOf("52x40"), Resolution::kLow);
-  EXPECT_EQ(camera::resolutionOf("104x80"), Resolution::kMiddle);
-  EXPECT_EQ(camera::resolutionOf("208x160"), Resolution::kHigh);
-  EXPECT_EQ(camera::resolutionOf("416x320"), Resolution::kDouble);
-  EXPECT_FALSE(camera::resolutionOf(""));
-  EXPECT_FALSE(camera::resolutionOf("208X160"));
-}
-
-TEST(CameraOptions, ARateIsThatOfEveryNthImage) {
-  EXPECT_EQ(camera::everyNthImageOf(30), 1);
-  EXPECT_EQ(camera::everyNthImageOf(16), 2);
-  EXPECT_EQ(camera::everyNthImageOf(2), 15);
-  EXPECT_EQ(camera::everyNthImageOf(0), 15);
-  EXPECT_EQ(camera::everyNthImageOf(100), 1);
-  EXPECT_DOUBLE_EQ(camera::frameRateOf(4), 7.5);
-}
 
 TEST(CameraState, IsThatOfThePicture) {
   aibo_client::Picture picture;
@@ -51,23 +29,6 @@ TEST(CameraState, IsThatOfThePicture) {
   EXPECT_EQ(state.shutter_speed, CameraState::SHUTTER_MID);
   EXPECT_TRUE(state.auto_exposure);
   EXPECT_FALSE(state.auto_white_balance);
-}
-
-TEST(Transport, ItsReasonIsTold) {
-  using aibo_client::PictureTransport;
-  aibo_client::ConnectionStatus status;
-  status.transport_problem = "a firewall";
-  EXPECT_EQ(camera::transportReason(status), "") << "it was that of the connection before";
-  status.transport_problem.clear();
-  status.state = aibo_client::ConnectionState::kConnected;
-  EXPECT_EQ(camera::transportReason(status), "~transport is tcp");
-  status.wanted_transport = PictureTransport::kAuto;
-  EXPECT_EQ(camera::transportReason(status), "UDP has not been tried yet");
-  status.transport_problem = "a firewall";
-  EXPECT_EQ(camera::transportReason(status), "a firewall");
-  status.transport_problem.clear();
-  status.transport = PictureTransport::kUdp;
-  EXPECT_EQ(camera::transportReason(status), "datagrams from the robot get through");
 }
 
 TEST(CameraState, IsTheSameForALaterPictureWithTheSameSettings) {

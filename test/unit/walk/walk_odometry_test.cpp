@@ -4,9 +4,7 @@
 
 #include <cmath>
 
-#include "node/walk/odometry_publisher.h"
-
-namespace aibo_driver::node {
+namespace aibo_driver::walk {
 namespace {
 
 using aibo_client::EndedHow;
@@ -25,7 +23,7 @@ class WalkOdometryTest : public ::testing::Test {
 
   // A measurement `frames` after the one before. The robot itself is wrong about its velocity.
   void measure(const aibo_client::WalkVelocity& real, unsigned frames = 4) {
-    const aibo_client::WalkVelocity velocity = walk::velocityToSend(real, settings_, {});
+    const aibo_client::WalkVelocity velocity = velocityToSend(real, settings_, {});
     frame_ += frames;
     aibo_client::Telemetry telemetry;
     telemetry.frame_number = frame_;
@@ -37,8 +35,8 @@ class WalkOdometryTest : public ::testing::Test {
   double uncertainty() const { return std::sqrt(way_.odometry().covariance()(0, 0)); }
   double turnUncertainty() const { return std::sqrt(way_.odometry().covariance()(2, 2)); }
 
-  walk::WalkSettings settings_;
-  walk::WalkOdometry way_{settings_};
+  WalkSettings settings_;
+  WalkOdometry way_{settings_};
   unsigned frame_ = 0xfffffff0U;  // overflows
   std::uint64_t connection_ = 41;
 };
@@ -117,38 +115,5 @@ TEST_F(WalkOdometryTest, MayBeAnywhereAfterItWasLiftedWhileItStoodAndThatCountsO
   EXPECT_DOUBLE_EQ(uncertainty(), std::sqrt(2));
 }
 
-TEST_F(WalkOdometryTest, BecomesAMessage) {
-  measure({0, 0, 0.5});
-  measure({0, 0, 0.5}, 250);
-  measure({0.1, -0.05, 0.5});
-  const nav_msgs::Odometry odom = toMessage(way_.odometry(), way_.velocity());
-  EXPECT_NEAR(odom.pose.pose.orientation.z, std::sin(0.508), 5e-3);
-  EXPECT_NEAR(odom.pose.pose.orientation.w, std::cos(0.508), 5e-3);
-  EXPECT_EQ(odom.pose.pose.position.x, way_.odometry().x());
-  EXPECT_EQ(odom.pose.pose.position.y, way_.odometry().y());
-  EXPECT_NE(way_.odometry().x(), way_.odometry().y());
-  EXPECT_EQ(odom.pose.pose.position.z, 0);
-  EXPECT_DOUBLE_EQ(odom.twist.twist.linear.x, 0.1);
-  EXPECT_DOUBLE_EQ(odom.twist.twist.linear.y, -0.05);
-  EXPECT_DOUBLE_EQ(odom.twist.twist.angular.z, 0.5);
-  EXPECT_GT(odom.twist.covariance[0], 1e-4);
-  EXPECT_EQ(odom.pose.covariance[35], way_.odometry().covariance()(2, 2));
-  EXPECT_EQ(odom.pose.covariance[5], way_.odometry().covariance()(0, 2));
-  for (const std::size_t place : {14, 21, 28}) {
-    EXPECT_EQ(odom.pose.covariance[place], 1e6) << "it measures neither its height nor roll nor pitch";
-    EXPECT_EQ(odom.twist.covariance[place], 1e6);
-  }
-  EXPECT_EQ(odom.pose.covariance[7], way_.odometry().covariance()(1, 1));
-  EXPECT_EQ(odom.pose.covariance[30], way_.odometry().covariance()(2, 0));
-  EXPECT_NE(odom.pose.covariance[5], odom.pose.covariance[11]);
-  EXPECT_EQ(odom.twist.covariance[7], odom.twist.covariance[0]);
-  EXPECT_GT(toMessage(way_.odometry(), {0, 0.1, 0}).twist.covariance[0], 1e-4) << "sideways";
-  EXPECT_GT(toMessage(way_.odometry(), {0.1, 0, 0}).twist.covariance[35], 1e-4) << "it does not walk quite straight";
-  EXPECT_GT(odom.twist.covariance[35], 2 * odom.twist.covariance[0]) << "it mostly turns";
-  measure({});
-  EXPECT_LT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 1e-5) << "it stands";
-  EXPECT_GT(toMessage(way_.odometry(), way_.velocity()).twist.covariance[0], 0) << "0 would mean unknown";
-}
-
 }  // namespace
-}  // namespace aibo_driver::node
+}  // namespace aibo_driver::walk
