@@ -3,6 +3,7 @@
 #include <aibo_driver/Connection.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
+#include <xmlrpcpp/XmlRpcException.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -80,6 +81,8 @@ OnlyDriver::OnlyDriver(const ros::NodeHandle& handle) {
     }
   } catch (const NoAnswer&) {
     // Without the master this is unknown, but without it no node can find this driver either.
+  } catch (const XmlRpc::XmlRpcException&) {
+    // What answers there is no master.
   }
 }
 

@@ -16,7 +16,10 @@ using XmlRpc::XmlRpcValue;
 
 constexpr std::chrono::seconds kAnswerTimeout{2};
 constexpr double kSlice = 0.05;  // s; how often a call that waits checks whether it has to end
-constexpr int kSuccess = 1;      // the status of an answer, http://wiki.ros.org/ROS/Master_API
+
+// An answer is an array of these, http://wiki.ros.org/ROS/Master_API
+enum { kStatus, kMessage, kResult, kParts };
+constexpr int kSuccess = 1;
 
 }  // namespace
 
@@ -41,10 +44,11 @@ std::optional<XmlRpcValue> XmlRpcPeer::call(const char* method, const std::vecto
     dispatch.work(kSlice);
   }
   XmlRpcValue answer;  // a call that failed counts as done, but its answer is not valid
-  if (!client.executeCheckDone(answer) || client.isFault() || !answer.valid()) {
+  if (!client.executeCheckDone(answer) || client.isFault() || answer.getType() != XmlRpcValue::TypeArray ||
+      answer.size() != kParts) {
     throw NoAnswer{!dispatch._sources.empty()};
   }
-  return answer[0] == XmlRpcValue(kSuccess) ? std::optional<XmlRpcValue>(answer[2]) : std::nullopt;
+  return answer[kStatus] == XmlRpcValue(kSuccess) ? std::optional<XmlRpcValue>(answer[kResult]) : std::nullopt;
 }
 
 // roscpp unregisters everything while it shuts down, so nothing may be registered again then.

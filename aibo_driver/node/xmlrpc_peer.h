@@ -14,7 +14,7 @@ namespace aibo_driver::node {
 
 /// Thrown if no answer came.
 struct NoAnswer {
-  bool is_silent;  ///< true: it took too long; false: nobody is there, or the program there does not speak XML-RPC
+  bool is_silent;  ///< true: it took too long; false: nobody is there, or the program there is no part of ROS
 };
 
 /// A program that answers XML-RPC: the ROS master or a node.
@@ -29,7 +29,7 @@ class XmlRpcPeer {
 
   /// Calls a method, with the name of this node as its first argument. Unlike ros::master::execute() it does not wait
   /// for ever, but for 2 s at most. Any thread may call it.
-  /// @return empty if the call was refused
+  /// @return empty if the call was refused. A program that is no part of ROS can answer with any value
   /// @throw NoAnswer no answer came in time, or calls have to end
   std::optional<XmlRpc::XmlRpcValue> call(const char* method, const std::vector<XmlRpc::XmlRpcValue>& arguments) const;
 

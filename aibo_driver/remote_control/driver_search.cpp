@@ -1,6 +1,7 @@
 #include "remote_control/driver_search.h"
 
 #include <aibo_driver/Connection.h>
+#include <xmlrpcpp/XmlRpcException.h>
 #include <xmlrpcpp/XmlRpcValue.h>
 
 #include <algorithm>
@@ -21,22 +22,23 @@ bool endsWith(const std::string& text, const std::string& end) {
 }  // namespace
 
 std::optional<TopicTypes> askMaster() {
-  std::optional<XmlRpcValue> topics;
   try {
     constexpr const char* kAnySubgraph = "";
-    topics = node::XmlRpcPeer::master().call("getPublishedTopics", {kAnySubgraph});
+    auto topics = node::XmlRpcPeer::master().call("getPublishedTopics", {kAnySubgraph});
+    if (!topics) {
+      return std::nullopt;
+    }
+    TopicTypes types;
+    for (int i = 0; i < topics->size(); ++i) {
+      XmlRpcValue& topic = (*topics)[i];  // a name and a type
+      types[topic[0]] = std::string(topic[1]);
+    }
+    return types;
   } catch (const node::NoAnswer&) {
     return std::nullopt;
-  }
-  if (!topics) {
+  } catch (const XmlRpc::XmlRpcException&) {  // what answers is no master
     return std::nullopt;
   }
-  TopicTypes types;
-  for (int i = 0; i < topics->size(); ++i) {
-    XmlRpcValue& topic = (*topics)[i];  // a name and a type
-    types[topic[0]] = std::string(topic[1]);
-  }
-  return types;
 }
 
 std::vector<std::string> driversIn(const TopicTypes& types) {

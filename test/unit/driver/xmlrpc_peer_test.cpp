@@ -10,7 +10,10 @@
 #include <chrono>
 #include <cstdint>
 #include <future>
+#include <list>
 #include <thread>
+#include <tuple>
+#include <vector>
 
 #include "support/sockets.h"
 
@@ -36,24 +39,53 @@ TEST(XmlRpcPeer, ACallToAProgramThatDoesNotAnswerEndsWithTheNode) {
   EXPECT_TRUE(was_faster);
 }
 
-TEST(XmlRpcPeer, AFaultIsNoAnswerAndARefusalIsNoResult) {
+XmlRpcValue listOf(const std::vector<XmlRpcValue>& values) {
+  XmlRpcValue list;
+  list.setSize(0);
+  for (const XmlRpcValue& value : values) {
+    list[list.size()] = value;
+  }
+  return list;
+}
+
+TEST(XmlRpcPeer, AnAnswerIsThatOfROSOrItIsNone) {
+  using Answer = XmlRpcValue (*)(const XmlRpcValue& arguments);
   struct Method : XmlRpc::XmlRpcServerMethod {
-    Method(const char* name, int status, XmlRpc::XmlRpcServer* server)
-        : XmlRpcServerMethod(name, server), status_(status) {}
+    Method(const char* name, Answer answer, XmlRpc::XmlRpcServer* server)
+        : XmlRpcServerMethod(name, server), answer_(answer) {}
 
-    void execute(XmlRpcValue& arguments, XmlRpcValue& answer) override {
-      answer[0] = status_;
-      answer[1] = "";
-      answer[2] = arguments;
-    }
+    void execute(XmlRpcValue& arguments, XmlRpcValue& answer) override { answer = answer_(arguments); }
 
-    const int status_;
+    const Answer answer_;
+  };
+  const XmlRpcValue arguments = listOf({ros::this_node::getName(), "an argument", 7});  // the first says who calls
+  enum class Result { kArguments, kRefused, kNone };
+  const std::tuple<const char*, Answer, Result> rows[] = {
+      {"accepted",
+       [](const XmlRpcValue& given) {
+         return listOf({1, "", given});
+       },
+       Result::kArguments},
+      {"refused",
+       [](const XmlRpcValue& given) {
+         return listOf({0, "", given});
+       },
+       Result::kRefused},
+      {"failed",
+       [](const XmlRpcValue& given) {
+         return listOf({-1, "", given});
+       },
+       Result::kRefused},
+      {"stray", [](const XmlRpcValue&) { return XmlRpcValue("hello"); }, Result::kNone},
+      {"stray number", [](const XmlRpcValue&) { return XmlRpcValue(1); }, Result::kNone},
+      {"stray list", [](const XmlRpcValue&) { return listOf({1}); }, Result::kNone},
   };
   XmlRpc::XmlRpcServer server;
   ASSERT_TRUE(server.bindAndListen(0));
-  const Method accepts("accept", 1, &server);
-  const Method refuses("refuse", 0, &server);
-  const Method fails("fail", -1, &server);
+  std::list<Method> methods;
+  for (const auto& [name, answer, result] : rows) {
+    methods.emplace_back(name, answer, &server);
+  }
   std::atomic<bool> is_over{false};
   std::thread program([&] {
     while (!is_over) {
@@ -61,13 +93,16 @@ TEST(XmlRpcPeer, AFaultIsNoAnswerAndARefusalIsNoResult) {
     }
   });
   const XmlRpcPeer peer("127.0.0.1", static_cast<std::uint32_t>(server.get_port()));
-  XmlRpcValue arguments;
-  arguments[0] = ros::this_node::getName();
-  arguments[1] = "an argument";
-  arguments[2] = 7;
-  EXPECT_EQ(peer.call("accept", {"an argument", 7}), arguments) << "the first says who calls";
-  EXPECT_FALSE(peer.call("refuse", {1}));
-  EXPECT_FALSE(peer.call("fail", {1}));
+  for (const auto& [name, answer, result] : rows) {
+    try {
+      const auto value = peer.call(name, {"an argument", 7});
+      EXPECT_EQ(value ? Result::kArguments : Result::kRefused, result) << name;
+      EXPECT_TRUE(!value || *value == arguments) << name;
+    } catch (const NoAnswer& none) {
+      EXPECT_EQ(Result::kNone, result) << name;
+      EXPECT_FALSE(none.is_silent) << name;
+    }
+  }
   EXPECT_THROW(peer.call("getPid", {}), NoAnswer) << "this program has no such method";
   is_over = true;
   program.join();
