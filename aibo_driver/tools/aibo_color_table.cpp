@@ -31,14 +31,22 @@ Region parseRegion(const std::string& text) {
   return region;
 }
 
+aibo_driver::camera::BgrImage loadPicture(const std::string& file) {
+  const auto jpeg = aibo_driver::files::loadFile(file, kLongestFile);
+  try {
+    return aibo_driver::camera::decodeJpeg(jpeg.data(), jpeg.size());
+  } catch (const aibo_driver::camera::DecodeException& error) {
+    throw InvalidArgumentException("'" + file + "' is not a picture of the robot's camera: " + error.what());
+  }
+}
+
 void makeTable(const options::variables_map& values) {
   const Region region = parseRegion(values["region"].as<std::string>());
   const int margin = values["margin"].as<int>();
   if (margin < 0 || margin > 127) {
     throw InvalidArgumentException("--margin is " + std::to_string(margin) + "; it must be 0..127");
   }
-  const auto jpeg = aibo_driver::files::loadFile(values["picture"].as<std::string>(), kLongestFile);
-  const aibo_driver::camera::BgrImage picture = aibo_driver::camera::decodeJpeg(jpeg.data(), jpeg.size());
+  const aibo_driver::camera::BgrImage picture = loadPicture(values["picture"].as<std::string>());
   const aibo_client::ColorTable table =
       aibo_driver::color_table::makeTable(picture, region, values["name"].as<std::string>(), margin);
   const auto coverage = aibo_driver::color_table::coverageOf(table, picture, region);
@@ -61,8 +69,8 @@ int main(int argc, char** argv) {
   options::options_description all(
       "Makes a table for the colour detection from a part of a picture of the robot's camera.\n\n"
       "  rosrun aibo_driver aibo_color_table PICTURE.jpg --region LEFT,TOP,WIDTH,HEIGHT [OPTION...]\n\nOptions");
-  all.add_options()("picture", options::value<std::string>(), "a JPEG, such as take_picture saves")(
-      "region", options::value<std::string>(), "the part of the picture, in pixels: LEFT,TOP,WIDTH,HEIGHT")(
+  all.add_options()("picture", options::value<std::string>()->required(), "a JPEG, such as take_picture saves")(
+      "region", options::value<std::string>()->required(), "the part of the picture, in pixels: LEFT,TOP,WIDTH,HEIGHT")(
       "name", options::value<std::string>()->default_value("my_color"), "name of the table")(
       "margin", options::value<int>()->default_value(6), "by which the ranges of Cr and Cb are widened, 0..127")(
       "output", options::value<std::string>(), "file for the table; without it, the table is printed")(
@@ -76,10 +84,7 @@ int main(int argc, char** argv) {
       std::cout << all;
       return 0;
     }
-    if (values.count("picture") == 0 || values.count("region") == 0) {
-      std::cerr << all;
-      return 2;
-    }
+    options::notify(values);
     makeTable(values);
     return 0;
   } catch (const std::exception& error) {
