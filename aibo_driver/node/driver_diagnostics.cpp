@@ -235,9 +235,8 @@ void DriverDiagnostics::reportJoints(DiagnosticStatusWrapper& status) {
 void DriverDiagnostics::reportWhatCannotMove(DiagnosticStatusWrapper& status) const {
   const movement::Mover::State state = sources_.mover.state();
   if (state.stopped_by) {
-    status.mergeSummary(DiagnosticStatus::WARN, "stopped by " + *state.stopped_by +
-                                                    ": nothing moves the robot until "
-                                                    "release is called");
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        "stopped by " + *state.stopped_by + ": only rest moves the robot until release is called");
   }
   if (state.robot.motors == aibo_client::MotorState::kOff) {
     status.mergeSummary(DiagnosticStatus::WARN, "the motors are off: call motors, stand or sit to switch them on");

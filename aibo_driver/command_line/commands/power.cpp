@@ -32,7 +32,7 @@ ExitStatus stop(const Arguments& arguments, Output& output) {
   } else {
     robot.client().stopMotion("", Robot::kTimeout);
   }
-  output.result(holds ? "The robot holds: nothing moves it any more."
+  output.result(holds ? "The robot holds."
                       : "All motions are stopped. This server has no request that stops joints on their way.",
                 Json::object({{"stopped", true}, {"holds", holds}}));
   return kDone;

@@ -46,10 +46,11 @@ std::string motionNamed(const std::string& name) {
 
 Services stopServices(movement::Mover& mover) {
   return {
-      service<std_srvs::Trigger>("stop", "No order moves the robot any more, but it could not be told to stop",
+      service<std_srvs::Trigger>("stop",
+                                 "Until release is called, only rest moves the robot, but it could not be told to stop",
                                  [&mover](auto& call) {
                                    mover.stop(call.order);
-                                   return "The robot holds, and nothing moves it until release is called.";
+                                   return "The robot holds. Until release is called, only rest moves it.";
                                  }),
       service<std_srvs::Trigger>("release", "The robot stays stopped",
                                  [&mover](auto& call) {

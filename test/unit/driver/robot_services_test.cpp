@@ -89,7 +89,7 @@ class RobotServicesTest : public ::testing::Test {
 TEST_F(RobotServicesTest, StopUntilRelease) {
   const auto response = call("stop");
   EXPECT_TRUE(response.success);
-  EXPECT_EQ(response.message, "The robot holds, and nothing moves it until release is called.");
+  EXPECT_EQ(response.message, "The robot holds. Until release is called, only rest moves it.");
   EXPECT_THAT(client_.told, ElementsAre("hold"));
   EXPECT_EQ(play("nod").message, "Nothing was played: stopped by /user; call release.");
   EXPECT_EQ(setMotors(true).message, "The motors were not switched: stopped by /user; call release.");
@@ -110,7 +110,8 @@ TEST_F(RobotServicesTest, StopWithoutARobot) {
   client_.problem = "there is no robot";
   const auto response = call("stop");
   EXPECT_FALSE(response.success);
-  EXPECT_EQ(response.message, "No order moves the robot any more, but it could not be told to stop: there is no robot");
+  EXPECT_EQ(response.message,
+            "Until release is called, only rest moves the robot, but it could not be told to stop: there is no robot");
 }
 
 TEST_F(RobotServicesTest, SwitchTheMotors) {
