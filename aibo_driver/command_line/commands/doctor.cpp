@@ -19,7 +19,7 @@ namespace {
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
-constexpr int kConsolePort = 59000;
+constexpr int kConsolePort = 59000;  // Sony's wireless console
 constexpr milliseconds kConsoleTimeout{500};
 constexpr double kLongestTest = 600;  // s
 constexpr double kFewPictures = 20;   // pictures a second, of the camera's 25 or 30

@@ -2,6 +2,8 @@
 #ifndef AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 #define AIBO_RCSERVER_SIMULATOR_OPENR_HOST_CONSOLE_H
 
+#include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <list>
@@ -13,6 +15,9 @@
 #include "simulator/openr_host/ip_stack/tcp_listener.h"
 
 namespace openr_host {
+
+/// The console's TCP port on the robot (report, section 2.2).
+constexpr std::uint16_t kConsolePort = 59000;
 
 /// The wireless console. What objects print goes to a stream and to all telnet connections. Typed lines go to a
 /// callback; objects never see them, as on the robot.

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "simulator/openr_host/clock.h"
+#include "simulator/openr_host/console.h"
 #include "simulator/openr_host/ip_stack/poll_set.h"
 #include "simulator/openr_host/ip_stack/socket.h"
 #include "simulator/openr_host/object_description.h"
@@ -28,9 +29,6 @@ class System;
 class VirtualRobotAudioComm;
 class VirtualRobotComm;
 struct ServiceConnection;
-
-/// On the robot (report, section 2.2).
-constexpr std::uint16_t kConsolePort = 59000;
 
 /// The memory stick cannot be booted. The text names the file and line, or the port, and says what to do.
 class BootError : public std::runtime_error {
