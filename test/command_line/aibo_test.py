@@ -957,6 +957,19 @@ class Unreachable(TestCase):
         users = iter((turn_away, turn_away, says_hello(b"RCServer", b"NOD.MTN")))  # the robot is free a moment later
         self.assertEqual(self.text("motions", port=self.server(lambda client: next(users)(client))), "NOD.MTN\n")
 
+    def test_a_robot_whose_settings_leave_this_computer_out(self):
+        shutil.copytree(STICK, self.folder / "stick")
+        (self.folder / "stick/OPEN-R/MW/CONF/RCSERVER.CFG").write_text("ALLOWED_ADDRESSES=10.0.0.1\n")
+        address = self.own_address()
+        with subprocess.Popen([RCSERVER, "--bind", address, "--port", "0", "--memory-stick", self.folder / "stick"],
+                              stdout=subprocess.PIPE, text=True) as robot:
+            self.addCleanup(robot.kill)
+            port = next(line for line in robot.stdout if "RCServer listening" in line).rsplit(":", 1)[1].strip()
+            finding, = self.json("doctor", address, port=port, status=UNREACHABLE)["findings"]
+            self.assertEqual(finding["advice"], "The robot's console says why: ALLOWED_ADDRESSES in RCSERVER.CFG does "
+                                                "not name it")
+            robot.kill()
+
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))
         errors = self.aibo("joints", port=port, status=UNREACHABLE).errors

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "client/tcp_transport.h"
 #include "command_line/commands/commands.h"
 #include "command_line/quantities.h"
+#include "text/plain_text.h"
 
 namespace aibo_driver::command_line {
 
@@ -21,8 +24,9 @@ using std::chrono::steady_clock;
 
 constexpr int kConsolePort = 59000;  // Sony's wireless console
 constexpr milliseconds kConsoleTimeout{500};
-constexpr double kLongestTest = 600;  // s
-constexpr double kFewPictures = 20;   // pictures a second, of the camera's 25 or 30
+constexpr std::size_t kLongestReason = 200;  // bytes
+constexpr double kLongestTest = 600;         // s
+constexpr double kFewPictures = 20;          // pictures a second, of the camera's 25 or 30
 constexpr double kHighLoss = 0.1;
 constexpr double kLongGap = 0.5;        // s, between two pictures
 constexpr double kLowCharge = 0.2;      // the driver's diagnostics have the same limit
@@ -101,17 +105,47 @@ class Doctor {
       case FaultKind::kUnreachable:
       case FaultKind::kNoAnswer:
         return kWlanSwitch;
-      case FaultKind::kTurnedAway:
+      case FaultKind::kTurnedAway: {
+        const std::string reason = reasonOnConsole();
+        if (!reason.empty()) {
+          return "The robot's console says why: " + reason;
+        }
         return "`ss -tp dport = :" + std::to_string(address_.port) +
                "` lists the programs of this computer that are connected. If there is none, another computer has the "
                "robot, or this computer's address is not among the ALLOWED_ADDRESSES in RCSERVER.CFG. The robot's "
                "console (port 59000) says which.";
+      }
       case FaultKind::kClosed:
       case FaultKind::kSilent:
         return "Is the robot within reach of its WLAN?";
       default:
         return "";
     }
+  }
+
+  /// Why the robot turns this computer away; empty if its console does not say so in time.
+  std::string reasonOnConsole() {
+    const std::string mark = "is turned away: ";
+    try {
+      aibo_client::TcpTransport console;
+      console.connect(address_.host, kConsolePort, steady_clock::now() + kConsoleTimeout);
+      aibo_client::TcpTransport client;
+      client.connect(address_.host, address_.port, steady_clock::now() + kConsoleTimeout);
+      std::string said;
+      for (const auto end = steady_clock::now() + kConsoleTimeout; steady_clock::now() < end;) {
+        if (console.wait(end).connection) {
+          std::uint8_t bytes[4096];
+          said.append(bytes, bytes + console.receive(bytes, sizeof bytes));
+        }
+        const std::size_t begin = said.find(mark);
+        const std::size_t line_end = said.find('\n', begin);
+        if (begin != std::string::npos && line_end != std::string::npos) {
+          return text::plainLine(said.substr(begin + mark.size(), line_end - begin - mark.size()), kLongestReason);
+        }
+      }
+    } catch (const aibo_client::Fault&) {
+    }
+    return "";
   }
 
   bool consoleAnswers() {
