@@ -2,11 +2,12 @@
 
 
 class Problem(Exception):
-    """What is wrong, then what to do about it, one line each."""
+    """What is wrong, then what to do about it, one line each. `setting` is the name of the wrong one in a file."""
 
-    def __init__(self, what, *advice):
+    def __init__(self, what, *advice, setting=None):
         super().__init__(what)
         self.advice = advice
+        self.setting = setting
 
     def __str__(self):
         return "\n".join([self.args[0], *("  " + line for line in self.advice)])

@@ -73,7 +73,8 @@ def read(path):
 
 
 class Program:
-    """One program. problems() yields a text for each fault, and fills in the summary."""
+    """One program. problems() yields a text for each fault, and fills in the summary and what is unusual: Sony's tools
+    accept it, and other people's programs have it."""
 
     def __init__(self, data, linked=None, relocations=None):
         """`linked` is mkbin's NAME.nosnap.elf, `relocations` its NAME.rel.elf: their bytes, or None."""
@@ -82,6 +83,7 @@ class Program:
         self._relocations = relocations
         self._sections = {}
         self.summary = None
+        self.unusual = []
 
     def problems(self):
         try:
@@ -110,7 +112,9 @@ class Program:
         if missing:
             raise Broken(f"it has no section {', '.join(missing)}: mkbin was not run to its end")
         flags = header["e_flags"]
-        if flags & ~0x3 != 0x1004:  # except for noreorder and PIC: o32, MIPS I, CPIC
+        if flags & ~0x3 == 0x0004:  # some compilers leave the ABI out
+            self.unusual.append(f"its flags are {flags:#x}, which do not name the ABI")
+        elif flags & ~0x3 != 0x1004:  # except for noreorder and PIC: o32, MIPS I, CPIC
             yield (f"its flags are {flags:#x}; the loader is known to accept 0x1005: MIPS I, the ABI o32, and code that "
                    "finds its data by gp (CPIC)")
         loaded = [segment for segment in self._elf.iter_segments() if segment["p_type"] == "PT_LOAD"]
@@ -226,7 +230,7 @@ class Program:
         if set_gp == 0:
             yield "no function sets gp: this is not position-independent code"
         if frame > max(self._stack // 2, SMALL_FRAME):
-            yield f"a function needs {frame} bytes of a stack of {self._stack}"
+            self.unusual.append(f"a function needs {frame} bytes of a stack of {self._stack}")
         self.summary = self.summary._replace(functions_with_gp=set_gp, largest_frame=frame)
 
     def _uses_address(self, code, index):

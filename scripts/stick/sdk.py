@@ -7,6 +7,7 @@ import zlib
 from typing import NamedTuple
 
 from . import Problem, debian, raise_any
+from .settings import lines_in
 
 WHAT_IT_IS = (
     "Programs for the robot cannot be built without Sony's OPEN-R SDK 1.1.5: OPEN_R_SDK-1.1.5-r5.tar.gz has OPEN-R's",
@@ -77,7 +78,7 @@ def build_problems(sdk, model, compiler):
     own = compiler == "sdk"
     problems = [problem for part in (COMPILER if own else C_LIBRARY, LIBRARIES, HEADERS, STUB_GENERATOR, LINKER)
                 for problem in _missing(sdk, part)]
-    problems += _system_problems(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip")
+    problems += _system_problems(system_folder(sdk, model)) + _missing_programs("perl", "make", "gzip", "g++")
     problems += missing_pyelftools()
     if own:
         problems += [] if any(_missing(sdk, COMPILER)) else _compiler_problems(sdk)
@@ -109,7 +110,7 @@ def system_folder(sdk, model):
 
 def files_named_in(configuration):
     """The files that one of OPEN-R's .CFG files names, as paths from the top of the stick."""
-    lines = (line.split("#")[0] for line in configuration.read_text(errors="replace").splitlines())
+    lines = (line.split("#")[0] for line in lines_in(configuration))
     return [name for line in lines for name in re.findall(r"/MS/(\S+)", line)]
 
 

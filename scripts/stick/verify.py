@@ -6,7 +6,8 @@ import zlib
 from . import Problem, sdk as sony
 from .binary import Program
 from .objects import robot_objects, services
-from .wlan import parse_wlan_conf, wlan_conf
+from .settings import has_marks, lines_in, settings_problems
+from .wlan import WlanConf
 
 # OPEN-R's own services: Programmer's Guide, Level2 Reference Guide.
 SYSTEM_SERVICES = {
@@ -22,6 +23,9 @@ MIN_PROGRAM_SIZE = 100_000
 MAX_PROGRAM_SIZE = 4_000_000
 MAX_STICK_SIZE = 8_000_000  # Sony's smaller programmable stick
 
+WLANCONF = "SYSTEM/CONF/WLANCONF.TXT"
+READ_BY_SONY = ("MW/CONF/OBJECT.CFG", "MW/CONF/CONNECT.CFG", "MW/CONF/DESIGNDB.CFG", WLANCONF)
+
 WRITE_AGAIN = "Let scripts/memory_stick write the stick again."
 
 
@@ -35,11 +39,25 @@ def problems_of(stick):
     yield from _name_problems(open_r)
     yield from _object_problems(open_r)
     yield from _connection_problems(open_r)
-    yield from _wlan_problems(open_r / "SYSTEM" / "CONF" / "WLANCONF.TXT")
+    yield from settings_problems(stick)
+    if (open_r / WLANCONF).is_file():
+        yield from WlanConf(open_r / WLANCONF).problems
     size = sum(path.stat().st_size for path in open_r.rglob("*") if path.is_file())
     if size > MAX_STICK_SIZE:
         yield Problem(f"{open_r} has {size} bytes; Sony's smallest stick holds 8 MB.",
                       "Remove motions and programs that are not needed.")
+
+
+def notes_on(stick):
+    """Notes for the owner of a stick without problems, one line each."""
+    open_r = stick / "OPEN-R"
+    notes = sony.notes_on_revision(open_r)
+    if (open_r / WLANCONF).is_file() and WlanConf(open_r / WLANCONF).is_demo:
+        notes.append("APMODE=0 is Sony's Ad Hoc Demo Mode. An access point and a network between two computers, which "
+                     "Linux calls ad hoc, need APMODE=1.")
+    notes += [f"{open_r / name} has a byte order mark or DOS' end of file. Nobody knows whether Sony's system skips "
+              "it: save the file without it." for name in READ_BY_SONY if has_marks(open_r / name)]
+    return notes
 
 
 def _system_problems(open_r):
@@ -103,7 +121,7 @@ def _connection_problems(open_r):
     ours = [service for robot_object in robot_objects() for service in services(robot_object.stub_cfg)]
     known = SYSTEM_SERVICES.union(ours)
     connected = set()
-    for number, line in enumerate(configuration.read_text(errors="replace").splitlines(), 1):
+    for number, line in enumerate(lines_in(configuration), 1):
         words = line.split("#")[0].split()
         if words and not words[0].startswith("["):
             connected.update(words)
@@ -130,11 +148,3 @@ def _has_foreign_programs(open_r):
     """True if there are programs such as Sony's POWERMON.BIN, whose services are unknown here."""
     ours = {robot_object.file for robot_object in robot_objects()}
     return any(name.split("/")[-1] not in ours for name in _programs_to_start(open_r))
-
-
-def _wlan_problems(path):
-    if path.is_file():
-        try:
-            wlan_conf(parse_wlan_conf(path.read_text(errors="replace")))
-        except Problem as problem:
-            yield Problem(f"{path}: {problem.args[0]}", *problem.advice)

@@ -62,8 +62,9 @@ WRITTEN_PROGRAMS = re.findall(r"^\w+ +(\w+\.BIN) ", (PROJECT / "aibo_rcserver/me
 
 
 def files_of(folder):
-    """The files and when each was last changed."""
-    return {path: path.stat().st_ctime_ns for path in folder.rglob("*") if path.is_file()}
+    """The files, except for what was built, and when each was last changed."""
+    return {path: path.stat().st_ctime_ns for path in folder.rglob("*")
+            if path.is_file() and ".build" not in path.parts}
 
 
 class Workshop(unittest.TestCase):
@@ -79,7 +80,7 @@ class Workshop(unittest.TestCase):
         self.addCleanup(memory.cleanup)
         self.stick = Path(memory.name) / "stick"
         self.project, self.sdk, self.libjpeg = COPY, COPY.with_name("sdk"), COPY.with_name("jpeg-6b")
-        shutil.rmtree(str(self.project / ".build"), ignore_errors=True)
+        shutil.rmtree(str(self.project / ".build/robot"), ignore_errors=True)
         (self.sdk / "log").unlink(missing_ok=True)
         for shared, make in ((self.project, copy_project), (self.sdk, fake_sdk.make_sdk),
                              (self.libjpeg, fake_sdk.make_libjpeg)):
@@ -216,8 +217,7 @@ class TheNetwork(Workshop):
 
     def test_has_the_settings_that_were_asked_for(self):
         for wlan, lines in ((Wlan("home!"), ("HOSTNAME=AIBO", "USE_DHCP=1", "ESSID=home!", "WEPENABLE=0", "APMODE=1")),
-                            (Wlan("AIBO", ip="10.0.1.100", channel="11"),
-                             ("USE_DHCP=0", "APMODE=0", "CHANNEL=11", "IP_GATEWAY=10.0.1.100"))):
+                            (Wlan("AIBO", ip="10.0.1.100"), ("USE_DHCP=0", "IP_GATEWAY=10.0.1.100", "APMODE=1"))):
             for line in lines:
                 self.assertIn(line + "\r\n", wlan_conf(wlan))
 
@@ -233,14 +233,12 @@ class TheNetwork(Workshop):
         address = ("--essid", "AIBO", "--ip", "192.168.7.2")
         for options, what, advice in (
                 (("--ip", "192.168.7.2"), "WLAN options need --essid", "Add it"),
-                (("--channel", "5"), "WLAN options need --essid", "Add it"),
                 (("--essid", ""), "the network's name '' cannot be", "1 to 32 letters"),
                 (("--essid", "x" * 33), "cannot be used by the robot", "1 to 32 letters"),
                 (("--essid", "my home"), "'my home' cannot be", "without spaces"),
                 (("--essid", "AIBO", "--wep-key", "AIBO"), "the WEP key has 4 characters", "5 or 13 letters"),
                 (("--essid", "AIBO", "--wep-key", "AIB-2"), "the WEP key has 5 characters, or", "5 or 13 letters"),
                 (("--essid", "AIBO", "--wep-key", "012345678g"), "the WEP key has 10 characters", "10 or 26"),
-                (("--essid", "AIBO", "--channel", "12"), "no channel '12'", "1 to 11"),
                 (("--essid", "AIBO", "--netmask", "255.255.255.0"), "--gateway need --ip", "DHCP"),
                 (("--essid", "AIBO", "--ip", "192.168.7"), "address '192.168.7' is not an address", "four numbers"),
                 (("--essid", "AIBO", "--ip", "127.0.0.1"), "127.0.0.1 cannot be", "192.168.7.2"),
@@ -425,16 +423,63 @@ class Verification(Workshop):
         self.expect_problem(path, b"OVirtualRobotComm.Sensor.OSensorFrameVectorData.S " + effector,
                             "have different data types", "the same")
 
+    def test_of_rcserver_cfg(self):
+        """What the robot's own reader says of each file; settings_test.cpp has its rules."""
+        path, ignored = "MW/CONF/RCSERVER.CFG", "only 127.0.0.1 may connect"
+        for content, line in ((b"ALLOW_UPLOAD=maybe\r\n", "line 1: it is neither yes nor no"),
+                              (b"# mine\nALOW_UPLOAD=yes\n", "line 2: there is no such setting"),
+                              (b"ALLOWED_ADDRESSES=192.168.7\n", "line 1: it is not a list of addresses"),
+                              (b"\xef\xbb\xbf\n\nMOTORS_AT_BOOT: no", "line 3: it is not NAME=VALUE"),
+                              ("ALLOW_UPLOAD=yes\x1b\n".encode("utf-16"), "line 1: it has a character that is not ASCII")):
+            self.expect_problem(path, content, f"{self.stick}: OPEN-R/MW/CONF/RCSERVER.CFG, {line}", ignored)
+        self.expect_problem("MW/CONF/RCSERVER.TXT", b"", "RCSERVER.TXT, which is not read", ignored)
+        for content in (b"\xef\xbb\xbfALLOW_UPLOAD=no # f\xc3\xbcr G\xc3\xa4ste\r\n", b"ALLOW_UPLOAD=no\r\n\x1a",
+                        b"# f\xfcr G\xe4ste\nALLOW_UPLOAD=no"):
+            (self.open_r / path).write_bytes(content)
+            self.assertEqual(self.verify().returncode, 0, content)
+
+    def test_of_files_by_other_editors(self):
+        """The same files with the marks of Notepad and DOS, and with Latin-1 in a comment."""
+        for path in ("MW/CONF/OBJECT.CFG", "MW/CONF/CONNECT.CFG", "SYSTEM/CONF/WLANCONF.TXT"):
+            file = self.open_r / path
+            before = file.read_bytes().replace(b"\r\n", b"\n")
+            for content, is_marked in ((b"\xef\xbb\xbf" + before.replace(b"\n", b"\r\n"), True),
+                                       (before.rstrip() + b"\x1a", True),
+                                       (b"# f\xfcr\x85\x0c G\xe4ste\n" + before, False)):
+                file.write_bytes(content)
+                said = self.verify()
+                self.assertEqual((said.returncode, said.stderr), (0, ""))
+                self.assertEqual(f"{path} has a byte order mark or DOS' end of file" in said.stdout, is_marked)
+            file.write_bytes(before)
+
     def test_of_the_network(self):
+        """Installation Guide, 3.2.2."""
         path = "SYSTEM/CONF/WLANCONF.TXT"
-        self.expect_problem(path, b"HOSTNAME=AIBO\n", "there is no line ESSID=NAME", "Add the name")
-        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nWEPENABLE=1\nWEPKEY=short1\n",
-                            "the WEP key has 6 characters", "5 or 13")
-        self.expect_problem(path, b"ESSID=AIBO\nUSE_DHCP=1\nAPMODE=0\nCHANNEL=12\n", "no channel '12'", "1 to 11")
-        self.expect_problem(path, b"ESSID=AIBO\nETHER_IP=192.168.7.2\nETHER_NETMASK=255.255.255.0\n"
-                                  b"IP_GATEWAY=192.168.8.1\n", "not in the robot's network", "access point's computer")
-        self.expect_problem(path, b"ESSID=AIBO\nETHER_IP = 192.168.7\n",
-                            "WLANCONF.TXT: the robot's address '192.168.7'", "four numbers")
+        self.expect_problem(path, b"HOSTNAME=AIBO\n", "WLANCONF.TXT: there is no line ESSID=NAME", "Add the name")
+        for line, what, advice in (
+                (b"WEPENABLE=1\nWEPKEY=short1", "line 5: the WEP key has 6 characters", "5 or 13"),
+                (b"ETHER_IP = 192.168.7", "line 4: the robot's address '192.168.7'", "four numbers"),
+                (b"ETHER_IP=192.168.7.2\nETHER_NETMASK=255.0.255.0", "line 5: '255.0.255.0' is not a netmask", "255.255"),
+                (b"ETHER_IP=192.168.7.2\nIP_GATEWAY=192.168.8.1", "line 5: the gateway 192.168.8.1", "access point's"),
+                (b"ESSID=SECOND", "line 4: ESSID appears a second time", "Take out"),
+                (b"USEDHCP = 1", "line 4: the robot has no setting 'USEDHCP'", "USE_DHCP"),
+                (b"\xef\xbb\xbfWEPENABLE=0", "line 4: the robot has no setting '\\ufeffWEPENABLE'", "misspelt"),
+                (b"WEPKEY: Secret", "line 4: it is not NAME=VALUE", "# comes first"),
+                (b"HOSTNAME=12345", "line 4: HOSTNAME cannot be '12345'", "at least one letter"),
+                (b"WEPENABLE=yes", "line 4: WEPENABLE cannot be 'yes'", "0 or 1"),
+                (b"APMODE=3", "line 4: APMODE cannot be '3'", "between two computers"),
+                (b"APMODE=0\nCHANNEL=12", "line 5: CHANNEL cannot be '12'", "1 to 11"),
+                (b"APMODE=0", "line 4: APMODE=0 needs a line CHANNEL=N", "1 to 11")):
+            dhcp = b"USE_DHCP=0" if b"ETHER" in line else b"USE_DHCP=1"
+            self.expect_problem(path, b"# mine\nESSID=AIBO\n" + dhcp + b"\n" + line, "WLANCONF.TXT, " + what, advice)
+
+    def test_says_that_the_demo_mode_is_not_what_linux_calls_ad_hoc(self):
+        conf = self.open_r / "SYSTEM/CONF/WLANCONF.TXT"
+        for mode, is_noted in ((0, True), (1, False), (2, False)):
+            conf.write_text(f"ESSID=AIBO\nUSE_DHCP=1\nAPMODE={mode}\nCHANNEL=3\n")
+            said = self.verify()
+            self.assertEqual(said.returncode, 0, said.stderr)
+            self.assertEqual("Ad Hoc Demo Mode. An access point and a network" in said.stdout, is_noted)
 
 
 class AProgram(unittest.TestCase):
@@ -463,11 +508,20 @@ class AProgram(unittest.TestCase):
 
     def test_for_another_processor(self):
         finished = bytearray(self.finished())
-        for flags in (0x50001005, 0x1001, 0x0005):  # MIPS32, no CPIC, another ABI
+        for flags in (0x50001005, 0x1001, 0x2005):  # MIPS32, no CPIC, another ABI
             struct.pack_into("<I", finished, 36, flags)
             self.expect(f"its flags are {flags:#x}", bytes(finished))
         self.expect("instructions of newer processors than the robot's: 0xc0",
                     self.finished(text=fake.code(0x7c431800)))  # ext
+
+    def test_that_is_unusual_has_no_fault(self):
+        """A RoboCup team's program, which its robots ran, had such flags and a function with such a frame."""
+        finished = bytearray(self.finished(text=fake.code(0x27bd0000 | -20000 & 0xffff)))
+        struct.pack_into("<I", finished, 36, 0x0005)
+        program = binary.Program(bytes(finished))
+        self.assertEqual(list(program.problems()), [])
+        self.assertEqual(program.unusual, ["its flags are 0x5, which do not name the ABI",
+                                           "a function needs 20000 bytes of a stack of 32768"])
 
     def test_whose_segments_are_elsewhere(self):
         finished = bytearray(self.finished())
@@ -528,6 +582,15 @@ class CheckBinary(Workshop):
         done = self.run_script("--check-binary", whole, faulty)
         self.expect_failure(done, "faulty.bin: .SnapShotHdr describes no OPEN-R object", "Do not start it on a robot")
         self.assertIn("no fault found", done.stdout)
+
+    def test_says_what_is_unusual_which_this_projects_programs_are_not(self):
+        unusual = (self.sdk / "program").read_bytes().replace(struct.pack("<I", 0x1005), struct.pack("<I", 5), 1)
+        (self.folder / "team.bin").write_bytes(unusual)
+        done = self.run_script("--check-binary", self.folder / "team.bin")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"no fault found.*\n.*team.bin is unusual: its flags are 0x5, .*Sony's tools accept")
+        (self.sdk / "program").write_bytes(unusual)
+        self.expect_failure(self.make_stick(), "its flags are 0x5", "Do not start it")
 
     def test_is_part_of_the_build(self):
         (self.sdk / "faulty").write_bytes((self.sdk / "program").read_bytes().replace(b"mCOOP", b"other"))
