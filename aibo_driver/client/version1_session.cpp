@@ -39,7 +39,7 @@ std::string describeError(int code) {
 // The reasons why this project's server refuses to move a joint (docs/protocol.md).
 constexpr char kWhyJointsAreRefused[] = "; are its motors on, and can the joint move freely?";
 
-// The server reports a joint's fault by refusing the next request about this joint, whatever that request is.
+// The server reports a joint's fault by refusing the next request of any kind about this joint.
 constexpr char kJointFault[] = "the joint does not follow its commands";
 
 // What version 1 has no request for, and the consequences.

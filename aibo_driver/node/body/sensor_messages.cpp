@@ -88,7 +88,7 @@ std::optional<sensor_msgs::Range> RangeFinder::read(const Telemetry& telemetry) 
   message.field_of_view = kFieldOfView;
   message.min_range = static_cast<float>(shortest);
   message.max_range = static_cast<float>(longest);
-  // The sensor reports its limit, however far beyond it the obstacle is.
+  // If the obstacle is beyond the sensor's limit, the sensor reports the limit.
   message.range = *distance <= shortest ? -kInfinity : *distance >= longest ? kInfinity : static_cast<float>(*distance);
   return message;
 }
