@@ -182,7 +182,8 @@ def _system_problems(open_r):
     if not faults:
         return []
     return [Problem(f"the robot's system in {open_r.parent} is not whole: {_some(faults)}.",
-                    "Unpack the SDK's archives again: some copies lack the folders called OBJS.")]
+                    "Unpack the SDK's archives again: some copies lack the folders called OBJS, or have them elsewhere "
+                    "(docs/on_robot.md).")]
 
 
 def _debian_problems(sdk):
