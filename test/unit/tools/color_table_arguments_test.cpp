@@ -19,12 +19,16 @@ TEST(ColorTableProgram, SaysWhichArgumentIsWrong) {
   const test_pictures::Bytes jpeg = test_pictures::make();
   folder.write("a.jpg", std::string(jpeg.begin(), jpeg.end()));
   const std::string picture = folder.path("a.jpg").string();
+  folder.write("a.txt", "no picture");
+  const std::string text = folder.path("a.txt").string();
   const std::string absent = folder.path("absent/b").string();
   const std::string region = "--region=0,0,8,8";
   const struct {
     std::vector<std::string> arguments;
     const char* problem;
   } rows[] = {
+      {{picture}, "the option '--region' is required but missing"},
+      {{region}, "the option '--picture' is required but missing"},
       {{picture, "--region=0,0,8"}, "--region is '0,0,8'; it has to be LEFT,TOP,WIDTH,HEIGHT in pixels"},
       {{picture, "--region=0,0,8,8,8"}, "--region is '0,0,8,8,8'; it has to be"},
       {{picture, "--region=0,0,8,8mm"}, "--region is '0,0,8,8mm'; it has to be"},
@@ -40,6 +44,7 @@ TEST(ColorTableProgram, SaysWhichArgumentIsWrong) {
       {{picture, region, "--output=" + folder.path().string()}, "that is not a regular file"},
       {{absent, region}, "there is no such file"},
       {{folder.path().string(), region}, "it is not a regular file"},
+      {{text, region}, "a.txt' is not a picture of the robot's camera: not a JPEG"},
       {{picture, picture, region}, "too many positional options"},
       {{picture, region, "--fast"}, "unrecognised option '--fast'"},
   };
