@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <system_error>
 
 #include "command_line/interruption.h"
 #include "files/files.h"
@@ -37,11 +38,17 @@ void Output::bytes(const std::vector<std::uint8_t>& bytes) {
 }
 
 std::string Output::picture(const std::string& file, const std::vector<std::uint8_t>& jpeg) {
-  if (file != "-") {
+  std::error_code error;
+  const bool is_device = std::filesystem::is_other(file, error);
+  if (file != "-" && !is_device) {
     return files::saveJpeg("/", file.empty() ? file : std::filesystem::absolute(file).string(), jpeg);
   }
   leaveStandardOutputToBytes();
-  bytes(jpeg);
+  if (is_device) {
+    files::replaceFile(file, {jpeg.begin(), jpeg.end()});
+  } else {
+    bytes(jpeg);
+  }
   return file;
 }
 

@@ -15,11 +15,11 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QSaveFile>
 #include <type_traits>
 #include <utility>
 
 #include "aibo_client/options.h"
+#include "files/files.h"
 #include "remote_control/messages.h"
 
 namespace aibo_driver::remote_control {
@@ -32,13 +32,13 @@ constexpr std::chrono::milliseconds kSearchPeriod{2000};
 /// @throw std::runtime_error the picture was not saved; the message says why
 QString savePicture(const std::vector<std::uint8_t>& jpeg, const QString& folder) {
   const QString name = "aibo_" + QDateTime::currentDateTime().toString("yyyy-MM-dd_HH-mm-ss.zzz") + ".jpg";
-  QSaveFile file(QDir(folder).filePath(name));
-  if (!QDir().mkpath(folder) || !file.open(QIODevice::WriteOnly) ||
-      file.write(reinterpret_cast<const char*>(jpeg.data()), static_cast<qint64>(jpeg.size())) < 0 || !file.commit()) {
-    throw std::runtime_error("the picture was taken, but not saved in " + folder.toStdString() + ": " +
-                             file.errorString().toStdString() + ". Choose another folder.");
+  QDir().mkpath(folder);
+  try {
+    return QString::fromStdString(files::saveJpeg("/", QDir(folder).absoluteFilePath(name).toStdString(), jpeg));
+  } catch (const files::FileException& why) {
+    throw std::runtime_error("the picture was taken, but not saved in " + folder.toStdString() + ": " + why.what() +
+                             ". Choose another folder.");
   }
-  return file.fileName();
 }
 
 RobotConnection::State toState(std::uint8_t state) {

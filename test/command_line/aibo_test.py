@@ -251,6 +251,12 @@ class OnBothVersions:
         said, size = self.text("picture", "-o", "a.jpg"), (self.folder / "a.jpg").stat().st_size
         self.assertEqual(said, f"208x160 pixels, {size} bytes: {self.folder}/a.jpg\n")
 
+    def test_writes_a_picture_to_a_pipe(self):
+        result = subprocess.run([AIBO, "--port", str(self.robot.port), "picture", "-o", "/dev/stdout"], timeout=120,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
+        self.assertEqual((result.stdout[:3], result.stdout[-2:]), (b"\xff\xd8\xff", b"\xff\xd9"))
+        self.assertIn(f"208x160 pixels, {len(result.stdout)} bytes: /dev/stdout\n".encode(), result.stderr)
+
     def test_gives_a_picture_a_name(self):
         def now():
             return time.strftime("aibo-%Y%m%d-%H%M%S.jpg", time.gmtime(time.time() + 9 * 3600))
