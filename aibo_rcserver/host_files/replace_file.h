@@ -3,9 +3,9 @@
 /// killed or the power fails. replace_file.py does the same for programs in Python.
 ///
 /// The content is written to a file `.aibo_part.NUMBER` in the same folder, which then takes the name of the old one.
-/// Signals that end the program wait meanwhile. What a killed program has left is removed by the next one that writes
-/// to the folder: a program that lives holds a lock (flock) on its part. All functions may be called by several threads
-/// and programs at once; the last one to end wins.
+/// Signals to the thread that writes wait meanwhile. What a killed program has left is removed by the next one that
+/// writes to the folder: a program that lives holds a lock (flock) on its part. All functions may be called by several
+/// threads and programs at once; the last one to end wins.
 #ifndef AIBO_RCSERVER_HOST_FILES_REPLACE_FILE_H
 #define AIBO_RCSERVER_HOST_FILES_REPLACE_FILE_H
 

@@ -110,7 +110,7 @@ TEST_F(LoadFileTest, UnpacksAGzippedFileUpToTheLengthAllowed) {
 // Files of the kernel have no size. Reading them may wait for ever, or take their content from other readers.
 TEST_F(LoadFileTest, ReadsNothingOfTheKernelsFiles) {
   for (const std::string path : {"/proc/kmsg", "/proc/self/environ", "/proc/self/pagemap"}) {
-    if (fs::exists(path)) {
+    if (::access(path.c_str(), R_OK) == 0) {  // only root may read the first
       EXPECT_THAT(loadFile(path, 1000), testing::SizeIs(0)) << path;
     }
   }
