@@ -24,13 +24,13 @@ bool endsWith(const std::string& text, const std::string& end) {
 std::optional<TopicTypes> askMaster() {
   try {
     constexpr const char* kAnySubgraph = "";
-    auto topics = node::XmlRpcPeer::master().call("getPublishedTopics", {kAnySubgraph});
+    const auto topics = node::XmlRpcPeer::master().call("getPublishedTopics", {kAnySubgraph});
     if (!topics) {
       return std::nullopt;
     }
     TopicTypes types;
     for (int i = 0; i < topics->size(); ++i) {
-      XmlRpcValue& topic = (*topics)[i];  // a name and a type
+      const XmlRpcValue& topic = (*topics)[i];  // a name and a type
       types[topic[0]] = std::string(topic[1]);
     }
     return types;
