@@ -53,7 +53,7 @@ size_t SizeOfUnclearLineEnd(const char* text, const char* end) {
 }
 
 bool IsLetter(char character) {
-  return character == '_' || (toupper(character) >= 'A' && toupper(character) <= 'Z');
+  return character == '_' || (character >= 'A' && character <= 'Z') || (character >= 'a' && character <= 'z');
 }
 
 // True for NAME=, whatever the name.
