@@ -73,6 +73,10 @@ TEST(ColorTableFile, IsReadWhateverEditorWroteIt) {
 }
 
 TEST(ColorTableFile, IsRefusedWithWhatIsWrongAndWhere) {
+  const std::string ranges = "\nranges: [{y: [0, 7], cr: [1, 2], cb: [3, 4]}]";
+  EXPECT_THAT(tableRefusal("\xef\xbb\xbfname: a\r\n\tkey: b\r\n\x1a"), HasSubstr("see its line 2."));
+  EXPECT_THAT(tableRefusal("name: pi\xfcnk" + ranges), HasSubstr("have a name")) << "Latin-1 outside of a comment";
+  EXPECT_THAT(tableRefusal("name: pink\x1a" + ranges), HasSubstr("have a name")) << "an end of file that is none";
   EXPECT_THAT(tableRefusal("{"), HasSubstr("FILE: it is not YAML"));
   EXPECT_THAT(tableRefusal("name: a\n\tkey: b"), HasSubstr("see its line 2."));
   EXPECT_THAT(tableRefusal("name: a\nkey: [secret"), testing::Not(HasSubstr("secret"))) << "it may be anybody's file";
