@@ -1,6 +1,7 @@
 #include "files/files.h"
 
 #include <fcntl.h>
+#include <pwd.h>
 #include <strings.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -99,6 +100,22 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
+/// What `~` means: see rosHome().
+fs::path userFolder() {
+  const char* const home = std::getenv("HOME");
+  if (home != nullptr && *home != '\0') {
+    return fs::absolute(home);
+  }
+  std::array<char, 4096> texts{};
+  passwd entry{};
+  passwd* found = nullptr;
+  if (::getpwuid_r(::getuid(), &entry, texts.data(), texts.size(), &found) != 0 || found == nullptr) {
+    throw FileException("there is no folder for pictures and calibrations: HOME is not set, and the user " +
+                        std::to_string(::getuid()) + " has no home; set HOME");
+  }
+  return found->pw_dir;
+}
+
 /// Opens the folder of a file. After the path was checked, somebody who may write into the folder for pictures may
 /// replace a folder there by a link to somewhere else. An open folder cannot be replaced.
 FileDescriptor openFolderOf(const fs::path& target) {
@@ -190,18 +207,18 @@ std::vector<std::uint8_t> loadMotion(const std::string& path) {
   return content;
 }
 
+std::string rosHome() {
+  const char* const ros_home = std::getenv("ROS_HOME");
+  return ros_home != nullptr && *ros_home != '\0' ? fs::absolute(ros_home) : userFolder() / ".ros";
+}
+
 std::string pictureFolder(const std::string& chosen) {
   if (!chosen.empty()) {
     return chosen;
   }
-  const char* const home = std::getenv("HOME");
-  const fs::path user = home == nullptr ? fs::path() : fs::path(home);
   std::error_code error;
-  if (home != nullptr && fs::is_directory(user / "Pictures", error)) {
-    return user / "Pictures";
-  }
-  const char* const ros_home = std::getenv("ROS_HOME");
-  return ros_home != nullptr && *ros_home != '\0' ? ros_home : user / ".ros";
+  const fs::path pictures = userFolder() / "Pictures";
+  return fs::is_directory(pictures, error) ? pictures.string() : rosHome();
 }
 
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg) {

@@ -37,8 +37,16 @@ aibo_client::FileDescriptor memoryFile(const std::string& name, const std::strin
 /// @throw FileException it cannot be opened, or is longer; ...
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest);
 
+/// Where ROS keeps files for its user: the environment's ROS_HOME, or else ~/.ros. `~` is the environment's HOME, or
+/// else the folder that the system has for the user, because services and containers may have no HOME. rospkg's
+/// get_ros_home() is the same. Any thread may call it.
+/// @return an absolute path
+/// @throw FileException none of them is set
+std::string rosHome();
+
 /// The folder in which pictures are saved.
-/// @param chosen the user's choice; if empty: ~/Pictures if there is such a folder, or else ROS_HOME, or else ~/.ros
+/// @param chosen the user's choice; if empty: ~/Pictures if there is such a folder, or else rosHome()
+/// @throw FileException the user has chosen nothing, and has no home: see rosHome()
 std::string pictureFolder(const std::string& chosen);
 
 /// Reads a motion, gzipped or not. Anybody who may ask for an upload may name any file, and somebody else may have

@@ -53,8 +53,8 @@ class CalibrateWalkTest(unittest.TestCase):
             program.calibration(program.USUAL, STRAIGHT, real)
 
     def test_asks_until_it_gets_a_number(self):
-        with mock.patch('builtins.input', side_effect=['', '1 m', 'nan', ' 0,95 ']), mock.patch('builtins.print'):
-            self.assertEqual(program.ask('How far'), 0.95)
+        with mock.patch('builtins.input', side_effect=['', '1 m', 'nan', '95', ' 0,95 ']), mock.patch('builtins.print'):
+            self.assertEqual(program.ask('How far', 0.2, 5), 0.95)
 
     @staticmethod
     def odometry(x, y, yaw):

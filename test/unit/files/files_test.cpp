@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gmock/gmock.h>
+#include <pwd.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -330,13 +331,39 @@ TEST_F(SaveJpegTest, SaysThatPermissionIsMissing) {
   fs::permissions(folder_, fs::perms::owner_all);
 }
 
+void setEnvironment(const char* name, const char* value) {
+  value == nullptr ? ::unsetenv(name) : ::setenv(name, value, 1);
+}
+
+TEST(RosHome, IsTheOneOfTheEnvironmentOrOfTheUserAndAbsolute) {
+  const std::string of_user = std::string(::getpwuid(::getuid())->pw_dir) + "/.ros";
+  const std::string here = fs::current_path().string();
+  const struct {
+    const char* ros_home;
+    const char* home;
+    std::string expected;
+  } rows[] = {
+      {"/ros", "/home/me", "/ros"},
+      {nullptr, "/home/me", "/home/me/.ros"},
+      {"", "/home/me", "/home/me/.ros"},
+      {nullptr, nullptr, of_user},
+      {nullptr, "", of_user},
+      {"ros", nullptr, here + "/ros"},
+      {nullptr, "me", here + "/me/.ros"},
+  };
+  for (const auto& row : rows) {
+    setEnvironment("ROS_HOME", row.ros_home);
+    setEnvironment("HOME", row.home);
+    EXPECT_EQ(rosHome(), row.expected);
+    EXPECT_EQ(pictureFolder(""), row.expected);
+  }
+}
+
 TEST(PictureFolder, IsTheChosenOneOrPicturesOrThatOfRos) {
   const test_support::TemporaryFolder home;
-  ::setenv("HOME", home.path().c_str(), 1);
-  ::setenv("ROS_HOME", "", 1);
+  setEnvironment("HOME", home.path().c_str());
+  setEnvironment("ROS_HOME", "/ros_home");
   EXPECT_EQ(pictureFolder("/chosen"), "/chosen");
-  EXPECT_EQ(pictureFolder(""), home.path(".ros"));
-  ::setenv("ROS_HOME", "/ros_home", 1);
   EXPECT_EQ(pictureFolder(""), "/ros_home");
   home.write("Pictures/picture", "");
   EXPECT_EQ(pictureFolder(""), home.path("Pictures"));
