@@ -230,6 +230,13 @@ TEST(Calibration, ThatCannotBelongToTheCameraIsRefusedAndNotPublished) {
   EXPECT_FALSE(refused.success);
   EXPECT_THAT(refused.status_message, HasSubstr("for pictures of 200x160, but the robot sends 208x160"));
   EXPECT_NEAR(user.next().K[0], 191.9, 0.1);
+  ASSERT_TRUE(user.set(goodCalibration()).success);
+  const std::string stored = contentOf(user.file());
+  info = goodCalibration();
+  info.K[4] = 0;
+  EXPECT_THAT(user.set(info).status_message, HasSubstr("The calibration stays as it was: fy of K is 0"));
+  EXPECT_EQ(contentOf(user.file()), stored);
+  EXPECT_EQ(user.next().K, goodCalibration().K);
 }
 
 TEST(Camera, StateIsToldForTheFirstPictureOfEachConnection) {

@@ -14,6 +14,8 @@ inline sensor_msgs::CameraInfo goodCalibration() {
   info.distortion_model = "plumb_bob";
   info.D = {0.1, -0.2, 0.0, 0.0, 0.0};
   info.K = {190.0, 0.0, 104.0, 0.0, 190.0, 80.0, 0.0, 0.0, 1.0};
+  info.R = {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0};
+  info.P = {189.0, 0.0, 104.5, 0.0, 0.0, 189.5, 80.5, 0.0, 0.0, 0.0, 1.0, 0.0};
   return info;
 }
 

@@ -1,15 +1,11 @@
 #include "node/camera/calibration.h"
 
 #include <camera_calibration_parsers/parse.h>
-#include <camera_calibration_parsers/parse_ini.h>
 #include <camera_calibration_parsers/parse_yml.h>
 #include <ros/console.h>
 #include <ros/package.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <optional>
@@ -18,9 +14,10 @@
 #include <system_error>
 
 #include "aibo_client/exceptions.h"
-#include "aibo_client/jpeg_inspector.h"
 #include "files/files.h"
+#include "node/camera/calibration_check.h"
 #include "node/camera/nominal_calibration.h"
+#include "text/sentence.h"
 
 namespace aibo_driver::node {
 namespace {
@@ -32,32 +29,12 @@ constexpr const char* kDefaultUrl = "file://${ROS_HOME}/camera_info/${NAME}.yaml
 constexpr std::string_view kFileScheme = "file://";
 constexpr std::string_view kPackageScheme = "package://";
 
-constexpr std::size_t kMostCoefficients = 14;  // OpenCV has no model with more
-
-template <typename Numbers>
-bool allFinite(const Numbers& numbers) {
-  return std::all_of(numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
-}
-
-bool isKnownModel(const std::string& model) {
-  return model.empty() || model == "plumb_bob" || model == "rational_polynomial" || model == "equidistant";
-}
-
 std::string sizeOf(std::uint32_t width, std::uint32_t height) {
   return std::to_string(width) + "x" + std::to_string(height);
 }
 
 std::string sizeOf(const CameraInfo& info) {
   return sizeOf(info.width, info.height);
-}
-
-bool isCalibrated(const CameraInfo& info) {
-  return info.K[0] != 0;  // CameraInfo.msg says that K[0] is 0 if there is no calibration
-}
-
-std::string environment(const char* name, const std::string& otherwise) {
-  const char* value = std::getenv(name);
-  return value != nullptr ? value : otherwise;
 }
 
 void replaceAll(const std::string& what, const std::string& with, std::string* text) {
@@ -73,10 +50,15 @@ CameraInfo load(const std::string& file) {
   if (!std::filesystem::exists(file, error)) {
     return {};
   }
-  const bool read = camera_calibration_parsers::readCalibration(file, name, info);
-  const std::string problem = read ? problemOf(info) : "it cannot be read";
+  std::string problem = problemOfFile(file);
+  if (problem.empty() && !camera_calibration_parsers::readCalibration(file, name, info)) {
+    problem = "it cannot be read; calibrate again";
+  }
+  if (problem.empty() && !isEmpty(info)) {
+    problem = problemOf(info);
+  }
   if (!problem.empty()) {
-    ROS_WARN_STREAM_NAMED("camera", "The calibration in " << file << " is left out: " << problem << ".");
+    ROS_WARN_STREAM_NAMED("camera", "The calibration in " << file << " is left out: " << text::sentence(problem));
     return {};
   }
   return info;
@@ -91,7 +73,7 @@ void logCalibration(const CameraInfo& info, const std::string& file, bool is_wan
                                         << ", but there is no such file on this computer: camera_info holds the "
                                            "nominal calibration. Is the name right? Calibrating the camera makes the "
                                            "file.");
-  } else if (isCalibrated(info)) {
+  } else if (!isEmpty(info)) {
     ROS_INFO_STREAM_NAMED(
         "camera", "The camera's calibration is that in " << file << ", for pictures of " << sizeOf(info) << ".");
   } else {
@@ -105,19 +87,21 @@ void logCalibration(const CameraInfo& info, const std::string& file, bool is_wan
 }  // namespace
 
 std::string calibrationFile(const std::string& url, const std::string& camera_name) {
-  const std::string ros_home = environment("ROS_HOME", environment("HOME", "") + "/.ros");
   const std::string parameter = "Parameter camera_info_url is '" + url + "', ";
   std::string resolved = url.empty() ? kDefaultUrl : url;
-  replaceAll("${ROS_HOME}", ros_home, &resolved);
+  if (resolved.find("${ROS_HOME}") != std::string::npos) {
+    replaceAll("${ROS_HOME}", files::rosHome(), &resolved);
+  }
   replaceAll("${NAME}", camera_name, &resolved);
   const bool in_package = resolved.rfind(kPackageScheme, 0) == 0;
   const std::size_t begin = in_package ? kPackageScheme.size() : kFileScheme.size();
   const std::size_t slash = resolved.find('/', begin);
-  const bool is_file = slash != std::string::npos && slash + 1 < resolved.size() && resolved.back() != '/';
+  const std::string ending = std::filesystem::path(resolved).extension();  // the parser goes by it
+  const bool is_file = slash != std::string::npos && (ending == ".yaml" || ending == ".yml");
   if (!is_file || resolved.find("${") != std::string::npos) {
     throw aibo_client::InvalidArgumentException(
         parameter +
-        "which does not name a file; it must be file:///FILE.yaml, "
+        "which does not name a YAML file; it must be file:///FILE.yaml, "
         "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
   }
   if (!in_package) {
@@ -132,34 +116,10 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
   return folder + resolved.substr(slash);
 }
 
-std::string problemOf(const sensor_msgs::CameraInfo& info) {
-  if (info.width == 0 || info.height == 0 || info.width > aibo_client::kLargestPictureWidth ||
-      info.height > aibo_client::kLargestPictureHeight) {
-    return "the camera has no pictures of " + std::to_string(info.width) + "x" + std::to_string(info.height);
-  }
-  if (!isKnownModel(info.distortion_model)) {
-    return "the distortion model is not plumb_bob, rational_polynomial or equidistant";
-  }
-  if (info.D.size() > kMostCoefficients) {
-    return "no distortion model has " + std::to_string(info.D.size()) + " coefficients";
-  }
-  if (!allFinite(info.D) || !allFinite(info.K) || !allFinite(info.R) || !allFinite(info.P)) {
-    return "a number in it is not finite";
-  }
-  return {};
-}
-
 void saveCalibration(const CameraInfo& info, const std::string& camera_name, const std::string& file) {
-  const std::filesystem::path path = file;
-  const std::string ending = path.extension();
   std::ostringstream text;
-  const bool is_known = ending == ".ini" ? camera_calibration_parsers::writeCalibrationIni(text, camera_name, info)
-                                         : (ending == ".yaml" || ending == ".yml") &&
-                                               camera_calibration_parsers::writeCalibrationYml(text, camera_name, info);
-  if (!is_known) {
-    throw files::FileException(file + " has to end in .yaml, .yml or .ini");
-  }
-  std::filesystem::create_directories(path.parent_path());
+  camera_calibration_parsers::writeCalibrationYml(text, camera_name, info);
+  std::filesystem::create_directories(std::filesystem::path(file).parent_path());
   files::replaceFile(file, text.str());
 }
 
@@ -180,7 +140,7 @@ CameraInfo Calibration::infoFor(std::uint32_t width, std::uint32_t height) {
   const std::lock_guard<std::mutex> lock(mutex_);
   picture_width_ = width;
   picture_height_ = height;
-  if (isCalibrated(stored_)) {
+  if (!isEmpty(stored_)) {
     if (const std::optional<CameraInfo> scaled = scaleCalibration(stored_, width, height)) {
       return *scaled;
     }
@@ -204,7 +164,7 @@ bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs:
   const std::string problem = store(request.camera_info);
   response.success = problem.empty();
   if (!response.success) {
-    response.status_message = "The calibration stays as it was: " + problem + ".";
+    response.status_message = "The calibration stays as it was: " + text::sentence(problem);
     warnings_.warn("set_camera_info was refused. " + response.status_message);
     return true;
   }
@@ -216,12 +176,13 @@ bool Calibration::set(sensor_msgs::SetCameraInfo::Request& request, sensor_msgs:
 
 // @return why it was not stored; empty if it was stored
 std::string Calibration::store(const CameraInfo& info) {
+  if (isEmpty(info)) {
+    return "all of K is 0, which means that there is no calibration; delete " + file_ +
+           " and start the driver again to go back to the nominal one";
+  }
   const std::string problem = problemOf(info);
   if (!problem.empty()) {
     return problem;
-  }
-  if (!isCalibrated(info)) {
-    return "it is empty: K[0], the focal length, is 0";
   }
   const auto [width, height] = pictureSize();
   if (width > 0 && !scaleCalibration(info, width, height)) {

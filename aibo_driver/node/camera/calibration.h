@@ -21,15 +21,14 @@ namespace aibo_driver::node {
 /// one, and while its size does not fit the robot's pictures (nominal_calibration.h).
 ///
 /// The files are where camera_info_manager would have them. The service of camera_info_manager accepts and saves
-/// anything. This one refuses a message that cannot be a calibration of the robot's camera, and keeps the old
-/// calibration.
+/// anything. This one refuses what makes no sense (calibration_check.h), and keeps the old calibration.
 class Calibration {
  public:
   /// @param camera_handle the camera's namespace
   /// @param camera_name the name in the file
   /// @param url the URL of the file: see calibrationFile()
   /// @param design the robot's design: see nominalCalibration()
-  /// @throw InvalidArgumentException calibrationFile() throws it
+  /// @throw Exception calibrationFile() throws it
   Calibration(const ros::NodeHandle& camera_handle, const std::string& camera_name, const std::string& url,
               const std::string& design);
 
@@ -51,7 +50,7 @@ class Calibration {
   const std::string file_;
 
   std::mutex mutex_;
-  sensor_msgs::CameraInfo stored_;    ///< K[0] is 0 if no calibration is stored
+  sensor_msgs::CameraInfo stored_;    ///< empty if no calibration is stored
   bool misfit_reported_ = false;      ///< a misfit was reported after the last change of stored_
   std::uint32_t picture_width_ = 0;   ///< the width of the latest picture; 0 before the first one
   std::uint32_t picture_height_ = 0;  ///< the height of the latest picture; 0 before the first one
@@ -62,23 +61,17 @@ class Calibration {
 };
 
 /// The file of a calibration. Any thread may call it.
-/// @param url file:///FILE or package://PACKAGE/FILE. ${ROS_HOME} stands for ~/.ros unless the environment has
-///   ROS_HOME. ${NAME} stands for the camera's name. An empty url means file://${ROS_HOME}/camera_info/${NAME}.yaml, as
-///   with camera_info_manager.
+/// @param url file:///FILE.yaml or package://PACKAGE/FILE.yaml. ${ROS_HOME} stands for files::rosHome(), and
+///   ${NAME} for the camera's name. An empty url means file://${ROS_HOME}/camera_info/${NAME}.yaml, as with
+///   camera_info_manager.
 /// @param camera_name the camera's name
-/// @throw InvalidArgumentException the url names no file, or the package does not exist
+/// @throw InvalidArgumentException the url names no YAML file, or the package does not exist
+/// @throw FileException there is no home: see files::rosHome()
 std::string calibrationFile(const std::string& url, const std::string& camera_name);
 
-/// Finds out why a message cannot be a calibration of the robot's camera. The reasons are a size that is not between
-/// 1x1 and that of the largest picture (jpeg_inspector.h); a distortion model other than plumb_bob,
-/// rational_polynomial, equidistant and none; more than 14 coefficients; and numbers that are not finite. Any thread
-/// may call it.
-/// @return the problem, for a message to the user; empty if there is none
-std::string problemOf(const sensor_msgs::CameraInfo& info);
-
-/// Writes a calibration to a file, which is whole or as it was (replace_file.h). Its folder is made if it is missing.
-/// @param file ends in .yaml, .yml or .ini
-/// @throw files::FileException the file ends otherwise, or cannot be written
+/// Writes a calibration to a YAML file, which is whole or as it was (replace_file.h). Its folder is made if it is
+/// missing.
+/// @throw files::FileException it cannot be written
 /// @throw std::filesystem::filesystem_error its folder cannot be made
 void saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
 

@@ -62,10 +62,8 @@ std::optional<sensor_msgs::CameraInfo> scaleCalibration(const sensor_msgs::Camer
   scaled.height = height;
   scaleRow(factor, 2, 3, &scaled.K[0]);
   scaleRow(factor, 2, 3, &scaled.K[3]);
-  if (info.P[0] != 0) {  // if P contains only zeros, there is none
-    scaleRow(factor, 2, 4, &scaled.P[0]);
-    scaleRow(factor, 2, 4, &scaled.P[4]);
-  }
+  scaleRow(factor, 2, 4, &scaled.P[0]);
+  scaleRow(factor, 2, 4, &scaled.P[4]);
   return scaled;
 }
 
