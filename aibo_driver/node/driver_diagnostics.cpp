@@ -58,7 +58,10 @@ DriverDiagnostics::DriverDiagnostics(const ros::NodeHandle& handle, const ros::N
                                      const std::string& name, const Sources& sources)
     : sources_(sources),
       topic_(ros::NodeHandle(handle).advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1)),
-      updater_(std::make_unique<diagnostic_updater::Updater>(handle, private_handle, name)) {
+      // The parameter diagnostic_period would not change the period, and a driver with one that is too long for a
+      // ros::Duration would not start. So it is looked for where nobody sets it.
+      updater_(
+          std::make_unique<diagnostic_updater::Updater>(handle, ros::NodeHandle(private_handle, "diagnostics"), name)) {
   updater_->setHardwareID(robotAddress(sources_.parameters.client));
   updater_->add("connection", this, &DriverDiagnostics::reportConnection);
   updater_->add("stream", this, &DriverDiagnostics::reportStream);

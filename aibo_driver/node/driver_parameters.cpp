@@ -93,9 +93,6 @@ class ParameterReader {
     }
   }
 
-  /// Adds the name of a parameter that is read elsewhere.
-  void addKnown(const std::string& name) { known_.insert(name); }
-
  private:
   /// @param accept sets the parameter, unless its value is not allowed; returns whether it is
   template <typename Accept>
@@ -249,7 +246,6 @@ DriverParameters parseDriverParameters(const XmlRpcValue& values, const std::str
   reader.read("publish_odom_tf", &walk.publish_odom_tf);
 
   reader.checkRefusals();
-  reader.addKnown("diagnostic_period");
   parameters.unknown = reader.unknown();
   return parameters;
 }

@@ -146,15 +146,16 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
   return {handle, default_namespace};
 }
 
-double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest) {
+double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest,
+                  double lowest) {
   XmlRpc::XmlRpcValue value;
   if (!parameters.getParam(name, value)) {
     return number;
   }
   number = numberIn(value);
-  if (!(number >= 0 && number <= highest)) {
+  if (!(number >= lowest && number <= highest)) {
     std::ostringstream allowed;
-    allowed << "a number, 0.." << highest;
+    allowed << "a number, " << lowest << ".." << highest;
     throw std::runtime_error(describeRefusal(parameters.resolveName(name), value, allowed.str()) + " " + kHowToRemove);
   }
   return number;

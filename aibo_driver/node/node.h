@@ -20,9 +20,10 @@ ros::NodeHandle inDriverNamespace(const ros::NodeHandle& handle, const std::stri
 
 /// A parameter that is a number.
 /// @param number the value if the parameter is not set
-/// @param highest the largest value that is allowed; the smallest is 0
+/// @param highest, lowest the range of values that are allowed
 /// @throw std::runtime_error the parameter is not a number, or is out of this range; the message names it and the range
-double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest);
+double readNumber(const ros::NodeHandle& parameters, const std::string& name, double number, double highest,
+                  double lowest = 0);
 
 /// A parameter that is true or false, and false if it is not set.
 /// @throw std::runtime_error the parameter is something else, such as 1 or a text; the message names it

@@ -24,7 +24,8 @@ constexpr std::size_t kLongestFile = 1 << 20;
 Region parseRegion(const std::string& text) {
   Region region{};
   char end = 0;
-  if (std::sscanf(text.c_str(), "%d,%d,%d,%d%c", &region.left, &region.top, &region.width, &region.height, &end) != 4) {
+  if (std::sscanf(text.c_str(), "%5d,%5d,%5d,%5d%c", &region.left, &region.top, &region.width, &region.height, &end) !=
+      4) {
     throw InvalidArgumentException("--region is '" + text +
                                    "'; it has to be LEFT,TOP,WIDTH,HEIGHT in pixels, such as 100,80,12,12");
   }

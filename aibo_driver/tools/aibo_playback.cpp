@@ -51,6 +51,7 @@ const ros::WallDuration kBetweenLoops(0.1);  // a recording of a single moment w
 const ros::WallDuration kLastMoment(0.5);    // for the last messages to arrive
 
 constexpr std::uint32_t kQueueSize = 100;
+constexpr double kLowestRate = 0.01;  // of a recording of an hour, four days
 constexpr double kHighestRate = 100;
 constexpr double kLongest = 1e9;  // s
 
@@ -85,7 +86,7 @@ class Playback {
   Playback(ros::NodeHandle handle, ros::NodeHandle parameters, bool& failed)
       : handle_(handle),
         recording_(parameters.param<std::string>("bag", ""), parameters.param<std::string>("recorded_ns", "")),
-        timeline_(rateFrom(parameters)),
+        timeline_(readNumber(parameters, "rate", 1, kHighestRate, kLowestRate)),
         loops_(aibo_driver::node::readFlag(parameters, "loop")),
         start_(startFrom(parameters)),
         failed_(failed),
@@ -103,14 +104,6 @@ class Playback {
   }
 
  private:
-  static double rateFrom(const ros::NodeHandle& parameters) {
-    const double rate = readNumber(parameters, "rate", 1, kHighestRate);
-    if (rate == 0) {
-      throw std::runtime_error("Parameter " + parameters.resolveName("rate") + " is 0; it must be more.");
-    }
-    return rate;
-  }
-
   ros::Time startFrom(const ros::NodeHandle& parameters) const {
     return recording_.begin() + ros::Duration(readNumber(parameters, "start", 0, recording_.length().toSec()));
   }

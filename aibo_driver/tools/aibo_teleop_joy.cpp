@@ -86,6 +86,9 @@ JoyMapping readMapping(const ros::NodeHandle& parameters) {
                                "'; the postures are stand, sit and rest.");
     }
   }
+  if (const std::string problem = problemOf(mapping); !problem.empty()) {
+    throw std::runtime_error("The parameters of " + parameters.getNamespace() + " are wrong. " + problem);
+  }
   return mapping;
 }
 

@@ -37,6 +37,8 @@ constexpr int kWrongUsage = 2;
 constexpr unsigned kSecondsToStop = 5;
 constexpr double kMostEncodeTime = 10000;  // milliseconds
 constexpr double kMostStickTime = 60000;   // milliseconds
+constexpr double kShortestBattery = 0.01;  // minutes
+constexpr double kLongestBattery = 1e5;    // minutes, for ten weeks of tests
 
 constexpr char kRCServerFile[] = "RCSERVER.BIN";
 constexpr auto kRobotPort = static_cast<std::uint16_t>(protocol::RCSERVER_PORT);
@@ -88,7 +90,7 @@ po::options_description describe(Options& options) {
     ("on-table", po::bool_switch(&options.robot.on_table),
      "the robot begins on a table in this room, with an edge to fall off and a board to run into")
     ("battery-minutes", po::value(&options.robot.battery_minutes)->default_value(90),
-     "how long a full battery lasts")
+     "how long a full battery lasts, 0.01 to 100000")
     ("microphone", po::value(&options.microphone),
      "WAV file, 16 kHz with 16 bits, that the microphones hear once, from when a client listens or plays a sound")
     ("speaker", po::value(&options.robot.speaker_file),
@@ -137,8 +139,8 @@ void parse(const po::options_description& description, const std::vector<std::st
   if (!(options.robot.hears_itself >= 0 && options.robot.hears_itself <= 1)) {
     throw po::error("option '--hears-itself' must be 0 to 1");
   }
-  if (!(options.robot.battery_minutes > 0)) {
-    throw po::error("option '--battery-minutes' must be above 0");
+  if (!(options.robot.battery_minutes >= kShortestBattery && options.robot.battery_minutes <= kLongestBattery)) {
+    throw po::error("option '--battery-minutes' must be 0.01 to 100000");
   }
 }
 
@@ -193,7 +195,9 @@ openr_host::MachineOptions machineOptions(const Options& options, const simulate
   machine.bind_address = options.bind_address;
   machine.ports.clear();
   for (const std::string& ports : options.mapped_ports) {
-    machine.ports.insert(readPorts(ports));
+    if (!machine.ports.insert(readPorts(ports)).second) {
+      throw po::error("option '--map-port' takes each port of the robot once, not again '" + ports + "'");
+    }
   }
   if (runsRCServer(options.memory_stick, robot.design())) {
     machine.ports[kRobotPort] = static_cast<std::uint16_t>(options.port);

@@ -303,6 +303,7 @@ const std::vector<std::pair<const char*, const char*>> kWrongParameters = {
     {"_motions/WAG:=-2", "motions/WAG is -2; it must be a place"},
     {"_stop_button:=two", "stop_button is the text 'two'; it must be a place"},
     {"_postures/fly:=2", "the postures are stand, sit and rest"},
+    {"_picture_button:=4", "Button 4 is dead_man_button and picture_button; each needs its own, or -1"},
     {"_motions:=2", "motions should have a button for each name"},
 };
 

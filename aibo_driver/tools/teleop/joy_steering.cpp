@@ -28,6 +28,27 @@ bool isPressed(const std::vector<int>& buttons, int button) {
 
 }  // namespace
 
+std::string problemOf(const JoyMapping& mapping) {
+  std::map<std::string, int> buttons = {{"dead_man_button", mapping.dead_man_button},
+                                        {"stop_button", mapping.stop_button},
+                                        {"release_button", mapping.release_button},
+                                        {"picture_button", mapping.picture_button}};
+  for (const auto& [motion, button] : mapping.motions) {
+    buttons["motions/" + motion] = button;
+  }
+  for (const auto& [posture, button] : mapping.postures) {
+    buttons["postures/" + posture] = button;
+  }
+  std::map<int, std::string> uses;
+  for (const auto& [use, button] : buttons) {
+    if (const auto [other, is_free] = uses.emplace(button, use); button != kNoPlace && !is_free) {
+      return "Button " + std::to_string(button) + " is " + other->second + " and " + use +
+             "; each needs its own, or -1 for none.";
+    }
+  }
+  return "";
+}
+
 JoyOrders JoySteering::read(const std::vector<float>& axes, const std::vector<int>& buttons) {
   JoyOrders orders;
   const bool fits = problem(axes.size(), buttons.size()).empty();

@@ -41,6 +41,10 @@ struct JoyMapping {
   double dead_zone = 0.1;               ///< 0..0.9; a smaller deflection counts as none
 };
 
+/// Finds out whether a button has two uses. Then one press would do both, such as release the robot and let it walk.
+/// @return the problem, as a sentence for the user; empty if there is none
+std::string problemOf(const JoyMapping& mapping);
+
 /// What the robot should do. Each button counts once, when it is pressed.
 struct JoyOrders {
   std::optional<aibo_client::WalkVelocity> walk;  ///< empty: the joystick does not steer, so others may

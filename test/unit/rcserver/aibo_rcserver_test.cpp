@@ -291,11 +291,12 @@ TEST(AiboRCServer, TakesItsTimeForPicturesAndFiles) {
 }
 
 TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
-  const std::tuple<std::string, Strings, std::string> wrong[] = {{"battery-minutes", {"0", "nan"}, "above 0"},
-                                                                 {"encode-time", {"-1", "10001"}, "0 to 10000"},
-                                                                 {"stick-time", {"-1", "60001"}, "0 to 60000"},
-                                                                 {"hears-itself", {"-0.1", "1.1"}, "0 to 1"},
-                                                                 {"protocol-version", {"3", "0"}, "1 or 2"}};
+  const std::tuple<std::string, Strings, std::string> wrong[] = {
+      {"battery-minutes", {"0", "nan", "1e6"}, "0.01 to 100000"},
+      {"encode-time", {"-1", "10001"}, "0 to 10000"},
+      {"stick-time", {"-1", "60001"}, "0 to 60000"},
+      {"hears-itself", {"-0.1", "1.1"}, "0 to 1"},
+      {"protocol-version", {"3", "0"}, "1 or 2"}};
   const auto refusal = [](const std::string& message) {
     return std::pair(2, "aibo_rcserver: " + message + " (--help lists all options)\n");
   };
@@ -311,6 +312,8 @@ TEST(AiboRCServer, RefusesBadOptionsAndNamesThem) {
     EXPECT_EQ(endOf(command({"--map-port", "7=7007", "--map-port", ports})),
               refusal("option '--map-port' takes two ports such as 7=7007, not '" + std::string(ports) + "'"));
   }
+  EXPECT_EQ(endOf(command({"--map-port", "7=7007", "--map-port", "7=7008"})),
+            refusal("option '--map-port' takes each port of the robot once, not again '7=7008'"));
   EXPECT_EQ(endOf(command({"--seed", "x"})), refusal("the argument ('x') for option '--seed' is invalid"));
   EXPECT_EQ(endOf(command({"--no-such-option"})), refusal("unrecognised option '--no-such-option'"));
   EXPECT_EQ(endOf(command({}, "65537")), must_be("port", "0 to 65535, not 65537"));
