@@ -25,7 +25,7 @@ TEST(ShippedMotions, AreMadeFromTheirSources) {
 
 TEST(ShippedMotions, CanBeDoneByAnErs7AndEndWhereTheyBegan) {
   for (const std::string name : kMotions) {
-    const std::string bytes = fileOf(name);
+    const std::string bytes = fileOf(MOTIONS "/" + name + ".MTN");
     mtn::Motion motion;
     ASSERT_TRUE(motion.read(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size())) << motion.problem();
     EXPECT_EQ(motion_tool::describeChanges(motion, *robot_model::findRobotModel("ERS-7")), "") << name;
