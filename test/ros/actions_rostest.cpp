@@ -46,8 +46,9 @@ using FollowGoal = GoalWatch<FollowJointTrajectoryAction>;
 
 class PlayUser : public JointUser {
  public:
-  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : JointUser(name_space, kQuick, robot_options), client(name_space + "/play_motion") {
+  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& robot_options = {},
+                    const std::vector<std::string>& parameters = kQuick)
+      : JointUser(name_space, parameters, robot_options), client(name_space + "/play_motion") {
     EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
@@ -86,7 +87,7 @@ control_msgs::JointTolerance tolerance(const std::string& joint, double position
 }
 
 TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndItsFeedbackIsTheTimeSinceItsBeginning) {
-  PlayUser user("/play");
+  PlayUser user("/play", {}, {"_motion_speed_limit:=0.7"});
   for (int i = 0; i < 2; ++i) {
     const ros::SteadyTime begin = ros::SteadyTime::now();
     const auto goal = PlayGoal::begin(user.client, PlayUser::nod(0));  // it plays at least once
@@ -94,6 +95,7 @@ TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndItsFeedbackIsTheTimeSinceItsB
     ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED);
     EXPECT_TRUE(goal->result()->success);
     EXPECT_EQ(goal->result()->end, EndedMovement::DONE);
+    EXPECT_THAT(goal->result()->message, HasSubstr("It was played to its end: 4 steps are too fast"));
   }
 }
 

@@ -14,9 +14,10 @@ std::unique_ptr<Action> startPlayMotion(const ros::NodeHandle& handle, movement:
   kind.begin = [&mover](const PlayMotionGoal& goal, const movement::Order& order) -> Activity<PlayMotionAction> {
     const std::string name = motionNamed(goal.name);
     const movement::Mover::Answer motion = mover.play(order, name, std::max<int>(1, goal.repetitions));
-    return {name + (motion.is_uncertain ? " may or may not play: " + motion.remark : " plays"),
+    const std::string remark = motion.remark.empty() ? "" : ": " + motion.remark;
+    return {name + (motion.is_uncertain ? " may or may not play" : " plays") + remark,
             [&mover, name](const movement::Order& by) { mover.stopMotion(by, name); },
-            lookFor<PlayMotionAction>(motion, "It was played to its end")};
+            lookFor<PlayMotionAction>(motion, "It was played to its end" + (motion.is_uncertain ? "" : remark))};
   };
   kind.refuse = refuseWith<PlayMotionAction>("Nothing was played");
   return std::make_unique<GoalServer<PlayMotionAction>>(handle, kind);
