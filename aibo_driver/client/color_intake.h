@@ -9,7 +9,7 @@
 #include <string>
 
 #include "aibo_client/colors.h"
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_client {
 
@@ -46,7 +46,7 @@ class ColorIntake {
 
   const ConnectionContext& context_;
   ColorDetection detection_;
-  RateLimit limit_{16};
+  aibo_system::RateLimit limit_{16};
   std::optional<DetectedColors> newest_;
   bool thinning_is_logged_ = false;
   bool impossible_is_logged_ = false;

@@ -8,7 +8,7 @@
 #include <thread>
 #include <utility>
 
-#include "client/event.h"
+#include "system/event.h"
 
 namespace aibo_client {
 namespace {
@@ -48,7 +48,7 @@ NameLookupResult resolveNumeric(const std::string& host, int port) {
 struct NameLookup::Lookup {
   std::string host;
   int port;
-  Event finished;
+  aibo_system::Event finished;
   std::mutex mutex;
   NameLookupResult result;  // guarded by mutex
 };

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "aibo_client/callbacks.h"
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_client {
 
@@ -22,9 +22,9 @@ class Notifier {
   static constexpr int kLogBurst = 20;
   static constexpr std::chrono::seconds kLogPeriod{1};
 
-  using Clock = std::function<RateLimit::TimePoint()>;
+  using Clock = std::function<aibo_system::RateLimit::TimePoint()>;
 
-  explicit Notifier(Callbacks callbacks, Clock clock = RateLimit::TimePoint::clock::now)
+  explicit Notifier(Callbacks callbacks, Clock clock = aibo_system::RateLimit::TimePoint::clock::now)
       : callbacks_(std::move(callbacks)), clock_(std::move(clock)) {}
 
   /// Calls a callback.
@@ -43,7 +43,7 @@ class Notifier {
 
   void log(LogLevel level, const std::string& message) const noexcept {
     try {
-      const RateLimit::Admission admission = log_limit_.admit(clock_(), kLogPeriod);
+      const aibo_system::RateLimit::Admission admission = log_limit_.admit(clock_(), kLogPeriod);
       const std::string left_out = std::to_string(admission.left_out);
       if (!callbacks_.log) {
         return;
@@ -61,7 +61,7 @@ class Notifier {
  private:
   Callbacks callbacks_;
   Clock clock_;
-  mutable RateLimit log_limit_{kLogBurst};
+  mutable aibo_system::RateLimit log_limit_{kLogBurst};
 };
 
 }  // namespace aibo_client

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "aibo_client/sound.h"
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_client {
 
@@ -67,7 +67,7 @@ class SoundIntake {
   unsigned beyond_frame_ = 0;                    ///< samples of that frame that have been heard already
   std::chrono::steady_clock::time_point began_;  ///< when the first sound came since next_frame_ was empty
   std::uint64_t frames_ = 0;                     ///< frames that came or were missing since then
-  RateLimit limit_{kMostFrames};
+  aibo_system::RateLimit limit_{kMostFrames};
   bool excess_is_logged_ = false;
   std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays
   std::uint64_t ended_ = 0;           ///< the newest sound whose end was reported

@@ -18,6 +18,8 @@
 #include "client/fault.h"
 
 namespace aibo_client {
+
+using aibo_system::FileDescriptor;
 namespace {
 
 using std::chrono::milliseconds;

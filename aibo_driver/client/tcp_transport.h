@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "client/datagram_socket.h"
-#include "client/event.h"
-#include "client/file_descriptor.h"
 #include "client/name_lookup.h"
+#include "system/event.h"
+#include "system/file_descriptor.h"
 
 namespace aibo_client {
 
@@ -79,8 +79,8 @@ class TcpTransport {
 
  private:
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
-  FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
-  FileDescriptor beginToConnect(const SocketAddress& address) const;
+  aibo_system::FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
+  aibo_system::FileDescriptor beginToConnect(const SocketAddress& address) const;
   void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
   std::pair<short, short> pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
@@ -89,10 +89,10 @@ class TcpTransport {
 
   std::function<void()> on_awake_ = [] {};
   NameLookup name_lookup_;
-  Event wake_up_;
+  aibo_system::Event wake_up_;
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
-  FileDescriptor socket_;
+  aibo_system::FileDescriptor socket_;
   DatagramSocket datagrams_;
   std::vector<std::uint8_t> unsent_;  // the bytes given to send() that the network has not taken yet
 };

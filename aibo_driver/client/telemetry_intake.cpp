@@ -28,7 +28,7 @@ std::string describe(const std::string& name, double value, const ValueRange& po
 
 void TelemetryIntake::askedFor(int period) {
   shortest_period_ =
-      period == 0 ? RateLimit::Duration::zero()
+      period == 0 ? aibo_system::RateLimit::Duration::zero()
                   : std::max(period, kShortestPeriod) * std::chrono::milliseconds(robot_model::FRAME_MILLISECONDS) / 2;
 }
 

@@ -12,7 +12,7 @@
 
 #include "aibo_client/telemetry.h"
 #include "client/possible_values.h"
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_client {
 
@@ -49,8 +49,8 @@ class TelemetryIntake {
   bool complain(Part part, int id, const std::string& problem);
 
   const ConnectionContext& context_;
-  RateLimit limit_{kMostAtOnce};
-  std::optional<RateLimit::Duration> shortest_period_;  // empty if the robot is asked for each value
+  aibo_system::RateLimit limit_{kMostAtOnce};
+  std::optional<aibo_system::RateLimit::Duration> shortest_period_;  // empty if the robot is asked for each value
   bool thinning_is_logged_ = false;
   std::set<std::pair<Part, int>> logged_;
 };

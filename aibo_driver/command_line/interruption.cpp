@@ -2,15 +2,15 @@
 
 #include <csignal>
 
-#include "client/event.h"
+#include "system/event.h"
 
 namespace aibo_driver::command_line {
 namespace {
 
 volatile std::sig_atomic_t first_signal = 0;
 
-aibo_client::Event& event() {
-  static aibo_client::Event event;
+aibo_system::Event& event() {
+  static aibo_system::Event event;
   return event;
 }
 

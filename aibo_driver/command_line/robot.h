@@ -14,10 +14,10 @@
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
-#include "client/event.h"
 #include "command_line/output.h"
 #include "robot_model/robot_model.h"
 #include "robot_time/robot_clock.h"
+#include "system/event.h"
 
 namespace aibo_driver::command_line {
 
@@ -145,7 +145,7 @@ class Robot {
   Output& output_;
   bool is_interrupted_ = false;
   const std::function<void(const aibo_client::SoundEnd& end)> on_sound_ended_;
-  aibo_client::Event changed_;
+  aibo_system::Event changed_;
   mutable std::mutex mutex_;
   Received received_;                                    // guarded by mutex_
   robot_time::RobotClock clock_;                         // guarded by mutex_

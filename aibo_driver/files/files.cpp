@@ -17,17 +17,17 @@
 #include <filesystem>
 #include <system_error>
 
-#include "client/file_descriptor.h"
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 #include "host_files/replace_file.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
+#include "system/file_descriptor.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::files {
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 
 namespace {
 

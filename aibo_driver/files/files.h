@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
-#include "client/file_descriptor.h"
+#include "system/file_descriptor.h"
 
 namespace aibo_driver::files {
 
@@ -24,12 +24,12 @@ class FileException : public aibo_client::Exception {
 /// @param path an absolute path, or a path relative to the working directory of the process
 /// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
 ///   characters; it is gzipped, and damaged or longer than 64 MiB; ...
-aibo_client::FileDescriptor openToRead(const std::string& path);
+aibo_system::FileDescriptor openToRead(const std::string& path);
 
 /// A file in memory, open for reading and writing at its beginning.
 /// @param name for messages
 /// @throw FileException there is no memory for it
-aibo_client::FileDescriptor memoryFile(const std::string& name, const std::string& content);
+aibo_system::FileDescriptor memoryFile(const std::string& name, const std::string& content);
 
 /// Reads a whole file.
 /// @param path for openToRead()

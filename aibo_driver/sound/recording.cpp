@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "client/file_descriptor.h"
 #include "files/files.h"
+#include "system/file_descriptor.h"
 
 namespace aibo_driver::sound {
 

@@ -17,7 +17,7 @@
 
 namespace aibo_driver::sound {
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 using files::FileException;
 
 namespace {

@@ -15,13 +15,13 @@
 #include <thread>
 #include <utility>
 
-#include "client/file_descriptor.h"
 #include "files/files.h"
+#include "system/file_descriptor.h"
 
 namespace aibo_driver::sound {
 
-using aibo_client::FileDescriptor;
 using aibo_client::InvalidArgumentException;
+using aibo_system::FileDescriptor;
 using files::FileException;
 
 namespace {

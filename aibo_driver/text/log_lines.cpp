@@ -7,7 +7,7 @@ namespace aibo_driver::text {
 LogLines::LogLines(std::function<TimePoint()> now) : now_(std::move(now)) {}
 
 std::optional<std::string> LogLines::admit(const std::string& file, int line, const std::string& text) {
-  const aibo_client::RateLimit::Admission admission = limitOf(file, line).admit(now_(), kPeriod);
+  const aibo_system::RateLimit::Admission admission = limitOf(file, line).admit(now_(), kPeriod);
   if (!admission.is_admitted) {
     return std::nullopt;
   }
@@ -16,7 +16,7 @@ std::optional<std::string> LogLines::admit(const std::string& file, int line, co
                                  : plain + " (earlier lines left out: " + std::to_string(admission.left_out) + ")";
 }
 
-aibo_client::RateLimit& LogLines::limitOf(const std::string& file, int line) {
+aibo_system::RateLimit& LogLines::limitOf(const std::string& file, int line) {
   const std::lock_guard<std::mutex> lock(mutex_);
   return limits_.try_emplace({file, line}, kBurst).first->second;
 }

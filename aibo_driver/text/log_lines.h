@@ -11,7 +11,7 @@
 #include <string>
 #include <utility>
 
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_driver::text {
 
@@ -37,11 +37,11 @@ class LogLines {
   std::optional<std::string> admit(const std::string& file, int line, const std::string& text);
 
  private:
-  aibo_client::RateLimit& limitOf(const std::string& file, int line);
+  aibo_system::RateLimit& limitOf(const std::string& file, int line);
 
   const std::function<TimePoint()> now_;
   std::mutex mutex_;
-  std::map<std::pair<std::string, int>, aibo_client::RateLimit> limits_;  ///< guarded by mutex_; none is ever removed
+  std::map<std::pair<std::string, int>, aibo_system::RateLimit> limits_;  ///< guarded by mutex_; none is ever removed
 };
 
 }  // namespace aibo_driver::text

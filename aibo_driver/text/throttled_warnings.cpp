@@ -32,7 +32,7 @@ void ThrottledWarnings::warn(const std::string& text) {
 
 void ThrottledWarnings::say(const std::string& text) {
   const std::string line = plainLine(text, kLongest);
-  const aibo_client::RateLimit::Admission admission = limit_.admit(now_(), kPeriod);
+  const aibo_system::RateLimit::Admission admission = limit_.admit(now_(), kPeriod);
   if (admission.is_admitted) {
     log_(admission.left_out == 0 ? line
                                  : line + " (earlier messages left out: " + std::to_string(admission.left_out) + ")");

@@ -8,7 +8,7 @@
 #include <mutex>
 #include <string>
 
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 namespace aibo_driver::text {
 
@@ -45,7 +45,7 @@ class ThrottledWarnings {
   const std::function<TimePoint()> now_;
   std::mutex mutex_;
   std::map<std::string, TimePoint> last_;  ///< when each text was logged; texts without numbers. Guarded by mutex_
-  aibo_client::RateLimit limit_{kBurst};
+  aibo_system::RateLimit limit_{kBurst};
 };
 
 }  // namespace aibo_driver::text

@@ -16,14 +16,14 @@
 #include <thread>
 #include <vector>
 
-#include "client/file_descriptor.h"
 #include "radio/network_host.h"
 #include "radio/radio_link.h"
+#include "system/file_descriptor.h"
 
 namespace wlan_benchmark {
 namespace {
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 using fault_bench::NetworkHost;
 using std::chrono::steady_clock;
 

@@ -15,7 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "client/file_descriptor.h"
 #include "order_audit.h"
 #include "order_events.h"
 #include "picture_audit.h"
@@ -23,6 +22,7 @@
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/simulated_robot.h"
+#include "system/file_descriptor.h"
 #include "wire_audit.h"
 
 namespace soak {

@@ -13,7 +13,7 @@
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 

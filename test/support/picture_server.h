@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
-#include "client/event.h"
-#include "client/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/scanners.h"
 #include "support/test_pictures.h"
+#include "system/event.h"
+#include "system/file_descriptor.h"
 
 namespace test_support {
 
@@ -66,9 +66,9 @@ class PictureServer {
 
  private:
   struct Peer {
-    Peer(aibo_client::FileDescriptor client, std::uint32_t number, bool knows_version2)
+    Peer(aibo_system::FileDescriptor client, std::uint32_t number, bool knows_version2)
         : socket(std::move(client)), connection(number), requests(knows_version2) {}
-    aibo_client::FileDescriptor socket;
+    aibo_system::FileDescriptor socket;
     std::uint32_t connection;
     RequestScanner requests;
     bool version2 = false;
@@ -97,7 +97,7 @@ class PictureServer {
 
   const int version_;
   const std::chrono::microseconds period_;
-  const aibo_client::FileDescriptor listener_;
+  const aibo_system::FileDescriptor listener_;
   int port_ = 0;
   TimePoint next_picture_;
   std::list<Peer> peers_;
@@ -110,7 +110,7 @@ class PictureServer {
   std::vector<TimePoint> times_;
   std::function<Bytes(Bytes jpeg)> spoil_;
   Flood flood_;
-  aibo_client::Event wake_up_;
+  aibo_system::Event wake_up_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

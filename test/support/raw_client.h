@@ -67,7 +67,7 @@ class RawClient {
   }
 
  private:
-  aibo_client::FileDescriptor socket_;
+  aibo_system::FileDescriptor socket_;
 };
 
 }  // namespace test_support

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 
 namespace test_support {
 namespace {

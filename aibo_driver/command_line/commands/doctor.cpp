@@ -1,3 +1,4 @@
+#include <boost/asio/ip/tcp.hpp>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -7,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "client/fault.h"
-#include "client/tcp_transport.h"
 #include "command_line/commands/commands.h"
 #include "command_line/quantities.h"
 #include "text/plain_text.h"
@@ -16,6 +15,7 @@
 namespace aibo_driver::command_line {
 
 using aibo_client::FaultKind;
+using boost::asio::ip::tcp;
 
 namespace {
 
@@ -126,36 +126,28 @@ class Doctor {
   /// Why the robot turns this computer away; empty if its console does not say so in time.
   std::string reasonOnConsole() {
     const std::string mark = "is turned away: ";
-    try {
-      aibo_client::TcpTransport console;
-      console.connect(address_.host, kConsolePort, steady_clock::now() + kConsoleTimeout);
-      aibo_client::TcpTransport client;
-      client.connect(address_.host, address_.port, steady_clock::now() + kConsoleTimeout);
-      std::string said;
-      for (const auto end = steady_clock::now() + kConsoleTimeout; steady_clock::now() < end;) {
-        if (console.wait(end).connection) {
-          std::uint8_t bytes[4096];
-          said.append(bytes, bytes + console.receive(bytes, sizeof bytes));
-        }
-        const std::size_t begin = said.find(mark);
-        const std::size_t line_end = said.find('\n', begin);
-        if (begin != std::string::npos && line_end != std::string::npos) {
-          return text::plainLine(said.substr(begin + mark.size(), line_end - begin - mark.size()), kLongestReason);
+    tcp::iostream console;
+    tcp::iostream client;
+    if (connect(kConsolePort, &console) && connect(address_.port, &client)) {
+      for (std::string line; std::getline(console, line);) {
+        if (const std::size_t begin = line.find(mark); begin != std::string::npos) {
+          return text::plainLine(line.substr(begin + mark.size()), kLongestReason);
         }
       }
-    } catch (const aibo_client::Fault&) {
     }
     return "";
   }
 
   bool consoleAnswers() {
-    try {
-      aibo_client::TcpTransport transport;
-      transport.connect(address_.host, kConsolePort, steady_clock::now() + kConsoleTimeout);
-      return true;
-    } catch (const aibo_client::Fault&) {
-      return false;
-    }
+    tcp::iostream console;
+    return connect(kConsolePort, &console);
+  }
+
+  /// All that happens on the connection ends after kConsoleTimeout.
+  bool connect(int port, tcp::iostream* connection) {
+    connection->expires_after(kConsoleTimeout);
+    connection->connect(address_.host, std::to_string(port));
+    return connection->good();
   }
 
   void checkVersion(const Robot& robot) {

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <thread>
 
-using aibo_client::FileDescriptor;
+using aibo_system::FileDescriptor;
 
 namespace fault_bench {
 namespace {

@@ -6,9 +6,9 @@
 #include <chrono>
 #include <thread>
 
-#include "client/event.h"
 #include "radio/network_host.h"
 #include "radio/radio_medium.h"
+#include "system/event.h"
 
 namespace fault_bench {
 
@@ -35,7 +35,7 @@ class RadioLink {
   const std::array<int, 2> hosts_;  // descriptors of their packets
   RadioMedium medium_;
   const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-  aibo_client::Event stop_event_;
+  aibo_system::Event stop_event_;
   std::atomic<bool> stopping_{false};
   std::thread thread_;
 };

@@ -141,7 +141,7 @@ void Pipe::end(Action end, TimePoint now) {
   pieces_.push_back({{}, std::max(now, not_before_), end});
 }
 
-Link::Link(std::size_t number, aibo_client::FileDescriptor client, aibo_client::FileDescriptor server)
+Link::Link(std::size_t number, aibo_system::FileDescriptor client, aibo_system::FileDescriptor server)
     : number_(number),
       client_{std::move(client), Pipe(Direction::kToClient)},
       server_{std::move(server), Pipe(Direction::kToServer)} {}

@@ -1,4 +1,4 @@
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 #include <gmock/gmock.h>
 
@@ -14,7 +14,7 @@ namespace {
 using ::testing::HasSubstr;
 
 TEST(NotifierLogTest, AFloodIsLimitedAndSaysSo) {
-  RateLimit::TimePoint now{std::chrono::hours(1)};
+  aibo_system::RateLimit::TimePoint now{std::chrono::hours(1)};
   std::vector<std::string> lines;
   Callbacks callbacks;
   callbacks.log = [&](LogLevel, const std::string& line) { lines.push_back(line); };

@@ -44,7 +44,7 @@ class TelemetryIntakeTest : public ::testing::Test {
   ClientStatistics counters_;
   ConnectionContext context_{"robot:54321", milliseconds(500), notifier_, counters_, 3};
   TelemetryIntake intake_{context_};
-  RateLimit::TimePoint now_{std::chrono::hours(1)};
+  aibo_system::RateLimit::TimePoint now_{std::chrono::hours(1)};
 
  private:
   Callbacks callbacks() {

@@ -1,10 +1,10 @@
-#include "client/rate_limit.h"
+#include "system/rate_limit.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <utility>
 
-namespace aibo_client {
+namespace aibo_system {
 
 RateLimit::Admission RateLimit::admit(TimePoint now, Duration period, int count) {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -18,4 +18,4 @@ RateLimit::Admission RateLimit::admit(TimePoint now, Duration period, int count)
   return {true, std::exchange(left_out_, 0)};
 }
 
-}  // namespace aibo_client
+}  // namespace aibo_system

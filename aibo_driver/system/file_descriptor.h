@@ -1,12 +1,12 @@
 /// @file file_descriptor.h
-#ifndef AIBO_DRIVER_CLIENT_FILE_DESCRIPTOR_H
-#define AIBO_DRIVER_CLIENT_FILE_DESCRIPTOR_H
+#ifndef AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H
+#define AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H
 
 #include <unistd.h>
 
 #include <utility>
 
-namespace aibo_client {
+namespace aibo_system {
 
 /// Owns at most one file descriptor and closes it.
 class FileDescriptor {
@@ -37,6 +37,6 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-}  // namespace aibo_client
+}  // namespace aibo_system
 
-#endif  // AIBO_DRIVER_CLIENT_FILE_DESCRIPTOR_H
+#endif  // AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H

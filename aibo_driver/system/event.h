@@ -1,15 +1,15 @@
 /// @file event.h
-#ifndef AIBO_DRIVER_CLIENT_EVENT_H
-#define AIBO_DRIVER_CLIENT_EVENT_H
+#ifndef AIBO_DRIVER_SYSTEM_EVENT_H
+#define AIBO_DRIVER_SYSTEM_EVENT_H
 
 #include <sys/eventfd.h>
 
 #include <cerrno>
 #include <system_error>
 
-#include "client/file_descriptor.h"
+#include "system/file_descriptor.h"
 
-namespace aibo_client {
+namespace aibo_system {
 
 /// One thread raises the event. Another thread waits for it with poll(), together with its sockets.
 class Event {
@@ -39,6 +39,6 @@ class Event {
   FileDescriptor descriptor_;
 };
 
-}  // namespace aibo_client
+}  // namespace aibo_system
 
-#endif  // AIBO_DRIVER_CLIENT_EVENT_H
+#endif  // AIBO_DRIVER_SYSTEM_EVENT_H

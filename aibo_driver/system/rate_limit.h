@@ -1,12 +1,12 @@
 /// @file rate_limit.h
-#ifndef AIBO_DRIVER_CLIENT_RATE_LIMIT_H
-#define AIBO_DRIVER_CLIENT_RATE_LIMIT_H
+#ifndef AIBO_DRIVER_SYSTEM_RATE_LIMIT_H
+#define AIBO_DRIVER_SYSTEM_RATE_LIMIT_H
 
 #include <chrono>
 #include <cstddef>
 #include <mutex>
 
-namespace aibo_client {
+namespace aibo_system {
 
 /// Limits something that a robot can send endlessly. A burst may come at once. In the long run, one per period is
 /// admitted. Any thread may call it.
@@ -37,6 +37,6 @@ class RateLimit {
   std::size_t left_out_ = 0;
 };
 
-}  // namespace aibo_client
+}  // namespace aibo_system
 
-#endif  // AIBO_DRIVER_CLIENT_RATE_LIMIT_H
+#endif  // AIBO_DRIVER_SYSTEM_RATE_LIMIT_H
