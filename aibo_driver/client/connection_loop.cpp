@@ -41,7 +41,6 @@ ConnectionLoop::ConnectionLoop(const ClientOptions& options, Callbacks callbacks
   shared_.wanted.jpeg_quality = options.jpeg_quality;
   shared_.wanted.transport = options.picture_transport;
   shared_.status.reason = "the client has not been started";
-  transport_->setListener([this] { notifier_.tell(&Callbacks::on_awake, "on_awake"); });
 }
 
 void ConnectionLoop::start() {

@@ -39,6 +39,7 @@ constexpr std::size_t kMostAttempts = 8;
 // The largest request is the upload of a motion, 64 KiB. All others are a few bytes. So if this much is unsent, the
 // peer stopped reading long ago.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
+constexpr milliseconds kLongestSleep{250};
 
 std::string describe(int error) {
   return std::generic_category().message(error);
@@ -258,7 +259,6 @@ std::pair<short, short> TcpTransport::pollOnce(int descriptor, short events, Tim
   // poll() skips a descriptor of -1.
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
   const int count = ::poll(polled, 3, pollTimeout(deadline));
-  on_awake_();
   if (count < 0 && errno != EINTR) {
     std::this_thread::sleep_for(milliseconds(10));  // the kernel is short of memory, so do not try again at once
   }

@@ -6,7 +6,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,9 +32,6 @@ class TcpTransport {
 
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
-  /// @param on_awake called whenever the thread has waited here, at least every kLongestSleep
-  void setListener(std::function<void()> on_awake) { on_awake_ = std::move(on_awake); }
-
   /// Connects. If it fails, it leaves nothing behind.
   /// @throw Fault there is no connection at the deadline, or it is clear earlier that there will be none
   /// @throw StoppedException abort() was called
@@ -43,7 +39,7 @@ class TcpTransport {
 
   /// Waits until something has arrived, wakeUp() is called, or the deadline passes. Without a connection it only waits
   /// for the last two. Meanwhile it sends what send() has left, and it may return early after that, or after
-  /// kLongestSleep.
+  /// 250 ms, because what becomes too old is dropped when the thread wakes.
   /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
   Readable wait(TimePoint deadline);
@@ -87,7 +83,6 @@ class TcpTransport {
   void sendOn();
   [[noreturn]] void throwFault(int error) const;
 
-  std::function<void()> on_awake_ = [] {};
   NameLookup name_lookup_;
   aibo_system::Event wake_up_;
   std::atomic<bool> aborted_{false};

@@ -250,7 +250,6 @@ aibo_client::Callbacks AiboDriver::makeCallbacks() {
       get_up_->update(state, mover_.state().overruled);
     }
   };
-  callbacks.on_awake = [this] { receipts_.alive(std::chrono::steady_clock::now()); };
   callbacks.log = logForClient;
   return callbacks;
 }

@@ -43,6 +43,14 @@ class Received : public ros::CallbackInterface {
 
 }  // namespace
 
+ReceiptClock::ReceiptClock()
+    : listener_(ros::PollManager::instance()->addPollThreadListener([this] { alive(steady_clock::now()); })) {}
+
+// No sign of life comes after this call.
+ReceiptClock::~ReceiptClock() {
+  ros::PollManager::instance()->removePollThreadListener(listener_);
+}
+
 void ReceiptClock::alive(TimePoint now) {
   const std::lock_guard<std::mutex> lock(mutex_);
   noteLife(now);

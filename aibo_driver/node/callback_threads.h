@@ -4,6 +4,7 @@
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/poll_manager.h>
 
 #include <atomic>
 #include <chrono>
@@ -16,16 +17,23 @@
 namespace aibo_driver::node {
 
 /// Knows when messages and calls came. If a process stalls, it reads the messages that have come meanwhile only
-/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did. Any thread may
-/// call any function.
+/// afterwards. Such a message may have come right after the last sign of life, so we assume that it did. The signs are
+/// those of roscpp's thread, which reads all messages: on a busy computer, another thread may wake much earlier. Any
+/// thread may call any function.
 class ReceiptClock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// After a longer gap between two signs of life, the process stalled. It is twice aibo_client::kLongestSleep.
-  static constexpr std::chrono::milliseconds kLongestGap{500};
+  /// After a longer gap between two signs of life, the process stalled. It is three times what roscpp's thread sleeps
+  /// at most (ros::PollManager).
+  static constexpr std::chrono::milliseconds kLongestGap{300};
   /// After such a gap, everything that waited has been read within this time.
   static constexpr std::chrono::milliseconds kCatchingUp{200};
+
+  ReceiptClock();
+  ~ReceiptClock();
+  ReceiptClock(const ReceiptClock&) = delete;
+  ReceiptClock& operator=(const ReceiptClock&) = delete;
 
   /// A sign of life. After the first one, the next is expected within kLongestGap.
   /// @param now the time of the steady clock
@@ -43,6 +51,7 @@ class ReceiptClock {
   std::optional<TimePoint> last_;  ///< the last sign of life
   TimePoint before_gap_;           ///< the last sign of life before the process stalled
   TimePoint caught_up_;            ///< messages that are read before this time may be old
+  boost::signals2::connection listener_;
 };
 
 /// The time when the message or call came whose callback runs on this thread. If no callback of a StampedQueue runs, it

@@ -103,14 +103,11 @@ TEST(TcpTransportTest, TheRobotsCloseAndResetAreFaults) {
   }
 }
 
-TEST(TcpTransportTest, AWaitIsShortAndItsEndIsTold) {
+TEST(TcpTransportTest, AWaitIsShort) {
   TcpTransport transport;
-  int times_awake = 0;
-  transport.setListener([&times_awake] { ++times_awake; });
   const TimePoint end = soon();
   EXPECT_FALSE(transport.wait(end).connection);
   EXPECT_LT(steady_clock::now(), end);
-  EXPECT_EQ(1, times_awake);
 }
 
 TEST(TcpTransportTest, WakeUpEndsAWaitEvenIfItCameBefore) {

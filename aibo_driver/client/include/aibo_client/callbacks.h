@@ -25,10 +25,6 @@ enum class LogLevel { kDebug, kInfo, kWarn, kError };
 /// must not block.
 using LogSink = std::function<void(LogLevel level, const std::string& message)>;
 
-/// The longest time between two calls of Callbacks::on_awake, unless the process or the computer stalls.
-/// The value is our choice.
-constexpr std::chrono::milliseconds kLongestSleep{250};
-
 /// The functions that the client calls. Any of them may be empty.
 ///
 /// The client's thread calls them, one at a time. They must not block, and must not call stop() or a function that
@@ -90,9 +86,6 @@ struct Callbacks {
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;
-  /// The client's thread is alive. From start() to stop(), with or without a connection, the thread calls this after
-  /// each wait, and waits for kLongestSleep at most.
-  std::function<void()> on_awake;
   LogSink log;
 };
 
