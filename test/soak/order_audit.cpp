@@ -31,7 +31,7 @@ std::string text(double number) {
 }
 
 std::string clock(double time) {
-  return "at " + text(std::fmod(time, 3600.0)) + " s of the hour: ";
+  return "at " + hourClock(time) + ": ";
 }
 
 std::string kindOf(int kind) {
@@ -49,11 +49,15 @@ std::string wordsOf(const Moving& movement) {
 
 }  // namespace
 
+std::string hourClock(double time) {
+  return text(std::fmod(time, 3600.0)) + " s of the hour";
+}
+
 void OrderAudit::judge(const Round& round) {
   ++rounds_;
   orders_ += round.orders.size();
   ends_ += round.ended.size();
-  faults_ += round.faults;
+  faults_ += round.faults.size();
   calls_ += round.calls.size();
   for (const Call& call : round.calls) {
     if (call.message == kNoAnswer) {

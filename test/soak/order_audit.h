@@ -40,6 +40,9 @@ class OrderAudit {
   std::vector<double> ages_;            ///< s, of commands when the robot has accepted them
 };
 
+/// A time in words: the seconds since the last full hour.
+std::string hourClock(double time);
+
 /// Prints a line: how many values there are, and how large.
 void printFigures(const char* title, std::vector<double> values);
 

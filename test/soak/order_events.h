@@ -64,7 +64,7 @@ struct Round {
   std::vector<Moving> ended{};
   std::vector<Moving> moving{};  ///< at its end
   std::vector<Measured> measured{};
-  std::size_t faults = 0;
+  std::vector<std::string> faults{};  ///< with their times
 };
 
 }  // namespace soak

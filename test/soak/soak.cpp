@@ -297,13 +297,21 @@ void Soak::goThroughARound() {
   setCalm(true);
   waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
   pass(3000);                                          // of joints that are measured at rest, and of pictures
-  audit_.judge(takeRound());
+  const std::size_t before = violations_;
+  const Round round = takeRound();
+  audit_.judge(round);
+  for (const std::string& fault : violations_ > before ? round.faults : std::vector<std::string>()) {
+    std::printf("  %s\n", fault.c_str());
+  }
 }
 
 void Soak::goWrong() {
   enum { kDriverFrozen, kRobotFrozen, kLinkCut, kLinkSlow, kStickSlow };
+  static const char* const kNames[] = {"driver frozen", "robot frozen", "link cut", "link slow", "stick slow"};
+  const double begin = now();
   const int length = uniform(100, 2500);
-  switch (uniform(kDriverFrozen, kStickSlow)) {
+  const int what = uniform(kDriverFrozen, kStickSlow);
+  switch (what) {
     case kDriverFrozen:
       driver_.signal(SIGSTOP);
       pass(length);
@@ -336,7 +344,7 @@ void Soak::goWrong() {
       break;
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++round_.faults;
+  round_.faults.push_back(std::string(kNames[what]) + " " + hourClock(begin) + " to " + hourClock(now()));
 }
 
 Round Soak::takeRound() {
