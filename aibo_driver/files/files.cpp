@@ -33,8 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestUnpacked = 64U << 20U;  // bytes; a memory stick of Sony's has 16 MB
-
 /// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
   std::array<char, 256> name{};
@@ -60,7 +58,7 @@ void checkPath(const std::string& path, const char* verb) {
 }
 
 /// The content of a gzipped file, or else the file itself.
-FileDescriptor unpacked(FileDescriptor file) {
+FileDescriptor unpacked(FileDescriptor file, std::size_t longest) {
   struct stat properties {};
   std::string begin(2, '\0');
   // The kernel's files have no size, and reading them may wait.
@@ -68,8 +66,8 @@ FileDescriptor unpacked(FileDescriptor file) {
       ::pread(file.get(), begin.data(), begin.size(), 0) < 0 || !host_files::isGzipped(begin)) {
     return file;
   }
-  const std::vector<std::uint8_t> bytes = host_files::readRegularFile(file.get(), kLongestUnpacked);
-  return memoryFile("what was gzipped", host_files::unpacked({bytes.begin(), bytes.end()}, kLongestUnpacked));
+  const std::vector<std::uint8_t> bytes = host_files::readRegularFile(file.get(), longest);
+  return memoryFile("what was gzipped", host_files::unpacked({bytes.begin(), bytes.end()}, longest));
 }
 
 bool isJpegName(const fs::path& path) {
@@ -100,7 +98,7 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
-/// What `~` means: see rosHome().
+/// What `~` means: see rosHome(). Empty if there is no such folder.
 fs::path userFolder() {
   const char* const home = std::getenv("HOME");
   if (home != nullptr && *home != '\0') {
@@ -109,11 +107,8 @@ fs::path userFolder() {
   std::array<char, 4096> texts{};
   passwd entry{};
   passwd* found = nullptr;
-  if (::getpwuid_r(::getuid(), &entry, texts.data(), texts.size(), &found) != 0 || found == nullptr) {
-    throw FileException("there is no folder for pictures and calibrations: HOME is not set, and the user " +
-                        std::to_string(::getuid()) + " has no home; set HOME");
-  }
-  return found->pw_dir;
+  const int error = ::getpwuid_r(::getuid(), &entry, texts.data(), texts.size(), &found);
+  return error == 0 && found != nullptr ? found->pw_dir : "";
 }
 
 /// Opens the folder of a file. After the path was checked, somebody who may write into the folder for pictures may
@@ -166,7 +161,7 @@ std::string fileNameOnRobot(const std::string& name, const std::string& ending) 
 
 }  // namespace
 
-FileDescriptor openToRead(const std::string& path) {
+FileDescriptor openToRead(const std::string& path, std::size_t longest_unpacked) {
   checkPath(path, "read");
   std::error_code error;
   if (!fs::exists(path, error)) {
@@ -174,7 +169,7 @@ FileDescriptor openToRead(const std::string& path) {
                          " (working directory: " + fs::current_path(error).string() + ")");
   }
   try {
-    return unpacked(FileDescriptor(host_files::openRegularFile(path)));
+    return unpacked(FileDescriptor(host_files::openRegularFile(path)), longest_unpacked);
   } catch (const host_files::Unreadable& why) {
     failToRead(path, why.what());
   }
@@ -190,7 +185,7 @@ FileDescriptor memoryFile(const std::string& name, const std::string& content) {
 }
 
 std::vector<std::uint8_t> loadFile(const std::string& path, std::size_t longest) {
-  const FileDescriptor file = openToRead(path);
+  const FileDescriptor file = openToRead(path, longest);
   try {
     return host_files::readRegularFile(file.get(), longest);
   } catch (const host_files::Unreadable& why) {
@@ -209,7 +204,15 @@ std::vector<std::uint8_t> loadMotion(const std::string& path) {
 
 std::string rosHome() {
   const char* const ros_home = std::getenv("ROS_HOME");
-  return ros_home != nullptr && *ros_home != '\0' ? fs::absolute(ros_home) : userFolder() / ".ros";
+  if (ros_home != nullptr && *ros_home != '\0') {
+    return fs::absolute(ros_home);
+  }
+  const fs::path home = userFolder();
+  if (home.empty()) {
+    throw FileException("there is no folder for pictures and calibrations: HOME is not set, and the user " +
+                        std::to_string(::getuid()) + " has no home; set HOME or ROS_HOME");
+  }
+  return home / ".ros";
 }
 
 std::string pictureFolder(const std::string& chosen) {
@@ -217,8 +220,8 @@ std::string pictureFolder(const std::string& chosen) {
     return chosen;
   }
   std::error_code error;
-  const fs::path pictures = userFolder() / "Pictures";
-  return fs::is_directory(pictures, error) ? pictures.string() : rosHome();
+  const fs::path home = userFolder();
+  return !home.empty() && fs::is_directory(home / "Pictures", error) ? home / "Pictures" : rosHome();
 }
 
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg) {

@@ -22,9 +22,10 @@ class FileException : public aibo_client::Exception {
 
 /// Opens a file to read it. Of a gzipped file, it opens the content, in memory.
 /// @param path an absolute path, or a path relative to the working directory of the process
+/// @param longest_unpacked the largest number of bytes that a gzipped file may have, before and after it is unpacked
 /// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
-///   characters; it is gzipped, and damaged or longer than 64 MiB; ...
-aibo_system::FileDescriptor openToRead(const std::string& path);
+///   characters; it is gzipped, and damaged or too long; ...
+aibo_system::FileDescriptor openToRead(const std::string& path, std::size_t longest_unpacked);
 
 /// A file in memory, open for reading and writing at its beginning.
 /// @param name for messages

@@ -23,7 +23,8 @@ using files::FileException;
 namespace {
 
 constexpr int kMostChannels = 8;
-constexpr sf_count_t kBlock = 4096;  // frames
+constexpr std::size_t kLongestUnpacked = 64U << 20U;  // bytes; a memory stick of Sony's has 16 MB
+constexpr sf_count_t kBlock = 4096;                   // frames
 
 struct SoundFileCloser {
   void operator()(SNDFILE* file) const { ::sf_close(file); }
@@ -141,7 +142,7 @@ class FileSource : public Source {
 }  // namespace
 
 std::unique_ptr<Source> openSoundFile(const std::string& path) {
-  return readSound(files::openToRead(path), path);
+  return readSound(files::openToRead(path, kLongestUnpacked), path);
 }
 
 std::unique_ptr<Source> readSound(FileDescriptor file, const std::string& name) {
