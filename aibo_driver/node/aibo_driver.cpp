@@ -70,12 +70,8 @@ void warnOfMissingModel(const std::string& design) {
 void repeatStateOfActionsRarely(const ros::NodeHandle& handle) {
   constexpr const char* kParameter = "actionlib_status_frequency";
   constexpr double kEveryFiveSeconds = 0.2;
-  constexpr double kHighest = 100;
-  constexpr double kLowest = 0.01;  // actionlib cannot wait for 70 years
   std::string found;
-  if (handle.searchParam(kParameter, found)) {
-    readNumber(handle, found, kEveryFiveSeconds, kHighest, kLowest);
-  } else {
+  if (!handle.searchParam(kParameter, found)) {
     handle.setParam(kParameter, kEveryFiveSeconds);
   }
 }
