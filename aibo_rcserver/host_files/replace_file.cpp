@@ -108,7 +108,7 @@ class Part {
   Part& operator=(const Part&) = delete;
 
   void setMode(mode_t mode) {
-    if (properties_.st_mode != mode && ::fchmod(file_.get(), mode & 07777U) != 0) {
+    if (properties_.st_mode != mode && ::fchmod(file_.get(), mode & 0777U) != 0) {
       fail();
     }
   }
@@ -157,6 +157,9 @@ fs::path followed(fs::path path) {
 void replaceFile(const std::string& path, const std::string& content) {
   struct stat old {};
   const bool exists = ::stat(path.c_str(), &old) == 0;
+  if (!exists && errno == ELOOP) {
+    fail();
+  }
   if (exists && isStandardOutput(old)) {
     write(STDOUT_FILENO, content);
     return;

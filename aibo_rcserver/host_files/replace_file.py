@@ -25,7 +25,7 @@ def replace_file(path, content, mode=None):
         old = os.stat(path)
     except FileNotFoundError:
         old = None
-    if old and (not stat.S_ISREG(old.st_mode) or os.path.samestat(old, os.fstat(1))):
+    if old and (not stat.S_ISREG(old.st_mode) or _is_standard_output(old)):
         with open(path, 'ab') as device:
             device.write(content)
         return
@@ -33,12 +33,18 @@ def replace_file(path, content, mode=None):
     try:
         if old and not os.access(path, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        kept_mode = stat.S_IMODE(old.st_mode) if old and mode is None else None
+        kept_mode = old.st_mode & 0o777 if old and mode is None else None
         _replace(os.path.realpath(path), content, 0o666 if mode is None else mode, kept_mode)
     except OSError as error:
         raise OSError(error.errno, error.strerror, str(path)) from error
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, held)
+
+
+def _is_standard_output(status):
+    with contextlib.suppress(OSError):  # it is closed
+        return os.path.samestat(status, os.fstat(1))
+    return False
 
 
 def _replace(path, content, new_mode, kept_mode):
