@@ -221,7 +221,7 @@ std::string pictureFolder(const std::string& chosen) {
   }
   std::error_code error;
   const fs::path home = userFolder();
-  return !home.empty() && fs::is_directory(home / "Pictures", error) ? home / "Pictures" : rosHome();
+  return !home.empty() && fs::is_directory(home / "Pictures", error) ? (home / "Pictures").string() : rosHome();
 }
 
 std::vector<std::uint8_t> withoutComments(const std::vector<std::uint8_t>& jpeg) {
