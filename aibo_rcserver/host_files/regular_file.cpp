@@ -25,10 +25,14 @@ int openRegularFile(const std::string& path) {
   if (!S_ISREG(properties.st_mode)) {  // merely opening a device can have an effect
     throw Unreadable("it is not a regular file");
   }
-  // If the path has become a pipe meanwhile, opening it does not wait for a writer.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  // If the path has become a pipe meanwhile, opening it must not wait for a writer.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
   if (descriptor < 0) {
     throw Unreadable(std::strerror(errno));
+  }
+  if (::fstat(descriptor, &properties) != 0 || !S_ISREG(properties.st_mode)) {
+    ::close(descriptor);
+    throw Unreadable("it is not a regular file");
   }
   return descriptor;
 }
