@@ -15,6 +15,9 @@ bool isGzipped(const std::string& bytes) {
 
 std::string unpacked(std::string bytes, std::size_t longest) {
   if (!isGzipped(bytes)) {
+    if (bytes.size() > longest) {
+      throw Unreadable("it has more than the " + std::to_string(longest) + " bytes allowed");
+    }
     return bytes;
   }
   constexpr int kOnlyGzip = 16;  // added to the size of the window

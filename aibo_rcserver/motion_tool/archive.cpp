@@ -61,14 +61,17 @@ ArchivedFile readEntry(const std::string& bytes, std::size_t number) {
 }
 
 void unpackContents(std::vector<ArchivedFile>& files) {
-  std::size_t room = kLongestContents;  // a small archive could fill any disk
+  std::size_t size = 0;  // a small archive could fill any disk
   for (ArchivedFile& file : files) {
     try {
-      file.content = host_files::unpacked(std::move(file.content), room);
+      file.content = host_files::unpacked(std::move(file.content), kLongestContents);
     } catch (const host_files::Unreadable& why) {
       throw std::runtime_error(fileNameOf(file) + " in the archive cannot be unpacked: " + why.what());
     }
-    room -= file.content.size();
+    size += file.content.size();
+    if (size > kLongestContents) {
+      throw std::runtime_error("the archive's files have more than 64 MiB unpacked");
+    }
   }
 }
 

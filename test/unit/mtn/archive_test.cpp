@@ -118,8 +118,11 @@ TEST(Archive, IsRefusedIfAGzippedFileOfItCannotBeUnpacked) {
   for (const std::string& bad : {good.substr(0, good.size() - 1), good.substr(0, 2), another_checksum}) {
     EXPECT_THAT(problemOf(archiveOf({{"a", "OMTN"}, {"bad", bad}})), HasSubstr(whole));
   }
-  const std::string huge = gzipped(std::string(40U << 20U, 'x'));
-  EXPECT_THAT(problemOf(archiveOf({{"a", huge}, {"b", huge}})), HasSubstr("more than the 25165824 bytes allowed"));
+  const std::string nearly_all = gzipped(std::string((64U << 20U) - 1, 'x'));
+  EXPECT_EQ(problemOf(archiveOf({{"a", nearly_all}, {"b", "OMTN"}, {"c", nearly_all}})),
+            "the archive's files have more than 64 MiB unpacked");
+  const std::string raw((64U << 20U) + 1, 'x');
+  EXPECT_THAT(problemOf(archiveOf({{"a", raw}})), HasSubstr("it has more than the 67108864 bytes allowed"));
 }
 
 TEST(Archive, FilesAreNamedByTheirContentAndStayInTheFolder) {
