@@ -90,10 +90,10 @@ void removeLeftovers(DIR* folder) {
 /// A new file. It is removed unless it gets its name.
 class Part {
  public:
-  explicit Part(int folder) : folder_(folder), file_(-1) {
+  Part(int folder, mode_t mode) : folder_(folder), file_(-1) {
     do {
       name_ = kPartPrefix + std::to_string(std::random_device()());
-      file_ = Descriptor(::openat(folder, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+      file_ = Descriptor(::openat(folder, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
       if (file_.get() < 0 || ::fstat(file_.get(), &properties_) != 0) {
         fail();
       }
@@ -196,7 +196,7 @@ void replaceFile(int folder, const std::string& name, const std::string& content
   if (readable) {
     removeLeftovers(readable.get());
   }
-  Part part(folder);
+  Part part(folder, is_kept ? 0600 : 0666);  // nobody else reads it before it has the old mode
   if (is_kept) {
     part.setMode(old.st_mode);
   }

@@ -50,7 +50,7 @@ def _is_standard_output(status):
 def _replace(path, content, new_mode, kept_mode):
     folder = os.path.dirname(path)
     _remove_leftovers(folder)
-    part, descriptor = _new_part(folder, new_mode)
+    part, descriptor = _new_part(folder, new_mode if kept_mode is None else 0o600)  # private until it has the mode
     try:
         with open(descriptor, 'wb') as file:
             if kept_mode not in (None, stat.S_IMODE(os.fstat(descriptor).st_mode)):
