@@ -20,7 +20,8 @@ class Unwritable : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a file. A new one gets the usual permissions; an old one keeps its own.
+/// Writes a file. A new one gets the usual permissions; an old one keeps its own, but its owner and group become the
+/// writer's.
 /// @param path of the file. A symbolic link is followed and stays. What is not a regular file, such as a pipe or
 ///   /dev/null, is opened and written; so is the standard output under any name, such as /dev/stdout
 /// @throw Unwritable there is no such folder, permission is missing, the old file is write-protected, the disk is full,
