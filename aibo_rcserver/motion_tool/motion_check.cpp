@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <utility>
 
 #include "motion_tool/motion_tool.h"
 #include "mtn/fitted_motion.h"
@@ -9,9 +11,13 @@ namespace motion_tool {
 using robot_model::RobotModel;
 
 const RobotModel* robotOf(const mtn::Motion& motion) {
+  std::array<const char*, 2> designs = {"ERS-7", "ERS-210"};
+  if (std::strncmp(motion.design(), "DRX-910", 7) == 0) {
+    std::swap(designs[0], designs[1]);
+  }
   const RobotModel* best = nullptr;
   int fewest_left_out = mtn::MAX_JOINTS;
-  for (const char* const design : {"ERS-7", "ERS-210"}) {
+  for (const char* const design : designs) {
     const RobotModel* robot = robot_model::findRobotModel(design);
     mtn::FittedMotion fitted;
     if (fitted.fit(motion, *robot, true) && fitted.leftOut() < fewest_left_out) {

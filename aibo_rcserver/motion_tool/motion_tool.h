@@ -59,8 +59,8 @@ std::string describeChanges(const mtn::Motion& motion, const robot_model::RobotM
 /// not printable ASCII. Motion files come from anywhere.
 std::string forTerminal(std::string line);
 
-/// The robot that has the most of the motion's joints and ears; null if no robot has any. Designs do not tell: Sony's
-/// motions for the ERS-7 have "DRX-1000", "DRX-1000_Head" and more.
+/// The robot that has the most of the motion's joints and ears; null if no robot has any. Only if both have as many,
+/// the design tells: Sony's motions for the ERS-7 have "DRX-1000", "DRX-1000_Head" and more.
 const robot_model::RobotModel* robotOf(const mtn::Motion& motion);
 
 }  // namespace motion_tool

@@ -29,6 +29,7 @@ TEST(MotionCheck, JointsDecideWhichRobotAMotionIsFor) {
       {"at 0 left_ear 0 right_ear 0\n", "DRX-1000_Ear", "ERS-7"},
       {"at 0 mouth -10\n", "", "ERS-7"},
       {"at 0 head_pan 0 tail_pan 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-910", "ERS-7"},
+      {"at 0 head_pan 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-910", "ERS-210"},
       {"at 0 PRM:/r1/c1/c2/c3-Joint2:j3 0\n", "DRX-1000_Head", "ERS-210"},
       {"at 0 PRM:/r1/c1/c2/c3/e1-Joint3:j5 0\n", "DRX-910_Ear", "ERS-210"},
       {"at 0 PRM:/r9/c1-Joint2:91 0\n", "DRX-1000", nullptr},
