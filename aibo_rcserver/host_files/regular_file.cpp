@@ -37,6 +37,14 @@ int openRegularFile(const std::string& path) {
   return descriptor;
 }
 
+std::FILE* openToRead(const char* path) {
+  try {
+    return ::fdopen(openRegularFile(path), "rb");
+  } catch (const Unreadable&) {
+    return nullptr;
+  }
+}
+
 std::vector<unsigned char> readRegularFile(int descriptor, std::size_t longest) {
   struct stat properties {};
   if (::fstat(descriptor, &properties) != 0) {

@@ -5,6 +5,7 @@
 #define AIBO_RCSERVER_HOST_FILES_REGULAR_FILE_H
 
 #include <cstddef>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,6 +22,10 @@ class Unreadable : public std::runtime_error {
 /// @return its descriptor, which the caller closes
 /// @throw Unreadable the file does not exist, is not a regular file or may not be read
 int openRegularFile(const std::string& path);
+
+/// Opens a file to read it, as fopen(): HostSettings::open_to_read() of a memory stick that is a folder here.
+/// @return null as openRegularFile() throws
+std::FILE* openToRead(const char* path);
 
 /// Reads a whole file.
 /// @param descriptor of openRegularFile()

@@ -6,6 +6,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "host_files/regular_file.h"
 #include "rcserver/settings/Settings.h"
 
 OStatus osyslog(OSyslogPriority, const char* format, ...) {
@@ -27,5 +28,6 @@ int main(int argc, char** argv) {
   }
   HostSettings host;
   host.memory_stick = argv[1];
+  host.open_to_read = host_files::openToRead;
   readSettingsFile(host);
 }

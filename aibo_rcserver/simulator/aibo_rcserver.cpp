@@ -144,15 +144,6 @@ void parse(const po::options_description& description, const std::vector<std::st
   }
 }
 
-/// On a robot's memory stick there are neither pipes nor devices.
-FILE* openToRead(const char* path) {
-  try {
-    return fdopen(host_files::openRegularFile(path), "rb");
-  } catch (const host_files::Unreadable&) {
-    return nullptr;
-  }
-}
-
 // RCServer need not be on the memory stick.
 bool runsRCServer(const std::string& memory_stick, const std::string& design) {
   const std::string path = openr_host::findOnMemoryStick(memory_stick, "OPEN-R/MW/CONF/OBJECT.CFG").string();
@@ -283,7 +274,7 @@ void run(const Options& options) {
   host.newest_version = options.protocol_version;
   host.memory_stick = options.memory_stick.c_str();
   host.room = robot.stick().room();
-  host.open_to_read = openToRead;
+  host.open_to_read = host_files::openToRead;  // there are neither pipes nor devices on a robot's stick
   setHostSettings(host);
   stopOnSignal(machine);
   endWithInput();

@@ -7,7 +7,8 @@ from . import Problem
 from .objects import SOURCES
 
 READER_SOURCES = [SOURCES / "memory_stick/read_settings.cpp", *sorted((SOURCES / "rcserver/settings").glob("*.cc")),
-                  SOURCES / "objects/HostSettings.cc", SOURCES / "protocol/text.cc"]
+                  SOURCES / "objects/HostSettings.cc", SOURCES / "protocol/text.cc",
+                  SOURCES / "host_files/regular_file.cpp"]
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 

@@ -437,6 +437,9 @@ class Verification(Workshop):
                         b"# f\xfcr G\xe4ste\nALLOW_UPLOAD=no"):
             (self.open_r / path).write_bytes(content)
             self.assertEqual(self.verify().returncode, 0, content)
+        (self.open_r / path).unlink()
+        os.mkfifo(self.open_r / path)
+        self.expect_failure(self.verify(), "RCSERVER.CFG cannot be read", ignored)
 
     def test_of_files_by_other_editors(self):
         """The same files with the marks of Notepad and DOS, and with Latin-1 in a comment."""
