@@ -37,14 +37,28 @@ const char* SkipSpaces(const char* text) {
   return text + strspn(text, " \t");
 }
 
+// True if this byte of a comment belongs to a well-formed character of UTF-8 that begins before it.
+bool ContinuesCharacter(const char* byte, const char* end) {
+  const ptrdiff_t longest = 4;
+  const char* first = byte;
+  do {
+    --first;  // not beyond the comment's #
+  } while ((*first & 0xc0) == 0x80 && byte - first < longest - 1);
+  bool is_well_formed = false;
+  for (ptrdiff_t size = byte - first + 1; size <= std::min(longest, end - first); ++size) {
+    is_well_formed = is_well_formed || protocol::isPlainText(first, static_cast<size_t>(size));
+  }
+  return is_well_formed;
+}
+
 // The size of a character at which some editors show a new line, although it ends no line here; 0 if there is none.
-// Besides those of ASCII, these are NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
+// Besides those of ASCII and NUL, these are NEL in Latin-1 and in UTF-8, and U+2028 and U+2029.
 size_t SizeOfUnclearLineEnd(const char* text, const char* end) {
-  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 6) != NULL) {
+  if (memchr("\v\f\x1a\x1c\x1d\x1e", *text, 7) != NULL) {  // with the final NUL
     return 1;
   }
   if (*text == '\x85') {
-    return (text[-1] & 0x80) == 0 ? 1 : 0;  // otherwise it is a part of a character of UTF-8
+    return ContinuesCharacter(text, end) ? 0 : 1;
   }
   if (end - text >= 2 && memcmp(text, "\xc2\x85", 2) == 0) {
     return 2;
