@@ -95,17 +95,20 @@ void endAtOnce(int) {
 }
 
 void end(int) {
+  ::signal(SIGINT, SIG_DFL);  // a second signal ends the node at once
+  ::signal(SIGTERM, SIG_DFL);
   ros::requestShutdown();
   ::alarm(kTimeToUnregister);
 }
 
 // roscpp sets its own handler when the first node handle is made, so this has to come after that.
-void endOnInterrupt() {
+void endOnSignal() {
   ::signal(SIGALRM, endAtOnce);
   struct sigaction action = {};
   action.sa_handler = end;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  action.sa_flags = SA_RESTART;
   ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
 }
 
 /// True if other nodes on this computer, at least, can connect to this name or address.
@@ -188,7 +191,7 @@ void init(int& argc, char** argv, const std::string& name, std::uint32_t options
 int runNode(const std::string& name, const std::function<std::shared_ptr<void>()>& make) {
   const ros::NodeHandle handle = startWithSlack();  // outlives the try block, because logging ends with the last handle
   const Rosout rosout;
-  endOnInterrupt();
+  endOnSignal();
   warnOfWrongAddress();
   try {
     std::shared_ptr<void> node = make();

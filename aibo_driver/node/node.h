@@ -39,9 +39,9 @@ void init(int& argc, char** argv, const std::string& name, std::uint32_t options
 
 /// Runs a node until it is shut down. It serves the global callback queue.
 ///
-/// On Ctrl-C (SIGINT) the node ends as roscpp does, but within 10 s: roscpp unregisters each topic and service with the
-/// ROS master and waits for its answers without limit. If that takes longer, the process says so on stderr and ends at
-/// once with EXIT_FAILURE. A second Ctrl-C always ends it at once.
+/// On Ctrl-C (SIGINT) or SIGTERM the node ends as roscpp does on Ctrl-C, but within 10 s: roscpp unregisters each topic
+/// and service with the ROS master and waits for its answers without limit. If that takes longer, the process says so
+/// on stderr and ends at once with EXIT_FAILURE. A second signal always ends it at once.
 ///
 /// Call this once, from main(), after init(). It takes over the signal SIGALRM.
 /// @param name the name for the log; it completes "The ... cannot start."

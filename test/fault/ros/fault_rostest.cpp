@@ -19,6 +19,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "support/memory_stick.h"
@@ -59,9 +60,9 @@ bool eventually(const std::function<bool()>& condition) {
   return condition();
 }
 
-/// Ends the node by Ctrl-C.
-void expectEnds(DriverProcess* driver) {
-  driver->signal(SIGINT);
+/// Ends the node, by Ctrl-C unless told otherwise.
+void expectEnds(DriverProcess* driver, int signal = SIGINT) {
+  driver->signal(signal);
   EXPECT_EQ(driver->waitForExit(kSafetyNet).value_or(-1), 0) << driver->output();
 }
 
@@ -72,12 +73,13 @@ class Faults : public testing::Test {
   FaultProxy proxy_{server_.port()};
 };
 
-TEST_F(Faults, CtrlCEndsTheNodeWhateverTheRobotDoes) {
-  const std::map<std::string, Welcome> states = {{"turned_away", Welcome::kReset},
-                                                 {"black_hole", Welcome::kSilence},
-                                                 {"refused", Welcome::kRefuse},
-                                                 {"half_a_picture", Welcome::kServe}};
-  for (const auto& [name, welcome] : states) {
+TEST_F(Faults, ASignalEndsTheNodeWhateverTheRobotDoes) {
+  const std::tuple<std::string, Welcome, int> rows[] = {{"turned_away", Welcome::kReset, SIGINT},
+                                                        {"black_hole", Welcome::kSilence, SIGINT},
+                                                        {"refused", Welcome::kRefuse, SIGINT},
+                                                        {"refused_and_terminated", Welcome::kRefuse, SIGTERM},
+                                                        {"half_a_picture", Welcome::kServe, SIGINT}};
+  for (const auto& [name, welcome, signal] : rows) {
     proxy_.setWelcome(welcome);
     TopicListener<Connection> connection("/" + name + "/connection");
     const bool is_served = welcome == Welcome::kServe;
@@ -91,7 +93,7 @@ TEST_F(Faults, CtrlCEndsTheNodeWhateverTheRobotDoes) {
       EXPECT_TRUE(proxy_.waitForFaults(1, kSafetyNet));
     }
     SCOPED_TRACE(name);
-    expectEnds(&driver);
+    expectEnds(&driver, signal);
   }
 }
 
