@@ -45,6 +45,9 @@ std::string unpacked(std::string bytes, std::size_t longest) {
   if (result != Z_STREAM_END) {
     throw Unreadable("it is gzipped, but damaged or cut off");
   }
+  if (stream.avail_in > 0) {
+    throw Unreadable("it is gzipped, and has bytes after its end");
+  }
   return content;
 }
 

@@ -13,7 +13,8 @@ bool isGzipped(const std::string& bytes);
 
 /// Unpacks bytes once. Bytes that are not gzipped are returned as they are.
 /// @param longest the most bytes that the result may have, because a few gzipped bytes could fill any memory
-/// @throw Unreadable (regular_file.h) the gzipped bytes are damaged or cut off, or the result would be longer
+/// @throw Unreadable (regular_file.h) the gzipped bytes are damaged or cut off or have more after their end, or the
+///   result would be longer
 std::string unpacked(std::string bytes, std::size_t longest);
 
 /// Reads a file by readRegularFile(), and unpacks it if it is gzipped.
