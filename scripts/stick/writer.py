@@ -58,17 +58,17 @@ def build(sdk, libjpeg, build_dir, compiler):
 def check_program(path, linked_as=None):
     """Prints what a program is made of and what is unusual, and yields a Problem for each fault.
 
-    `linked_as` is for this project's programs, which must not even be unusual: where mkbin left NAME.nosnap.elf and
+    `linked_as` is for this project's programs, for which what is unusual is a fault: where mkbin left NAME.nosnap.elf and
     NAME.rel.elf, the path without their endings.
     """
     base = linked_as or path.with_suffix("")
     linked, relocations = (base.with_name(base.name + end) for end in (".nosnap.elf", ".rel.elf"))
     program = Program(read(path), *(file.read_bytes() if file.is_file() else None for file in (linked, relocations)))
     found = list(program.problems())
-    print(f"{path}: {'FAULTY' if found else 'no fault found'}. {program.summary or ''}", flush=True)
-    for what in program.unusual:
-        print(f"{path} is unusual: {what}. Sony's tools accept that.", flush=True)
     found += program.unusual if linked_as else []
+    print(f"{path}: {'FAULTY' if found else 'no fault found'}. {program.summary or ''}", flush=True)
+    for what in () if linked_as else program.unusual:
+        print(f"{path} is unusual: {what}. Sony's tools accept that.", flush=True)
     for what in found:
         yield Problem(f"{path}: {what}.", "Do not start it on a robot; build it again, and report the fault if it comes back.")
 

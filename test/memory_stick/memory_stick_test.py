@@ -593,7 +593,9 @@ class CheckBinary(Workshop):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertRegex(done.stdout, r"no fault found.*\n.*team.bin is unusual: its flags are 0x5, .*Sony's tools accept")
         (self.sdk / "program").write_bytes(unusual)
-        self.expect_failure(self.make_stick(), "its flags are 0x5", "Do not start it")
+        done = self.make_stick()
+        self.expect_failure(done, "its flags are 0x5", "Do not start it")
+        self.assertNotRegex(done.stdout, "no fault found|unusual")
 
     def test_is_part_of_the_build(self):
         (self.sdk / "faulty").write_bytes((self.sdk / "program").read_bytes().replace(b"mCOOP", b"other"))
