@@ -197,7 +197,7 @@ void ConnectionLoop::talk() {
 
 /// Takes over the user's settings, new calls and new commands.
 void ConnectionLoop::takeNews(TimePoint now) {
-  const PictureTransport transport = wanted_.transport;
+  const unsigned transport_changes = wanted_.transport_changes;
   std::vector<Call> calls;
   CommandOutbox commands;
   {
@@ -206,7 +206,7 @@ void ConnectionLoop::takeNews(TimePoint now) {
     commands = std::exchange(shared_.commands, {});
     wanted_ = shared_.wanted;
   }
-  if (wanted_.transport != transport) {
+  if (wanted_.transport_changes != transport_changes) {
     connection_->transport_problem.clear();
   }
   for (Call& call : calls) {

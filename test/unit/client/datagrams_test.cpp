@@ -595,6 +595,7 @@ TEST_F(DatagramClientTest, WithoutAFreeSocketPicturesComeByTcpAndTheReasonIsTold
   client_.setPictureTransport(PictureTransport::kTcp);
   client_.setPictureTransport(PictureTransport::kUdp);
   EXPECT_GT(orderIn(peer.readRequest()).port, 0);
+  EXPECT_TRUE(eventually([&] { return client_.status().transport_problem.empty(); }));
   client_.setPictureTransport(PictureTransport::kTcp);
   EXPECT_EQ(0, orderIn(peer.readRequest()).port);
 }
