@@ -1,5 +1,8 @@
 #include "command_line/output.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +23,14 @@ void write(std::FILE* stream, const void* data, std::size_t size) {
     }
     throw OutputException(std::string("cannot write to the standard output: ") + std::strerror(errno));
   }
+}
+
+/// True if bytes written to the file come out of the standard output, as with /dev/stdout.
+bool isStandardOutput(const std::string& file) {
+  struct stat named {};
+  struct stat standard {};
+  return file == "-" || (::stat(file.c_str(), &named) == 0 && ::fstat(STDOUT_FILENO, &standard) == 0 &&
+                         named.st_dev == standard.st_dev && named.st_ino == standard.st_ino);
 }
 
 }  // namespace
@@ -43,7 +54,9 @@ std::string Output::picture(const std::string& file, const std::vector<std::uint
   if (file != "-" && !is_device) {
     return files::saveJpeg("/", file.empty() ? file : std::filesystem::absolute(file).string(), jpeg);
   }
-  leaveStandardOutputToBytes();
+  if (isStandardOutput(file)) {
+    leaveStandardOutputToBytes();
+  }
   if (is_device) {
     files::replaceFile(file, {jpeg.begin(), jpeg.end()});
   } else {

@@ -41,8 +41,8 @@ class Output {
   void bytes(const std::vector<std::uint8_t>& bytes);
 
   /// Writes a picture to a file of this computer. It replaces only files that are JPEGs.
-  /// @param file a file in any folder, a pipe or a device; "-" means the standard output. For all but a file, the
-  ///   standard output is then only for bytes
+  /// @param file a file in any folder, a pipe or a device; "-" means the standard output. If it is, or leads
+  ///   to, the standard output, that is then only for bytes
   /// @return the file's absolute path, or "-"
   /// @throw OutputException
   /// @throw files::FileException for the reasons of files::saveJpeg()

@@ -256,6 +256,10 @@ class OnBothVersions:
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
         self.assertEqual((result.stdout[:3], result.stdout[-2:]), (b"\xff\xd8\xff", b"\xff\xd9"))
         self.assertIn(f"208x160 pixels, {len(result.stdout)} bytes: /dev/stdout\n".encode(), result.stderr)
+        os.mkfifo(self.folder / "pipe")
+        with subprocess.Popen(["cat", self.folder / "pipe"], stdout=subprocess.PIPE) as reader:
+            picture = self.json("picture", "-o", "pipe")
+            self.assertEqual(len(reader.stdout.read()), picture["bytes"], "the standard output has the result")
 
     def test_gives_a_picture_a_name(self):
         def now():
