@@ -1,5 +1,6 @@
 """The program aibo as its users and their scripts see it: exit status, files, JSON; with servers of both versions, with
 none, with one that is busy, and with one that is hostile."""
+import contextlib
 import io
 import itertools
 import json
@@ -89,8 +90,8 @@ def version2_frame(kind, payload, number=0, identifier=0):
 class ScriptedServer:
     """Serves each client by `serve`, which gets its socket; then the connection ends."""
 
-    def __init__(self, serve):
-        self.socket = socket.create_server(("127.0.0.1", 0))
+    def __init__(self, serve, address="127.0.0.1"):
+        self.socket = socket.create_server((address, 0))
         self.port = self.socket.getsockname()[1]
         self.serve = serve
         threading.Thread(target=self.run, daemon=True).start()
@@ -199,8 +200,8 @@ class TestCase(unittest.TestCase):
         self.folder = Path(tempfile.mkdtemp(prefix="aibo tést."))
         self.addCleanup(shutil.rmtree, self.folder)
 
-    def server(self, serve):
-        server = ScriptedServer(serve)
+    def server(self, serve, *address):
+        server = ScriptedServer(serve, *address)
         self.addCleanup(server.end)
         return server.port
 
@@ -979,6 +980,22 @@ class Unreachable(TestCase):
             self.assertEqual(finding["advice"], "The robot's console says why: ALLOWED_ADDRESSES in RCSERVER.CFG does "
                                                 "not name it")
             robot.kill()
+
+    def test_a_robot_that_turns_others_away_too(self):
+        with socket.create_server((self.own_address(), 59000)) as console:
+            console.setblocking(False)
+
+            def turn_away(client):
+                with contextlib.suppress(BlockingIOError):  # until the doctor looks at the console
+                    listener = console.accept()[0]
+                    self.addCleanup(listener.close)
+                    host, port = client.getpeername()
+                    listener.sendall(f"RCServer: {host}:1{port} is turned away: A\n"
+                                     f"RCServer: {host}:{port} is turned away: B\n".encode())
+                client.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
+            finding, = self.json("doctor", self.own_address(), port=self.server(turn_away, self.own_address()),
+                                 status=UNREACHABLE)["findings"]
+        self.assertEqual(finding["advice"], "The robot's console says why: B")
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -125,10 +126,12 @@ class Doctor {
 
   /// Why the robot turns this computer away; empty if its console does not say so in time.
   std::string reasonOnConsole() {
-    const std::string mark = "is turned away: ";
     tcp::iostream console;
     tcp::iostream client;
     if (connect(kConsolePort, &console) && connect(address_.port, &client)) {
+      std::ostringstream text;  // with this connection's address, because others may be turned away, too
+      text << " " << client.socket().local_endpoint() << " is turned away: ";
+      const std::string mark = text.str();
       for (std::string line; std::getline(console, line);) {
         if (const std::size_t begin = line.find(mark); begin != std::string::npos) {
           return text::plainLine(line.substr(begin + mark.size()), kLongestReason);
