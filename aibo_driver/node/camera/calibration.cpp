@@ -1,6 +1,7 @@
 #include "node/camera/calibration.h"
 
 #include <camera_calibration_parsers/parse.h>
+#include <camera_calibration_parsers/parse_ini.h>
 #include <camera_calibration_parsers/parse_yml.h>
 #include <ros/console.h>
 #include <ros/package.h>
@@ -43,6 +44,10 @@ void replaceAll(const std::string& what, const std::string& with, std::string* t
   }
 }
 
+bool isIni(const std::string& file) {
+  return std::filesystem::path(file).extension() == ".ini";  // the parser goes by it
+}
+
 CameraInfo load(const std::string& file) {
   CameraInfo info;
   std::string name;
@@ -50,7 +55,7 @@ CameraInfo load(const std::string& file) {
   if (!std::filesystem::exists(file, error)) {
     return {};
   }
-  std::string problem = problemOfFile(file);
+  std::string problem = isIni(file) ? "" : problemOfFile(file);
   if (problem.empty() && !camera_calibration_parsers::readCalibration(file, name, info)) {
     problem = "it cannot be read; calibrate again";
   }
@@ -97,11 +102,11 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
   const std::size_t begin = in_package ? kPackageScheme.size() : kFileScheme.size();
   const std::size_t slash = resolved.find('/', begin);
   const std::string ending = std::filesystem::path(resolved).extension();  // the parser goes by it
-  const bool is_file = slash != std::string::npos && (ending == ".yaml" || ending == ".yml");
+  const bool is_file = slash != std::string::npos && (ending == ".yaml" || ending == ".yml" || isIni(resolved));
   if (!is_file || resolved.find("${") != std::string::npos) {
     throw aibo_client::InvalidArgumentException(
         parameter +
-        "which does not name a YAML file; it must be file:///FILE.yaml, "
+        "which does not name a YAML or INI file; it must be file:///FILE.yaml, "
         "package://PACKAGE/FILE.yaml, in both ${ROS_HOME} and ${NAME}, or empty.");
   }
   if (!in_package) {
@@ -118,7 +123,12 @@ std::string calibrationFile(const std::string& url, const std::string& camera_na
 
 void saveCalibration(const CameraInfo& info, const std::string& camera_name, const std::string& file) {
   std::ostringstream text;
-  camera_calibration_parsers::writeCalibrationYml(text, camera_name, info);
+  if (!isIni(file)) {
+    camera_calibration_parsers::writeCalibrationYml(text, camera_name, info);
+  } else if (!camera_calibration_parsers::writeCalibrationIni(text, camera_name, info)) {
+    throw files::FileException(
+        "an INI file holds only the distortion model plumb_bob; let camera_info_url name a YAML file");
+  }
   std::filesystem::create_directories(std::filesystem::path(file).parent_path());
   files::replaceFile(file, text.str());
 }

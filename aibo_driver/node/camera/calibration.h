@@ -61,17 +61,17 @@ class Calibration {
 };
 
 /// The file of a calibration. Any thread may call it.
-/// @param url file:///FILE.yaml or package://PACKAGE/FILE.yaml. ${ROS_HOME} stands for files::rosHome(), and
-///   ${NAME} for the camera's name. An empty url means file://${ROS_HOME}/camera_info/${NAME}.yaml, as with
-///   camera_info_manager.
+/// @param url file:///FILE.yaml or package://PACKAGE/FILE.yaml, or the same with .ini. ${ROS_HOME} stands for
+///   files::rosHome(), and ${NAME} for the camera's name. An empty url means
+///   file://${ROS_HOME}/camera_info/${NAME}.yaml, as with camera_info_manager.
 /// @param camera_name the camera's name
-/// @throw InvalidArgumentException the url names no YAML file, or the package does not exist
+/// @throw InvalidArgumentException the url names no YAML or INI file, or the package does not exist
 /// @throw FileException there is no home: see files::rosHome()
 std::string calibrationFile(const std::string& url, const std::string& camera_name);
 
-/// Writes a calibration to a YAML file, which is whole or as it was (replace_file.h). Its folder is made if it is
-/// missing.
-/// @throw files::FileException it cannot be written
+/// Writes a calibration to a YAML or INI file, which is whole or as it was (replace_file.h). Its folder is made if it
+/// is missing.
+/// @throw files::FileException it cannot be written, or it is INI, which has no such distortion model
 /// @throw std::filesystem::filesystem_error its folder cannot be made
 void saveCalibration(const sensor_msgs::CameraInfo& info, const std::string& camera_name, const std::string& file);
 

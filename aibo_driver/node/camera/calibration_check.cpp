@@ -189,8 +189,9 @@ std::string problemOfFile(const std::string& file) {
       }
     }
     return {};
-  } catch (const YAML::Exception& error) {
-    return std::string("it is not the YAML of a calibration: ") + error.what();
+  } catch (const YAML::Exception& error) {  // the library's text may quote the file, which may be any file
+    return "it is not the YAML of a calibration" +
+           (error.mark.is_null() ? "" : join(": see its line ", error.mark.line + 1));
   }
 }
 

@@ -204,7 +204,7 @@ TEST_F(CalibrationFileCheckTest, MatricesHaveAllTheirNumbers) {
       {"camera_matrix", "matrix", "camera_matrix is missing"},
       {"data: [1.", "numbers: [1.", "rectification_matrix is missing, or has no data"},
       {"rows: 1", "rows: one", "not the YAML of a calibration"},
-      {"image_width: 208", "{", "not the YAML of a calibration"},
+      {"image_width: 208", "secret: {", "not the YAML of a calibration: see its line "},
   };
   for (const auto& [good, wrong, problem] : rows) {
     std::string text = kWritten;

@@ -6,6 +6,7 @@
 
 #include "aibo_client/exceptions.h"
 #include "files/files.h"
+#include "node/camera/calibration_check.h"
 #include "support/full_disk.h"
 #include "support/good_calibration.h"
 #include "support/temporary_folder.h"
@@ -41,9 +42,22 @@ TEST(CalibrationFile, OfAUrlThatNamesNoneIsRefused) {
   EXPECT_THAT(refusalOf("package://no_such_package/eye.yaml"), HasSubstr("there is no package 'no_such_package'"));
   EXPECT_THAT(refusalOf("package:///eye.yaml"), HasSubstr("there is no package ''"));
   for (const char* url : {"package://std_msgs", "package://std_msgs/", "file:///", "file:///tmp/",
-                          "file:///${EYE}.yaml", "file:///eye", "file:///eye.ini"}) {
-    EXPECT_THAT(refusalOf(url), HasSubstr("does not name a YAML file")) << url;
+                          "file:///${EYE}.yaml", "file:///eye", "file:///eye.txt"}) {
+    EXPECT_THAT(refusalOf(url), HasSubstr("does not name a YAML or INI file")) << url;
   }
+}
+
+TEST(CalibrationFile, MayBeIniAsForCameraInfoManager) {
+  const test_support::TemporaryFolder folder;
+  const std::string file = calibrationFile("file://" + folder.path("eye.ini").string(), "left");
+  saveCalibration(goodCalibration(), "left", file);
+  std::string name;
+  CameraInfo info;
+  EXPECT_TRUE(camera_calibration_parsers::readCalibration(file, name, info));
+  EXPECT_EQ(problemOf(info), "");
+  EXPECT_NEAR(info.P[5], goodCalibration().P[5], 1e-5);
+  info.distortion_model = "equidistant";
+  EXPECT_THROW(saveCalibration(info, "left", file), files::FileException);
 }
 
 TEST(CalibrationFile, StaysAsItWasIfTheDiskIsFull) {
