@@ -33,6 +33,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostGzipAdds = 1024;  // bytes, the name of the file among them; our choice
+
 /// Names this computer. Callers of a service may be at another computer than the driver.
 std::string thisComputer() {
   std::array<char, 256> name{};
@@ -66,7 +68,7 @@ FileDescriptor unpacked(FileDescriptor file, std::size_t longest) {
       ::pread(file.get(), begin.data(), begin.size(), 0) < 0 || !host_files::isGzipped(begin)) {
     return file;
   }
-  const std::vector<std::uint8_t> bytes = host_files::readRegularFile(file.get(), longest);
+  const std::vector<std::uint8_t> bytes = host_files::readRegularFile(file.get(), longest + kMostGzipAdds);
   return memoryFile("what was gzipped", host_files::unpacked({bytes.begin(), bytes.end()}, longest));
 }
 

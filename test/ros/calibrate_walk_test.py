@@ -120,7 +120,7 @@ class CalibrateWalkTest(unittest.TestCase):
             parameters = {'~driver': 'dog', 'dog/guard': False, 'dog/walk_scale': 0.8, 'aibo_driver/walk_scale': 2.0}
             os.mkdir(folder + '/.ros')
             Path(folder + '/.ros/walk_calibration.yaml').write_text('of: an earlier day\n', encoding='utf-8')
-            with mock.patch.dict(os.environ, HOME=folder):
+            with mock.patch.dict(os.environ, ROS_HOME=folder + '/.ros'):
                 self.run_program(parameters)
             text = Path(folder + '/.ros/walk_calibration.yaml').read_text(encoding='utf-8')
             self.assertEqual(program.yaml.safe_load(text), {**program.USUAL, 'walk_scale': 0.72})
