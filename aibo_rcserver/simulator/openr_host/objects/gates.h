@@ -74,8 +74,6 @@ class SubjectService {
   /// Deletes the data that was kept for the observer.
   void deassertReady(const ObserverID& observer);
 
-  bool isObserved() const { return !connections_.empty(); }
-
   bool isAnyReady() const;
 
   /// True if an observer could receive data sent now, at once or later.

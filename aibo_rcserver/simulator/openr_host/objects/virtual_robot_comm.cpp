@@ -96,15 +96,13 @@ void VirtualRobotComm::passFrame(longword frame) {
 // Busy observers find the newest vector (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
   if (sensor_->isWanted()) {
-    has_sensed_ = true;
     sensor_->setData(robot_.captureSensors(frame));
     sensor_->notifyAll();
   }
 }
 
-// An object knows the robot's pose when it gets its first image.
 void VirtualRobotComm::look(longword frame) {
-  if ((has_sensed_ || !sensor_->isObserved()) && robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
+  if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
     image_sensor_->setData(robot_.captureImage(frame));
     image_sensor_->notifyAll();
   }

@@ -59,7 +59,6 @@ class VirtualRobotComm : public OObject {
   std::unique_ptr<OObserver> effector_;
   std::vector<Commander> commanders_;
   std::optional<longword> last_frame_;
-  bool has_sensed_ = false;
 };
 
 }  // namespace openr_host

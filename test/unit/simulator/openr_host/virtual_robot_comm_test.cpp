@@ -196,21 +196,6 @@ TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
   EXPECT_EQ(robot_.sensors()->NumberOfReference(), 1);
 }
 
-TEST_F(VirtualRobotCommTest, ThereIsNoImageBeforeTheFirstSensorReadingsThatSomebodyWants) {
-  const auto looked = [this] {
-    return std::any_of(robot_.calls.begin(), robot_.calls.end(),
-                       [](const std::string& call) { return call.rfind("cameraImageDue", 0) == 0; });
-  };
-  test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
-  test_.run();
-  pass(8);
-  EXPECT_FALSE(looked());
-  test_.as(mover_, [&] { mover_.observer().AssertReady(); });
-  test_.run();
-  pass(4);
-  EXPECT_TRUE(looked());
-}
-
 TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn) {
   test_.as(mover_, [&] { mover_.observer().AssertReady(); });
   test_.run();
