@@ -1,14 +1,16 @@
 """RCSERVER.CFG, read by the robot's own code, and the text of other files that people edit."""
+import os
 import re
 import subprocess
-import tempfile
 
 from . import Problem
-from .objects import SOURCES
+from .objects import PROJECT, SOURCES
 
+READER = PROJECT / ".build" / "read_settings"
 READER_SOURCES = [SOURCES / "memory_stick/read_settings.cpp", *sorted((SOURCES / "rcserver/settings").glob("*.cc")),
                   SOURCES / "objects/HostSettings.cc", SOURCES / "protocol/text.cc",
                   SOURCES / "host_files/regular_file.cpp"]
+READER_FOLDERS = ("memory_stick", "rcserver/settings", "objects", "protocol", "host_files")
 BYTE_ORDER_MARK = b"\xef\xbb\xbf"
 
 
@@ -28,16 +30,23 @@ def has_marks(path):
 
 def settings_problems(stick):
     """Yields a Problem for each fault that the robot would find in RCSERVER.CFG, and in the names beside it."""
-    with tempfile.TemporaryDirectory() as folder:
-        reader = f"{folder}/read_settings"
-        command = ["g++", "-w", f"-I{SOURCES}", f"-I{SOURCES / 'simulator/openr_host/sdk'}", "-o", reader,
-                   *map(str, READER_SOURCES)]
-        try:
-            subprocess.run(command, check=True)
-            done = subprocess.run([reader, str(stick)], stdout=subprocess.PIPE, check=True)
-        except (OSError, subprocess.CalledProcessError) as error:
-            raise Problem(f"RCSERVER.CFG cannot be checked, because the robot's reader of it was not built: {error}",
-                          "apt-get install g++") from error
+    newest = max(path.stat().st_mtime for folder in READER_FOLDERS for path in (SOURCES / folder).iterdir())
+    if not READER.is_file() or READER.stat().st_mtime < newest:
+        _build_reader()
+    done = subprocess.run([str(READER), str(stick)], stdout=subprocess.PIPE, check=True)
     for fault in done.stdout.decode(errors="replace").splitlines():
         yield Problem(f"{stick}: {fault.replace('RCServer: ', '', 1)}.",
                       "Correct it: until then, the robot ignores the whole file, and only 127.0.0.1 may connect.")
+
+
+def _build_reader():
+    whole = READER.with_suffix(f".{os.getpid()}")
+    command = ["g++", "-w", f"-I{SOURCES}", f"-I{SOURCES / 'simulator/openr_host/sdk'}", "-o", str(whole),
+               *map(str, READER_SOURCES)]
+    try:
+        READER.parent.mkdir(exist_ok=True)
+        subprocess.run(command, check=True)
+        whole.replace(READER)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise Problem(f"RCSERVER.CFG cannot be checked, because the robot's reader of it was not built: {error}",
+                      "apt-get install g++") from error
