@@ -297,10 +297,10 @@ void Soak::goThroughARound() {
   setCalm(true);
   waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
   pass(3000);                                          // of joints that are measured at rest, and of pictures
-  const std::size_t before = violations_;
+  const std::size_t violations = violations_;
   const Round round = takeRound();
   audit_.judge(round);
-  for (const std::string& fault : violations_ > before ? round.faults : std::vector<std::string>()) {
+  for (const std::string& fault : violations_ > violations ? round.faults : std::vector<std::string>()) {
     std::printf("  %s\n", fault.c_str());
   }
 }
