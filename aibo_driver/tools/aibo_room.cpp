@@ -15,6 +15,7 @@
 #include <variant>
 
 #include "node/node.h"
+#include "node/publish_latched.h"
 #include "robot_model/robot_model.h"
 #include "simulator/ers7/scene/light.h"
 #include "simulator/ers7/scene/scene.h"
@@ -148,7 +149,7 @@ class Room {
     for (Marker& marker : markers.markers) {
       lower(marker);
     }
-    room_.publish(markers);
+    aibo_driver::node::publishLatched(room_, markers);
   }
 
   // The frame odom is on the ground that the robot stands on at first.

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "node/publish_latched.h"
+
 namespace aibo_driver::node {
 
 using aibo_client::LedCommand;
@@ -91,7 +93,7 @@ void LedStatePublisher::accept(const std::vector<LedCommand>& leds) {
 void LedStatePublisher::publish() {
   LedStates message = memory_.states();
   message.header.stamp = ros::Time::now();
-  publisher_.publish(message);
+  publishLatched(publisher_, message);
 }
 
 }  // namespace aibo_driver::node

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <tuple>
 
+#include "node/publish_latched.h"
+
 namespace aibo_driver::node {
 namespace {
 
@@ -47,7 +49,7 @@ void CameraStatePublisher::update(const aibo_client::Picture& picture, const ros
   state.header.stamp = stamp;
   state.header.frame_id = frame_id;
   last_ = state;
-  publisher_.publish(state);
+  publishLatched(publisher_, state);
 }
 
 }  // namespace aibo_driver::node
