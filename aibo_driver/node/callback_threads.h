@@ -24,9 +24,9 @@ class ReceiptClock {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// After a longer gap between two signs of life, the process stalled. It is three times what roscpp's thread sleeps
-  /// at most (ros::PollManager).
-  static constexpr std::chrono::milliseconds kLongestGap{300};
+  /// After a longer gap between two signs of life, the process stalled. It is five times what roscpp's thread sleeps
+  /// at most (ros::PollManager), because a busy computer lets it wait, too.
+  static constexpr std::chrono::milliseconds kLongestGap{500};
   /// After such a gap, everything that waited has been read within this time.
   static constexpr std::chrono::milliseconds kCatchingUp{200};
 

@@ -40,8 +40,9 @@ std::optional<XmlRpcValue> XmlRpcPeer::call(const char* method, const std::vecto
   XmlRpcDispatch dispatch;
   dispatch.addSource(&client, XmlRpcDispatch::WritableEvent | XmlRpcDispatch::Exception);
   const auto end = std::chrono::steady_clock::now() + kAnswerTimeout;
-  while (!dispatch._sources.empty() && !isEnding() && std::chrono::steady_clock::now() < end) {
-    dispatch.work(kSlice);
+  for (bool is_late = false; !dispatch._sources.empty() && !isEnding() && !is_late;) {
+    is_late = std::chrono::steady_clock::now() >= end;
+    dispatch.work(is_late ? 0 : kSlice);  // the answer may have come while this process did not run
   }
   XmlRpcValue answer;  // a call that failed counts as done, but its answer is not valid
   if (!client.executeCheckDone(answer) || client.isFault() || answer.getType() != XmlRpcValue::TypeArray ||

@@ -67,15 +67,15 @@ TEST(ReceiptClock, WhatIsReadAfterAHoldUpMayBeAsOldAsTheLastSignOfLife) {
   const TimePoint begin = TimePoint() + std::chrono::hours(2);
   EXPECT_EQ(clock.receipt(begin - std::chrono::hours(1)), begin - std::chrono::hours(1)) << "nobody gives signs yet";
   clock.alive(begin);
-  EXPECT_EQ(clock.receipt(begin + milliseconds(300)), begin + milliseconds(300));
-  const TimePoint woken = begin + milliseconds(6300);
-  EXPECT_EQ(clock.receipt(woken), begin + milliseconds(300));
-  EXPECT_EQ(clock.receipt(woken + milliseconds(199)), begin + milliseconds(300));
+  EXPECT_EQ(clock.receipt(begin + milliseconds(400)), begin + milliseconds(400));
+  const TimePoint woken = begin + milliseconds(6400);
+  EXPECT_EQ(clock.receipt(woken), begin + milliseconds(400));
+  EXPECT_EQ(clock.receipt(woken + milliseconds(199)), begin + milliseconds(400));
   EXPECT_EQ(clock.receipt(woken + milliseconds(200)), woken + milliseconds(200));
   clock.alive(woken + milliseconds(190));  // another thread was quicker
-  EXPECT_EQ(clock.receipt(woken + milliseconds(500)), woken + milliseconds(500)) << "no sign of life is missing";
-  EXPECT_EQ(clock.receipt(woken + milliseconds(2000)), woken + milliseconds(500)) << "stalled again";
-  EXPECT_EQ(clock.receipt(woken + milliseconds(2199)), woken + milliseconds(500));
+  EXPECT_EQ(clock.receipt(woken + milliseconds(700)), woken + milliseconds(700)) << "no sign of life is missing";
+  EXPECT_EQ(clock.receipt(woken + milliseconds(2000)), woken + milliseconds(700)) << "stalled again";
+  EXPECT_EQ(clock.receipt(woken + milliseconds(2199)), woken + milliseconds(700));
   EXPECT_EQ(clock.receipt(woken + milliseconds(2200)), woken + milliseconds(2200));
 }
 
