@@ -43,11 +43,10 @@ Fault Fault::closed(const std::string& address) {
 }
 
 Fault Fault::silent(const std::string& address, std::chrono::milliseconds limit) {
-  return Fault(
-      FaultKind::kSilent,
-      address + " sent nothing for " + std::to_string(limit.count()) + " ms while a picture was due",
-      "Is the robot still on and within reach of its WLAN? If no picture has ever come: is this the RCServer's "
-      "port (54321), and not the console's (59000)?");
+  return Fault(FaultKind::kSilent,
+               address + " sent nothing for " + std::to_string(limit.count()) + " ms while a picture was due",
+               "Is the robot still on and within reach of its WLAN? If no picture has ever come, check that this is "
+               "RCServer's port (54321), and not the console's (59000).");
 }
 
 Fault Fault::unanswered(const std::string& address, const std::string& request, std::chrono::milliseconds limit) {

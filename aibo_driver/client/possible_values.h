@@ -1,6 +1,6 @@
 /// @file possible_values.h
-/// The values that a robot's joints and sensors can have, with room for noise. Any other value did not come from a
-/// working robot. If the design is not known, as with version 1 of the protocol, the robot may be any in the tables.
+/// The values that a robot's joints and sensors can have, with room for noise. No working robot sends any other value.
+/// If the design is not known, as with version 1 of the protocol, the robot may be any in the tables.
 ///
 /// robot_model.h says how far things go. It is our choice how far beyond that a measurement can still be right.
 #ifndef AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H

@@ -246,7 +246,7 @@ Trajectory JointPlan::plan(const Job& job, SteadyTime now) const {
   return Trajectory(dropPassedPoints(job.request, -ahead), table_, start);
 }
 
-// Those that the newer trajectory replaces do not count.
+// Throws if too many trajectories wait for their beginning. Those that the newer one replaces are not counted.
 void JointPlan::checkWaiting(const Job& newer) const {
   const auto check = [&](std::size_t most, const std::string& whose, const auto& is_meant) {
     const auto waits = [&](const Job& each) { return !each.run && !newer.replaces(each) && is_meant(each); };

@@ -64,8 +64,8 @@ struct DriverParameters {
 /// Messages a second. The robot measures every 32 ms.
 constexpr double kHighestTelemetryRate = 31.25;
 
-/// The nearest period that the robot can keep evenly. It is a multiple of the 4 OPEN-R frames of 8 ms in which the
-/// robot measures, and at most 65535 frames, because a request can hold no more.
+/// The nearest period, in OPEN-R frames of 8 ms, that the robot can keep evenly. The robot measures every 4 frames, so
+/// the period is a multiple of 4. It is at most 65535, the largest number that fits into the request.
 /// @param rate messages a second, 0 or more; 0 means no messages, and so does a period of 0
 int telemetryPeriodOf(double rate);
 

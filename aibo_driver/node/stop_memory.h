@@ -28,7 +28,7 @@ class StopMemory {
   StopMemory(const StopMemory&) = delete;
   StopMemory& operator=(const StopMemory&) = delete;
 
-  /// The node that had stopped the robot when the last driver ended. It is empty unless the robot was stopped.
+  /// The name of the node that had stopped the robot when the last driver ended; no value if nobody had.
   const std::optional<std::string>& left() const { return left_; }
 
   /// Changes the parameter soon. It waits for nothing, and any thread may call it.

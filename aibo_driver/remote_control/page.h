@@ -90,7 +90,7 @@ Page* makeMotionPage(Robot& robot, QWidget* parent);   ///< the motions on the r
 Page* makeJointsPage(Robot& robot, QWidget* parent);   ///< a slider for each joint
 Page* makeLightsPage(Robot& robot, QWidget* parent);   ///< the LEDs, as the driver reports them, and the ears
 Page* makeSensorsPage(Robot& robot, QWidget* parent);  ///< what touches the robot, and its range finders
-Page* makeSoundPage(Robot& robot, QWidget* parent);    ///< how loud it is around the robot, and speech
+Page* makeSoundPage(Robot& robot, QWidget* parent);    ///< how loud it is around the robot, and texts for it to say
 
 }  // namespace aibo_driver::remote_control
 

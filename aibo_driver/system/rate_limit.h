@@ -26,7 +26,8 @@ class RateLimit {
   /// @param now not earlier than in the last call
   /// @param period the time between two in the long run; it may differ from call to call. 0 means that none is admitted
   ///   until a call has another period
-  /// @param count how many come at once, at least 1. All of them are admitted, or none. More than the burst never are
+  /// @param count how many come at once, at least 1. All of them are admitted, or none. A count
+  ///   above the burst is never admitted
   Admission admit(TimePoint now, Duration period, int count = 1);
 
  private:

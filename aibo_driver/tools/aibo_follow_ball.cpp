@@ -147,7 +147,7 @@ class FollowBall {
 
   const bool walks_;  // false: it moves only the head
   bool has_begun_ = false;
-  // Why it cannot begin; empty if it can.
+  // Reasons why the program cannot begin to follow the ball; empty if there is none.
   std::string state_problem_ = "robot_state has not come";
   std::string motion_problem_ = "motion_state has not come";
   std::string told_problem_;  // the last of them that was logged

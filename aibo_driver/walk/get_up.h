@@ -19,7 +19,7 @@ namespace aibo_driver::walk {
 /// order that overrules others (for example, motors off), if the connection was lost, or if it fell while it got up. A
 /// robot that was laid on its side while nothing moved it stays there, too.
 ///
-/// Any thread may call every member function.
+/// All member functions may be called from any thread.
 class GetUp {
  public:
   /// @param own_source see movement::Order: that of the order that `stand` gives

@@ -79,7 +79,7 @@ def _new_part(folder, mode):
             is_taken = False  # there are no locks here
         if not is_taken:
             return part, descriptor
-        os.close(descriptor)  # another program has just taken it for a leftover
+        os.close(descriptor)  # another program thought that the new file was left over, and removed it
 
 
 def _remove_leftovers(folder):

@@ -222,7 +222,7 @@ std::optional<End> GoalTrajectory::violated(const FollowJointTrajectoryFeedback&
   try {
     mover_.cancel(movement_.id, problem);
   } catch (const aibo_client::Exception& error) {
-    ROS_WARN_STREAM_NAMED("joints", "The joints of a goal that failed were not held: " << error.what());
+    ROS_WARN_STREAM_NAMED("joints", "A goal has failed, and its joints could not be held: " << error.what());
   }
   return End{End::State::kAborted, resultOf(Result::PATH_TOLERANCE_VIOLATED, problem), problem};
 }

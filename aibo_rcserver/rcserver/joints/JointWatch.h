@@ -25,7 +25,7 @@ class JointWatch {
     FOLLOWS,
     JAMMED,
     UNCONTROLLABLE,
-    LIMP  ///< its motor got no gain; Look() never returns this
+    LIMP  ///< its motor was never given a gain; Look() never returns this
   };
 
   static const int TOLERANCE = 174533;  ///< microradian: 10 degrees

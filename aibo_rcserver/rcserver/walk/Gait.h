@@ -64,8 +64,8 @@ struct WaveParameters {
 struct GaitParameters {
   GaitParameters();
 
-  StepParameters in_place;  ///< without a forward velocity: standing, turning, walking sideways
-  StepParameters forward;   ///< at highest.forward; at lower velocities, nearer to `in_place`, and at most waves.none
+  StepParameters in_place;  ///< the step without a forward velocity: standing, turning, walking sideways
+  StepParameters forward;   ///< the step at highest.forward; lower velocities mix it with `in_place` (StepAt())
   StepParameters back;      ///< the same backward
   WaveParameters waves;     ///< faster
 

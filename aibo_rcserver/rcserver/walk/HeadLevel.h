@@ -21,7 +21,7 @@ class HeadLevel {
     Begin(false);
   }
 
-  /// From now on, the head is to be levelled, or not.
+  /// @param levels whether the head is to be levelled from now on
   void Begin(bool levels) { std::fill(levels_, levels_ + COUNT, levels); }
 
   /// True if this is one of the joints that are levelled.

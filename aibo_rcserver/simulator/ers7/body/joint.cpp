@@ -12,8 +12,8 @@ namespace {
 /// speed.
 constexpr double kStiffness = 1.0 / 3;
 
-/// The share of the difference to the duty's speed that the motor corrects in a frame. With kStiffness, a larger share
-/// would overshoot.
+/// A frame brings the motor nearer to the speed that its duty gives, by this share of the difference. With kStiffness,
+/// the motor would overshoot if the share were larger.
 constexpr double kResponse = 0.75;
 
 /// A joint is at rest below these values, in microradians and microradians per frame. No sensor resolves less, and a

@@ -46,7 +46,7 @@ LightImage makeTransmission() {
 constexpr int kToneSteps = 4096;
 constexpr double kBrightestLight = 2.0;
 
-/// A power of two, so that some bits of a random number select a value.
+/// A power of two, so that one random number gives several values, each from its own bits.
 constexpr std::uint64_t kRandomValues = 4096;
 
 /// Deviation of the noise at medium gain, in 1/255. It gives pictures of the scene 3 to 6 KB at quality 85, as in the

@@ -14,9 +14,8 @@ class SubjectService;
 ///
 /// - ASSERT-READY: it has asked for data. It gets the next notification at once, and then has no state.
 /// - DEASSERT-READY: it wants no data. Its data is deleted.
-/// - none: it is busy, or has not said anything yet. The newest notification is kept until it is ready. The SDK can
-/// keep
-///   more; nobody here asks for it.
+/// - none: it is busy, or has not said anything yet. The newest notification is kept until it is ready. The SDK
+///   can keep more, but nobody here asks for it.
 class OSubject {
  public:
   OSubject();
