@@ -31,6 +31,7 @@ class GuardedWalkTest : public RCServerFixture {
     options.seed = seed;
     robot_ = std::make_unique<SimulatedErs7>(options);
     boot(*robot_);
+    passFrames(kUntilMeasured);
     client_ = connect();
     client_->send(request('X', 2));
     ASSERT_TRUE(machine_->runUntil([this] { return !client_->take(protocol::VALUE_REPLY_SIZE).empty(); }));

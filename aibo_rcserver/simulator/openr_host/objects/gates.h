@@ -74,6 +74,9 @@ class SubjectService {
   /// Deletes the data that was kept for the observer.
   void deassertReady(const ObserverID& observer);
 
+  /// True if CONNECT.CFG names an observer.
+  bool isObserved() const { return !connections_.empty(); }
+
   bool isAnyReady() const;
 
   /// True if an observer could receive data sent now, at once or later.

@@ -96,13 +96,18 @@ void VirtualRobotComm::passFrame(longword frame) {
 // Busy observers find the newest vector (Level2 Reference Guide, page 18).
 void VirtualRobotComm::sense(longword frame) {
   if (sensor_->isWanted()) {
+    has_sensed_ = true;
     sensor_->setData(robot_.captureSensors(frame));
     sensor_->notifyAll();
   }
 }
 
+// An object gets the state of the body before its first image, so that it knows the frame and the posture that belong
+// to the image. The camera goes on meanwhile.
 void VirtualRobotComm::look(longword frame) {
-  if (robot_.cameraImageDue(frame) && image_sensor_->isWanted()) {
+  const bool is_due = robot_.cameraImageDue(frame);
+  const bool may_see = has_sensed_ || !sensor_->isObserved();
+  if (is_due && may_see && image_sensor_->isWanted()) {
     image_sensor_->setData(robot_.captureImage(frame));
     image_sensor_->notifyAll();
   }

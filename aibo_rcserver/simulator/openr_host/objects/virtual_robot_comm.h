@@ -59,6 +59,7 @@ class VirtualRobotComm : public OObject {
   std::unique_ptr<OObserver> effector_;
   std::vector<Commander> commanders_;
   std::optional<longword> last_frame_;
+  bool has_sensed_ = false;  ///< an object has got sensor readings
 };
 
 }  // namespace openr_host

@@ -25,6 +25,7 @@ class VirtualRobotCommTest : public testing::Test {
     test_.system.connect("Other.Out.Data.S", "OVirtualRobotComm.Effector.OCommandVectorData.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Other.In.Data.O");
     test_.system.connect("OVirtualRobotComm.Sensor.OSensorFrameVectorData.S", "Mover.In.Data.O");
+    test_.system.connect("OVirtualRobotComm.FbkImageSensor.OFbkImageVectorData.S", "Viewer.In.Data.O");
     test_.system.start();
     test_.as(other_, [&] { other_.observer().DeassertReady(); });
     test_.run();
@@ -78,6 +79,7 @@ class VirtualRobotCommTest : public testing::Test {
   VirtualRobotComm& comm_ = static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_)));
   TestObject& mover_ = test_.add("Mover");
   TestObject& other_ = test_.add("Other");
+  TestObject& viewer_ = test_.add("Viewer");
   longword frame_ = 99;  ///< the last frame that has passed
   int readies_ = 0;
 };
@@ -194,6 +196,19 @@ TEST_F(VirtualRobotCommTest, SensorReadingsReachAReadyObserverEveryFourFrames) {
   pass(9);
   EXPECT_THAT(received, ElementsAre(ElementsAre(100, 101, 102, 103), ElementsAre(104, 105, 106, 107)));
   EXPECT_EQ(robot_.sensors()->NumberOfReference(), 1);
+}
+
+TEST_F(VirtualRobotCommTest, ThereIsNoImageBeforeTheFirstSensorReadingsThatSomebodyWants) {
+  robot_.frames_with_image = {101, 106, 112};
+  test_.as(mover_, [&] { mover_.observer().DeassertReady(); });
+  test_.as(viewer_, [&] { viewer_.observer().AssertReady(); });
+  test_.run();
+  pass(8);
+  EXPECT_THAT(robot_.frames_captured, testing::IsEmpty());
+  test_.as(mover_, [&] { mover_.observer().AssertReady(); });
+  test_.run();
+  pass(8);
+  EXPECT_THAT(robot_.frames_captured, ElementsAre(112));
 }
 
 TEST_F(VirtualRobotCommTest, AfterADelayByTheHostTheMissedFramesArePassedInTurn) {
