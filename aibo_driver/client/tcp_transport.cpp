@@ -39,6 +39,7 @@ constexpr std::size_t kMostAttempts = 8;
 // The largest request is the upload of a motion, 64 KiB. All others are a few bytes. So if this much is unsent, the
 // peer stopped reading long ago.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
+// What becomes too old is dropped when the thread wakes. Our choice.
 constexpr milliseconds kLongestSleep{250};
 
 std::string describe(int error) {

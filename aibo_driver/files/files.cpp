@@ -100,7 +100,7 @@ fs::path canonicalFolder(const std::string& folder) {
   return canonical;
 }
 
-/// What `~` means: see rosHome(). Empty if there is no such folder.
+/// The home of the user of this process. Empty if there is none.
 fs::path userFolder() {
   const char* const home = std::getenv("HOME");
   if (home != nullptr && *home != '\0') {

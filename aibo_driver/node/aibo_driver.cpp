@@ -261,7 +261,7 @@ void AiboDriver::stayStopped() {
   try {
     mover_.stop({*node, std::chrono::steady_clock::now()});
   } catch (const aibo_client::Exception&) {
-    // There is no connection yet, but from now on no order but rest moves the robot.
+    // There is no connection yet. From now on, only rest moves the robot.
   }
 }
 
@@ -287,7 +287,7 @@ void AiboDriver::refused(const aibo_client::Refusal& refusal) {
   mover_.refused(refusal);
   if (refusal.request == Request::kSpeedLimits || refusal.request == Request::kLeds ||
       refusal.request == Request::kEars || refusal.request == Request::kMicrophone) {
-    movement_warnings_.warn("The robot refused a request: " + text::sentence(refusal.reason));
+    movement_warnings_.warn("A request was not carried out: " + text::sentence(refusal.reason));
   }
 }
 

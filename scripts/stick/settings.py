@@ -49,4 +49,4 @@ def _build_reader():
         whole.replace(READER)
     except (OSError, subprocess.CalledProcessError) as error:
         raise Problem(f"RCSERVER.CFG cannot be checked, because the robot's reader of it was not built: {error}",
-                      "apt-get install g++") from error
+                      f"Is g++ installed, and may you write to {READER.parent}?") from error

@@ -74,6 +74,8 @@ class Exchange {
   void Push(char kind, const Content& content) {
     Send(kind, 0, content);
   }
+
+  /// Pushes a message of a frame header alone.
   void PushWithoutPayload(char kind) { Send(kind, 0, message_, 0); }
   void PushError(unsigned short code, const char* text) { SendError(0, code, text); }
   void PushEnd(unsigned char what, unsigned char how, unsigned short order, const char* name, const char* reason);
