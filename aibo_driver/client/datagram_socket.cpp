@@ -31,7 +31,7 @@ bool DatagramSocket::open(int connection) {
     return false;
   }
   portIn(&own) = 0;
-  aibo_system::FileDescriptor socket(::socket(own.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
+  host_files::FileDescriptor socket(::socket(own.ss_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   if (!socket.valid() || ::bind(socket.get(), asAddress(&own), own_size) != 0 ||
       ::getsockname(socket.get(), asAddress(&own), &own_size) != 0) {
     return false;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_client {
 
@@ -49,7 +49,7 @@ class DatagramSocket {
  private:
   bool isPeer(const sockaddr_storage& sender) const;
 
-  aibo_system::FileDescriptor socket_;
+  host_files::FileDescriptor socket_;
   int port_ = 0;
   sockaddr_storage peer_ = {};
   sockaddr_storage sender_ = {};

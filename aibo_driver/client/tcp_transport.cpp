@@ -19,7 +19,7 @@
 
 namespace aibo_client {
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 namespace {
 
 using std::chrono::milliseconds;

@@ -12,8 +12,8 @@
 
 #include "client/datagram_socket.h"
 #include "client/name_lookup.h"
+#include "host_files/file_descriptor.h"
 #include "system/event.h"
-#include "system/file_descriptor.h"
 
 namespace aibo_client {
 
@@ -75,8 +75,8 @@ class TcpTransport {
 
  private:
   std::vector<SocketAddress> lookUp(const std::string& host, int port, TimePoint deadline);
-  aibo_system::FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
-  aibo_system::FileDescriptor beginToConnect(const SocketAddress& address) const;
+  host_files::FileDescriptor connectTo(const SocketAddress& address, TimePoint deadline);
+  host_files::FileDescriptor beginToConnect(const SocketAddress& address) const;
   void checkConnected(int socket) const;
   bool waitFor(int descriptor, short events, TimePoint deadline);
   std::pair<short, short> pollOnce(int descriptor, short events, TimePoint deadline, int other = -1);
@@ -87,7 +87,7 @@ class TcpTransport {
   aibo_system::Event wake_up_;
   std::atomic<bool> aborted_{false};
   std::string address_;  // "host:port", for messages
-  aibo_system::FileDescriptor socket_;
+  host_files::FileDescriptor socket_;
   DatagramSocket datagrams_;
   std::vector<std::uint8_t> unsent_;  // the bytes given to send() that the network has not taken yet
 };

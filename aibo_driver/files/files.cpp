@@ -17,17 +17,17 @@
 #include <filesystem>
 #include <system_error>
 
+#include "host_files/file_descriptor.h"
 #include "host_files/gzip.h"
 #include "host_files/regular_file.h"
 #include "host_files/replace_file.h"
 #include "mtn/layout.h"
 #include "mtn/motion.h"
-#include "system/file_descriptor.h"
 #include "text/plain_text.h"
 
 namespace aibo_driver::files {
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 
 namespace {
 
@@ -171,7 +171,7 @@ FileDescriptor openToRead(const std::string& path, std::size_t longest_unpacked)
                          " (working directory: " + fs::current_path(error).string() + ")");
   }
   try {
-    return unpacked(FileDescriptor(host_files::openRegularFile(path)), longest_unpacked);
+    return unpacked(host_files::openRegularFile(path), longest_unpacked);
   } catch (const host_files::Unreadable& why) {
     failToRead(path, why.what());
   }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "aibo_client/exceptions.h"
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_driver::files {
 
@@ -25,12 +25,12 @@ class FileException : public aibo_client::Exception {
 /// @param longest_unpacked the largest number of bytes that a gzipped file may have, before and after it is unpacked
 /// @throw FileException the file does not exist, may not be read or is not a regular file; the path holds control
 ///   characters; it is gzipped, and damaged or too long; ...
-aibo_system::FileDescriptor openToRead(const std::string& path, std::size_t longest_unpacked);
+host_files::FileDescriptor openToRead(const std::string& path, std::size_t longest_unpacked);
 
 /// A file in memory, open for reading and writing at its beginning.
 /// @param name for messages
 /// @throw FileException there is no memory for it
-aibo_system::FileDescriptor memoryFile(const std::string& name, const std::string& content);
+host_files::FileDescriptor memoryFile(const std::string& name, const std::string& content);
 
 /// Reads a whole file.
 /// @param path for openToRead()

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "files/files.h"
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_driver::sound {
 

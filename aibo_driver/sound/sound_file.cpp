@@ -17,8 +17,8 @@
 
 namespace aibo_driver::sound {
 
-using aibo_system::FileDescriptor;
 using files::FileException;
+using host_files::FileDescriptor;
 
 namespace {
 

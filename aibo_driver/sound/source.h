@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_driver::sound {
 
@@ -37,7 +37,7 @@ std::unique_ptr<Source> openSoundFile(const std::string& path);
 
 /// The same for a file that is open.
 /// @param name for messages
-std::unique_ptr<Source> readSound(aibo_system::FileDescriptor file, const std::string& name);
+std::unique_ptr<Source> readSound(host_files::FileDescriptor file, const std::string& name);
 
 /// Speaks a text, by the program espeak-ng. It returns when the whole text has been spoken, which takes a fraction of
 /// the time that it plays.

@@ -16,13 +16,13 @@
 #include <utility>
 
 #include "files/files.h"
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_driver::sound {
 
 using aibo_client::InvalidArgumentException;
-using aibo_system::FileDescriptor;
 using files::FileException;
+using host_files::FileDescriptor;
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace aibo_system {
 
@@ -36,7 +36,7 @@ class Event {
   int descriptor() const { return descriptor_.get(); }
 
  private:
-  FileDescriptor descriptor_;
+  host_files::FileDescriptor descriptor_;
 };
 
 }  // namespace aibo_system

@@ -8,16 +8,8 @@
 #include <cstring>
 
 namespace host_files {
-namespace {
 
-struct Closer {
-  int descriptor;
-  ~Closer() { ::close(descriptor); }
-};
-
-}  // namespace
-
-int openRegularFile(const std::string& path) {
+FileDescriptor openRegularFile(const std::string& path) {
   struct stat properties {};
   if (::stat(path.c_str(), &properties) != 0) {
     throw Unreadable(std::strerror(errno));
@@ -26,20 +18,19 @@ int openRegularFile(const std::string& path) {
     throw Unreadable("it is not a regular file");
   }
   // If the path has become a pipe meanwhile, opening it must not wait for a writer.
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-  if (descriptor < 0) {
+  FileDescriptor file(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  if (!file.valid()) {
     throw Unreadable(std::strerror(errno));
   }
-  if (::fstat(descriptor, &properties) != 0 || !S_ISREG(properties.st_mode)) {
-    ::close(descriptor);
+  if (::fstat(file.get(), &properties) != 0 || !S_ISREG(properties.st_mode)) {
     throw Unreadable("it is not a regular file");
   }
-  return descriptor;
+  return file;
 }
 
 std::FILE* openToRead(const char* path) {
   try {
-    return ::fdopen(openRegularFile(path), "rb");
+    return ::fdopen(openRegularFile(path).release(), "rb");
   } catch (const Unreadable&) {
     return nullptr;
   }
@@ -67,8 +58,8 @@ std::vector<unsigned char> readRegularFile(int descriptor, std::size_t longest) 
 }
 
 std::vector<unsigned char> readRegularFile(const std::string& path, std::size_t longest) {
-  const Closer file{openRegularFile(path)};
-  return readRegularFile(file.descriptor, longest);
+  const FileDescriptor file = openRegularFile(path);
+  return readRegularFile(file.get(), longest);
 }
 
 }  // namespace host_files

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
+
 namespace host_files {
 
 /// Thrown if a file cannot be read. The text says why, without the file's name: "it is not a regular file".
@@ -19,9 +21,8 @@ class Unreadable : public std::runtime_error {
 };
 
 /// Opens a file to read it. Never waits.
-/// @return its descriptor, which the caller closes
 /// @throw Unreadable the file does not exist, is not a regular file or may not be read
-int openRegularFile(const std::string& path);
+FileDescriptor openRegularFile(const std::string& path);
 
 /// Opens a file to read it, as fopen(): HostSettings::open_to_read() of a memory stick that is a folder here.
 /// @return null as openRegularFile() throws

@@ -12,7 +12,8 @@
 #include <filesystem>
 #include <memory>
 #include <random>
-#include <utility>
+
+#include "host_files/file_descriptor.h"
 
 namespace host_files {
 namespace {
@@ -24,25 +25,6 @@ const std::string kPartPrefix = ".aibo_part.";
 [[noreturn]] void fail() {
   throw Unwritable(std::strerror(errno));
 }
-
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() {
-    if (number_ >= 0) {
-      ::close(number_);
-    }
-  }
-  int get() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// Signals that come meanwhile take effect at the end.
 class HeldSignals {
@@ -79,7 +61,8 @@ bool lock(int file) {
 void removeLeftovers(DIR* folder) {
   while (const dirent* entry = ::readdir(folder)) {
     if (std::strncmp(entry->d_name, kPartPrefix.c_str(), kPartPrefix.size()) == 0) {
-      const Descriptor file(::openat(::dirfd(folder), entry->d_name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+      const FileDescriptor file(
+          ::openat(::dirfd(folder), entry->d_name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
       if (file.get() >= 0 && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) {
         ::unlinkat(::dirfd(folder), entry->d_name, 0);
       }
@@ -93,7 +76,7 @@ class Part {
   Part(int folder, mode_t mode) : folder_(folder), file_(-1) {
     do {
       name_ = kPartPrefix + std::to_string(std::random_device()());
-      file_ = Descriptor(::openat(folder, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
+      file_ = FileDescriptor(::openat(folder, name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
       if (file_.get() < 0 || ::fstat(file_.get(), &properties_) != 0) {
         fail();
       }
@@ -132,7 +115,7 @@ class Part {
 
   const int folder_;
   std::string name_;
-  Descriptor file_;
+  FileDescriptor file_;
   struct stat properties_ {};
 };
 
@@ -165,7 +148,7 @@ void replaceFile(const std::string& path, const std::string& content) {
     return;
   }
   if (exists && !S_ISREG(old.st_mode)) {
-    const Descriptor device(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
+    const FileDescriptor device(::open(path.c_str(), O_WRONLY | O_NOCTTY | O_CLOEXEC));
     if (device.get() < 0) {
       fail();
     }
@@ -177,7 +160,7 @@ void replaceFile(const std::string& path, const std::string& content) {
     throw Unwritable("that does not name a file");
   }
   const fs::path parent = target.has_parent_path() ? target.parent_path() : ".";
-  const Descriptor folder(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
+  const FileDescriptor folder(::open(parent.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0) {
     throw Unwritable("the folder " + parent.string() + ": " + std::strerror(errno));
   }

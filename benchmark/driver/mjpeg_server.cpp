@@ -17,7 +17,7 @@ using test_pictures::Bytes;
 constexpr std::size_t kRemembered = 4096;
 constexpr int kStopCheck = 100;  // ms
 
-bool sendAll(const aibo_system::FileDescriptor& client, const std::string& bytes) {
+bool sendAll(const host_files::FileDescriptor& client, const std::string& bytes) {
   std::size_t sent = 0;
   while (sent < bytes.size()) {
     pollfd polled{client.get(), POLLOUT, 0};
@@ -34,7 +34,7 @@ bool sendAll(const aibo_system::FileDescriptor& client, const std::string& bytes
 }
 
 // Waits for the end of the client's request.
-void receiveRequest(const aibo_system::FileDescriptor& client) {
+void receiveRequest(const host_files::FileDescriptor& client) {
   std::string request;
   pollfd polled{client.get(), POLLIN, 0};
   while (request.find("\r\n\r\n") == std::string::npos && ::poll(&polled, 1, 10 * kStopCheck) > 0) {
@@ -85,7 +85,7 @@ void MjpegServer::accept() {
   }
 }
 
-void MjpegServer::serve(const aibo_system::FileDescriptor& client) {
+void MjpegServer::serve(const host_files::FileDescriptor& client) {
   receiveRequest(client);
   bool there = sendAll(client, "HTTP/1.0 200 OK\r\nContent-Type: multipart/x-mixed-replace; boundary=picture\r\n\r\n");
   TimePoint next = std::chrono::steady_clock::now();

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace driver_benchmark {
 
@@ -39,10 +39,10 @@ class MjpegServer {
 
  private:
   void accept();
-  void serve(const aibo_system::FileDescriptor& client);
+  void serve(const host_files::FileDescriptor& client);
 
   const std::chrono::microseconds period_;
-  aibo_system::FileDescriptor listener_;
+  host_files::FileDescriptor listener_;
   int port_ = 0;
   std::atomic<std::uint64_t> number_{0};
   std::atomic<bool> stopping_{false};

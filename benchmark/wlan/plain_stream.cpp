@@ -16,15 +16,15 @@
 #include <thread>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "radio/network_host.h"
 #include "radio/radio_link.h"
-#include "system/file_descriptor.h"
 
 namespace wlan_benchmark {
 namespace {
 
-using aibo_system::FileDescriptor;
 using fault_bench::NetworkHost;
+using host_files::FileDescriptor;
 using std::chrono::steady_clock;
 
 constexpr char kRobotAddress[] = "10.77.0.1";

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "order_audit.h"
 #include "order_events.h"
 #include "picture_audit.h"
@@ -22,7 +23,6 @@
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/simulated_robot.h"
-#include "system/file_descriptor.h"
 #include "wire_audit.h"
 
 namespace soak {

@@ -13,7 +13,7 @@
 #include "support/test_pictures.h"
 #include "support/version2_frames.h"
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 

@@ -15,11 +15,11 @@
 #include <utility>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/scanners.h"
 #include "support/test_pictures.h"
 #include "system/event.h"
-#include "system/file_descriptor.h"
 
 namespace test_support {
 
@@ -66,9 +66,9 @@ class PictureServer {
 
  private:
   struct Peer {
-    Peer(aibo_system::FileDescriptor client, std::uint32_t number, bool knows_version2)
+    Peer(host_files::FileDescriptor client, std::uint32_t number, bool knows_version2)
         : socket(std::move(client)), connection(number), requests(knows_version2) {}
-    aibo_system::FileDescriptor socket;
+    host_files::FileDescriptor socket;
     std::uint32_t connection;
     RequestScanner requests;
     bool version2 = false;
@@ -97,7 +97,7 @@ class PictureServer {
 
   const int version_;
   const std::chrono::microseconds period_;
-  const aibo_system::FileDescriptor listener_;
+  const host_files::FileDescriptor listener_;
   int port_ = 0;
   TimePoint next_picture_;
   std::list<Peer> peers_;

@@ -67,7 +67,7 @@ class RawClient {
   }
 
  private:
-  aibo_system::FileDescriptor socket_;
+  host_files::FileDescriptor socket_;
 };
 
 }  // namespace test_support

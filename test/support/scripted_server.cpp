@@ -14,7 +14,7 @@
 #include "support/sockets.h"
 #include "support/test_pictures.h"
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 using std::chrono::milliseconds;
 
 namespace test_support {

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "protocol/version1.h"
 #include "support/version2_frames.h"
-#include "system/file_descriptor.h"
 
 namespace test_support {
 
@@ -20,7 +20,7 @@ class ScriptedPeer {
  public:
   using Bytes = std::vector<std::uint8_t>;
 
-  explicit ScriptedPeer(aibo_system::FileDescriptor socket) : socket_(std::move(socket)) {}
+  explicit ScriptedPeer(host_files::FileDescriptor socket) : socket_(std::move(socket)) {}
 
   /// Waits for the client's next command.
   protocol::BasicGetCommand readCommand();
@@ -55,7 +55,7 @@ class ScriptedPeer {
   void waitUntilClosed();
 
  private:
-  aibo_system::FileDescriptor socket_;
+  host_files::FileDescriptor socket_;
   std::string camera_;
 };
 
@@ -88,7 +88,7 @@ class ScriptedServer {
  private:
   void bind();
 
-  aibo_system::FileDescriptor socket_;
+  host_files::FileDescriptor socket_;
   int port_ = 0;
   bool listening_ = false;
 };

@@ -52,7 +52,7 @@ class SimulatedRobot {
   int port_ = 0;
   int console_port_ = 0;
   std::unique_ptr<Process> process_;
-  aibo_system::FileDescriptor kept_port_;
+  host_files::FileDescriptor kept_port_;
 };
 
 }  // namespace test_support

@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 
 namespace test_support {
 namespace {

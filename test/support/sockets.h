@@ -5,32 +5,32 @@
 
 #include <string>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace test_support {
 
 /// Binds a TCP socket to an address of this computer.
 /// @param port 0 = any free one that no ROS node has had
 /// @throw std::system_error, std::invalid_argument
-void bindSocket(const aibo_system::FileDescriptor& socket, const std::string& address, int port);
+void bindSocket(const host_files::FileDescriptor& socket, const std::string& address, int port);
 
 /// A socket that is bound as by bindSocket(), and does not listen yet. It does not block, and its buffers are small.
 /// @throw std::system_error, std::invalid_argument
-aibo_system::FileDescriptor bindTo(const std::string& address, int port);
+host_files::FileDescriptor bindTo(const std::string& address, int port);
 
 /// The port that a socket is bound to.
-int portOf(const aibo_system::FileDescriptor& socket);
+int portOf(const host_files::FileDescriptor& socket);
 
 /// A socket that is being connected; it does not block.
 /// @throw std::system_error, std::invalid_argument
-aibo_system::FileDescriptor beginConnecting(const std::string& address, int port);
+host_files::FileDescriptor beginConnecting(const std::string& address, int port);
 
 /// Takes the next client of a listening socket; its socket does not block.
 /// @return no descriptor if there is none
-aibo_system::FileDescriptor acceptFrom(const aibo_system::FileDescriptor& listener);
+host_files::FileDescriptor acceptFrom(const host_files::FileDescriptor& listener);
 
 /// From now on, closing the socket resets the connection.
-void resetWhenClosed(const aibo_system::FileDescriptor& socket);
+void resetWhenClosed(const host_files::FileDescriptor& socket);
 
 /// @throw std::system_error with what errno says, unless `good`
 void check(bool good, const std::string& what);

@@ -15,7 +15,7 @@
 #include <system_error>
 #include <thread>
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 
 namespace fault_bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "system/file_descriptor.h"
+#include "host_files/file_descriptor.h"
 
 namespace fault_bench {
 
@@ -32,8 +32,8 @@ class NetworkHost {
 
  private:
   const std::string address_;
-  aibo_system::FileDescriptor name_space_;
-  aibo_system::FileDescriptor packets_;
+  host_files::FileDescriptor name_space_;
+  host_files::FileDescriptor packets_;
 };
 
 }  // namespace fault_bench

@@ -164,7 +164,7 @@ class FloodedStop : public ::testing::Test {
   SimulatedRobot robot_;
   std::unique_ptr<Process> driver_;
   StopClient client_{ros::NodeHandle("/flooded")};
-  std::vector<aibo_system::FileDescriptor> silent_;
+  std::vector<host_files::FileDescriptor> silent_;
 };
 
 TEST_F(FloodedStop, NeedsNoDescriptor) {

@@ -4,11 +4,11 @@
 
 #include "files/files.h"
 #include "fuzz_input.h"
+#include "host_files/file_descriptor.h"
 #include "sound/source.h"
-#include "system/file_descriptor.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  aibo_system::FileDescriptor file(::memfd_create("sound", MFD_CLOEXEC));
+  host_files::FileDescriptor file(::memfd_create("sound", MFD_CLOEXEC));
   require(::write(file.get(), data, size) == static_cast<ssize_t>(size), "memory can be written");
   ::lseek(file.get(), 0, SEEK_SET);
   try {

@@ -8,7 +8,7 @@
 
 #include "support/sockets.h"
 
-using aibo_system::FileDescriptor;
+using host_files::FileDescriptor;
 using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 

@@ -15,10 +15,10 @@
 #include <thread>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/link.h"
 #include "system/event.h"
-#include "system/file_descriptor.h"
 
 namespace test_support {
 
@@ -85,18 +85,18 @@ class FaultProxy {
   TimePoint prepare(std::vector<pollfd>* polled);
   void serve(const std::vector<pollfd>& polled);
   void acceptClients();
-  void receiveClient(aibo_system::FileDescriptor client);
+  void receiveClient(host_files::FileDescriptor client);
 
   mutable std::mutex mutex_;  // guards what follows, down to the thread
   Options options_;
-  aibo_system::FileDescriptor listener_;
+  host_files::FileDescriptor listener_;
   int port_ = 0;
   Welcome welcome_ = Welcome::kServe;
   Conditions conditions_;
   FaultQueue faults_;
   std::list<Link> links_;
-  std::size_t polled_links_ = 0;                   // how many of links_ the thread waits for
-  std::vector<aibo_system::FileDescriptor> held_;  // clients that hear nothing
+  std::size_t polled_links_ = 0;                  // how many of links_ the thread waits for
+  std::vector<host_files::FileDescriptor> held_;  // clients that hear nothing
   std::size_t connections_ = 0;
   std::size_t faults_done_ = 0;
   TimePoint last_fault_;

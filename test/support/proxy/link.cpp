@@ -141,7 +141,7 @@ void Pipe::end(Action end, TimePoint now) {
   pieces_.push_back({{}, std::max(now, not_before_), end});
 }
 
-Link::Link(std::size_t number, aibo_system::FileDescriptor client, aibo_system::FileDescriptor server)
+Link::Link(std::size_t number, host_files::FileDescriptor client, host_files::FileDescriptor server)
     : number_(number),
       client_{std::move(client), Pipe(Direction::kToClient)},
       server_{std::move(server), Pipe(Direction::kToServer)} {}

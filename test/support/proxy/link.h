@@ -14,9 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/scanners.h"
-#include "system/file_descriptor.h"
 
 namespace test_support {
 
@@ -107,7 +107,7 @@ using Tap =
 class Link {
  public:
   /// @param server a socket that is connected, or being connected
-  Link(std::size_t number, aibo_system::FileDescriptor client, aibo_system::FileDescriptor server);
+  Link(std::size_t number, host_files::FileDescriptor client, host_files::FileDescriptor server);
 
   /// What to wait for: an entry for each socket, the client's first; -1 for a socket that need not be waited for.
   std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions);
@@ -131,7 +131,7 @@ class Link {
 
  private:
   struct Side {
-    aibo_system::FileDescriptor socket;
+    host_files::FileDescriptor socket;
     Pipe out;              // towards this side
     bool ended = false;    // this side sends no more
     bool told = false;     // this side has got a FIN

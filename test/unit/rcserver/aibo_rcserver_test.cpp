@@ -108,7 +108,7 @@ TEST(AiboRCServer, TellsEachPortThatIsNotTheRobotsOwnAndStopsWhenItIsTold) {
   const std::string address = "127.0.0.7";
   for (const int signal : {SIGINT, SIGTERM}) {
     Strings free;
-    for (std::vector<aibo_system::FileDescriptor> sockets; sockets.size() < 4;) {
+    for (std::vector<host_files::FileDescriptor> sockets; sockets.size() < 4;) {
       sockets.push_back(test_support::bindTo(address, 0));
       free.push_back(std::to_string(test_support::portOf(sockets.back())));
     }

@@ -1,12 +1,12 @@
 /// @file file_descriptor.h
-#ifndef AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H
-#define AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H
+#ifndef AIBO_RCSERVER_HOST_FILES_FILE_DESCRIPTOR_H
+#define AIBO_RCSERVER_HOST_FILES_FILE_DESCRIPTOR_H
 
 #include <unistd.h>
 
 #include <utility>
 
-namespace aibo_system {
+namespace host_files {
 
 /// Owns at most one file descriptor and closes it.
 class FileDescriptor {
@@ -27,9 +27,12 @@ class FileDescriptor {
   int get() const { return number_; }
   bool valid() const { return number_ >= 0; }
 
+  /// @return the descriptor, which the caller closes
+  int release() { return std::exchange(number_, -1); }
+
   void close() noexcept {
     if (valid()) {
-      ::close(std::exchange(number_, -1));
+      ::close(release());
     }
   }
 
@@ -37,6 +40,6 @@ class FileDescriptor {
   int number_ = -1;
 };
 
-}  // namespace aibo_system
+}  // namespace host_files
 
-#endif  // AIBO_DRIVER_SYSTEM_FILE_DESCRIPTOR_H
+#endif  // AIBO_RCSERVER_HOST_FILES_FILE_DESCRIPTOR_H
