@@ -28,9 +28,6 @@ using Lock = std::lock_guard<std::mutex>;
 using Kind = Movement::Kind;
 using std::chrono::milliseconds;
 
-// Orders that are repeated after shorter breaks are one order to their user.
-constexpr milliseconds kRepeatedWithin{500};
-
 // The robot says this, too, but it means its client: this driver.
 constexpr const char* kLetGoFirst = "; let go first";
 
@@ -73,10 +70,10 @@ EndedHow howOf(const Exception& error, EndedHow unless_lost) {
   return is_lost ? EndedHow::kLost : unless_lost;
 }
 
-// The sender of an order chooses a part of the reason. It is published, remembered, and sent to other nodes.
-EndedMovement endOf(Movement movement, EndedHow how, const std::string& reason) {
-  constexpr std::size_t kLongestReason = 1000;
-  return {std::move(movement), how, text::plainLine(reason, kLongestReason)};
+bool isTrajectoryOf(const MovementBook::Record& record, const std::vector<std::string>& joints) {
+  const std::vector<std::string>& moved = record.movement.joints;
+  return record.is(Kind::kTrajectory) &&
+         std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
 }
 
 }  // namespace
@@ -88,7 +85,8 @@ Mover::Mover(const JointTable& table, const MeasuredJoints& measured, aibo_clien
       telemetry_wanted_(std::move(telemetry_wanted)),
       clock_(std::move(clock)),
       filter_(table, measured, approach_speed),
-      plan_(table, measured) {}
+      plan_(table, measured),
+      book_(plan_) {}
 
 // Does some work with the lock, and then calls the listener without it.
 template <typename Work>
@@ -105,16 +103,16 @@ auto Mover::change(const Work& work) {
 }
 
 void Mover::tell(std::unique_lock<std::mutex>* lock) {
-  const std::vector<std::function<void()>> news = std::exchange(news_, {});
+  const std::string warning = std::exchange(warning_, "");
+  const std::vector<EndedMovement> ended = book_.takeNews();
   lock->unlock();
-  for (const std::function<void()>& each : news) {
-    each();
+  if (!warning.empty()) {
+    listener_.on_warning(warning);
+  }
+  for (const EndedMovement& each : ended) {
+    listener_.on_ended(each);
   }
   listener_.on_change();
-}
-
-void Mover::warn(const std::string& text) {
-  news_.push_back([this, text] { listener_.on_warning(text); });
 }
 
 // Gives an order, unless it must not act.
@@ -152,23 +150,21 @@ Mover::Answer Mover::command(const Order& order, const std::vector<std::string>&
       throw aibo_client::InvalidArgumentException(left_out);
     }
     movement->joints = table_.namesOf([&targets](const JointProperties& joint) { return targets.count(joint.id) > 0; });
-    const OrderNumber number = nextNumber();
+    const OrderNumber number = book_.nextNumber();
     try {
       sendTargets(client_, table_.design(), targets, milliseconds(0), termsOf(order, number));
     } catch (const Exception&) {
       filter_.startApproach();
       throw;
     }
-    if (!left_out.empty()) {
-      warn(left_out);
-    }
-    Record* const same = findCommand(*movement);
-    Record& record = same != nullptr ? *same : begin(*movement);
+    warning_ = left_out;
+    Record* const same = book_.findCommand(*movement);
+    Record& record = same != nullptr ? *same : book_.begin(*movement);
     record.orders.insert(number);
     record.trouble.clear();  // the robot tries again
     plan_.command(record.id(), targets, now);
-    haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
-             {EndedHow::kReplaced, "a command moves its joints"});
+    book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, movement->joints); },
+                   {EndedHow::kReplaced, "a command moves its joints"});
     takeLegsFromWalks(*movement);
     return answerOf(record);
   };
@@ -190,8 +186,9 @@ Mover::Answer Mover::follow(const Order& order, const TrajectoryRequest& request
     const bool is_version_1 = client_.status().protocol_version == 1;
     Arrival judged = arrival;
     judged.is_measured = arrival.is_measured || is_version_1;
-    plan_.add(last_number_ + 1, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
-    const Answer result = answerOf(begin(*movement));
+    movement->order = book_.nextNumber();
+    plan_.add(movement->order, request, judged, now + wait, now, is_version_1 ? kFreshVersion1 : kFresh);
+    const Answer result = answerOf(book_.begin(*movement));
     takeLegsFromWalks(*movement);
     sendSteps(now);
     return result;
@@ -209,12 +206,12 @@ Mover::Answer Mover::play(const Order& order, const std::string& name, int repet
     endTrajectories(cause);
     // Otherwise the robot would keep lower limits of earlier commands.
     client_.setJointSpeedLimits(table_.motionSpeedLimits());
-    const OrderNumber number = nextNumber();
+    const OrderNumber number = book_.nextNumber();
     answer = client_.beginMotion(name, repetitions, kTimeout, termsOf(order, number));
-    if (findWalk() == nullptr) {
+    if (book_.findWalk() == nullptr) {
       streams_.overrule(clock_(), cause);  // it may need the legs; if there is a walk, the robot says whether it does
     }
-    return answerOf(begin(*movement, number));
+    return answerOf(book_.begin(*movement, number));
   };
   const Answer begun = give(order, Kind::kMotion, name, {}, act);
   return await(begun, &answer);
@@ -227,11 +224,11 @@ Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
     const std::string cause = order.source + " called " + movement->name;
     endTrajectories(cause);  // also those of the head, which the robot may level on its way
     freeLegs(cause);
-    const OrderNumber number = nextNumber();
+    const OrderNumber number = book_.nextNumber();
     answer = client_.beginPosture(posture, kTimeout, termsOf(order, number));
     overrule(order.received, cause);
     overruleWalks({EndedHow::kReplaced, cause});
-    return answerOf(begin(*movement, number));
+    return answerOf(book_.begin(*movement, number));
   };
   const Answer begun =
       give(order, Kind::kPosture, kPostures[static_cast<int>(posture)], {}, act, posture == Posture::kRest);
@@ -239,7 +236,7 @@ Mover::Answer Mover::takePosture(const Order& order, Posture posture) {
 }
 
 void Mover::requireRoom(Kind kind) const {
-  if (idsOf([kind](const Record& each) { return each.movement.kind == kind; }).size() >= kMostOfAKind) {
+  if (book_.idsOf([kind](const Record& each) { return each.is(kind); }).size() >= kMostOfAKind) {
     throw CommandException(std::to_string(kMostOfAKind) +
                            " others of this kind have not ended yet, and no more are accepted.");
   }
@@ -318,22 +315,22 @@ void Mover::steer(const Order& order, const WalkVelocity& velocity) {
 
 // Zeros are sent even if the walk is braking already.
 void Mover::stopWalk(const std::string& node) {
-  if (findIf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.orders.empty(); }) != nullptr) {
+  if (book_.findIf([](const Record& each) { return each.is(Kind::kWalk) && !each.orders.empty(); }) != nullptr) {
     sendZeros();
   }
-  if (Record* const walk = findWalk()) {
+  if (Record* const walk = book_.findWalk()) {
     const bool is_own = !walk->steered && walk->movement.source == node;
-    halt(walk, is_own ? Halt{EndedHow::kDone, ""} : Halt{EndedHow::kStopped, node + " sent a velocity of 0"});
+    book_.halt(walk, is_own ? Halt{EndedHow::kDone, ""} : Halt{EndedHow::kStopped, node + " sent a velocity of 0"});
   }
 }
 
 void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement movement) {
-  Record* record = findWalk();
+  Record* record = book_.findWalk();
   if (record != nullptr && (record->steered || !streams_.goesOn(record->movement.source, clock_()))) {
-    halt(record, {EndedHow::kReplaced, order.source + " steers now"});
+    book_.halt(record, {EndedHow::kReplaced, order.source + " steers now"});
     record = nullptr;
   }
-  const OrderNumber number = nextNumber();
+  const OrderNumber number = book_.nextNumber();
   try {
     requireDesign(client_, table_.design());
     freeLegs(order.source + " lets the robot walk");
@@ -347,7 +344,7 @@ void Mover::walk(const Order& order, const WalkVelocity& velocity, Movement move
     }
     return;
   }
-  record = record == nullptr ? &begin(std::move(movement)) : record;
+  record = record == nullptr ? &book_.begin(std::move(movement)) : record;
   record->orders.insert(number);
 }
 
@@ -357,7 +354,7 @@ Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
     freeLegs(cause);
     client_.steer({}, termsOf(order, 0));
     overruleWalks({EndedHow::kReplaced, cause});
-    Record& record = begin(*movement);
+    Record& record = book_.begin(*movement);
     record.steered = order.received;
     return answerOf(record);
   };
@@ -368,11 +365,11 @@ Mover::Answer Mover::walkToGoal(const Order& order, const std::string& goal) {
 void Mover::steerToGoal(MovementId walk, const WalkVelocity& velocity) {
   change([&] {
     checkConnection();
-    Record* const record = find(walk);
+    Record* const record = book_.find(walk);
     if (record == nullptr || record->halt) {
       return;
     }
-    const OrderTerms terms{std::exchange(*record->steered, clock_()) + kLongestWait, nextNumber()};
+    const OrderTerms terms{std::exchange(*record->steered, clock_()) + kLongestWait, book_.nextNumber()};
     if (velocity.isZero()) {
       brake(record, {EndedHow::kDone, ""});
       return;
@@ -384,14 +381,14 @@ void Mover::steerToGoal(MovementId walk, const WalkVelocity& velocity) {
       client_.steer(velocity, terms);
       record->orders.insert(terms.number);
     } catch (const Exception& error) {
-      close(walk, howOf(error, EndedHow::kRefused), reasonOf(error));
+      book_.close(walk, howOf(error, EndedHow::kRefused), reasonOf(error));
     }
   });
 }
 
 void Mover::stopWalking(const std::string& reason) {
   change([&] {
-    Record* const walk = findWalk();
+    Record* const walk = book_.findWalk();
     if (walk != nullptr && !walk->steered) {
       brake(walk, {EndedHow::kStopped, reason});
     }
@@ -402,7 +399,7 @@ void Mover::brake(Record* walk, const Halt& halt) {
   if (!walk->orders.empty()) {
     sendZeros();
   }
-  this->halt(walk, halt);
+  book_.halt(walk, halt);
 }
 
 void Mover::sendZeros() {
@@ -422,9 +419,9 @@ auto Mover::halt(std::optional<MovementId> only, const std::string& reason, cons
     ++pending_halts_;
     filter_.interruptApproach(clock_());
     auto future = futureOf(ask);
-    halted = idsOf([only](const Record& each) { return !only || each.id() == *only; });
+    halted = book_.idsOf([only](const Record& each) { return !only || each.id() == *only; });
     for (const MovementId id : halted) {
-      halt(find(id), {EndedHow::kStopped, reason});
+      book_.halt(book_.find(id), {EndedHow::kStopped, reason});
     }
     return future;
   };
@@ -432,7 +429,7 @@ auto Mover::halt(std::optional<MovementId> only, const std::string& reason, cons
     change([&] {
       --pending_halts_;
       for (const MovementId id : halted) {
-        close(id, how, why);
+        book_.close(id, how, why);
       }
     });
   };
@@ -485,7 +482,7 @@ void Mover::hold(const Order& by, const std::string& reason) {
 
 void Mover::cancel(MovementId movement, const std::string& reason) {
   const bool is_over = change([&] {
-    Record* const record = find(movement);
+    Record* const record = book_.find(movement);
     const bool is_walk = record != nullptr && record->steered;
     if (is_walk) {
       brake(record, {EndedHow::kStopped, reason});
@@ -496,8 +493,8 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
     return;
   }
   const auto hold_joints = [&] {
-    const Record* const record = find(movement);
-    const bool is_posture = record != nullptr && record->movement.kind == Kind::kPosture;
+    const Record* const record = book_.find(movement);
+    const bool is_posture = record != nullptr && record->is(Kind::kPosture);
     const std::vector<int> legs = table_.identifiersOfLegs();
     std::vector<int> joints = is_posture ? legs : std::vector<int>();
     for (const auto& [joint, target] : plan_.holdingTargets(clock_(), movement)) {
@@ -514,16 +511,16 @@ void Mover::cancel(MovementId movement, const std::string& reason) {
 void Mover::stopMotion(const Order& by, const std::string& name) {
   const Halt stopped{EndedHow::kStopped, by.source + " stopped it"};
   const auto is_meant = [&name](const Record& each) {
-    return each.movement.kind == Kind::kMotion && (name.empty() || each.movement.name == name);
+    return each.is(Kind::kMotion) && (name.empty() || each.movement.name == name);
   };
   const std::vector<MovementId> motions = change([&] {
-    haltEach(is_meant, stopped);
-    return idsOf(is_meant);
+    book_.haltEach(is_meant, stopped);
+    return book_.idsOf(is_meant);
   });
   client_.stopMotion(name, kTimeout);
   change([&] {
     for (const MovementId id : motions) {
-      close(id, stopped.how, stopped.reason);
+      book_.close(id, stopped.how, stopped.reason);
     }
   });
 }
@@ -548,28 +545,10 @@ bool Mover::setMotors(const Order& order, bool on) {
   return is_on;
 }
 
-// The movement sends nothing more.
-void Mover::halt(Record* record, const Halt& halt) {
-  if (record->movement.kind == Kind::kTrajectory) {
-    plan_.forget(record->id());
-  }
-  record->halt = halt;
-  if (record->orders.empty()) {
-    close(record->id(), halt.how, halt.reason);
-  }
-}
-
-template <typename Condition>
-void Mover::haltEach(const Condition& condition, const Halt& halt) {
-  for (const MovementId id : idsOf([&](const Record& each) { return !each.halt && condition(each); })) {
-    this->halt(find(id), halt);
-  }
-}
-
 // Whoever steers has to let go first.
 void Mover::overruleWalks(const Halt& halt) {
   streams_.overrule(clock_(), halt.reason);
-  haltEach([](const Record& each) { return each.movement.kind == Kind::kWalk; }, halt);
+  book_.haltEach([](const Record& each) { return each.is(Kind::kWalk); }, halt);
 }
 
 // A version 1 server cannot hold. It gets the places where the joints should be, and is told to end its motions.
@@ -591,8 +570,8 @@ std::future<void> Mover::hold(const std::vector<int>& joints, std::optional<Move
 
 void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint64_t walk) {
   change([&] {
-    Record* const record = ownerOf(order);
-    Record* const walker = ownerOf(walk);
+    Record* const record = book_.ownerOf(order);
+    Record* const walker = book_.ownerOf(walk);
     if (record == nullptr) {
       if (walk != 0 && walker == nullptr && !in_force.isZero()) {
         sendZeros();  // whoever asked for it was told that it has ended
@@ -606,10 +585,10 @@ void Mover::steered(const WalkVelocity& in_force, std::uint64_t order, std::uint
     if (walk != 0 && walker != record) {
       record->orders.insert(walk);
       if (walker != nullptr) {
-        endOrder(walker, walk, EndedHow::kReplaced, record->movement.source + " steers now");
+        book_.endOrder(walker, walk, EndedHow::kReplaced, record->movement.source + " steers now");
       }
     }
-    endOrder(record, order, EndedHow::kStopped, kNeverWalked);
+    book_.endOrder(record, order, EndedHow::kStopped, kNeverWalked);
   });
 }
 
@@ -626,12 +605,12 @@ void Mover::ended(const aibo_client::ActivityEnd& end) {
       // The legs may be anywhere. After "rest" the robot may even be in somebody's hands.
       filter_.startApproach();
     }
-    Record* const record = ownerOf(end.order);
+    Record* const record = book_.ownerOf(end.order);
     // A velocity of 0 and silence are steering's ends. They overrule nobody.
     const bool is_walk = end.kind == EndedKind::kWalk;
     const bool is_steerings = end.how == EndedHow::kDone || end.how == EndedHow::kStopped;
     if (is_walk && !is_steerings) {
-      const bool is_halted = record != nullptr && record->halt && !record->halt->reason.empty();
+      const bool is_halted = record != nullptr && record->hasReasonToEnd();
       streams_.overrule(clock_(), is_halted ? record->halt->reason : end.reason);
     }
     if (record == nullptr) {
@@ -640,17 +619,17 @@ void Mover::ended(const aibo_client::ActivityEnd& end) {
     if (is_walk && (!is_steerings || record->steered)) {
       record->orders = {end.order};  // what was sent since begins no walk for it
     }
-    endOrder(record, end.order, how, end.reason);
+    book_.endOrder(record, end.order, how, end.reason);
   });
 }
 
 // Nobody is told if a newer command has replaced it, which may happen hundreds of times a second.
 bool Mover::endOlder(OrderNumber order, EndedHow how, const std::string& reason) {
   const Lock lock(mutex_);
-  Record* const record = ownerOf(order);
+  Record* const record = book_.ownerOf(order);
   const bool is_older = record != nullptr && record->orders.size() > 1;
   if (is_older) {
-    endOrder(record, order, how, reason);
+    book_.endOrder(record, order, how, reason);
   }
   return is_older;
 }
@@ -664,7 +643,7 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
     if (is_refused && refusal.request == aibo_client::RefusedRequest::kJoints) {
       filter_.startApproach();
     }
-    Record* const record = ownerOf(refusal.order);
+    Record* const record = book_.ownerOf(refusal.order);
     if (record == nullptr) {
       return;
     }
@@ -673,16 +652,16 @@ void Mover::refused(const aibo_client::Refusal& refusal) {
       streams_.overrule(clock_(), refusal.reason.substr(0, refusal.reason.find(kLetGoFirst)));
     }
     // What waited for the memory stick is refused because of a stop, or of whatever else has halted it.
-    const bool was_halted = record->halt && !record->halt->reason.empty();
+    const bool was_halted = record->hasReasonToEnd();
     // A trajectory with a gap is none, and a robot that does not want to walk is not asked again.
-    const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
+    const bool is_trajectory = record->is(Kind::kTrajectory);
     if (!record->halt && ((is_trajectory && is_refused) || (is_walk && is_robots))) {
-      halt(record, {EndedHow::kRefused, refusal.reason});
+      book_.halt(record, {EndedHow::kRefused, refusal.reason});
     }
     const bool is_let_go = is_walk && record->halt && refusal.cause == RefusalCause::kReplaced;
     const bool is_users = is_stopped || is_let_go || (is_robots && was_halted);
     const EndedHow how = is_users ? EndedHow::kStopped : is_refused ? EndedHow::kRefused : EndedHow::kReplaced;
-    endOrder(record, refusal.order, how, is_let_go ? kNeverWalked : refusal.reason);
+    book_.endOrder(record, refusal.order, how, is_let_go ? kNeverWalked : refusal.reason);
   });
 }
 
@@ -691,7 +670,7 @@ void Mover::robotChanged(const aibo_client::MotorsAndPosture& state) {
     const aibo_client::MotorsAndPosture before = std::exchange(robot_, state);
     if (before.motors == MotorState::kOn && state.motors == MotorState::kOff) {
       const Halt halt{EndedHow::kStopped, "the motors are off"};
-      haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, halt);
+      book_.haltEach([](const Record& each) { return each.is(Kind::kTrajectory); }, halt);
       overruleWalks(halt);
       filter_.startApproach();
     }
@@ -731,181 +710,19 @@ std::vector<Trajectory::Start> Mover::wantedBy(MovementId trajectory, SteadyTime
 
 Mover::State Mover::state() const {
   const Lock lock(mutex_);
-  State state{{}, {ended_.begin(), ended_.end()}, ends_, robot_, stopped_by_, overruled_};
-  for (const Record& record : records_) {
-    state.movements.push_back(whole(record));
-  }
-  return state;
-}
-
-// Returns the movement with the joints that it still moves, and with its end.
-Movement Mover::whole(const Record& record) const {
-  Movement movement = record.movement;
-  std::vector<std::string> joints = plan_.jointsOf(record.id());
-  if (!joints.empty()) {
-    movement.joints = std::move(joints);
-  }
-  movement.end = plan_.endOf(record.id());
-  return movement;
-}
-
-Mover::Record& Mover::begin(Movement movement, std::optional<OrderNumber> order) {
-  Record& record = records_.emplace_back();
-  record.movement = std::move(movement);
-  record.movement.order = nextNumber();
-  record.end = record.promise.get_future().share();
-  if (order) {
-    record.orders.insert(*order);
-  }
-  return record;
+  return {book_.movements(), book_.ended(), book_.ends(), robot_, stopped_by_, overruled_};
 }
 
 Mover::Answer Mover::refuse(Movement movement, const std::string& reason) {
-  movement.order = nextNumber();
-  const EndedMovement refused = endOf(std::move(movement), EndedHow::kRefused, reason);
-  if (!isRepeated(refused)) {
-    note(refused);
-  }
+  EndedMovement refused = book_.refuse(std::move(movement), reason, clock_());
+  const MovementId id = refused.movement.order;
   std::promise<EndedMovement> promise;
-  promise.set_value(refused);
-  return {refused.movement.order, promise.get_future().share(), false, ""};
-}
-
-bool Mover::isRepeated(const EndedMovement& refused) {
-  const Movement& movement = refused.movement;
-  if (movement.kind != Kind::kCommand && movement.kind != Kind::kLookAt && movement.kind != Kind::kWalk) {
-    return false;
-  }
-  const SteadyTime now = clock_();
-  for (auto each = refused_.begin(); each != refused_.end();) {
-    each = now - each->second >= kRepeatedWithin ? refused_.erase(each) : std::next(each);
-  }
-  return !refused_.insert_or_assign({movement.kind, movement.source, movement.joints, refused.reason}, now).second;
-}
-
-void Mover::note(const EndedMovement& ended) {
-  ++ends_;
-  ended_.push_back(ended);
-  if (ended_.size() > kEndsRemembered) {
-    ended_.pop_front();
-  }
-  news_.push_back([this, ended] { listener_.on_ended(ended); });
-}
-
-// An order has ended. The movement goes on if others have not, or if a trajectory has more to send or to measure.
-// Otherwise it ends:
-// - with the reason why it was halted, if its order was stopped, or if it had more to do and has not failed
-// - stopped, if it is a walk to a goal that nobody has halted, because the robot was not steered
-// - or as the robot says
-void Mover::endOrder(Record* record, OrderNumber order, EndedHow how, std::string reason) {
-  record->orders.erase(order);
-  const bool has_failed = how == EndedHow::kRefused || how == EndedHow::kNotReached || how == EndedHow::kFell;
-  const bool is_trajectory = record->movement.kind == Kind::kTrajectory;
-  if (!record->orders.empty() || (is_trajectory && !record->halt && plan_.goesOnAfter(record->id(), how))) {
-    record->trouble = has_failed ? reason : record->trouble;
-    return;
-  }
-  const bool has_more_to_do = is_trajectory || record->movement.kind == Kind::kWalk;
-  if (record->halt) {
-    if (!record->halt->reason.empty() && (how == EndedHow::kStopped || (has_more_to_do && !has_failed))) {
-      how = record->halt->how;
-      reason = record->halt->reason;
-      record->trouble.clear();
-    }
-  } else if (record->steered && how == EndedHow::kDone) {
-    how = EndedHow::kStopped;
-    reason = "no velocity came to the robot for 0.5 s";
-  }
-  close(record->id(), how, withTrouble(*record, how, reason));
-}
-
-// With what became of its earlier orders.
-std::string Mover::withTrouble(const Record& record, EndedHow how, const std::string& reason) {
-  if (how == EndedHow::kDone || record.trouble.empty() || record.trouble == reason) {
-    return reason;
-  }
-  return record.trouble + (reason.empty() ? "" : " (" + reason + ")");
-}
-
-// Does nothing if it has ended.
-void Mover::close(MovementId id, EndedHow how, const std::string& reason) {
-  Record* const record = find(id);
-  if (record == nullptr) {
-    return;
-  }
-  EndedMovement ended = endOf(whole(*record), how, reason);
-  ended.movement.end.reset();
-  const bool may_be_on_its_way = how == EndedHow::kDone || how == EndedHow::kUnknown;
-  if (record->movement.kind == Kind::kTrajectory || !may_be_on_its_way) {
-    plan_.forget(id);
-  }
-  record->promise.set_value(ended);
-  records_.remove_if([id](const Record& each) { return each.id() == id; });
-  note(ended);
+  promise.set_value(std::move(refused));
+  return {id, promise.get_future().share(), false, ""};
 }
 
 void Mover::loseAll() {
-  for (const MovementId id : idsOf([](const Record&) { return true; })) {
-    close(id, EndedHow::kLost, "the connection to the robot was lost; the movement will not be resumed");
-  }
-}
-
-void Mover::takeEndsOfPlan() {
-  for (const JointPlan::End& end : plan_.takeEnded()) {
-    Record* const record = find(end.id);
-    if (record == nullptr) {
-      continue;
-    }
-    if (end.how == EndedHow::kReplaced) {
-      halt(record, {end.how, end.reason});
-    } else {
-      close(end.id, end.how, withTrouble(*record, end.how, end.reason));
-    }
-  }
-}
-
-template <typename Condition>
-std::vector<MovementId> Mover::idsOf(const Condition& condition) const {
-  std::vector<MovementId> ids;
-  for (const Record& record : records_) {
-    if (condition(record)) {
-      ids.push_back(record.id());
-    }
-  }
-  return ids;
-}
-
-template <typename Condition>
-Mover::Record* Mover::findIf(const Condition& condition) {
-  const auto found = std::find_if(records_.begin(), records_.end(), condition);
-  return found == records_.end() ? nullptr : &*found;
-}
-
-Mover::Record* Mover::find(MovementId id) {
-  return findIf([id](const Record& each) { return each.id() == id; });
-}
-
-Mover::Record* Mover::ownerOf(OrderNumber order) {
-  return findIf([order](const Record& each) { return each.orders.count(order) > 0; });
-}
-
-// The walk that may be steered.
-Mover::Record* Mover::findWalk() {
-  return findIf([](const Record& each) { return each.movement.kind == Kind::kWalk && !each.halt; });
-}
-
-// If a node commands the same joints again, the same movement goes on.
-Mover::Record* Mover::findCommand(const Movement& movement) {
-  return findIf([&](const Record& each) {
-    return each.movement.kind == movement.kind && each.movement.source == movement.source && !each.halt &&
-           each.movement.joints == movement.joints;
-  });
-}
-
-bool Mover::isTrajectoryOf(const Record& record, const std::vector<std::string>& joints) {
-  const std::vector<std::string>& moved = record.movement.joints;
-  return record.movement.kind == Kind::kTrajectory &&
-         std::find_first_of(moved.begin(), moved.end(), joints.begin(), joints.end()) != moved.end();
+  book_.closeAll(EndedHow::kLost, "the connection to the robot was lost; the movement will not be resumed");
 }
 
 // The robot's joints among these names, in the robot's order.
@@ -937,14 +754,14 @@ void Mover::takeLegsFromWalks(const Movement& movement) {
 }
 
 void Mover::endTrajectories(const std::string& reason) {
-  haltEach([](const Record& each) { return each.movement.kind == Kind::kTrajectory; }, {EndedHow::kReplaced, reason});
+  book_.haltEach([](const Record& each) { return each.is(Kind::kTrajectory); }, {EndedHow::kReplaced, reason});
 }
 
 // Movements of the head alone go on. A walk needs the full speed of the legs, but the robot would keep lower speed
 // limits of earlier commands.
 void Mover::freeLegs(const std::string& reason) {
   const std::vector<std::string> legs = table_.namesOfLegs();
-  haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
+  book_.haltEach([&](const Record& each) { return isTrajectoryOf(each, legs); }, {EndedHow::kReplaced, reason});
   plan_.forget(legs);
   if (client_.status().robot.hasCapability("S")) {
     client_.setJointSpeedLimits(table_.ownSpeedsOfLegs());
@@ -954,15 +771,15 @@ void Mover::freeLegs(const std::string& reason) {
 // The steps are as old as the call before, because the robot's joints may have got somewhere else since.
 void Mover::sendSteps(SteadyTime now) {
   for (const JointStep& step : plan_.advance(now)) {
-    const OrderNumber number = nextNumber();
+    const OrderNumber number = book_.nextNumber();
     try {
       sendTargets(client_, table_.design(), step.targets, step.duration, {advanced_ + kLongestWait, number});
-      find(step.movement)->orders.insert(number);
+      book_.find(step.movement)->orders.insert(number);
     } catch (const Exception& error) {
-      close(step.movement, howOf(error, EndedHow::kRefused), reasonOf(error));
+      book_.close(step.movement, howOf(error, EndedHow::kRefused), reasonOf(error));
     }
   }
-  takeEndsOfPlan();
+  book_.takeEndsOfPlan();
 }
 
 }  // namespace aibo_driver::movement

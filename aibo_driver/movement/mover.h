@@ -4,16 +4,11 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <future>
-#include <list>
-#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,6 +19,7 @@
 #include "movement/joint_table.h"
 #include "movement/measured_joints.h"
 #include "movement/movement.h"
+#include "movement/movement_book.h"
 #include "movement/steering_streams.h"
 
 namespace aibo_driver::movement {
@@ -33,11 +29,7 @@ namespace aibo_driver::movement {
 /// An order never fails. It begins a movement, which has exactly one end. A movement that is not carried out ends as
 /// refused. If a node commands the same joints again, or steers on, the same movement goes on. If orders of one kind by
 /// one node are refused again and again for the same reason, with less than half a second between them, only the first
-/// is noted.
-///
-/// A movement sends one or more orders to the robot, each with a number of its own, and keeps the set of those that the
-/// robot has not ended yet. It ends when this set is empty, with the end that emptied it. So nothing is guessed from
-/// what an end is about. Only trajectories have more to send then, and only their own tolerances are judged here.
+/// is noted. MovementBook knows when a movement has ended.
 ///
 /// An order is refused if the robot is stopped, if the order has waited for too long, or if something newer overrules
 /// it. It is judged and handed to the client under one lock. So a stop knows of every order that was sent before it,
@@ -57,8 +49,6 @@ class Mover {
   static constexpr std::chrono::milliseconds kFresh{300};
   /// The same time with a version 1 server, which reports one joint after the other, each about once a second.
   static constexpr std::chrono::milliseconds kFreshVersion1{2000};
-  /// How many ends are remembered.
-  static constexpr std::size_t kEndsRemembered = 64;
   /// How many motions, and how many postures, may go on or wait for their end. JointPlan limits the number of
   /// trajectories.
   static constexpr std::size_t kMostOfAKind = 32;
@@ -219,31 +209,13 @@ class Mover {
   State state() const;
 
  private:
-  using OrderNumber = std::uint64_t;
-
-  /// How a movement that was ended on purpose is told to have ended, unless something else ended it first.
-  struct Halt {
-    aibo_client::EndedHow how = aibo_client::EndedHow::kStopped;
-    std::string reason;  ///< empty if nobody has to be told
-  };
-
-  /// A movement that has not ended.
-  struct Record {
-    Movement movement;
-    std::promise<EndedMovement> promise;
-    std::shared_future<EndedMovement> end;
-    std::set<OrderNumber> orders;       ///< those that were sent and have not ended
-    std::optional<Halt> halt;           ///< it sends nothing more, and ends when its orders have ended
-    std::string trouble;                ///< what became of an order while others went on
-    std::optional<SteadyTime> steered;  ///< for a walk to a goal: when steerToGoal() was last called
-
-    MovementId id() const { return movement.order; }
-  };
+  using OrderNumber = MovementBook::OrderNumber;
+  using Halt = MovementBook::Halt;
+  using Record = MovementBook::Record;
 
   template <typename Work>
   auto change(const Work& work);
   void tell(std::unique_lock<std::mutex>* lock);
-  void warn(const std::string& text);
   std::string refusalOf(const Order& order, bool may_act_while_stopped = false) const;
   void overrule(SteadyTime received, const std::string& what);
   void requireRoom(Movement::Kind kind) const;
@@ -257,40 +229,19 @@ class Mover {
   auto halt(std::optional<MovementId> only, const std::string& reason, const Ask& ask);
   template <typename Ask>
   auto haltAll(const Order& by, const std::string& reason, const Ask& ask);
-  void halt(Record* record, const Halt& halt);
-  template <typename Condition>
-  void haltEach(const Condition& condition, const Halt& halt);
   void overruleWalks(const Halt& halt);
   void takeLegsFromWalks(const Movement& movement);
   void endTrajectories(const std::string& reason);
   void freeLegs(const std::string& reason);
   std::future<void> hold(const std::vector<int>& joints, std::optional<MovementId> only);
-  Movement whole(const Record& record) const;
   static Answer answerOf(const Record& record) { return {record.id(), record.end, false, ""}; }
   template <typename Act>
   Answer give(const Order& order, Movement::Kind kind, const std::string& name, const std::vector<std::string>& joints,
               const Act& act, bool may_act_while_stopped = false);
-  Record& begin(Movement movement, std::optional<OrderNumber> order = std::nullopt);
   Answer refuse(Movement movement, const std::string& reason);
-  bool isRepeated(const EndedMovement& refused);
-  void note(const EndedMovement& ended);
-  void endOrder(Record* record, OrderNumber order, aibo_client::EndedHow how, std::string reason);
   bool endOlder(OrderNumber order, aibo_client::EndedHow how, const std::string& reason);
-  static std::string withTrouble(const Record& record, aibo_client::EndedHow how, const std::string& reason);
-  void close(MovementId id, aibo_client::EndedHow how, const std::string& reason);
   void loseAll();
-  void takeEndsOfPlan();
-  template <typename Condition>
-  std::vector<MovementId> idsOf(const Condition& condition) const;
-  template <typename Condition>
-  Record* findIf(const Condition& condition);
-  Record* find(MovementId id);
-  Record* ownerOf(OrderNumber order);
-  Record* findWalk();
-  Record* findCommand(const Movement& movement);
-  static bool isTrajectoryOf(const Record& record, const std::vector<std::string>& joints);
   std::vector<std::string> known(const std::vector<std::string>& names) const;
-  OrderNumber nextNumber() { return ++last_number_; }
   void checkConnection();
   void sendSteps(SteadyTime now);
 
@@ -303,18 +254,13 @@ class Mover {
   mutable std::mutex mutex_;  ///< guards everything below; never held while waiting for the robot
   JointCommandFilter filter_;
   JointPlan plan_;
+  MovementBook book_;
+  std::string warning_;  ///< that the listener has not been told yet
   std::optional<std::string> stopped_by_;
   SteadyTime overruled_;  ///< orders that were received before are refused
   std::string overruled_by_;
   SteeringStreams streams_;
-  std::list<Record> records_;
-  std::uint64_t last_number_ = 0;  ///< of a movement or an order
-  std::deque<EndedMovement> ended_;
-  std::size_t ends_ = 0;
   SteadyTime advanced_;  ///< when advance() was last called, or a trajectory was asked for since
-  /// When an order was last refused: by its kind, node and joints, and the reason.
-  std::map<std::tuple<Movement::Kind, std::string, std::vector<std::string>, std::string>, SteadyTime> refused_;
-  std::vector<std::function<void()>> news_;  ///< that the listener has not been told yet
   aibo_client::MotorsAndPosture robot_;
   int pending_halts_ = 0;         ///< calls that wait for the robot to halt
   std::uint64_t connection_ = 0;  ///< the connection over which all present movements were begun
