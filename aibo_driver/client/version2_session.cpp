@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <random>
-#include <sstream>
 #include <utility>
 
 #include "client/fault.h"
 #include "client/units.h"
+#include "client/version2_messages.h"
 #include "protocol/big_endian.h"
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/sound_requests.h"
-#include "protocol/text.h"
 #include "robot_model/robot_model.h"
 
 namespace aibo_client {
@@ -37,30 +36,6 @@ constexpr char kHelloWanted = 'h';
 // No setting of the camera has this value.
 constexpr int kNotRequested = -1;
 
-// The index of a setting is its id - 1.
-std::array<int, version2::NUMBER_OF_CAMERA_SETTINGS> valuesOf(const CameraSettings& settings) {
-  return {settings.white_balance, settings.gain, settings.shutter_speed, settings.auto_exposure ? 1 : 0,
-          settings.auto_white_balance ? 1 : 0};
-}
-
-std::optional<CameraSettings> settingsIn(const version2::CameraSettings& values) {
-  if (!values.areKnown()) {
-    return std::nullopt;
-  }
-  CameraSettings settings;
-  settings.white_balance = values.of(version2::SETTING_WHITE_BALANCE);
-  settings.gain = values.of(version2::SETTING_GAIN);
-  settings.shutter_speed = values.of(version2::SETTING_SHUTTER_SPEED);
-  settings.auto_exposure = values.of(version2::SETTING_AUTO_EXPOSURE) != 0;
-  settings.auto_white_balance = values.of(version2::SETTING_AUTO_WHITE_BALANCE) != 0;
-  return settings;
-}
-
-// The numbers of Resolution are those of the layers.
-version2::Layer layerOf(Resolution resolution) {
-  return static_cast<version2::Layer>(resolution);
-}
-
 template <typename Item>
 std::vector<int> idsOf(const std::vector<Item>& items) {
   std::vector<int> ids(items.size());
@@ -71,76 +46,6 @@ std::vector<int> idsOf(const std::vector<Item>& items) {
 template <typename Element, typename Predicate>
 void removeIf(std::vector<Element>* elements, const Predicate& predicate) {
   elements->erase(std::remove_if(elements->begin(), elements->end(), predicate), elements->end());
-}
-
-RobotInfo makeRobotInfo(const version2::Hello& hello) {
-  RobotInfo robot;
-  robot.design = hello.robot;
-  robot.server = hello.server;
-  std::istringstream words(hello.capabilities);
-  for (std::string word; words >> word;) {
-    robot.capabilities.push_back(word);
-  }
-  for (std::size_t i = 0; i < hello.joint_count; ++i) {
-    const version2::JointLimits& joint = hello.joints[i];
-    robot.joint_limits.push_back({joint.id, fromMicro(joint.lower), fromMicro(joint.upper), fromMicro(joint.speed)});
-  }
-  robot.walk_limits = {hello.walk.forward, hello.walk.back, hello.walk.left, hello.walk.turn};
-  return robot;
-}
-
-// The server sends the duty of a joint after its position.
-void setDuty(int id, double duty, std::vector<JointReading>* joints) {
-  for (JointReading& joint : *joints) {
-    if (joint.id == id) {
-      joint.duty = duty;
-    }
-  }
-}
-
-// A robot's text may fill a whole frame. Its beginning is enough for a log or a diagnostic message.
-std::string beginningOf(const char* text, std::size_t size) {
-  constexpr std::size_t kLongestText = 512;
-  const std::size_t shown = protocol::sizeOfWholeCharacters(text, size, kLongestText);
-  return std::string(text, shown) + (shown < size ? "..." : "");
-}
-
-/// The value that has this number of the protocol. A number that only a newer server knows is Enum::kUnknown.
-/// @param highest the highest number of the protocol that Enum has
-template <typename Enum>
-Enum known(unsigned number, unsigned highest) {
-  return number <= highest ? static_cast<Enum>(number) : Enum::kUnknown;
-}
-
-// Ignores identifiers that it does not know: a newer server sends them.
-void setWalk(int id, int value, std::optional<WalkReading>* walk) {
-  if (!*walk) {
-    walk->emplace();
-  }
-  switch (id) {
-    case version2::WALK_FORWARD:
-      (*walk)->velocity.forward = fromMicro(value);
-      break;
-    case version2::WALK_LEFT:
-      (*walk)->velocity.left = fromMicro(value);
-      break;
-    case version2::WALK_TURN:
-      (*walk)->velocity.turn = fromMicro(value);
-      break;
-    case version2::WALK_PHASE:
-      (*walk)->phase = fromMicro(value);
-      break;
-    case version2::WALK_STATE:
-      (*walk)->state = known<WalkState>(static_cast<unsigned>(value), version2::WALK_STATE_WALKS);
-      break;
-    default:
-      break;
-  }
-}
-
-std::string describe(const version2::ErrorMessage& message) {
-  const std::string text = beginningOf(message.text, message.text_size);
-  return text.empty() ? "error code " + std::to_string(message.code) : text;
 }
 
 /// True if the request can be an order that goes on after its answer.
@@ -293,14 +198,7 @@ Session::Bytes Version2Session::requestColorTable(const Settings& wanted, TimePo
   }
   const auto different = std::mismatch(wanted.color_tables.begin(), wanted.color_tables.end(), color_tables_.begin());
   const ColorTablePtr& chosen = *different.second = *different.first;
-  version2::ColorTable table = {static_cast<unsigned char>(different.first - wanted.color_tables.begin()), {}};
-  for (std::size_t i = 0; i < kColorSegments; ++i) {
-    const std::optional<ColorRange> range = chosen ? chosen->segments.at(i) : std::nullopt;
-    const auto byte = [](int value) { return static_cast<unsigned char>(value); };
-    table.segments[i] = range ? version2::ColorSegment{byte(range->cr_min), byte(range->cr_max), byte(range->cb_min),
-                                                       byte(range->cb_max)}
-                              : version2::EMPTY_COLOR_SEGMENT;
-  }
+  const version2::ColorTable table = tableOf(chosen, different.first - wanted.color_tables.begin());
   return request(version2::DETECT_COLORS, version2::COLORS_TABLE, encoded(table), now);
 }
 
@@ -379,21 +277,12 @@ Session::Bytes Version2Session::nextCommand(TimePoint now) {
 
 Session::Bytes Version2Session::requestSpeedLimits(TimePoint now) {
   const std::vector<JointSpeedLimit> wanted = connection_.commands.speed_limits.take(version2::MAX_JOINTS);
-  version2::SpeedLimits limits = {};
-  for (const JointSpeedLimit& limit : wanted) {
-    limits.joints[limits.count++] = {static_cast<unsigned char>(limit.id), toMicro(limit.speed)};
-  }
-  return request(version2::LIMIT_SPEEDS, 0, encoded(limits), now, nullptr, idsOf(wanted));
+  return request(version2::LIMIT_SPEEDS, 0, encoded(limitsOf(wanted)), now, nullptr, idsOf(wanted));
 }
 
 Session::Bytes Version2Session::requestTargets(TimePoint now) {
   const JointCommand command = connection_.commands.joints.takeCommand();
-  version2::JointOrder order = {frames_.notAfter(command.terms.not_after, now).value(), {}};
-  version2::JointTargets& targets = order.targets;
-  targets.duration_ms = static_cast<unsigned short>(command.duration.count());
-  for (const JointTarget& target : command.targets) {
-    targets.joints[targets.count++] = {static_cast<unsigned char>(target.id), toMicro(target.position)};
-  }
+  const version2::JointOrder order = {frames_.notAfter(command.terms.not_after, now).value(), targetsOf(command)};
   return request(version2::MOVE_JOINTS, 0, encoded(order), now, &Version2Session::onJointsAccepted,
                  idsOf(command.targets), command.terms.number);
 }
@@ -410,12 +299,7 @@ Session::Bytes Version2Session::requestSteering(std::optional<SteeringCommand>* 
 
 Session::Bytes Version2Session::requestLeds(TimePoint now) {
   const std::vector<LedCommand> wanted = connection_.commands.leds.take(version2::MAX_LEDS);
-  version2::LedValues values = {};
-  for (const LedCommand& led : wanted) {
-    values.leds[values.count++] = {static_cast<unsigned char>(led.id), static_cast<unsigned char>(led.intensity),
-                                   led.mode == LedMode::kA ? version2::LED_MODE_A : version2::LED_MODE_B};
-  }
-  return request(version2::SET_LEDS, 0, encoded(values), now, &Version2Session::onLedsAccepted, idsOf(wanted));
+  return request(version2::SET_LEDS, 0, encoded(ledsOf(wanted)), now, &Version2Session::onLedsAccepted, idsOf(wanted));
 }
 
 // Both ears are always commanded together.
@@ -610,7 +494,7 @@ void Version2Session::onHello(const Payload& payload) {
   version2::Hello hello;
   expectGood(version2::decodeHello(payload.data, payload.size, &hello), "hello");
   if (!ready_) {  // later hellos are only heartbeats
-    connection_.robot = makeRobotInfo(hello);
+    connection_.robot = robotIn(hello);
   }
   const TimePoint sent = exchanges_.at(reader_.header().request_number).sent;
   if (!ready_ || timeAhead(hello.frame_number, sent) > TimePoint::duration::zero()) {
@@ -697,23 +581,8 @@ void Version2Session::onTelemetry(const Payload& payload) {
     telemetry_.pop_front();
     ++connection_.context.counters.dropped_telemetry;
   }
-  Telemetry& telemetry = telemetry_.emplace_back();
-  telemetry.frame_number = measured.frame_number;
-  telemetry.arrival = frame_began_;
-  telemetry.joints.reserve(measured.count);
-  telemetry.sensors.reserve(measured.count);
-  for (std::size_t i = 0; i < measured.count; ++i) {
-    const version2::TelemetryEntry& entry = measured.entries[i];
-    if (entry.group == version2::GROUP_JOINT) {
-      telemetry.joints.push_back({entry.id, fromMicro(entry.value)});
-    } else if (entry.group == version2::GROUP_SENSOR) {
-      telemetry.sensors.push_back(makeVersion2Reading(connection_.robot.design, entry.id, entry.value));
-    } else if (entry.group == version2::GROUP_DUTY) {
-      setDuty(entry.id, fromMicro(entry.value), &telemetry.joints);
-    } else {
-      setWalk(entry.id, entry.value, &telemetry.walk);
-    }
-  }
+  telemetry_.push_back(telemetryIn(measured, connection_.robot.design));
+  telemetry_.back().arrival = frame_began_;
 }
 
 // Colours that were detected before a change of the tables would get the names of the new ones.
@@ -725,21 +594,12 @@ void Version2Session::onColors(const Payload& payload) {
 
 void Version2Session::onJointsAccepted(const Payload& payload) {
   const auto accepted = decoded<version2::JointTargets>(payload.data, payload.size, "reply to joint targets");
-  std::vector<JointTarget> targets;
-  for (std::size_t i = 0; i < accepted.count; ++i) {
-    targets.push_back({accepted.joints[i].id, fromMicro(accepted.joints[i].value)});
-  }
-  connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted", targets);
+  connection_.context.notifier.tell(&Callbacks::on_joints_accepted, "on_joints_accepted", targetsIn(accepted));
 }
 
 void Version2Session::onLedsAccepted(const Payload& payload) {
   const auto accepted = decoded<version2::LedValues>(payload.data, payload.size, "reply to LEDs");
-  std::vector<LedCommand> leds;
-  for (std::size_t i = 0; i < accepted.count; ++i) {
-    const version2::LedValue& led = accepted.leds[i];
-    leds.push_back({led.id, led.intensity, led.mode == version2::LED_MODE_B ? LedMode::kB : LedMode::kA});
-  }
-  connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted", leds);
+  connection_.context.notifier.tell(&Callbacks::on_leds_accepted, "on_leds_accepted", ledsIn(accepted));
 }
 
 void Version2Session::onSteered(const Payload& payload) {
@@ -864,11 +724,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
 
 void Version2Session::onEnded(const Payload& payload) {
   const auto message = decoded<version2::EndMessage>(payload.data, payload.size, "report of an end");
-  ActivityEnd end;
-  end.kind = known<EndedKind>(message.what, version2::ENDED_JOINTS);
-  end.how = known<EndedHow>(message.how, version2::END_FELL);
-  end.name = beginningOf(message.name, message.name_size);
-  end.reason = beginningOf(message.reason, message.reason_size);
+  ActivityEnd end = endIn(message);
   end.order = orderOf(message.order);
   orders_.erase(message.order);
   if (end.kind == EndedKind::kJam) {
@@ -893,8 +749,7 @@ void Version2Session::onReport(const Payload& payload) {
 
 void Version2Session::onMotorsAndPosture(const Payload& payload) {
   const auto state = decoded<version2::MotorsAndPosture>(payload.data, payload.size, "state of motors and posture");
-  connection_.motors_and_posture = {state.motors_on ? MotorState::kOn : MotorState::kOff,
-                                    known<PostureNow>(state.posture, version2::POSTURE_CARRIED)};
+  connection_.motors_and_posture = stateIn(state);
 }
 
 // The report of a joint's fault begins with its name.
