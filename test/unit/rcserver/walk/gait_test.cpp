@@ -65,7 +65,6 @@ class GaitTest : public ::testing::Test {
   }
 
   const Gait gait_;
-  const StepParameters in_place_ = gait_.Parameters().in_place;
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
 };
 
@@ -85,16 +84,6 @@ TEST_F(GaitTest, MovesFeetOnTheFloorWithTheFloor) {
       EXPECT_NEAR((next.y - here.y) / kFrame, -velocity.left - velocity.turn * middle.x, 1e-6);
       EXPECT_NEAR(here.z, 0, 1e-9);
     }
-  }
-}
-
-TEST_F(GaitTest, AlwaysHasADiagonalPairOnTheFloor) {
-  for (double phase = 0; phase < 1; phase += 0.001) {
-    const bool first = Gait::IsOnFloor(in_place_, robot_model::LEFT_FRONT_LEG, phase);
-    const bool second = Gait::IsOnFloor(in_place_, robot_model::RIGHT_FRONT_LEG, phase);
-    EXPECT_TRUE(first || second) << phase;
-    EXPECT_EQ(Gait::IsOnFloor(in_place_, robot_model::RIGHT_HIND_LEG, phase), first);
-    EXPECT_EQ(Gait::IsOnFloor(in_place_, robot_model::LEFT_HIND_LEG, phase), second);
   }
 }
 

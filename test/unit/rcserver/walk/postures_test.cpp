@@ -151,26 +151,4 @@ TEST_F(PosturesTest, CountAsTheStandWhileTheFeetAreUnderTheBody) {
   }
 }
 
-// On level ground, the robot rests on its lowest points. Legs of both sides are the same here, so a side view will do.
-TEST_F(PosturesTest, NeverStandOnFoldedLegs) {
-  const double kKneeRadius = robot_model::FOOT_RADIUS;  // our choice, from the look of the legs
-  for (const Posture posture : {POSTURE_SIT, POSTURE_REST}) {
-    for (double part = 0; part <= 1; part += 0.02) {
-      const Legs here = between(POSTURE_STAND, posture, part);
-      const Point front = findFoot(robot_model::LEFT_FRONT_LEG, here[0]);
-      const Point hind = findFoot(robot_model::LEFT_HIND_LEG, here[1]);
-      const double slope = (front.z - hind.z) / (front.x - hind.x);
-      const auto floor = [&](const Point& point) { return hind.z + slope * (point.x - hind.x); };
-      const Point belly = findBellyCorner(robot_model::LEFT_HIND_LEG);
-      const bool lies = belly.z < floor(belly);
-      for (const Leg leg : {robot_model::LEFT_FRONT_LEG, robot_model::LEFT_HIND_LEG}) {
-        const Point knee = findKnee(leg, here[static_cast<std::size_t>(leg)]);
-        EXPECT_TRUE(lies || knee.z - kKneeRadius > floor(knee) - robot_model::FOOT_RADIUS)
-            << posture << " at " << part << ", leg " << leg;
-      }
-      EXPECT_GT(front.x - hind.x, 0.01) << "the feet do not meet";
-    }
-  }
-}
-
 }  // namespace

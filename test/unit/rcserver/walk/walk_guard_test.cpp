@@ -156,23 +156,6 @@ TEST_F(WalkGuardTest, TheRobotStopsFiveCentimetresBeforeAWall) {
   EXPECT_LT(guard_.HighestForward(), 1) << "the other sensor sees it from farther away";
 }
 
-TEST_F(WalkGuardTest, BackAndSidewaysItWalksOnlyWhereItHasJustWalked) {
-  look(onFloor());
-  EXPECT_EQ(objection(kLeft), "") << "a little is allowed";
-  walk(kLeft, 1);
-  EXPECT_THAT(objection(kLeft), HasSubstr("it cannot see there"));
-  EXPECT_THAT(objection({0.1, 0.06, 0}), HasSubstr("it cannot see there"));
-  EXPECT_THAT(objection({-0.1, 0, 0}), HasSubstr("it cannot see there"));
-  EXPECT_EQ(objection({0, -0.06, 0}), "") << "back to where it was";
-  guard_.Forget();
-  walk(kForward, 3);
-  EXPECT_EQ(objection(kBack), "");
-  walk(kBack, 3);
-  EXPECT_EQ(objection(kBack), "") << "half of the way";
-  walk(kBack, 4);
-  EXPECT_THAT(objection(kBack), HasSubstr("it cannot see there")) << "it is where it began";
-}
-
 TEST_F(WalkGuardTest, ItStopsFourCentimetresBeyondTheGroundThatItRemembers) {
   EXPECT_NEAR(wayUntil("it cannot see there", kLeft), 0.04, 0.004);
   guard_.Forget();
@@ -207,32 +190,6 @@ TEST_F(WalkGuardTest, ItStopsFiveCentimetresBeforeAnEdgeThatItRemembers) {
     EXPECT_NEAR(wayUntil("the floor ends there", kForward), edge - toes - 0.05, 0.012) << turn;
     walk({-0.1, 0, 0}, 0.5);
     walk({0, 0, turn}, 4.2);
-  }
-}
-
-TEST_F(WalkGuardTest, ElsewhereItKnowsNoGround) {
-  const Velocity right = {0, -0.06, 0};
-  walk(kForward, 3);
-  walk({-0.1, 0, 0}, 3);
-  walk(kTurn, 3.14);  // a quarter to the left, so that it has walked to its right
-  walk(right, 1.5);
-  EXPECT_EQ(objection(right), "");
-  guard_.Forget();
-  walk(kForward, 3);
-  guard_.Forget();
-  walk(kTurn, 3.14);
-  walk(right, 1.5);
-  EXPECT_THAT(objection(right), HasSubstr("it cannot see there"));
-}
-
-TEST_F(WalkGuardTest, ElsewhereItKnowsNothingThatIsInTheWay) {
-  for (const WalkGuard::Reading& reading : {atEdge(), beforeWall(0.05)}) {
-    look(reading);
-    EXPECT_NE(objection(kForward), "");
-    guard_.Forget();
-    EXPECT_EQ(objection(kForward), "");
-    walk(kForward, 0.9);
-    EXPECT_EQ(objection(kForward), "") << "3 cm before the place of the edge";
   }
 }
 
