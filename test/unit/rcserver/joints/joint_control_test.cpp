@@ -37,29 +37,6 @@ TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
   }
 }
 
-TEST(JointControl, AJointThatFailsIsHeldAndReportedOnceAndItsRecoveryToo) {
-  JointControl joints(ers7());
-  const int pan = findJointByName(ers7(), "head_pan");
-  unsigned frame = 0;
-  const auto measure = [&](unsigned frames, const JointReading& reading) {
-    JointWatch::Verdict last = JointWatch::FOLLOWS;
-    for (unsigned end = frame + frames; frame < end && last == JointWatch::FOLLOWS;) {
-      frame += 4;
-      last = joints.Measured(pan, reading, frame, true);
-    }
-    return last;
-  };
-  EXPECT_EQ(measure(2 * JointWatch::PATIENCE, {-50000, 400000, FULL_DUTY}), JointWatch::JAMMED);
-  EXPECT_EQ(joints.Planner().Target(pan), -50000) << "it is held where it is";
-  EXPECT_EQ(joints.TakeFault(pan), JointWatch::JAMMED);
-  EXPECT_EQ(joints.TakeFault(pan), JointWatch::FOLLOWS) << "once";
-  EXPECT_EQ(measure(4 * JointWatch::PATIENCE, {-50000, -50000, 0}), JointWatch::FOLLOWS);
-  EXPECT_FALSE(joints.TakeRecovery(pan)) << "it was only held";
-  EXPECT_EQ(measure(2 * JointWatch::PATIENCE, {100000, 100000, -9}), JointWatch::FOLLOWS);
-  EXPECT_TRUE(joints.TakeRecovery(pan));
-  EXPECT_FALSE(joints.TakeRecovery(pan)) << "once";
-}
-
 // The motors are off for long, and the joint is moved by hand far from where it was commanded.
 TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
   JointControl joints(ers7());

@@ -264,13 +264,6 @@ class Inspector {
   std::vector<int> accelerations_;  // in force
 };
 
-TEST(JointPlanner, AcceptsPositionsWithinTheLimits) {
-  JointPlanner planner(ers7());
-  EXPECT_EQ(setTarget(planner, joint("head_pan"), 100000), 100000);
-  EXPECT_EQ(setTarget(planner, joint("head_pan"), 2000000000), microradians(88));
-  EXPECT_EQ(setTarget(planner, joint("head_pan"), -2000000000), microradians(-88));
-}
-
 TEST(JointPlanner, AcceptsLimitsThatMakeSense) {
   JointPlanner planner(ers7());
   const int pan = joint("head_pan");
@@ -367,58 +360,6 @@ TEST(JointPlanner, FitsCoupledTargetsToEachOther) {
     EXPECT_EQ(together.Target(joint(row.follower)), microradians(row.accepted)) << row.follower;
     EXPECT_EQ(one_after_the_other.Target(joint(row.follower)), microradians(row.accepted)) << row.follower;
   }
-}
-
-// The rotator moves to where the slow elevator is not yet high enough.
-TEST(JointPlanner, HoldsTheRotatorBackUntilTheElevatorIsOutOfItsWay) {
-  JointPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  setTarget(planner, elevator, microradians(-10));
-  runUntilAllHaveArrived(planner);
-  planner.SetSpeedLimit(elevator, microradians(4));
-  setTarget(planner, rotator, microradians(100));
-  EXPECT_EQ(planner.Target(elevator), microradians(-2));
-  const int frames = runUntilAllHaveArrived(planner);
-  // Two seconds for the elevator's 8 degrees, and a third of a second for the rest of the rotator's way.
-  EXPECT_GT(frames, 2 * kFramesPerSecond);
-  EXPECT_LT(frames, 2 * kFramesPerSecond + kFramesPerSecond / 3);
-  EXPECT_EQ(planner.Position(rotator), microradians(100));
-  EXPECT_EQ(planner.Position(elevator), microradians(-2));
-}
-
-TEST(JointPlanner, StopsARotatorThatMovesTowardsAHeldElevator) {
-  JointPlanner planner(ers7());
-  const int rotator = joint("left_front_rotator");
-  const int elevator = joint("left_front_elevator");
-  setTarget(planner, elevator, microradians(-10));
-  runUntilAllHaveArrived(planner);
-  for (const bool fails : {false, true}) {
-    setTarget(planner, rotator, microradians(100));
-    run(planner, 5);
-    fails ? planner.SetPosition(elevator, planner.Position(elevator)) : planner.Hold(elevator);
-    EXPECT_LE(runUntilAllHaveArrived(planner), 13);
-    EXPECT_LT(planner.Position(rotator), microradians(40));
-  }
-}
-
-TEST(JointPlanner, HoldsEveryJointWhereItWasFound) {
-  JointPlanner planner(ers7());
-  RandomClient client(7);
-  std::vector<int> found;
-  for (const int i : allJoints()) {
-    found.push_back(client.position(i));
-  }
-  for (const int i : allJoints()) {
-    planner.SetPosition(i, found[static_cast<size_t>(i)]);
-  }
-  EXPECT_EQ(postureOf(planner), found);
-  EXPECT_EQ(targetsOf(planner), found);
-  run(planner, 10);
-  EXPECT_EQ(postureOf(planner), found);
-  planner.HoldAll();
-  run(planner, 10);
-  EXPECT_EQ(postureOf(planner), found);
 }
 
 // How far a joint is below its lower limit.

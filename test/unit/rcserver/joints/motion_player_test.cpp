@@ -6,10 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "motion_bytes.h"
@@ -17,10 +15,8 @@
 namespace {
 
 using protocol::version2::END_DONE;
-using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::StrEq;
 
 constexpr int kFrame = robot_model::FRAME_MILLISECONDS;
@@ -41,8 +37,7 @@ class AMotion : public ::testing::Test {
   double at(const std::string& name) const { return degrees(planner_.Position(joint(name))); }
 
   // The problem from Play(); empty if the motion is played.
-  std::string play(const std::string& name, const std::string& bytes, int repetitions = 1, bool leave_out = false,
-                   const bool* commanded = nullptr) {
+  std::string play(const std::string& name, const std::string& bytes, int repetitions = 1) {
     unsigned char* const room = player_->FindRoom();
     if (room == nullptr) {
       return "no room";
@@ -50,14 +45,8 @@ class AMotion : public ::testing::Test {
     std::memcpy(room, bytes.data(), bytes.size());
     protocol::MotionName motion_name;
     EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, leave_out, commanded, 1);
+    const char* problem = player_->Play(motion_name, bytes.size(), repetitions, false, nullptr, 1);
     return problem != nullptr ? problem : "";
-  }
-
-  void stop(const std::string& name) {
-    protocol::MotionName motion_name;
-    EXPECT_EQ(protocol::readMotionName(name.data(), name.size(), motion_name), nullptr);
-    player_->Stop(motion_name);
   }
 
   void passFrame() {
@@ -80,6 +69,18 @@ class AMotion : public ::testing::Test {
     }
     EXPECT_LT(path.size(), kPatience) << "the motion does not end";
     return path;
+  }
+
+  // The times in milliseconds at which an ear flicks until no motion is played any more.
+  std::vector<int> flicksOf(const std::string& ear) {
+    std::vector<int> times;
+    for (int time = 0; player_->IsPlaying() && time < kPatience; time += kFrame) {
+      passFrame();
+      if (player_->TakeFlick(findEarByName(robot_, ear.c_str()))) {
+        times.push_back(time);
+      }
+    }
+    return times;
   }
 
   const robot_model::RobotModel& robot_ = *robot_model::findRobotModel("ERS-7");
@@ -183,17 +184,6 @@ TEST_F(AMotion, TakesLongerIfAStepIsTooFast) {
   EXPECT_NEAR(static_cast<double>(path.size()) * kFrame, 1131, 80);
 }
 
-// Model Information ERS-7, 2.1.2: while the neck is below -39 degrees, the head is not below 5.
-TEST_F(AMotion, KeepsItsJointsApartBetweenKeyFramesToo) {
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 neck_tilt 0 head_tilt -5\nat 1600 neck_tilt -75 head_tilt 5\n")), "");
-  EXPECT_THAT(player_->Changes(), StrEq("head_tilt is clipped by up to 4.8 degrees (at 832 ms)"));
-  for (int frame = 0; player_->IsPlaying() && frame < kPatience; ++frame) {
-    passFrame();
-    EXPECT_TRUE(at("neck_tilt") > -39 || at("head_tilt") > 4.9999) << at("neck_tilt") << " " << at("head_tilt");
-  }
-  EXPECT_NEAR(at("neck_tilt"), -75, 1e-4);
-}
-
 TEST_F(AMotion, TellsHowMuchLongerItTookBecauseTheProgramWasHeldUp) {
   unsigned now = 0;
   const auto endOf = [&](unsigned held_up_ms) {
@@ -235,33 +225,7 @@ TEST_F(AMotion, IsOneOfFourAtOnceAtMost) {
   EXPECT_NE(player_->FindRoom(), nullptr);
 }
 
-TEST_F(AMotion, IsRefusedIfItIsNoneOrItsJointWasCommandedMeanwhile) {
-  bool commanded[robot_model::MAX_JOINTS] = {};
-  commanded[joint("tail_tilt")] = true;
-  EXPECT_THAT(play("A.MTN", "OMTN"), StrEq("A.MTN is not a motion file: it ends before section 0"));
-  EXPECT_THAT(play("A.MTN", motionBytes("at 0 tail_tilt 10\n"), 1, false, commanded),
-              HasSubstr("tail_tilt was commanded"));
-  EXPECT_FALSE(player_->IsPlaying());
-}
-
-// ----------------------------------------------------------------------------------------------------------- ears
-
-class EarsInMotions : public AMotion {
- protected:
-  // The times in milliseconds at which an ear flicks until no motion is played any more.
-  std::vector<int> flicksOf(const std::string& ear) {
-    std::vector<int> times;
-    for (int time = 0; player_->IsPlaying() && time < kPatience; time += kFrame) {
-      passFrame();
-      if (player_->TakeFlick(findEarByName(robot_, ear.c_str()))) {
-        times.push_back(time);
-      }
-    }
-    return times;
-  }
-};
-
-TEST_F(EarsInMotions, FlickWhenTheirValuesChange) {
+TEST_F(AMotion, FlicksAnEarWhenItsValueChanges) {
   const std::string motion = motionBytes(
       "at 0 left_ear 0 right_ear 0\nat 400 left_ear 1\nat 800 right_ear 5\nat 1200 left_ear 0\nat 1600 left_ear 0\n");
   ASSERT_EQ(play("A.MTN", motion), "");
@@ -269,68 +233,6 @@ TEST_F(EarsInMotions, FlickWhenTheirValuesChange) {
   EXPECT_THAT(flicksOf("left_ear"), ElementsAre(400 - kFrame, 1200 - kFrame));
   EXPECT_TRUE(player_->TakeFlick(findEarByName(robot_, "right_ear"))) << "nobody has taken it yet";
   EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "right_ear")));
-}
-
-TEST_F(EarsInMotions, DoNotFlickAfterAStop) {
-  ASSERT_EQ(play("A.MTN", motionBytes("frame 8\nat 0 left_ear 0\nat 8 left_ear 1\nat 16 left_ear 0\n")), "");
-  passFrames(2);
-  player_->StopAll();
-  EXPECT_THAT(flicksOf("left_ear"), IsEmpty());
-  EXPECT_FALSE(player_->TakeFlick(findEarByName(robot_, "left_ear")));
-}
-
-// -------------------------------------------------------------------------------------------------- stopped early
-
-class StoppedMotion : public AMotion {
- protected:
-  void SetUp() override {
-    ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0 head_tilt 0\nat 1600 head_pan 60 head_tilt 30\n")), "");
-    ASSERT_EQ(play("B.MTN", motionBytes("at 0 tail_pan 0\nat 1600 tail_pan 40\n")), "");
-    passFrames(100);
-    EXPECT_GT(planner_.Speed(joint("head_pan")), 0);
-  }
-
-  const EndReason kMotorsOff = {protocol::version2::END_STOPPED, "the motors were switched off", ""};
-  const EndReason kCommanded = {protocol::version2::END_REPLACED, "%s was commanded", "head_tilt"};
-  const EndReason kFailed = {protocol::version2::END_REFUSED, "%s does not follow", "head_tilt"};
-
-  // The ends that have not been taken.
-  std::vector<std::string> ends() {
-    std::vector<std::string> all;
-    for (OrderBook::OrderEnd taken; orders_.Take(&taken);) {
-      all.push_back(std::string(taken.name) + " " + std::to_string(taken.how) + " " + taken.reason);
-    }
-    return all;
-  }
-
-  // The joints of A.MTN brake and stop.
-  void expectStopped() {
-    const double at_first = at("head_pan");
-    const double highest = robot_.joints[joint("head_pan")].highest_speed;
-    const double way = degrees(static_cast<int>(std::pow(planner_.Speed(joint("head_pan")), 2) / (2 * 10 * highest)));
-    passFrames(100);
-    EXPECT_LE(at("head_pan") - at_first, way + 0.1);
-    EXPECT_EQ(planner_.Speed(joint("head_pan")), 0);
-    EXPECT_EQ(planner_.Speed(joint("head_tilt")), 0);
-  }
-};
-
-TEST_F(StoppedMotion, ItsJointsBrakeAndItsEndIsToldWithItsCause) {
-  const std::tuple<std::function<void()>, std::string, bool> rows[] = {
-      {[this] { stop("A.MTN"); }, "A.MTN 2 the client stopped it", true},
-      {[this] { player_->StopMotionOf(joint("head_tilt"), kCommanded); }, "A.MTN 1 head_tilt was commanded", true},
-      {[this] { player_->StopMotionOf(joint("head_tilt"), kFailed); }, "A.MTN 3 head_tilt does not follow", true},
-      {[this] { player_->StopAll(kMotorsOff); }, "A.MTN 2 the motors were switched off", false},
-  };
-  for (const auto& [event, end, other_goes_on] : rows) {
-    player_->StopAll();
-    ends();
-    SetUp();
-    event();
-    expectStopped();
-    EXPECT_THAT(ends(), Contains(end));
-    EXPECT_EQ(player_->IsPlaying(), other_goes_on);
-  }
 }
 
 }  // namespace
