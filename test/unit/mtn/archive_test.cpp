@@ -62,15 +62,6 @@ std::string contentOf(const fs::path& path) {
 
 const std::vector<ArchivedFile> kFiles = {{"a_sit#wave", "OMTN..."}, {"bark", "RIFF"}, {"growl", "RIF"}};
 
-TEST(Archive, IsReadWithNamesAndContents) {
-  const std::vector<ArchivedFile> files = motion_tool::readArchive(archiveOf(kFiles));
-  ASSERT_THAT(files, testing::SizeIs(kFiles.size()));
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    EXPECT_EQ(files[i].name, kFiles[i].name);
-    EXPECT_EQ(files[i].content, kFiles[i].content);
-  }
-}
-
 TEST(Archive, IsRefusedWhereverItIsCutOff) {
   const std::string bytes = archiveOf(kFiles);
   for (std::size_t size = 0; size < bytes.size(); ++size) {
@@ -99,16 +90,6 @@ TEST(Archive, IsRefusedIfItsFilesOverlap) {
   std::string bytes = archiveOf({{"a", std::string(200, 'x')}, {"b", std::string(200, 'y')}});
   bytes.replace(64 + 144 + 132, 8, encode32(64 + 2 * 144) + encode32(400));
   EXPECT_THAT(problemOf(bytes), HasSubstr("overlap"));
-}
-
-// As on the memory sticks of Sony's software.
-TEST(Archive, GzippedFilesOfItAreUnpacked) {
-  const std::vector<ArchivedFile> packed = {{"a", gzipped("OMTN...")}, {"b", gzipped("")}, {"c", "OMTN"}};
-  const std::vector<ArchivedFile> files = motion_tool::readArchive(archiveOf(packed));
-  ASSERT_THAT(files, testing::SizeIs(3));
-  EXPECT_EQ(files[0].content, "OMTN...");
-  EXPECT_EQ(files[1].content, "");
-  EXPECT_EQ(files[2].content, "OMTN");
 }
 
 TEST(Archive, IsRefusedIfAGzippedFileOfItCannotBeUnpacked) {

@@ -41,17 +41,4 @@ TEST(MotionCheck, JointsDecideWhichRobotAMotionIsFor) {
   }
 }
 
-TEST(MotionCheck, SaysInOneLineWhatARobotDoesDifferently) {
-  const auto changesOf = [](const std::string& key_frames, const char* on = "ERS-7") {
-    const MotionOf of(key_frames);
-    return motion_tool::describeChanges(of.motion, *robot_model::findRobotModel(on));
-  };
-  EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 80\n"), "");
-  EXPECT_EQ(changesOf("at 0 head_pan 0\nat 1600 head_pan 90\nat 3200 head_pan -90\nat 3232 head_pan -60\n"),
-            "on an ERS-7, head_pan is clipped by up to 2.0 degrees (at 1600 ms); 1 step is too fast (head_pan at 3232 "
-            "ms), so it takes 3.25 s, which is 0.02 s longer");
-  EXPECT_EQ(changesOf("at 0 head_pan 0\n", "ERS-210"),
-            "an ERS-210 does not play it: it moves the joint PRM:/r1/c1/c2-Joint2:12, which this robot does not have");
-}
-
 }  // namespace

@@ -58,27 +58,6 @@ class MotionFile : public ::testing::Test {
   const std::string sample_ = motion_tool::encodeMtn(sampleMotion());
 };
 
-TEST_F(MotionFile, ReadsAWholeFile) {
-  const ReadMotion read(sample_);
-  const mtn::Motion& motion = read.motion;
-  ASSERT_TRUE(read.good) << motion.problem();
-  EXPECT_THAT(motion.name(), StrEq("SAMPLE"));
-  EXPECT_THAT(motion.creator(), StrEq("test"));
-  EXPECT_THAT(motion.design(), StrEq("DRX-1000"));
-  EXPECT_EQ(motion.frameMilliseconds(), 16);
-  ASSERT_EQ(motion.numberOfJoints(), 2);
-  EXPECT_THAT(motion.locator(0), StrEq("PRM:/r1/c1/c2-Joint2:12"));
-  EXPECT_THAT(motion.locator(1), StrEq("PRM:/r1/c1/c2/c3-Joint2:13"));
-  ASSERT_EQ(motion.numberOfKeyFrames(), 3);
-  EXPECT_EQ(motion.milliseconds(0), 0);
-  EXPECT_EQ(motion.milliseconds(1), 160);
-  EXPECT_EQ(motion.milliseconds(2), 320);
-  EXPECT_EQ(motion.position(1, 0), 100000);
-  EXPECT_EQ(motion.position(1, 1), -50000);
-  EXPECT_EQ(motion.position(2, 0), -200000);
-  EXPECT_EQ(motion.position(2, 1), 300000);
-}
-
 // The bytes of a file in Sony's format, written by hand.
 TEST_F(MotionFile, KnowsSonysLayout) {
   const std::string section0 = little(0, 4) + little(24, 4) + little(4, 4) + little(1, 2) + little(2, 2) +

@@ -8,10 +8,8 @@ namespace protocol {
 namespace version2 {
 namespace {
 
-using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsNull;
-using ::testing::NotNull;
 
 const char* decodeValue(int id, const Bytes& bytes) {
   CameraValue value{static_cast<unsigned char>(id), 0};
@@ -33,12 +31,6 @@ TEST(CameraValue, IsOneByteOfTheValuesThatSonyGives) {
   }
 }
 
-TEST(CameraSettings, BeginAsSonySays) {
-  EXPECT_THAT(defaultCameraSettings().values, ElementsAre(3, 2, 2, 0, 0));
-  EXPECT_TRUE(defaultCameraSettings().areKnown());
-  EXPECT_FALSE(CameraSettings().areKnown());
-}
-
 TEST(CameraSettings, FitIntoSixteenBits) {
   EXPECT_EQ(packCameraSettings(CameraSettings()), 0);
   EXPECT_EQ(packCameraSettings(CameraSettings{{1, 0, 0, 0, 0}}), 0x01);
@@ -53,14 +45,6 @@ TEST(CameraSettings, FitIntoSixteenBits) {
       }
     }
   }
-}
-
-TEST(CameraSettings, WithoutAValueOrWithReservedBitsAreRefused) {
-  CameraSettings settings{};
-  EXPECT_THAT(unpackCameraSettings(0x03, &settings), HasSubstr("no value"));
-  EXPECT_THAT(unpackCameraSettings(0x100, &settings), NotNull());
-  EXPECT_THAT(unpackCameraSettings(0x115, &settings), HasSubstr("reserved"));
-  EXPECT_FALSE(settings.areKnown());
 }
 
 }  // namespace

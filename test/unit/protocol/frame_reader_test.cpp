@@ -89,20 +89,6 @@ TEST_F(FrameReaderTest, FindsTheSameFramesHoweverTheBytesAreSplitOrJoined) {
   }
 }
 
-TEST(FrameLimits, AcceptEachSidesLargestFrameAndNotOneByteMore) {
-  for (const size_t limit : {MAX_PAYLOAD_TOWARDS_CLIENT, MAX_PAYLOAD_TOWARDS_ROBOT}) {
-    Bytes buffer(limit);
-    FrameReader reader(buffer.data(), buffer.size());
-    size_t taken = 0;
-    const Bytes largest = encode(frameOf('f', 0, 0, Bytes(limit)));
-    EXPECT_EQ(reader.append(largest.data(), largest.size(), &taken), FrameReader::FRAME_COMPLETE);
-    const Bytes larger = encode(frameOf('f', 0, 0, Bytes(limit + 1)));
-    EXPECT_EQ(reader.append(larger.data(), larger.size(), &taken), FrameReader::FRAME_TOO_LARGE);
-  }
-  EXPECT_EQ(MAX_PAYLOAD_TOWARDS_CLIENT, 262144U);
-  EXPECT_EQ(MAX_PAYLOAD_TOWARDS_ROBOT, 65536U);
-}
-
 }  // namespace
 }  // namespace version2
 }  // namespace protocol

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -71,12 +70,21 @@ TEST(RequestReader, EndsEachRequestWhereTheDocumentSays) {
   for (const auto& row : rows) {
     RequestReader reader;
     std::vector<std::string> found;
+    std::string bytes;
     for (const std::string& piece : row.pieces) {
+      bytes += piece;
       for (const std::string& request : receive(reader, piece)) {
         found.push_back(request);
       }
     }
     EXPECT_EQ(found, row.requests) << row.pieces[0];
+    found.clear();
+    for (const char byte : bytes) {
+      for (const std::string& request : receive(reader, {byte})) {
+        found.push_back(request);
+      }
+    }
+    EXPECT_EQ(found, row.requests) << row.pieces[0] << ", byte by byte";
   }
 }
 
@@ -140,37 +148,6 @@ TEST(RequestReader, TakesNoMoreThanItHasRoomFor) {
   EXPECT_GE(taken, RequestReader::MAX_APPENDED);
   EXPECT_LT(taken, flood.size());
   EXPECT_EQ(takeAll(reader).size(), taken / 2);
-}
-
-TEST(RequestReader, FindsTheSameRequestsHoweverTheBytesAreSplit) {
-  std::string bytes;
-  for (int i = 0; i < 200; ++i) {
-    bytes += "F1W2L3abK4cdX5?6" + fileRequest('P', 3) + fileRequest('U', 40) + std::string(40, 'J');
-  }
-  std::vector<std::string> expected;
-  {
-    RequestReader reader;
-    for (const char byte : bytes) {
-      for (const std::string& request : receive(reader, std::string{byte})) {
-        expected.push_back(request);
-      }
-    }
-  }
-  ASSERT_EQ(expected.size(), 200U * 8U);
-  std::mt19937 random(2006);
-  for (int round = 0; round < 50; ++round) {
-    RequestReader reader;
-    std::vector<std::string> found;
-    std::uniform_int_distribution<size_t> piece(1, round % 2 == 0 ? 9 : RequestReader::MAX_APPENDED);
-    for (size_t begin = 0; begin < bytes.size();) {
-      const size_t size = std::min(piece(random), bytes.size() - begin);
-      for (const std::string& request : receive(reader, bytes.substr(begin, size))) {
-        found.push_back(request);
-      }
-      begin += size;
-    }
-    ASSERT_EQ(found, expected) << "round " << round;
-  }
 }
 
 }  // namespace

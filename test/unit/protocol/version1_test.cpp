@@ -10,15 +10,6 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(Version1, CommandIsTheLetterThenTheIdentifier) {
-  std::array<unsigned char, BASIC_COMMAND_SIZE> bytes{};
-  encodeCommand({REQUEST_PICTURE, 85}, bytes.data());
-  EXPECT_THAT(bytes, ElementsAre('F', 85));
-  const BasicGetCommand command = decodeCommand(bytes.data());
-  EXPECT_EQ(command.command, 'F');
-  EXPECT_EQ(command.identifier, 85);
-}
-
 TEST(Version1, SizeOfPictureIsBigEndian) {
   std::array<unsigned char, PICTURE_HEADER_SIZE> bytes{};
   encodePictureHeader(0x00012345, bytes.data());
@@ -69,24 +60,6 @@ TEST(FileRequest, EndsItsNameAtTheFirstZeroByteOrAfterTwelve) {
   EXPECT_STREQ(decodeFileRequest(bytes).name, "WAL");
   bytes[0] = 0;
   EXPECT_STREQ(decodeFileRequest(bytes).name, "");
-}
-
-TEST(FileRequest, AnnouncesBlocksOf512BytesAndTheRest) {
-  for (const size_t size : std::vector<size_t>{0, 1, 511, 512, 513, 100000, 65535 * 512, MAX_CONTENT_SIZE}) {
-    FileRequest file{};
-    announceContent(size, &file);
-    EXPECT_EQ(contentSize(file), size);
-  }
-  EXPECT_EQ(contentSize(FileRequest{"", 2, 3}), 1027U);
-  EXPECT_EQ(contentSize(FileRequest{"", 65535, 65535}), MAX_CONTENT_SIZE);
-}
-
-TEST(Version1, QualityAboveHundredMeansHundred) {
-  EXPECT_EQ(limitJpegQuality(0), 0);
-  EXPECT_EQ(limitJpegQuality(85), 85);
-  EXPECT_EQ(limitJpegQuality(100), 100);
-  EXPECT_EQ(limitJpegQuality(101), 100);
-  EXPECT_EQ(limitJpegQuality(255), 100);
 }
 
 }  // namespace

@@ -14,16 +14,6 @@ using ::testing::HasSubstr;
 using ::testing::IsNull;
 using ::testing::NotNull;
 
-TEST(Version2, IsAskedForInVersion1) {
-  unsigned char request[BASIC_COMMAND_SIZE];
-  encodeCommand(versionRequest(), request);
-  EXPECT_THAT(request, ::testing::ElementsAre('X', 2));
-
-  unsigned char reply[VALUE_REPLY_SIZE];
-  encodeValueReply(versionReply(), reply);
-  EXPECT_THAT(reply, ::testing::ElementsAre('x', 2, 0, 0));
-}
-
 TEST(Version2, IsAgreedToByItsReplyAlone) {
   EXPECT_TRUE(agreesToVersion2(versionReply()));
   EXPECT_FALSE(agreesToVersion2({'e', 0, ERROR_REFUSED}));

@@ -11,45 +11,6 @@ namespace robot_model {
 namespace {
 
 const double DEGREE = M_PI / 180;
-const double REACHED = 0.001;
-
-// Where the camera is with neck and head at zero.
-const Point CAMERA = {NECK_FORWARD + CAMERA_FORWARD, 0, NECK_UP + NECK_LENGTH + CAMERA_UP};
-
-TEST(Head, LooksAheadWithoutMoving) {
-  HeadAngles angles;
-  EXPECT_LT(findHeadAngles({3, 0, CAMERA.z}, &angles), REACHED);
-  EXPECT_NEAR(angles.neck_tilt, 0, 1e-6);
-  EXPECT_NEAR(angles.head_pan, 0, 1e-6);
-  EXPECT_NEAR(angles.head_tilt, 0, REACHED);
-}
-
-TEST(Head, LooksToTheSidesAndUpWithAnUprightNeck) {
-  HeadAngles angles;
-  EXPECT_LT(findHeadAngles({NECK_FORWARD, 2, CAMERA.z}, &angles), 3 * DEGREE) << "2 degrees beyond its limit";
-  EXPECT_NEAR(angles.head_pan, 88 * DEGREE, 1e-5);
-  EXPECT_LT(findHeadAngles({NECK_FORWARD + 1, -1, 1}, &angles), REACHED);
-  EXPECT_NEAR(angles.head_pan, -45 * DEGREE, 1e-6);
-  EXPECT_EQ(angles.neck_tilt, 0);
-  EXPECT_GT(angles.head_tilt, 30 * DEGREE);
-}
-
-TEST(Head, LeansTheNeckForwardToSeeTheFloorInFrontOfThePaws) {
-  HeadAngles angles;
-  EXPECT_LT(findHeadAngles({0.30, 0.05, -0.143}, &angles), REACHED);
-  EXPECT_LT(angles.neck_tilt, -30 * DEGREE);
-}
-
-TEST(Head, APlaceAheadOfTheCameraInTheHeadIsSeenInTheMiddle) {
-  for (const double angle : {-0.5, 0.0, 0.3}) {
-    HeadAngles angles;
-    angles.neck_tilt = 2 * angle - 0.3;
-    angles.head_pan = -angle;
-    angles.head_tilt = angle / 2 + 0.1;
-    const Point ahead = findInBody({CAMERA_FORWARD + 0.5, 0, CAMERA_UP}, angles);
-    EXPECT_LT(findViewError(ahead, angles), 1e-9);
-  }
-}
 
 TEST(Head, ComesAsCloseAsItCanToWhatItCannotSee) {
   HeadAngles angles;

@@ -9,7 +9,6 @@
 namespace robot_model {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr Leg kLegs[] = {LEFT_FRONT_LEG, LEFT_HIND_LEG, RIGHT_FRONT_LEG, RIGHT_HIND_LEG};
 
 double distance(const Point& a, const Point& b) {
@@ -36,16 +35,6 @@ void forWholeRange(Leg leg, Function function) {
       }
     }
   }
-}
-
-TEST(LegsTest, FindsFeetAtTheEndsOfTheLinks) {
-  // By hand from Tekkotsu's table: 65 + 9 - 5.03, 62.5 + 4.7, -69.5 - 65.24; the hind shank is 13.529 ahead.
-  EXPECT_LT(distance(findFoot(LEFT_FRONT_LEG, {0, 0, 0}), {0.06897, 0.0672, -0.13474}), 1e-9);
-  EXPECT_LT(distance(findFoot(RIGHT_HIND_LEG, {0, 0, 0}), {-0.060471, -0.0672, -0.13578}), 1e-9);
-  EXPECT_NEAR(findFoot(RIGHT_HIND_LEG, {90 * kDegree, 0, 0}).x, -0.065 + 0.13578, 1e-9) << "forward";
-  EXPECT_NEAR(findFoot(RIGHT_FRONT_LEG, {0, 90 * kDegree, 0}).y, -(0.0625 + 0.13474), 1e-9) << "outwards";
-  EXPECT_NEAR(findFoot(LEFT_FRONT_LEG, {0, 0, 90 * kDegree}).x, 0.065 + 0.009 + 0.06524, 1e-9) << "front knees forward";
-  EXPECT_NEAR(findFoot(LEFT_HIND_LEG, {0, 0, 90 * kDegree}).x, -0.065 - 0.009 - 0.06628, 1e-9) << "hind knees back";
 }
 
 TEST(LegsTest, ReachEveryFootOfTheJointsWholeRange) {

@@ -1,3 +1,4 @@
+// The identifiers of docs/protocol.md, "Joints", "Sensors" and "LEDs and ears".
 #include <gmock/gmock.h>
 
 #include "robot_model/robot_model.h"
@@ -5,180 +6,94 @@
 namespace robot_model {
 namespace {
 
-const char* const kDesigns[] = {"ERS-7", "ERS-210"};
-
-const RobotModel& model(const std::string& design) {
-  return *findRobotModel(design.c_str());
-}
-
-struct ExpectedSensor {
-  const char* name;
-  int identifier;
-  const char* locator;
-  SensorKind kind;
-  int lowest;
-  int highest;
+struct Find {
+  int (*by_identifier)(const RobotModel& model, int identifier);
+  int (*by_name)(const RobotModel& model, const char* name);
+  int (*by_locator)(const RobotModel& model, const char* locator);
 };
 
-void expectSensors(const std::string& design, const std::vector<ExpectedSensor>& sensors) {
-  ASSERT_EQ(model(design).number_of_sensors, static_cast<int>(sensors.size()));
-  for (const ExpectedSensor& expected : sensors) {
-    SCOPED_TRACE(design + " " + expected.name);
-    const int found = findSensorByName(model(design), expected.name);
-    ASSERT_NE(found, NO_SENSOR);
-    const Sensor& sensor = model(design).sensors[found];
-    EXPECT_EQ(sensor.identifier, expected.identifier);
-    EXPECT_STREQ(sensor.locator, expected.locator);
-    EXPECT_EQ(sensor.kind, expected.kind);
-    EXPECT_EQ(sensor.lowest, expected.lowest);
-    EXPECT_EQ(sensor.highest, expected.highest);
-    EXPECT_EQ(findSensorByIdentifier(model(design), expected.identifier), found);
-    if (expected.locator != nullptr) {
-      EXPECT_EQ(findSensorByLocator(model(design), expected.locator), found);
-    }
+/// All parts in the order of the table, such as "1 left_ear, 2 right_ear". Each is found by everything that it has.
+template <typename Part>
+std::string partsOf(const RobotModel& model, const Part* parts, int count, const Find& find) {
+  std::string all;
+  for (int i = 0; i < count; ++i) {
+    const Part& part = parts[i];
+    EXPECT_EQ(find.by_identifier(model, part.identifier), i) << part.name;
+    EXPECT_EQ(find.by_name(model, part.name), i) << part.name;
+    EXPECT_TRUE(part.locator == nullptr || find.by_locator(model, part.locator) == i) << part.name;
+    all += (i == 0 ? "" : ", ") + std::to_string(part.identifier) + " " + part.name;
   }
+  EXPECT_EQ(find.by_identifier(model, 99), -1);
+  EXPECT_EQ(find.by_name(model, "wing"), -1);
+  EXPECT_EQ(find.by_locator(model, "PRM:/r9"), -1);
+  return all;
 }
 
-TEST(Sensors, OfTheErs7) {
-  expectSensors("ERS-7",
-                {{"head_touch", 5, "PRM:/r1/c1/c2/c3/t1-Sensor:t1", SENSOR_TOUCH, 0, 80},
-                 {"back_rear", 6, "PRM:/t2-Sensor:t2", SENSOR_TOUCH, 0, 80},
-                 {"back_middle", 7, "PRM:/t3-Sensor:t3", SENSOR_TOUCH, 0, 80},
-                 {"back_front", 8, "PRM:/t4-Sensor:t4", SENSOR_TOUCH, 0, 80},
-                 {"chin", 9, "PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5", SENSOR_SWITCH, 0, 1},
-                 {"paw_left_front", 14, "PRM:/r2/c1/c2/c3/c4-Sensor:24", SENSOR_SWITCH, 0, 1},
-                 {"paw_left_hind", 24, "PRM:/r3/c1/c2/c3/c4-Sensor:34", SENSOR_SWITCH, 0, 1},
-                 {"paw_right_front", 34, "PRM:/r4/c1/c2/c3/c4-Sensor:44", SENSOR_SWITCH, 0, 1},
-                 {"paw_right_hind", 44, "PRM:/r5/c1/c2/c3/c4-Sensor:54", SENSOR_SWITCH, 0, 1},
-                 {"range_near", 53, "PRM:/r1/c1/c2/c3/p1-Sensor:p1", SENSOR_DISTANCE, 50000, 500000},
-                 {"range_far", 54, "PRM:/r1/c1/c2/c3/p2-Sensor:p2", SENSOR_DISTANCE, 200000, 1500000},
-                 {"range_chest", 55, "PRM:/p1-Sensor:p1", SENSOR_DISTANCE, 100000, 900000},
-                 {"acceleration_front_back", 61, "PRM:/a1-Sensor:a1", SENSOR_ACCELERATION, -19613300, 19613300},
-                 {"acceleration_right_left", 62, "PRM:/a2-Sensor:a2", SENSOR_ACCELERATION, -19613300, 19613300},
-                 {"acceleration_up_down", 63, "PRM:/a3-Sensor:a3", SENSOR_ACCELERATION, -19613300, 19613300},
-                 {"battery", 66, nullptr, SENSOR_CHARGE, 0, 1000000},
-                 {"temperature", 67, nullptr, SENSOR_TEMPERATURE, 0, 0},
-                 {"wlan_switch", 94, "PRM:/b1-Sensor:b1", SENSOR_SWITCH, 0, 1}});
-}
+const std::string kLegParts =
+    "11 left_front_rotator, 12 left_front_elevator, 13 left_front_knee, "
+    "21 left_hind_rotator, 22 left_hind_elevator, 23 left_hind_knee, "
+    "31 right_front_rotator, 32 right_front_elevator, 33 right_front_knee, "
+    "41 right_hind_rotator, 42 right_hind_elevator, 43 right_hind_knee, ";
+const std::string kTailParts = "51 tail_pan, 52 tail_tilt";
+const std::string kPawParts = "14 paw_left_front, 24 paw_left_hind, 34 paw_right_front, 44 paw_right_hind, ";
+const std::string kAccelerations = "61 acceleration_front_back, 62 acceleration_right_left, 63 acceleration_up_down";
 
-TEST(Sensors, OfTheErs210) {
-  expectSensors("ERS-210",
-                {{"head_rear", 5, "PRM:/r1/c1/c2/c3/f1-Sensor:f1", SENSOR_FORCE, 0, 980665},
-                 {"head_front", 6, "PRM:/r1/c1/c2/c3/f2-Sensor:f2", SENSOR_FORCE, 0, 980665},
-                 {"chin", 7, "PRM:/r1/c1/c2/c3/c4/s5-Sensor:s5", SENSOR_SWITCH, 0, 1},
-                 {"range_head", 8, "PRM:/r1/c1/c2/c3/p1-Sensor:p1", SENSOR_DISTANCE, 100000, 900000},
-                 {"paw_left_front", 14, "PRM:/r2/c1/c2/c3/c4-Sensor:s4", SENSOR_SWITCH, 0, 1},
-                 {"paw_left_hind", 24, "PRM:/r3/c1/c2/c3/c4-Sensor:s4", SENSOR_SWITCH, 0, 1},
-                 {"paw_right_front", 34, "PRM:/r4/c1/c2/c3/c4-Sensor:s4", SENSOR_SWITCH, 0, 1},
-                 {"paw_right_hind", 44, "PRM:/r5/c1/c2/c3/c4-Sensor:s4", SENSOR_SWITCH, 0, 1},
-                 {"temperature", 53, "PRM:/r6/t1-Sensor:t1", SENSOR_TEMPERATURE, 0, 0},
-                 {"back", 54, "PRM:/r6/s1-Sensor:s1", SENSOR_SWITCH, 0, 1},
-                 {"acceleration_front_back", 61, "PRM:/a1-Sensor:a1", SENSOR_ACCELERATION, -19613300, 19613300},
-                 {"acceleration_right_left", 62, "PRM:/a2-Sensor:a2", SENSOR_ACCELERATION, -19613300, 19613300},
-                 {"acceleration_up_down", 63, "PRM:/a3-Sensor:a3", SENSOR_ACCELERATION, -19613300, 19613300}});
+TEST(Parts, HaveTheirIdentifiers) {
+  const struct {
+    const char* design;
+    std::string joints;
+    std::string sensors;
+    std::string leds;
+  } rows[] = {
+      {"ERS-7", "1 neck_tilt, 2 head_pan, 3 head_tilt, 4 mouth, " + kLegParts + kTailParts,
+       "5 head_touch, 6 back_rear, 7 back_middle, 8 back_front, 9 chin, " + kPawParts +
+           "53 range_near, 54 range_far, 55 range_chest, " + kAccelerations +
+           ", 66 battery, 67 temperature, 94 wlan_switch",
+       "1 head_color, 2 head_white, 3 mode_red, 4 mode_green, 5 mode_blue, 6 wireless, "
+       "7 face_1, 8 face_2, 9 face_3, 10 face_4, 11 face_5, 12 face_6, 13 face_7, "
+       "14 face_8, 15 face_9, 16 face_10, 17 face_11, 18 face_12, 19 face_13, 20 face_14, "
+       "21 back_front_color, 22 back_front_white, 23 back_middle_color, 24 back_middle_white, "
+       "25 back_rear_color, 26 back_rear_white"},
+      {"ERS-210", "1 head_tilt, 2 head_pan, 3 head_roll, 4 mouth, " + kLegParts + kTailParts,
+       "5 head_rear, 6 head_front, 7 chin, 8 range_head, " + kPawParts + "53 temperature, 54 back, " + kAccelerations,
+       "1 eye_left_bottom, 2 eye_left_middle, 3 eye_left_top, "
+       "4 eye_right_bottom, 5 eye_right_middle, 6 eye_right_top, 7 mode, 8 tail_blue, 9 tail_orange"},
+  };
+  for (const auto& row : rows) {
+    const RobotModel& model = *findRobotModel(row.design);
+    EXPECT_STREQ(model.design, row.design);
+    EXPECT_EQ(partsOf(model, model.joints, model.number_of_joints,
+                      {findJointByIdentifier, findJointByName, findJointByLocator}),
+              row.joints);
+    EXPECT_EQ(partsOf(model, model.sensors, model.number_of_sensors,
+                      {findSensorByIdentifier, findSensorByName, findSensorByLocator}),
+              row.sensors);
+    EXPECT_EQ(partsOf(model, model.leds, model.number_of_leds, {findLedByIdentifier, findLedByName, findLedByLocator}),
+              row.leds);
+    EXPECT_EQ(partsOf(model, model.ears, model.number_of_ears, {findEarByIdentifier, findEarByName, findEarByLocator}),
+              "1 left_ear, 2 right_ear");
+  }
+  EXPECT_EQ(findRobotModel("ERS-220"), nullptr);
 }
 
 // Touch sensors have Sony's levels; a switch is only on or off.
 TEST(Sensors, ArePressedWithHysteresis) {
-  struct Levels {
+  const struct {
     const char* name;
     double on;
     double off;
-  };
-  for (const Levels& levels : std::vector<Levels>{{"head_touch", 9, 9},
-                                                  {"back_rear", 14, 10},
-                                                  {"back_middle", 14, 10},
-                                                  {"back_front", 12, 12},
-                                                  {"chin", 1, 1}}) {
-    SCOPED_TRACE(levels.name);
-    const Sensor& sensor = model("ERS-7").sensors[findSensorByName(model("ERS-7"), levels.name)];
+  } rows[] = {
+      {"head_touch", 9, 9}, {"back_rear", 14, 10}, {"back_middle", 14, 10}, {"back_front", 12, 12}, {"chin", 1, 1}};
+  const RobotModel& model = *findRobotModel("ERS-7");
+  for (const auto& row : rows) {
+    SCOPED_TRACE(row.name);
+    const Sensor& sensor = model.sensors[findSensorByName(model, row.name)];
     EXPECT_FALSE(isPressed(sensor, 0, false));
-    EXPECT_FALSE(isPressed(sensor, levels.on - 0.5, false));
-    EXPECT_TRUE(isPressed(sensor, levels.on, false));
-    EXPECT_TRUE(isPressed(sensor, levels.off, true));
-    EXPECT_FALSE(isPressed(sensor, levels.off - 0.5, true));
+    EXPECT_FALSE(isPressed(sensor, row.on - 0.5, false));
+    EXPECT_TRUE(isPressed(sensor, row.on, false));
+    EXPECT_TRUE(isPressed(sensor, row.off, true));
+    EXPECT_FALSE(isPressed(sensor, row.off - 0.5, true));
   }
-}
-
-struct ExpectedLed {
-  const char* name;
-  int identifier;
-  const char* locator;
-  LedKind kind;
-  LedPlace place;
-};
-
-void expectLeds(const std::string& design, const std::vector<ExpectedLed>& leds) {
-  for (const ExpectedLed& expected : leds) {
-    SCOPED_TRACE(design + " " + expected.name);
-    const int found = findLedByIdentifier(model(design), expected.identifier);
-    ASSERT_NE(found, NO_LED);
-    const Led& led = model(design).leds[found];
-    EXPECT_STREQ(led.name, expected.name);
-    EXPECT_STREQ(led.locator, expected.locator);
-    EXPECT_EQ(led.kind, expected.kind);
-    EXPECT_EQ(led.place, expected.place);
-    EXPECT_EQ(findLedByName(model(design), expected.name), found);
-    EXPECT_EQ(findLedByLocator(model(design), expected.locator), found);
-  }
-}
-
-TEST(Leds, OfTheErs7) {
-  ASSERT_EQ(model("ERS-7").number_of_leds, 26);
-  expectLeds("ERS-7", {{"head_color", 1, "PRM:/r1/c1/c2/c3/l1-LED2:l1", LED2, LED_ON_HEAD},
-                       {"head_white", 2, "PRM:/r1/c1/c2/c3/l2-LED2:l2", LED2, LED_ON_HEAD},
-                       {"mode_red", 3, "PRM:/r1/c1/c2/c3/l3-LED2:l3", LED2, LED_ON_HEAD},
-                       {"mode_green", 4, "PRM:/r1/c1/c2/c3/l4-LED2:l4", LED2, LED_ON_HEAD},
-                       {"mode_blue", 5, "PRM:/r1/c1/c2/c3/l5-LED2:l5", LED2, LED_ON_HEAD},
-                       {"wireless", 6, "PRM:/r1/c1/c2/c3/l6-LED2:l6", LED2, LED_ON_HEAD},
-                       {"back_front_color", 21, "PRM:/lu-LED3:lu", LED3, LED_ON_BACK},
-                       {"back_front_white", 22, "PRM:/lv-LED3:lv", LED3, LED_ON_BACK},
-                       {"back_middle_color", 23, "PRM:/lw-LED3:lw", LED3, LED_ON_BACK},
-                       {"back_middle_white", 24, "PRM:/lx-LED3:lx", LED3, LED_ON_BACK},
-                       {"back_rear_color", 25, "PRM:/ly-LED3:ly", LED3, LED_ON_BACK},
-                       {"back_rear_white", 26, "PRM:/lz-LED3:lz", LED3, LED_ON_BACK}});
-  for (int i = 0; i < 14; ++i) {
-    const std::string name = "face_" + std::to_string(i + 1);
-    const std::string letters = std::string("l") + static_cast<char>('a' + i);
-    const std::string locator = "PRM:/r1/c1/c2/c3/" + letters + "-LED3:" + letters;
-    expectLeds("ERS-7", {{name.c_str(), 7 + i, locator.c_str(), LED3, LED_ON_FACE}});
-  }
-}
-
-TEST(Leds, OfTheErs210) {
-  ASSERT_EQ(model("ERS-210").number_of_leds, 9);
-  expectLeds("ERS-210", {{"eye_left_bottom", 1, "PRM:/r1/c1/c2/c3/l1-LED2:l1", LED2, LED_ON_FACE},
-                         {"eye_left_middle", 2, "PRM:/r1/c1/c2/c3/l2-LED2:l2", LED2, LED_ON_FACE},
-                         {"eye_left_top", 3, "PRM:/r1/c1/c2/c3/l3-LED2:l3", LED2, LED_ON_FACE},
-                         {"eye_right_bottom", 4, "PRM:/r1/c1/c2/c3/l4-LED2:l4", LED2, LED_ON_FACE},
-                         {"eye_right_middle", 5, "PRM:/r1/c1/c2/c3/l5-LED2:l5", LED2, LED_ON_FACE},
-                         {"eye_right_top", 6, "PRM:/r1/c1/c2/c3/l6-LED2:l6", LED2, LED_ON_FACE},
-                         {"mode", 7, "PRM:/r1/c1/c2/c3/l7-LED2:l7", LED2, LED_ON_HEAD},
-                         {"tail_blue", 8, "PRM:/r6/l1-LED2:l1", LED2, LED_ON_TAIL},
-                         {"tail_orange", 9, "PRM:/r6/l2-LED2:l2", LED2, LED_ON_TAIL}});
-}
-
-void expectEar(const std::string& design, int identifier, const char* name, const char* locator, EarKind kind) {
-  const int found = findEarByIdentifier(model(design), identifier);
-  ASSERT_NE(found, NO_EAR);
-  EXPECT_STREQ(model(design).ears[found].name, name);
-  EXPECT_STREQ(model(design).ears[found].locator, locator);
-  EXPECT_EQ(model(design).ears[found].kind, kind);
-  EXPECT_EQ(findEarByName(model(design), name), found);
-  EXPECT_EQ(findEarByLocator(model(design), locator), found);
-}
-
-TEST(Ears, AreTwo) {
-  expectEar("ERS-7", 1, "left_ear", "PRM:/r1/c1/c2/c3/e5-Joint4:15", EAR_JOINT4);
-  expectEar("ERS-7", 2, "right_ear", "PRM:/r1/c1/c2/c3/e6-Joint4:16", EAR_JOINT4);
-  expectEar("ERS-210", 1, "left_ear", "PRM:/r1/c1/c2/c3/e1-Joint3:j5", EAR_JOINT3);
-  expectEar("ERS-210", 2, "right_ear", "PRM:/r1/c1/c2/c3/e2-Joint3:j6", EAR_JOINT3);
-  for (const char* design : kDesigns) {
-    EXPECT_EQ(model(design).number_of_ears, 2);
-  }
-  EXPECT_EQ(findEarByIdentifier(model("ERS-7"), 3), NO_EAR);
-  EXPECT_EQ(findEarByName(model("ERS-7"), "ear"), NO_EAR);
-  EXPECT_EQ(findEarByLocator(model("ERS-7"), "PRM:/r1/c1/c2/c3/e1-Joint3:j5"), NO_EAR);
 }
 
 }  // namespace
