@@ -56,13 +56,6 @@ class JoyTest(unittest.TestCase):
         self.assertEqual(self.published(press + [lambda: None] * 2), [
             ([0, 0], [0, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [1, 0]), ([0, 0], [0, 0])])
 
-    def test_takes_a_joystick_that_cannot_be_read_for_gone(self):
-        gone = mock.Mock(fileno=self.joystick.fileno, read=mock.Mock(side_effect=OSError))
-        publish = mock.Mock()
-        aibo_joy.read(gone, publish)
-        publish.assert_called_once()
-        os.close(self.writing)
-
 
 if __name__ == '__main__':
     unittest.main()
