@@ -35,19 +35,6 @@ class ConsoleTest : public testing::Test {
   std::uint16_t port_ = 0;
 };
 
-TEST_F(ConsoleTest, PrintsToItsStreamAndToEveryListener) {
-  TestClient first(port_);
-  TestClient second(port_);
-  awaitAccepted(first);
-  awaitAccepted(second);
-  test_.as(object_, [] { OSYSPRINT(("%d and %s\n", 42, "text")); });
-  const auto has_it = [](TestClient& listener) {
-    return listener.received().find("42 and text\n") != std::string::npos;
-  };
-  EXPECT_TRUE(test_.runUntil([&] { return has_it(first) && has_it(second); }));
-  EXPECT_THAT(test_.output.str(), testing::HasSubstr("42 and text\n"));
-}
-
 TEST_F(ConsoleTest, ALogLineNamesItsPriorityAndItsObject) {
   test_.as(object_, [] {
     OSYSLOG1((osyslogERROR, "no %s", "image"));
@@ -79,12 +66,7 @@ TEST_F(ConsoleTest, AListenerThatDoesNotReadDelaysNothingAndIsToldAboutLostMessa
   const std::chrono::seconds limit(300);  // the megabytes take long on a busy computer
   EXPECT_TRUE(test_.runUntil([&] { return quick.received().size() >= kPrinted * line.size(); }, limit));
   const std::string end = " messages lost: this console was not read]\n";
-  ASSERT_TRUE(test_.runUntil(
-      [&] {
-        const std::string& heard = slow.received();
-        return heard.size() >= end.size() && heard.compare(heard.size() - end.size(), end.size(), end) == 0;
-      },
-      limit));
+  ASSERT_TRUE(test_.runUntil([&] { return slow.received().find(end) != std::string::npos; }, limit));
   const auto arrived = std::count(slow.received().begin(), slow.received().end(), '\n') - 1;
   EXPECT_THAT(slow.received(),
               testing::EndsWith("[" + std::to_string(kPrinted - static_cast<std::size_t>(arrived)) + end));
@@ -106,7 +88,6 @@ TEST_F(ConsoleTest, EachTypedLineIsAnsweredToItsListener) {
   EXPECT_THAT(lines, testing::ElementsAre("press chin", "help"));
   EXPECT_EQ(typing.received(), "answer to press chin\nanswer to help\n");
   EXPECT_EQ(other.received(), "");
-  EXPECT_EQ(test_.output.str(), "");
 }
 
 // The lines after the first would be obeyed.

@@ -34,7 +34,6 @@ class FakeRobot : public VirtualRobot {
   std::vector<std::string> calls;                                   ///< "passFrame 3", "switchOff" ...
   std::map<longword, std::map<OPrimitiveID, slongword>> commanded;  ///< by frame and joint
 
-  OPowerStatus power_status;
   std::map<longword, std::vector<sword>> played;  ///< by frame
 
   RCRegion* image() const { return image_; }
@@ -52,15 +51,9 @@ class FakeRobot : public VirtualRobot {
   OStatus getSensorValue(OPrimitiveID, OSensorValue*) override { return oSUCCESS; }
   OStatus setMotorPower(OPower) override { return oSUCCESS; }
   OStatus getMemoryStickStatus(OMemoryStickStatus*) override { return oSUCCESS; }
-  OStatus getPowerStatus(OPowerStatus* status) override {
-    *status = power_status;
-    return oSUCCESS;
-  }
-  OStatus setCdtVectorData(const OCdtVectorData& tables) override {
-    record("setCdtVectorData", {tables.vectorInfo.numData, tables.info[0].channel});
-    return oSUCCESS;
-  }
-  void switchOff() override { record("switchOff", {}); }
+  OStatus getPowerStatus(OPowerStatus*) override { return oSUCCESS; }
+  OStatus setCdtVectorData(const OCdtVectorData&) override { return oSUCCESS; }
+  void switchOff() override { calls.emplace_back("switchOff"); }
 
   bool takesCommand(OPrimitiveID id, ODataType type) const override {
     return id >= 1 && id <= 20 && type == odataJOINT_COMMAND2;
@@ -85,7 +78,7 @@ class FakeRobot : public VirtualRobot {
   }
 
   void passFrame(longword frame, const EffectorCommands& commands) override {
-    record("passFrame", {frame});
+    record("passFrame", frame);
     for (const auto& command : commands) {
       OJointCommandValue2 value;
       std::memcpy(&value, &command.value, sizeof(value));
@@ -94,7 +87,7 @@ class FakeRobot : public VirtualRobot {
   }
 
   RCRegion* captureSensors(longword frame) override {
-    record("captureSensors", {frame});
+    record("captureSensors", frame);
     if (sensors_ == nullptr) {
       sensors_ = new RCRegion(sizeof(OSensorFrameVectorData) + sizeof(OSensorFrameData));
     }
@@ -111,7 +104,7 @@ class FakeRobot : public VirtualRobot {
   }
 
   bool cameraImageDue(longword frame) override {
-    record("cameraImageDue", {frame});
+    record("cameraImageDue", frame);
     return frames_with_image.count(frame) != 0;
   }
 
@@ -137,12 +130,7 @@ class FakeRobot : public VirtualRobot {
   }
 
  private:
-  void record(std::string call, const std::vector<longword>& arguments) {
-    for (const longword argument : arguments) {
-      call += " " + std::to_string(argument);
-    }
-    calls.push_back(call);
-  }
+  void record(const std::string& call, longword frame) { calls.push_back(call + " " + std::to_string(frame)); }
 
   RCRegion* image_ = nullptr;
   RCRegion* sensors_ = nullptr;

@@ -6,6 +6,7 @@
 #include <OPENR/OSyslog.h>
 #include <gmock/gmock.h>
 
+#include "support/refusal.h"
 #include "support/temporary_folder.h"
 #include "support/test_client.h"
 #include "test_system.h"
@@ -125,13 +126,7 @@ class MachineTest : public testing::Test {
     return *machine_;
   }
   std::string bootError() {
-    try {
-      boot();
-    } catch (const BootError& error) {
-      machine_.reset();
-      return error.what();
-    }
-    return "no error";
+    return test_support::refusalOf<BootError>([this] { boot(); });
   }
   bool echoes(Machine& machine, const std::string& text) {
     test_support::TestClient client(machine.hostPort(kEchoPort));
@@ -152,14 +147,6 @@ class MachineTest : public testing::Test {
   MachineOptions options_;
   std::optional<Machine> machine_;
 };
-
-TEST_F(MachineTest, BootsAnObjectOfTheStickWhichServesItsClientsOneAfterTheOther) {
-  Machine& machine = boot();
-  EXPECT_THAT(console_.str(), HasSubstr("Echo on ERS-7\n"));
-  for (const std::string text : {"first", "second", "third"}) {
-    EXPECT_TRUE(echoes(machine, text)) << text;
-  }
-}
 
 TEST_F(MachineTest, WithoutConnectCfgObjectsBootUnconnectedAndTheConsoleSaysSo) {
   std::filesystem::remove(stick_.path("OPEN-R/MW/CONF/CONNECT.CFG"));

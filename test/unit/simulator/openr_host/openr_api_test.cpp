@@ -93,57 +93,5 @@ TEST_F(OpenrApiTest, ObjectsReachNoFileOutsideOfTheMemoryStick) {
   });
 }
 
-// Level2 Reference Guide, pages 76 to 80.
-TEST_F(OpenrApiTest, AChangeOfThePowerCallsTheEntryOfTheObjectThatObservesIt) {
-  std::vector<longword> seen;
-  object_.on_answer = [&](ANTENVMSG message) {
-    const auto* told = static_cast<const OPowerStatusMessage*>(message);
-    EXPECT_EQ(told->msgType, 1030U);
-    seen.push_back(told->powerStatus.robotStatus);
-  };
-  OPowerStatus wanted;
-  wanted.robotStatus = orsbPAUSE;
-  const OServiceEntry entry(object_.id(), TestObject::kEntry);
-  asObject([&] {
-    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, OServiceEntry(object_.id(), 7)), oINVALID_ARG) << "no such entry";
-    EXPECT_EQ(OPENR::ObservePowerStatus(wanted, entry), oSUCCESS);
-  });
-  test_.system.watchPower();
-  test_.run();
-  EXPECT_THAT(seen, testing::IsEmpty());
-  test_.robot.power_status.robotStatus = orsbPAUSE;
-  test_.system.watchPower();
-  test_.run();
-  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
-  asObject([&] {
-    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oSUCCESS);
-    EXPECT_EQ(OPENR::UnobservePowerStatus(entry), oINVALID_ARG);
-  });
-  test_.robot.power_status.robotStatus = 0;
-  test_.system.watchPower();
-  test_.run();
-  EXPECT_THAT(seen, testing::ElementsAre(orsbPAUSE));
-}
-
-// Level2 Reference Guide, pages 64, 69 and 70.
-TEST_F(OpenrApiTest, ColourTablesGoToTheCamera) {
-  asObject([] {
-    MemoryRegionID id = 0;
-    OCdtVectorData* tables = nullptr;
-    ASSERT_EQ(OPENR::NewCdtVectorData(&id, &tables), oSUCCESS);
-    tables->SetNumData(1);
-    tables->GetInfo(0)->Init(7, ocdtCHANNEL3);
-    tables->GetInfo(0)->Set(31, 0x44, 0x11, 0x99, 0x66);
-    EXPECT_EQ(tables->GetInfo(0)->table[0], 0x80808080U);
-    EXPECT_EQ(tables->GetInfo(0)->table[31], 0x99664411U);
-    EXPECT_EQ(OPENR::SetCdtVectorData(id), oSUCCESS);
-    tables->SetNumData(9);
-    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL) << "more tables than there is room for";
-    EXPECT_EQ(OPENR::DeleteCdtVectorData(id), oSUCCESS);
-    EXPECT_EQ(OPENR::SetCdtVectorData(id), oFAIL);
-  });
-  EXPECT_EQ(test_.robot.calls, (std::vector<std::string>{"setCdtVectorData 1 8"}));
-}
-
 }  // namespace
 }  // namespace openr_host

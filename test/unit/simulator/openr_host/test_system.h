@@ -23,22 +23,18 @@ class TestObject : public OObject {
   static ObjectDescription describe(const std::string& name) {
     ObjectDescription description;
     description.name = name;
-    description.subjects.push_back(
-        {name + ".Out.Data.S",
-         [](OObject& object, const OControlEvent& event) { static_cast<TestObject&>(object).on_control(event); },
-         [](OObject& object, const OReadyEvent& event) { static_cast<TestObject&>(object).on_ready(event); }});
-    description.observers.push_back(
-        {name + ".In.Data.O",
-         [](OObject& object, const OConnectEvent& event) { static_cast<TestObject&>(object).on_connect(event); },
-         [](OObject& object, const ONotifyEvent& event) { static_cast<TestObject&>(object).on_notify(event); }});
+    description.subjects.push_back({name + ".Out.Data.S", nullptr, [](OObject& object, const OReadyEvent& event) {
+                                      static_cast<TestObject&>(object).on_ready(event);
+                                    }});
+    description.observers.push_back({name + ".In.Data.O", nullptr, [](OObject& object, const ONotifyEvent& event) {
+                                       static_cast<TestObject&>(object).on_notify(event);
+                                     }});
     description.extra_entries.push_back(
         [](OObject& object, ANTENVMSG message) { static_cast<TestObject&>(object).on_answer(message); });
     description.create = [] { return std::make_unique<TestObject>(); };
     return description;
   }
 
-  std::function<void(const OControlEvent&)> on_control = [](const OControlEvent&) {};
-  std::function<void(const OConnectEvent&)> on_connect = [](const OConnectEvent&) {};
   std::function<void(const OReadyEvent&)> on_ready = [](const OReadyEvent&) {};
   std::function<void(const ONotifyEvent&)> on_notify = [](const ONotifyEvent&) {};
   std::function<void(ANTENVMSG)> on_answer = [](ANTENVMSG) {};
@@ -46,7 +42,6 @@ class TestObject : public OObject {
   OSubject& subject() { return *subject_; }
   OObserver& observer() { return *observer_; }
   OID id() const { return myOID_; }
-  SubjectID subjectId() const { return {myOID_, kEntry}; }
   ObserverID observerId() const { return {myOID_, kEntry}; }
 
   OStatus DoInit(const OSystemEvent& /*event*/) override {
