@@ -5,52 +5,37 @@
 namespace simulated_ers7 {
 namespace {
 
-OCdtVectorData tablesOf(OCdtChannel channel) {
+TEST(ColorDetection, PutsAPixelIntoTheRangesOfItsSegment) {
   OCdtVectorData tables{};
   tables.SetNumData(1);
-  tables.GetInfo(0)->Init(1, channel);
-  return tables;
-}
-
-class ColorDetectionTest : public ::testing::Test {
- protected:
-  byte pixelOf(byte y, byte cr, byte cb) {
-    byte pixel = 0xff;
-    detection_.detect(&y, &cr, &cb, 1, &pixel, &counts_);
-    return pixel;
-  }
-
-  ColorDetection detection_;
-  ColorCounts counts_{};
-};
-
-TEST_F(ColorDetectionTest, APixelBelongsToTheRangesOfItsSegment) {
-  OCdtVectorData tables = tablesOf(ocdtCHANNEL3);
+  tables.GetInfo(0)->Init(1, ocdtCHANNEL3);
   tables.GetInfo(0)->Set(2, 230, 150, 190, 120);
-  ASSERT_EQ(detection_.load(tables), oSUCCESS);
-  EXPECT_TRUE(detection_.isOn());
-  for (const byte y : {byte{16}, byte{23}}) {
-    EXPECT_EQ(pixelOf(y, 150, 120), ocdtCHANNEL3);
-    EXPECT_EQ(pixelOf(y, 230, 190), ocdtCHANNEL3);
-    EXPECT_EQ(pixelOf(y, 149, 150), 0);
-    EXPECT_EQ(pixelOf(y, 231, 150), 0);
-    EXPECT_EQ(pixelOf(y, 200, 119), 0);
-    EXPECT_EQ(pixelOf(y, 200, 191), 0);
+  ColorDetection detection;
+  ASSERT_EQ(detection.load(tables), oSUCCESS);
+  const std::tuple<byte, byte, byte, bool> rows[] = {
+      // Y, Cr, Cb, is of the colour
+      {16, 150, 120, true},  {16, 230, 190, true},  {23, 150, 120, true},  {23, 230, 190, true},  {16, 149, 150, false},
+      {16, 231, 150, false}, {23, 200, 119, false}, {23, 200, 191, false}, {15, 200, 150, false}, {24, 200, 150, false},
+  };
+  ColorCounts counts{};
+  for (const auto& [y, cr, cb, is_in] : rows) {
+    byte pixel = 0xff;
+    detection.detect(&y, &cr, &cb, 1, &pixel, &counts);
+    EXPECT_EQ(pixel, is_in ? ocdtCHANNEL3 : 0) << int{y} << " " << int{cr} << " " << int{cb};
   }
-  EXPECT_EQ(pixelOf(15, 200, 150), 0);
-  EXPECT_EQ(pixelOf(24, 200, 150), 0);
-  EXPECT_THAT(counts_, testing::ElementsAre(0, 0, 0, 4, 0, 0, 0, 0));
+  EXPECT_THAT(counts, testing::ElementsAre(0, 0, 0, 4, 0, 0, 0, 0));
 }
 
-TEST_F(ColorDetectionTest, AnErs7HasNoChannel7) {
-  OCdtVectorData tables = tablesOf(ocdtCHANNEL1);
-  tables.GetInfo(0)->Set(0, 255, 0, 255, 0);
-  tables.SetNumData(2);
+TEST(ColorDetection, RefusesAllTablesIfOneIsOfAChannelThatAnErs7DoesNotHave) {
   for (const OCdtChannel channel : {ocdtCHANNEL7, ocdtCHANNEL_UNDEF, ocdtCHANNEL0 | ocdtCHANNEL1}) {
+    OCdtVectorData tables{};
+    tables.SetNumData(2);
+    tables.GetInfo(0)->Init(1, ocdtCHANNEL1);
     tables.GetInfo(1)->Init(1, channel);
-    EXPECT_EQ(detection_.load(tables), oINVALID_ARG);
+    ColorDetection detection;
+    EXPECT_EQ(detection.load(tables), oINVALID_ARG);
+    EXPECT_FALSE(detection.isOn());
   }
-  EXPECT_FALSE(detection_.isOn()) << "nothing of it is loaded";
 }
 
 }  // namespace

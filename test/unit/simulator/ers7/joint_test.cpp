@@ -10,16 +10,9 @@ namespace {
 
 constexpr double kFrame = 0.008;  // in seconds
 
-const robot_model::RobotModel& model() {
-  return *robot_model::findRobotModel("ERS-7");
-}
-
 const robot_model::Joint& jointModel(const char* name) {
-  return model().joints[robot_model::findJointByName(model(), name)];
-}
-
-double highestStep(const robot_model::Joint& model) {
-  return model.highest_speed * kFrame;
+  const robot_model::RobotModel& robot = *robot_model::findRobotModel("ERS-7");
+  return robot.joints[robot_model::findJointByName(robot, name)];
 }
 
 /// A joint with standard gains, ready to move.
@@ -54,7 +47,7 @@ TEST(Joint, NeverExceedsItsHighestSpeedAndNeverOvershootsAFixedCommand) {
       joint.command(command);
     }
     joint.passFrame(0);
-    ASSERT_LE(std::abs(joint.position() - before), highestStep(model_of_joint) + 1e-6);
+    ASSERT_LE(std::abs(joint.position() - before), model_of_joint.highest_speed * kFrame + 1e-6);
     ASSERT_GE((command - joint.position()) * (command - before), 0) << "passed its command, frame " << i;
   }
 }

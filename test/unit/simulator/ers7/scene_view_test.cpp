@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 
 namespace simulated_ers7 {
 namespace {
@@ -78,16 +79,16 @@ TEST(SceneView, FineDetailIsThatOfTheEdges) {
   EXPECT_LT(sharpness(picture), 5000) << "no edge is stronger than what is before and behind it";
 }
 
-TEST(SceneView, MoreGainMakesItBrighterAFastShutterDarker) {
+/// Of a plane of the picture of the room.
+double meanOf(YCrCbImage::Plane YCrCbImage::*plane, const CameraSettings& settings) {
   Scene scene;
   SceneView view(scene, 1);
-  const auto brightness = [&view](const CameraSettings& settings) {
-    double sum = 0;
-    for (const std::uint8_t y : view.picture({}, 1, 30, settings).y) {
-      sum += y;
-    }
-    return sum;
-  };
+  const YCrCbImage::Plane& values = view.picture({}, 1, 30, settings).*plane;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+TEST(SceneView, MoreGainMakesItBrighterAFastShutterDarker) {
+  const auto brightness = [](const CameraSettings& settings) { return meanOf(&YCrCbImage::y, settings); };
   CameraSettings settings;
   const double usual = brightness(settings);
   settings.gain = ocamparamGAIN_HIGH;
@@ -101,15 +102,7 @@ TEST(SceneView, MoreGainMakesItBrighterAFastShutterDarker) {
 }
 
 TEST(SceneView, WhiteBalanceForLampsMakesTheRoomBlue) {
-  Scene scene;
-  SceneView view(scene, 1);
-  const auto blueness = [&view](const CameraSettings& settings) {
-    double sum = 0;
-    for (const std::uint8_t cb : view.picture({}, 1, 30, settings).cb) {
-      sum += cb;
-    }
-    return sum / (kPictureWidth * kPictureHeight);
-  };
+  const auto blueness = [](const CameraSettings& settings) { return meanOf(&YCrCbImage::cb, settings); };
   CameraSettings settings;
   const double usual = blueness(settings);
   settings.white_balance = ocamparamWB_INDOOR_MODE;
