@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <iostream>
 
+#include "support/program.h"
 #include "trial.h"
 
 namespace {
@@ -118,35 +119,24 @@ void tryOut(const Options& options) {
   std::cout << '\n' << problems << " trials with problems\n";
 }
 
-bool parse(const std::vector<std::string>& arguments, Options* options) {
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    char* end = nullptr;
-    if (arguments[i] == "--short") {
-      *options = {8, options->seed, false};
-    } else if (i + 1 < arguments.size() && (arguments[i] == "--worlds" || arguments[i] == "--seed")) {
-      const long number = std::strtol(arguments[i + 1].c_str(), &end, 10);
-      if (*end != '\0' || number < 1 || number > 1000) {
-        return false;
-      }
-      options->worlds = arguments[i] == "--worlds" ? static_cast<int>(number) : options->worlds;
-      options->seed = arguments[i] == "--seed" ? static_cast<unsigned>(number) : options->seed;
-      ++i;
-    } else {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
+  namespace po = boost::program_options;
   Options options;
-  if (!parse({argv + 1, argv + argc}, &options)) {
-    std::cerr << "aibo_walk_bench [--short] [--worlds COUNT] [--seed NUMBER]: tries the walk on this many robots and "
-                 "floors, 1 to 1000 (36), that follow from a seed, 1 to 1000 (1). --short: 8, all level\n";
-    return EXIT_FAILURE;
-  }
-  tryOut(options);
-  return problems == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  bool is_short = false;
+  po::options_description description;
+  // clang-format off
+  description.add_options()
+    ("short", po::bool_switch(&is_short), "8 robots, on level floors only")
+    ("worlds", po::value(&options.worlds)->default_value(36), "so many robots and floors, 1 to 1000")
+    ("seed", po::value(&options.seed)->default_value(1), "they follow from this number, 1 to 1000");
+  // clang-format on
+  return test_support::runProgram(argc, argv, "Tries the walk on many robots and floors.", description, [&] {
+    if (options.worlds < 1 || options.worlds > 1000 || options.seed < 1 || options.seed > 1000) {
+      throw po::error("options '--worlds' and '--seed' must be 1 to 1000");
+    }
+    tryOut(is_short ? Options{8, options.seed, false} : options);
+    return problems == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  });
 }

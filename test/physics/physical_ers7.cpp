@@ -112,13 +112,6 @@ void PhysicalErs7::place(const JointAngles& angles, const Quaterniond& turn) {
   read();
 }
 
-void PhysicalErs7::drive(std::size_t joint, double position) {
-  powered_ = true;
-  servos_[joint].has_gain = true;
-  servos_[joint].stiffness = 1;
-  servos_[joint].reference = position;
-}
-
 void PhysicalErs7::push(const Vector3d& force) {
   std::copy_n(force.data(), 3, state_->xfrc_applied + 6 * body_);
 }
@@ -194,11 +187,7 @@ OStatus PhysicalErs7::getPowerStatus(OPowerStatus* status) {
 
 void PhysicalErs7::switchOff() {
   powered_ = false;
-  forServos(oprimitiveID_UNDEF, [](std::size_t, Servo& servo) {
-    servo.has_gain = false;
-    servo.stiffness = 0;
-    return oSUCCESS;
-  });
+  disableJointGain(oprimitiveID_UNDEF);
   primitives_.close(oprimitiveID_UNDEF);
 }
 
@@ -207,19 +196,10 @@ bool PhysicalErs7::takesCommand(OPrimitiveID id, ODataType type) const {
   if (!primitive) {
     return false;
   }
-  switch (primitive->kind) {
-    case PrimitiveKind::kJoint:
-      return type == odataJOINT_COMMAND2;
-    case PrimitiveKind::kLed:
-      return type == odataLED_COMMAND2 || type == odataLED_COMMAND3;
-    case PrimitiveKind::kEar:
-      return type == odataJOINT_COMMAND4;
-    case PrimitiveKind::kCamera:
-    case PrimitiveKind::kSensor:
-    case PrimitiveKind::kSound:
-      break;
-  }
-  return false;
+  const bool is_of_led = type == odataLED_COMMAND2 || type == odataLED_COMMAND3;
+  return (primitive->kind == PrimitiveKind::kJoint && type == odataJOINT_COMMAND2) ||
+         (primitive->kind == PrimitiveKind::kLed && is_of_led) ||
+         (primitive->kind == PrimitiveKind::kEar && type == odataJOINT_COMMAND4);
 }
 
 void PhysicalErs7::passFrame(longword /*frame*/, const openr_host::EffectorCommands& commands) {
@@ -345,12 +325,8 @@ double PhysicalErs7::duty(std::size_t joint) const {
   return servos_[joint].duty;
 }
 
-Vector3d PhysicalErs7::footPosition(Leg leg) const {
-  return Eigen::Map<const Vector3d>(state_->geom_xpos + 3 * feet_[leg]);
-}
-
 double PhysicalErs7::soleHeight(Leg leg) const {
-  return footPosition(leg).z() - robot_model::FOOT_RADIUS;
+  return state_->geom_xpos[3 * feet_[leg] + 2] - robot_model::FOOT_RADIUS;
 }
 
 bool PhysicalErs7::touchesFloor(Leg leg) const {
@@ -358,31 +334,23 @@ bool PhysicalErs7::touchesFloor(Leg leg) const {
 }
 
 bool PhysicalErs7::touches(int geom) const {
-  for (int i = 0; i < state_->ncon; ++i) {
-    const mjContact& contact = state_->contact[i];
-    if ((contact.geom1 == geom || contact.geom2 == geom) && contact.dist < 0) {
-      return true;
-    }
-  }
-  return false;
+  return anyContact([geom](int a, int b) { return a == geom || b == geom; });
+}
+
+bool PhysicalErs7::anyContact(const std::function<bool(int, int)>& condition) const {
+  return std::any_of(state_->contact, state_->contact + state_->ncon, [&](const mjContact& contact) {
+    return contact.dist < 0 && condition(contact.geom1, contact.geom2);
+  });
 }
 
 bool PhysicalErs7::bodyTouchesFloor() const {
   const int floor = mj_name2id(physics_.get(), mjOBJ_GEOM, kFloor);
-  for (int i = 0; i < state_->ncon; ++i) {
-    const mjContact& contact = state_->contact[i];
-    if (contact.geom1 == floor && physics_->geom_contype[contact.geom2] == kBodyContacts && contact.dist < 0) {
-      return true;
-    }
-  }
-  return false;
+  return anyContact([&](int a, int b) { return a == floor && physics_->geom_contype[b] == kBodyContacts; });
 }
 
 bool PhysicalErs7::legsTouch() const {
   const auto isOfLeg = [this](int geom) { return physics_->geom_contype[geom] == kLegContacts; };
-  return std::any_of(state_->contact, state_->contact + state_->ncon, [&](const mjContact& contact) {
-    return contact.dist < 0 && isOfLeg(contact.geom1) && isOfLeg(contact.geom2);
-  });
+  return anyContact([&](int a, int b) { return isOfLeg(a) && isOfLeg(b); });
 }
 
 bool PhysicalErs7::motorsPull() const {

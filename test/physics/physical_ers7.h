@@ -68,12 +68,6 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   /// @param turn of the body against upright: lying on its left side, for example
   void place(const JointAngles& angles, const Eigen::Quaterniond& turn = Eigen::Quaterniond::Identity());
 
-  /// Commands a joint directly, for tests without objects: in radian, with power and full gain.
-  void drive(std::size_t joint, double position);
-
-  /// Passes a frame without commands of an object.
-  void passFrame() { passFrame(0, {}); }
-
   /// A force on the middle of the body until the next call, in newton in the room.
   void push(const Eigen::Vector3d& force);
 
@@ -89,12 +83,11 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   double torque(std::size_t joint) const;         ///< of its motor, in N m
   double duty(std::size_t joint) const;           ///< of its motor, -1..1
   double reference(std::size_t joint) const { return servos_[joint].reference; }  ///< its command, radian
-  double soleHeight(robot_model::Leg leg) const;             ///< lowest point of the foot over the floor, metres
-  bool touchesFloor(robot_model::Leg leg) const;             ///< the foot
-  bool bodyTouchesFloor() const;                             ///< anything else than feet and lower legs
-  bool legsTouch() const;                                    ///< one leg another
-  Eigen::Vector3d footPosition(robot_model::Leg leg) const;  ///< in the room, metres
-  bool motorsPull() const;                                   ///< power is on, and a joint has gain
+  double soleHeight(robot_model::Leg leg) const;  ///< lowest point of the foot over the floor, metres
+  bool touchesFloor(robot_model::Leg leg) const;  ///< the foot
+  bool bodyTouchesFloor() const;                  ///< anything else than feet and lower legs
+  bool legsTouch() const;                         ///< one leg another
+  bool motorsPull() const;                        ///< power is on, and a joint has gain
   /// @}
 
   const robot_model::RobotModel& model() const { return model_; }
@@ -119,6 +112,7 @@ class PhysicalErs7 : public openr_host::VirtualRobot {
   void read();
   int measure(const robot_model::Sensor& sensor) const;
   bool touches(int geom) const;
+  bool anyContact(const std::function<bool(int, int)>& condition) const;
 
   const robot_model::RobotModel& model_;
   const World world_;
