@@ -15,15 +15,20 @@ namespace {
 
 constexpr double kTolerance = 1e-9;
 
-TEST(Angle, HasAUnit) {
+TEST(Quantity, HasAUnit) {
   EXPECT_NEAR(parseAngle("head_pan", "180deg"), 3.14159265358979, kTolerance);
   EXPECT_NEAR(parseAngle("head_pan", "-.5rad"), -0.5, kTolerance);
+  EXPECT_NEAR(parseSpeed("forward", "5cm/s"), 0.05, kTolerance);
+  EXPECT_NEAR(parseSpeed("forward", "-80mm/s"), -0.08, kTolerance);
+  EXPECT_NEAR(parseAngularSpeed("turn", "90deg/s"), 1.5707963267949, kTolerance);
 }
 
-TEST(Angle, WithoutAUnitOrWithoutANumberIsRefused) {
+TEST(Quantity, WithoutItsUnitOrWithoutANumberIsRefused) {
   for (const char* const text : {"30", "deg", "30 deg", "30grad", "", "nandeg", "infrad", "1e999rad", "30degx"}) {
     EXPECT_THROW(parseAngle("head_pan", text), InvalidArgumentException) << text;
   }
+  EXPECT_THROW(parseSpeed("forward", "5cm"), InvalidArgumentException);
+  EXPECT_THROW(parseAngularSpeed("turn", "90deg"), InvalidArgumentException);
 }
 
 TEST(Quantity, RefusalSaysWhatIsMissing) {
@@ -38,14 +43,6 @@ TEST(Quantity, RefusalSaysWhatIsMissing) {
       EXPECT_EQ(error.what(), "head_pan cannot be '30': give a number with its unit: " + std::string(allowed));
     }
   }
-}
-
-TEST(Speed, HasAUnit) {
-  EXPECT_NEAR(parseSpeed("forward", "5cm/s"), 0.05, kTolerance);
-  EXPECT_NEAR(parseSpeed("forward", "-80mm/s"), -0.08, kTolerance);
-  EXPECT_NEAR(parseAngularSpeed("turn", "90deg/s"), 1.5707963267949, kTolerance);
-  EXPECT_THROW(parseSpeed("forward", "5cm"), InvalidArgumentException);
-  EXPECT_THROW(parseAngularSpeed("turn", "90deg"), InvalidArgumentException);
 }
 
 TEST(Number, KeepsToItsRange) {
