@@ -45,14 +45,13 @@ def start(*words, port, stderr=subprocess.PIPE, **options):
 
 
 class SimulatedRobot:
-    def __init__(self, *options, port=0, console=False):
-        options = (*options, *(["--console-port", "0"] if console else ["--no-console"]))
-        self.process = subprocess.Popen([RCSERVER, "--port", str(port), *options],
-                                        stdout=subprocess.PIPE, text=True)
+    def __init__(self, *options, port=0, console=None):
+        options += ("--no-console",) if console is None else ("--console-port", str(console))
+        self.process = subprocess.Popen([RCSERVER, "--port", str(port), *options], stdout=subprocess.PIPE, text=True)
         for line in self.process.stdout:
-            if found := re.match(r"Console on 127\.0\.0\.1:(\d+)", line):
+            if found := re.match(r"Console on [\d.]+:(\d+)", line):
                 self.console_port = int(found[1])
-            if found := re.match(r"RCServer listening on 127\.0\.0\.1:(\d+)", line):
+            if found := re.match(r"RCServer listening on [\d.]+:(\d+)", line):
                 self.port = int(found[1])
                 break
         self.reader = threading.Thread(target=self.process.stdout.read, daemon=True)
@@ -175,6 +174,15 @@ class TestCase(unittest.TestCase):
         server = ScriptedServer(serve, *address)
         self.addCleanup(server.end)
         return server.port
+
+    def robot_with(self, settings, *options, **console):
+        """A robot with these lines in its RCSERVER.CFG."""
+        stick = self.folder / "stick"
+        shutil.copytree(STICK, stick)
+        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(settings)
+        robot = SimulatedRobot("--memory-stick", stick, *options, **console)
+        self.addCleanup(robot.end)
+        return robot
 
     def aibo(self, *words, status=DONE, port=None):
         """Runs a command. In any case, nothing that a terminal obeys comes out, and a failure is reported once."""
@@ -362,7 +370,7 @@ class Version1(OnBothVersions, TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.robot = SimulatedRobot("--protocol-version", "1", console=True)
+        cls.robot = SimulatedRobot("--protocol-version", "1", console=0)
 
     def test_says_what_such_a_server_cannot_do(self):
         for words in (["motions"], ["stand"], ["sit"], ["rest"], ["walk", "forward=5cm/s"], ["motors", "on"],
@@ -388,7 +396,7 @@ class Version2(OnBothVersions, TestCase):
 
     @classmethod
     def setUpClass(cls):
-        cls.robot = SimulatedRobot(console=True)
+        cls.robot = SimulatedRobot(console=0)
 
     def test_plays_a_motion_to_its_end(self):
         self.assertEqual(self.json("motions")["motions"], ["LIE.MTN", "NOD.MTN", "SIT.MTN", "WAG.MTN"])
@@ -468,7 +476,7 @@ class Example(TestCase):
                               check=False, capture_output=True, text=True)
 
     def test_takes_pictures_looks_and_walks(self):
-        self.robot = SimulatedRobot(console=True)
+        self.robot = SimulatedRobot(console=0)
         self.addCleanup(self.robot.end)
         picture = self.folder / "a.jpg"
         taken = self.run_example("TAKE_PICTURE", picture)
@@ -482,18 +490,9 @@ class Example(TestCase):
 
 
 class WithPermission(TestCase):
-    def setUp(self):
-        super().setUp()
-        stick = self.folder / "stick"
-        shutil.copytree(STICK, stick)
-        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(
-            "ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\nALLOW_SHUT_DOWN=yes\nALLOW_REBOOT=yes\n",
-            encoding="ascii")
-        self.stick = stick / "OPEN-R/MW/DATA/P"
-        self.robot = SimulatedRobot("--memory-stick", str(stick))
-        self.addCleanup(self.robot.end)
-
     def test_motions_are_stored_and_deleted(self):
+        self.robot = self.robot_with("ALLOW_UPLOAD=yes\nALLOW_DELETE=yes\nALLOW_PICTURES=yes\nALLOW_SHUT_DOWN=yes\n"
+                                     "ALLOW_REBOOT=yes\n")
         self.assertEqual(self.json("upload", NOD), {"motion": "NOD.MTN", "bytes": NOD.stat().st_size})
         self.assertEqual(self.json("upload", NOD, "wave")["motion"], "WAVE.MTN")
         self.assertIn("WAVE.MTN", self.json("motions")["motions"])
@@ -512,12 +511,8 @@ class WithSound(TestCase):
         self.write("heard.wav", struct.pack("<hh", 1000, -1000) * 16000 * 60, channels=2)
 
     def start(self, settings="ALLOW_MICROPHONE=yes\n"):
-        stick = self.folder / "stick"
-        shutil.copytree(STICK, stick)
-        (stick / "OPEN-R/MW/CONF/RCSERVER.CFG").write_text(settings)
-        self.robot = SimulatedRobot("--memory-stick", stick, "--microphone", self.folder / "heard.wav",
-                                    "--speaker", self.folder / "played.wav")
-        self.addCleanup(self.robot.end)
+        self.robot = self.robot_with(settings, "--microphone", self.folder / "heard.wav", "--speaker",
+                                     self.folder / "played.wav")
 
     def write(self, name, samples, channels=1):
         with wave.open(str(self.folder / name), "wb") as file:
@@ -760,17 +755,10 @@ class Unreachable(TestCase):
         self.assertEqual(self.text("motions", port=self.server(lambda client: next(users)(client))), "NOD.MTN\n")
 
     def test_a_robot_whose_settings_leave_this_computer_out(self):
-        shutil.copytree(STICK, self.folder / "stick")
-        (self.folder / "stick/OPEN-R/MW/CONF/RCSERVER.CFG").write_text("ALLOWED_ADDRESSES=10.0.0.1\n")
-        address = self.own_address()
-        with subprocess.Popen([RCSERVER, "--bind", address, "--port", "0", "--memory-stick", self.folder / "stick"],
-                              stdout=subprocess.PIPE, text=True) as robot:
-            self.addCleanup(robot.kill)
-            port = next(line for line in robot.stdout if "RCServer listening" in line).rsplit(":", 1)[1].strip()
-            finding, = self.json("doctor", address, port=port, status=UNREACHABLE)["findings"]
-            self.assertEqual(finding["advice"], "The robot's console says why: ALLOWED_ADDRESSES in RCSERVER.CFG does "
-                                                "not name it")
-            robot.kill()
+        robot = self.robot_with("ALLOWED_ADDRESSES=10.0.0.1\n", "--bind", self.own_address(), console=59000)
+        finding, = self.json("doctor", self.own_address(), port=robot.port, status=UNREACHABLE)["findings"]
+        self.assertEqual(finding["advice"],
+                         "The robot's console says why: ALLOWED_ADDRESSES in RCSERVER.CFG does not name it")
 
     def test_something_else_that_listens(self):
         port = self.server(lambda client: client.sendall(b"SSH-2.0-OpenSSH_9.2\r\n") or client.recv(1000))

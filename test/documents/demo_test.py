@@ -8,7 +8,6 @@ import subprocess
 import tempfile
 import unittest
 from pathlib import Path
-from unittest import mock
 
 SCRIPTS = Path(__file__).resolve().parents[2] / 'scripts'
 DEMO = SCRIPTS / 'demo'
@@ -68,30 +67,19 @@ print(3001 if times > 1 else 3000) if sys.argv[-1] == 'info:' else Path(sys.argv
 
 
 class DemoTest(unittest.TestCase):
-    def run_demo(self, *options):
-        return subprocess.run([DEMO, *options], capture_output=True, timeout=60, check=False, text=True)
-
     def test_says_what_is_wrong_with_its_options(self):
         for options, problem in ((['--fast'], "there is no option '--fast'"),
                                  (['--seconds'], '--seconds needs a value'),
-                                 (['--still', '--robot', ''], '--robot needs a value'),
                                  (['--seconds', '1.5'], "--seconds takes a whole number, not '1.5'"),
                                  (['--images', '/nowhere'], "there is no folder '/nowhere'"),
                                  (['--images', '/', '--robot', 'aibo'], '--images is for the simulated robot'),
                                  (['--still', '--walk'], '--still and --walk exclude each other'),
                                  (['--walk', '--images', '/'], "--walk needs the camera's room")):
             with self.subTest(options):
-                ended = self.run_demo(*options)
+                ended = subprocess.run([DEMO, *options], capture_output=True, timeout=60, check=False, text=True)
                 self.assertEqual(ended.returncode, 1)
                 self.assertIn(problem, ended.stderr)
                 self.assertIn('scripts/demo --help lists the options', ended.stderr)
-
-    def test_help_has_all_options(self):
-        ended = self.run_demo('--help')
-        self.assertEqual((ended.returncode, ended.stderr), (0, ''))
-        for option in ('--seconds', '--robot', '--images', '--screenshot', '--still', '--walk', '--no-rviz', '--help'):
-            self.assertIn(option + ' ', ended.stdout)
-
 
 class StepsTest(unittest.TestCase):
     """Its steps, in a project in which all programs are only played."""
@@ -105,15 +93,7 @@ class StepsTest(unittest.TestCase):
             (self.home / name).mkdir(parents=True)
         for name in ('demo', 'lib.sh'):
             shutil.copy(SCRIPTS / name, self.home / 'scripts')
-        # Each wait of the script is noted under the name of its function. The one for a picture on the display counts
-        # its tries, so it can be short.
-        (self.home / '.build/devel/setup.bash').write_text(
-            f'PATH={self.home}/bin:$PATH\n'
-            'sleep() {\n'
-            f'  echo "${{FUNCNAME[1]}}" >> {self.home}/waits\n'
-            '  [[ ${FUNCNAME[1]} != save_screenshot ]] || set -- 0.01\n'
-            '  command sleep "$@"\n'
-            '}\n')
+        (self.home / '.build/devel/setup.bash').write_text(f'PATH={self.home}/bin:$PATH\n')
         for name, play in PLAYS.items():
             self.play(name, play)
             program = self.home / ('scripts' if name in ('install_dependencies', 'build') else 'bin') / name
@@ -123,10 +103,10 @@ class StepsTest(unittest.TestCase):
     def play(self, name, play):
         (self.home / 'plays' / name).write_text(play)
 
-    def start(self, *options, display='', **streams):
+    def start(self, *options, display=''):
         environment = {**os.environ, 'DISPLAY': display, 'TMPDIR': str(self.home / 'tmp'), 'ROS_NAMESPACE': 'other'}
         return subprocess.Popen([self.home / 'scripts/demo', *options], cwd=self.place, env=environment, text=True,
-                                **{'stdout': subprocess.PIPE, 'stderr': subprocess.PIPE, **streams})
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
     def demo(self, *options, status=0, display=''):
         """What it prints, and then what it complains about."""
@@ -149,10 +129,6 @@ class StepsTest(unittest.TestCase):
         except OSError:  # it has ended, or belongs to somebody else
             return b''
 
-    def waits(self):
-        file = self.home / 'waits'
-        return file.read_text() if file.exists() else ''
-
     def started(self, name):
         """The arguments of each start of a program, and its last environment."""
         lines = [json.loads(line) for line in (self.home / 'log').read_text().splitlines()]
@@ -165,9 +141,8 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(file, str(self.home / 'launch/demo.launch'))
         self.assertEqual(environment['ROS_MASTER_URI'], 'http://127.0.0.1:' + port.split('=')[1])
         arguments = dict(word.split(':=') for word in words)
-        ports = [int(arguments.pop(name)) for name in ('port', 'console_port') if name in arguments]
-        self.assertEqual(len(ports), 0 if 'host' in arguments else 2)
-        self.assertEqual(len({*ports, int(port.split('=')[1])}), len(ports) + 1)
+        ports = [port.split('=')[1], *(arguments.pop(name) for name in ('port', 'console_port') if name in arguments)]
+        self.assertEqual(len(set(ports)), 1 if 'host' in arguments else 3)
         return arguments
 
     def test_shows_pictures_saves_one_and_ends_all(self):
@@ -186,11 +161,8 @@ class StepsTest(unittest.TestCase):
         self.assertTrue((self.home / 'interrupted').exists())
 
     def test_connects_to_a_robot(self):
-        with mock.patch.dict(os.environ):
-            os.environ.pop('HOME', None)  # a service of the system has none
-            out = self.demo('--robot', 'aibo.local', '--walk')
+        out = self.demo('--robot', 'aibo.local', '--walk')
         self.assertIn('Starting the driver for the robot at aibo.local', out)
-        self.assertEqual(self.started('roslaunch')[1].get('HOME'), '/root')
         self.assertEqual(self.launched(), {'still': 'false', 'walk': 'true', 'simulation': 'false', 'host': 'aibo.local',
                                            'picture_folder': str(self.place)})
 
@@ -206,12 +178,6 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(self.started('install_dependencies')[0], [['build', 'rviz']])
         self.assertEqual(self.started('build')[0], [['aibo_demo_with_rviz']])
 
-    def test_ends_if_the_time_is_over_before_there_is_a_picture(self):
-        (self.home / 'monitor').write_text('0')
-        self.demo('--seconds', '1', '--no-rviz', display=':0')
-        self.assertEqual(len(self.started('roslaunch')[0]), 1, 'no rviz')
-        self.assertEqual(self.started('build')[0], [['aibo_demo']])
-
     def test_saves_a_screenshot_without_a_display(self):
         out = self.demo('--screenshot', 'shot.png')
         self.assertIn('screenshot: shot.png\n', out)
@@ -226,13 +192,9 @@ class StepsTest(unittest.TestCase):
         self.assertEqual(len(self.started('import')[0]), 2)
 
     def test_says_why_there_is_no_screenshot(self):
-        self.play('Xvfb', "sys.exit('no fonts')")
-        self.assertIn('did not start: no fonts', self.demo('--screenshot', 'shot.png', status=1))
-        self.play('Xvfb', PLAYS['Xvfb'])
         self.assertIn('Does its folder exist', self.demo('--screenshot', '/nowhere/shot.png', status=1))
-        self.play('roslaunch', "if times > 1:\n  sys.exit('no rviz')\n" + PLAYS['roslaunch'])
+        self.play('roslaunch', "if times > 3:\n  sys.exit('no rviz')\n" + PLAYS['roslaunch'])
         self.play('convert', "print(3000)")
-        (self.home / 'log').unlink()
         errors = self.demo('--screenshot', 'shot.png', status=1)
         self.assertIn('no rviz\n', errors)
         self.assertIn('rviz ended by itself', errors)
@@ -244,15 +206,10 @@ class StepsTest(unittest.TestCase):
         for words in ('a node says something', 'no picture came.', 'docs/troubleshooting.md'):
             self.assertIn(words, errors)
         (self.home / 'monitor').unlink()
-        (self.home / 'waits').unlink()
         self.play('roslaunch', "sys.exit('no such file')")
         errors = self.demo(status=1)
         self.assertIn('no such file\n', errors)
         self.assertIn('the nodes did not start, or stopped by themselves', errors)
-        self.assertNotIn('wait_for_end', self.waits(), 'nothing has to be waited for')
-        self.play('roslaunch', PLAYS['roslaunch'].replace(
-            'while True:\n    signal.pause()', "while 'rosservice' not in (home / 'log').read_text():\n    time.sleep(0.02)"))
-        self.assertIn('the nodes did not start, or stopped by themselves', self.demo(status=1))
         self.play('build', 'sys.exit(1)')
         (self.home / 'log').unlink()
         self.demo(status=1)
@@ -261,13 +218,10 @@ class StepsTest(unittest.TestCase):
     def test_ends_when_a_node_does_not_start(self):
         for line, said in (('ERROR: cannot launch node of type [aibo_driver/aibo_room]: Cannot locate node',
                             'cannot launch node of type [aibo_driver/aibo_room]'),
-                           ('local launch of aibo_driver/aibo_room failed', 'launch of aibo_driver/aibo_room failed'),
                            ('\x1b[31m[aibo_room-4] process has died [pid 7, exit code 1, cmd x].\x1b[0m',
                             '[aibo_room-4] process has died')):
-            with self.subTest(line):
-                self.play('roslaunch', PLAYS['roslaunch'].replace("print('a node says something'", f'print({line!r}'))
-                errors = self.demo(status=1)
-                self.assertIn(f'a node did not start, or has ended with an error: {said}', errors)
+            self.play('roslaunch', PLAYS['roslaunch'].replace("print('a node says something'", f'print({line!r}'))
+            self.assertIn(f'a node did not start, or has ended with an error: {said}', self.demo(status=1))
 
     def test_ctrl_c_ends_it_at_any_time(self):
         self.play('rosservice', "(home / 'asked').touch()\nsys.exit('no picture yet')")
