@@ -61,22 +61,17 @@ def check_hostapd(configuration):
 class EachProgram(unittest.TestCase):
     """Each program accepts its file and refuses an unknown word, because a check that accepts everything proves nothing."""
 
-    def expect_valid(self, check, name, nonsense):
-        done = check(CONFIG / name)
-        self.assertEqual(done.returncode, 0, done.stdout)
-        with tempfile.TemporaryDirectory() as folder:
-            wrong = Path(folder, name)
-            wrong.write_text((CONFIG / name).read_text() + nonsense)
-            self.assertNotEqual(check(wrong).returncode, 0)
-
-    def test_nft_takes_its_rules(self):
-        self.expect_valid(check_nft, "aibo.nft", "table inet aibo { chain input { iifname nowhere dropp } }\n")
-
-    def test_dnsmasq_takes_its_configuration(self):
-        self.expect_valid(check_dnsmasq, "dnsmasq.conf", "dhcp-rang=192.168.7.2\n")
-
-    def test_hostapd_takes_its_configuration_with_wep(self):
-        self.expect_valid(check_hostapd, "hostapd.conf", "wep_key5=0123456789\n")
+    def test_takes_its_file(self):
+        for check, name, nonsense in (
+                (check_nft, "aibo.nft", "table inet aibo { chain input { iifname nowhere dropp } }\n"),
+                (check_dnsmasq, "dnsmasq.conf", "dhcp-rang=192.168.7.2\n"),
+                (check_hostapd, "hostapd.conf", "wep_key5=0123456789\n")):
+            with self.subTest(name), tempfile.TemporaryDirectory() as folder:
+                done = check(CONFIG / name)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                wrong = Path(folder, name)
+                wrong.write_text((CONFIG / name).read_text() + nonsense)
+                self.assertNotEqual(check(wrong).returncode, 0)
 
 
 class TheFiles(unittest.TestCase):
@@ -100,15 +95,10 @@ class TheFiles(unittest.TestCase):
         self.assertIn(f"dhcp-range={stick['ETHER_IP']},{stick['ETHER_IP']},{stick['ETHER_NETMASK']},", self.dnsmasq)
         self.assertIn(f"option:router,{stick['IP_GATEWAY']}\n", self.dnsmasq)
         self.assertIn(f"define robot = {stick['ETHER_IP']}\n", self.nft)
-
-    def test_mean_the_same_adapter(self):
-        adapter = self.hostapd["interface"]
-        self.assertIn(f"interface={adapter}\n", self.dnsmasq)
-        self.assertIn(f'define robot_wlan = "{adapter}"\n', self.nft)
-
-    def test_have_a_channel_that_the_robot_knows(self):
         self.assertIn(int(self.hostapd["channel"]), range(1, 12))
         self.assertEqual(self.hostapd["hw_mode"], "b")
+        self.assertIn(f"interface={self.hostapd['interface']}\n", self.dnsmasq)
+        self.assertIn(f'define robot_wlan = "{self.hostapd["interface"]}"\n', self.nft)
 
 
 if __name__ == "__main__":
