@@ -3,7 +3,6 @@
 #include <aibo_driver/Movement.h>
 #include <gmock/gmock.h>
 
-#include "picture_audit.h"
 #include "support/version2_frames.h"
 #include "wire_audit.h"
 
@@ -91,7 +90,7 @@ class WireAuditTest : public ::testing::Test {
  protected:
   WireAuditTest() {
     hear({'x', 2, 0, 0});
-    hear(makeFrame('j', 7, encoded(protocol::version2::JointTargets{0, 1, {{2, 500000}}})));
+    accept();
   }
 
   void hear(const Bytes& bytes) {
@@ -99,6 +98,8 @@ class WireAuditTest : public ::testing::Test {
       audit_.hear(0, &byte, 1, 5);
     }
   }
+
+  void accept() { hear(makeFrame('j', 7, encoded(protocol::version2::JointTargets{0, 1, {{2, 500000}}}))); }
 
   void measure(int position) { hear(makeFrame('t', 0, version2_frames::makeTelemetry(1000, {{'J', 2, position}}))); }
 
@@ -108,20 +109,12 @@ class WireAuditTest : public ::testing::Test {
   }
 
   std::vector<std::string> wrong_;
-  std::string pictures_;
-  WireAudit audit_{[this](const std::string& violation) { wrong_.push_back(violation); },
-                   [this](const std::uint8_t* jpeg, std::size_t size) { pictures_.append(jpeg, jpeg + size); }};
+  WireAudit audit_{[this](const std::string& violation) { wrong_.push_back(violation); }};
 };
 
 TEST_F(WireAuditTest, KnowsWhatTheRobotHasAccepted) {
   EXPECT_THAT(audit_.takeAccepted(), ElementsAre(AllOf(Field(&Accepted::joint, "head_pan"),
                                                        Field(&Accepted::target, 0.5), Field(&Accepted::time, 5))));
-}
-
-TEST_F(WireAuditTest, HandsOverThePictures) {
-  hear(makeFrame('f', 0, version2_frames::makePicture({'a', 'b'}, 1)));
-  hear(makeFrame('f', 0, version2_frames::makePicture({'c'}, 2)));
-  EXPECT_EQ(pictures_, "abc");
 }
 
 TEST_F(WireAuditTest, WhatIsDoneIsThere) {
@@ -136,31 +129,13 @@ TEST_F(WireAuditTest, WhatIsNotThereIsNotDone) {
   arrive();
   measure(449000);
   EXPECT_THAT(wrong_, ElementsAre(HasSubstr("done, but one of them is 0.051")));
-}
 
-TEST_F(WireAuditTest, AJointThatSomethingElseMayHaveTakenIsNotJudged) {
-  measure(440000);
-  hear(makeFrame('e', 8, {}));  // it takes a posture
+  wrong_.clear();
+  accept();
+  hear(makeFrame('e', 8, {}));  // it takes a posture, which may have taken the joint
   arrive();
   measure(449000);
   EXPECT_THAT(wrong_, IsEmpty());
-}
-
-TEST(PictureAudit, FindsWhatIsWrong) {
-  std::vector<std::string> wrong;
-  PictureAudit audit([&wrong](const std::string& violation) { wrong.push_back(violation); });
-  for (std::uint8_t number = 1; number <= 5; ++number) {
-    audit.sent(&number, 1);
-  }
-  audit.setCalm(true);
-  audit.published({1}, 1);
-  audit.published({3}, 2);
-  EXPECT_THAT(wrong, IsEmpty());
-  EXPECT_EQ(audit.lostInCalm(), 1U);
-  audit.published({3}, 3);
-  audit.published({99}, 4);
-  audit.published({4}, 4);
-  EXPECT_THAT(wrong, ElementsAre("picture 3 after picture 3", HasSubstr("has not sent"), HasSubstr("stamp")));
 }
 
 }  // namespace

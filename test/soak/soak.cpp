@@ -2,6 +2,7 @@
 
 #include <aibo_driver/Connection.h>
 #include <ros/ros.h>
+#include <sensor_msgs/CompressedImage.h>
 #include <signal.h>
 #include <std_msgs/UInt32.h>
 #include <std_srvs/SetBool.h>
@@ -64,10 +65,7 @@ Soak::Soak(const Options& options)
       driver_resources_(options.folder + "/driver.csv"),
       robot_resources_(options.folder + "/robot.csv"),
       begin_(now()),
-      // Their violations come while the mutex is held.
-      pictures_([this](const std::string& violation) { print(violation); }),
-      wire_([this](const std::string& violation) { print(violation); },
-            [this](const std::uint8_t* jpeg, std::size_t size) { pictures_.sent(jpeg, size); }),
+      wire_([this](const std::string& violation) { print(violation); }),  // the mutex is held
       proxy_(proxyOptions()),
       driver_(kNamespace, proxy_.port(), {test_support::kByTcp}),
       handle_(kNamespace) {
@@ -86,8 +84,10 @@ Soak::Soak(const Options& options)
         is_connected_ = connection->state == aibo_driver::Connection::CONNECTED;
       }));
   subscribers_.push_back(handle_.subscribe<sensor_msgs::CompressedImage>(
-      "camera/image_raw/compressed", kAllOfThem,
-      [this](const sensor_msgs::CompressedImage::ConstPtr& picture) { receive(*picture); }));
+      "camera/image_raw/compressed", kAllOfThem, [this](const sensor_msgs::CompressedImage::ConstPtr&) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        ++pictures_;
+      }));
   for (int i = 0; i < kUsers; ++i) {
     users_.push_back(std::make_unique<test_support::Process>(
         std::vector<std::string>{options.program, "--user", std::to_string(i), "--seed", std::to_string(random_()),
@@ -142,11 +142,6 @@ void Soak::receive(const aibo_driver::MotionState& state) {
   moving_ = moving;
 }
 
-void Soak::receive(const sensor_msgs::CompressedImage& picture) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  pictures_.published(picture.data, picture.header.stamp.toNSec());
-}
-
 void Soak::complain(const std::string& violation) {
   const std::lock_guard<std::mutex> lock(mutex_);
   print(violation);
@@ -172,7 +167,7 @@ bool Soak::run() {
 }
 
 void Soak::begin() {
-  if (!waitFor(kStart, [this] { return is_connected_ && !round_.measured.empty() && pictures_.count() > 0; })) {
+  if (!waitFor(kStart, [this] { return is_connected_ && !round_.measured.empty() && pictures_ > 0; })) {
     throw std::runtime_error("the robot is not connected:\n" + driver_.output());
   }
   tellUsers(number_);
@@ -192,16 +187,9 @@ void Soak::end() {
   if (const std::string growth = robot_resources_.growth(); !growth.empty()) {
     complain("server: " + growth);
   }
-  // A computer that stalls the driver for more than 100 ms costs pictures.
-  if (1000 * pictures_.lostInCalm() > pictures_.calmCount()) {
-    complain("pictures were lost in calm periods");
-  }
   audit_.report();
   wire_.report();
-  std::printf("pictures: %llu, of these %llu in calm periods, in which %llu were lost\nviolations: %zu\n",
-              static_cast<unsigned long long>(pictures_.count()),
-              static_cast<unsigned long long>(pictures_.calmCount()),
-              static_cast<unsigned long long>(pictures_.lostInCalm()), violations_);
+  std::printf("pictures: %llu\nviolations: %zu\n", static_cast<unsigned long long>(pictures_), violations_);
 }
 
 /// Lets this much time pass, and takes samples of resources meanwhile.
@@ -245,11 +233,6 @@ void Soak::waitForUsers(unsigned round) {
   }
 }
 
-void Soak::setCalm(bool calm) {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  pictures_.setCalm(calm);
-}
-
 template <typename Service>
 void Soak::expectSuccess(const std::string& name, Service service) {
   const bool answered = ros::service::call(handle_.resolveName(name), service);
@@ -274,7 +257,6 @@ void Soak::goThroughARound() {
     const std::lock_guard<std::mutex> lock(mutex_);
     scene_ = "round " + std::to_string(number_ / 2 + 1);
   }
-  setCalm(false);
   tellUsers(number_ + 1);
   const double end = now() + uniform(6, 15);
   while (now() < end) {
@@ -288,15 +270,14 @@ void Soak::goThroughARound() {
   pass(static_cast<int>(1000 * kLateOrders));
   std::uint64_t before = 0;
   const auto is_connected = [&] {
-    before = pictures_.count();
+    before = pictures_;
     return is_connected_;
   };
-  if (!waitFor(kRecovers, is_connected) || !waitFor(kRecovers, [&] { return pictures_.count() > before + 10; })) {
+  if (!waitFor(kRecovers, is_connected) || !waitFor(kRecovers, [&] { return pictures_ > before + 10; })) {
     complain("the robot is not connected again, or no pictures come");
   }
-  setCalm(true);
   waitFor(kEnds, [this] { return moving_.empty(); });  // the audit names what has not ended
-  pass(3000);                                          // of joints that are measured at rest, and of pictures
+  pass(3000);                                          // of joints that are measured at rest
   const std::size_t violations = violations_;
   const Round round = takeRound();
   audit_.judge(round);

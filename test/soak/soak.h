@@ -4,10 +4,11 @@
 
 #include <aibo_driver/MotionState.h>
 #include <ros/node_handle.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/String.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,7 +19,6 @@
 #include "host_files/file_descriptor.h"
 #include "order_audit.h"
 #include "order_events.h"
-#include "picture_audit.h"
 #include "resource_log.h"
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
@@ -49,7 +49,6 @@ class Soak {
   void receive(const std_msgs::String& line);
   void receive(const sensor_msgs::JointState& joints);
   void receive(const aibo_driver::MotionState& state);
-  void receive(const sensor_msgs::CompressedImage& picture);
 
   void begin();
   void getReady();
@@ -57,7 +56,6 @@ class Soak {
   void goWrong();
   void tellUsers(unsigned round);
   void waitForUsers(unsigned round);
-  void setCalm(bool calm);
   Round takeRound();
   void end();
   void complain(const std::string& violation);
@@ -80,7 +78,7 @@ class Soak {
   std::size_t violations_ = 0;
   std::string scene_ = "start";
   Round round_;
-  PictureAudit pictures_;
+  std::uint64_t pictures_ = 0;  ///< that the driver has published
   WireAudit wire_;
   std::vector<aibo_driver::EndedMovement> ended_;  ///< as the newest motion_state has them
   std::vector<Moving> moving_;                     ///< the same

@@ -50,8 +50,6 @@ void WireAudit::takeFrame(double time) {
   const bool is_pushed = header.request_number == 0;
   if (header.kind == version2::replyKind(version2::REQUEST_JOINTS)) {
     takeAcceptedTargets(time);
-  } else if (header.kind == version2::PICTURE && header.payload_size > version2::IMAGE_HEADER_SIZE) {
-    on_picture_(frames_.payload() + version2::IMAGE_HEADER_SIZE, header.payload_size - version2::IMAGE_HEADER_SIZE);
   } else if (header.kind == version2::TELEMETRY_PUSH && is_pushed) {
     takeMeasurements();
   } else if (header.kind == version2::END_PUSH && is_pushed) {

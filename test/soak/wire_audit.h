@@ -16,16 +16,12 @@
 
 namespace soak {
 
-/// Reads what the robot sends to the driver: its pictures, which targets of joints it accepts, and whether the joints
-/// are measured there when it says that they have arrived (docs/protocol.md, "Orders"). Not thread-safe.
+/// Reads what the robot sends to the driver: which targets of joints it accepts, and whether the joints are measured
+/// there when it says that they have arrived (docs/protocol.md, "Orders"). Not thread-safe.
 class WireAudit {
  public:
-  using OnPicture = std::function<void(const std::uint8_t* jpeg, std::size_t size)>;
-
   /// @param complain is called with each violation
-  /// @param on_picture is called with each picture
-  WireAudit(std::function<void(const std::string&)> complain, OnPicture on_picture)
-      : complain_(std::move(complain)), on_picture_(std::move(on_picture)) {}
+  explicit WireAudit(std::function<void(const std::string&)> complain) : complain_(std::move(complain)) {}
 
   /// Takes the next bytes of the robot's side of a connection. The newest connection counts.
   /// @param time s
@@ -52,7 +48,6 @@ class WireAudit {
   int farthest(const Positions& targets) const;
 
   const std::function<void(const std::string&)> complain_;
-  const OnPicture on_picture_;
   std::vector<Accepted> accepted_;
   std::vector<double> missed_;  ///< rad, how far the farthest joint of each order was that is done
 
