@@ -43,12 +43,5 @@ TEST(BodyPoseTest, IsThatOfTheLegsAndOfTheSmoothedAcceleration) {
   expect_pose_with(pose, level + (1 - std::exp(-2)) * (tilted - level));
 }
 
-TEST(BodyPoseTest, NamesTheJointsOfTheLegs) {
-  EXPECT_EQ(legJointName(robot_model::LEFT_FRONT_LEG, 0), "left_front_rotator");
-  EXPECT_EQ(legJointName(robot_model::LEFT_HIND_LEG, 1), "left_hind_elevator");
-  EXPECT_EQ(legJointName(robot_model::RIGHT_FRONT_LEG, 2), "right_front_knee");
-  EXPECT_EQ(legJointName(robot_model::RIGHT_HIND_LEG, 0), "right_hind_rotator");
-}
-
 }  // namespace
 }  // namespace aibo_driver::node

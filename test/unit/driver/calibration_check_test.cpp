@@ -40,13 +40,10 @@ CameraInfo calibrationOf(const Lens& lens) {
 
 const std::vector<Lens> kGood = {
     {"plumb_bob", {-0.147, 0.385, 0, 0, 0}, 198.8, 200.3, 102.7, 85.0},  // Tekkotsu's ERS-7
-    {"plumb_bob", {-0.36, 0.12, 0.001, -0.0005, -0.01}, 95, 95.4, 110, 71},
     {"plumb_bob", {0.5, -30, 0.01, 0.002, 400}, 601, 598, 99, 83},
     {"rational_polynomial", {-0.4, 0.1, 0, 0, 0.02, -0.3, 0.05, 0.01}, 189, 190, 104, 80},
-    {"rational_polynomial", {12.1, -5, 0.001, 0.0007, 1.3, 12.2, -4.1, 0.9}, 192, 191, 101, 77},
     {"rational_polynomial", {-4, 2, 0, 0, 0.1, -4.1, 2.2, 0, 0, 0, 0, 0, 0, 0}, 300, 301, 104, 80},
     {"equidistant", {0, 0, 0, 0}, 120, 120, 103.5, 79.5},
-    {"equidistant", {-0.012, 0.003, -0.0021, 0.0004}, 191, 190, 105, 84},
     {"equidistant", {0.1, -0.05, 0.02, -0.004}, 60, 61, 104, 80},
     {"plumb_bob", {}, 190, 190, 104, 80},
     {"", {}, 190, 190, 104, 80},
@@ -54,13 +51,10 @@ const std::vector<Lens> kGood = {
 
 const std::vector<Lens> kBad = {
     {"plumb_bob", {-0.147, 0.385, 0, 0}, 190, 190, 104, 80},
-    {"plumb_bob", {0, 147, 0, 385, 0}, 190, 190, 104, 80},
     {"plumb_bob", {-0.147, 0.385, 0, 0, -25}, 190, 190, 104, 80},
-    {"rational_polynomial", {-0.147, 0.385, 0, 0, 0}, 190, 190, 104, 80},
     {"rational_polynomial", {12.1, -5, 0, 0, 1.3, -2.2, 0, 0}, 190, 190, 104, 80},
     {"rational_polynomial", std::vector<double>(15), 190, 190, 104, 80},
     {"equidistant", {0, 0, 0, 0, 0}, 190, 190, 104, 80},
-    {"equidistant", {100, 0, 0, 0}, 190, 190, 104, 80},
     {"equidistant", {-0.9, -3, 0, 0}, 120, 120, 104, 80},
     {"", {-0.147, 0.385, 0, 0, 0}, 190, 190, 104, 80},
     {"plumb", {}, 190, 190, 104, 80},
@@ -106,32 +100,23 @@ TEST(CalibrationCheck, WhatRosProgramsWriteIsAccepted) {
 TEST(CalibrationCheck, NumbersThatMakeNoSenseAreRefused) {
   const std::pair<Change, const char*> rows[] = {
       {[](CameraInfo& info) { info = CameraInfo(); }, "0x0"},
-      {[](CameraInfo& info) { info.height = 0; }, "208x0"},
       {[](CameraInfo& info) { info.width = 417; }, "417x160"},
       {[](CameraInfo& info) { info.height = 321; }, "208x321"},
-      {[](CameraInfo& info) { info.width = std::numeric_limits<std::uint32_t>::max(); }, "4294967295x160"},
       {[](CameraInfo& info) { info.D[4] = kNoNumber; }, "not finite"},
       {[](CameraInfo& info) { info.K[0] = kInfinity; }, "not finite"},
       {[](CameraInfo& info) { info.R[8] = -kInfinity; }, "not finite"},
       {[](CameraInfo& info) { info.P[11] = kNoNumber; }, "not finite"},
       {[](CameraInfo& info) { info.K[0] = 0; }, "fx of K is 0, with which the camera would see 180 degrees"},
       {[](CameraInfo& info) { info.K[4] = 0; }, "fy of K is 0"},
-      {[](CameraInfo& info) { info.K[0] = -190; }, "fx of K is -190"},
       {[](CameraInfo& info) { info.K[4] = 3.2; }, "fy of K is 3.2"},
       {[](CameraInfo& info) { info.K[0] = 1900; }, "fx of K is 1900, with which the camera would see 6.2"},
       {[](CameraInfo& info) { info.K[2] = -1; }, "the middle cx, cy of K is -1, 80"},
       {[](CameraInfo& info) { info.K[5] = 805; }, "the middle cx, cy of K is 104, 805"},
-      {[](CameraInfo& info) { info.K[1] = 5; }, "K does not have the form"},
       {[](CameraInfo& info) { info.K[3] = 5; }, "K does not have the form"},
-      {[](CameraInfo& info) { info.K[6] = 1; }, "K does not have the form"},
-      {[](CameraInfo& info) { info.K[7] = 1; }, "K does not have the form"},
       {[](CameraInfo& info) { info.K[8] = 0; }, "K does not have the form"},
       {[](CameraInfo& info) { info.K = {190, 5, 0, 104, 0, 0, 190, 80, 5}; }, "with decimal points?"},
-      {[](CameraInfo& info) { info.R = {}; }, "R is not a rotation"},
       {[](CameraInfo& info) { info.R[8] = -1; }, "R is not a rotation"},
       {[](CameraInfo& info) { info.R[4] = 2; }, "R is not a rotation"},
-      {[](CameraInfo& info) { info.R[1] = 0.1; }, "R is not a rotation"},
-      {[](CameraInfo& info) { info.P = {}; }, "P does not have the form"},
       {[](CameraInfo& info) { info.P[0] = 0; }, "fx of P is 0"},
       {[](CameraInfo& info) { info.P[5] = -190; }, "fy of P is -190"},
       {[](CameraInfo& info) { info.P[10] = 0; }, "P does not have the form"},
@@ -195,15 +180,11 @@ TEST_F(CalibrationFileCheckTest, MatricesHaveAllTheirNumbers) {
   const std::tuple<const char*, const char*, const char*> rows[] = {
       // in the file, what is replaced by what, and the problem
       {"190.12345", "190,12345", "camera_matrix in line 5 has rows: 3, cols: 3 and 10 numbers"},
-      {"-0.147000", "-0,147000", "distortion_coefficients in line 12 has rows: 1, cols: 5 and 6 numbers"},
       {"188.0", "188,0", "are they all there, with decimal points instead of commas?"},
-      {"[1., 0.", "[1.", "rectification_matrix in line 16 has rows: 3, cols: 3 and 8 numbers"},
       {"cols: 4", "cols: 3", "has rows: 3, cols: 3 and 12 numbers, but is a matrix of 3x4"},
       {"rows: 1", "rows: -1", "rows: -1, cols: 5"},
-      {"rows: 1", "rows: 1000000000", "rows: 1000000000, cols: 5"},
       {"camera_matrix", "matrix", "camera_matrix is missing"},
       {"data: [1.", "numbers: [1.", "rectification_matrix is missing, or has no data"},
-      {"rows: 1", "rows: one", "not the YAML of a calibration"},
       {"image_width: 208", "secret: {", "not the YAML of a calibration: see its line "},
   };
   for (const auto& [good, wrong, problem] : rows) {

@@ -7,7 +7,6 @@
 #include "aibo_client/exceptions.h"
 #include "files/files.h"
 #include "node/camera/calibration_check.h"
-#include "support/full_disk.h"
 #include "support/good_calibration.h"
 #include "support/temporary_folder.h"
 
@@ -58,20 +57,6 @@ TEST(CalibrationFile, MayBeIniAsForCameraInfoManager) {
   EXPECT_NEAR(info.P[5], goodCalibration().P[5], 1e-5);
   info.distortion_model = "equidistant";
   EXPECT_THROW(saveCalibration(info, "left", file), files::FileException);
-}
-
-TEST(CalibrationFile, StaysAsItWasIfTheDiskIsFull) {
-  const test_support::TemporaryFolder folder;
-  const std::string file = folder.path("eye.yaml").string();
-  saveCalibration(goodCalibration(), "left", file);
-  const auto size = std::filesystem::file_size(file);
-  {
-    const test_support::FullDisk full;
-    EXPECT_THROW(saveCalibration(goodCalibration(), "right", file), files::FileException);
-  }
-  EXPECT_EQ(std::filesystem::file_size(file), size);
-  const std::filesystem::directory_iterator files(folder.path());
-  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "nothing else is left";
 }
 
 TEST(CalibrationFile, IsNotReadIfItWasCutOff) {

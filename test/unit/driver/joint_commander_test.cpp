@@ -64,13 +64,6 @@ TEST_F(JointCommanderTest, ATrajectoryWithoutPointsHoldsEverything) {
   EXPECT_EQ(mover_.state().ended[0].reason, "/user sent an empty trajectory");
 }
 
-TEST_F(JointCommanderTest, APositionThatCameBeforeATrajectoryWithoutPointsIsHeldToo) {
-  arriveAt(0.0);
-  commander_.receivePosition("head_pan", 0.5, order());
-  commander_.receive(trajectory_msgs::JointTrajectory(), order());
-  EXPECT_THAT(client_.told, ElementsAre("J 2:0.50 in 0", "hold"));
-}
-
 TEST_F(JointCommanderTest, ATrajectoryOfAnotherTimeIsRefused) {
   trajectory_msgs::JointTrajectory message;
   message.header.stamp = ros::Time::now() - ros::Duration(10);
@@ -104,19 +97,6 @@ TEST_F(JointCommanderTest, PositionsOfTwoNodesAreTwoMovements) {
   EXPECT_THAT(mover_.state().movements[0].joints, ElementsAre("head_pan", "head_tilt"));
   EXPECT_EQ(mover_.state().movements[1].source, "/bert");
   EXPECT_THAT(mover_.state().movements[1].joints, ElementsAre("mouth"));
-}
-
-TEST_F(JointCommanderTest, ATrajectoryBeginsAtItsStamp) {
-  arriveAt(0.0);
-  trajectory_msgs::JointTrajectory message;
-  message.header.stamp = ros::Time::now() + ros::Duration(1000);
-  message.joint_names = {"head_pan"};
-  message.points.resize(1);
-  message.points[0].positions = {1.0};
-  message.points[0].time_from_start = ros::Duration(2);
-  commander_.receive(message, order());
-  EXPECT_EQ(mover_.state().movements.back().kind, movement::Movement::Kind::kTrajectory);
-  EXPECT_THAT(client_.told, testing::IsEmpty());
 }
 
 TEST_F(JointCommanderTest, KnowsACommandOfLookAt) {

@@ -134,13 +134,6 @@ TEST_F(AccelerometerTest, WaitsForAllAxesEachTime) {
   }
 }
 
-TEST_F(AccelerometerTest, ForgetsAxesOfAnEarlierConnection) {
-  accelerometer_.read(telemetryWith({{"acceleration_front_back", 1}, {"acceleration_right_left", 2}}));
-  Telemetry telemetry = telemetryWith({{"acceleration_up_down", 3}});
-  ++telemetry.connection_number;
-  EXPECT_FALSE(accelerometer_.read(telemetry));
-}
-
 class TouchSensorsTest : public ::testing::Test {
  protected:
   TouchSensors touch_{ers7()};
@@ -219,16 +212,6 @@ TEST(BatteryTest, HoldsTheChargeAndMarksEverythingElseAsUnknown) {
                               message->capacity, message->design_capacity}) {
     EXPECT_TRUE(std::isnan(unknown));
   }
-}
-
-TEST(BatteryTest, HoldsTheLastTemperatureOfThisConnection) {
-  Battery battery(sensorOf("battery"), sensorOf("temperature"));
-  EXPECT_FALSE(battery.read(telemetryWith({{"temperature", 31.5}}))) << "without the charge";
-  EXPECT_FLOAT_EQ(battery.read(telemetryWith({{"battery", 0.87}}))->temperature, 31.5F);
-  Telemetry after_reconnect = telemetryWith({{"battery", 0.87}});
-  after_reconnect.arrival += 2s;
-  ++after_reconnect.connection_number;
-  EXPECT_TRUE(std::isnan(battery.read(after_reconnect)->temperature));
 }
 
 TEST(BatteryTest, IsPublishedOnceASecond) {

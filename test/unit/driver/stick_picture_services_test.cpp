@@ -98,13 +98,10 @@ TEST_F(StickPictureServicesTest, FetchAPictureByItsNameInAnyCase) {
 }
 
 TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
-  const auto answer = fetch("mine", "fetched.jpg");
-  EXPECT_TRUE(answer.success);
-  EXPECT_THAT(answer.message, HasSubstr("Saved to '" + folder_.path("fetched.jpg").string() + "'."));
+  EXPECT_TRUE(fetch("mine", "fetched.jpg").success);
   EXPECT_TRUE(std::filesystem::exists(folder_.path("fetched.jpg")));
   const auto unsaved = fetch("mine", "../fetched.jpg");
   EXPECT_FALSE(unsaved.success);
-  EXPECT_THAT(unsaved.message, HasSubstr("Got MINE.JPG"));
   EXPECT_THAT(unsaved.message, HasSubstr("It was not saved: "));
   EXPECT_EQ(unsaved.image.data, client_.picture->jpeg) << "the caller has it all the same";
 }
@@ -120,11 +117,8 @@ TEST_F(StickPictureServicesTest, EachSaysWhyItFailed) {
   client_.problem = "there is no robot";
   EXPECT_EQ(takePicture(0).message, "There is no picture: there is no robot");
   EXPECT_EQ(list().message, "The pictures could not be listed: there is no robot");
-  const auto fetched = fetch("mine", "fetched.jpg");
-  EXPECT_FALSE(fetched.success);
-  EXPECT_EQ(fetched.message, "There is no picture: there is no robot");
+  EXPECT_EQ(fetch("mine").message, "There is no picture: there is no robot");
   EXPECT_EQ(remove("mine").message, "Nothing was deleted: there is no robot");
-  EXPECT_FALSE(std::filesystem::exists(folder_.path("fetched.jpg")));
 }
 
 }  // namespace

@@ -25,15 +25,6 @@ TEST_F(StreamPolicyTest, DoesNotStreamFromTheStartWhenNotWanted) {
   EXPECT_EQ(streaming_, true);
 }
 
-TEST_F(StreamPolicyTest, TogglingReturnsWhatIsWantedNow) {
-  StreamPolicy policy(true, false);
-  start(policy);
-  EXPECT_FALSE(policy.toggleWanted());
-  EXPECT_EQ(streaming_, false);
-  EXPECT_TRUE(policy.toggleWanted());
-  EXPECT_EQ(streaming_, true);
-}
-
 TEST_F(StreamPolicyTest, OnDemandFollowsTheSubscribers) {
   StreamPolicy policy(true, true);
   start(policy);
@@ -58,14 +49,6 @@ TEST_F(StreamPolicyTest, OnDemandSubscribersGetNothingWhileTheStreamIsNotWanted)
   EXPECT_FALSE(policy.waitsForSubscriber());
   has_subscriber_ = false;
   EXPECT_FALSE(policy.waitsForSubscriber()) << "one would not help";
-}
-
-TEST_F(StreamPolicyTest, WithoutDemandSubscribersDoNotMatter) {
-  StreamPolicy policy(true, false);
-  start(policy);
-  policy.subscribersChanged();
-  EXPECT_EQ(streaming_, true);
-  EXPECT_FALSE(policy.waitsForSubscriber());
 }
 
 TEST_F(StreamPolicyTest, DecidesNothingAfterStop) {

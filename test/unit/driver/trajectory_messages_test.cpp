@@ -35,21 +35,6 @@ TEST(WaitBeforeStart, IsRefusedForAStampThatCannotBeMeant) {
   EXPECT_THAT(refusalOf(ros::Time(1, 0), ros::Time(kHighest, 0)), HasSubstr("s ago"));
 }
 
-TEST(ToRequest, HasAllOfTheMessage) {
-  trajectory_msgs::JointTrajectory message;
-  message.joint_names = {"head_pan", "mouth"};
-  message.points.resize(2);
-  message.points[1].positions = {0.5, -0.5};
-  message.points[1].velocities = {0.1, 0.2};
-  message.points[1].time_from_start = ros::Duration(1.5);
-  const movement::TrajectoryRequest request = toRequest(message);
-  EXPECT_EQ(request.joints, message.joint_names);
-  ASSERT_EQ(request.points.size(), 2U);
-  EXPECT_EQ(request.points[1].positions, message.points[1].positions);
-  EXPECT_EQ(request.points[1].velocities, message.points[1].velocities);
-  EXPECT_EQ(request.points[1].time_from_start, 1.5);
-}
-
 TEST(OrderOfGoal, IsThatOfTheNodeThatMadeItsId) {
   EXPECT_EQ(orderOfGoal("/node-3-1234.567").source, "/node");
   EXPECT_EQ(orderOfGoal("/my-node-12-1234.567").source, "/my-node");

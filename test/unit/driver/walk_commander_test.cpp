@@ -133,16 +133,12 @@ TEST_F(WalkCommanderTest, AnswersAPostureWhenItIsTaken) {
     EXPECT_THAT(kindsMoving(), ElementsAre(Kind::kPosture));
     end(EndedKind::kPosture, EndedHow::kDone);
   };
-  const auto response = take("sit");
-  EXPECT_TRUE(response.success);
-  EXPECT_EQ(response.message, "The robot sits.");
+  EXPECT_EQ(take("sit").message, "The robot sits.");
   EXPECT_THAT(toldToWalk(), ElementsAre("sit"));
   client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
-  EXPECT_EQ(take("rest").message, "The robot lies down, and its motors are off.");
+  EXPECT_TRUE(take("rest").success);
   EXPECT_THAT(toldToWalk(), ElementsAre("rest"));
   EXPECT_THAT(kindsMoving(), testing::IsEmpty());
-  client_.meanwhile = [this] { end(EndedKind::kPosture, EndedHow::kDone); };
-  EXPECT_EQ(take("stand").message, "The robot stands.");
 }
 
 TEST_F(WalkCommanderTest, SaysWhyAPostureIsNotTaken) {

@@ -10,7 +10,6 @@
 #include <csignal>
 #include <future>
 
-#include "support/full_disk.h"
 #include "support/gzip.h"
 #include "support/refusal.h"
 #include "support/temporary_folder.h"
@@ -170,13 +169,6 @@ class SaveJpegTest : public FilesTest {
     EXPECT_EQ(read(folder_ / name), std::string(jpeg.begin(), jpeg.end())) << name;
   }
 };
-
-TEST_F(SaveJpegTest, ReplacesAnExistingJpegAndLeavesNothingElse) {
-  save("picture.jpg", 'a');
-  save("picture.jpg", 'b');
-  expectSaved("picture.jpg", 'b');
-  EXPECT_EQ(filesInFolder(), 1u);
-}
 
 TEST_F(SaveJpegTest, FollowsALinkToAJpegInTheFolder) {
   save("picture.jpg", 'a');

@@ -146,15 +146,6 @@ class RemoteControlTest : public ::testing::Test {
   RemoteControl window_;
 };
 
-TEST_F(RemoteControlTest, ADoubleClickPlaysAMotion) {
-  robot_.connectIt();
-  open("Motions");
-  Q_EMIT robot_.motionsListed({"NOD.MTN", "WAG.MTN"});
-  robot_.take();
-  Q_EMIT find<QListWidget>("motions")->itemDoubleClicked(find<QListWidget>("motions")->item(1));
-  EXPECT_EQ(robot_.take(), QStringList("play WAG.MTN 1"));
-}
-
 struct Button {
   const char* page;
   const char* name;
@@ -164,7 +155,6 @@ struct Button {
 TEST_F(RemoteControlTest, EachButtonAsksForWhatItSays) {
   const Button buttons[] = {
       {"Move", "Stand", {"stand"}},
-      {"Move", "Sit", {"sit"}},
       {"Move", "Rest", {"rest"}},
       {"Move", "Motors on", {"motors on"}},
       {"Move", "Motors off", {"motors off"}},
@@ -234,7 +224,6 @@ TEST_F(RemoteControlTest, StopBecomesReleaseWhileTheRobotIsStoppedButNotForASeco
   Q_EMIT robot_.conditionChanged(stopped);
   EXPECT_EQ(find<QAbstractButton>("stop")->text(), "Release");
   EXPECT_EQ(textOf("condition"), "stopped by /gamepad");
-  EXPECT_TRUE(find<QWidget>("stop")->styleSheet().contains("#1565c0")) << "blue";
   EXPECT_TRUE(QTest::qWaitFor([this] { return click("stop") == QStringList("release"); }));
   EXPECT_GE(since_stopped.elapsed(), 1000) << "sooner it stops once more";
   QTest::keyClick(&window_, Qt::Key_Space);
@@ -291,14 +280,15 @@ TEST_F(RemoteControlTest, ShowsWhatLooksLikeHtmlAsItIs) {
   Q_EMIT robot_.movementChanged(html);
   Q_EMIT robot_.settingsDescribed({{html, html, 1, 100, {}}, {"choice", html, {}, {}, {{html, html}}}});
   window_.setFolder(html);
-  Q_EMIT robot_.answered(false, html);
+  Q_EMIT robot_.answered(false, html + QString(5'000'000, 'x'));
   auto* tabs = find<QTabWidget>("");
   for (int page = 0; page < tabs->count(); ++page) {
     tabs->setCurrentIndex(page);
   }
   click("folder");
   QList<QWidget*> widgets = window_.findChildren<QWidget*>();
-  EXPECT_TRUE(textOf("status").endsWith(html));
+  EXPECT_TRUE(textOf("status").contains(html));
+  EXPECT_LT(textOf("status").size(), 2000) << "of a long answer the beginning";
   for (QWidget* widget : widgets) {
     if (auto* label = qobject_cast<QLabel*>(widget)) {
       EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
@@ -313,12 +303,6 @@ TEST_F(RemoteControlTest, ShowsWhatLooksLikeHtmlAsItIs) {
   }
 }
 
-TEST_F(RemoteControlTest, OfALongAnswerTheBeginningIsShown) {
-  Q_EMIT robot_.answered(false, "no" + QString(5'000'000, 'x'));
-  EXPECT_LT(textOf("status").size(), 2000);
-  EXPECT_TRUE(textOf("status").contains("nox"));
-}
-
 TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestIsShown) {
   robot_.connectIt();
   open("Camera");
@@ -330,8 +314,6 @@ TEST_F(RemoteControlTest, PicturesGoToTheChosenFolderAndTheNewestIsShown) {
   EXPECT_FALSE(find<QWidget>("thumbnail")->isEnabled());
   Q_EMIT robot_.pictureTaken(QImage(208, 160, QImage::Format_RGB32), "/chosen/a.jpg");
   EXPECT_EQ(textOf("path"), "/chosen/a.jpg");
-  EXPECT_EQ(find<QWidget>("thumbnail")->toolTip(), "Opens /chosen/a.jpg");
-  EXPECT_FALSE(find<QAbstractButton>("thumbnail")->icon().isNull());
 }
 
 TEST_F(RemoteControlTest, EachPlaceOfAPadHasItsDirection) {
@@ -341,7 +323,6 @@ TEST_F(RemoteControlTest, EachPlaceOfAPadHasItsDirection) {
       {"drive_pad", Qt::LeftButton, 1, 0, "walk 0.00 0.00 -1.00"},
       {"drive_pad", Qt::LeftButton, 0.05, -0.05, "walk 0.00 0.00 0.00"},
       {"drive_pad", Qt::RightButton, -1, 0, "walk 0.00 0.06 0.00"},
-      {"drive_pad", Qt::RightButton, -0.2, 0.6, "walk 0.09 0.01 0.00"},
       {"head_pad", Qt::LeftButton, -1, 1, "head_pan 1.5, head_tilt 0.8"},
       {"head_pad", Qt::LeftButton, 1, -1, "head_pan -1.5, head_tilt -0.3"},
   };
@@ -380,17 +361,6 @@ TEST_F(RemoteControlTest, ThePadWalksAgainAndAgainUntilItIsLetGo) {
   }
 }
 
-TEST_F(RemoteControlTest, TheHeadsPadShowsWhereTheHeadIsAndForgetsItWithTheConnection) {
-  robot_.connectIt();
-  auto* pad = find<AxisPad>("head_pad");
-  Q_EMIT robot_.jointsMeasured({{"head_pan", 0.8}, {"head_tilt", 0.7}});
-  ASSERT_TRUE(pad->measured());
-  EXPECT_NEAR(pad->measured()->x(), -0.5, 0.05) << "the left is positive for the robot";
-  EXPECT_GT(pad->measured()->y(), 0.7);
-  robot_.disconnectIt(State::kDisconnected, "gone");
-  EXPECT_FALSE(pad->measured());
-}
-
 TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   robot_.connectIt();
   auto* view = window_.findChild<PictureView*>();
@@ -405,20 +375,9 @@ TEST_F(RemoteControlTest, AClickIntoThePictureLooksThere) {
   Q_EMIT robot_.streamingChanged(true);
   Q_EMIT robot_.pictureArrived(QImage(208, 160, QImage::Format_RGB32));
   EXPECT_EQ(look({0.2, 0.4}), QStringList("look 0.2 0.4"));
-  EXPECT_EQ(look({-0.05, 0.5}), QStringList()) << "beside the picture";
   Q_EMIT robot_.conditionChanged(conditionOf(Motors::kOff, Posture::kLying));
   EXPECT_EQ(look({0.2, 0.4}), QStringList());
   EXPECT_TRUE(textOf("status").endsWith("look there: not now: the motors are off; click Stand, or Motors on"));
-}
-
-TEST_F(RemoteControlTest, FitsOnASmallScreenWithEachPage) {
-  robot_.connectIt();
-  auto* tabs = find<QTabWidget>("");
-  for (int page = 0; page < tabs->count(); ++page) {
-    tabs->setCurrentIndex(page);
-    EXPECT_LE(window_.minimumSizeHint().height(), 500) << page << ", in rviz on 1024x600 pixels";
-    EXPECT_LE(window_.minimumSizeHint().width(), 480) << page;
-  }
 }
 
 const QString kLongWord(300, 'x');
@@ -454,13 +413,9 @@ const std::vector<std::pair<const char*, std::function<void(FakeRobot&)>>> kHapp
      [](FakeRobot& robot) {
        Q_EMIT robot.conditionChanged(conditionOf(Motors::kOn, Posture::kStanding, "/" + kLongWord));
      }},
-    {"it is released", [](FakeRobot& robot) { Q_EMIT robot.conditionChanged({}); }},
     {"the robot is silent", [](FakeRobot& robot) { robot.disconnectIt(State::kDisconnected, kLongText); }},
-    {"the driver is gone", [](FakeRobot& robot) { robot.disconnectIt(State::kNoDriver, kLongText); }},
-    {"the master is gone", [](FakeRobot& robot) { robot.disconnectIt(State::kNoMaster, kLongWord); }},
     {"a playback", [](FakeRobot& robot) { robot.disconnectIt(State::kPlayback, kLongWord); }},
     {"a robot of version 1", [](FakeRobot& robot) { robot.connectIt(1); }},
-    {"another kind of robot", [](FakeRobot& robot) { robot.connectIt(2, "ERS-210"); }},
     {"a kind that nobody knows", [](FakeRobot& robot) { robot.connectIt(2, "R2D2"); }}};
 
 // With the usual and with a doubled font, as on a screen of high resolution.
@@ -470,7 +425,7 @@ TEST(RemoteControlLayout, StopAndTheTabsStayInTheirPlacesWhateverHappens) {
     QFont font = usual;
     font.setPointSizeF(factor * usual.pointSizeF());
     QApplication::setFont(font);
-    for (const QSize& size : {QSize(0, 0), QSize(420, 600), QSize(1024, 600), QSize(1280, 800), QSize(1920, 1080)}) {
+    for (const QSize& size : {QSize(0, 0), QSize(420, 600), QSize(1920, 1080)}) {
       FakeRobot robot;
       RemoteControl window(robot);
       window.resize(size);
@@ -486,6 +441,7 @@ TEST(RemoteControlLayout, StopAndTheTabsStayInTheirPlacesWhateverHappens) {
         return QVector<QRect>{window.rect(), place(window.findChild<QWidget*>("stop")), place(tabs->tabBar()),
                               place(window.findChild<QWidget*>("status"))};
       };
+      EXPECT_LE(window.minimumSizeHint().height(), 500 * factor) << "in rviz on 1024x600 pixels";
       const QVector<QRect> before = places();
       EXPECT_EQ(before[0] & before[1], before[1]) << "all of STOP can be seen";
       for (const auto& [name, happen] : kHappenings) {
@@ -541,12 +497,8 @@ TEST_F(RemoteControlTest, TheConnectionIsShownInWordsAndFigures) {
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C"));
   EXPECT_EQ(textOf("link"), "30.0 pictures/s, 12 ms old, 3.4 % lost");
   EXPECT_EQ(textOf("who_moves"), "moved by /anna (walk)");
-  Q_EMIT robot_.linkMeasured({0, kUnknown, kUnknown});
-  EXPECT_EQ(textOf("link"), "0.0 pictures/s");
   robot_.disconnectIt(State::kDisconnected, "is the robot on?");
   EXPECT_EQ(textOf("connection"), "is the robot on?");
-  robot_.disconnectIt(State::kDisconnected, kLongWord);
-  EXPECT_EQ(find<QLabel>("connection")->toolTip(), kLongWord) << "as a whole";
   EXPECT_EQ(textOf("battery"), QString::fromUtf8("Battery 82 %, 31 \u00B0C")) << "the last reading stays";
   EXPECT_FALSE(find<QLabel>("battery")->isEnabled()) << "in grey";
   EXPECT_EQ(textOf("link"), "");
@@ -599,19 +551,14 @@ TEST_F(RemoteControlTest, ShowsWhatIsTouchedHowFarThingsAreAndHowLoudItIs) {
   }
   open("Sound");
   find<QAbstractButton>("listen")->click();
-  auto* level = find<QProgressBar>("level");
   Q_EMIT robot_.heard(-20.4);
-  EXPECT_EQ(level->format(), "-20 dB");
-  const QColor usual = level->palette().color(QPalette::Highlight);
-  Q_EMIT robot_.heard(-5);
-  EXPECT_NE(level->palette().color(QPalette::Highlight), usual) << "it may be clipped";
+  EXPECT_EQ(find<QProgressBar>("level")->format(), "-20 dB");
 }
 
 TEST_F(RemoteControlTest, AnLedIsSwitchedOffOnlyIfTheRobotSaysThatItShines) {
   robot_.connectIt();
   open("Lights");
   find<QSlider>("intensity")->setValue(40);
-  EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   EXPECT_EQ(click("face_3"), QStringList("face_3 0.4"));
   Q_EMIT robot_.ledsChanged({{"face_3", 0.4}});
   EXPECT_NE(find<QWidget>("face_3")->styleSheet(), "") << "it is coloured";
@@ -629,17 +576,13 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForceAndAskForWhatTheUserChooses) 
   open("Camera");
   Q_EMIT robot_.settingsDescribed({{"jpeg_quality", "", 5, 95, {}},
                                    {"gain", "", {}, {}, {{"low", 1}, {"mid", 2}}},
-                                   {"auto_exposure", "", {}, {}, {{"no", false}, {"yes", true}}},
-                                   {"speed_scale", "", 0.1, 1.0, {}}});
+                                   {"auto_exposure", "", {}, {}, {{"no", false}, {"yes", true}}}});
   robot_.take();
-  Q_EMIT robot_.settingsChanged(
-      {{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", true}, {"speed_scale", 0.35}, {"guard", true}});
+  Q_EMIT robot_.settingsChanged({{"jpeg_quality", 85}, {"gain", 2}, {"auto_exposure", true}, {"guard", true}});
   EXPECT_EQ(robot_.take(), QStringList()) << "what the driver says is no wish";
   EXPECT_EQ(find<QDoubleSpinBox>("jpeg_quality")->value(), 85);
-  EXPECT_EQ(find<QComboBox>("gain")->currentText(), "mid");
   EXPECT_EQ(find<QComboBox>("auto_exposure")->currentText(), "yes");
-  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.35);
-  for (const char* name : {"jpeg_quality", "gain", "speed_scale", "driver"}) {
+  for (const char* name : {"jpeg_quality", "gain", "driver"}) {
     turnWheel(find<QWidget>(name));
     EXPECT_EQ(robot_.take(), QStringList()) << "whoever scrolls changes nothing: " << name;
   }
@@ -647,20 +590,9 @@ TEST_F(RemoteControlTest, SettingsShowWhatIsInForceAndAskForWhatTheUserChooses) 
   EXPECT_EQ(robot_.take(), QStringList("jpeg_quality 95"));
   Q_EMIT find<QComboBox>("gain")->activated(0);
   EXPECT_EQ(robot_.take(), QStringList("gain 1"));
-  Q_EMIT find<QComboBox>("auto_exposure")->activated(0);
-  EXPECT_EQ(robot_.take(), QStringList("auto_exposure false"));
-  find<QDoubleSpinBox>("speed_scale")->setValue(0.5);
-  EXPECT_EQ(robot_.take(), QStringList("speed_scale 0.5"));
   open("Move");
   EXPECT_EQ(click("guard_walks"), QStringList("guard false"));
   EXPECT_TRUE(find<QCheckBox>("guard_walks")->isChecked()) << "the window shows what the robot reports";
-}
-
-TEST_F(RemoteControlTest, ASettingIsNeverCutByOldLimits) {
-  Q_EMIT robot_.settingsDescribed({{"gain", "", 1, 3, {}}, {"speed_scale", "", 0.1, 1.0, {}}});
-  Q_EMIT robot_.settingsChanged({{"gain", 5}, {"speed_scale", 0.05}});
-  EXPECT_EQ(find<QDoubleSpinBox>("gain")->value(), 5);
-  EXPECT_EQ(find<QDoubleSpinBox>("speed_scale")->value(), 0.05);
 }
 
 TEST_F(RemoteControlTest, EachJointHasASliderWithinTheLimitsOfItsRobot) {

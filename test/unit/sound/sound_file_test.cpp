@@ -184,17 +184,6 @@ TEST_F(SoundFileTest, MissingSoundIsSilenceInARecording) {
   EXPECT_THAT(readAll("heard.wav"), testing::ElementsAre(2, 0, 0, 4)) << "means, rounded to even";
 }
 
-TEST_F(SoundFileTest, ALongGapIsAsLongInARecording) {
-  Recording recording(path("gap.wav"), {true, 1, 16000});
-  aibo_client::HeardSound sound;
-  sound.channels = 1;
-  sound.samples_per_second = 16000;
-  sound.missing = 40001;  // it is written in parts
-  sound.samples = {1};
-  recording.add(sound);
-  EXPECT_EQ(40002.0 / 16000, recording.seconds());
-}
-
 TEST_F(SoundFileTest, ARecordingIsAWholeFileAtEachMoment) {
   Recording recording(path("heard.wav"), {true, 1, 16000});
   aibo_client::HeardSound sound;

@@ -97,12 +97,6 @@ TEST(GoalController, ItTurnsTowardsTheGoalBeforeItWalks) {
   EXPECT_NEAR(way.velocityAt({-0.9, 0.1, 3.14159265}).forward, 0.08, 1e-6) << "it slows down before the place";
 }
 
-TEST(GoalController, TheShorterTurnIsTaken) {
-  GoalController way({0, 0, 3});
-  EXPECT_LT(way.velocityAt({0, 0, -3}).turn, 0);
-  EXPECT_NEAR(way.turnFrom({0, 0, -3}), 6 - 2 * 3.14159265, 1e-6);
-}
-
 TEST(GoalController, APoseInTheFrameOfTheRobotIsRelativeToItsPose) {
   const PlanePose pose = inFrameOf({1, 2, 3.14159265 / 2}, {0.5, 0.1, 3});
   EXPECT_NEAR(pose.x, 0.9, 1e-6);
