@@ -8,21 +8,10 @@
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
 
-#include <chrono>
-#include <cstddef>
-#include <functional>
 #include <list>
-#include <memory>
-#include <optional>
-#include <string>
-#include <thread>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "node/goal_server.h"
 #include "support/ros/goal_watch.h"
-#include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
 
 namespace {
@@ -46,9 +35,8 @@ using FollowGoal = GoalWatch<FollowJointTrajectoryAction>;
 
 class PlayUser : public JointUser {
  public:
-  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& robot_options = {},
-                    const std::vector<std::string>& parameters = kQuick)
-      : JointUser(name_space, parameters, robot_options), client(name_space + "/play_motion") {
+  explicit PlayUser(const std::string& name_space, const std::vector<std::string>& parameters = kQuick)
+      : JointUser(name_space, parameters), client(name_space + "/play_motion") {
     EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
@@ -64,9 +52,8 @@ class PlayUser : public JointUser {
 
 class FollowUser : public JointUser {
  public:
-  explicit FollowUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : JointUser(name_space, kQuick, robot_options, AIBO_DRIVER_NODE_WITH_ALL),
-        client(name_space + "/follow_joint_trajectory") {
+  explicit FollowUser(const std::string& name_space)
+      : JointUser(name_space, kQuick, {}, AIBO_DRIVER_NODE_WITH_ALL), client(name_space + "/follow_joint_trajectory") {
     EXPECT_TRUE(client.waitForActionServerToStart(ros::Duration(60)));
   }
 
@@ -87,16 +74,14 @@ control_msgs::JointTolerance tolerance(const std::string& joint, double position
 }
 
 TEST(PlayMotionGoal, SucceedsAtTheEndOfTheMotionAndItsFeedbackIsTheTimeSinceItsBeginning) {
-  PlayUser user("/play", {}, {"_motion_speed_limit:=0.7"});
-  for (int i = 0; i < 2; ++i) {
-    const ros::SteadyTime begin = ros::SteadyTime::now();
-    const auto goal = PlayGoal::begin(user.client, PlayUser::nod(0));  // it plays at least once
-    EXPECT_LE(goal->waitForFeedback()->time.toSec(), (ros::SteadyTime::now() - begin).toSec());
-    ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED);
-    EXPECT_TRUE(goal->result()->success);
-    EXPECT_EQ(goal->result()->end, EndedMovement::DONE);
-    EXPECT_THAT(goal->result()->message, HasSubstr("It was played to its end: 4 steps are too fast"));
-  }
+  PlayUser user("/play", {"_motion_speed_limit:=0.7"});
+  const ros::SteadyTime begin = ros::SteadyTime::now();
+  const auto goal = PlayGoal::begin(user.client, PlayUser::nod(0));  // it plays at least once
+  EXPECT_LE(goal->waitForFeedback()->time.toSec(), (ros::SteadyTime::now() - begin).toSec());
+  ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED);
+  EXPECT_TRUE(goal->result()->success);
+  EXPECT_EQ(goal->result()->end, EndedMovement::DONE);
+  EXPECT_THAT(goal->result()->message, HasSubstr("It was played to its end: 4 steps are too fast"));
 }
 
 TEST(PlayMotionGoal, SaysHowTheMotionEndedEarly) {
@@ -179,9 +164,6 @@ TEST(PlayMotionGoal, OfAMotionThatIsNotThereIsRejected) {
   PlayGoal goal(user.client, request);
   ASSERT_EQ(goal.waitForEnd(), State::REJECTED);
   EXPECT_THAT(goal.result()->message, HasSubstr("Nothing was played"));
-  PlayGoal nameless(user.client, PlayGoal::Goal());
-  ASSERT_EQ(nameless.waitForEnd(), State::REJECTED);
-  EXPECT_THAT(nameless.result()->message, HasSubstr("give the name of a motion"));
 }
 
 TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
@@ -192,11 +174,9 @@ TEST(FollowGoal, IsFollowedWithFeedbackAndWithinTolerances) {
   const auto feedback = goal->waitForFeedback();
   ASSERT_TRUE(feedback);
   ASSERT_THAT(feedback->joint_names, ::testing::ElementsAre("head_pan", "neck_tilt"));
-  for (const std::size_t i : {0U, 1U}) {
-    const auto& [error, desired, actual] = std::tie(feedback->error, feedback->desired, feedback->actual);
-    EXPECT_NEAR(error.positions.at(i), desired.positions.at(i) - actual.positions.at(i), 1e-9);
-    EXPECT_NEAR(error.velocities.at(i), desired.velocities.at(i) - actual.velocities.at(i), 1e-9);
-  }
+  const auto& [error, desired, actual] = std::tie(feedback->error, feedback->desired, feedback->actual);
+  EXPECT_NEAR(error.positions.at(1), desired.positions.at(1) - actual.positions.at(1), 1e-9);
+  EXPECT_NEAR(error.velocities.at(1), desired.velocities.at(1) - actual.velocities.at(1), 1e-9);
   ASSERT_EQ(goal->waitForEnd(), State::SUCCEEDED) << goal->result()->error_string;
   EXPECT_EQ(goal->result()->error_code, Result::SUCCESSFUL);
   EXPECT_NEAR(user.joints.position("head_pan"), 0.5, 0.05);
@@ -243,15 +223,12 @@ TEST(FollowGoal, OutsideItsTolerancesIsAbortedWithItsCode) {
 
 TEST(FollowGoal, ThatCannotBeFollowedIsRejectedWithItsCode) {
   FollowUser user("/follow_rejected");
-  FollowJointTrajectoryGoal many = FollowUser::goal({}, 1.0);
-  many.trajectory.joint_names.assign(1001, "head_pan");
   FollowJointTrajectoryGoal old = FollowUser::goal({{"head_pan", 1.0}}, 1.0);
   old.trajectory.header.stamp = ros::Time::now() - ros::Duration(10);
   FollowJointTrajectoryGoal other = FollowUser::goal({{"head_pan", 1.0}}, 1.0);
   other.path_tolerance = {tolerance("neck_tilt", 1)};
   const std::tuple<const char*, FollowJointTrajectoryGoal, int> rows[] = {
       {"an unknown joint", FollowUser::goal({{"third_leg", 1.0}}, 1.0), Result::INVALID_JOINTS},
-      {"too many joints", many, Result::INVALID_JOINTS},
       {"it is too old", old, Result::OLD_HEADER_TIMESTAMP},
       {"it is too fast", FollowUser::goal({{"head_pan", 1.0}}, 0.01), Result::INVALID_GOAL},
       {"a tolerance for a joint that it does not move", other, Result::INVALID_GOAL},

@@ -14,9 +14,7 @@
 #include "support/ros/diagnostics_listener.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_publishers.h"
-#include "support/scripted_server.h"
 #include "support/simulated_robot.h"
-#include "support/version2_frames.h"
 
 namespace {
 
@@ -73,34 +71,12 @@ TEST(Diagnostics, AreOkInEachBranchOfTheTreeWhileTheRobotIsWell) {
     })) << name;
   }
   Watch watch("tree");
-  const DiagnosticStatus connection = watch.waitFor("connection", DiagnosticStatus::OK);
-  EXPECT_EQ(connection.hardware_id, "127.0.0.1:" + std::to_string(robot.port()));
-  EXPECT_EQ(numberIn(connection, "protocol version"), 2);
-  for (const auto& [count, value] : {std::pair("connections made", 1),
-                                     {"attempts failed", 0},
-                                     {"streams given up for silence", 0},
-                                     {"protocol errors", 0}}) {
-    EXPECT_EQ(numberIn(connection, count), value) << count;
-  }
-  EXPECT_GT(numberIn(connection, "bytes received"), 0);
+  EXPECT_EQ(watch.waitFor("connection", DiagnosticStatus::OK).hardware_id, "127.0.0.1:" + std::to_string(robot.port()));
   const DiagnosticStatus stream = watch.waitFor("stream", DiagnosticStatus::OK, "pictures/s, ");
   EXPECT_EQ(stream.message, DiagnosticsListener::value(stream, "pictures per second") + " pictures/s, " +
                                 DiagnosticsListener::value(stream, "KB per second") + " KB/s");
   EXPECT_EQ(numberIn(stream, "quality asked for"), 40);
-  EXPECT_EQ(DiagnosticsListener::value(stream, "adaptive"), "off");
   EXPECT_EQ(numberIn(stream, "pictures per second asked for"), 15);
-  EXPECT_GT(numberIn(stream, "pictures received"), 0);
-  for (const char* const count :
-       {"pictures damaged", "pictures nobody asked for", "images decoded", "images not decodable"}) {
-    EXPECT_EQ(numberIn(stream, count), 0) << count;
-  }
-  const DiagnosticStatus joints = watch.waitFor("joints", DiagnosticStatus::OK, " measurements/s");
-  EXPECT_EQ(DiagnosticsListener::value(joints, "robot"), "ERS-7");
-  EXPECT_GT(numberIn(joints, "measurements received"), 0);
-  for (const char* const count :
-       {"measurements dropped, more than asked for", "impossible values dropped", "requests refused by the robot"}) {
-    EXPECT_EQ(numberIn(joints, count), 0) << count;
-  }
 }
 
 TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
@@ -112,17 +88,13 @@ TEST(Diagnostics, WithoutARobotSayWhatIsMissingAndWhatIsIdle) {
   watch.waitFor("sound", DiagnosticStatus::OK, "idle: microphone has no subscriber");
   const TopicListener<aibo_driver::Sound> listener("/alone/microphone");
   watch.waitFor("sound", DiagnosticStatus::WARN, "nothing is heard");
+  std_srvs::SetBool off;
+  ASSERT_TRUE(ros::service::call("/alone/set_streaming", off));
+  watch.waitFor("stream", DiagnosticStatus::OK, "idle: the stream is off");
   const auto refused = watch.waitFor("connection", DiagnosticStatus::ERROR, "not connected");
   EXPECT_GT(numberIn(refused, "attempts failed"), 0);
   EXPECT_NE(DiagnosticsListener::value(refused, "reason"), "");
   EXPECT_NE(DiagnosticsListener::value(refused, "what to check"), "");
-}
-
-TEST(Diagnostics, TheFirstAttemptIsOnlyAWarning) {
-  const test_support::ScriptedServer silent;
-  Watch watch("first");
-  DriverProcess driver("/first", silent.port(), {"_connect_timeout:=60", "_read_timeout:=60"});
-  watch.waitFor("connection", DiagnosticStatus::WARN, "connecting to 127.0.0.1:" + std::to_string(silent.port()));
 }
 
 Bytes cut(Bytes jpeg) {
@@ -153,15 +125,6 @@ TEST(StreamDiagnostics, ReportDamageOnceAndAreOkAgainAfterwards) {
   }
 }
 
-TEST(StreamDiagnostics, AreOkWhileNobodyWantsPictures) {
-  Watch watch("idle");
-  const DriverProcess driver("/idle", 1);
-  watch.waitFor("stream", DiagnosticStatus::OK, "idle: no camera topic has a subscriber");
-  std_srvs::SetBool off;
-  ASSERT_TRUE(ros::service::call("/idle/set_streaming", off));
-  watch.waitFor("stream", DiagnosticStatus::OK, "idle: the stream is off");
-}
-
 TEST(StreamDiagnostics, WarnOfAStreamThatIsSlowOrStandsStill) {
   const std::pair<std::chrono::milliseconds, const char*> rows[] = {
       // between two pictures, and what is said
@@ -190,20 +153,6 @@ TEST(StreamDiagnostics, WarnOfDataThatComesLate) {
   EXPECT_GT(numberIn(late, "delay beyond the shortest, longest ms"), 400);
 }
 
-// The client knows the proxy's address, and the datagrams come from the robot's, as behind a NAT.
-TEST(StreamDiagnostics, SayWhyPicturesComeByTcpAlthoughUdpIsWanted) {
-  SimulatedRobot robot({"--bind", "127.0.0.3"});
-  FaultProxy::Options way;
-  way.target_host = "127.0.0.3";
-  way.target_port = robot.port();
-  FaultProxy proxy(way);
-  DriverProcess driver("/no_udp", proxy.port(), {kStreams, "_transport:=udp", "_read_timeout:=20"});
-  const auto fallen_back = Watch("no_udp").waitFor("stream", DiagnosticStatus::WARN,
-                                                   "pictures come by TCP, not by UDP: no datagram has come");
-  EXPECT_EQ(DiagnosticsListener::value(fallen_back, "transport"), "tcp");
-  EXPECT_NE(DiagnosticsListener::value(fallen_back, "datagrams from strangers"), "0");
-}
-
 TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
   SimulatedRobot robot;
   DriverProcess driver("/jam", robot.port(), {"_stream_on_start:=false", "_read_timeout:=20"});
@@ -225,20 +174,10 @@ TEST(JointDiagnostics, AreAnErrorUntilAJointThatWasJammedFollowsAgain) {
   EXPECT_TRUE(moves_until(0.5, DiagnosticStatus::OK, "measurements/s"));
 }
 
-TEST(JointDiagnostics, WarnOfMeasurementsThatWereDropped) {
-  test_support::PictureServer server(2, 20ms);
-  const DriverProcess driver("/drops", server.port(),
-                             {"_telemetry_rate:=1", "_stream_on_start:=false", "_read_timeout:=20"});
-  Watch watch("drops");
-  server.setTelemetry(true);  // 31 times a second
-  const auto too_many = watch.waitFor("joints", DiagnosticStatus::WARN, " measurements dropped: the robot sends more");
-  EXPECT_GT(numberIn(too_many, "measurements dropped, more than asked for"), 0);
-  server.flood([frame = 0U]() mutable {
-    constexpr int kImpossible = 2'147'000'000;  // microradian
-    return version2_frames::makeFrame('t', 0, version2_frames::makeTelemetry(frame += 4, {{'J', 1, kImpossible}}));
-  });
-  const auto impossible = watch.waitFor("joints", DiagnosticStatus::WARN, " impossible values dropped");
-  EXPECT_GT(numberIn(impossible, "impossible values dropped"), 0);
+TEST(JointDiagnostics, AreAnErrorForARobotOfAnotherKind) {
+  const SimulatedRobot robot;
+  const DriverProcess driver("/wrong", robot.port(), {"_robot:=ERS-210"});
+  Watch("wrong").waitFor("joints", DiagnosticStatus::ERROR, "the robot says that it is an ERS-7");
 }
 
 TEST(JointDiagnostics, WarnOfARobotThatIsStoppedOrLimp) {

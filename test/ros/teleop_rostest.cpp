@@ -124,7 +124,6 @@ TEST(Keyboard, SaysWhyItCannotStart) {
   const std::map<std::string, std::string> no_master{{"ROS_MASTER_URI", "http://127.0.0.1:1"}};
   const std::tuple<std::string, std::map<std::string, std::string>, const char*> rows[] = {
       {"__ns:=/wrong_speed _speed:=-0.1", {}, "/speed is -0.1.*; it must be a number, 0\\.\\."},
-      {"__ns:=/wrong_time _key_timeout:=nan", {}, "/key_timeout is nan.*; it must be a number, 0\\.\\."},
       {"< /dev/null", {}, "Start it in a terminal of its own"},
       {"", no_master, "no ROS master at http://127.0.0.1:1"},
   };
@@ -212,8 +211,6 @@ TEST(GamepadTest, EachAxisHasItsDirectionAndSpeed) {
     EXPECT_NEAR(walk->angular.z, row.turn, 1e-6) << row.name_space;
     const auto head = heads.waitForCount(2)[1];
     EXPECT_EQ(head->velocity, std::vector<double>(2, row.head_speed)) << "the head can keep up";
-    EXPECT_NE(head->position.at(0), 0.3) << row.name_space;
-    EXPECT_NE(head->position.at(1), 0.2) << row.name_space;
   }
 }
 
@@ -299,9 +296,7 @@ TEST(GamepadTest, SeesAShortPressOfStopAlsoIfItWasHeldUp) {
 // Each with the complaint.
 const std::vector<std::pair<const char*, const char*>> kWrongParameters = {
     {"_dead_man_button:=-1", "dead_man_button is -1; it must be"},
-    {"_tilt_axis:=-2", "tilt_axis is -2; it must be a place in sensor_msgs/Joy, from 0 on, or -1"},
     {"_motions/WAG:=-2", "motions/WAG is -2; it must be a place"},
-    {"_stop_button:=two", "stop_button is the text 'two'; it must be a place"},
     {"_postures/fly:=2", "the postures are stand, sit and rest"},
     {"_picture_button:=4", "Button 4 is dead_man_button and picture_button; each needs its own, or -1"},
     {"_motions:=2", "motions should have a button for each name"},

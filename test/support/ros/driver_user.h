@@ -111,8 +111,6 @@ class DriverUser {
            nullptr;
   }
 
-  void waitForWarning(const std::string& pattern) { driver.waitForOutput("WARN.*" + pattern, kSafetyNet); }
-
   SimulatedRobot robot;
   RecordingProxy proxy;
   TopicListener<aibo_driver::Connection> connection;

@@ -9,7 +9,6 @@
 #include <std_srvs/SetBool.h>
 
 #include <chrono>
-#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -56,24 +55,11 @@ class JointUser : public DriverUser {
     return reaches(posture, [&] { publish(topic, message); });
   }
 
-  // Breaks the connection and waits for the next one.
-  void reconnect() {
-    connection.clear();
-    proxy.cut();
-    EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
-    joints.messages().clear();
-    EXPECT_TRUE(joints.messages().waitForNext());
-  }
-
   bool waitForPanBeyond(double position, std::chrono::milliseconds timeout = kSafetyNet) {
     const auto isBeyond = [position](const sensor_msgs::JointState& state) {
       return positionOf(state, "head_pan").value_or(position) > position;
     };
     return joints.messages().waitFor(isBeyond, timeout) != nullptr;
-  }
-
-  std::size_t jointRequests(std::size_t first_connection = 0) const {
-    return proxy.requestsFromDriver("J", first_connection).size();
   }
 
   JointListener joints;
