@@ -152,7 +152,7 @@ TEST(Settings, SpeedScaleSlowsARunningTrajectoryThatStillArrives) {
   const auto later = passes(0.75);
   ASSERT_TRUE(halfway && later);
   EXPECT_LT(0.1 / (later->header.stamp - halfway->header.stamp).toSec(), 0.1) << "0.05 rad/s are allowed";
-  EXPECT_TRUE(joints.waitForPosition("head_pan", 0.8));
+  EXPECT_THAT(joints.waitForPositions({{"head_pan", 0.8}}), testing::IsEmpty());
 }
 
 // The robot sees no floor behind it, so with the guard it refuses. Otherwise the walk ends because nobody steers on.

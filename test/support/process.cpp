@@ -102,11 +102,10 @@ std::string Process::output() const {
 void Process::signal(int number) const {
   ::kill(pid_, number);
   siginfo_t stopped = {};
-  const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-  while (number == SIGSTOP && ::waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WNOHANG) == 0 &&
-         stopped.si_pid == 0 && std::chrono::steady_clock::now() < end) {
-    std::this_thread::sleep_for(kPollPeriod);  // on a busy computer, its threads go on for a while
-  }
+  eventually([&] {  // on a busy computer, its threads go on for a while
+    return number != SIGSTOP || ::waitid(P_PID, static_cast<id_t>(pid_), &stopped, WSTOPPED | WNOHANG) != 0 ||
+           stopped.si_pid != 0;
+  });
 }
 
 void Process::kill() {

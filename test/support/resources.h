@@ -3,7 +3,12 @@
 #define TEST_SUPPORT_RESOURCES_H
 
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 #include <string>
+
+#include "support/safety_net.h"
 
 namespace test_support {
 
@@ -21,10 +26,32 @@ struct Resources {
   std::size_t resident_kilobytes = 0;
 
   /// @param process ID of a process; "self" = this one
-  static Resources of(const std::string& process = "self");
+  static Resources of(const std::string& process = "self") {
+    const std::filesystem::path folder = "/proc/" + process;
+    const auto entries = [&](const char* name) {
+      return static_cast<std::size_t>(
+          std::distance(std::filesystem::directory_iterator(folder / name), std::filesystem::directory_iterator()));
+    };
+    Resources resources{entries("fd"), entries("task"), 0};
+    std::ifstream status(folder / "status");
+    for (std::string line; std::getline(status, line);) {
+      if (line.rfind("VmRSS:", 0) == 0) {
+        std::istringstream(line.substr(6)) >> resources.resident_kilobytes;
+      }
+    }
+    return resources;
+  }
 
   /// Waits until this process has no more descriptors and threads than this. @return what it has more; empty if nothing
-  std::string growth() const;
+  std::string growth() const {
+    Resources now;
+    eventually([&] {
+      now = of();
+      return now.descriptors <= descriptors && now.threads <= threads;
+    });
+    return (now.descriptors > descriptors ? std::to_string(now.descriptors - descriptors) + " descriptors more " : "") +
+           (now.threads > threads ? std::to_string(now.threads - threads) + " threads more" : "");
+  }
 };
 
 }  // namespace test_support

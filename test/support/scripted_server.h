@@ -3,17 +3,35 @@
 #ifndef TEST_SUPPORT_SCRIPTED_SERVER_H
 #define TEST_SUPPORT_SCRIPTED_SERVER_H
 
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host_files/file_descriptor.h"
 #include "protocol/version1.h"
+#include "support/safety_net.h"
+#include "support/sockets.h"
+#include "support/test_pictures.h"
 #include "support/version2_frames.h"
 
 namespace test_support {
+
+inline bool isReadableWithin(int descriptor, std::chrono::milliseconds time) {
+  pollfd polled = {descriptor, POLLIN, 0};
+  const int count = ::poll(&polled, 1, static_cast<int>(time.count()));
+  check(count >= 0, "poll");
+  return count > 0;
+}
 
 /// The server's end of one connection. Calls that wait throw std::runtime_error after a generous timeout.
 class ScriptedPeer {
@@ -23,36 +41,99 @@ class ScriptedPeer {
   explicit ScriptedPeer(host_files::FileDescriptor socket) : socket_(std::move(socket)) {}
 
   /// Waits for the client's next command.
-  protocol::BasicGetCommand readCommand();
+  protocol::BasicGetCommand readCommand() { return protocol::decodeCommand(read(protocol::BASIC_COMMAND_SIZE).data()); }
 
   /// Waits for the client's next frame (version 2 of the protocol).
-  version2_frames::Frame readFrame();
+  version2_frames::Frame readFrame() {
+    const Bytes header = read(protocol::version2::FRAME_HEADER_SIZE);
+    version2_frames::Frame frame = {protocol::version2::decodeFrameHeader(header.data()), {}};
+    frame.payload = read(frame.header.payload_size);
+    return frame;
+  }
 
   /// Waits for the next frame that is not a heartbeat, and answers heartbeats.
-  version2_frames::Frame readRequest();
+  version2_frames::Frame readRequest() {
+    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
+    while (std::chrono::steady_clock::now() < end) {
+      version2_frames::Frame frame = readFrame();
+      if (frame.header.kind != protocol::version2::REQUEST_HELLO) {
+        return frame;
+      }
+      send(version2_frames::makeFrame('h', frame.header.request_number, version2_frames::makeHello()));
+    }
+    throw std::runtime_error("the client has sent nothing but heartbeats");
+  }
 
   /// Agrees to version 2 of the protocol, and says hello. Then the client sets the camera.
-  void agreeToVersion2(const std::string& capabilities = "F W J V T");
+  void agreeToVersion2(const std::string& capabilities = "F W J V T") {
+    const protocol::BasicGetCommand question = readCommand();
+    if (question.command != protocol::REQUEST_NEWER_VERSION) {
+      throw std::runtime_error("the client has not asked for version 2, but sent " + std::string(1, question.command));
+    }
+    send({'x', 2, 0, 0});
+    const int number = readFrame().header.request_number;
+    send(version2_frames::makeFrame('h', number, version2_frames::makeHello(capabilities)));
+    for (int i = 0; i < protocol::version2::NUMBER_OF_CAMERA_SETTINGS; ++i) {
+      const version2_frames::Frame setting = readFrame();
+      camera_ += version2_frames::textOf(setting) + ";";
+      Bytes reply = version2_frames::makeFrame('g', setting.header.request_number, setting.payload);
+      reply[1] = setting.header.id;
+      send(reply);
+    }
+  }
 
   /// How the client has set the camera, as in "G 1 3;G 2 2;".
   const std::string& camera() const { return camera_; }
 
   /// Waits for this many bytes.
-  Bytes read(std::size_t size);
+  Bytes read(std::size_t size) {
+    Bytes bytes;
+    while (bytes.size() < size) {
+      if (!isReadableWithin(socket_.get(), kSafetyNet)) {
+        throw std::runtime_error("the client has sent nothing");
+      }
+      Bytes part(size - bytes.size());
+      const ssize_t count = ::recv(socket_.get(), part.data(), part.size(), 0);
+      if (count <= 0) {
+        throw std::runtime_error("the client has closed the connection");
+      }
+      bytes.insert(bytes.end(), part.begin(), part.begin() + count);
+    }
+    return bytes;
+  }
 
-  void send(const Bytes& bytes);
+  void send(const Bytes& bytes) {
+    std::size_t sent = 0;
+    while (sent < bytes.size()) {
+      // The beginning goes alone, as part of a header.
+      const std::size_t part = sent == 0 ? std::min<std::size_t>(bytes.size(), 3) : bytes.size() - sent;
+      const ssize_t count = ::send(socket_.get(), bytes.data() + sent, part, MSG_NOSIGNAL);
+      check(count >= 0, "send");
+      sent += static_cast<std::size_t>(count);
+    }
+  }
 
   /// Sends header and picture at once.
-  void sendPicture(const Bytes& jpeg);
+  void sendPicture(const Bytes& jpeg) { send(test_pictures::makeReply(jpeg)); }
 
   /// Closes the connection (FIN).
   void close() { socket_.close(); }
 
   /// Resets the connection (RST).
-  void reset();
+  void reset() {
+    resetWhenClosed(socket_);
+    socket_.close();
+  }
 
   /// Waits until the client has closed the connection, and discards what it sends until then.
-  void waitUntilClosed();
+  void waitUntilClosed() {
+    char ignored[256];
+    do {
+      if (!isReadableWithin(socket_.get(), kSafetyNet)) {
+        throw std::runtime_error("the client has not closed the connection");
+      }
+    } while (::recv(socket_.get(), ignored, sizeof ignored, 0) > 0);
+  }
 
  private:
   host_files::FileDescriptor socket_;
@@ -65,28 +146,64 @@ class ScriptedServer {
   enum class Begin { kListening, kAbsent };
 
   /// @param begin kAbsent: the port is reserved, but connections are refused
-  explicit ScriptedServer(Begin begin = Begin::kListening);
+  explicit ScriptedServer(Begin begin = Begin::kListening) {
+    bind();
+    if (begin == Begin::kListening) {
+      listen();
+    }
+  }
 
   int port() const { return port_; }
 
   /// Begins to listen, unless it already does.
   /// @param backlog one less than the number of clients that may wait for accept()
-  void listen(int backlog = 16);
+  void listen(int backlog = 16) {
+    if (!std::exchange(listening_, true)) {
+      check(::listen(socket_.get(), backlog) == 0, "listen");
+    }
+  }
 
   /// Has the kernel take only few unread bytes from later clients.
-  void limitReceiveBuffer();
+  void limitReceiveBuffer() {
+    const int size = 4096;
+    check(::setsockopt(socket_.get(), SOL_SOCKET, SO_RCVBUF, &size, sizeof size) == 0, "SO_RCVBUF");
+  }
 
   /// Stops listening; the port stays reserved.
-  void vanish();
+  void vanish() {
+    socket_.close();
+    listening_ = false;
+    bind();
+  }
 
   /// Waits for the next client.
-  ScriptedPeer accept();
+  ScriptedPeer accept() {
+    if (!isReadableWithin(socket_.get(), kSafetyNet)) {
+      throw std::runtime_error("no client has come");
+    }
+    host_files::FileDescriptor socket(::accept4(socket_.get(), nullptr, nullptr, SOCK_CLOEXEC));
+    check(socket.valid(), "accept");
+    const int yes = 1;
+    check(::setsockopt(socket.get(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes) == 0, "TCP_NODELAY");
+    return ScriptedPeer(std::move(socket));
+  }
 
   /// True if a client comes within this time; its connection is closed.
-  bool clientComesWithin(std::chrono::milliseconds time);
+  bool clientComesWithin(std::chrono::milliseconds time) {
+    if (!isReadableWithin(socket_.get(), time)) {
+      return false;
+    }
+    accept();
+    return true;
+  }
 
  private:
-  void bind();
+  void bind() {
+    socket_ = host_files::FileDescriptor(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0));
+    check(socket_.valid(), "socket");
+    bindSocket(socket_, "127.0.0.1", port_);
+    port_ = portOf(socket_);
+  }
 
   host_files::FileDescriptor socket_;
   int port_ = 0;

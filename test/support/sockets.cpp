@@ -5,6 +5,7 @@
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <random>
@@ -102,6 +103,13 @@ FileDescriptor acceptFrom(const FileDescriptor& listener) {
     setOption(socket.get(), IPPROTO_TCP, TCP_NODELAY, 1);
   }
   return socket;
+}
+
+void pollUntil(std::vector<pollfd>* polled, std::chrono::steady_clock::time_point end) {
+  const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+  const auto count = std::max<std::chrono::nanoseconds::rep>(left.count(), 0);
+  const timespec timeout = {count / 1000000000, count % 1000000000};
+  ::ppoll(polled->data(), polled->size(), &timeout, nullptr);
 }
 
 void resetWhenClosed(const FileDescriptor& socket) {

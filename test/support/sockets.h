@@ -3,7 +3,11 @@
 #ifndef TEST_SUPPORT_SOCKETS_H
 #define TEST_SUPPORT_SOCKETS_H
 
+#include <poll.h>
+
+#include <chrono>
 #include <string>
+#include <vector>
 
 #include "host_files/file_descriptor.h"
 
@@ -28,6 +32,9 @@ host_files::FileDescriptor beginConnecting(const std::string& address, int port)
 /// Takes the next client of a listening socket; its socket does not block.
 /// @return no descriptor if there is none
 host_files::FileDescriptor acceptFrom(const host_files::FileDescriptor& listener);
+
+/// Waits until one of these is ready, or until this time.
+void pollUntil(std::vector<pollfd>* polled, std::chrono::steady_clock::time_point end);
 
 /// From now on, closing the socket resets the connection.
 void resetWhenClosed(const host_files::FileDescriptor& socket);

@@ -7,7 +7,6 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
@@ -17,6 +16,7 @@
 #include <system_error>
 #include <vector>
 
+#include "host_files/file_descriptor.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 
@@ -44,40 +44,33 @@ class TestClient {
   explicit TestClient(uint16_t port, int receive_buffer = 0, const char* from = "127.0.0.1")
       : socket_(::socket(AF_INET, SOCK_STREAM, 0)) {
     if (receive_buffer > 0) {
-      ::setsockopt(socket_, SOL_SOCKET, SO_RCVBUF, &receive_buffer, sizeof(receive_buffer));
+      setOption(SOL_SOCKET, SO_RCVBUF, receive_buffer);
     }
-    // A request must not wait for the acknowledgement of the one before it.
-    const int no_delay = 1;
-    ::setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &no_delay, sizeof(no_delay));
+    setOption(IPPROTO_TCP, TCP_NODELAY, 1);  // a request must not wait for the acknowledgement of the one before it
     sockaddr_in address{};
     address.sin_family = AF_INET;
     ::inet_pton(AF_INET, from, &address.sin_addr);
-    ::bind(socket_, reinterpret_cast<sockaddr*>(&address), sizeof(address));
+    ::bind(socket_.get(), reinterpret_cast<sockaddr*>(&address), sizeof(address));
     address.sin_port = htons(port);
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
     // The kernel connects by itself as long as there is room in the listener's backlog.
-    if (::connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
-      const int error = errno;
-      ::close(socket_);
-      throw std::system_error(error, std::generic_category(), "connect");
+    if (::connect(socket_.get(), reinterpret_cast<sockaddr*>(&address), sizeof(address)) != 0) {
+      throw std::system_error(errno, std::generic_category(), "connect");
     }
   }
-  ~TestClient() { close(); }
-  TestClient(const TestClient&) = delete;
-  TestClient& operator=(const TestClient&) = delete;
 
   /// This client's own port.
   uint16_t port() const {
     sockaddr_in address{};
     socklen_t size = sizeof(address);
-    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&address), &size);
+    ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&address), &size);
     return ntohs(address.sin_port);
   }
 
   /// Sends as much as the kernel takes now.
   /// @return bytes sent
   size_t send(const std::string& bytes) {
-    const ssize_t sent = ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = ::send(socket_.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
     return sent > 0 ? static_cast<size_t>(sent) : 0;
   }
 
@@ -90,30 +83,24 @@ class TestClient {
   /// The next whole reply, if it is here already.
   std::optional<Reply> next() {
     receive();
-    if (received_.empty()) {
+    const bool is_picture = !received_.empty() && received_[0] == protocol::REPLY_PICTURE;
+    const size_t header = is_picture ? protocol::PICTURE_HEADER_SIZE : protocol::VALUE_REPLY_SIZE;
+    if (received_.size() < header) {
+      return std::nullopt;
+    }
+    size_t size = 0;
+    if (is_picture && !protocol::decodePictureHeader(bytes(), &size)) {
+      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
+    }
+    if (received_.size() < header + size) {
       return std::nullopt;
     }
     Reply reply;
     reply.letter = received_[0];
-    if (reply.letter != protocol::REPLY_PICTURE) {
-      if (received_.size() < protocol::VALUE_REPLY_SIZE) {
-        return std::nullopt;
-      }
+    if (!is_picture) {
       reply.value = protocol::decodeValueReply(bytes());
-      consume(protocol::VALUE_REPLY_SIZE);
-      return reply;
     }
-    size_t size = 0;
-    if (received_.size() < protocol::PICTURE_HEADER_SIZE) {
-      return std::nullopt;
-    }
-    if (!protocol::decodePictureHeader(bytes(), &size)) {
-      throw std::runtime_error("a picture of " + std::to_string(size) + " bytes");
-    }
-    if (received_.size() < protocol::PICTURE_HEADER_SIZE + size) {
-      return std::nullopt;
-    }
-    consume(protocol::PICTURE_HEADER_SIZE);
+    consume(header);
     reply.jpeg = consume(size);
     return reply;
   }
@@ -155,29 +142,26 @@ class TestClient {
     receive();
     int error = 0;  // from a reset after an orderly end
     socklen_t size = sizeof(error);
-    ::getsockopt(socket_, SOL_SOCKET, SO_ERROR, &error, &size);
+    ::getsockopt(socket_.get(), SOL_SOCKET, SO_ERROR, &error, &size);
     return was_reset_ || error != 0;
   }
 
-  void close() {
-    if (socket_ >= 0) {
-      ::close(socket_);
-      socket_ = -1;
-    }
-  }
+  void close() { socket_.close(); }
 
   /// Closes so that the server sees a reset.
   void reset() {
     const linger abort{1, 0};
-    ::setsockopt(socket_, SOL_SOCKET, SO_LINGER, &abort, sizeof(abort));
+    ::setsockopt(socket_.get(), SOL_SOCKET, SO_LINGER, &abort, sizeof(abort));
     close();
   }
 
  private:
+  void setOption(int level, int name, int value) { ::setsockopt(socket_.get(), level, name, &value, sizeof(value)); }
+
   void receive() {
     char bytes[65536];
     while (!ended_) {
-      const ssize_t size = ::recv(socket_, bytes, sizeof(bytes), MSG_DONTWAIT);
+      const ssize_t size = ::recv(socket_.get(), bytes, sizeof(bytes), MSG_DONTWAIT);
       if (size > 0) {
         received_.append(bytes, static_cast<size_t>(size));
       } else if (size < 0 && (errno == EAGAIN || errno == EINTR)) {
@@ -197,7 +181,7 @@ class TestClient {
     return taken;
   }
 
-  int socket_;
+  host_files::FileDescriptor socket_;
   std::string received_;
   bool ended_ = false;
   bool was_reset_ = false;

@@ -6,13 +6,14 @@
 #include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdint>
 #include <optional>
 #include <system_error>
 #include <vector>
+
+#include "host_files/file_descriptor.h"
 
 namespace test_support {
 
@@ -23,30 +24,24 @@ class UdpSocket {
   explicit UdpSocket(const char* address = "127.0.0.1", int port = 0)
       : socket_(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
     sockaddr_in own = addressOf(address, port);
-    if (::bind(socket_, reinterpret_cast<sockaddr*>(&own), sizeof(own)) != 0) {
+    if (::bind(socket_.get(), reinterpret_cast<sockaddr*>(&own), sizeof(own)) != 0) {
       throw std::system_error(errno, std::generic_category(), "bind");
     }
   }
-  ~UdpSocket() { ::close(socket_); }
-  UdpSocket(const UdpSocket&) = delete;
-  UdpSocket& operator=(const UdpSocket&) = delete;
 
   std::uint16_t port() const {
     sockaddr_in own{};
     socklen_t size = sizeof(own);
-    ::getsockname(socket_, reinterpret_cast<sockaddr*>(&own), &size);
+    ::getsockname(socket_.get(), reinterpret_cast<sockaddr*>(&own), &size);
     return ntohs(own.sin_port);
   }
 
   void send(int port, const std::vector<std::uint8_t>& bytes, const char* address = "127.0.0.1") {
-    const sockaddr_in to = addressOf(address, port);
-    ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+    sendTo(addressOf(address, port), bytes);
   }
 
   /// Sends to the sender of the last datagram of next().
-  void reply(const std::vector<std::uint8_t>& bytes) {
-    ::sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&sender_), sizeof(sender_));
-  }
+  void reply(const std::vector<std::uint8_t>& bytes) { sendTo(sender_, bytes); }
 
   /// The port of the sender of the last datagram of next().
   std::uint16_t senderPort() const { return ntohs(sender_.sin_port); }
@@ -55,7 +50,7 @@ class UdpSocket {
   std::optional<std::vector<std::uint8_t>> next() {
     std::vector<std::uint8_t> bytes(65536);
     socklen_t sender_size = sizeof(sender_);
-    const ssize_t size = ::recvfrom(socket_, bytes.data(), bytes.size(), MSG_DONTWAIT,
+    const ssize_t size = ::recvfrom(socket_.get(), bytes.data(), bytes.size(), MSG_DONTWAIT,
                                     reinterpret_cast<sockaddr*>(&sender_), &sender_size);
     if (size < 0) {
       return std::nullopt;
@@ -73,7 +68,11 @@ class UdpSocket {
     return result;
   }
 
-  int socket_;
+  void sendTo(const sockaddr_in& to, const std::vector<std::uint8_t>& bytes) {
+    ::sendto(socket_.get(), bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&to), sizeof(to));
+  }
+
+  host_files::FileDescriptor socket_;
   sockaddr_in sender_{};
 };
 

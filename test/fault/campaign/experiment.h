@@ -8,7 +8,6 @@
 #include <optional>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "support/proxy/fault_proxy.h"
@@ -62,11 +61,8 @@ inline int uniform(Random& random, int lowest, int highest) {
 /// @throw std::runtime_error with the text: it does not become true
 template <typename Condition>
 void await(const Condition& condition, const std::string& otherwise) {
-  for (const TimePoint end = steady_clock::now() + kSafetyNet; !condition();) {
-    if (steady_clock::now() > end) {
-      throw std::runtime_error(otherwise);
-    }
-    std::this_thread::sleep_for(milliseconds(2));
+  if (!eventually(condition, milliseconds(2))) {
+    throw std::runtime_error(otherwise);
   }
 }
 

@@ -31,13 +31,9 @@ class HonestClient {
   /// Waits for pictures and joints that come from now on.
   /// @return false if they do not come
   bool getsMore() {
-    const TimePoint end = steady_clock::now() + kSafetyNet;
     const unsigned pictures = pictures_;
     const unsigned joints = joints_;
-    while ((pictures_ < pictures + 2 || joints_ < joints + 2) && steady_clock::now() < end) {
-      std::this_thread::sleep_for(milliseconds(2));
-    }
-    return steady_clock::now() < end;
+    return eventually([&] { return pictures_ >= pictures + 2 && joints_ >= joints + 2; });
   }
 
  private:

@@ -13,12 +13,10 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <tuple>
 #include <vector>
 
@@ -27,6 +25,7 @@
 #include "support/proxy/fault_proxy.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/safety_net.h"
 #include "support/scripted_server.h"
 #include "support/sockets.h"
 
@@ -34,10 +33,10 @@ namespace {
 
 using aibo_driver::Connection;
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 using test_support::Action;
 using test_support::Direction;
 using test_support::DriverProcess;
+using test_support::eventually;
 using test_support::FaultProxy;
 using test_support::kSafetyNet;
 using test_support::MemoryStick;
@@ -51,14 +50,6 @@ using CompressedListener = TopicListener<sensor_msgs::CompressedImage>;
 
 // No connection ends because this computer is slow.
 constexpr const char* kPatient = "_read_timeout:=60";
-
-bool eventually(const std::function<bool()>& condition) {
-  const auto end = steady_clock::now() + kSafetyNet;
-  while (!condition() && steady_clock::now() < end) {
-    std::this_thread::sleep_for(milliseconds(5));
-  }
-  return condition();
-}
 
 /// Ends the node, by Ctrl-C unless told otherwise.
 void expectEnds(DriverProcess* driver, int signal = SIGINT) {

@@ -41,12 +41,12 @@
 #include "support/resources.h"
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
+#include "support/safety_net.h"
 #include "support/simulated_robot.h"
 
 namespace {
 
 using std::chrono::milliseconds;
-using std::chrono::steady_clock;
 using test_support::DriverProcess;
 using test_support::kSafetyNet;
 using test_support::Resources;
@@ -86,11 +86,7 @@ class HostileNode : public testing::Test {
   template <typename Message>
   ros::Publisher publisher(const std::string& topic, std::uint32_t queue_size = 1) {
     ros::Publisher publisher = node_.advertise<Message>(topic, queue_size);
-    const auto end = steady_clock::now() + kSafetyNet;
-    while (publisher.getNumSubscribers() == 0 && steady_clock::now() < end) {
-      std::this_thread::sleep_for(milliseconds(10));
-    }
-    EXPECT_GT(publisher.getNumSubscribers(), 0U) << topic;
+    EXPECT_TRUE(test_support::eventually([&] { return publisher.getNumSubscribers() > 0; })) << topic;
     return publisher;
   }
 

@@ -14,12 +14,10 @@
 #include <csignal>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <future>
 #include <map>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "node/stop_client.h"
@@ -29,6 +27,7 @@
 #include "support/ros/driver_process.h"
 #include "support/ros/topic_listener.h"
 #include "support/ros/topic_publishers.h"
+#include "support/safety_net.h"
 #include "support/simulated_robot.h"
 #include "support/sockets.h"
 
@@ -36,23 +35,15 @@ namespace {
 
 using aibo_driver::RobotState;
 using aibo_driver::node::StopClient;
-using std::chrono::steady_clock;
 using std_srvs::Trigger;
 using test_support::DriverProcess;
+using test_support::eventually;
 using test_support::kSafetyNet;
 using test_support::Process;
 using test_support::Resources;
 using test_support::SimulatedRobot;
 using test_support::TopicListener;
 using ::testing::HasSubstr;
-
-bool becomesTrue(const std::function<bool()>& condition) {
-  const auto end = steady_clock::now() + kSafetyNet;
-  while (!condition() && steady_clock::now() < end) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
-  }
-  return condition();
-}
 
 // The robot's connection must not end because this computer is slow: without descriptors there is no new one.
 constexpr const char* kKeepsRobot = "_read_timeout:=60";
@@ -91,7 +82,7 @@ TEST(Stop, NeedsNoMaster) {
   const SimulatedRobot robot;
   DriverProcess driver("/alone", robot.port(), {kKeepsRobot}, environment);
   driver.waitForOutput("onnected to", kSafetyNet);
-  EXPECT_TRUE(becomesTrue([&] {  // on a slow computer, an order may be too old when it could reach the robot
+  EXPECT_TRUE(eventually([&] {  // on a slow computer, an order may be too old when it could reach the robot
     Process stand({"rosservice", "call", "--wait", "/alone/stand"}, environment);
     return stand.waitForExit(kSafetyNet) && stand.output().find("success: True") != std::string::npos;
   }));
@@ -103,7 +94,7 @@ TEST(Stop, NeedsNoMaster) {
                    environment);
   keyboard.waitForOutput("speeds: ", kSafetyNet);
   // The first keys may come before anybody listens. A robot that turns on the spot meets nothing meanwhile.
-  EXPECT_TRUE(becomesTrue([&] {
+  EXPECT_TRUE(eventually([&] {
     keys.type('j');
     return state.output().find("posture: 4") != std::string::npos;
   })) << "it does not walk";
@@ -111,7 +102,7 @@ TEST(Stop, NeedsNoMaster) {
   const auto stops = [&] {
     const std::size_t before = keyboard.output().size();
     keys.type('S');
-    return becomesTrue(
+    return eventually(
         [&] { return keyboard.output().find("/alone/stop: The robot holds", before) != std::string::npos; });
   };
 
@@ -131,7 +122,7 @@ class FloodedStop : public ::testing::Test {
                                                                  "ulimit " + limit + "; exec " + AIBO_DRIVER_NODE +
                                                                      " __ns:=/flooded " + kKeepsRobot +
                                                                      " _port:=" + std::to_string(robot_.port())});
-    ASSERT_TRUE(becomesTrue([this] { return stops(); }));
+    ASSERT_TRUE(eventually([this] { return stops(); }));
   }
 
   /// Opens connections over which nothing is ever said, until the driver has so many more descriptors.
@@ -145,7 +136,7 @@ class FloodedStop : public ::testing::Test {
     for (std::size_t i = 0; i < connections; ++i) {
       silent_.push_back(test_support::beginConnecting("127.0.0.1", static_cast<int>(port)));
     }
-    ASSERT_TRUE(becomesTrue([&] { return Resources::of(pid).descriptors >= enough; }))
+    ASSERT_TRUE(eventually([&] { return Resources::of(pid).descriptors >= enough; }))
         << Resources::of(pid).descriptors << " of " << enough;
   }
 
@@ -205,7 +196,7 @@ class OutlivedStop : public ::testing::Test {
     command.name = {"head_pan"};
     command.position = {0.5};
     const std::string refusal = "head_pan is refused: stopped by " + ros::this_node::getName() + "; call release";
-    EXPECT_TRUE(becomesTrue([&] {  // the first command may go to the driver before
+    EXPECT_TRUE(eventually([&] {  // the first command may go to the driver before
       commands_.publish("joint_command", command);
       return driver_->output().find(refusal) != std::string::npos;
     })) << driver_->output();
@@ -229,7 +220,7 @@ class OutlivedStop : public ::testing::Test {
 TEST_F(OutlivedStop, LastsAlsoInTheNextDriverUntilRelease) {
   ASSERT_TRUE(waitFor(false));
   call("stop");
-  EXPECT_TRUE(becomesTrue(remembers));
+  EXPECT_TRUE(eventually(remembers));
   driver_->kill();
   restart();
   driver_->waitForOutput("The robot stays stopped: .* has stopped it", kSafetyNet);
@@ -239,7 +230,7 @@ TEST_F(OutlivedStop, LastsAlsoInTheNextDriverUntilRelease) {
   restart();
   expectStopped();
   call("release");
-  EXPECT_TRUE(becomesTrue([] { return !remembers(); }));
+  EXPECT_TRUE(eventually([] { return !remembers(); }));
   driver_->kill();
   restart();
   EXPECT_TRUE(waitFor(false));

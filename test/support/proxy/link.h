@@ -3,8 +3,11 @@
 #define TEST_SUPPORT_PROXY_LINK_H
 
 #include <poll.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
@@ -17,6 +20,7 @@
 #include "host_files/file_descriptor.h"
 #include "support/proxy/fault.h"
 #include "support/proxy/scanners.h"
+#include "support/sockets.h"
 
 namespace test_support {
 
@@ -28,6 +32,7 @@ class FaultQueue {
     ++turn_;
     faults_.clear();
   }
+
   bool empty() const { return faults_.empty(); }
   const Fault& front() const { return faults_.front(); }
   Fault take() {
@@ -36,6 +41,7 @@ class FaultQueue {
     faults_.pop_front();
     return fault;
   }
+
   /// Changes whenever another fault comes to the front.
   std::uint64_t turn() const { return turn_; }
 
@@ -61,28 +67,137 @@ class Pipe {
   /// @param faults faults that take place are removed
   /// @return how many faults took place
   std::size_t take(const std::uint8_t* data, std::size_t size, TimePoint now, const Conditions& conditions,
-                   FaultQueue* faults);
+                   FaultQueue* faults) {
+    const std::vector<std::uint64_t> begins =
+        direction_ == Direction::kToClient ? scanner_.feed(data, size) : std::vector<std::uint64_t>();
+    std::size_t done = 0;
+    const std::uint64_t end = offset_ + size;
+    for (; findPlace(*faults, begins) && *fault_at_ < end; ++done) {
+      const std::size_t before = static_cast<std::size_t>(*fault_at_ - offset_);
+      pass(data, before, now, conditions);
+      data += before;
+      carryOut(faults->take(), now);
+    }
+    pass(data, static_cast<std::size_t>(end - offset_), now, conditions);
+    return done;
+  }
 
   /// Ends the stream after the pieces so far.
-  void end(Action end, TimePoint now);
+  void end(Action end, TimePoint now) { pieces_.push_back({{}, std::max(now, not_before_), end}); }
 
   /// The pieces in their order. The sender removes what it has sent.
   std::deque<Piece>& pieces() { return pieces_; }
   const std::deque<Piece>& pieces() const { return pieces_; }
 
   /// True if no more bytes should be taken for now.
-  bool isFull(const Conditions& conditions) const;
+  // A slow way holds little, or bytes would wait in it for seconds. A way with a delay holds all bytes under way.
+  bool isFull(const Conditions& conditions) const {
+    const bool slow = conditions.largest_piece > 0 || conditions.bytes_per_second > 0;
+    return waiting_ > (slow ? 4 : 64) * std::size_t{1024};
+  }
 
   /// Reports that bytes have been sent.
   void sent(std::size_t size) { waiting_ -= size; }
 
  private:
-  bool findPlace(const FaultQueue& faults, const std::vector<std::uint64_t>& picture_begins);
-  void carryOut(const Fault& fault, TimePoint now);
-  void pass(const std::uint8_t* data, std::size_t size, TimePoint now, const Conditions& conditions);
-  void addPiece(Bytes bytes, TimePoint now, const Conditions& conditions);
-  TimePoint dueTime(std::size_t size, TimePoint now, const Conditions& conditions);
-  std::size_t pieceSize(const Conditions& conditions);
+  /// Finds out where the next fault takes place.
+  /// @return false if that is not known yet
+  bool findPlace(const FaultQueue& faults, const std::vector<std::uint64_t>& picture_begins) {
+    if (faults.empty() || faults.front().direction != direction_) {
+      return false;
+    }
+    if (std::exchange(fault_turn_, faults.turn()) != faults.turn()) {
+      fault_at_.reset();
+    }
+    const Fault& fault = faults.front();
+    if (!fault_at_ && fault.place == Place::kPicture) {
+      const auto begin = std::lower_bound(picture_begins.begin(), picture_begins.end(), offset_);
+      if (begin != picture_begins.end()) {
+        fault_at_ = *begin + fault.offset;
+      }
+    } else if (!fault_at_) {
+      fault_at_ = std::max(offset_, fault.place == Place::kByte ? fault.offset : 0);
+    }
+    return fault_at_.has_value();
+  }
+
+  void carryOut(const Fault& fault, TimePoint now) {
+    switch (fault.action) {
+      case Action::kDrop:
+        drop_ += fault.count;
+        break;
+      case Action::kOverwrite:
+        drop_ += fault.bytes.size();
+        addPiece(fault.bytes, now, Conditions());
+        break;
+      case Action::kInsert:
+        addPiece(fault.bytes, now, Conditions());
+        break;
+      case Action::kFlip:
+        masks_.assign(fault.bytes.begin(), fault.bytes.end());
+        break;
+      case Action::kPause:
+      case Action::kSplit:
+        not_before_ = std::max(not_before_, now) + fault.time;
+        split_ = true;
+        break;
+      default:
+        end(fault.action, now);
+    }
+  }
+
+  void pass(const std::uint8_t* data, std::size_t size, TimePoint now, const Conditions& conditions) {
+    offset_ += size;
+    const std::size_t dropped = std::min(drop_, size);
+    drop_ -= dropped;
+    Bytes bytes(data + dropped, data + size);
+    for (std::size_t i = 0; i < bytes.size() && !masks_.empty(); ++i) {
+      bytes[i] ^= masks_.front();
+      masks_.pop_front();
+    }
+    for (std::size_t begin = 0; begin < bytes.size();) {
+      const std::size_t part = std::min(pieceSize(conditions), bytes.size() - begin);
+      const auto from = bytes.begin() + static_cast<std::ptrdiff_t>(begin);
+      addPiece(Bytes(from, from + static_cast<std::ptrdiff_t>(part)), now, conditions);
+      begin += part;
+    }
+  }
+
+  void addPiece(Bytes bytes, TimePoint now, const Conditions& conditions) {
+    const TimePoint due = dueTime(bytes.size(), now, conditions);
+    waiting_ += bytes.size();
+    const bool alone = conditions.join.count() == 0 || std::exchange(split_, false);
+    if (!alone && !pieces_.empty() && !pieces_.back().end && pieces_.back().due == due) {
+      pieces_.back().bytes.insert(pieces_.back().bytes.end(), bytes.begin(), bytes.end());
+    } else {
+      pieces_.push_back({std::move(bytes), due, std::nullopt});
+    }
+  }
+
+  TimePoint dueTime(std::size_t size, TimePoint now, const Conditions& conditions) {
+    using std::chrono::microseconds;
+    TimePoint due = now + conditions.delay;
+    if (conditions.jitter.count() > 0) {
+      due += microseconds(std::uniform_int_distribution<microseconds::rep>(0, conditions.jitter.count())(random_));
+    }
+    if (conditions.join.count() > 0) {
+      due += conditions.join - (due.time_since_epoch() % conditions.join);
+    }
+    due = std::max(due, not_before_);
+    not_before_ = due;
+    if (conditions.bytes_per_second > 0) {
+      not_before_ += microseconds(size * 1000000 / conditions.bytes_per_second);
+    }
+    return due;
+  }
+
+  std::size_t pieceSize(const Conditions& conditions) {
+    constexpr std::size_t kPacket = 1460;  // the unit to which a rate applies
+    if (conditions.largest_piece == 0) {
+      return conditions.bytes_per_second == 0 ? SIZE_MAX : kPacket;
+    }
+    return std::uniform_int_distribution<std::size_t>(1, conditions.largest_piece)(random_);
+  }
 
   const Direction direction_;
   std::minstd_rand random_;
@@ -107,29 +222,117 @@ using Tap =
 class Link {
  public:
   /// @param server a socket that is connected, or being connected
-  Link(std::size_t number, host_files::FileDescriptor client, host_files::FileDescriptor server);
+  Link(std::size_t number, host_files::FileDescriptor client, host_files::FileDescriptor server)
+      : number_(number),
+        client_{std::move(client), Pipe(Direction::kToClient)},
+        server_{std::move(server), Pipe(Direction::kToServer)} {}
 
   /// What to wait for: an entry for each socket, the client's first; -1 for a socket that need not be waited for.
-  std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions);
+  std::array<pollfd, 2> interests(TimePoint now, const Conditions& conditions) {
+    const auto interest = [&](Side& side, const Side& other) {
+      const bool may_send = side.blocked || (!side.out.pieces().empty() && side.out.pieces().front().due <= now);
+      const int events = (mayRead(side, other, conditions) ? POLLIN : 0) | (may_send ? POLLOUT : 0);
+      return pollfd{events == 0 ? -1 : side.socket.get(), static_cast<short>(events), 0};
+    };
+    if (draining_) {
+      return {{{client_.socket.get(), POLLIN, 0}, {-1, 0, 0}}};
+    }
+    if (silent_) {
+      return {{{client_.socket.get(), POLLRDHUP, 0}, {server_.socket.get(), POLLRDHUP, 0}}};
+    }
+    if (connecting_) {
+      return {{{-1, 0, 0}, {server_.socket.get(), POLLOUT, 0}}};
+    }
+    return {{interest(client_, server_), interest(server_, client_)}};
+  }
 
   /// When serve() has to be called at the latest.
-  TimePoint nextDue() const;
+  TimePoint nextDue() const {
+    TimePoint next = TimePoint::max();
+    if (!draining_ && !silent_ && !connecting_) {
+      for (const Side* side : {&client_, &server_}) {
+        if (!side->out.pieces().empty() && !side->blocked) {
+          next = std::min(next, side->out.pieces().front().due);
+        }
+      }
+    }
+    return next;
+  }
 
   /// Does what can be done now.
   /// @param polled the entries of interests(), after poll()
   /// @return how many faults took place
   std::size_t serve(const std::array<pollfd, 2>& polled, TimePoint now, const Conditions& conditions,
-                    FaultQueue* faults, const Tap& tap);
+                    FaultQueue* faults, const Tap& tap) {
+    std::size_t done = 0;
+    if (draining_) {
+      std::array<std::uint8_t, 4096> ignored;
+      const ssize_t count = ::recv(client_.socket.get(), ignored.data(), ignored.size(), 0);
+      over_ = count == 0 || (count < 0 && errno != EAGAIN && errno != EINTR);
+      return done;
+    }
+    if (silent_) {
+      if (polled[0].revents != 0) {
+        client_.socket.close();  // the server does not notice
+      }
+      over_ = polled[1].revents != 0 || !server_.socket.valid();
+      return done;
+    }
+    if (connecting_) {
+      int error = 0;
+      socklen_t size = sizeof error;
+      connecting_ = polled[1].revents == 0;
+      ::getsockopt(server_.socket.get(), SOL_SOCKET, SO_ERROR, &error, &size);
+      over_ = !connecting_ && error != 0;
+      return done;
+    }
+    if ((polled[1].revents & (POLLIN | kGone)) != 0 && mayRead(server_, client_, conditions)) {
+      done += receive(&server_, &client_, Direction::kToClient, now, conditions, faults, tap);
+    }
+    if ((polled[0].revents & (POLLIN | kGone)) != 0 && !over_ && mayRead(client_, server_, conditions)) {
+      done += receive(&client_, &server_, Direction::kToServer, now, conditions, faults, tap);
+    }
+    client_.blocked = client_.blocked && polled[0].revents == 0;
+    server_.blocked = server_.blocked && polled[1].revents == 0;
+    const TimePoint sending = std::chrono::steady_clock::now();
+    send(&client_, Direction::kToClient, sending);
+    send(&server_, Direction::kToServer, sending);
+    return done;
+  }
 
   /// Ends the connection now.
   /// @param end kClose, kReset, kHalfClose or kSilence
-  void end(Action end, Direction direction);
+  void end(Action end, Direction direction) {
+    Side& receiver = direction == Direction::kToClient ? client_ : server_;
+    switch (end) {
+      case Action::kClose:
+        // A close() with unread bytes would be a reset. So the client gets a FIN first, and closes its side.
+        ::shutdown(client_.socket.get(), SHUT_WR);
+        server_.socket.close();
+        draining_ = true;
+        break;
+      case Action::kHalfClose:
+        ::shutdown(receiver.socket.get(), SHUT_WR);
+        receiver.told = true;
+        over_ = client_.told && server_.told;
+        break;
+      case Action::kSilence:
+        silent_ = true;
+        break;
+      default:
+        resetWhenClosed(client_.socket);
+        resetWhenClosed(server_.socket);
+        over_ = true;
+    }
+  }
 
   /// True when the connection has ended.
   bool isOver() const { return over_; }
   bool isSilent() const { return silent_; }
 
  private:
+  static constexpr short kGone = POLLHUP | POLLERR | POLLNVAL;
+
   struct Side {
     host_files::FileDescriptor socket;
     Pipe out;              // towards this side
@@ -138,11 +341,63 @@ class Link {
     bool blocked = false;  // the kernel's buffer for this side is full
   };
 
-  bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const;
+  bool mayRead(const Side& from, const Side& to, const Conditions& conditions) const {
+    const bool paused = conditions.paused && &from == &server_;
+    return !from.ended && !to.out.isFull(conditions) && !paused;
+  }
+
   std::size_t receive(Side* from, Side* to, Direction direction, TimePoint now, const Conditions& conditions,
-                      FaultQueue* faults, const Tap& tap);
-  void send(Side* side, Direction direction, TimePoint now);
-  bool sendFront(Side* side);
+                      FaultQueue* faults, const Tap& tap) {
+    std::array<std::uint8_t, 4096> buffer;
+    const ssize_t count = ::recv(from->socket.get(), buffer.data(), buffer.size(), 0);
+    if (count > 0) {
+      const auto size = static_cast<std::size_t>(count);
+      if (tap) {
+        tap(number_, direction, buffer.data(), size);
+      }
+      return to->out.take(buffer.data(), size, now, conditions, faults);
+    }
+    if (count == 0) {
+      from->ended = true;
+      to->out.end(Action::kHalfClose, now);
+    } else if (errno != EAGAIN && errno != EINTR) {
+      end(Action::kReset, direction);
+    }
+    return 0;
+  }
+
+  void send(Side* side, Direction direction, TimePoint now) {
+    std::deque<Pipe::Piece>& pieces = side->out.pieces();
+    while (!pieces.empty() && pieces.front().due <= now && !side->blocked && !over_ && !draining_ && !silent_) {
+      if (pieces.front().end) {
+        const Action action = *pieces.front().end;
+        pieces.pop_front();
+        end(action, direction);
+      } else if (side->told) {
+        side->out.sent(pieces.front().bytes.size());  // lost, because this side has got a FIN
+        pieces.pop_front();
+      } else if (!sendFront(side)) {
+        end(Action::kReset, direction);
+      }
+    }
+  }
+
+  /// @return false if the connection is broken
+  bool sendFront(Side* side) {
+    Bytes& bytes = side->out.pieces().front().bytes;
+    const ssize_t count = ::send(side->socket.get(), bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    if (count < 0) {
+      side->blocked = errno == EAGAIN;
+      return errno == EAGAIN || errno == EINTR;
+    }
+    side->out.sent(static_cast<std::size_t>(count));
+    if (static_cast<std::size_t>(count) == bytes.size()) {
+      side->out.pieces().pop_front();
+    } else {
+      bytes.erase(bytes.begin(), bytes.begin() + count);
+    }
+    return true;
+  }
 
   const std::size_t number_;
   Side client_;

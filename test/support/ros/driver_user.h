@@ -30,31 +30,19 @@ inline aibo_driver::EndedMovement lastEnd(const aibo_driver::MotionState& state)
 
 /// Robot, proxy and driver, connected with each other, and a user. Unless a test says otherwise, frames have the prefix
 /// "rex", and pictures the quality 83.
-class DriverUser {
+class DriverUser : public TopicPublishers {
  public:
   explicit DriverUser(const std::string& name_space, std::vector<std::string> parameters = {},
                       const std::vector<std::string>& robot_options = {}, const std::string& program = AIBO_DRIVER_NODE)
-      : robot(robot_options),
+      : TopicPublishers(name_space),
+        robot(robot_options),
         proxy(robot.port()),
         connection(name_space + "/connection"),
-        driver(name_space, proxy.port(), unusual(&parameters), {}, program),
-        name_space_(name_space),
-        publishers_(name_space) {
+        driver(name_space, proxy.port(), unusual(&parameters), {}, program) {
     EXPECT_TRUE(waitForConnection(aibo_driver::Connection::CONNECTED));
   }
 
   ~DriverUser() { letGo(); }
-
-  template <typename Message>
-  void publish(const std::string& topic, const Message& message) {
-    publishers_.publish(topic, message);
-  }
-
-  /// Ready to be published on without delay.
-  template <typename Message>
-  ros::Publisher& publisherOf(const std::string& topic) {
-    return publishers_.publisherOf<Message>(topic);
-  }
 
   template <typename Service>
   typename Service::Response call(const std::string& name, typename Service::Request request = {}) {
@@ -65,14 +53,7 @@ class DriverUser {
 
   /// Tries again and again, because a driver that stalls for long drops orders.
   static bool becomesTrue(const std::function<bool()>& attempt) {
-    const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-    while (!attempt()) {
-      if (std::chrono::steady_clock::now() > end) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return true;
+    return eventually(attempt, std::chrono::milliseconds(10));
   }
 
   /// A velocity ahead. The robot cannot do what is in the fields that are not for it.
@@ -123,8 +104,6 @@ class DriverUser {
     return *parameters;
   }
 
-  const std::string name_space_;
-  TopicPublishers publishers_;
   std::atomic<bool> steering_{false};
   std::thread steerer_;
 };

@@ -4,10 +4,8 @@
 
 #include <ros/node_handle.h>
 
-#include <chrono>
 #include <map>
 #include <string>
-#include <thread>
 
 #include "support/ros/topic_listener.h"
 
@@ -29,16 +27,15 @@ class TopicPublishers {
     ros::Publisher& publisher = publishers_[topic];
     if (!publisher) {
       publisher = ros::NodeHandle().advertise<Message>(name_space_ + "/" + topic, 100);
-      const auto end = std::chrono::steady_clock::now() + kSafetyNet;
-      while (publisher.getNumSubscribers() == 0 && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(2));
-      }
+      eventually([&] { return publisher.getNumSubscribers() > 0; });
     }
     return publisher;
   }
 
- private:
+ protected:
   const std::string name_space_;
+
+ private:
   std::map<std::string, ros::Publisher> publishers_;
 };
 

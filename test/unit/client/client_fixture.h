@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdint>
 #include <string>
-#include <thread>
 
 #include "aibo_client/exceptions.h"
 #include "aibo_client/rcserver_client.h"
@@ -16,6 +15,7 @@
 #include "support/scripted_server.h"
 #include "support/test_pictures.h"
 
+using test_support::eventually;
 using test_support::ScriptedPeer;
 using test_support::ScriptedServer;
 
@@ -91,20 +91,6 @@ class ClientFixture : public testing::Test {
       return error.what();
     }
     return "not thrown";
-  }
-
-  /// Waits until the condition holds.
-  /// @return false if it did not within a generous time
-  template <typename Condition>
-  static bool eventually(const Condition& condition) {
-    const auto end = std::chrono::steady_clock::now() + test_support::kSafetyNet;
-    while (!condition()) {
-      if (std::chrono::steady_clock::now() > end) {
-        return false;
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return true;
   }
 
   /// Lets `send` send one picture of the stream, again and again until it is delivered. If this computer is too busy to

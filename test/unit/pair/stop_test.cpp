@@ -33,6 +33,7 @@ using aibo_client::WalkVelocity;
 using std::chrono::milliseconds;
 using test_support::Action;
 using test_support::Direction;
+using test_support::eventually;
 using test_support::FaultProxy;
 using test_support::kSafetyNet;
 using namespace std::chrono_literals;
@@ -45,14 +46,6 @@ constexpr auto kFrame = 8ms;     // of OPEN-R
 
 SteadyTime now() {
   return std::chrono::steady_clock::now();
-}
-
-template <typename Condition>
-bool eventually(const Condition& condition) {
-  for (const SteadyTime end = now() + kSafetyNet; !condition() && now() < end;) {
-    std::this_thread::sleep_for(5ms);
-  }
-  return condition();
 }
 
 /// A robot, and the part of a driver that moves it.

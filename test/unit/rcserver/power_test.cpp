@@ -2,7 +2,6 @@
 // OPENR::Shutdown() until the pause button is pressed again.
 
 #include <cmath>
-#include <thread>
 
 #include "motion_bytes.h"
 #include "rcserver_fixture.h"
@@ -65,11 +64,7 @@ class PowerTest : public FakeRobotFixture {
 
   // The machine may be off already, and the end of the connection still under way.
   static bool endsFor(TestClient& client) {
-    const auto limit = std::chrono::steady_clock::now() + test_support::kSafetyNet;
-    while (!client.ended() && std::chrono::steady_clock::now() < limit) {
-      std::this_thread::yield();
-    }
-    return client.ended();
+    return test_support::eventually([&] { return client.ended(); });
   }
 };
 

@@ -41,21 +41,11 @@ class TestPicture : public PictureSource {
 
   const YCrCbImage& picture(const CameraPose& pose, double seconds, longword image_number,
                             const CameraSettings& settings) override {
-    ++times_drawn;
-    last_head_pan = pose.head.head_pan;
-    last_x = pose.body.translation().x();
-    last_seconds = seconds;
-    last_image_number = image_number;
-    last_settings = settings;
+    drawn.emplace_back(pose.head.head_pan, pose.body.translation().x(), seconds, image_number, settings.shutter);
     return image_;
   }
 
-  int times_drawn = 0;
-  double last_head_pan = -1;
-  double last_x = -1;
-  double last_seconds = -1;
-  longword last_image_number = 0;
-  CameraSettings last_settings;
+  std::vector<std::tuple<double, double, double, longword, longword>> drawn;  ///< pan, x, time, image, shutter
 
  private:
   YCrCbImage image_;
@@ -156,15 +146,10 @@ TEST_F(CameraTest, APictureIsDrawnWhenItIsReadAsItWasWhenItWasTaken) {
   early->AddReference();
   camera_.reset();
   camera_.capture(104);
-  EXPECT_EQ(source_.times_drawn, 0);
-
+  EXPECT_TRUE(source_.drawn.empty());
   EXPECT_EQ(bandOf(early, ofbkimageLAYER_M, ofbkimageBAND_Cr).Pixel(50, 10), 2 * 20 + 1);
-  EXPECT_EQ(source_.times_drawn, 1);
-  EXPECT_DOUBLE_EQ(source_.last_seconds, 0.8);
-  EXPECT_EQ(source_.last_image_number, imagesUpTo(100));
-  EXPECT_DOUBLE_EQ(source_.last_head_pan, 0.3);
-  EXPECT_DOUBLE_EQ(source_.last_x, 2);
-  EXPECT_EQ(source_.last_settings.shutter, static_cast<longword>(ocamparamSHUTTER_FAST));
+  ASSERT_EQ(source_.drawn.size(), 1U);
+  EXPECT_EQ(source_.drawn[0], std::tuple(0.3, 2.0, 0.8, imagesUpTo(100), longword{ocamparamSHUTTER_FAST}));
   early->RemoveReference();
 }
 

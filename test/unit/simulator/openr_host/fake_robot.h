@@ -15,9 +15,9 @@
 
 namespace openr_host {
 
-/// A robot that records what happens to it. Its camera has an image in the frames that a test chooses, 4x1 pixels with
-/// the frame number as field counter. Its sensors have one entry, whose value in each frame is the frame's number. Its
-/// joints accept odataJOINT_COMMAND2 and are the primitives 1 to 20.
+/// A robot that records what happens to it. Its camera has an image in the frames that a test chooses. Its sensors have
+/// one entry, whose value in each frame is the frame's number. Its joints accept odataJOINT_COMMAND2 and are the
+/// primitives 1 to 20.
 class FakeRobot : public VirtualRobot {
  public:
   ~FakeRobot() override {
@@ -36,7 +36,6 @@ class FakeRobot : public VirtualRobot {
 
   std::map<longword, std::vector<sword>> played;  ///< by frame
 
-  RCRegion* image() const { return image_; }
   RCRegion* sensors() const { return sensors_; }
 
   std::string design() const override { return "ERS-7"; }
@@ -116,16 +115,8 @@ class FakeRobot : public VirtualRobot {
   RCRegion* captureImage(longword frame) override {
     frames_captured.push_back(frame);
     if (image_ == nullptr) {
-      image_ = new RCRegion(sizeof(OFbkImageVectorData) + 3 * 4);
+      image_ = new RCRegion(sizeof(OFbkImageVectorData));
     }
-    void* base = image_->Base();
-    auto* vector = static_cast<OFbkImageVectorData*>(base);
-    OFbkImageInfo& info = *vector->GetInfo(ofbkimageLAYER_H);
-    info.type = odataFBK_YCrCb;
-    info.dataOffset = sizeof(OFbkImageVectorData);
-    info.width = 4;
-    info.height = 1;
-    vector->GetData(ofbkimageLAYER_H)[0] = static_cast<byte>(frame);
     return image_;
   }
 

@@ -145,6 +145,37 @@ class TestSystem {
   }
 };
 
+/// A system with a gate to the robot. A test lets frames pass.
+template <typename Gate>
+class GateTest : public testing::Test {
+ protected:
+  /// Jumps to this frame; the frames in between are missed.
+  void jumpTo(longword frame) {
+    test_.as(gate_, [&] { gate_.beginFrame(frame); });
+    test_.run();
+    frame_ = frame;
+  }
+
+  void pass(longword frames) {
+    for (longword i = 0; i < frames; ++i) {
+      jumpTo(frame_ + 1);
+    }
+  }
+
+  /// The region of a new vector.
+  template <typename Vector>
+  static RegionReference regionOf(MemoryRegionID id, Vector* vector) {
+    auto* const region = new RCRegion(id, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
+    RegionReference result = reference(region);
+    region->RemoveReference();
+    return result;
+  }
+
+  TestSystem test_;
+  Gate& gate_ = static_cast<Gate&>(test_.system.create(Gate::describe(test_.robot)));
+  longword frame_ = 99;  ///< the last one that has passed
+};
+
 }  // namespace openr_host
 
 #endif  // TEST_UNIT_SIMULATOR_OPENR_HOST_TEST_SYSTEM_H

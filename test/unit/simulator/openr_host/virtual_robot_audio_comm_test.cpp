@@ -21,7 +21,7 @@ std::vector<sword> numbers(sword first, std::size_t count) {
   return samples;
 }
 
-class VirtualRobotAudioCommTest : public testing::Test {
+class VirtualRobotAudioCommTest : public GateTest<VirtualRobotAudioComm> {
  protected:
   void SetUp() override {
     talker_.on_ready = [this](const OReadyEvent& event) { readies_ += event.IsAssert() ? 1 : 0; };
@@ -63,9 +63,7 @@ class VirtualRobotAudioCommTest : public testing::Test {
       MemoryRegionID id = 0;
       OSoundVectorData* vector = nullptr;
       ASSERT_EQ(OPENR::NewSoundVectorData(1, size, &id, &vector), oSUCCESS);
-      auto* region = new RCRegion(id, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
-      made = reference(region);
-      region->RemoveReference();
+      made = regionOf(id, vector);
       vector->SetNumData(1);
       OSoundInfo& info = *vector->GetInfo(0);
       EXPECT_EQ(info.maxDataSize, size);
@@ -81,24 +79,8 @@ class VirtualRobotAudioCommTest : public testing::Test {
 
   void send(const std::vector<RegionReference>& vectors) { test_.send(talker_, vectors); }
 
-  void jumpTo(longword frame) {
-    test_.as(comm_, [&] { comm_.beginFrame(frame); });
-    test_.run();
-    frame_ = frame;
-  }
-
-  void pass(longword frames) {
-    for (longword i = 0; i < frames; ++i) {
-      jumpTo(frame_ + 1);
-    }
-  }
-
-  TestSystem test_;
-  VirtualRobotAudioComm& comm_ =
-      static_cast<VirtualRobotAudioComm&>(test_.system.create(VirtualRobotAudioComm::describe(test_.robot)));
   TestObject& talker_ = test_.add("Talker");
   TestObject& listener_ = test_.add("Listener");
-  longword frame_ = 99;
   int readies_ = 0;
   std::map<longword, std::vector<OSoundSampleStereo16>> heard_;  ///< by the first frame
 };
@@ -120,7 +102,7 @@ TEST_F(VirtualRobotAudioCommTest, ReadyFollowsTheOutputOfEachVectorAndTwoAtFirst
   EXPECT_EQ(readies_, 4);
   EXPECT_EQ(test_.robot.played[104], numbers(513, 128));
   EXPECT_THAT(test_.robot.played, testing::SizeIs(5));
-  EXPECT_FALSE(comm_.isActive());
+  EXPECT_FALSE(gate_.isActive());
 }
 
 TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonAndReadyComesInTheNextFrame) {
@@ -158,11 +140,11 @@ TEST_F(VirtualRobotAudioCommTest, WhatTheSpeakerDoesNotPlayIsRefusedWithAReasonA
 // So a file that the microphones hear begins when a client listens, not at boot.
 TEST_F(VirtualRobotAudioCommTest, TheMicrophoneIsHeardEvery16MillisecondsWhileSomebodyListens) {
   pass(10);
-  EXPECT_FALSE(comm_.isActive());
+  EXPECT_FALSE(gate_.isActive());
   EXPECT_EQ(test_.robot.sound_frames, 0);
   test_.as(listener_, [&] { listener_.observer().AssertReady(); });
   test_.run();
-  EXPECT_TRUE(comm_.isActive());
+  EXPECT_TRUE(gate_.isActive());
   pass(5);  // 110 to 114
   EXPECT_EQ(test_.robot.sound_frames, 5);
   ASSERT_THAT(heard_, testing::SizeIs(2));

@@ -16,7 +16,7 @@ using testing::Pair;
 /// The commands for one joint, frame by frame.
 using Motion = std::pair<OPrimitiveID, std::vector<slongword>>;
 
-class VirtualRobotCommTest : public testing::Test {
+class VirtualRobotCommTest : public GateTest<VirtualRobotComm> {
  protected:
   void SetUp() override {
     mover_.on_ready = [this](const OReadyEvent& event) { readies_ += event.IsAssert() ? 1 : 0; };
@@ -42,9 +42,7 @@ class VirtualRobotCommTest : public testing::Test {
       MemoryRegionID id = 0;
       OCommandVectorData* vector = nullptr;
       ASSERT_EQ(OPENR::NewCommandVectorData(motions.size(), &id, &vector), oSUCCESS);
-      auto* region = new RCRegion(id, vector->vectorInfo.offset, vector, vector->vectorInfo.totalSize);
-      made = reference(region);
-      region->RemoveReference();
+      made = regionOf(id, vector);
     });
     OCommandVectorData& vector = vectorIn(made);
     vector.SetNumData(motions.size());
@@ -61,26 +59,10 @@ class VirtualRobotCommTest : public testing::Test {
 
   void send(const std::vector<RegionReference>& regions) { test_.send(mover_, regions); }
 
-  /// Jumps to this frame; the frames in between are missed.
-  void jumpTo(longword frame) {
-    test_.as(comm_, [&] { comm_.beginFrame(frame); });
-    test_.run();
-    frame_ = frame;
-  }
-
-  void pass(longword frames) {
-    for (longword i = 0; i < frames; ++i) {
-      jumpTo(frame_ + 1);
-    }
-  }
-
-  TestSystem test_;
   FakeRobot& robot_ = test_.robot;
-  VirtualRobotComm& comm_ = static_cast<VirtualRobotComm&>(test_.system.create(VirtualRobotComm::describe(robot_)));
   TestObject& mover_ = test_.add("Mover");
   TestObject& other_ = test_.add("Other");
   TestObject& viewer_ = test_.add("Viewer");
-  longword frame_ = 99;  ///< the last frame that has passed
   int readies_ = 0;
 };
 
