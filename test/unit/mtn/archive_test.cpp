@@ -233,7 +233,6 @@ TEST_F(AiboMtn, MakesAMotionFileAndPrintsItWithWhatARobotWouldDoDifferently) {
 
 TEST_F(AiboMtn, SaysWhatIsWrongAndFails) {
   EXPECT_EQ(run("/nowhere.mtn"), "aibo_mtn: /nowhere.mtn cannot be read: No such file or directory\n1");
-  EXPECT_EQ(run("/nowhere.txt x.mtn"), "aibo_mtn: /nowhere.txt cannot be read: No such file or directory\n1");
   const std::string pipe = (root_ / "pipe").string();
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   for (const std::string& file : {pipe, pipe + " x.mtn", root_.string(), std::string("/dev/zero")}) {
@@ -247,10 +246,9 @@ TEST_F(AiboMtn, SaysWhatIsWrongAndFails) {
 
   std::ofstream(root_ / "x.oda", std::ios::binary) << archiveOf(kFiles).substr(0, 100);
   EXPECT_EQ(run(archive()), "aibo_mtn: " + archive() + ": the archive is cut off: it claims to have 3 files\n1");
-  EXPECT_THAT(run("--unpack " + archive()), HasSubstr("usage:"));
-  EXPECT_THAT(run("--force " + archive()), HasSubstr("usage:"));
-  EXPECT_THAT(run("x.txt x.mtn y.mtn"), HasSubstr("usage:"));
-  EXPECT_THAT(run(""), HasSubstr("usage:"));
+  for (const std::string& arguments : {"--unpack " + archive(), "--force " + archive(), std::string()}) {
+    EXPECT_THAT(run(arguments), HasSubstr("usage:"));
+  }
 }
 
 }  // namespace

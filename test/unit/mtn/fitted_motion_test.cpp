@@ -50,13 +50,6 @@ class FittedMotionOfAnErs7 : public ::testing::Test {
   mtn::FittedMotion fitted_;
 };
 
-TEST_F(FittedMotionOfAnErs7, IsUnchangedIfTheRobotCanDoAllOfIt) {
-  ASSERT_TRUE(fit("at 0 head_pan 0 tail_pan 45\nat 1600 head_pan -88\n"));
-  EXPECT_THAT(posture(1), ElementsAre(microradians(-88), microradians(45)));
-  EXPECT_EQ(fitted_.milliseconds(1, speed_limits_.data()), 1600);
-  EXPECT_EQ(description(), "");
-}
-
 TEST_F(FittedMotionOfAnErs7, PositionsAtALimitToAThousandthOfADegreeAreInIt) {
   ASSERT_TRUE(fit("at 0 head_pan 88.0009 neck_tilt -60 head_tilt 4.9991\nat 1600\n"));
   EXPECT_EQ(description(), "");

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <numeric>
-#include <random>
 
 #include "layouts.h"
 
@@ -19,12 +18,6 @@ Bytes packed(const Bytes& plane) {
   const size_t size = packColorPlane(plane.data(), plane.size(), out.data());
   EXPECT_LE(size, out.size());
   return firstOf(out, size);
-}
-
-Bytes unpacked(const Bytes& packed, size_t pixels) {
-  Bytes plane(pixels);
-  EXPECT_THAT(unpackColorPlane(packed.data(), packed.size(), pixels, plane.data()), IsNull());
-  return plane;
 }
 
 const char* unpackProblem(const Bytes& packed, size_t pixels) {
@@ -46,18 +39,6 @@ TEST(ColorPlane, IsPackedByPackBits) {
   std::iota(different.begin(), different.end(), static_cast<unsigned char>(0));
   EXPECT_EQ(packed(different), hex("7f") + firstOf(different, 128) + hex("00 80"));
   EXPECT_EQ(packed(Bytes(MAX_COLOR_PLANE_SIZE, 0)).size(), 2 * 65U) << "an empty plane of an ERS-7";
-}
-
-TEST(ColorPlane, IsTheSameAfterwardsAndHardlyEverLarger) {
-  std::mt19937 random(1);
-  for (int round = 0; round < 500; ++round) {
-    Bytes plane(1 + random() % 600);
-    const auto values = 1 + static_cast<unsigned>(random() % 3);
-    for (unsigned char& pixel : plane) {
-      pixel = static_cast<unsigned char>(random() % values);
-    }
-    ASSERT_EQ(unpacked(packed(plane), plane.size()), plane);
-  }
 }
 
 TEST(ColorPlane, IsRefusedUnlessItHasTheRightSize) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "layouts.h"
+#include "protocol/camera_settings.h"
 #include "protocol/motion_requests.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/sound_requests.h"
@@ -194,6 +195,46 @@ Bytes colorTable(unsigned char channel, const ColorSegment& last) {
   return encoded(table);
 }
 
+template <int setting>
+const char* verdictOnCamera(const Bytes& bytes) {
+  CameraValue value{setting, 0};
+  return decode(bytes.data(), bytes.size(), &value);
+}
+
+const char* verdictOnMotions(const Bytes& bytes) {
+  FileList list{};
+  return decodeFileList(readMotionName, bytes.data(), bytes.size(), &list);
+}
+
+Bytes namesOfMotions(size_t count) {
+  std::string names = "MOVE1000.MTN";
+  for (size_t i = 1; i < count; ++i) {
+    names += "\nMOVE" + std::to_string(1000 + i) + ".MTN";
+  }
+  return bytesOf(names);
+}
+
+// `count` different parts of the body from id 0 on.
+Bytes entriesOf(size_t count, const char* after_id) {
+  Bytes bytes;
+  for (size_t id = 0; id < count; ++id) {
+    bytes = bytes + Bytes{static_cast<unsigned char>(id)} + hex(after_id);
+  }
+  return bytes;
+}
+
+constexpr char kJoint[] = "00 00 00 00 00 00 01";
+constexpr char kLed[] = "ff 00 00";
+
+// A push of `count` values that announces `announced` values.
+Bytes telemetryOf(size_t count, unsigned announced) {
+  Bytes bytes{0, 0, 0, 1, static_cast<unsigned char>(announced >> 8), static_cast<unsigned char>(announced), 0, 0};
+  for (size_t i = 0; i < count; ++i) {
+    bytes = bytes + hex("53 01 00 00 00 00 00 00");
+  }
+  return bytes;
+}
+
 struct Verdict {
   const char* (*decode)(const Bytes&);
   Bytes payload;
@@ -271,6 +312,48 @@ const Verdict kVerdicts[] = {
     {verdict<MotionChanges>, hex("ff"), "plain"},
     {verdict<MotionChanges>, Bytes(MAX_MOTION_CHANGES_SIZE, 'a'), NULL},
     {verdict<MotionChanges>, Bytes(MAX_MOTION_CHANGES_SIZE + 1, 'a'), "too long"},
+    {verdict<JointTargets>, hex("00 00 20 00") + entriesOf(32, kJoint), NULL},
+    {verdict<JointTargets>, hex("00 00 21 00") + entriesOf(33, kJoint), "more joints"},
+    {verdict<JointTargets>, hex("00 00 ff 00") + entriesOf(255, kJoint), "more joints"},
+    {verdict<JointTargets>, hex("00 00 00 00") + entriesOf(3, kJoint), "count"},
+    {verdict<JointTargets>, hex("00 00 02 00") + entriesOf(3, kJoint), "count"},
+    {verdict<JointTargets>, hex("00 00 04 00") + entriesOf(3, kJoint), "count"},
+    {verdict<JointTargets>, hex("00 00 20 00") + entriesOf(3, kJoint), "count"},
+    {verdict<JointTargets>, hex("00 00 02 00") + entriesOf(1, kJoint) + entriesOf(1, kJoint), "twice"},
+    {verdict<SpeedLimits>, entriesOf(32, kJoint), NULL},
+    {verdict<SpeedLimits>, entriesOf(33, kJoint), "more joints"},
+    {verdict<SpeedLimits>, Bytes(MAX_PAYLOAD_TOWARDS_ROBOT, 0), ""},
+    {verdict<SpeedLimits>, entriesOf(2, kJoint) + entriesOf(1, kJoint), "twice"},
+    {verdict<LedValues>, entriesOf(32, kLed), NULL},
+    {verdict<LedValues>, entriesOf(33, kLed), "more LEDs"},
+    {verdict<LedValues>, entriesOf(2, kLed) + entriesOf(1, kLed), "twice"},
+    {verdict<JointIds>, entriesOf(32, ""), NULL},
+    {verdict<JointIds>, entriesOf(33, ""), "more joints"},
+    {verdict<JointIds>, {}, "no joint"},
+    {verdict<JointIds>, hex("02 03 02"), "twice"},
+    {verdict<Telemetry>, telemetryOf(0, 0), NULL},
+    {verdict<Telemetry>, telemetryOf(128, 128), NULL},
+    {verdict<Telemetry>, telemetryOf(129, 129), "more values"},
+    {verdict<Telemetry>, telemetryOf(2, 1), "count"},
+    {verdict<Telemetry>, telemetryOf(2, 3), "count"},
+    {verdict<Telemetry>, telemetryOf(2, 0x0202), "more values"},
+    {verdictOnCamera<SETTING_GAIN>, hex("00"), "1, 2 or 3"},
+    {verdictOnCamera<SETTING_GAIN>, hex("01"), NULL},
+    {verdictOnCamera<SETTING_GAIN>, hex("03"), NULL},
+    {verdictOnCamera<SETTING_GAIN>, hex("04"), "1, 2 or 3"},
+    {verdictOnCamera<SETTING_AUTO_EXPOSURE>, hex("00"), NULL},
+    {verdictOnCamera<SETTING_AUTO_EXPOSURE>, hex("01"), NULL},
+    {verdictOnCamera<SETTING_AUTO_EXPOSURE>, hex("02"), "neither off (0) nor on (1)"},
+    {verdict<PicturePayload>, changed(kPicture, {{15, 0x03}}), "camera setting"},
+    {verdict<PicturePayload>, changed(kPicture, {{14, 0x01}, {15, 0x15}}), "reserved"},
+    {verdictOnMotions, namesOfMotions(256), NULL},
+    {verdictOnMotions, namesOfMotions(257), "more than 256"},
+    {verdictOnMotions, bytesOf("\n"), ".MTN"},
+    {verdictOnMotions, bytesOf("NOD.MTN\n"), ".MTN"},
+    {verdictOnMotions, bytesOf("\nNOD.MTN"), ".MTN"},
+    {verdictOnMotions, bytesOf("NOD.MTN\n\nWAG.MTN"), ".MTN"},
+    {verdictOnMotions, bytesOf("NOD.MTN\r\nWAG.MTN"), ".MTN"},
+    {verdictOnMotions, bytesOf("../A.MTN"), ".MTN"},
     {verdict<LossReport>, hex("6c 01 00 00 00 00 12 34"), "loss report"},
 };
 

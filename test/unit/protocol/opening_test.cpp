@@ -40,18 +40,6 @@ TEST(Opening, RecognisesHttpOfAnyMethodInOnePieceAndByteByByte) {
   }
 }
 
-TEST(Opening, AMethodOfAnyLengthIsRecognised) {
-  for (const std::string letter : {"F", "J", "Q", "P"}) {
-    Opening opening;
-    add(opening, letter);
-    for (int i = 0; i < 5000; ++i) {
-      add(opening, "A");
-    }
-    EXPECT_EQ(opening.verdict(), Opening::UNCLEAR);
-    EXPECT_EQ(add(opening, " /"), Opening::STRANGER) << letter;
-  }
-}
-
 // STUN over TCP as Chromium sends it (RFC 5389, RFC 4571), TURN, TLS, SMB, a proxy's request, JSON.
 TEST(Opening, RecognisesOtherProtocolsByTheFirstByte) {
   for (const std::string& bytes :

@@ -52,17 +52,6 @@ TEST(PictureDatagram, OfATestHasTheNumbersOfItsOrderAndOtherwiseZeros) {
   EXPECT_THAT(problemOf(bytes), HasSubstr("empty")) << "it is no part of a picture";
 }
 
-TEST(PictureDatagram, PartsHaveTheSameSizeButTheLast) {
-  EXPECT_EQ(DATAGRAM_PART_SIZE, 1340U);
-  EXPECT_EQ(numberOfParts(1), 1U);
-  EXPECT_EQ(numberOfParts(1340), 1U);
-  EXPECT_EQ(numberOfParts(1341), 2U);
-  EXPECT_EQ(sizeOfPart(1341, 0), 1340U);
-  EXPECT_EQ(sizeOfPart(1341, 1), 1U);
-  EXPECT_EQ(sizeOfPart(1340, 0), 1340U);
-  EXPECT_EQ(numberOfParts(MAX_JPEG_SIZE), 196U);
-}
-
 TEST(PictureDatagram, CutOrPaddedOnesAreRefused) {
   const Bytes bytes = lastPart();
   for (size_t size = 0; size < bytes.size(); ++size) {

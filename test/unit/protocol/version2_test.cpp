@@ -10,10 +10,6 @@ namespace protocol {
 namespace version2 {
 namespace {
 
-using ::testing::HasSubstr;
-using ::testing::IsNull;
-using ::testing::NotNull;
-
 TEST(Version2, IsAgreedToByItsReplyAlone) {
   EXPECT_TRUE(agreesToVersion2(versionReply()));
   EXPECT_FALSE(agreesToVersion2({'e', 0, ERROR_REFUSED}));
@@ -49,67 +45,6 @@ TEST(Expiry, IsJudgedWhereFramesOverflow) {
   EXPECT_FALSE(isTooOld(NEVER_TOO_OLD, 0x7fffffff));
   EXPECT_EQ(notAfter(0xffffffff - 62, 62), 0U) << "it would be never";
   EXPECT_EQ(notAfter(0xffffffff, 62), 61U);
-}
-
-// `count` different parts of the body from id 0 on.
-Bytes entriesOf(size_t count, const char* after_id) {
-  Bytes bytes;
-  for (size_t id = 0; id < count; ++id) {
-    bytes = bytes + Bytes{static_cast<unsigned char>(id)} + hex(after_id);
-  }
-  return bytes;
-}
-
-constexpr char kJoint[] = "00 00 00 00 00 00 01";
-constexpr char kLed[] = "ff 00 00";
-
-TEST(Lists, TakeAsManyItemsAsThereIsRoomForAndNoMore) {
-  EXPECT_THAT(verdict<JointTargets>(hex("00 00 20 00") + entriesOf(32, kJoint)), IsNull());
-  EXPECT_THAT(verdict<JointTargets>(hex("00 00 21 00") + entriesOf(33, kJoint)), HasSubstr("more joints"));
-  EXPECT_THAT(verdict<JointTargets>(hex("00 00 ff 00") + entriesOf(255, kJoint)), HasSubstr("more joints"));
-  EXPECT_THAT(verdict<SpeedLimits>(entriesOf(32, kJoint)), IsNull());
-  EXPECT_THAT(verdict<SpeedLimits>(entriesOf(33, kJoint)), HasSubstr("more joints"));
-  EXPECT_THAT(verdict<SpeedLimits>(Bytes(MAX_PAYLOAD_TOWARDS_ROBOT, 0)), NotNull());
-  EXPECT_THAT(verdict<LedValues>(entriesOf(32, kLed)), IsNull());
-  EXPECT_THAT(verdict<LedValues>(entriesOf(33, kLed)), HasSubstr("more LEDs"));
-  EXPECT_THAT(verdict<JointIds>(entriesOf(32, "")), IsNull());
-  EXPECT_THAT(verdict<JointIds>(entriesOf(33, "")), HasSubstr("more joints"));
-  EXPECT_THAT(verdict<JointIds>({}), HasSubstr("no joint"));
-}
-
-TEST(Lists, RefuseACountThatDoesNotFitTheSize) {
-  for (const char* header : {"00 00 00 00", "00 00 01 00", "00 00 02 00", "00 00 04 00", "00 00 20 00"}) {
-    EXPECT_THAT(verdict<JointTargets>(hex(header) + entriesOf(3, kJoint)), HasSubstr("count")) << header;
-  }
-}
-
-TEST(Lists, RefuseWhatIsNamedTwice) {
-  EXPECT_THAT(verdict<JointTargets>(hex("00 00 02 00") + entriesOf(1, kJoint) + entriesOf(1, kJoint)),
-              HasSubstr("twice"));
-  EXPECT_THAT(verdict<SpeedLimits>(entriesOf(2, kJoint) + entriesOf(1, kJoint)), HasSubstr("twice"));
-  EXPECT_THAT(verdict<LedValues>(entriesOf(2, kLed) + entriesOf(1, kLed)), HasSubstr("twice"));
-  EXPECT_THAT(verdict<JointIds>(hex("02 03 02")), HasSubstr("twice"));
-}
-
-// A push of `count` values that announces `announced` values.
-Bytes telemetryOf(size_t count, unsigned announced) {
-  Bytes bytes{0, 0, 0, 1, static_cast<unsigned char>(announced >> 8), static_cast<unsigned char>(announced), 0, 0};
-  for (size_t i = 0; i < count; ++i) {
-    bytes = bytes + hex("53 01 00 00 00 00 00 00");
-  }
-  return bytes;
-}
-
-TEST(Telemetry, TakesAsManyValuesAsThereIsRoomForAndNoMore) {
-  EXPECT_THAT(verdict<Telemetry>(telemetryOf(0, 0)), IsNull());
-  EXPECT_THAT(verdict<Telemetry>(telemetryOf(128, 128)), IsNull());
-  EXPECT_THAT(verdict<Telemetry>(telemetryOf(129, 129)), HasSubstr("more values"));
-  for (const unsigned announced : {0U, 1U, 3U, 128U}) {
-    EXPECT_THAT(verdict<Telemetry>(telemetryOf(2, announced)), HasSubstr("count")) << announced;
-  }
-  for (const unsigned announced : {0x0102U, 0x0202U, 0xffffU}) {
-    EXPECT_THAT(verdict<Telemetry>(telemetryOf(2, announced)), HasSubstr("more values")) << announced;
-  }
 }
 
 TEST(Texts, AreCutAfterAWholeCharacter) {
