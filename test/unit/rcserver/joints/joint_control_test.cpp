@@ -151,19 +151,6 @@ TEST(JointOrders, AreJudgedFromTheEndOfTheirPlannedWaysForTwoSeconds) {
   }
 }
 
-// The neck moves the head out of its way.
-TEST(JointOrders, AreRefusedIfACoupledJointKeepsTheirsFromItsTarget) {
-  OrderedJoints ordered(0);
-  ordered.pass(1000);
-  const std::pair<const char*, int> commands[] = {{"head_tilt", -80000}, {"neck_tilt", -1200000}};
-  for (const auto& [name, position] : commands) {
-    JointTargets target = {0, 1, {{ordered.joints.Identifier(findJointByName(ers7(), name)), position}}};
-    ordered.joints.SetTargets(&target, target.joints[0].id);
-  }
-  EXPECT_EQ(ordered.pass(1000), "1 0: ");
-  EXPECT_EQ(ordered.pass(1000), "3 3: head_tilt stays 0.167 rad from its target");
-}
-
 TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
   const auto command = [](OrderedJoints& ordered, int joint) {
     JointTargets targets = {0, 1, {{ordered.joints.Identifier(joint), -200000}}};
@@ -185,9 +172,6 @@ TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
          all.joints.Stop(all.kTail);
        },
        "7 2: tail_pan was told to hold"},
-      {"all are held", 0, [](OrderedJoints& all) { all.joints.StopAll(); }, "7 2: everything was told to hold"},
-      {"the motors go off", 0, [](OrderedJoints& all) { all.joints.MotorsGoOff(); },
-       "7 2: the motors were switched off"},
       {"a joint fails and the rest is held", 200000,
        [](OrderedJoints& all) {
          all.joints.Planner().SetSpeedLimit(all.kTail, 50000);

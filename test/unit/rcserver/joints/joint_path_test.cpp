@@ -2,10 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <functional>
-#include <random>
 #include <vector>
 
 namespace {
@@ -32,30 +29,6 @@ std::vector<int> stepsOf(JointPath& motion) {
     steps.push_back(motion.Step());
   }
   return steps;
-}
-
-// The fewest frames for a distance, found by trying all possible motions. Only for small numbers.
-int fewestFramesBySearch(int step, int distance, int step_limit, int acceleration, int frames) {
-  std::vector<std::vector<int>> reachable{{0, step}};
-  for (int frame = 0; frame <= frames; ++frame) {
-    std::vector<std::vector<int>> next;
-    for (const auto& state : reachable) {
-      if (state[0] == distance && std::abs(state[1]) <= acceleration) {
-        return frame;
-      }
-      for (int change = -acceleration; change <= acceleration; ++change) {
-        const int new_step = state[1] + change;
-        const bool brakes = std::abs(new_step) <= std::abs(state[1]) - acceleration;
-        if (std::abs(new_step) <= step_limit || brakes) {
-          next.push_back({state[0] + new_step, new_step});
-        }
-      }
-    }
-    std::sort(next.begin(), next.end());
-    next.erase(std::unique(next.begin(), next.end()), next.end());
-    reachable = next;
-  }
-  return -1;
 }
 
 struct Row {
@@ -106,26 +79,6 @@ TEST(JointPath, ChangesItsSpeedByItsAccelerationAtMost) {
     advance(motion, row.frames);
     row.order(motion);
     EXPECT_EQ(stepsOf(motion), row.steps) << row.what;
-  }
-}
-
-TEST(JointPath, ArrivesInTheFewestFramesPossible) {
-  std::mt19937 random(2);
-  const auto between = [&random](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
-  for (int round = 0; round < 300; ++round) {
-    const int acceleration = between(1, 3);
-    const int first_limit = between(1, 6);
-    JointPath motion = standingAt(0, first_limit, acceleration);
-    motion.Aim(between(-20, 20));
-    const int frames = between(0, 6);
-    advance(motion, frames);
-    const int limit = between(1, 6);
-    const int distance = between(-15, 15);
-    motion.LimitStep(limit);
-    motion.Aim(motion.Position() + distance);
-    EXPECT_EQ(motion.FramesLeft(), fewestFramesBySearch(motion.Step(), distance, limit, acceleration, 60))
-        << "step " << motion.Step() << ", distance " << distance << ", limit " << limit << ", acceleration "
-        << acceleration;
   }
 }
 

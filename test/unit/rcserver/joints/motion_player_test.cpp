@@ -127,17 +127,6 @@ TEST_F(AMotion, FollowsTheLineBetweenKeyFramesAndEndsAtTheLast) {
   EXPECT_LT(path.size(), 215U) << "it ends soon after its last key frame";
 }
 
-// Its key frames need not be in the frames of 8 ms: what is left of a frame counts for the next step.
-TEST_F(AMotion, KeepsTheTimeOfStepsThatAreNotWholeFrames) {
-  std::string text = "frame 12\nat 0 head_pan 0\n";
-  for (int i = 1; i <= 80; ++i) {
-    text += "at " + std::to_string(12 * i) + " head_pan " + std::to_string(i % 2) + "\n";
-  }
-  ASSERT_EQ(play("A.MTN", motionBytes(text)), "");
-  const auto frames = static_cast<int>(pathOf("head_pan").size());
-  EXPECT_NEAR(frames, 80 * 12 / kFrame, kLag / kFrame + 2);
-}
-
 TEST_F(AMotion, BeginsWhereTheJointsAreWithoutAJump) {
   planner_.SetPosition(joint("head_pan"), -1000000);
   ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 50 tail_pan 1\nat 80 head_pan 50\n")), "");
@@ -146,21 +135,6 @@ TEST_F(AMotion, BeginsWhereTheJointsAreWithoutAJump) {
   // Somewhat faster than on average, as it speeds up and brakes.
   EXPECT_LT(greatestStep(path), 1.1 * degrees(PlayedMotion::APPROACH_SPEED) * kFrame / 1000);
   EXPECT_NEAR(at("head_pan"), 50, 1e-4);
-}
-
-TEST_F(AMotion, IsPlayedAsOftenAsItIsTold) {
-  const std::string there_and_back = motionBytes("at 0 head_pan -10\nat 320 head_pan 10\nat 640 head_pan -10\n");
-  for (const int repetitions : {1, 2, 5}) {
-    ASSERT_EQ(play("A.MTN", there_and_back, repetitions), "");
-    const std::vector<double> path = pathOf("head_pan");
-    EXPECT_EQ(countPasses(path), repetitions);
-  }
-}
-
-TEST_F(AMotion, ThatEndsWhereItBeganRepeatsWithoutAStop) {
-  planner_.SetPosition(joint("head_pan"), 0);
-  ASSERT_EQ(play("A.MTN", motionBytes("at 0 head_pan 0\nat 160 head_pan 10\nat 320 head_pan 0\n"), 10), "");
-  EXPECT_NEAR(static_cast<double>(pathOf("head_pan").size()), 10 * 320.0 / kFrame, 5);
 }
 
 TEST_F(AMotion, ThatEndsElsewhereReturnsToItsBeginningSlowly) {

@@ -25,8 +25,8 @@ struct Felt {
   bool stands = true;
 };
 
-// A report every 4 frames. Returns the last frame.
-unsigned feel(FallWatch& watch, const std::vector<Felt>& all, int times = 1) {
+// A report every 4 frames.
+void feel(FallWatch& watch, const std::vector<Felt>& all, int times = 1) {
   unsigned frame = 0;
   for (int i = 0; i < times; ++i) {
     for (const Felt& felt : all) {
@@ -36,7 +36,6 @@ unsigned feel(FallWatch& watch, const std::vector<Felt>& all, int times = 1) {
       }
     }
   }
-  return frame;
 }
 
 TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
@@ -72,12 +71,6 @@ TEST(FallWatch, TellsHowTheRobotIsFromItsAccelerometerAndItsPaws) {
     feel(watch, row.felt, row.times);
     EXPECT_EQ(watch.Now(), row.verdict) << row.what;
   }
-}
-
-TEST(FallWatch, CountsTheTimeSinceTheFallAlsoOfARobotThatTumbles) {
-  FallWatch watch;
-  const unsigned frame = feel(watch, {{rolledBy(90), 20}, {rolledBy(180), 20}}, 4);
-  EXPECT_GE(watch.Duration(frame), 148U);
 }
 
 }  // namespace

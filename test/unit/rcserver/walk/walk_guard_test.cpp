@@ -222,30 +222,4 @@ TEST_F(WalkGuardTest, APawIsBelievedAfterFourSteps) {
   }
 }
 
-TEST_F(WalkGuardTest, APawThatHasNotWorkedIsNotBelieved) {
-  WalkGuard::Reading reading = onFloor();
-  std::fill(std::begin(reading.paws), std::end(reading.paws), false);
-  walk(kForward, 5, reading);
-  EXPECT_EQ(objection(kForward), "");
-  const double two_steps = 2 * gait_.StepAt(kForward).period;
-  for (int i = 0; i < 8; ++i) {
-    walk(kForward, two_steps, onFloor());
-    walk(kForward, two_steps, reading);
-    EXPECT_EQ(objection(kForward), "") << "it works now and then";
-  }
-}
-
-TEST_F(WalkGuardTest, APawThatFeelsTheFloorLateInEachStepIsOnTheFloor) {
-  WalkGuard::Reading late = onFloor();
-  late.paws[robot_model::RIGHT_HIND_LEG] = false;
-  walk(kForward, 3);
-  for (int i = 0; i < 100; ++i) {
-    walk(kForward, 0.064, late);
-    walk(kForward, 0.032, onFloor());
-    EXPECT_EQ(objection(kForward), "");
-  }
-  walk(kForward, 1, late);
-  EXPECT_THAT(objection(kForward), HasSubstr("the right hind paw finds no floor")) << "it is believed";
-}
-
 }  // namespace

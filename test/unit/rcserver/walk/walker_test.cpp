@@ -189,20 +189,6 @@ TEST_F(Walk, IsWithinTheLimitsOfTheRobot) {
   EXPECT_DOUBLE_EQ(joints.Steer({gait.highest.forward, 0, gait.highest.turn}).turn, gait.highest.turn / 2);
 }
 
-// What odometry needs.
-TEST_F(Walk, TellsVelocitiesWhoseSumIsTheWay) {
-  walker().TakeVelocity();
-  double way = 0;
-  for (int i = 0; i < 40; ++i) {
-    steer(kAhead, 25);
-    way += walker().TakeVelocity().forward * 0.2;
-  }
-  EXPECT_NEAR(way, 0.8 - 0.028, 0.005) << "but for the time in which it speeds up";
-  letGo();
-  const int frames = passUntilIdle();
-  EXPECT_NEAR(way + walker().TakeVelocity().forward * frames * 0.008, 0.8, 0.01) << "and slows down";
-}
-
 TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   steer(kAhead, 300);
   order(kAhead);
@@ -214,18 +200,6 @@ TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   EXPECT_LT(frames, 1.2 * kFramesASecond);
   EXPECT_TRUE(isIn(POSTURE_STAND));
   EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
-}
-
-TEST_F(Walk, BeginsWhenTheRobotHasRisen) {
-  for (const Posture posture : {POSTURE_SIT, POSTURE_REST}) {
-    WalkingRobot robot;
-    robot.take(posture);
-    robot.letGo();
-    robot.order(kAhead);
-    EXPECT_EQ(robot.walker().State(), WALK_STATE_GETS_READY);
-    robot.steer(kAhead, 1000);
-    EXPECT_TRUE(robot.walks()) << posture;
-  }
 }
 
 // ------------------------------------------------------------------------------------------------------------ its ends
@@ -508,27 +482,6 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
 
 class Rest : public ::testing::Test, protected WalkingRobot {};
 
-TEST_F(Rest, LevelsTheHeadAndThenWantsTheMotorsOff) {
-  command("neck_tilt", -1200000);
-  command("head_pan", 500000);
-  pass(200);
-  joints.Take(POSTURE_REST);
-  while (!isIn(POSTURE_REST)) {
-    EXPECT_FALSE(walker().WantsMotorsOff());
-    pass(1);
-  }
-  pass(4);
-  EXPECT_FALSE(walker().WantsMotorsOff()) << "the joints have not followed yet";
-  pass(40);
-  EXPECT_TRUE(walker().WantsMotorsOff());
-  EXPECT_THAT(ends(), IsEmpty());
-  joints.MotorsGoOff();
-  EXPECT_FALSE(walker().WantsMotorsOff());
-  EXPECT_THAT(ends(), ElementsAre("rest: "));
-  EXPECT_EQ(position("neck_tilt"), -174533);
-  EXPECT_EQ(position("head_pan"), 0);
-}
-
 TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
   const std::pair<std::string, std::function<void(WalkingRobot&)>> orders[] = {
       {"command", [](WalkingRobot& robot) { robot.command("head_pan", 20 * kDegree); }},
@@ -604,24 +557,6 @@ TEST_F(ClientThatGoes, LeavesARestThatHasBegunToTheRobot) {
 // --------------------------------------------------------------------------------------------------------------- falls
 
 class Fall : public ::testing::Test, protected WalkingRobot {};
-
-TEST_F(Fall, StopsTheRobotAndItsLegsGoSoftAfterASecond) {
-  steer(kAhead);
-  feels = kOnItsSide;
-  steer(kAhead, 24);
-  EXPECT_TRUE(walker().IsActive()) << "a knock";
-  pass(52);
-  EXPECT_THAT(ends(), ElementsAre("walk: the robot lies on its right side"));
-  EXPECT_THAT(walker().Problem(POSTURE_SIT), HasSubstr("the robot lies on its right side"));
-  pass(48);
-  EXPECT_FALSE(walker().GoesSoft());
-  pass(24);
-  EXPECT_TRUE(walker().WantsMotorsOff());
-  joints.MotorsGoOff();
-  EXPECT_FALSE(walker().WantsMotorsOff());
-  EXPECT_TRUE(walker().TakeSoftened());
-  EXPECT_FALSE(walker().TakeSoftened()) << "once";
-}
 
 TEST_F(Fall, LeavesLegsAloneThatSomethingElseHasMovedSince) {
   const std::function<void()> orders[] = {[this] { play("at 0 left_front_knee 60\nat 80 left_front_knee 80\n"); },
