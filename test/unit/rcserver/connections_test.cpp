@@ -1,12 +1,4 @@
 // Connections, and clients that are lost.
-#include <gmock/gmock.h>
-
-#include <algorithm>
-
-#include <memory>
-#include <optional>
-#include <string>
-#include <vector>
 
 #include "rcserver/ReportLimit.h"
 #include "rcserver_fixture.h"
@@ -36,8 +28,6 @@ class ConnectionsTest : public FakeRobotFixture {
     return count;
   }
 };
-
-// ------------------------------------------------------------------------------------------------- closing
 
 TEST_F(ConnectionsTest, LastMessageArrivesAndTheClientHasTwoSecondsToCloseThen) {
   const auto client = connect();  // it does not close itself
@@ -102,8 +92,6 @@ TEST_F(ConnectionsTest, WhatComesWhileTheMemoryStickIsAtWorkIsAnsweredAfterwards
     ASSERT_TRUE(await(*client)) << i;
   }
 }
-
-// --------------------------------------------------------------------------------------------------- strangers
 
 // What would switch to version 2 and move a joint, and shut the robot down.
 std::string commands() {
@@ -197,8 +185,6 @@ TEST_F(ConnectionsTest, FirstRequestThatIsRefusedIsAnsweredAndTheClientIsServed)
   }
 }
 
-// ------------------------------------------------------------------------------------------------- silent clients
-
 TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
   connectServed()->close();  // the one before it has asked for something, and left long ago
   passFrames(1300);
@@ -217,12 +203,6 @@ TEST_F(ConnectionsTest, ClientThatAsksForNothingLosesItsPlaceAfterTwoSeconds) {
 
 class PlayingClientTest : public ConnectionsTest {
  protected:
-  void startPlaying(TestClient& client) {
-    client.send(fileRequest('P', "WAG.MTN", 1000));
-    ASSERT_EQ(awaitLetter(client), 'p');
-    machine_->runPending();
-  }
-
   bool tailMoves() {
     std::vector<int>& path = robot_.joint("tail_pan").path;
     path.clear();
@@ -234,25 +214,13 @@ class PlayingClientTest : public ConnectionsTest {
 // WAG.MTN takes less than 2 s.
 TEST_F(PlayingClientTest, MotionOfASilentVersion1ClientEndsAfterTenSecondsButTheClientStays) {
   auto client = connectServed();
-  startPlaying(*client);
+  client->send(fileRequest('P', "WAG.MTN", 1000));
+  ASSERT_EQ(awaitLetter(*client), 'p');
   passFrames(1250 - 420);
   EXPECT_TRUE(tailMoves());
   passFrames(20 + 250);
   EXPECT_FALSE(tailMoves());
   EXPECT_TRUE(isServed(*client));
-}
-
-TEST_F(PlayingClientTest, MotionOfAVersion1ClientThatReadsItsStreamGoesOn) {
-  auto client = connectServed();
-  client->send(request('W', 85));
-  machine_->runPending();
-  client->send(fileRequest('P', "WAG.MTN", 1000));
-  for (int i = 0; i < 400; ++i) {
-    passFrames(4);
-    while (client->next()) {
-    }
-  }
-  EXPECT_TRUE(tailMoves());
 }
 
 }  // namespace

@@ -60,7 +60,6 @@ class FakeRobot : public openr_host::VirtualRobot {
 
   struct FakeEar {
     bool drawn = false;
-    int period = 0;          ///< of its last command
     std::vector<bool> path;  ///< at the end of each frame
   };
 
@@ -136,14 +135,12 @@ class FakeRobot : public openr_host::VirtualRobot {
     } else {
       return oNOT_FOUND;
     }
-    ++open_primitives;
     return oSUCCESS;
   }
   OStatus closePrimitive(OPrimitiveID id) override {
     if (id < kFirstSensor) {
       at(id).open = false;
     }
-    --open_primitives;
     return oSUCCESS;
   }
   OStatus controlPrimitive(OPrimitiveID id, OPrimitiveRequest request, void* param, size_t size, void*,
@@ -299,7 +296,6 @@ class FakeRobot : public openr_host::VirtualRobot {
   std::vector<FakeEar> ears = std::vector<FakeEar>(static_cast<size_t>(model.number_of_ears));
   OPowerStatus power_status;
   OMemoryStickStatus stick_status = omemorystickWRITABLE;
-  int open_primitives = 0;
   int times_switched_off = 0;
   bool powered = false;
   bool refuses_power = false;
@@ -351,7 +347,6 @@ class FakeRobot : public openr_host::VirtualRobot {
       const auto value = valueOf<OJointCommandValue4>(command);
       FakeEar& ear = ears.at(command.primitive - kFirstEar);
       ear.drawn = value.value == ojoint4_STATE1;
-      ear.period = value.period;
     } else {
       FakeLed& led = leds.at(command.primitive - kFirstLed);
       ++led.commands;

@@ -1,11 +1,7 @@
 // Requests that need the memory stick, while FileKeeper is at work.
-#include <gmock/gmock.h>
 
 #include <filesystem>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "motion_bytes.h"
 #include "protocol/stick_pictures.h"
@@ -29,23 +25,13 @@ class FileJobsTest : public FakeRobotFixture {
     file_keeper_.slowDown();
   }
 
-  // The frames that have arrived: kind and request number, and the text of an error.
-  std::vector<std::string> answers() {
-    std::vector<std::string> all;
-    for (const Frame& next : arrived()) {
-      all.push_back(next.header.kind + std::to_string(next.header.request_number));
-      all.back() += next.header.kind == 'e' ? " " + textOf(next).substr(2) : "";
-    }
-    return all;
-  }
-
   // The memory stick works for this time. Meanwhile only the answers to the heartbeat come.
   void wait(double seconds) {
     for (double passed = 0; passed < seconds; passed += 0.5) {
       EXPECT_EQ(answerTo('H', 0).header.kind, 'h');
       passFrames(kFramesASecond / 2);
     }
-    EXPECT_THAT(answers(), IsEmpty());
+    EXPECT_THAT(heard(), IsEmpty());
   }
 
   // Finishes the job; later jobs take no time.
@@ -74,10 +60,10 @@ TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
   ASSERT_TRUE(file_keeper_.hasJob());
   send(frame('H', 0, 2) + frame('O', 0, 3) + frame('J', 0, 4, order(std::string(4, '\0'))) +
        frame('P', 0, 5, playPayload("SIT.MTN", 0)));
-  EXPECT_THAT(answers(), ElementsAre("h2", "o3", "i0", "j4", "p5"));
+  EXPECT_THAT(heard(), ElementsAre("h2", "o3", "i4 0", "j4", "p5"));
   EXPECT_FALSE(moves("tail_pan"));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p1"));
+  EXPECT_THAT(heard(), ElementsAre("p1"));
   EXPECT_TRUE(moves("tail_pan"));
 }
 
@@ -90,20 +76,20 @@ TEST_F(FileJobsTest, AJointCommandedOrHeldWhileAFileIsReadObeysThatAndTheMotionD
       send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
       ASSERT_TRUE(file_keeper_.hasJob());
       send(last);
-      EXPECT_THAT(answers(), Contains(HasSubstr("2")));
+      EXPECT_THAT(heard(), Contains(HasSubstr("2")));
       passFrames(seconds > 0 ? 300 : 0);
-      answers();  // the joint may have arrived
+      heard();  // the joint may have arrived
       wait(seconds);
       finishJobs();
-      EXPECT_THAT(answers(), ElementsAre(HasSubstr("e1 tail_pan was commanded while the file of WAG.MTN")));
+      EXPECT_THAT(heard(), ElementsAre(HasSubstr("e1 0 tail_pan was commanded while the file of WAG.MTN")));
       passFrames(300);
       EXPECT_EQ(robot_.joint("tail_pan").position, 500000);
-      answers();
+      heard();
     }
   }
   send(frame('P', 0, 3, playPayload("WAG.MTN", 1000)));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p3")) << "an earlier command does not matter";
+  EXPECT_THAT(heard(), ElementsAre("p3")) << "an earlier command does not matter";
 }
 
 TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
@@ -119,18 +105,18 @@ TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
                                           {'Y', int{FETCH_PICTURE}, "A.JPG"},
                                           {'Y', int{DELETE_PICTURE}, "A.JPG"}}) {
     send(frame(kind, id, 2, payload));
-    refused = answers();
+    refused = heard();
     ASSERT_EQ(refused.size(), 1U) << kind;
-    EXPECT_THAT(refused[0], HasSubstr("e2 the memory stick is busy with an earlier request")) << kind;
+    EXPECT_THAT(refused[0], HasSubstr("e2 0 the memory stick is busy with an earlier request")) << kind;
   }
   send(frame('H', 0, 3));
-  EXPECT_THAT(answers(), ElementsAre("h3"));
+  EXPECT_THAT(heard(), ElementsAre("h3"));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("p1"));
+  EXPECT_THAT(heard(), ElementsAre("p1"));
   EXPECT_TRUE(hasFile("NOD.MTN"));
   EXPECT_FALSE(hasFile("NEW.MTN"));
   send(frame('N', 0, 4));
-  EXPECT_THAT(answers(), ElementsAre("n4"));
+  EXPECT_THAT(heard(), ElementsAre("n4"));
 }
 
 TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStopHoweverSlowTheMemoryStickIs) {
@@ -147,28 +133,18 @@ TEST_F(FileJobsTest, NoMotionBeginsAfterAnOrderToStopHoweverSlowTheMemoryStickIs
       send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
       ASSERT_TRUE(file_keeper_.hasJob());
       send(stop);
-      const std::vector<std::string> at_once = answers();
+      const std::vector<std::string> at_once = heard();
       ASSERT_GE(at_once.size(), 2U);
-      EXPECT_EQ(at_once[0], "e1 WAG.MTN " + reason) << "before the answer to the stop";
+      EXPECT_EQ(at_once[0], "e1 0 WAG.MTN " + reason) << "before the answer to the stop";
       EXPECT_EQ(at_once[1].substr(1), "3");
       send(frame('N', 0, 5));
-      EXPECT_THAT(answers(), ElementsAre(HasSubstr("e5 the memory stick is busy")));
+      EXPECT_THAT(heard(), ElementsAre(HasSubstr("e5 0 the memory stick is busy")));
       wait(seconds);
       finishJobs();
-      EXPECT_THAT(answers(), IsEmpty());
+      EXPECT_THAT(heard(), IsEmpty());
       EXPECT_FALSE(moves("tail_pan"));
     }
   }
-}
-
-TEST_F(FileJobsTest, NoMotionBeginsAfterTheMotorsHaveGoneOffByThemselves) {
-  answerTo('E', protocol::version2::POSTURE_REST, order());
-  send(frame('P', 0, 2, playPayload("WAG.MTN", 1)));
-  ASSERT_TRUE(file_keeper_.hasJob());
-  passFrames(500);
-  answers();
-  finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("e2 the motors are off; switch them on first"));
 }
 
 TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
@@ -178,7 +154,7 @@ TEST_F(FileJobsTest, ResultForAClientThatHasGoneIsNotUsedForTheNextOne) {
   send(frame('D', 0, 1, "NOD.MTN"));
   EXPECT_TRUE(hasFile("NOD.MTN"));
   finishJobs();
-  EXPECT_THAT(answers(), ElementsAre("d1"));
+  EXPECT_THAT(heard(), ElementsAre("d1"));
   EXPECT_FALSE(hasFile("NOD.MTN"));
   EXPECT_FALSE(moves("tail_pan"));
 }
@@ -191,8 +167,6 @@ TEST_F(FileJobsTest, UploadIsCompletedThoughItsClientHasGone) {
   finishJobs();
   EXPECT_EQ(fileContent(stick_.path("OPEN-R/MW/DATA/P/NEW.MTN")), motion_);
 }
-
-// ---------------------------------------------------------------------------------------------- missing objects
 
 // A memory stick without PictureEncoder and FileKeeper.
 class LonelyServerTest : public FileJobsTest {
@@ -210,13 +184,13 @@ class LonelyServerTest : public FileJobsTest {
 TEST_F(LonelyServerTest, WithoutFileKeeperOnlyFileRequestsAreRefused) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)) + frame('N', 0, 2) + frame('H', 0, 3) + frame('M', 85, 4) +
        frame('Y', 1, 5));
-  const std::vector<std::string> got = answers();
+  const std::vector<std::string> got = heard();
   ASSERT_EQ(got.size(), 5U);
-  EXPECT_THAT(got[0], HasSubstr("e1 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
-  EXPECT_THAT(got[1], HasSubstr("e2 the object FileKeeper does not run"));
+  EXPECT_THAT(got[0], HasSubstr("e1 0 the object FileKeeper does not run on the robot: FILES.BIN is missing"));
+  EXPECT_THAT(got[1], HasSubstr("e2 0 the object FileKeeper does not run"));
   EXPECT_EQ(got[2], "h3");
-  EXPECT_THAT(got[3], HasSubstr("e4 the object FileKeeper does not run"));
-  EXPECT_THAT(got[4], HasSubstr("e5 the object FileKeeper does not run"));
+  EXPECT_THAT(got[3], HasSubstr("e4 0 the object FileKeeper does not run"));
+  EXPECT_THAT(got[4], HasSubstr("e5 0 the object FileKeeper does not run"));
 }
 
 TEST_F(LonelyServerTest, MissingPictureEncoderIsNamedOnTheConsole) {

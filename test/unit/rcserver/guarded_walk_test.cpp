@@ -1,14 +1,9 @@
 // Guarded walks on a table with edges and a board, with the robot's own program on the simulated ERS-7.
 // AIBO_WHOLE_CAMPAIGN lets it drive a hundred times.
-#include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <random>
 
-#include "protocol/hello.h"
-#include "protocol/walk_requests.h"
 #include "rcserver_fixture.h"
 #include "simulator/ers7/simulated_ers7.h"
 
@@ -16,7 +11,6 @@ namespace {
 
 using namespace protocol::version2;
 using simulated_ers7::SimulatedErs7;
-using ::testing::HasSubstr;
 using Velocity = protocol::version2::Velocity;
 
 constexpr unsigned kFramesBetweenSteering = 12;
@@ -41,7 +35,7 @@ class GuardedWalkTest : public RCServerFixture {
     last_ = robot_->pose();
     client_->send(frame('E', POSTURE_STAND, 2, order()));
     pass(4);
-    letGo();
+    steer({0, 0, 0}, 1.5);  // it lets go
   }
 
   void TearDown() override {
@@ -49,14 +43,12 @@ class GuardedWalkTest : public RCServerFixture {
     robot_.reset();
   }
 
-  void steer(const Velocity& velocity, double seconds, int options = STEER_GUARDED) {
+  void steer(const Velocity& velocity, double seconds) {
     for (double passed = 0; passed < seconds; passed += kFramesBetweenSteering * 0.008) {
-      client_->send(frame('S', options, 3, payloadOf(SteeringOrder{NEVER_TOO_OLD, velocity})));
+      client_->send(frame('S', STEER_GUARDED, 3, payloadOf(SteeringOrder{NEVER_TOO_OLD, velocity})));
       pass(kFramesBetweenSteering * 0.008);
     }
   }
-
-  void letGo() { steer({0, 0, 0}, 1.5); }
 
   void pass(double seconds) {
     for (double passed = 0; passed < seconds - 1e-9; passed += 0.008) {
@@ -84,8 +76,6 @@ class GuardedWalkTest : public RCServerFixture {
             walked_ = std::hypot(walked_, entry.value * 1e-6);
           }
         }
-      } else if (next->header.kind == ERROR_MESSAGE && next->payload.size() > 2) {
-        last_error_ = textOf(*next).substr(2);
       }
     }
   }
@@ -133,33 +123,11 @@ class GuardedWalkTest : public RCServerFixture {
   int falls_ = 0;
   double longest_push_ = 0;  ///< s; the board takes more than half of the way that the legs walk
   std::string last_end_;
-  std::string last_error_;
   simulated_ers7::Place last_;
   double walked_ = 0;
   double pushed_ = 0;
   unsigned frames_ = 0;
 };
-
-TEST_F(GuardedWalkTest, AtAnEdgeItStopsTellsWhyAndCanTurnAndWalkBack) {
-  begin(1);
-  steer({0.15, 0, 0}, 12);
-  EXPECT_THAT(last_end_, HasSubstr("the floor ends ahead"));
-  EXPECT_THAT(last_error_, HasSubstr("the floor ends ahead: turn, or walk back; let go first"));
-  const double edge = simulated_ers7::kTableX + simulated_ers7::kTableHalfLength;
-  const double before = robot_->pose().x;
-  EXPECT_LT(before, edge - 0.15);
-  EXPECT_GT(before, edge - 0.35);
-  letGo();
-  last_end_ = "none";
-  steer({-0.1, 0, 0}, 3);
-  letGo();
-  EXPECT_LT(robot_->pose().x, before - 0.2);
-  EXPECT_EQ(last_end_, "") << "it was steered to a stand";
-  last_end_ = "none";
-  steer({0, 0, 0.8}, 4);
-  letGo();
-  EXPECT_EQ(last_end_, "");
-}
 
 TEST_F(GuardedWalkTest, HoweverItIsSteeredItNeitherFallsOffATableNorPushesAgainstABoard) {
   for (unsigned i = 1; i <= (std::getenv("AIBO_WHOLE_CAMPAIGN") != nullptr ? 100 : 6); ++i) {

@@ -1,13 +1,7 @@
 // Joints in version 1, and the motors at boot.
-#include <gmock/gmock.h>
-
-#include <string>
-#include <vector>
 
 #include "protocol/units.h"
-#include "protocol/version1.h"
 #include "rcserver_fixture.h"
-#include "robot_model/robot_model.h"
 
 namespace {
 
@@ -35,8 +29,6 @@ class JointsTest : public FakeRobotFixture {
   }
 };
 
-// ---------------------------------------------------------------------------------------------------------- booting
-
 TEST_F(JointsTest, GainsOfTheTableGoOnOnlyAfterThePresentPositionsWereCommanded) {
   machine_.reset();
   for (FakeRobot::FakeJoint& joint : robot_.joints) {
@@ -61,20 +53,6 @@ TEST_F(JointsTest, GainsOfTheTableGoOnOnlyAfterThePresentPositionsWereCommanded)
   }
   EXPECT_TRUE(robot_.powered);
 }
-
-TEST_F(JointsTest, RobotWithAMissingJointSendsPicturesAndRefusesToMove) {
-  machine_.reset();
-  robot_.missing_locator = robot_.model.joints[3].locator;
-  start();
-  EXPECT_THAT(console_.str(), HasSubstr(robot_.missing_locator));
-  expectError(request('J', kHeadPan));
-  expectError(request('J', kHeadPan, 100));
-  client_->send(request('F', 85));
-  passFrames(FakeRobot::kFramesPerImage);
-  EXPECT_EQ(awaitLetter(*client_), 'f');
-}
-
-// ---------------------------------------------------------------------------------------------------- version 1: J
 
 TEST_F(JointsTest, EveryJointIsReadAndSetByItsIdentifier) {
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
@@ -110,8 +88,6 @@ TEST_F(JointsTest, IdentifierZeroSetsAllJointsWithinTheirLimits) {
   expectError(request('J', 0));
 }
 
-// ------------------------------------------------------------------------------------------------ version 1: V and A
-
 TEST_F(JointsTest, LimitsAreReadAndSet) {
   expectAnswer(request('V', kNeckTilt), 'v', kNeckTilt, 18250);
   expectAnswer(request('V', kNeckTilt, 18251), 'v', kNeckTilt, 18250);  // the robot's own limit
@@ -120,8 +96,6 @@ TEST_F(JointsTest, LimitsAreReadAndSet) {
   expectAnswer(request('A', kTailPan, 5000), 'a', kTailPan, 5000);
   expectAnswer(request('A', kTailPan), 'a', kTailPan, 5000);
 }
-
-// --------------------------------------------------------------------------------------------------------------- jam
 
 TEST_F(JointsTest, JammedJointIsHeldAndItsNextRequestIsAnsweredByAnError) {
   for (const bool by_name : {true, false}) {

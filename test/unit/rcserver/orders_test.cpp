@@ -1,10 +1,7 @@
 // Orders of version 2: each ends once, with its number and before the reply that caused its end, and none is carried
 // out that is too old. A walk begins only after zeros.
-#include <gmock/gmock.h>
 
-#include <string>
 #include <tuple>
-#include <vector>
 
 #include "motion_bytes.h"
 #include "rcserver/FrameClock.h"
@@ -63,24 +60,6 @@ class OrdersTest : public Version2Fixture {
   }
 
   void ask(int number, const Asked& asked) { send(frame(asked.kind, asked.id, number, asked.payload)); }
-
-  // What has come: a reply as "s3", a refusal as "e3 5 too old...", an end as "i3 0".
-  std::vector<std::string> heard() {
-    std::vector<std::string> all;
-    for (const Frame& next : arrived()) {
-      const std::string payload = textOf(next);
-      if (next.header.kind == 'i' && next.header.request_number == 0) {
-        const int number = next.payload.at(2) * 256 + next.payload.at(3);
-        all.push_back("i" + std::to_string(number) + " " + std::to_string(payload.at(1)));
-      } else {
-        all.push_back(next.header.kind + std::to_string(next.header.request_number));
-        all.back() += next.header.kind == 'e' && !payload.empty()
-                          ? " " + std::to_string(payload.at(1)) + " " + payload.substr(2)
-                          : "";
-      }
-    }
-    return all;
-  }
 
   // Asks, and waits until the file that is needed has been read.
   std::vector<std::string> answersTo(int number, const Asked& asked) {
@@ -214,39 +193,14 @@ TEST_F(OrdersTest, OfAClientThatHasGoneAreNotToldButForARestThatGoesOn) {
   EXPECT_THAT(heard(), ElementsAre("i0 0"));
 }
 
-TEST_F(OrdersTest, OfVersion1AreNotToldInVersion2) {
-  disconnect();
-  client_ = connectServed();
-  for (const char* const name : {"HEAD.MTN", "LEGS.MTN"}) {
-    client_->send(fileRequest('P', name, 100));
-    EXPECT_EQ(await(*client_)->value.letter, 'p');
-  }
-  client_->send(fileRequest('P', "LEGS.MTN", 0));
-  EXPECT_EQ(await(*client_)->value.letter, 'p');
-  client_->send(request('X', 2));
-  EXPECT_TRUE(agreesToVersion2(await(*client_)->value));
-  passFrames(4);
-  EXPECT_THAT(answersTo(1, kHoldAll), ElementsAre("i1"));
-}
-
-// Four motions, and every other joint in an order of its own, end at once, and the client does not read.
+// Every joint has an order of its own, all end at once, and the client does not read.
 TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
   connectBehindAPicture();
   std::string requests;
-  int number = 0;
-  for (const char* const name : {"head_pan", "tail_pan", "left_front_knee", "tail_tilt"}) {
-    const std::string file = std::string("M") + std::to_string(number) + ".MTN";
-    stick_.write("OPEN-R/MW/DATA/P/" + file, motionBytes(std::string("at 0 ") + name + " 0\nat 800 " + name + " 10\n"));
-    send(frame('P', 0, ++number, playPayload(file, 1000)));
-    passFrames(8);
-  }
-  std::vector<std::string> expected = {"i1 2", "i2 2", "i3 2", "i4 2"};
+  std::vector<std::string> expected;
   for (int i = 0; i < robot_.model.number_of_joints; ++i) {
-    const std::string name = robot_.model.joints[i].name;
-    if (name != "head_pan" && name != "tail_pan" && name != "left_front_knee" && name != "tail_tilt") {
-      requests += frame('J', 0, ++number, order(target(robot_.model.joints[i].identifier, -400000)));
-      expected.push_back("i" + std::to_string(number) + " 2");
-    }
+    requests += frame('J', 0, i + 1, order(target(robot_.model.joints[i].identifier, -400000)));
+    expected.push_back("i" + std::to_string(i + 1) + " 2");
   }
   send(requests + frame('I', HOLD_EVERYTHING, 100));
   passFrames(12);
@@ -262,19 +216,6 @@ TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
 }
 
 // ------------------------------------------------------------------------------------------------------------ walks
-
-TEST_F(OrdersTest, TheReplyToEachSteeringSaysWhichWalkGoesOn) {
-  EXPECT_EQ(walkAfter(1, kLetGo), 0) << "zeros without a walk";
-  EXPECT_EQ(walkAfter(2, kWalk), 2);
-  EXPECT_EQ(walkAfter(3, kWalk), 2) << "it gets ready";
-  steer(4, 500);
-  heard();
-  EXPECT_EQ(walkAfter(5, kWalk), 2) << "it walks";
-  EXPECT_EQ(walkAfter(6, kLetGo), 2) << "it walks to the stand";
-  passFrames(250);
-  EXPECT_THAT(heard(), ElementsAre("i2 0"));
-  EXPECT_EQ(walkAfter(7, kLetGo), 0);
-}
 
 TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
   const struct {
@@ -305,48 +246,6 @@ TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
     ask(22, kLetGo);
     passFrames(250);
     EXPECT_THAT(heard(), ElementsAre("s22", "i20 0"));
-  }
-}
-
-TEST_F(OrdersTest, ASteeringThatCrossesTheGuardsEndIsRefusedUntilZerosAndThenBeginsAnother) {
-  const Asked guarded = {'S', STEER_GUARDED, order(velocity(100))};
-  const Asked back = {'S', STEER_GUARDED, order(velocity(-30))};
-  for (const bool stands_before_zeros : {false, true}) {
-    SCOPED_TRACE(stands_before_zeros ? "zeros come in the stand" : "zeros come on the way to the stand");
-    robot_.sensor("range_chest") = 223000;
-    beginWalk(1);
-    EXPECT_EQ(walkAfter(10, guarded), 1);
-    robot_.sensor("range_chest") = 900000;  // an edge
-    passFrames(24);
-    EXPECT_THAT(heard(), IsEmpty()) << "it walks to the stand";
-    EXPECT_THAT(answersTo(11, guarded), ElementsAre(HasSubstr("e11 0 the floor ends ahead")));
-    passFrames(stands_before_zeros ? 250 : 0);
-    const std::vector<std::string> end = {"i1 3"};
-    EXPECT_EQ(heard(), stands_before_zeros ? end : std::vector<std::string>());
-    EXPECT_EQ(walkAfter(12, kLetGo), stands_before_zeros ? 0 : 1);
-    ask(20, back);
-    std::vector<std::string> answers = stands_before_zeros ? std::vector<std::string>() : end;
-    answers.push_back("s20");
-    EXPECT_EQ(heard(), answers);
-    EXPECT_EQ(walkAfter(21, back), 20);
-    ask(22, kLetGo);
-    passFrames(250);
-    EXPECT_THAT(heard(), ElementsAre("s22", "i20 0"));
-  }
-}
-
-TEST_F(OrdersTest, ToWalkRefuseAMotionOfTheLegsWhoseFileIsReadLater) {
-  for (const Asked& before : {kMovePan, kSit}) {
-    answersTo(1, before);
-    file_keeper_.slowDown();
-    ask(2, kPlayLegs);
-    answersTo(3, kLetGo);
-    EXPECT_THAT(answersTo(4, kWalk), Contains("s4"));
-    file_keeper_.speedUp();
-    passFrames(4);
-    EXPECT_THAT(heard(), Contains(HasSubstr("e2 0 left_front_knee was commanded while the file"))) << before.kind;
-    EXPECT_EQ(walkAfter(5, kWalk), 4) << "the walk goes on";
-    answersTo(6, kHoldAll);
   }
 }
 
@@ -408,20 +307,6 @@ TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
       clock.Report(row.reported, row.milliseconds);
       EXPECT_EQ(clock.Present(row.milliseconds), row.present) << name << ", " << row.milliseconds;
     }
-  }
-}
-
-// Some robots' frames last longer than 8 ms.
-TEST(FrameClock, IsAtMostAFrameAheadOfSlowFrames) {
-  FrameClock clock;
-  unsigned last = 0;
-  for (unsigned frame = 1000; frame < 1000 + 4 * 3600 * 125; frame += 4) {
-    const auto now = static_cast<unsigned>(frame * 8.024);
-    clock.Report(frame, now);
-    const unsigned present = clock.Present(now);
-    ASSERT_GE(present, std::max(frame, last));
-    ASSERT_LE(present, frame + 1);
-    last = present;
   }
 }
 

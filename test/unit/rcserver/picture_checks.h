@@ -28,8 +28,7 @@ struct Brightness {
   int width = 0;
   int height = 0;
   int level = -1;
-  int bottom = -1;         ///< level of the last row
-  std::vector<int> block;  ///< 2 x 2 pixels, row by row, the first of which has this level
+  int bottom = -1;  ///< level of the last row
 };
 
 inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
@@ -42,10 +41,8 @@ inline Brightness brightnessOf(const std::vector<uint8_t>& jpeg) {
   std::vector<uint8_t> gray(static_cast<size_t>(brightness.width * brightness.height));
   if (tjDecompress2(handle.get(), jpeg.data(), jpeg.size(), gray.data(), brightness.width, 0, brightness.height,
                     TJPF_GRAY, TJFLAG_STOPONWARNING) == 0) {
-    const auto middle = gray.begin() + brightness.height / 2 * brightness.width;
-    brightness.level = *middle;
+    brightness.level = gray[static_cast<size_t>(brightness.height / 2 * brightness.width)];
     brightness.bottom = gray.back();
-    brightness.block = {middle[0], middle[1], middle[brightness.width], middle[brightness.width + 1]};
   }
   return brightness;
 }

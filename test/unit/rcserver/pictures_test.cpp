@@ -1,15 +1,7 @@
 // Pictures while the encoder is at work and while the connection is busy.
-#include <gmock/gmock.h>
-
-#include <optional>
-#include <utility>
-#include <vector>
 
 #include "picture_checks.h"
-#include "picture_encoder/PictureJob.h"
-#include "protocol/version2.h"
 #include "rcserver_fixture.h"
-#include "simulator/object_catalog.h"
 
 namespace {
 
@@ -39,8 +31,6 @@ class PicturesTest : public Version2Fixture {
     EXPECT_NEAR(brightnessOf(pictureIn(picture).jpeg).bottom, FakeRobot::brightness(image), 3);
   }
 };
-
-// ------------------------------------------------------------------------------------------------ a slow encoder
 
 TEST_F(PicturesTest, NewestImageDuringEncodingIsTheNextPicture) {
   ASSERT_TRUE(startsStreamWithSlowEncoder());
@@ -77,40 +67,6 @@ TEST_F(PicturesTest, PictureInTheMakingIsDroppedWithItsClient) {
   expectPictureOfImage(own[0], robot_.lastImage() - 1);
 }
 
-TEST_F(PicturesTest, NoPictureOfTheOldQualityOrLayerFollowsTheAnswerThatChangesIt) {
-  for (const auto& [quality, layer] :
-       {std::make_pair(20, protocol::version2::LAYER_HIGH), std::make_pair(85, protocol::version2::LAYER_MIDDLE)}) {
-    ASSERT_TRUE(startsStreamWithSlowEncoder());
-    answerTo('W', quality, {1, static_cast<char>(layer), 0, 1});
-    encoder_.speedUp();
-    takeImage();
-    takeImage();
-    const std::vector<Frame> made = pictures();
-    ASSERT_EQ(made.size(), 2U);
-    for (const Frame& picture : made) {
-      EXPECT_EQ(picture.header.id, quality);
-      EXPECT_EQ(pictureIn(picture).image.layer, layer);
-    }
-    reconnect();
-  }
-}
-
-TEST_F(PicturesTest, FailureOfTheEncoderIsReportedAndTheClientDropped) {
-  encoder_.slowDown();
-  send(frame('F', 85, 7, kLayerHigh));
-  takeImage();
-  ASSERT_TRUE(encoder_.hasJob());
-  encoder_.job<PictureJob>().width = 0;
-  encoder_.speedUp();
-  takeImage();
-  EXPECT_TRUE(awaitEnd(*client_));
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: no picture: cannot encode 0 x 160 pixels"));
-  connectVersion2();
-  send(frame('F', 85, 8, kLayerHigh));
-  takeImage();
-  EXPECT_EQ(pictures().size(), 1U);
-}
-
 // The camera counts its images in 16 bits.
 TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
   disconnect();
@@ -125,23 +81,6 @@ TEST_F(PicturesTest, CountOfImagesContinuesWhenTheCamerasCountWraps) {
     EXPECT_EQ(imageCount(made[0]), robot_.lastImage());
   }
   EXPECT_GT(robot_.lastImage(), 65536U);
-}
-
-// -------------------------------------------------------------------------------------------------------- parts
-
-// Internet Protocol Version4, 1.3: an endpoint's pool should be slightly larger than the largest packet.
-TEST_F(PicturesTest, LargePictureIsSentInPartsOfEightKilobytes) {
-  robot_.showNoise();
-  takeImage();  // what the robot tells a new client comes first
-  sends_.clear();
-  send(frame('F', 100, 7, kLayerHigh));
-  takeImage();
-  const std::optional<Frame> picture = nextFrame();
-  ASSERT_TRUE(picture);
-  EXPECT_GT(picture->payload.size(), 60000U);
-  EXPECT_EQ(brightnessOf({picture->payload.begin() + 16, picture->payload.end()}).width, 208);
-  EXPECT_THAT(sends_, Each(Le(8192U)));
-  EXPECT_EQ(sends_.size(), (picture->payload.size() + 8 + 8191) / 8192);
 }
 
 TEST_F(PicturesTest, UsualPictureIsSentAtOnceWithItsHeader) {

@@ -16,6 +16,7 @@
 
 #include "fake_robot.h"
 #include "objects/HostSettings.h"
+#include "protocol/hello.h"
 #include "protocol/version1.h"
 #include "protocol/version2.h"
 #include "protocol/walk_requests.h"
@@ -146,18 +147,11 @@ class RCServerFixture : public ::testing::Test {
     options.ports = {{protocol::RCSERVER_PORT, 0}, {openr_host::kConsolePort, 0}};
     options.memory_stick = host_.memory_stick;
     options.catalog = objectCatalog();
-    for (const size_t entry : {0, 1, 2}) {  // ListenCont, SendCont and ReceiveCont in stub.cfg
-      auto& called = options.catalog.at("RCSERVER.BIN").extra_entries.at(entry);
-      called = [this, entry, original = called](OObject& object, ANTENVMSG message) {
-        if (entry == 1) {
-          sends_.push_back(static_cast<size_t>(static_cast<TCPEndpointSendMsg*>(message)->size));
-        }
-        if (entry == failing_entry_) {
-          static_cast<TCPEndpointBaseMsg*>(message)->error = failure_;
-        }
-        original(object, message);
-      };
-    }
+    auto& send_cont = options.catalog.at("RCSERVER.BIN").extra_entries.at(1);  // in stub.cfg
+    send_cont = [this, original = send_cont](OObject& object, ANTENVMSG message) {
+      sends_.push_back(static_cast<size_t>(static_cast<TCPEndpointSendMsg*>(message)->size));
+      original(object, message);
+    };
     encoder_.intercept(options.catalog.at("ENCODER.BIN"));
     file_keeper_.intercept(options.catalog.at("FILES.BIN"));
     options.console = &console_;
@@ -218,8 +212,6 @@ class RCServerFixture : public ::testing::Test {
 
   HostSettings host_;
   openr_host::HandlerTime handler_time_;
-  std::optional<size_t> failing_entry_;  ///< 0 to 2, in stub.cfg: the IPStack answers to it with this failure
-  TCPEndpointError failure_ = TCP_FAIL;
   SlowObject encoder_;
   SlowObject file_keeper_;
   std::vector<size_t> sends_;  ///< bytes of each send by TCP that has ended
@@ -346,6 +338,26 @@ class FakeRobotFixture : public RCServerFixture {
     return frames;
   }
 
+  /// What has come: a reply as "s3", a refusal as "e3 5 too old...", an end as "i3 0".
+  std::vector<std::string> heard() { return told(arrived()); }
+
+  static std::vector<std::string> told(const std::vector<Frame>& frames) {
+    std::vector<std::string> all;
+    for (const Frame& next : frames) {
+      const std::string payload = textOf(next);
+      if (next.header.kind == 'i' && next.header.request_number == 0) {
+        const int number = next.payload.at(2) * 256 + next.payload.at(3);
+        all.push_back("i" + std::to_string(number) + " " + std::to_string(payload.at(1)));
+      } else {
+        all.push_back(next.header.kind + std::to_string(next.header.request_number));
+        all.back() += next.header.kind == 'e' && !payload.empty()
+                          ? " " + std::to_string(payload.at(1)) + " " + payload.substr(2)
+                          : "";
+      }
+    }
+    return all;
+  }
+
   /// Waits for something that is pushed; what comes before it is skipped.
   Frame nextPush(char kind) {
     std::optional<Frame> next = nextFrame();
@@ -389,6 +401,14 @@ class FakeRobotFixture : public RCServerFixture {
     }
     ADD_FAILURE() << "no answer to " << kind;
     return {};
+  }
+
+  protocol::version2::Hello hello() {
+    protocol::version2::Hello hello = {};
+    const Frame answer = answerTo('H', 0);
+    EXPECT_EQ(answer.header.kind, 'h');
+    EXPECT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
+    return hello;
   }
 
   void expectRefusal(const Frame& answer, int code, const std::string& text_in_it) {

@@ -1,11 +1,6 @@
 // Clients, pictures and requests of version 1.
-#include <gmock/gmock.h>
-
-#include <string>
-#include <vector>
 
 #include "picture_checks.h"
-#include "protocol/version1.h"
 #include "rcserver/camera/ImageObserver.h"
 #include "rcserver_fixture.h"
 
@@ -41,8 +36,6 @@ class RCServerTest : public FakeRobotFixture {
     EXPECT_FALSE(client.next());
   }
 };
-
-// ---------------------------------------------------------------------------------------------- the state machine
 
 const std::string kPicture = request('F', 70);
 const std::string kStream = request('W', 80);
@@ -100,8 +93,6 @@ TEST_F(RCServerTest, PictureRequestsBeyondTheLimitAreAnsweredByAnError) {
   expectNoPictureOfNextImage(*client);
 }
 
-// ------------------------------------------------------------------------------------------------------ requests
-
 TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
   auto client = connectServed();
   for (const std::string& bytes :
@@ -120,41 +111,6 @@ TEST_F(RCServerTest, UnknownRequestsAreAnsweredByErrorZero) {
     EXPECT_EQ(reply->value.value, protocol::ERROR_REFUSED) << bytes;
     machine_->runPending();
     EXPECT_FALSE(client->next()) << "a second answer to " << bytes;
-  }
-}
-
-TEST_F(RCServerTest, ClientThatFloodsWithoutReadingIsSlowedDownAndGetsEveryReply) {
-  auto client = connect(4096);
-  ask(*client, "");
-  // Until both the server, which stops receiving, and the kernel are full.
-  const std::string flood(8192, '?');
-  size_t sent = 0;
-  for (int idle_rounds = 0; idle_rounds < 100;) {
-    const size_t now = client->send(flood);
-    sent += now;
-    idle_rounds = now == 0 ? idle_rounds + 1 : 0;
-    machine_->runPending();
-    ASSERT_LT(sent, 100U * 1024 * 1024) << "the server takes requests without end";
-  }
-  for (size_t replies = 0; replies < sent / 2; ++replies) {
-    ASSERT_EQ(awaitLetter(*client), protocol::REPLY_ERROR) << "after " << replies << " of " << sent / 2;
-  }
-}
-
-// ------------------------------------------------------------------------------------------- one client at a time
-
-TEST_F(RCServerTest, SecondClientIsTurnedAwayAndTheFirstIsNotDisturbed) {
-  auto first = connectServed();
-  ask(*first, request('W', 85));
-  for (int round = 0; round < 2; ++round) {
-    expectPictureOfNextImage(*first, 85);
-    auto second = connect();
-    second->send(request('F', 85));
-    takeImage();
-    EXPECT_TRUE(second->ended());
-    EXPECT_FALSE(second->next());
-    EXPECT_TRUE(first->next());
-    expectPictureOfNextImage(*first, 85);
   }
 }
 
@@ -180,41 +136,6 @@ TEST_F(RCServerTest, ClientThatDoesNotReadItsStreamIsReplacedByTheNext) {
   takeImages(kImagesUntilSilent + 20);
   auto second = connectServed();
   EXPECT_TRUE(awaitEnd(*first));
-}
-
-// ------------------------------------------------------------------------------------------------- the console
-
-TEST_F(RCServerTest, ConsoleReportsWhatHappens) {
-  EXPECT_THAT(console_.str(), HasSubstr("RCServer: waiting for a client on port 54321\n"));
-  auto client = connect(0, "127.1.2.3");
-  ask(*client, "");
-  EXPECT_THAT(console_.str(),
-              HasSubstr("RCServer: client 127.1.2.3:" + std::to_string(client->port()) + " is connected\n"));
-  auto second = connect();
-  passFrames(4);
-  EXPECT_TRUE(second->ended());
-  EXPECT_THAT(console_.str(), HasSubstr("is turned away"));
-  client->close();
-  machine_->runPending();
-  EXPECT_THAT(console_.str(), HasSubstr("is gone: it closed the connection\n"));
-}
-
-TEST_F(RCServerTest, ConsoleSaysWhyAClientIsGone) {
-  const std::pair<TCPEndpointError, std::string> reasons[] = {{TCP_CONNECTION_RESET, "it reset the connection"},
-                                                              {TCP_CONNECTION_TIMEOUT, "it cannot be reached"},
-                                                              {TCP_FAIL, "the IPStack failed"}};
-  for (const size_t entry : {1, 2}) {
-    for (const auto& [error, reason] : reasons) {
-      auto client = connectServed();
-      console_.str("");
-      failing_entry_ = entry;
-      failure_ = error;
-      client->send(request('J', 2));
-      EXPECT_TRUE(awaitEnd(*client)) << reason;
-      failing_entry_.reset();
-      EXPECT_THAT(console_.str(), HasSubstr("is gone: " + reason + "\n"));
-    }
-  }
 }
 
 }  // namespace

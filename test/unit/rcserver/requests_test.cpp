@@ -1,18 +1,12 @@
 // docs/protocol.md, "Version 2": its table of requests is the table of this test.
-#include <gmock/gmock.h>
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <string>
-#include <vector>
 
 #include "protocol/color_requests.h"
 #include "protocol/hello.h"
 #include "protocol/picture_datagram.h"
 #include "protocol/sound_requests.h"
 #include "protocol/stick_pictures.h"
-#include "protocol/walk_requests.h"
 #include "rcserver_fixture.h"
 
 namespace {

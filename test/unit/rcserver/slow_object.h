@@ -32,13 +32,6 @@ class SlowObject {
 
   bool hasJob() const { return job_.has_value(); }
 
-  /// The memory of the job that is held back.
-  template <typename Content>
-  Content& job() {
-    void* const base = job_->region->Base();
-    return *static_cast<Content*>(base);
-  }
-
   /// The job is done in the next frame. The object stays slow.
   void finish() { is_done_ = true; }
 

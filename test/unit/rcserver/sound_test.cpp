@@ -118,24 +118,6 @@ class SoundTest : public FakeRobotFixture {
     }
   }
 
-  // Plays a sound as a client does that keeps the robot's buffer full, and passes the time until it has ended.
-  void playAll(const std::function<sword(size_t)>& sound, unsigned size) {
-    unsigned sent = 0;
-    unsigned room = SPEAKER_CAPACITY;
-    while (sent < size) {
-      const unsigned count = std::min({room, size - sent, 4000U});
-      room = play(sent, samplesOf(sound, sent, sent + count), sent + count == size);
-      sent += count;
-      pass(room < 4000 ? 32 : 1);
-    }
-    pass(150);
-  }
-
-  Samples heardSince(sword first) const {
-    const Samples& left = heard_.at(0);
-    return Samples(std::find(left.begin(), left.end(), first), left.end());
-  }
-
   std::map<unsigned, Samples> heard_;  // by channel
   unsigned heard_rate_ = kRate;
   unsigned first_frame_ = 0;
@@ -143,25 +125,6 @@ class SoundTest : public FakeRobotFixture {
   std::vector<SoundEnd> ends_;
   std::vector<Frame> replies_;
 };
-
-TEST_F(SoundTest, AToneIsTheSameAfterSpeakerAndMicrophone) {
-  robot_.hears_itself = true;
-  listen();
-  pass(4);                                                        // until the next vector of the microphones begins
-  const auto sound = [](size_t i) { return tone(1000, i + 4); };  // begins at its crest
-  playAll(sound, 10 * kRate);
-  Samples heard = heardSince(sound(0));
-  ASSERT_GE(heard.size(), 10 * kRate);
-  EXPECT_THAT(Samples(heard.begin() + 10 * kRate, heard.end()), testing::Each(0));
-  heard.resize(10 * kRate);
-  EXPECT_EQ(heard, samplesOf(sound, 0, 10 * kRate));
-  EXPECT_EQ(heard_[0], heard_[1]);
-  EXPECT_EQ(missing_, 0U);
-  ASSERT_THAT(ends_, SizeIs(1));
-  EXPECT_EQ(ends_[0].how, END_DONE);
-  EXPECT_EQ(ends_[0].samples, 10 * kRate);
-  EXPECT_EQ(ends_[0].gaps, 0U);
-}
 
 TEST_F(SoundTest, WhatIsHeardHasTheFrameInWhichItWasHeard) {
   robot_.sound = [](size_t i) { return OSoundSampleStereo16{mark(i), static_cast<sword>(-mark(i))}; };

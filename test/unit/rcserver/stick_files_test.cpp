@@ -89,13 +89,6 @@ TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   EXPECT_THAT(inFolder(), testing::IsEmpty());
 }
 
-TEST_F(FilesOnTheStick, ListsOnlyMotionsSortedByName) {
-  for (const char* name : {"B.MTN", "C.MTN", "A.MTN", "README.TXT", "TOOLONGNAME.MTN", "UPLOAD.TMP"}) {
-    stick_.write(std::string(DATA_FOLDER) + "/" + name, "");
-  }
-  EXPECT_THAT(listed(), testing::ElementsAre("A.MTN", "B.MTN", "C.MTN"));
-}
-
 TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
   std::string content;
   EXPECT_TRUE(store("HOP.MTN", "123456"));

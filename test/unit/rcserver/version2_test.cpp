@@ -1,18 +1,9 @@
 // Version 2 of the protocol.
-#include <gmock/gmock.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <string>
 #include <tuple>
-#include <utility>
-#include <vector>
 
 #include "picture_checks.h"
-#include "protocol/hello.h"
-#include "protocol/version2.h"
 #include "rcserver/joints/JointControl.h"
 #include "rcserver_fixture.h"
 
@@ -62,14 +53,6 @@ class Version2Test : public Version2Fixture {
     return payloadIn<MotorState>(answer).on;
   }
 
-  Hello hello() {
-    Hello hello = {};
-    const Frame answer = answerTo('H', 0);
-    EXPECT_EQ(answer.header.kind, 'h');
-    EXPECT_EQ(decodeHello(answer.payload.data(), answer.payload.size(), &hello), nullptr);
-    return hello;
-  }
-
   Picture nextPicture() {
     for (std::optional<Frame> next = nextFrame(); next; next = nextFrame()) {
       if (next->header.kind == PICTURE) {
@@ -94,8 +77,6 @@ class Version2Test : public Version2Fixture {
   int positionOf(const std::string& joint) { return robot_.joint(joint).position; }
 };
 
-// ------------------------------------------------------------------------------------------- changing to version 2
-
 TEST_F(Version2Test, BytesAfterTheRequestForVersion2BelongToIt) {
   const std::string bytes = request('F', 85) + request('X', 2) + frame('H', 0, 7) + frame('O', 0, 8);
   for (size_t first_piece = 1; first_piece < bytes.size(); ++first_piece) {
@@ -109,22 +90,6 @@ TEST_F(Version2Test, BytesAfterTheRequestForVersion2BelongToIt) {
     EXPECT_EQ(nextFrame()->header.kind, 'o') << first_piece;
   }
 }
-
-class NewestVersionTest : public FakeRobotFixture {};
-
-TEST_F(NewestVersionTest, ServerForVersion1RefusesVersion2AndServesOn) {
-  host_.newest_version = 1;
-  start();
-  client_ = connectServed();
-  EXPECT_EQ(answerTo(request('X', 2)).letter, 'e');
-  client_->send(request('F', 85));
-  takeImage();
-  const std::optional<Reply> picture = await(*client_);
-  ASSERT_TRUE(picture);
-  EXPECT_EQ(picture->letter, 'f');
-}
-
-// --------------------------------------------------------------------------------------------------------------- H
 
 TEST_F(Version2Test, HelloHasTheRobotTheTimeAndTheLimitsOfItsJoints) {
   const Hello said = hello();
@@ -157,8 +122,6 @@ TEST_F(Version2Test, ClientSilentForFiveSecondsIsDroppedAndItsJointsHold) {
   passFrames(kLongestCommand);
   EXPECT_EQ(positionOf("head_pan"), held);
 }
-
-// ---------------------------------------------------------------------------------------------------------------- G
 
 // Requests: OPENR/OPrimitiveControl.h.
 TEST_F(Version2Test, CameraSettingsGoToTheCameraAndAreInForceUntilTheClientGoes) {
@@ -202,8 +165,6 @@ TEST_F(Version2Test, PicturesTellTheCamerasSettings) {
   takeImage();
   EXPECT_THAT(nextPicture().image.settings.values, ElementsAre(3, 2, 3, 0, 0));
 }
-
-// ---------------------------------------------------------------------------------------------------------- F and W
 
 TEST_F(Version2Test, EachPictureRequestGetsItsOwnPictureEvenDuringAStream) {
   answerTo('W', 80, stream(true));
@@ -267,8 +228,6 @@ TEST_F(Version2Test, PictureThatIsTooLargeForAFrameHasALowerQuality) {
   EXPECT_EQ(quantizerOf(picture.jpeg), quantizerFor(25));
 }
 
-// --------------------------------------------------------------------------------------------------------------- V
-
 TEST_F(Version2Test, SpeedLimitsOfAllJointsAreRead) {
   answerTo('V', 0, payloadOf(SpeedLimits{2, {{kPanId, 1000000}, {kTailPanId, 700001}}}));
   const auto all = payloadIn<SpeedLimits>(answerTo('V', 0));
@@ -281,8 +240,6 @@ TEST_F(Version2Test, SpeedLimitsOfAllJointsAreRead) {
   EXPECT_EQ(limits[kPanId], 1000000);
   EXPECT_EQ(limits[kTailPanId], 700001);
 }
-
-// --------------------------------------------------------------------------------------------------------------- T
 
 TEST_F(Version2Test, TelemetryComesAtItsPeriodWithAllJoints) {
   for (const unsigned frames : {4U, 12U}) {
@@ -331,18 +288,6 @@ TEST_F(Version2Test, ClientThatReadsLateGetsOnlyTheNewestTelemetry) {
   EXPECT_THAT(telemetry(), IsEmpty());
 }
 
-// --------------------------------------------------------------------------------------------------------------- O
-
-TEST_F(Version2Test, MotorsAreOnFromTheStartAndSwitchedOffAndOn) {
-  EXPECT_TRUE(motorsAfter(""));
-  EXPECT_FALSE(motorsAfter(std::string(1, '\0')));
-  EXPECT_FALSE(motorsAfter(""));
-  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, false)));
-  EXPECT_TRUE(motorsAfter("\1"));
-  passFrames(kUntilMeasured);
-  EXPECT_THAT(robot_.joints, Each(Field(&FakeRobot::FakeJoint::gain, true)));
-}
-
 TEST_F(Version2Test, JointThatGetsNoGainIsNamed) {
   motorsAfter(std::string(1, '\0'));
   robot_.joint("mouth").refuses_gains = true;
@@ -368,27 +313,11 @@ TEST_F(Version2Test, JointsMovedByHandStayThereWhenTheMotorsGoOn) {
   EXPECT_EQ(positions(), bent);
 }
 
-TEST_F(Version2Test, TargetSetWhileTheMotorsAreGoingOnIsReachedWithoutAJump) {
-  motorsAfter(std::string(1, '\0'));
-  passFrames(kUntilMeasured);
-  std::vector<int>& path = robot_.joint("head_pan").path;
-  path.clear();
-  send(frame('O', 0, 1001, order("\1")) + frame('J', 0, 1002, targets({{kPanId, 1000000}})));
-  passFrames(kLongestCommand);
-  EXPECT_EQ(path.back(), 1000000);
-  for (size_t i = 1; i < path.size(); ++i) {
-    ASSERT_LE(std::abs(path[i] - path[i - 1]), 10057460 / 125);
-  }
-  EXPECT_EQ(robot_.joint("head_pan").error_when_gain_went_on, 0);
-}
-
 TEST_F(Version2Test, MotorsStayAsTheyAreForTheNextClient) {
   motorsAfter(std::string(1, '\0'));
   reconnect();
   EXPECT_FALSE(motorsAfter(""));
 }
-
-// ---------------------------------------------------------------------------------------------------------------- I
 
 TEST_F(Version2Test, AHoldStopsTheJointsNamedOrAll) {
   const auto moves = [this](const std::string& joint) {
@@ -407,8 +336,6 @@ TEST_F(Version2Test, AHoldStopsTheJointsNamedOrAll) {
   const std::vector<int>& path = robot_.joint("head_pan").path;
   EXPECT_TRUE(std::is_sorted(path.begin(), path.end())) << "it turned back";
 }
-
-// -------------------------------------------------------------------------------------------------------------- jam
 
 TEST_F(Version2Test, AJammedJointIsReportedAndThatItFollowsAgain) {
   constexpr unsigned char kTailTiltId = 52;  // the last one
