@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace aibo_driver::robot_time {
@@ -131,13 +132,6 @@ TEST(RobotClock, Keeps2MillisecondsAfter30SecondsOfJitterAndDrift) {
   }
 }
 
-TEST(RobotClock, BeginsATimelineWhenTheRobotWasRestarted) {
-  RobotClock clock;
-  clock.timeOf(1, 20, at(100));
-  EXPECT_EQ(clock.timeOf(2, 2, at(100.500)), at(100.500)) << "at once";
-  EXPECT_EQ(clock.timeOf(3, 2 + 125, at(103)), at(103)) << "its frames have not gone on for all the time";
-}
-
 TEST(RobotClock, GoesOnAfterALongOutage) {
   for (const double outage : {3.0, 3600.0}) {
     SCOPED_TRACE(outage);
@@ -165,34 +159,31 @@ TEST(RobotClock, IsNotMovedByABurstOfDelayedMessages) {
   expectAccurate(robot);
 }
 
-TEST(RobotClock, BeginsATimelineWhenTheSteadyClockStoodStill) {
-  RobotClock clock;
-  clock.timeOf(1, 1000, at(100));
-  EXPECT_EQ(clock.timeOf(1, 1000 + 60 * 125, at(102)), at(102)) << "suspended for 58 s";
-  EXPECT_EQ(clock.timeOf(1, 1004 + 60 * 125, at(102.050)), at(102.032));
-}
-
-TEST(RobotClock, BeginsATimelineWhenAllMessagesAreTooLateForLong) {
-  RobotClock clock;
-  clock.timeOf(1, 1000, at(100));
-  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1004, at(103))), 100.032, 0.001) << "may have stalled";
-  EXPECT_NEAR(secondsOf(clock.timeOf(1, 1250, at(105))), 102, 0.001) << "may have stalled";
-  EXPECT_EQ(clock.timeOf(1, 1275, at(105.2)), at(105.2)) << "a robot whose frames stood still for 3 s";
-}
-
-TEST(RobotClock, IgnoresMessagesOfAnOlderConnection) {
-  RobotClock clock;
-  clock.timeOf(1, 5000, at(100));
-  clock.timeOf(2, 100, at(110));
-  EXPECT_EQ(clock.timeOf(1, 5004, at(100.040)), at(100.040));
-  EXPECT_EQ(clock.timeOf(2, 104, at(110.050)), at(110.032));
-}
-
-TEST(RobotClock, APictureThatComesAfterLaterTelemetryHasItsOwnTime) {
-  RobotClock clock;
-  clock.timeOf(1, 1000, at(100));
-  clock.timeOf(1, 1004, at(100.032));
-  EXPECT_EQ(clock.timeOf(1, 1002, at(100.040)), at(100.016));
+TEST(RobotClock, GoesOnOrBeginsATimelineAsInThisTable) {
+  struct Message {
+    std::uint64_t connection;
+    std::uint32_t frame;
+    double arrival;
+    double time;
+  };
+  const std::pair<const char*, std::vector<Message>> rows[] = {
+      {"the robot was restarted", {{1, 20, 100, 100}, {2, 2, 100.5, 100.5}}},
+      {"its frames have not gone on for all the time", {{2, 2, 100.5, 100.5}, {3, 127, 103, 103}}},
+      {"the computer was suspended for 58 s", {{1, 1000, 100, 100}, {1, 8500, 102, 102}, {1, 8504, 102.05, 102.032}}},
+      {"the process may have stalled", {{1, 1000, 100, 100}, {1, 1004, 103, 100.032}, {1, 1250, 105, 102}}},
+      {"its frames stood still for 3 s",
+       {{1, 1000, 100, 100}, {1, 1004, 103, 100.032}, {1, 1250, 105, 102}, {1, 1275, 105.2, 105.2}}},
+      {"a message of an older connection",
+       {{1, 5000, 100, 100}, {2, 100, 110, 110}, {1, 5004, 100.04, 100.04}, {2, 104, 110.05, 110.032}}},
+      {"a picture after later telemetry",
+       {{1, 1000, 100, 100}, {1, 1004, 100.032, 100.032}, {1, 1002, 100.04, 100.016}}},
+  };
+  for (const auto& [name, messages] : rows) {
+    RobotClock clock;
+    for (const Message& each : messages) {
+      EXPECT_NEAR(secondsOf(clock.timeOf(each.connection, each.frame, at(each.arrival))), each.time, 1e-3) << name;
+    }
+  }
 }
 
 TEST(RobotClock, ReportsHowLongMessagesWereDelayed) {
