@@ -75,13 +75,6 @@ class JointCommandFilterTest : public ::testing::Test {
   JointCommandFilter::SteadyTime now_{seconds(1000)};
 };
 
-TEST_F(JointCommandFilterTest, ScalesTheSpeed) {
-  arrive("head_pan", 0);
-  table_.setSpeedScale(0.25);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {}}).speed, kSpeedLimit / 2);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {kSpeedLimit}}).speed, kSpeedLimit / 2);
-}
-
 TEST_F(JointCommandFilterTest, SaysWhichJointCannotGoWhereItIsCommanded) {
   for (const double position : {40.0, -1.54, 1e300}) {
     EXPECT_THAT(filter({{"mouth", "head_pan"}, {-0.5, position}, {}}).remarks,
@@ -130,10 +123,11 @@ TEST_F(JointCommandFilterTest, TakesTheLastOfTwoPositionsForOneJoint) {
 
 TEST_F(JointCommandFilterTest, LimitsTheSpeedToTheVelocityGiven) {
   arrive("head_pan", 0);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {1.5}}).speed, 1.5);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-0.5}, {-1.5}}).speed, 1.5);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {100}}).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {0}}).speed, kSpeedLimit) << "0 means that none is given";
+  const std::pair<double, double> rows[] = {
+      {1.5, 1.5}, {-1.5, 1.5}, {100, kSpeedLimit}, {0, kSpeedLimit}};  // 0 means that none is given
+  for (const auto& [velocity, speed] : rows) {
+    EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {velocity}}).speed, speed);
+  }
   EXPECT_GT(target({{"head_pan"}, {0.5}, {1e-12}}).speed, 0);
   const JointTargets two = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {1.5, 0.2}}).targets;
   EXPECT_DOUBLE_EQ(two.at(kHeadPan).speed, 1.5);
@@ -161,14 +155,9 @@ TEST_F(JointCommandFilterTest, ApproachesUntilTheJointIsMeasuredNear) {
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {-1.0}, {}}).speed, kSpeedLimit) << "the approach does not begin again";
 }
 
-// A sine of 0.5 Hz, commanded 50 times a second for 10 s.
-double sine(int i) {
-  return std::sin(M_PI * i / 50);
-}
-
 TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesIfNothingIsMeasured) {
   for (int i = 0; i < 330; ++i) {  // for 6.6 s; 176 degrees at 0.5 rad/s take 6.1 s
-    const double speed = target({{"head_pan"}, {sine(i)}, {}}).speed;
+    const double speed = target({{"head_pan"}, {std::sin(M_PI * i / 50)}, {}}).speed;
     EXPECT_TRUE(i > 200 || speed == kApproachSpeed) << i;
     now_ += milliseconds(20);
   }
@@ -176,16 +165,11 @@ TEST_F(JointCommandFilterTest, ApproachesNoLongerThanTheLongestWayTakesIfNothing
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.0}, {}}).speed, kSpeedLimit);
 }
 
-TEST_F(JointCommandFilterTest, ApproachesEachJointByItself) {
+TEST_F(JointCommandFilterTest, ApproachesEachJointByItselfAndAgainAfterStartApproach) {
   arrive("head_pan", 0);
-  const Filtered result = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}});
-  ASSERT_THAT(result.targets, SizeIs(2));
-  EXPECT_DOUBLE_EQ(result.targets.at(kHeadPan).speed, kSpeedLimit);
-  EXPECT_DOUBLE_EQ(result.targets.at(kMouth).speed, kApproachSpeed);
-}
-
-TEST_F(JointCommandFilterTest, ApproachesAgainAfterStartApproach) {
-  arrive("head_pan", 0);
+  const JointTargets targets = filter({{"head_pan", "mouth"}, {0.5, -0.5}, {}}).targets;
+  EXPECT_DOUBLE_EQ(targets.at(kHeadPan).speed, kSpeedLimit);
+  EXPECT_DOUBLE_EQ(targets.at(kMouth).speed, kApproachSpeed);
   filter_.startApproach();
   EXPECT_DOUBLE_EQ(target({{"head_pan"}, {0.5}, {}}).speed, kApproachSpeed);
 }

@@ -9,7 +9,6 @@
 namespace aibo_driver::movement {
 namespace {
 
-using ::testing::AllOf;
 using ::testing::HasSubstr;
 
 constexpr double kSpeedLimit = 3.0;
@@ -54,13 +53,15 @@ class TrajectoryTest : public ::testing::Test {
 
 TEST_F(TrajectoryTest, BeginsWhereTheJointsAreAndGoesStraightFromPointToPoint) {
   present_pan_ = 0.2;
-  const Trajectory trajectory = plan(pan({{1, {0.4}, {}}, {3, {-0.4}, {}}}));
+  const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}, {3, {-0.7, -0.4}, {}}}});
   EXPECT_DOUBLE_EQ(trajectory.duration(), 3);
-  EXPECT_DOUBLE_EQ(trajectory.at(0)[1].position, 0.2);
-  EXPECT_DOUBLE_EQ(trajectory.at(0.5)[1].position, 0.3);
-  EXPECT_DOUBLE_EQ(trajectory.at(1)[1].position, 0.4);
-  EXPECT_NEAR(trajectory.at(2)[1].position, 0.0, 1e-12);
-  EXPECT_DOUBLE_EQ(trajectory.at(3)[1].position, -0.4);
+  EXPECT_EQ(trajectory.at(0)[0].joint, mouth_);
+  EXPECT_EQ(trajectory.at(0)[1].joint, pan_);
+  EXPECT_NEAR(trajectory.at(0.5)[0].position, -0.6, 1e-12);
+  const std::pair<double, double> pans[] = {{0, 0.2}, {0.5, 0.3}, {1, 0.4}, {2, 0}, {3, -0.4}};
+  for (const auto& [time, position] : pans) {
+    EXPECT_NEAR(trajectory.at(time)[1].position, position, 1e-12) << time;
+  }
 }
 
 TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
@@ -77,14 +78,6 @@ TEST_F(TrajectoryTest, PassesPointsWithTheVelocitiesGiven) {
                 (trajectory.at(time + step)[1].position - trajectory.at(time)[1].position) / step, 1e-3);
   }
   EXPECT_EQ(plan(pan({{1, {0.5}, {}}})).at(1)[1].velocity, 0) << "it is over";
-}
-
-TEST_F(TrajectoryTest, MovesAllItsJoints) {
-  const Trajectory trajectory = plan({{"mouth", "head_pan"}, {{1, {-0.7, 0.4}, {}}}});
-  EXPECT_EQ(trajectory.at(0)[0].joint, mouth_);
-  EXPECT_EQ(trajectory.at(0)[1].joint, pan_);
-  EXPECT_NEAR(trajectory.at(0.5)[0].position, -0.6, 1e-12);
-  EXPECT_NEAR(trajectory.at(0.5)[1].position, 0.2, 1e-12);
 }
 
 TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
@@ -105,36 +98,26 @@ TEST_F(TrajectoryTest, IsRefusedForTheseReasons) {
       {pan({{5, {-1.6}, {}}}), "-1.536 to 1.536 rad"},
       {pan({{5, {1.536}, {}}}), "accepted"},  // 88 degrees; somebody has rounded them
       {pan({{5, {-1.536}, {}}}), "accepted"},
+      {pan({{1, {-1.5}, {-1}}, {2, {-1.5}, {1}}}), "between two points"},
+      {pan({{1, {-1.5}, {-1}}, {2, {-1.5}, {1}}}), "at 1.500 s, the velocities carry head_pan"},
+      {pan({{1, {1.5}, {1}}, {2, {1.5}, {0}}}), "at 1.333 s, the velocities carry head_pan"},
+      {pan({{1, {-1.5}, {0}}, {2, {-1.5}, {1}}}), "at 1.667 s, the velocities carry head_pan"},
+      {pan({{1, {0.5}, {1}}, {2, {0.5}, {-1}}}), "accepted"},
+      {pan({{0.4, {0.1}, {}}, {0.6, {1}, {}}}),
+       "from 0.400 to 0.600 s, head_pan would have to move with 4.500 rad/s; its limit is 3.000 rad/s: give it more "
+       "time."},
+      {pan({{0.4, {1}, {0}}}), "3.75"},                 // the middle of a cubic is its fastest
+      {pan({{1.0 / 3, {1}, {}}}), "accepted"},          // exactly the limit
+      {pan({{0, {1}, {}}, {1, {0}, {}}}), "head_pan"},  // it would jump
   };
   for (const auto& [request, reason] : rows) {
     EXPECT_THAT(refusal(request), HasSubstr(reason));
   }
 }
 
-TEST_F(TrajectoryTest, RefusesVelocitiesThatCarryAJointBeyondItsLimitsBetweenTwoPoints) {
-  EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {-1}}})),
-              AllOf(HasSubstr("between two points"), HasSubstr("head_pan")));
-  EXPECT_THAT(refusal(pan({{1, {-1.5}, {-1}}, {2, {-1.5}, {1}}})), HasSubstr("at 1.500 s, the velocities carry"));
-  EXPECT_THAT(refusal(pan({{1, {1.5}, {1}}, {2, {1.5}, {0}}})), HasSubstr("at 1.333 s, the velocities carry head_pan"));
-  EXPECT_THAT(refusal(pan({{1, {-1.5}, {0}}, {2, {-1.5}, {1}}})), HasSubstr("at 1.667 s, the velocities carry"));
-  EXPECT_EQ(refusal(pan({{1, {0.5}, {1}}, {2, {0.5}, {-1}}})), "accepted");
-  EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{1, {-0.5, 1.5}, {0, 1}}, {2, {-0.5, 1.5}, {0, -1}}}}),
-              HasSubstr("the velocities carry head_pan"));
-}
-
 TEST_F(TrajectoryTest, LetsAJointThatIsBeyondItsLimitsComeBack) {
   present_pan_ = 1.6;
   EXPECT_NEAR(plan(pan({{1, {0}, {0}}})).at(0)[1].position, 1.6, 1e-12);
-}
-
-TEST_F(TrajectoryTest, RefusesSpeedsBeyondTheLimitAndNamesBoth) {
-  EXPECT_EQ(
-      refusal(pan({{0.4, {0.1}, {}}, {0.6, {1}, {}}})),
-      "from 0.400 to 0.600 s, head_pan would have to move with 4.500 rad/s; its limit is 3.000 rad/s: give it more "
-      "time.");
-  EXPECT_THAT(refusal(pan({{0.4, {1}, {0}}})), HasSubstr("3.75")) << "the middle of a cubic is its fastest";
-  EXPECT_EQ(refusal(pan({{1.0 / 3, {1}, {}}})), "accepted") << "exactly the limit";
-  EXPECT_THAT(refusal({{"mouth", "head_pan"}, {{0.2, {-0.5, 1}, {}}}}), HasSubstr("head_pan would have to move"));
 }
 
 TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
@@ -144,10 +127,6 @@ TEST_F(TrajectoryTest, TakesAFirstPointAtTime0AsThePresentPoseIfItIsNear) {
   EXPECT_DOUBLE_EQ(trajectory.at(1)[1].position, 1);
   EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).duration(), 0);
   EXPECT_DOUBLE_EQ(plan(pan({{0, {0}, {}}})).at(0)[1].position, 0.05) << "it stays where it is";
-}
-
-TEST_F(TrajectoryTest, DoesNotJumpToAFirstPointAtTime0) {
-  EXPECT_THAT(refusal(pan({{0, {1}, {}}, {1, {0}, {}}})), AllOf(HasSubstr("head_pan"), HasSubstr("time_from_start")));
 }
 
 }  // namespace
