@@ -106,14 +106,10 @@ TEST_F(StickPictureServicesTest, SaveAFetchedPicture) {
   EXPECT_EQ(unsaved.image.data, client_.picture->jpeg) << "the caller has it all the same";
 }
 
-TEST_F(StickPictureServicesTest, ANameIsNeeded) {
-  EXPECT_THAT(fetch("").message,
-              HasSubstr("There is no picture: give the name of a picture. list_pictures lists them"));
+TEST_F(StickPictureServicesTest, EachSaysWhyItFailed) {
+  EXPECT_THAT(fetch("").message, HasSubstr("give the name of a picture. list_pictures lists them"));
   EXPECT_THAT(remove("").message, HasSubstr("Nothing was deleted: give the name of a picture"));
   EXPECT_THAT(client_.told, testing::IsEmpty());
-}
-
-TEST_F(StickPictureServicesTest, EachSaysWhyItFailed) {
   client_.problem = "there is no robot";
   EXPECT_EQ(takePicture(0).message, "There is no picture: there is no robot");
   EXPECT_EQ(list().message, "The pictures could not be listed: there is no robot");

@@ -17,14 +17,6 @@ class StreamPolicyTest : public ::testing::Test {
   std::optional<bool> streaming_;
 };
 
-TEST_F(StreamPolicyTest, DoesNotStreamFromTheStartWhenNotWanted) {
-  StreamPolicy policy(false, false);
-  start(policy);
-  EXPECT_EQ(streaming_, false);
-  policy.setWanted(true);
-  EXPECT_EQ(streaming_, true);
-}
-
 TEST_F(StreamPolicyTest, OnDemandFollowsTheSubscribers) {
   StreamPolicy policy(true, true);
   start(policy);

@@ -73,8 +73,6 @@ TEST_F(SoundFileTest, AGzippedFileIsPlayed) {
   const std::string packed = test_support::gzipped({std::istreambuf_iterator<char>(file), {}});
   folder_.write("packed.wav", packed);
   EXPECT_EQ(tone(16000), readAll("packed.wav"));
-  folder_.write("cut.wav", packed.substr(0, packed.size() / 2));
-  EXPECT_THAT(complaintAbout("cut.wav"), HasSubstr("it is gzipped, but damaged or cut off"));
   folder_.write("secret.wav", test_support::gzipped("RIFX is not it"));
   EXPECT_THAT(complaintAbout("secret.wav"), HasSubstr("no WAV, FLAC or Ogg file"));
 }
