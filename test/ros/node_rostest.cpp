@@ -300,15 +300,6 @@ TEST(Node, ASecondDriverInANamespaceRefusesToStartAndNamesTheFirst) {
   is_refused("third", taken + "second");
 }
 
-TEST(Nodelet, StartedInTheRootNamespaceIsFoundUnderAibo) {
-  SimulatedRobot robot;
-  const Process manager(nodeletHost({"manager", "__ns:=/", "__name:=root_manager"}));
-  const Process loaded(nodeletHost({"load", "aibo_driver/AiboDriverNodelet", "root_manager", "__ns:=/",
-                                    "__name:=aibo_driver", "_port:=" + std::to_string(robot.port())}));
-  EXPECT_FALSE(CompressedListener("/aibo/camera/image_raw/compressed").waitForCount(1).empty())
-      << manager.output() << loaded.output();
-}
-
 TEST(Nodelet, WithABadParameterIsNotLoadedAndSaysWhy) {
   Process nodelet(nodeletHost({"standalone", "aibo_driver/AiboDriverNodelet", "__ns:=/bad_nodelet", "_port:=0"}));
   EXPECT_NO_THROW(nodelet.waitForOutput("port is 0; it must be a whole number, 1\\.\\.65535", kSafetyNet));

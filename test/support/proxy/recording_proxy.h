@@ -2,11 +2,13 @@
 #ifndef TEST_SUPPORT_PROXY_RECORDING_PROXY_H
 #define TEST_SUPPORT_PROXY_RECORDING_PROXY_H
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <iterator>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -40,22 +42,18 @@ class RecordingProxy {
     return pictures_;
   }
 
-  /// How many connections there have been.
-  std::size_t connections() const { return proxy_.connections(); }
-
   /// What the driver has requested of a version 2 server, in this order.
   /// @param kinds only requests of these kinds
-  /// @param first_connection leave out the connections before this one; the first is 0
-  std::vector<Request> requestsFromDriver(const std::string& kinds, std::size_t first_connection = 0) const {
+  std::vector<Request> requestsFromDriver(const std::string& kinds) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return requests(kinds, first_connection);
+    return requests(kinds);
   }
 
   /// Waits until the driver has made a request of one of these kinds.
   /// @return false if it did not come in time
   bool waitForRequest(const std::string& kinds, std::chrono::seconds timeout) {
     std::unique_lock<std::mutex> lock(mutex_);
-    return changed_.wait_for(lock, timeout, [&] { return !requests(kinds, 0).empty(); });
+    return changed_.wait_for(lock, timeout, [&] { return !requests(kinds).empty(); });
   }
 
  private:
@@ -63,8 +61,7 @@ class RecordingProxy {
     explicit Connection(std::vector<Bytes>* pictures)
         : replies([pictures](Bytes jpeg) { pictures->push_back(std::move(jpeg)); }) {}
     ReplyScanner replies;
-    RequestScanner request_scanner;
-    std::vector<Request> requests{};
+    RequestScanner requests;
   };
 
   FaultProxy::Options options(int robot_port) {
@@ -86,29 +83,25 @@ class RecordingProxy {
       connection.replies.feed(data, size);
       return;
     }
-    for (Request& request : connection.request_scanner.feed(data, size)) {
+    for (Request& request : connection.requests.feed(data, size)) {
       if (request.version2) {
-        connection.requests.push_back(std::move(request));
+        requests_.push_back(std::move(request));
       }
     }
     changed_.notify_all();
   }
 
-  std::vector<Request> requests(const std::string& kinds, std::size_t first_connection) const {
+  std::vector<Request> requests(const std::string& kinds) const {
     std::vector<Request> found;
-    for (std::size_t i = first_connection; i < connections_.size(); ++i) {
-      for (const Request& request : connections_[i].requests) {
-        if (kinds.find(request.kind) != std::string::npos) {
-          found.push_back(request);
-        }
-      }
-    }
+    std::copy_if(requests_.begin(), requests_.end(), std::back_inserter(found),
+                 [&kinds](const Request& request) { return kinds.find(request.kind) != std::string::npos; });
     return found;
   }
 
   mutable std::mutex mutex_;  // guards what follows, down to the proxy
   std::condition_variable changed_;
   std::vector<Bytes> pictures_;
+  std::vector<Request> requests_;
   std::deque<Connection> connections_;
   FaultProxy proxy_;
 };
