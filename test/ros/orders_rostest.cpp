@@ -163,6 +163,29 @@ TEST_P(OrdersTest, ThatWaitedWhileTheDriverWasFrozenDoNotMoveTheRobot) {
   expectOldOrdersToBeRefused(&unmeasured, &states);
 }
 
+TEST(Orders, AreRefusedWithoutMotors) {
+  OrderUser user("/limp");
+  EXPECT_TRUE(user.setMotors(false).success);
+  user.publish("joint_command", command({{"head_pan", 0.5}}));
+  EXPECT_TRUE(user.waitForEnd(Movement::COMMAND, EndedMovement::REFUSED));
+  EXPECT_TRUE(user.setMotors(true).success);
+  EXPECT_TRUE(user.reaches({{"head_pan", 0.5}}, "joint_command", command({{"head_pan", 0.5}})));
+}
+
+TEST(Orders, AreLostWithTheConnectionAndNotResumedOverTheNextOne) {
+  OrderUser user("/cut_off");
+  ASSERT_TRUE(user.becomesTrue([&user] {
+    user.publish("joint_trajectory", trajectory({{"head_pan", 1.4}}, 14.0));
+    return user.waitForPanBeyond(0.1, std::chrono::seconds(5));
+  }));
+  user.connection.clear();
+  user.proxy.cut();
+  EXPECT_TRUE(user.waitForConnection(aibo_driver::Connection::CONNECTED));
+  EXPECT_TRUE(user.waitForEnd(Movement::TRAJECTORY, EndedMovement::LOST));
+  EXPECT_TRUE(user.comesToRest());
+  EXPECT_LT(user.joints.position("head_pan"), 1.2);
+}
+
 // A call of play_motion that is not answered ends after 2 s. A computer that is so slow gets another chance.
 TEST(StopAndMotors, WaitForNoOtherCall) {
   bool overtake = false;

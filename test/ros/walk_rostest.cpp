@@ -106,6 +106,17 @@ TEST(Walk, GoesWithTheVelocityAndStopsWhenNoneComes) {
   EXPECT_TRUE(walker.stands());
 }
 
+// If this computer stalls the driver, the robot is first, after 0.5 s.
+TEST(Walk, IsStoppedByTheDriverAfterTheTimeOfTheParameter) {
+  Walker walker("/short", {"_cmd_vel_timeout:=0.2"});
+  EXPECT_TRUE(walker.becomesTrue([&walker] {
+    EXPECT_TRUE(walker.walks(0.1));
+    walker.letGo();
+    const auto end = walker.waitForEnd();
+    return end && lastEnd(*end).reason == "no cmd_vel came for 0.2 s";
+  }));
+}
+
 // It walks back over the edge of a table. What makes it stand up is in the unit tests.
 TEST(Walk, ARobotThatHasFallenGetsUpByItself) {
   Walker walker("/get_up", {"_get_up:=true", "_guard:=false"}, {"--on-table"});
