@@ -183,21 +183,13 @@ class StepsTest(unittest.TestCase):
         self.assertIn('screenshot: shot.png\n', out)
         self.assertEqual((self.place / 'shot.png').read_text(), 'trimmed')
         self.assertEqual(self.started('install_dependencies')[0], [['build', 'rviz', 'screenshot']])
-        self.assertEqual(self.started('build')[0], [['aibo_demo_with_rviz']])
-        self.launched()
         views, environment = self.started('roslaunch')
         self.assertEqual(views[1], [str(self.home / 'launch/view.launch')])
         self.assertEqual((environment['DISPLAY'], environment['LIBGL_ALWAYS_SOFTWARE']), (':77', '1'))
-        self.assertEqual(Path(environment['HOME']).parent, self.home / 'tmp')
         self.assertEqual(len(self.started('import')[0]), 2)
-
-    def test_says_why_there_is_no_screenshot(self):
-        self.assertIn('Does its folder exist', self.demo('--screenshot', '/nowhere/shot.png', status=1))
         self.play('roslaunch', "if times > 3:\n  sys.exit('no rviz')\n" + PLAYS['roslaunch'])
-        self.play('convert', "print(3000)")
-        errors = self.demo('--screenshot', 'shot.png', status=1)
-        self.assertIn('no rviz\n', errors)
-        self.assertIn('rviz ended by itself', errors)
+        self.play('convert', 'print(3000)')
+        self.assertIn('rviz ended by itself', self.demo('--screenshot', 'shot.png', status=1))
 
     def test_says_what_did_not_start(self):
         self.play('rosservice', "sys.exit('no picture yet')")
