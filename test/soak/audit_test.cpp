@@ -30,7 +30,7 @@ class OrderAuditTest : public ::testing::Test {
       const double time = i / 30.0;
       round_.measured.push_back({time, {{"head_pan", kPan * std::min(1.0, std::max(0.0, time - 1))}}});
     }
-    round_.orders = {{"/anna", "command", 1, {{"head_pan", kPan}}}};
+    round_.orders = {{"/anna", 1, {{"head_pan", kPan}}}};
     round_.accepted = {{1.1, "head_pan", kPan}};
     round_.begun = {{3, moving_}};
     round_.ended = {moving_};

@@ -148,7 +148,7 @@ void OrderAudit::judgeAge(const Round& round) {
       }
     }
     for (const auto& [time, targets] : found) {
-      if (order.kind == "command" && targets == order.targets.size()) {
+      if (targets == order.targets.size()) {
         ages_.push_back(time - order.time);
         if (ages_.back() > kTooOld + kOnTheWay) {
           complain_(clock(time) + "the robot accepted a command of " + order.user + " that was " + text(ages_.back()) +
@@ -160,8 +160,8 @@ void OrderAudit::judgeAge(const Round& round) {
 }
 
 void OrderAudit::report() const {
-  std::printf("\n%zu rounds, %zu faults, %zu commands and trajectories, %zu ends, %zu calls and goals\n", rounds_,
-              faults_, orders_, ends_, calls_);
+  std::printf("\n%zu rounds, %zu faults, %zu commands, %zu ends, %zu calls and goals\n", rounds_, faults_, orders_,
+              ends_, calls_);
   printFigures("way of the joints after a stop, rad", moved_in_stops_);
   printFigures("age of accepted commands, s", ages_);
 }

@@ -14,10 +14,9 @@ namespace soak {
 
 using Targets = std::map<std::string, double>;  ///< rad, by joint
 
-/// A message of a user that moves joints.
+/// A command of a user that moves joints.
 struct Order {
   std::string user;  ///< the node
-  std::string kind;  ///< command or trajectory
   double time = 0;   ///< when it was published
   Targets targets{};
 };

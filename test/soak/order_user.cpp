@@ -121,16 +121,14 @@ class User {
   }
 
   void commandJoints() {
-    const Order order{name_, "command", now(), anyTargets()};
+    const Order order{name_, now(), anyTargets()};
     commands_.publish(test_support::command(order.targets));
     log(toText(order));
   }
 
   void followTrajectory() {
     const double duration = 0.1 * uniform(5, 40);
-    const Order order{name_, "trajectory", now(), anyTargets()};
-    trajectories_.publish(test_support::trajectory(order.targets, duration));
-    log(toText(order));
+    trajectories_.publish(test_support::trajectory(anyTargets(), duration));
   }
 
   // Ends by a zero or by silence.
@@ -198,7 +196,7 @@ class User {
 std::string toText(const Order& order) {
   std::ostringstream text;
   text.precision(17);
-  text << "order " << order.user << ' ' << order.kind << ' ' << order.time;
+  text << "order " << order.user << ' ' << order.time;
   for (const auto& [joint, target] : order.targets) {
     text << ' ' << joint << ' ' << target;
   }
@@ -226,7 +224,7 @@ UserLine parseUserLine(const std::string& text) {
   if (what == "order") {
     Order order;
     order.user = user;
-    words >> order.kind >> order.time;
+    words >> order.time;
     std::string joint;
     for (double target = 0; words >> joint >> target;) {
       order.targets[joint] = target;
