@@ -2,6 +2,8 @@
 #ifndef TEST_FAULT_CAMPAIGN_EXPERIMENT_H
 #define TEST_FAULT_CAMPAIGN_EXPERIMENT_H
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <functional>
 #include <memory>
@@ -67,7 +69,21 @@ void await(const Condition& condition, const std::string& otherwise) {
 }
 
 /// A fault of any kind: the kinds take turns, all other details are random. The caller chooses the place.
-Fault anyFault(unsigned turn, Random& random);
+inline Fault anyFault(unsigned turn, Random& random) {
+  constexpr std::array<Action, 10> kActions = {Action::kClose, Action::kReset,  Action::kHalfClose, Action::kSilence,
+                                               Action::kDrop,  Action::kInsert, Action::kOverwrite, Action::kFlip,
+                                               Action::kPause, Action::kSplit};
+  Fault fault;
+  fault.action = kActions[turn % kActions.size()];
+  fault.count = static_cast<std::size_t>(uniform(random, 1, 50));
+  // No client can notice a changed byte inside a picture, so it has to be one that the caller chooses.
+  const bool changes = fault.action == Action::kFlip || fault.action == Action::kOverwrite;
+  fault.bytes.resize(changes ? 1 : fault.count);
+  std::generate(fault.bytes.begin(), fault.bytes.end(),
+                [&] { return static_cast<std::uint8_t>(uniform(random, 1, 255)); });
+  fault.time = std::chrono::microseconds(uniform(random, 300, 20000));
+  return fault;
+}
 
 std::vector<Row> clientRows();
 std::vector<Row> hostileRows();

@@ -3,16 +3,20 @@
 #define TEST_FAULT_CAMPAIGN_WITNESS_H
 
 #include <condition_variable>
-#include <functional>
 #include <mutex>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "aibo_client/rcserver_client.h"
 #include "campaign/experiment.h"
 #include "support/picture_server.h"
+#include "support/test_pictures.h"
 
 namespace fault_bench {
+
+using aibo_client::ConnectionState;
 
 /// Checks what a client delivers against what a PictureServer has sent. The witness must outlive the client, and the
 /// server must outlive the witness.
@@ -30,29 +34,89 @@ class Witness {
 
   explicit Witness(const PictureServer& server) : server_(server) {}
 
-  aibo_client::Callbacks callbacks();
+  aibo_client::Callbacks callbacks() {
+    aibo_client::Callbacks callbacks;
+    callbacks.on_picture = [this](const aibo_client::PicturePtr& picture) { see(*picture); };
+    callbacks.on_status = [this](const aibo_client::ConnectionStatus& status) { hear(status); };
+    return callbacks;
+  }
 
   /// While gaps are allowed, it does not complain about pictures that are left out over one connection.
-  void allowGaps(bool allowed);
+  void allowGaps(bool allowed) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    gaps_allowed_ = allowed;
+  }
 
   /// The last picture; its number is 0 if there was none.
-  Sighting last() const;
+  Sighting last() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return last_;
+  }
 
   /// Waits for a picture that fulfils the condition.
   /// @throw std::runtime_error it did not come
-  Sighting waitFor(const std::function<bool(const Sighting&)>& condition);
+  template <typename Condition>
+  Sighting waitFor(const Condition& condition) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!changed_.wait_for(lock, kSafetyNet, [&] { return last_.name.number > 0 && condition(last_); })) {
+      throw std::runtime_error("no picture came any more: " + status_.reason);
+    }
+    return last_;
+  }
 
   /// Waits until the client has noticed that it is not connected.
   /// @throw std::runtime_error it has not
-  void waitForDisconnection();
+  void waitForDisconnection() {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (!changed_.wait_for(lock, kSafetyNet, [&] { return status_.state == ConnectionState::kDisconnected; })) {
+      throw std::runtime_error("the client did not notice the end of its connection");
+    }
+  }
 
   /// The complaints since the last call.
-  std::vector<std::string> takeViolations();
+  std::vector<std::string> takeViolations() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return std::exchange(violations_, {});
+  }
 
  private:
-  void see(const aibo_client::Picture& picture);
-  void judge(const aibo_client::Picture& picture, const Sighting& sighting);
-  void hear(const aibo_client::ConnectionStatus& status);
+  void hear(const aibo_client::ConnectionStatus& status) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const bool has_ended =
+        status.state == ConnectionState::kDisconnected && status_.state != ConnectionState::kDisconnected;
+    if (has_ended && (status.reason.empty() || status.advice.empty())) {
+      violations_.push_back("a connection has ended without reason or advice: '" + status.reason + "'");
+    }
+    status_ = status;
+    changed_.notify_all();
+  }
+
+  void see(const aibo_client::Picture& picture) {
+    const auto name = test_pictures::nameOf(picture.jpeg);
+    const TimePoint sent = name ? server_.timeOf(name->number) : TimePoint();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!name) {
+      violations_.emplace_back("a picture that the server never sent");
+      return;
+    }
+    judge(picture, *name);
+    last_ = {*name, steady_clock::now(), sent};
+    changed_.notify_all();
+  }
+
+  void judge(const aibo_client::Picture& picture, const test_pictures::Name& name) {
+    const std::uint64_t before = last_.name.number;
+    const std::string which = "picture " + std::to_string(name.number) + " after picture " + std::to_string(before);
+    if (picture.jpeg != test_pictures::makeNamed(name) || name.number > server_.lastNumber()) {
+      violations_.push_back(which + " is not as it was sent");
+    }
+    if (name.number <= before) {
+      violations_.push_back(which);
+    }
+    if (name.connection == last_.name.connection && name.number > before + 1 && !gaps_allowed_) {
+      violations_.push_back(which + " over one connection: some are lost");
+    }
+  }
 
   const PictureServer& server_;
   mutable std::mutex mutex_;  // guards what follows
