@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include <climits>
+#include <utility>
 
 namespace protocol {
 namespace {
@@ -27,13 +28,11 @@ TEST(Angles, OfVersion1AreHundredthsOfADegree) {
 }
 
 TEST(Angles, AreRoundedToTheNearestAndLimited) {
-  const struct {
-    int microradians;
-    int centidegrees;
-  } rows[] = {{87, 0},           {88, 1},          {-87, 0},           {-88, -1},        {5719095, 32767},
-              {10057460, 32767}, {INT_MAX, 32767}, {-5719270, -32768}, {INT_MIN, -32768}};
-  for (const auto& row : rows) {
-    EXPECT_EQ(centidegreesFromMicroradians(row.microradians), row.centidegrees) << row.microradians;
+  const std::pair<int, int> rows[] = {{87, 0},          {88, 1},           {-87, 0},         {-88, -1},
+                                      {5719095, 32767}, {10057460, 32767}, {INT_MAX, 32767}, {-5719270, -32768},
+                                      {INT_MIN, -32768}};
+  for (const auto& [microradians, centidegrees] : rows) {
+    EXPECT_EQ(centidegreesFromMicroradians(microradians), centidegrees) << microradians;
   }
 }
 

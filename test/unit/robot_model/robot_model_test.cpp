@@ -58,11 +58,8 @@ TEST(CoupledLimits, KeepTheLegsOffTheBody) {
   }
 }
 
-TEST(CoupledLimits, KeepTheHeadOffTheNeck) {
+TEST(CoupledLimits, KeepTheHeadOffTheNeckAlsoWhileTheMouthIsWideOpen) {
   expectEdges("neck_tilt", "head_tilt", {{-75, -39, 5}, {-38, 0, -5}});
-}
-
-TEST(CoupledLimits, KeepTheHeadAtASafeHeightWhileTheMouthIsWideOpen) {
   expectEdges("mouth", "head_tilt", {{-55, -31, 5}, {-30, -3, -5}});
 }
 
