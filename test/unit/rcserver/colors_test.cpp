@@ -120,8 +120,6 @@ TEST_F(ColorsTest, EachChannelWithATableIsCounted) {
   EXPECT_EQ(second.channel, 6);
   EXPECT_EQ(second.pixels, 8U);
   EXPECT_EQ(second.x, 64 * (12 + 13 + 14 + 15) / 4);
-  EXPECT_EQ(second.left, 12);
-  EXPECT_EQ(second.width, 4);
 }
 
 TEST_F(ColorsTest, ComeForEveryNthImageUntilTheyAreSwitchedOff) {

@@ -55,18 +55,6 @@ class FileJobsTest : public FakeRobotFixture {
   const std::string motion_ = motionBytes("at 0 head_pan 0\nat 800 head_pan 30\n");
 };
 
-TEST_F(FileJobsTest, OtherRequestsAreAnsweredWhileAFileIsRead) {
-  send(frame('P', 0, 1, playPayload("WAG.MTN", 1000)));
-  ASSERT_TRUE(file_keeper_.hasJob());
-  send(frame('H', 0, 2) + frame('O', 0, 3) + frame('J', 0, 4, order(std::string(4, '\0'))) +
-       frame('P', 0, 5, playPayload("SIT.MTN", 0)));
-  EXPECT_THAT(heard(), ElementsAre("h2", "o3", "i4 0", "j4", "p5"));
-  EXPECT_FALSE(moves("tail_pan"));
-  finishJobs();
-  EXPECT_THAT(heard(), ElementsAre("p1"));
-  EXPECT_TRUE(moves("tail_pan"));
-}
-
 TEST_F(FileJobsTest, AJointCommandedOrHeldWhileAFileIsReadObeysThatAndTheMotionDoesNotBegin) {
   const std::string tail_pan_to_half_a_radian("\0\0\1\0\63\0\0\0\0\7\241\40", 12);
   for (const std::string& last : {frame('J', 0, 2, order(tail_pan_to_half_a_radian)), frame('I', 1, 2, "\1\63")}) {
@@ -95,7 +83,6 @@ TEST_F(FileJobsTest, AJointCommandedOrHeldWhileAFileIsReadObeysThatAndTheMotionD
 TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
   send(frame('P', 0, 1, playPayload("WAG.MTN", 1)));
   using namespace protocol::version2;
-  std::vector<std::string> refused;
   for (const auto& [kind, id, payload] : {std::tuple('D', 0, std::string("NOD.MTN")),
                                           {'N', 0, ""},
                                           {'P', 0, playPayload("NOD.MTN", 1)},
@@ -105,9 +92,7 @@ TEST_F(FileJobsTest, ASecondFileRequestIsRefusedAndAllOthersAreAnsweredAtOnce) {
                                           {'Y', int{FETCH_PICTURE}, "A.JPG"},
                                           {'Y', int{DELETE_PICTURE}, "A.JPG"}}) {
     send(frame(kind, id, 2, payload));
-    refused = heard();
-    ASSERT_EQ(refused.size(), 1U) << kind;
-    EXPECT_THAT(refused[0], HasSubstr("e2 0 the memory stick is busy with an earlier request")) << kind;
+    EXPECT_THAT(heard(), ElementsAre(HasSubstr("e2 0 the memory stick is busy with an earlier request"))) << kind;
   }
   send(frame('H', 0, 3));
   EXPECT_THAT(heard(), ElementsAre("h3"));

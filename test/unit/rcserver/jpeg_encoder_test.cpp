@@ -90,16 +90,11 @@ TEST_F(JpegEncoderTest, MakesABaselineJpegOf208x160WithHalvedChroma) {
   EXPECT_NE(text.find(std::string("\xff\xc0\x00\x11\x08", 5)), std::string::npos) << "no SOF0: not baseline";
 }
 
-struct Size {
-  size_t width;
-  size_t height;
-};
-
 // The layers of the ERS-7, double resolution, the layers of the ERS-210, and sizes that no macroblock divides.
 TEST_F(JpegEncoderTest, EachSizeIsEncodedCompletelyWithoutReadingBeyondTheImage) {
-  for (const auto& [width, height] :
-       {Size{208, 160}, Size{104, 80}, Size{52, 40}, Size{416, 320}, Size{176, 144}, Size{88, 72}, Size{44, 36},
-        Size{33, 17}, Size{32, 19}, Size{15, 3}, Size{1, 2}}) {
+  const std::pair<size_t, size_t> sizes[] = {{208, 160}, {104, 80}, {52, 40}, {416, 320}, {176, 144}, {88, 72},
+                                             {44, 36},   {33, 17},  {32, 19}, {15, 3},    {1, 2}};
+  for (const auto& [width, height] : sizes) {
     CameraImageFixture scene = CameraImageFixture::scene(width, height);
     if (width >= CameraImage::TAG_SIZE) {
       scene.setTag(255, 0xffff);

@@ -215,8 +215,6 @@ TEST_F(OrdersTest, AreAllToldToAClientThatReadsSlowly) {
   EXPECT_THAT(heard(), IsEmpty()) << "each once";
 }
 
-// ------------------------------------------------------------------------------------------------------------ walks
-
 TEST_F(OrdersTest, ASteeringThatCrossesTheEndOfItsWalkBeginsAnother) {
   const struct {
     std::string name;
@@ -283,8 +281,6 @@ TEST_F(OrdersTest, DemandLettingGoIfTheyTakeOrHoldALeg) {
   reconnect();
   EXPECT_THAT(answersTo(1, kWalk), ElementsAre(HasSubstr("the connection is new; let go first")));
 }
-
-// ---------------------------------------------------------------------------------------------------------- too old
 
 TEST(FrameClock, NeverGoesBackAndGoesOnWhenNoFrameIsReported) {
   struct Row {

@@ -5,10 +5,6 @@
 
 namespace {
 
-using ::testing::Each;
-using ::testing::HasSubstr;
-using ::testing::Le;
-
 class PicturesTest : public Version2Fixture {
  protected:
   // Afterwards the encoder is at work on the first image.

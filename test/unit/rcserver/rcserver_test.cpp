@@ -6,8 +6,6 @@
 
 namespace {
 
-using ::testing::HasSubstr;
-
 constexpr unsigned kImagesUntilSilent = 1250 / FakeRobot::kFramesPerImage;  // 10 s
 
 class RCServerTest : public FakeRobotFixture {

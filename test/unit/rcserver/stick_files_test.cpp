@@ -28,15 +28,6 @@ class FilesOnTheStick : public ::testing::Test {
                               content.size()) == FileResult::DONE;
   }
 
-  FileResult::Outcome read(const std::string& name, std::string* content, size_t capacity = 1000) {
-    content->resize(capacity);
-    size_t size = 0;
-    const FileResult::Outcome result =
-        files_.Read(MOTION_FILE, Name(name).name, reinterpret_cast<unsigned char*>(content->data()), capacity, &size);
-    content->resize(size);
-    return result;
-  }
-
   std::vector<std::string> listed(FileKind kind = MOTION_FILE) {
     protocol::version2::FileList list;
     files_.List(kind, &list);
@@ -80,24 +71,11 @@ TEST_F(FilesOnTheStick, WhatAResetHasLeftIsNoMotionAndDoesNotBlock) {
 
 TEST_F(FilesOnTheStick, FindsAFileInUpperOrLowerCase) {
   stick_.write(std::string(DATA_FOLDER) + "/Hop.mtn", "content");
-  std::string content;
-  EXPECT_EQ(read("HOP.MTN", &content), FileResult::DONE);
   EXPECT_THAT(listed(), testing::ElementsAre("HOP.MTN"));
   EXPECT_TRUE(store("hop.MTN", "new"));
   EXPECT_THAT(inFolder(), testing::ElementsAre("Hop.mtn"));
   EXPECT_EQ(files_.Delete(MOTION_FILE, Name("HOP.MTN").name), FileResult::DONE);
   EXPECT_THAT(inFolder(), testing::IsEmpty());
-}
-
-TEST_F(FilesOnTheStick, ReportsWhatIsTooLargeOrNotAFile) {
-  std::string content;
-  EXPECT_TRUE(store("HOP.MTN", "123456"));
-  EXPECT_EQ(read("HOP.MTN", &content, 6), FileResult::DONE);
-  EXPECT_EQ(read("HOP.MTN", &content, 5), FileResult::TOO_LARGE);
-  std::filesystem::create_directory(folder_ / "DIR.MTN");
-  EXPECT_EQ(read("DIR.MTN", &content), FileResult::FAILED);
-  std::filesystem::create_symlink("nowhere", folder_ / "LINK.MTN");
-  EXPECT_EQ(read("LINK.MTN", &content), FileResult::FAILED);
 }
 
 TEST_F(FilesOnTheStick, AFullMemoryStickLeavesTheOldFileAndNothingElse) {

@@ -65,12 +65,13 @@ TEST_F(StickPicturesTest, AreTakenOfTheNextImage) {
 }
 
 TEST_F(StickPicturesTest, AreNumberedAfterTheHighestAndReplaceNothing) {
-  for (const char* name : {"AIBO0041.JPG", "aibo0043.jpg", "AIBO12.JPG", "AIBO99.JPG", "MINE.JPG", "AIBO000A.JPG"}) {
+  const char* const old[] = {"AIBO0041.JPG", "aibo0043.jpg", "AIBO12.JPG", "AIBO99.JPG", "MINE.JPG", "AIBO000A.JPG"};
+  for (const char* name : old) {
     put(name, "old");
   }
   EXPECT_EQ(take(), "AIBO0044.JPG");
   EXPECT_EQ(take(), "AIBO0045.JPG");
-  for (const char* name : {"AIBO0041.JPG", "aibo0043.jpg", "AIBO12.JPG", "AIBO99.JPG", "MINE.JPG", "AIBO000A.JPG"}) {
+  for (const char* name : old) {
     EXPECT_EQ(fileContent(folder() + "/" + name), "old") << name;
   }
 }

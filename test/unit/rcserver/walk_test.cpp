@@ -39,8 +39,8 @@ class WalkTest : public Version2Fixture {
         send(frame('H', 0, 901));
       }
       passFrames(1);
-      for (const Frame& next : arrived()) {
-        frames_.push_back(next);
+      while (const auto next = client_->nextFrame()) {
+        frames_.push_back(*next);
       }
     }
   }
@@ -110,34 +110,29 @@ TEST_F(WalkTest, AfterARestTheRobotStandsAndSitsWithItsMotorsOnAgain) {
 }
 
 TEST_F(WalkTest, TellsItsMotorsAndItsPostureFromTheFirstMeasurementOn) {
-  std::vector<std::string> states;
-  const auto pass = [this, &states](unsigned frames) {
-    for (unsigned i = 0; i < frames; ++i) {
-      if (i % 100 == 0) {
-        send(frame('H', 0, 901));
-      }
-      passFrames(1);
-      while (const auto next = client_->nextFrame()) {
-        if (next->header.kind == MOTORS_AND_POSTURE_PUSH && next->header.request_number == 0) {
-          const auto state = payloadIn<MotorsAndPosture>(*next);
-          states.push_back((state.motors_on ? "on " : "off ") + std::to_string(state.posture));
-        }
+  const auto states = [this] {
+    std::vector<std::string> all;
+    for (const Frame& next : frames_) {
+      if (next.header.kind == MOTORS_AND_POSTURE_PUSH && next.header.request_number == 0) {
+        const auto state = payloadIn<MotorsAndPosture>(next);
+        all.push_back((state.motors_on ? "on " : "off ") + std::to_string(state.posture));
       }
     }
+    return all;
   };
   reconnect();
   pass(20);
-  EXPECT_THAT(states, ElementsAre("on " + std::to_string(POSTURE_STAND)));
+  EXPECT_THAT(states(), ElementsAre("on " + std::to_string(POSTURE_STAND)));
   send(frame('E', POSTURE_REST, 2, order()));
   pass(6 * kFramesASecond);
-  EXPECT_THAT(states, Contains("on " + std::to_string(POSTURE_REST)));
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_REST));
+  EXPECT_THAT(states(), Contains("on " + std::to_string(POSTURE_REST)));
+  EXPECT_EQ(states().back(), "off " + std::to_string(POSTURE_REST));
   robot_.layOnSide();
   pass(kFramesASecond);
-  EXPECT_EQ(states.back(), "off " + std::to_string(POSTURE_FALLEN));
-  const size_t count = states.size();
+  EXPECT_EQ(states().back(), "off " + std::to_string(POSTURE_FALLEN));
+  const size_t count = states().size();
   pass(kFramesASecond);
-  EXPECT_EQ(states.size(), count) << "nothing changes";
+  EXPECT_EQ(states().size(), count) << "nothing changes";
 }
 
 // While a process is stopped, what the client sends waits. Nobody wants it any more afterwards.

@@ -37,19 +37,6 @@ TEST(JointControl, TheNextClientFindsTheRobotsOwnLimitsAndNoFaults) {
   }
 }
 
-// The motors are off for long, and the joint is moved by hand far from where it was commanded.
-TEST(JointControl, TheTimeWithoutPowerIsNoFault) {
-  JointControl joints(ers7());
-  const int pan = findJointByName(ers7(), "head_pan");
-  unsigned frame = 4;
-  for (; frame <= 10 * JointWatch::PATIENCE; frame += 4) {
-    joints.Measured(pan, {-30000, 400000, -7}, frame, false);
-  }
-  EXPECT_EQ(joints.Position(pan), -30000) << "a joint that is moved by hand is measured, too";
-  EXPECT_EQ(joints.Duty(pan), -7);
-  EXPECT_EQ(joints.Measured(pan, {-30000, 400000, 0}, frame, true), JointWatch::FOLLOWS);
-}
-
 TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
   for (const bool client_goes : {false, true}) {
     JointControl joints(ers7());
@@ -69,8 +56,6 @@ TEST(JointControl, JointsThatHoldBrakeWithTheRobotsOwnAcceleration) {
     EXPECT_LT(joints.Planner().Position(pan), begin + 20000) << "with the client's limit, it would be 0.15 rad";
   }
 }
-
-// ------------------------------------------------------------------------------------- commands with a number
 
 constexpr int kOrdered = 1000000;  // microradian; target of the joints of an order
 
@@ -191,8 +176,6 @@ TEST(JointOrders, EndWhenNoneOfTheirJointsIsUnderWay) {
     EXPECT_EQ(ended, end) << name;
   }
 }
-
-// ---------------------------------------------------------------------------------------------------- JointWatch
 
 constexpr int kFar = 2 * JointWatch::TOLERANCE;
 constexpr int kMoved = JointWatch::MOVEMENT;

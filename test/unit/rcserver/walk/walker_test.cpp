@@ -202,8 +202,6 @@ TEST_F(Walk, EndsInTheStandIfItIsNotSteeredForHalfASecond) {
   EXPECT_THAT(ends(), ElementsAre("walk: it was not steered for 500 ms"));
 }
 
-// ------------------------------------------------------------------------------------------------------------ its ends
-
 enum class Legs { kHold, kStand, kSit };
 
 struct WalkEnd {
@@ -215,16 +213,7 @@ struct WalkEnd {
 const std::vector<WalkEnd> kWalkEnds = {
     {"left_front_knee was commanded", [](WalkingRobot& robot) { robot.command("left_front_knee", 500000); },
      Legs::kHold},
-    {"right_hind_knee was told to hold", [](WalkingRobot& robot) { robot.joints.Stop(robot.joint("right_hind_knee")); },
-     Legs::kHold},
     {"everything was told to hold", [](WalkingRobot& robot) { robot.joints.StopAll(); }, Legs::kHold},
-    {"a motion moves left_front_knee",
-     [](WalkingRobot& robot) {
-       robot.play("at 0 left_front_knee 60\n");
-       robot.joints.Motions().StopAll();
-     },
-     Legs::kHold},
-    {"the motors were switched off", [](WalkingRobot& robot) { robot.joints.MotorsGoOff(); }, Legs::kHold},
     {"left_hind_knee does not follow",
      [](WalkingRobot& robot) {
        const int place = robot.position("left_hind_knee");
@@ -383,8 +372,6 @@ TEST_F(Walk, IsGuardedOnlyWhereTheRobotHasNotBeenMovedSince) {
   }
 }
 
-// ------------------------------------------------------------------------------------------------------------ postures
-
 class PostureOfARobot : public ::testing::Test, protected WalkingRobot {};
 
 TEST_F(PostureOfARobot, IsTakenSlowlyFromEveryOther) {
@@ -478,8 +465,6 @@ TEST_F(PostureOfARobot, MayGiveWayToAJointThatDoesNotFollowSixTimes) {
   EXPECT_TRUE(isIn(POSTURE_STAND));
 }
 
-// ------------------------------------------------------------------------------------------------------------- resting
-
 class Rest : public ::testing::Test, protected WalkingRobot {};
 
 TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
@@ -501,8 +486,6 @@ TEST_F(Rest, LeavesAJointOfTheHeadAsALaterOrderSays) {
     EXPECT_EQ(robot.position("head_tilt"), 0) << "the others are levelled";
   }
 }
-
-// ---------------------------------------------------------------------------------------------- a client that has gone
 
 class ClientThatGoes : public ::testing::Test, protected WalkingRobot {};
 
@@ -553,8 +536,6 @@ TEST_F(ClientThatGoes, LeavesARestThatHasBegunToTheRobot) {
     EXPECT_THAT(robot.ends(), ElementsAre("stand: ")) << "this is its own";
   }
 }
-
-// --------------------------------------------------------------------------------------------------------------- falls
 
 class Fall : public ::testing::Test, protected WalkingRobot {};
 
