@@ -67,15 +67,6 @@ TEST_F(CameraRequestsTest, AStreamOfFewImagesIsNotTakenForASilentOne) {
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(2)); }));
 }
 
-TEST_F(CameraRequestsTest, APictureHasTheStreamsResolutionOrItsOwn) {
-  begin();
-  wanted_.format.resolution = Resolution::kLow;
-  takePictureOf(std::nullopt);
-  EXPECT_EQ("F 73 2", request());
-  takePictureOf(Resolution::kDouble);
-  EXPECT_EQ("F 73 3", request());
-}
-
 TEST_F(CameraRequestsTest, APictureOfAnotherResolutionThanTheRunningStreamsIsForItsCallerAlone) {
   begin();
   stream();
@@ -114,7 +105,11 @@ TEST_F(CameraRequestsTest, ASettingThatTheRobotRefusesIsLoggedAndTheRestGoesOn) 
   EXPECT_EQ("G 1 3", request());
   refuse("it does not");
   EXPECT_EQ(1, logged("refused to set its camera"));
-  EXPECT_EQ("G 2 2", request());
+  EXPECT_EQ("GGGG", requests());
+  wanted_.colors.on = true;
+  EXPECT_EQ("Z", requests());
+  refuse("it does not");
+  EXPECT_EQ(1, logged("to detect colours: it does not"));
 }
 
 TEST_F(CameraRequestsTest, APictureHasTheSettingsThatTheRobotTells) {

@@ -22,6 +22,8 @@ using test_support::ScriptedServer;
 /// A client and the server it talks to, over loopback.
 class ClientFixture : public testing::Test {
  protected:
+  static constexpr char kCapabilities[] = "F W J V T L K I U P S E";
+
   static aibo_client::ClientOptions optionsFor(const ScriptedServer& server) {
     aibo_client::ClientOptions options;
     options.port = server.port();
@@ -34,13 +36,18 @@ class ClientFixture : public testing::Test {
   }
 
   /// The client connects to a server of version 2.
-  ScriptedPeer connectVersion2(const std::string& capabilities = "F W J V T L K I U P S E") {
-    client_.start();
+  ScriptedPeer connectVersion2(const std::string& capabilities = kCapabilities) {
+    return connectVersion2(&client_, capabilities);
+  }
+
+  /// A client of the test's own does.
+  ScriptedPeer connectVersion2(aibo_client::RcServerClient* client, const std::string& capabilities = kCapabilities) {
+    client->start();
     ScriptedPeer peer = server_.accept();
     peer.agreeToVersion2(capabilities);
     EXPECT_TRUE(eventually([&] {
-      return client_.status().state == aibo_client::ConnectionState::kConnected &&
-             client_.status().protocol_version == 2;
+      return client->status().state == aibo_client::ConnectionState::kConnected &&
+             client->status().protocol_version == 2;
     }));
     return peer;
   }

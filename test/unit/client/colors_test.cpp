@@ -83,16 +83,13 @@ TEST_F(ColorsTest, TablesAreSentBeforeTheDetectionIsSwitchedOnAndOnlyThen) {
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ("Z 1 0 2 0 0", request());
   EXPECT_EQ("", request());
-  wanted_.colors.with_mask = true;
-  EXPECT_EQ("Z 1 0 2 1 0", request());
-  wanted_.colors.every_nth_image = 258;
+  wanted_.colors = {true, 258, true};
   EXPECT_EQ("Z 1 1 2 1 0", request());
   wanted_.color_tables[6] = nullptr;
   EXPECT_EQ("Z 2 6 0 0 0", request());
   EXPECT_EQ(std::count(frame_.payload.begin(), frame_.payload.end(), 128), 128);
   wanted_.colors = ColorDetection();
   EXPECT_EQ("Z 0", request());
-  EXPECT_EQ("", request());
 }
 
 TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
@@ -119,16 +116,22 @@ TEST_F(ColorsTest, ARegionHasTheNameOfItsTable) {
   EXPECT_EQ(colors.regions[0].height, 10);
 }
 
-TEST_F(ColorsTest, WhatTheRobotDetectedWithAnEarlierTableDoesNotGetTheNameOfTheNewOne) {
+TEST_F(ColorsTest, TheNewestCountsUnlessAnEarlierTableHasDetectedIt) {
   detectBall();
+  version2::ColorRegions later = regionsOf({kBall});
+  later.image_count = 8;
+  Bytes both = makeFrame('z', 0, payloadOf(regionsOf({kBall})));
+  const Bytes second = makeFrame('z', 0, payloadOf(later));
+  both.insert(both.end(), second.begin(), second.end());
   wanted_.color_tables[6] = tableNamed("box");
   EXPECT_EQ("Z 2 6 0 0 0", request());
-  push(regionsOf({kBall}));
+  receive(both);
   EXPECT_THAT(colors_, IsEmpty());
   agree();
-  push(regionsOf({kBall}));
+  receive(both);
   ASSERT_THAT(colors_, SizeIs(1));
   EXPECT_EQ(colors_[0].regions[0].name, "box");
+  EXPECT_EQ(colors_[0].image_count, 8U);
 }
 
 TEST_F(ColorsTest, TheMaskIsUnpacked) {
@@ -143,18 +146,6 @@ TEST_F(ColorsTest, TheMaskIsUnpacked) {
   ASSERT_THAT(colors_, SizeIs(1));
   EXPECT_THAT(colors_[0].mask, ElementsAre(1, 0, 1, 0, 0, 0));
   EXPECT_NE("", whyGivenUp([&] { push(colors, {1, 1, 0}); })) << "too short";
-}
-
-TEST_F(ColorsTest, OfSeveralThatComeTogetherTheNewestCounts) {
-  detectBall();
-  version2::ColorRegions later = regionsOf({kBall});
-  later.image_count = 8;
-  Bytes both = makeFrame('z', 0, payloadOf(regionsOf({kBall})));
-  const Bytes second = makeFrame('z', 0, payloadOf(later));
-  both.insert(both.end(), second.begin(), second.end());
-  receive(both);
-  ASSERT_THAT(colors_, SizeIs(1));
-  EXPECT_EQ(colors_[0].image_count, 8U);
 }
 
 TEST_F(ColorsTest, WhatContradictsItselfIsNotBelieved) {
@@ -221,14 +212,6 @@ TEST_F(ColorsTest, MoreThanTwiceAsManyAsAskedForAreDroppedAndCounted) {
   EXPECT_LT(colors_.size(), 20U);
   EXPECT_EQ(colors_.size() + counters_.thinned_colors, 100U);
   EXPECT_EQ(logged("more than twice as often"), 1);
-}
-
-TEST_F(ColorsTest, ARefusalIsLogged) {
-  detectBall();
-  wanted_.colors.with_mask = true;
-  request();
-  refuse("it does not");
-  EXPECT_EQ(logged("to detect colours: it does not"), 1);
 }
 
 }  // namespace

@@ -57,16 +57,20 @@ class DatagramsFixture : public Version2SessionFixture {
     asked_.clear();
   }
 
-  /// Lets time pass while TCP works. `every_32_ms` is called for each image of the camera.
+  /// Lets time pass while TCP works and no datagram comes.
+  void wait(milliseconds time) {
+    for (const TimePoint end = now_ + time; now_ < end && !HasFatalFailure();) {
+      answer();
+      pass(std::min(end, session_.nextDeadline()) - now_);
+    }
+  }
+
+  /// `every_32_ms` is called for each image of the camera.
   template <typename Action>
   void live(milliseconds time, const Action& every_32_ms) {
     for (milliseconds passed(0); passed < time; passed += milliseconds(32)) {
       every_32_ms();
-      const TimePoint end = now_ + milliseconds(32);
-      while (now_ < end && !HasFatalFailure()) {
-        answer();
-        pass(std::min(end, session_.nextDeadline()) - now_);
-      }
+      wait(milliseconds(32));
     }
     answer();
   }
@@ -89,23 +93,12 @@ class DatagramsFixture : public Version2SessionFixture {
     }
   }
 
-  std::vector<Bytes> nextPicture(bool with_parities = false) {
+  std::vector<Bytes> nextPicture(bool with_parities = false, std::size_t more_parts = 0) {
     ++picture_;
     jpegs_.push_back(makeJpeg(picture_));
+    jpegs_.back().insert(jpegs_.back().end() - 2, more_parts * protocol::version2::DATAGRAM_PART_SIZE,
+                         static_cast<std::uint8_t>(picture_));
     return test_support::makeDatagrams(jpegs_.back(), numberOf(picture_), frameOf(picture_), &sequence_, with_parities);
-  }
-  /// Without its last datagram.
-  std::vector<Bytes> nextCut() {
-    std::vector<Bytes> datagrams = nextPicture();
-    datagrams.pop_back();
-    return datagrams;
-  }
-  std::vector<Bytes> nextLargePicture() {
-    ++picture_;
-    Bytes jpeg = makeJpeg(picture_);
-    jpeg.insert(jpeg.end() - 2, 17 * protocol::version2::DATAGRAM_PART_SIZE, static_cast<std::uint8_t>(picture_));
-    jpegs_.push_back(jpeg);
-    return test_support::makeDatagrams(jpeg, numberOf(picture_), frameOf(picture_), &sequence_, true);
   }
 
   /// The robot's number of the picture that is `picture` here.

@@ -28,6 +28,7 @@ constexpr std::uint8_t kSof0 = 0xC0;
 constexpr std::uint8_t kSos = 0xDA;
 constexpr std::uint8_t kDht = 0xC4;
 constexpr std::uint8_t kDqt = 0xDB;
+constexpr std::uint8_t kComment = 0xFE;
 
 std::string problemOf(const Bytes& jpeg) {
   return inspectJpeg(jpeg.data(), jpeg.size()).problem;
@@ -46,19 +47,6 @@ void setSize(Bytes* jpeg, int width, int height) {
   jpeg->at(frame + kFrameHeight + 1) = static_cast<std::uint8_t>(height);
   jpeg->at(frame + kFrameWidth) = static_cast<std::uint8_t>(width >> 8);
   jpeg->at(frame + kFrameWidth + 1) = static_cast<std::uint8_t>(width);
-}
-
-void removeAll(Bytes* jpeg, std::uint8_t marker) {
-  std::size_t at = 2;
-  while (jpeg->at(at + 1) != kSos) {
-    const std::size_t length = 2u + jpeg->at(at + 2) * 256u + jpeg->at(at + 3);
-    if (jpeg->at(at + 1) == marker) {
-      jpeg->erase(jpeg->begin() + static_cast<std::ptrdiff_t>(at),
-                  jpeg->begin() + static_cast<std::ptrdiff_t>(at + length));
-    } else {
-      at += length;
-    }
-  }
 }
 
 TEST(JpegInspectorTest, PicturesOfEverySizeACameraHasAreGood) {
@@ -181,11 +169,9 @@ TEST(JpegInspectorTest, AMarkerIsAllowedOnlyWhereItBelongs) {
        "not a baseline JPEG (progressive, arithmetic, or another process)"},
       {0xC4, "a marker within its compressed data", ""},
       {0xD0, "", "a marker that no camera writes"},
-      {0xD7, "", "a marker that no camera writes"},
       {0xD8, "a marker within its compressed data", "a marker that no camera writes"},
       {0xD9, "bytes after its end", "a marker that no camera writes"},
       {0xDA, "a marker within its compressed data", "no frame header before the scan"},
-      {0xE0, "a marker within its compressed data", ""},
       {0xFE, "a marker within its compressed data", ""},
   };
   for (const auto& row : rows) {
@@ -203,7 +189,9 @@ TEST(JpegInspectorTest, AMarkerIsAllowedOnlyWhereItBelongs) {
 TEST(JpegInspectorTest, APictureWithoutItsTablesIsRefused) {
   for (const std::uint8_t table : {kDqt, kDht}) {
     Bytes jpeg = test_pictures::make();
-    removeAll(&jpeg, table);
+    for (std::size_t i = 0; i + 1 < jpeg.size(); ++i) {
+      jpeg[i + 1] = jpeg[i] == 0xFF && jpeg[i + 1] == table ? kComment : jpeg[i + 1];
+    }
     EXPECT_EQ("its tables are missing", problemOf(jpeg));
   }
 }

@@ -1,8 +1,9 @@
-// What a user sees of a connection that works: RcServerClient and Callbacks.
+// What a user sees of a connection: RcServerClient and Callbacks.
 #include "aibo_client/rcserver_client.h"
 
 #include <gmock/gmock.h>
 
+#include <functional>
 #include <future>
 #include <stdexcept>
 #include <string>
@@ -11,7 +12,9 @@
 
 using namespace aibo_client;
 using std::chrono::milliseconds;
+using std::chrono::seconds;
 using test_support::kSafetyNet;
+using testing::AllOf;
 using testing::HasSubstr;
 using version2_frames::makeFrame;
 
@@ -24,7 +27,8 @@ TEST_F(RcServerClientTest, AConnectionThatWorksHasNoReasonAndNoAdvice) {
   sendUntilDelivered(&peer, test_pictures::makeNumbered(1));
   EXPECT_EQ(test_pictures::makeNumbered(1), recorder_.pictures().at(0)->jpeg);
   EXPECT_GT(client_.statistics().bytes_received, 1000u);
-  ASSERT_TRUE(recorder_.waitForLog("Connected to 127.0.0.1:" + std::to_string(server_.port())));
+  const std::string connected = "Connected to 127.0.0.1:" + std::to_string(server_.port());
+  EXPECT_TRUE(eventually([&] { return recorder_.logged(connected) == 1; }));
   const ConnectionStatus status = client_.status();
   EXPECT_EQ(ConnectionState::kConnected, status.state);
   EXPECT_EQ(1, status.protocol_version);
@@ -67,10 +71,8 @@ TEST_F(RcServerClientTest, TellsWhenTheStreamWasSwitchedOnOrOffAlsoByTheEndOfACo
   EXPECT_TRUE(recorder_.waitForStreaming({true, false}));
   client_.setStreaming(true);
   EXPECT_TRUE(recorder_.waitForStreaming({true, false, true}));
-  server_.vanish();
   peer.close();
   EXPECT_TRUE(recorder_.waitForStreaming({true, false, true, false}));
-  EXPECT_FALSE(client_.streaming());
 }
 
 TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
@@ -90,39 +92,11 @@ TEST_F(RcServerClientTest, ACallbackThatThrowsIsLoggedAndTheStreamGoesOn) {
   EXPECT_TRUE(eventually([&] { return recorder.logged("on_picture threw an exception: the disk is full") == 2; }));
 }
 
-TEST_F(RcServerClientTest, EveryCallbackMayBeEmpty) {
-  RcServerClient client(optionsFor(server_), {});
-  client.setStreaming(true);
-  client.start();
-  ScriptedPeer peer = acceptStream();
-  sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
-}
-
-TEST_F(RcServerClientTest, WaitsForTheConnectionOrSaysWhyThereIsNone) {
-  server_.vanish();
-  client_.start();
-  ASSERT_TRUE(recorder_.waitForReason("refused"));
-  EXPECT_THAT(complaintOf<NetworkException>([&] { client_.waitForConnection(milliseconds(1)); }), HasSubstr("refused"));
-  auto waiting = std::async(std::launch::async, [&] { client_.waitForConnection(kSafetyNet); });
-  server_.listen();
-  const ScriptedPeer peer = accept();
-  waiting.get();
-  EXPECT_EQ(ConnectionState::kConnected, client_.status().state);
-}
-
 TEST_F(RcServerClientTest, ConnectsOnceIfStartedTwice) {
   client_.start();
   client_.start();
   ScriptedPeer peer = accept();
   EXPECT_FALSE(server_.clientComesWithin(milliseconds(50)));
-}
-
-TEST_F(RcServerClientTest, ReadsWhatComesTogetherWithTheAnswerAboutTheVersion) {
-  client_.start();
-  ScriptedPeer peer = server_.accept();
-  expectCommand(&peer, 'X', 2);
-  peer.send({'e', 0, 0, 0, 'j', 1, 0, 0});
-  EXPECT_TRUE(recorder_.waitForLog("an answer to no request: 'j'"));
 }
 
 TEST_F(RcServerClientTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersion) {
@@ -133,6 +107,149 @@ TEST_F(RcServerClientTest, WithVersion1AsAnOptionTheServerIsNotAskedForItsVersio
   ScriptedPeer peer = server_.accept();
   expectCommand(&peer, 'F', 73);
   EXPECT_EQ(ConnectionState::kConnecting, client.status().state) << "it has not answered";
+}
+
+// ---- Connections that end or do not begin
+
+TEST_F(RcServerClientTest, WhatARobotSaidBeforeItWentOffStaysUntilItAnswersAgain) {
+  ScriptedPeer peer = connectVersion2();
+  peer.send(makeFrame('e', 0, version2_frames::makeError(4, "the battery is low")));
+  peer.close();
+  const auto says = [this](const std::string& fault) {
+    const std::string address = "127.0.0.1:" + std::to_string(server_.port());
+    const std::string reason = "the robot said: the battery is low; since then, " + address + " " + fault;
+    EXPECT_TRUE(eventually([&] { return client_.status().reason == reason; })) << client_.status().reason;
+    return client_.status().robot_message == "the battery is low";
+  };
+  EXPECT_TRUE(says("closed the connection"));
+  EXPECT_EQ(client_.status().fault, FaultKind::kClosed);
+  server_.accept().close();
+  EXPECT_TRUE(says("closed the connection as soon as it was made"));
+  EXPECT_THAT(client_.status().advice, testing::StartsWith("Switch it on again, with a charged battery."));
+  server_.vanish();
+  EXPECT_TRUE(says("refused the connection"));
+  server_.listen();
+  ScriptedPeer again = connectVersion2();
+  EXPECT_EQ(client_.status().reason, "");
+  EXPECT_TRUE(eventually([&] { return client_.status().robot_message.empty(); }));
+  again.close();
+  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kClosed; }));
+  EXPECT_THAT(client_.status().reason, testing::Not(HasSubstr("battery")));
+}
+
+// If the waits went on growing, seven more attempts would take longer than the safety net.
+TEST_F(RcServerClientTest, TheWaitsBeginAgainAfterAConnectionThatWorked) {
+  ClientOptions options = optionsFor(server_);
+  options.reconnect_wait_max = seconds(60);
+  RcServerClient patient(options, recorder_.callbacks());
+  const auto fails_seven_times = [&patient] {
+    const std::uint64_t before = patient.statistics().failed_attempts;
+    return eventually([&] { return patient.statistics().failed_attempts >= before + 7; });
+  };
+  server_.vanish();
+  patient.start();
+  ASSERT_TRUE(fails_seven_times());
+  server_.listen();
+  ScriptedPeer peer = server_.accept();
+  peer.agreeToVersion2();
+  patient.waitForConnection(kSafetyNet);
+  server_.vanish();
+  peer.close();
+  EXPECT_TRUE(fails_seven_times());
+}
+
+TEST_F(RcServerClientTest, AServerThatTurnsTheClientAwayProbablyServesAnotherOne) {
+  client_.setStreaming(true);
+  client_.start();
+  for (int i = 0; i < 5; ++i) {
+    server_.accept().close();
+  }
+  ASSERT_TRUE(recorder_.waitForReason("closed the connection as soon as it was made"));
+  EXPECT_TRUE(eventually([&] { return client_.status().fault == FaultKind::kTurnedAway; }));
+  ScriptedPeer peer = acceptStream();
+  sendUntilDelivered(&peer, test_pictures::make());
+  EXPECT_EQ(1, recorder_.logged("Is another client connected?"));
+}
+
+// ---- Calls that wait
+
+struct Failure {
+  FaultKind kind;
+  bool was_sent;
+  std::string text;
+};
+
+class ACallThatWaits : public ClientFixture {
+ protected:
+  static Failure failureOf(const std::function<void()>& call) {
+    try {
+      call();
+    } catch (const NetworkException& error) {
+      return {error.kind(), error.wasSent(), error.what()};
+    }
+    return {FaultKind::kInternal, false, "no failure"};
+  }
+};
+
+TEST_F(ACallThatWaits, FailsAtOnceWithoutAConnectionAndSaysWhatToCheck) {
+  const auto fail = [this] { return failureOf([this] { client_.takePicture(0, kSafetyNet); }); };
+  EXPECT_THAT(fail().text, HasSubstr("has not been started"));
+  EXPECT_EQ(FaultKind::kNone, fail().kind);
+  server_.vanish();
+  client_.start();
+  ASSERT_TRUE(recorder_.waitForReason("refused"));
+  EXPECT_THAT(fail().text, AllOf(HasSubstr("refused the connection"), HasSubstr("Is the RCServer running there")));
+  EXPECT_EQ(FaultKind::kRefused, fail().kind);
+  EXPECT_EQ(FaultKind::kRefused, client_.status().fault);
+  EXPECT_FALSE(fail().was_sent);
+  EXPECT_THAT(failureOf([&] { client_.waitForConnection(milliseconds(1)); }).text, HasSubstr("refused"));
+  auto waiting = std::async(std::launch::async, [&] { client_.waitForConnection(kSafetyNet); });
+  server_.listen();
+  const ScriptedPeer peer = accept();
+  waiting.get();
+  EXPECT_EQ(ConnectionState::kConnected, client_.status().state);
+  EXPECT_EQ(FaultKind::kNone, client_.status().fault);
+}
+
+TEST_F(ACallThatWaits, FailsWithItsConnectionAndNamesTheReason) {
+  for (const bool is_closed : {true, false}) {
+    ScriptedPeer peer = connectVersion1();
+    EXPECT_TRUE(eventually([this] { return client_.status().state == ConnectionState::kConnected; }));
+    auto taken = std::async(std::launch::async, [this] { return client_.takePicture(40, kSafetyNet); });
+    expectCommand(&peer, 'F', 40);
+    is_closed ? peer.close() : peer.send({'?'});
+    const Failure failure = failureOf([&taken] { taken.get(); });
+    EXPECT_EQ(is_closed ? FaultKind::kClosed : FaultKind::kProtocol, failure.kind);
+    EXPECT_TRUE(failure.was_sent);
+    EXPECT_THAT(failure.text, HasSubstr(is_closed ? "closed the connection. Was the robot"
+                                                  : "does not speak the RCServer's protocol"));
+  }
+  EXPECT_EQ(1u, client_.statistics().protocol_errors);
+}
+
+TEST_F(ACallThatWaits, HasNoFaultOfItsOwnWhenItsTimeIsOverButItsConnectionHas) {
+  const ScriptedPeer peer = connectVersion1();
+  EXPECT_EQ(FaultKind::kNone, failureOf([this] { client_.takePicture(40, milliseconds(100)); }).kind);
+  EXPECT_TRUE(recorder_.waitForReason("did not answer the request to take a picture within 100 ms"));
+  EXPECT_EQ(FaultKind::kSilent, client_.status().fault);
+  EXPECT_EQ(1u, client_.statistics().stalls);
+}
+
+TEST_F(ACallThatWaits, IsRefusedFromACallbackInsteadOfWaitingForItself) {
+  std::promise<std::string> complaint;
+  RcServerClient* self = nullptr;
+  Callbacks callbacks;  // the others are empty
+  callbacks.on_picture = [&](const PicturePtr&) {
+    EXPECT_THROW(self->waitForConnection(kSafetyNet), Exception);
+    complaint.set_value(complaintOf<Exception>([&] { self->takePicture(0, kSafetyNet); }));
+  };
+  RcServerClient client(optionsFor(server_), callbacks);
+  self = &client;
+  client.setStreaming(true);
+  client.start();
+  ScriptedPeer peer = acceptStream();
+  sendUntilDelivered(client, [&] { peer.sendPicture(test_pictures::make()); });
+  EXPECT_THAT(complaint.get_future().get(), HasSubstr("cannot be called from a callback"));
 }
 
 }  // namespace

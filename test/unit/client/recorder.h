@@ -38,20 +38,10 @@ class Recorder {
     return callbacks;
   }
 
-  /// @return false if there were fewer within a generous time
-  bool waitForPictures(std::size_t count) {
-    return waitFor([this, count] { return pictures_.size() >= count; });
-  }
-
   /// Waits until the last status is this one.
+  /// @return false if it is not within a generous time
   bool waitForState(aibo_client::ConnectionState state) {
-    return waitForStatus([state](const aibo_client::ConnectionStatus& status) { return status.state == state; });
-  }
-
-  /// Waits until the newest status fulfils the condition.
-  template <typename Condition>
-  bool waitForStatus(const Condition& condition) {
-    return waitFor([&] { return !statuses_.empty() && condition(statuses_.back()); });
+    return waitFor([this, state] { return !statuses_.empty() && statuses_.back().state == state; });
   }
 
   /// Waits until some status had a reason that contains this text.
@@ -70,10 +60,6 @@ class Recorder {
   /// Waits until the ends of sounds so far are these, such as "1 lost".
   bool waitForSoundEnds(const std::string& ends) {
     return waitFor([&] { return sound_ends_ == ends; });
-  }
-
-  bool waitForLog(const std::string& text) {
-    return waitFor([this, &text] { return countLog(text) > 0; });
   }
 
   bool waitForStreaming(const std::vector<bool>& history) {
@@ -99,7 +85,8 @@ class Recorder {
   /// Lines logged that contain this text.
   long logged(const std::string& text) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return countLog(text);
+    return std::count_if(log_.begin(), log_.end(),
+                         [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
  private:
@@ -114,11 +101,6 @@ class Recorder {
   bool waitFor(const Condition& condition) {
     std::unique_lock<std::mutex> lock(mutex_);
     return changed_.wait_for(lock, test_support::kSafetyNet, condition);
-  }
-
-  long countLog(const std::string& text) const {
-    return std::count_if(log_.begin(), log_.end(),
-                         [&text](const std::string& line) { return line.find(text) != std::string::npos; });
   }
 
   mutable std::mutex mutex_;

@@ -20,24 +20,24 @@ namespace {
 
 using TimePoint = ReplyParser::TimePoint;
 
-TimePoint timeAt(int milliseconds) {
-  return TimePoint() + std::chrono::milliseconds(milliseconds);
-}
-
 class ReplyParserTest : public testing::Test {
  protected:
-  void feed(const Bytes& bytes, TimePoint arrival = TimePoint()) {
+  /// What is found in these bytes is added to found_: a picture, or a value as letter, identifier and value.
+  void feed(const Bytes& bytes, int milliseconds = 0) {
+    const TimePoint arrival = TimePoint() + std::chrono::milliseconds(milliseconds);
     std::size_t taken = 0;
     for (std::size_t at = 0; at < bytes.size(); at += taken) {
       const ReplyParser::Result result = parser_.append(bytes.data() + at, bytes.size() - at, arrival, &taken);
       if (result == ReplyParser::Result::kPicture) {
-        pictures_.push_back(parser_.takeJpeg());
+        found_.push_back(parser_.takeJpeg());
       } else if (result == ReplyParser::Result::kValue) {
-        values_.push_back(parser_.value());
+        const protocol::ValueReply value = parser_.value();
+        EXPECT_EQ(-1000, value.value);
+        found_.push_back({static_cast<std::uint8_t>(value.letter), static_cast<std::uint8_t>(value.identifier)});
       } else {
         continue;
       }
-      times_.push_back(parser_.firstByteTime());
+      first_byte_time_ = parser_.firstByteTime();
     }
   }
 
@@ -51,43 +51,32 @@ class ReplyParserTest : public testing::Test {
   }
 
   ReplyParser parser_;
-  std::vector<Bytes> pictures_;
-  std::vector<TimePoint> times_;
-  std::vector<protocol::ValueReply> values_;
+  std::vector<Bytes> found_;
+  TimePoint first_byte_time_;
 };
 
-const Bytes kPayload = {1, 2, 3, 'f', 0, 0, 0, 1, 'e'};
-
-TEST_F(ReplyParserTest, APictureIsFoundWhereverItIsCutInTwo) {
-  const Bytes reply = test_pictures::makeReply(kPayload);
-  for (std::size_t cut = 1; cut < reply.size(); ++cut) {
-    pictures_.clear();
-    times_.clear();
-    const auto middle = reply.begin() + static_cast<std::ptrdiff_t>(cut);
-    feed(Bytes(reply.begin(), middle), timeAt(10));
+TEST_F(ReplyParserTest, RepliesAreFoundWhereverTheyAreCutInTwo) {
+  const Bytes payload = {1, 2, 3, 'f', 0, 0, 0, 1, 'e'};
+  const Bytes value = {'j', 3, 0x18, 0xFC};
+  const Bytes largest(protocol::MAX_PICTURE_SIZE, 7);
+  Bytes replies = test_pictures::makeReply(payload);
+  for (std::size_t cut = 1; cut < replies.size(); ++cut) {
+    const auto middle = replies.begin() + static_cast<std::ptrdiff_t>(cut);
+    feed(Bytes(replies.begin(), middle), 10);
     EXPECT_FALSE(parser_.betweenReplies());
-    feed(Bytes(middle, reply.end()), timeAt(20));
+    feed(Bytes(middle, replies.end()), 20);
     EXPECT_TRUE(parser_.betweenReplies());
-    EXPECT_THAT(pictures_, ElementsAre(kPayload));
-    EXPECT_THAT(times_, ElementsAre(timeAt(10))) << "the time is that of the first byte";
+    EXPECT_EQ(TimePoint() + std::chrono::milliseconds(10), first_byte_time_);
+    EXPECT_THAT(std::exchange(found_, {}), ElementsAre(payload));
   }
-}
-
-TEST_F(ReplyParserTest, RepliesAreFoundByteByByteOrTogether) {
-  Bytes stream = test_pictures::makeReply(kPayload);
-  stream.insert(stream.end(), {'j', 3, 0x18, 0xFC});
-  const Bytes more = test_pictures::makeReply(Bytes(protocol::MAX_PICTURE_SIZE, 7));
-  stream.insert(stream.end(), more.begin(), more.end());
-  for (const std::uint8_t byte : stream) {
+  replies.insert(replies.end(), value.begin(), value.end());
+  const Bytes last = test_pictures::makeReply(largest);
+  replies.insert(replies.end(), last.begin(), last.end());
+  for (const std::uint8_t byte : replies) {
     feed({byte});
   }
-  feed(stream);
-  EXPECT_THAT(pictures_, ElementsAre(kPayload, Bytes(protocol::MAX_PICTURE_SIZE, 7), kPayload,
-                                     Bytes(protocol::MAX_PICTURE_SIZE, 7)));
-  ASSERT_EQ(2u, values_.size());
-  EXPECT_EQ('j', values_[1].letter);
-  EXPECT_EQ(3, values_[1].identifier);
-  EXPECT_EQ(-1000, values_[1].value);
+  feed(replies);
+  EXPECT_THAT(found_, ElementsAre(payload, Bytes{'j', 3}, largest, payload, Bytes{'j', 3}, largest));
 }
 
 TEST_F(ReplyParserTest, APictureOfImpossibleSizeIsAProtocolError) {

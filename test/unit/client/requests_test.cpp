@@ -273,62 +273,58 @@ TEST_F(Requests, WithoutAConnectionAreRefusedAndNotKept) {
 
 TEST_F(Requests, ThatTheServerDoesNotKnowAreRefusedByName) {
   const ScriptedPeer peer = connectVersion2("F W");
-  const std::vector<std::pair<std::function<void()>, std::string>> rows = {
-      {[this] { client_.steer(kWalk); }, "cannot walk: its robot does not walk"},
-      {[this] { client_.takePosture(Posture::kSit, seconds(1)); },
-       "cannot take the posture sit: its robot does not walk"},
-  };
-  for (const auto& [call, reason] : rows) {
-    EXPECT_THAT(complaintOf<CommandException>(call), AllOf(HasSubstr("(a test 1.0)"), HasSubstr(reason)));
-  }
+  EXPECT_THAT(complaintOf<CommandException>([this] { client_.steer(kWalk); }),
+              AllOf(HasSubstr("(a test 1.0)"), HasSubstr("cannot walk: its robot does not walk")));
+  EXPECT_THAT(complaintOf<CommandException>([this] { client_.takePosture(Posture::kSit, seconds(1)); }),
+              HasSubstr("cannot take the posture sit: its robot does not walk"));
 }
 
+// argument_checks_test.cpp has the ranges of what several functions share.
 TEST_F(Requests, WithWrongArgumentsAreNotSent) {
   const seconds time(1);
   ColorTable table;
   table.segments[0] = ColorRange{2, 1, 3, 4};
-  CameraSettings balance;
-  balance.white_balance = 0;
-  CameraSettings gain;
-  gain.gain = 4;
-  CameraSettings shutter;
-  shutter.shutter_speed = 0;
-  const auto format = [this](int interval) { client_.setStreamFormat({Resolution::kHigh, interval}); };
-  const auto microphone = [this](int channels, int rate) { client_.setMicrophone({true, channels, rate}); };
-  const auto walk = [this](double forward, double left, double turn) { client_.steer({forward, left, turn}); };
-  const auto joint = [this](const JointTarget& target) { client_.commandJoints({target}, milliseconds(0)); };
-  const std::vector<std::function<void()>> calls = {
+  CameraSettings camera;
+  camera.gain = 4;
+  const std::vector<std::int16_t> too_many(kMostSamplesAtOnce + 1);
+  const std::vector<JointTarget> negative_speed = {{1, 0, -1}};
+  const std::vector<LedCommand> too_bright = {{1, 256}};
+  const std::function<void()> calls[] = {
       [&] { client_.setJpegQuality(0); },
       [&] { client_.setJpegQuality(101); },
-      [&] { format(0); },
-      [&] { format(65536); },
       [&] {
-        client_.setColorDetection({true, 65536, false});
+        client_.setStreamFormat(StreamFormat{Resolution::kHigh, 0});
       },
-      [&] { client_.setColorTable(-1, nullptr); },
+      [&] {
+        client_.setStreamFormat(StreamFormat{Resolution::kHigh, 65536});
+      },
+      [&] {
+        client_.setColorDetection(ColorDetection{true, 65536, false});
+      },
       [&] { client_.setColorTable(kMostColorChannels, nullptr); },
       [&] { client_.setColorTable(0, std::make_shared<ColorTable>(table)); },
-      [&] { client_.setCameraSettings(balance); },
-      [&] { client_.setCameraSettings(gain); },
-      [&] { client_.setCameraSettings(shutter); },
-      [&] { microphone(3, 16000); },
-      [&] { microphone(2, 11025); },
+      [&] { client_.setCameraSettings(camera); },
+      [&] {
+        client_.setMicrophone(MicrophoneSettings{true, 3, 16000});
+      },
+      [&] {
+        client_.setMicrophone(MicrophoneSettings{true, 2, 11025});
+      },
       [&] { client_.setTelemetryPeriod(-1); },
       [&] { client_.setTelemetryPeriod(65536); },
       [&] { client_.takePicture(101, time); },
       [&] { client_.takePicture(50, milliseconds(0)); },
       [&] { client_.takePicture(50, std::chrono::hours(1) + milliseconds(1)); },
-      [&] {
-        joint(JointTarget{1, 0, -1});
-      },
+      [&] { client_.commandJoints(negative_speed, milliseconds(0)); },
       [&] { client_.setJointSpeedLimits({}); },
       [&] { client_.hold({0}, time); },
-      [&] { walk(32.768, 0, 0); },
-      [&] { walk(0, -32.768, 0); },
-      [&] { walk(0, 0, std::nan("")); },
       [&] {
-        client_.commandLeds({{1, 256}});
+        client_.steer(WalkVelocity{0, -32.768, 0});
       },
+      [&] {
+        client_.steer(WalkVelocity{0, 0, std::nan("")});
+      },
+      [&] { client_.commandLeds(too_bright); },
       [&] { client_.playMotion("../NOD.MTN", 1, time); },
       [&] { client_.playMotion("NOD.MTN", 0, time); },
       [&] { client_.playMotion("NOD.MTN", 65536, time); },
@@ -340,11 +336,11 @@ TEST_F(Requests, WithWrongArgumentsAreNotSent) {
       [&] { client_.fetchPicture("../A.JPG", time); },
       [&] { client_.deletePicture("NOD.MTN", time); },
       [&] { client_.playSamples(0, {}, true, time); },
-      [&] { client_.playSamples(0, std::vector<std::int16_t>(kMostSamplesAtOnce + 1), true, time); },
+      [&] { client_.playSamples(0, too_many, true, time); },
       [&] { client_.setVolume(4, time); },
       [&] { client_.waitForConnection(milliseconds(0)); },
   };
-  for (std::size_t i = 0; i < calls.size(); ++i) {
+  for (std::size_t i = 0; i < std::size(calls); ++i) {
     EXPECT_THROW(calls[i](), InvalidArgumentException) << "row " << i;
   }
 }
@@ -381,10 +377,7 @@ TEST_F(Requests, CarryTheOptionsOfTheClientUntilTheyAreChanged) {
   options.leave_out_missing_joints = true;
   options.guard_walks = false;
   RcServerClient client(options, recorder_.callbacks());
-  client.start();
-  ScriptedPeer peer = server_.accept();
-  peer.agreeToVersion2("U P S");
-  client.waitForConnection(test_support::kSafetyNet);
+  ScriptedPeer peer = connectVersion2(&client, "U P S");
   for (const char* sent : {"S 0 0 100 0 0 254 12 0 0", "S 1 0 100 0 0 254 12 0 0"}) {
     client.steer(kWalk);
     const version2_frames::Frame request = peer.readRequest();

@@ -96,25 +96,17 @@ TEST_F(TransportChoiceTest, UdpIsUsedOnceATestDatagramHasCome) {
   EXPECT_EQ(picture_, pictures_.size());
 }
 
-TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsTold) {
+TEST_F(TransportChoiceTest, WhereNoTestComesNoPictureIsLostAndTheReasonIsToldUntilOneComes) {
   lets_through_ = false;
   answerAll();
   watch(milliseconds(700));
   EXPECT_EQ("", connection_.transport_problem);
   watch(milliseconds(100));
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no test datagram has come; a firewall"));
-  EXPECT_EQ(4, tests_);
   watch(seconds(9));
   EXPECT_EQ(4, tests_);
   EXPECT_EQ("", ways_);
-  EXPECT_EQ(picture_, pictures_.size());
   EXPECT_EQ(1, logged("info robot:54321 sends its pictures by TCP, not by UDP"));
-}
-
-TEST_F(TransportChoiceTest, UdpIsUsedTenSecondsAfterTheFirewallLetsItThrough) {
-  lets_through_ = false;
-  answerAll();
-  watch(seconds(15));
   lets_through_ = true;
   watch(seconds(10));
   EXPECT_EQ("U", ways_);
@@ -157,14 +149,14 @@ TEST_F(TransportChoiceTest, OnlyTheRobotsTestCounts) {
   lets_through_ = false;
   beUntilTest();
   const Bytes good = testDatagram(payload_);
-  Bytes wrong_number = good;
-  wrong_number[7] ^= 1;
-  Bytes wrong_picture = good;
-  wrong_picture[11] ^= 1;
-  const Bytes cut(good.begin(), good.end() - 1);
-  const Bytes picture = test_support::makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0];
-  for (const Bytes& forged : {wrong_number, wrong_picture, cut, Bytes(), Bytes(1372), picture}) {
-    arrive(forged);
+  std::vector<Bytes> forged = {Bytes(), Bytes(1372), Bytes(good.begin(), good.end() - 1),
+                               test_support::makeDatagrams(makeJpeg(1), 0, kFrame, &sequence_)[0]};
+  for (const std::size_t number : {7U, 11U}) {  // of the datagram, of the picture
+    forged.push_back(good);
+    forged.back()[number] ^= 1;
+  }
+  for (const Bytes& each : forged) {
+    arrive(each);
     for (char kind = request(); kind != 0; kind = request()) {
       EXPECT_FALSE(kind == 'B' && !isTest());
     }
@@ -231,7 +223,6 @@ TEST_F(TransportChoiceTest, IfOnlyUdpIsWantedItIsUsedWithoutATest) {
   EXPECT_EQ("U", ways_);
   EXPECT_EQ(0, tests_);
   watch(milliseconds(1500));
-  EXPECT_EQ("UT", ways_);
   EXPECT_THAT(connection_.transport_problem, HasSubstr("no datagram"));
   lets_through_ = true;
   watch(seconds(11));

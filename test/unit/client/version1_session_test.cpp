@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <functional>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,11 @@ class Version1SessionTest : public SessionFixture {
 
   ServerHabits habits_;
   Version1Session session_{connection_, habits_, Version1Session::VersionAnswer::kRefused, now_};
+};
+
+/// For the rows of tables.
+struct NewVersion1Session : public Version1SessionTest {
+  void TestBody() override {}
 };
 
 // `W` is a toggle: one too many would switch the stream off.
@@ -128,31 +134,18 @@ TEST_F(Version1SessionTest, AfterAStopTheRequestWaitsUntilTheStreamHasDrained) {
   EXPECT_EQ(test_pictures::makeNumbered(3), answer.get().picture->jpeg);
 }
 
-TEST_F(Version1SessionTest, AnOwedPictureThatDoesNotComeEndsTheCallAndTheConnection) {
-  auto answer = takePicture(30, milliseconds(300));
-  command();
-  EXPECT_EQ("robot:54321 did not answer the request to take a picture within 300 ms",
-            whyGivenUpWithin(milliseconds(300)));
-  EXPECT_EQ(CallOutcome::kTimeout, answer.get().outcome);
-}
-
-TEST_F(Version1SessionTest, ADamagedAnswerIsRequestedAgainWhileTheTimeAllows) {
+TEST_F(Version1SessionTest, ADamagedPictureIsDroppedAndRequestedAgainIfItIsACallers) {
   auto answer = takePicture(30);
   command();
   receive(test_pictures::makeReply(Bytes(5000, 0)));
   EXPECT_EQ("F30", command());
   receivePicture(2);
   EXPECT_EQ(test_pictures::makeNumbered(2), answer.get().picture->jpeg);
-  EXPECT_EQ(1u, counters_.corrupt_pictures);
-}
-
-TEST_F(Version1SessionTest, DamagedPicturesOfTheStreamAreDroppedAndTheStreamGoesOn) {
   wanted_.streaming = true;
   command();
   receive(test_pictures::makeReply(Bytes(5000, 0)));
-  receive(test_pictures::makeReply(Bytes(5000, 0)));
-  receivePicture(2);
-  EXPECT_EQ(1u, pictures_.size());
+  receivePicture(3);
+  EXPECT_EQ(2u, pictures_.size());
   EXPECT_EQ(2u, counters_.corrupt_pictures);
   EXPECT_EQ(1, logged("sent a damaged picture"));
 }
@@ -165,28 +158,21 @@ TEST_F(Version1SessionTest, AJointIsSentInHundredthsOfADegreeAndItsAnswerReporte
   EXPECT_TRUE(telemetry_.empty());
 }
 
-TEST_F(Version1SessionTest, JointsAreSentOneAtATimeAndNothingElseMeanwhile) {
+TEST_F(Version1SessionTest, SpeedLimitsAndThenJointsAreSentOneAtATimeAndNothingElseMeanwhile) {
   commandJoints({{1, 0.1}, {2, 0.2}});
-  EXPECT_EQ("J1=573", command());
+  limitSpeed({{1, 0.5}, {2, 20}});
+  EXPECT_EQ("V1=2865", command());
   wanted_.streaming = true;
   auto answer = takePicture(10);
   EXPECT_EQ("", command()) << "TCP may join two requests, and the robot would take them for another one";
-  receive({'j', 1, 0x3D, 0x02});
+  receiveValue("V1", 2865);
   EXPECT_EQ("W73", command());
-  EXPECT_EQ("J2=1146", command());
-  EXPECT_EQ("", command());
-  receive({'j', 2, 0x7A, 0x04});
-  EXPECT_EQ("", command());
-}
-
-TEST_F(Version1SessionTest, SpeedLimitsGoFirst) {
-  commandJoints({{1, 0.1}});
-  limitSpeed({{1, 0.5}, {2, 20}});
-  EXPECT_EQ("V1=2865", command());
-  receive({'v', 1, 0x31, 0x0B});
   EXPECT_EQ("V2=32767", command()) << "the fastest that version 1 can express";
-  receive({'v', 2, 0xFF, 0x7F});
+  receiveValue("V2", 32767);
   EXPECT_EQ("J1=573", command());
+  EXPECT_EQ("", command());
+  receiveValue("J1", 573);
+  EXPECT_EQ("J2=1146", command());
 }
 
 // The ERS-7's table; 20 of each a second.
@@ -215,20 +201,15 @@ TEST_F(Version1SessionTest, WithTelemetryWantedJointsAndSensorsAreAskedForInTurn
 TEST_F(Version1SessionTest, EachValueIsReportedInItsUnitWithTheTimeOfItsFirstByte) {
   const std::pair<std::string, std::pair<int, double>> rows[] = {
       {"J11", {-1000, -0.1745329}},
-      {"S5", {42, 42}},  // head_touch, a strength
-      {"S24", {1, 1}},
-      {"S53", {42, 0.42}},  // a switch; range_near, m
-      {"S61", {42, 0.42}},
-      {"S66", {42, 0.42}},  // acceleration_front_back, m/s^2; battery
-      {"S67", {42, 0.42}},  // temperature, degree Celsius
+      {"S24", {1, 1}},      // a switch
+      {"S53", {42, 0.42}},  // range_near, m
   };
   wanted_.telemetry_period = 4;
   for (const auto& [name, values] : rows) {
     std::string request = command();
-    while (request != name) {
+    for (; request != name; request = command()) {
       receiveValue(request);
       pass(milliseconds(25));
-      request = command();
     }
     const TimePoint first_byte_time = now_;
     receive({static_cast<std::uint8_t>(name[0] - 'A' + 'a')});
@@ -237,20 +218,11 @@ TEST_F(Version1SessionTest, EachValueIsReportedInItsUnitWithTheTimeOfItsFirstByt
              static_cast<std::uint8_t>(values.first >> 8 & 0xFF)});
     const Telemetry& telemetry = telemetry_.back();
     EXPECT_EQ(first_byte_time, telemetry.arrival);
-    EXPECT_EQ(3u, telemetry.connection_number);
     EXPECT_FALSE(telemetry.frame_number);
     EXPECT_NEAR(values.second, name[0] == 'J' ? telemetry.joints.at(0).position : telemetry.sensors.at(0).value, 1e-6)
         << name;
     pass(milliseconds(15));
   }
-}
-
-TEST_F(Version1SessionTest, AJointRequestWithoutAnAnswerEndsTheConnection) {
-  commandJoints({{1, 0.1}});
-  EXPECT_EQ("J1=573", command());
-  pass(milliseconds(999));
-  EXPECT_EQ("", command());
-  EXPECT_EQ("robot:54321 did not answer the request 'J' for joint 1 within 1000 ms", whyGivenUpWithin(milliseconds(1)));
 }
 
 TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
@@ -267,7 +239,6 @@ TEST_F(Version1SessionTest, LedsAreSetOneByOne) {
   EXPECT_EQ("", command());
 }
 
-// The only request with a mode sets all LEDs.
 TEST_F(Version1SessionTest, AllLedsWithTheSameIntensityAndModeAreSetTogether) {
   std::vector<LedCommand> leds;
   for (int id = 1; id <= 26; ++id) {
@@ -320,46 +291,60 @@ TEST_F(Version1SessionTest, ASlowUploadDoesNotMakeTheStreamSeemDead) {
   EXPECT_FALSE(bytes().empty());
   pass(milliseconds(1900));
   receive({'u', 0, 0, 0});
-  pass(milliseconds(499));
-  EXPECT_EQ(kSilentStream, whyGivenUpWithin(milliseconds(1))) << "it has been answered, so pictures are due again";
+  EXPECT_EQ(kSilentStream, whyGivenUpWithin(milliseconds(500))) << "it has been answered, so pictures are due again";
 }
 
 TEST_F(Version1SessionTest, ErrorCodesAreExplained) {
   const struct {
-    std::function<Call()> call;
+    Call call;
     std::uint8_t code;
     std::string problem;
   } rows[] = {
-      {[] { return callForPicture(30); }, 1, "refused to take a picture: error code 1."},
-      {[] { return callToPlay("NOD.MTN"); }, 1,
-       "refused to play the motion NOD.MTN: there is no such file in OPEN-R/MW/DATA/P on its memory stick, or it "
-       "cannot "
-       "be read (error code 1)."},
-      {[] { return callToPlay("NOD.MTN"); }, 0, "are its motors on, and is the file a motion for this robot?"},
-      {[] { return callToDelete("NOD.MTN"); }, 2, "does not accept this as the name of a motion"},
-      {[] { return callToStore("NOD.MTN", Bytes(10)); }, 0, "needs a line ALLOW_UPLOAD=yes"},
-      {[] { return callToDelete("NOD.MTN"); }, 0, "ALLOW_DELETE=yes"},
-      {[] { return makeCall(version2::SHUT_DOWN); }, 0, "refused to shut down: is it allowed?"},
-      {[] { return makeCall(version2::REBOOT); }, 0, "ALLOW_REBOOT=yes"},
+      {callForPicture(30), 1, "refused to take a picture: error code 1."},
+      {callToPlay("NOD.MTN"), 1, "there is no such file in OPEN-R/MW/DATA/P on its memory stick"},
+      {callToPlay("NOD.MTN"), 0, "are its motors on, and is the file a motion for this robot?"},
+      {callToDelete("NOD.MTN"), 2, "does not accept this as the name of a motion"},
+      {callToStore("NOD.MTN", Bytes(10)), 0, "needs a line ALLOW_UPLOAD=yes"},
+      {callToDelete("NOD.MTN"), 0, "ALLOW_DELETE=yes"},
+      {makeCall(version2::SHUT_DOWN), 0, "refused to shut down: is it allowed?"},
+      {makeCall(version2::REBOOT), 0, "ALLOW_REBOOT=yes"},
   };
   for (const auto& row : rows) {
-    auto answer = add(row.call());
+    auto answer = add(row.call);
     EXPECT_FALSE(bytes().empty());
     receive({'e', 0, row.code, 0});
     const Answer refusal = answer.get();
     EXPECT_EQ(CallOutcome::kRefused, refusal.outcome);
     EXPECT_THAT(refusal.problem, HasSubstr(row.problem));
   }
-  EXPECT_EQ(std::size(rows), counters_.refusals);
 }
 
-TEST_F(Version1SessionTest, ACallWithoutAnAnswerEndsTheConnectionBecauseTheNextAnswerCouldBelongToAnyRequest) {
-  auto answer = add(callToPlay("NOD.MTN"), milliseconds(3000));
-  EXPECT_FALSE(bytes().empty());
-  pass(milliseconds(2999));
-  EXPECT_EQ("robot:54321 did not answer the request to play the motion NOD.MTN within 3000 ms",
-            whyGivenUpWithin(milliseconds(1)));
-  EXPECT_EQ("no answer within 3000 ms. The robot may or may not play the motion NOD.MTN.", answer.get().problem);
+// The next answer could belong to any request.
+TEST(Version1Session, EndsTheConnectionIfARequestHasNoAnswer) {
+  const struct {
+    std::function<std::future<Answer>(NewVersion1Session&)> ask;
+    int time;
+    std::string request;
+    std::string problem;  // of the call
+  } rows[] = {
+      {[](auto& robot) { return robot.takePicture(30, milliseconds(300)); }, 300, "to take a picture", "within 300 ms"},
+      {[](auto& robot) { return robot.add(callToPlay("NOD.MTN"), milliseconds(3000)); }, 3000,
+       "to play the motion NOD.MTN", "no answer within 3000 ms. The robot may or may not play the motion NOD.MTN."},
+      {[](auto& robot) {
+         robot.commandJoints({{1, 0.1}});
+         return std::future<Answer>();
+       },
+       1000, "'J' for joint 1", ""},
+  };
+  for (const auto& row : rows) {
+    NewVersion1Session robot;
+    std::future<Answer> answer = row.ask(robot);
+    EXPECT_FALSE(robot.bytes().empty());
+    robot.pass(milliseconds(row.time - 1));
+    EXPECT_EQ("robot:54321 did not answer the request " + row.request + " within " + std::to_string(row.time) + " ms",
+              robot.whyGivenUpWithin(milliseconds(1)));
+    EXPECT_THAT(answer.valid() ? answer.get().problem : "", HasSubstr(row.problem));
+  }
 }
 
 /// A server that has not said anything yet.
@@ -386,12 +371,9 @@ TEST_F(SilentServerTest, IsConnectedWhenThePictureComesWhichIsNobodys) {
   receivePicture(1);
   EXPECT_TRUE(silent_.ready());
   EXPECT_TRUE(pictures_.empty());
-  EXPECT_EQ("", command());
-  pass(milliseconds(10000));
   auto answer = takePicture(30);
   EXPECT_EQ("F30", command());
   receivePicture(2);
-  ASSERT_TRUE(done(answer));
   EXPECT_EQ(test_pictures::makeNumbered(2), answer.get().picture->jpeg);
 }
 
@@ -406,11 +388,6 @@ TEST_F(SilentServerTest, IsConnectedWhenTheStreamThatIsWantedComes) {
   EXPECT_TRUE(silent_.ready());
   EXPECT_EQ(1u, pictures_.size());
 }
-
-/// For the rows of tables.
-struct NewVersion1Session : public Version1SessionTest {
-  void TestBody() override {}
-};
 
 TEST_F(Version1SessionTest, TheOrderAndTheJointAreNamed) {
   commandJoints({{2, 0.5}});
@@ -489,7 +466,6 @@ TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
   auto motion = order(callToPlay("NOD.MTN"));
   EXPECT_EQ('P', request());
   receive({'p', 0, 0, 0});
-  EXPECT_EQ(CallOutcome::kDone, motion.get().outcome);
   ASSERT_EQ(1u, ended_.size());
   EXPECT_EQ(EndedKind::kMotion, ended_[0].kind);
   EXPECT_EQ(EndedHow::kUnknown, ended_[0].how);
@@ -498,7 +474,6 @@ TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
   auto refused = order(callToPlay("SIT.MTN"));
   EXPECT_EQ('P', request());
   receive({'e', 0, 1, 0});
-  EXPECT_EQ(CallOutcome::kRefused, refused.get().outcome);
   ASSERT_EQ(1u, refusals_.size());
   EXPECT_EQ(RefusedRequest::kMotion, refusals_[0].request);
   EXPECT_EQ(kFirstOrder + 1, refusals_[0].order);
@@ -507,24 +482,17 @@ TEST_F(Version1SessionTest, AMotionEndsWhenItHasBegun) {
 
 TEST_F(Version1SessionTest, AJointThatWasMeasuredAndIsRefusedOnceDoesNotFollow) {
   wanted_.telemetry_period = 4;
-  int asked = 0;
-  const auto run_until_asked = [&](int times) {  // only head_pan is refused, and only after the first time
-    while (asked < times) {
-      const Bytes bytes = session_.nextRequest(wanted_, now_);
-      const bool is_pan = !bytes.empty() && bytes[0] == 'J' && bytes[1] == 2;
-      asked += is_pan ? 1 : 0;
-      if (!bytes.empty()) {
-        receive(is_pan && asked > 1 ? Bytes{'e', 0, 0, 0}
-                                    : Bytes{static_cast<std::uint8_t>(bytes[0] + 'a' - 'A'), bytes[1], 0, 0});
-      }
-      now_ += milliseconds(10);
+  for (int pans = 0; pans < 2; now_ += milliseconds(10)) {  // only head_pan is refused, and only the second time
+    const std::string request = command();
+    pans += request == "J2" ? 1 : 0;
+    if (request == "J2" && pans == 2) {
+      EXPECT_TRUE(log_.empty());
+      receive({'e', 0, 0, 0});
+    } else if (!request.empty()) {
+      receiveValue(request);
     }
-  };
-  run_until_asked(1);
-  EXPECT_TRUE(log_.empty());
-  run_until_asked(2);
+  }
   EXPECT_EQ(1, logged("refused to move joint 2: the joint does not follow its commands"));
-  run_until_asked(3);
 }
 
 TEST_F(Version1SessionTest, ASettingChangesNoByteAndTheLogSaysThatItHasNoEffect) {

@@ -17,9 +17,11 @@ using namespace aibo_client;
 using namespace test_support;
 using std::chrono::milliseconds;
 using test_pictures::Bytes;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 using version2_frames::makeFrame;
 
@@ -50,6 +52,10 @@ TEST_F(Version2SessionTest, TheHelloIntroducesTheRobot) {
   EXPECT_DOUBLE_EQ(-1.5, robot.joint_limits[1].lower);
   EXPECT_DOUBLE_EQ(1.6, robot.joint_limits[1].upper);
   EXPECT_DOUBLE_EQ(10, robot.joint_limits[1].speed);
+  EXPECT_DOUBLE_EQ(0.15, robot.walk_limits.forward);
+  EXPECT_DOUBLE_EQ(0.1, robot.walk_limits.back);
+  EXPECT_DOUBLE_EQ(0.06, robot.walk_limits.left);
+  EXPECT_DOUBLE_EQ(1.2, robot.walk_limits.turn);
 }
 
 TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
@@ -69,26 +75,20 @@ TEST(Version2SessionBeginTest, NothingIsAskedForBeforeTheHelloIsAnswered) {
   EXPECT_THROW(session.checkDeadlines(now + milliseconds(1700)), Fault);
 }
 
-TEST_F(Version2SessionTest, SaysHelloEachSecondAndWhenItIsAskedTo) {
-  int hellos = 0;
-  for (const TimePoint end = now_ + std::chrono::seconds(10); now_ < end; pass(session_.nextDeadline() - now_)) {
-    for (std::string each = request(); !each.empty(); each = request()) {
-      ++hellos;
-      EXPECT_EQ("H 0", each);
-      answer(version2_frames::makeHello());
-      push('t', version2_frames::makeTelemetry(7, {}));
-    }
-    steer({0.1, 0, 0});  // what else is sent does not matter
+TEST_F(Version2SessionTest, SaysHelloEachSecondWhateverElseIsSentAndWhenItIsAskedTo) {
+  for (int second = 0; second < 3; ++second) {
+    pass(milliseconds(999));
+    steer({});
     EXPECT_EQ("S", requests());
     answer(Bytes(8));
+    pass(milliseconds(1));
+    EXPECT_EQ("H 0", request());
+    answer(version2_frames::makeHello());
   }
-  EXPECT_NEAR(10, hellos, 1);
   push('h', {});
   EXPECT_EQ("H", requests());
   push('h', {});
   EXPECT_EQ("H", requests()) << "though the one before is not answered";
-  pass(milliseconds(999));
-  EXPECT_EQ("", request());
 }
 
 TEST_F(Version2SessionTest, AServerThatDoesNotAnswerTheHeartbeatIsGivenUpAlsoWhileNothingIsWanted) {
@@ -116,32 +116,24 @@ TEST(Version2Session, EndsIfTheServerSendsWhatNoneSends) {
     EXPECT_THAT(SessionFixture::whyGivenUp([&, bytes = bytes] { session.receive(bytes); }), HasSubstr(problem));
   }
   const struct {
-    std::function<void(NewSession&)> ask;
+    char request;
+    char kind;  // of the request that the reply belongs to
     Bytes payload;
     std::string problem;
   } replies[] = {
-      {[](NewSession& session) {
-         session.steer({0.1, 0, 0});
-       },
-       {0, 100, 0, 0, 0, 0},
-       "bad reply to steering"},
-      {[](NewSession& session) {
-         session.commandLeds({{7, 1}});
-       },
-       {7, 1, 9, 0},
-       "bad "},
+      {'S', 'S', {0, 100, 0, 0, 0, 0}, "bad reply to steering"},
+      {'L', 'L', {7, 1, 9, 0}, "bad "},
+      {'S', 'V', {}, "a reply 'v' to the request 'S'"},
   };
   for (const auto& row : replies) {
     NewSession session;
-    row.ask(session);
-    session.request();
+    session.steer({});
+    session.commandLeds({{7, 1}});
+    while (session.request()[0] != row.request) {
+    }
+    session.frame_.header.kind = row.kind;
     EXPECT_THAT(SessionFixture::whyGivenUp([&] { session.answer(row.payload); }), HasSubstr(row.problem));
   }
-  NewSession session;
-  session.commandJoints({{2, 0.5}});
-  session.request();
-  session.frame_.header.kind = 'V';
-  EXPECT_THAT(SessionFixture::whyGivenUp([&] { session.answer({}); }), HasSubstr("a reply 'v' to the request 'J'"));
 }
 
 TEST_F(Version2SessionTest, PushesOfUnknownKindsAndRepliesToUnknownNumbersAreIgnored) {
@@ -172,17 +164,6 @@ TEST_F(Version2SessionTest, AStreamThatIsSilentIsGivenUpThoughTheHeartbeatIsAnsw
   EXPECT_EQ(kSilentStream, whyGivenUp([this] { live(milliseconds(1)); }));
 }
 
-TEST_F(Version2SessionTest, APictureMayComeSlowly) {
-  stream();
-  const Bytes picture = makeFrame('f', 0, version2_frames::makePicture(test_pictures::makeNumbered(1), 0));
-  const auto part = static_cast<std::ptrdiff_t>(picture.size() / 4);
-  for (std::ptrdiff_t begin = 0; begin < 4 * part; begin += part) {
-    now_ += milliseconds(400);
-    receive(Bytes(picture.begin() + begin, begin == 3 * part ? picture.end() : picture.begin() + begin + part));
-  }
-  EXPECT_EQ(1u, counters_.pictures + counters_.stale_pictures);
-}
-
 TEST_F(Version2SessionTest, PicturesThatArrivedTogetherAre1NsApart) {
   stream();
   const Bytes picture = makeFrame('f', 0, version2_frames::makePicture(test_pictures::makeNumbered(1), 1));
@@ -200,7 +181,6 @@ TEST_F(Version2SessionTest, PicturesOfAStoppedStreamAreDroppedAndAFaultIfTheyDoN
   request();
   answer(frame_.payload);
   pushPicture(1);
-  EXPECT_EQ(1u, counters_.unexpected_pictures);
   EXPECT_THAT(pictures_, IsEmpty());
   live(milliseconds(1100));
   EXPECT_THAT(whyGivenUp([this] { pushPicture(2); }), HasSubstr("it sends pictures although it was told to stop"));
@@ -236,19 +216,13 @@ TEST_F(Version2SessionTest, ACallThatTimesOutLeavesTheConnectionAloneAndItsLateP
 }
 
 TEST_F(Version2SessionTest, ADamagedAnswerIsRequestedAgainWhileTimeIsLeft) {
-  auto first = takePicture(10);
-  auto second = takePicture(20, milliseconds(100));
-  EXPECT_EQ("F 10 0", request());
-  const Frame good = frame_;
-  EXPECT_EQ("F 20 0", request());
+  auto taken = takePicture(20, milliseconds(100));
   for (int i = 0; i < 2; ++i) {
-    answer(version2_frames::makePicture(Bytes(5000, 7), 1));
     EXPECT_EQ("F 20 0", request());
+    answer(version2_frames::makePicture(Bytes(5000, 7), 1));
   }
   pass(milliseconds(100));
-  EXPECT_THAT(second.get().problem, HasSubstr("no picture within 100 ms; the last one was damaged: "));
-  answer(good, version2_frames::makePicture(test_pictures::makeNumbered(1), 1));
-  EXPECT_EQ(CallOutcome::kDone, first.get().outcome);
+  EXPECT_THAT(taken.get().problem, HasSubstr("no picture within 100 ms; the last one was damaged: "));
 }
 
 // ---- Telemetry
@@ -258,15 +232,10 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   EXPECT_EQ("T 1 0 4", request());
   answer({0, 4});
   EXPECT_THAT(telemetry_, IsEmpty()) << "that was the period";
-  const Bytes frame = makeFrame('t', 0,
-                                version2_frames::makeTelemetry(99, {{'J', 2, -500000},
-                                                                    {'S', 53, 250000},
-                                                                    {'S', 14, 1},
-                                                                    {'S', 5, 80000000},
-                                                                    {'S', 200, -1},
-                                                                    {'J', 52, 1000000},
-                                                                    {'D', 52, -250000},
-                                                                    {'D', 77, 1}}));
+  const Bytes frame = makeFrame(
+      't', 0,
+      version2_frames::makeTelemetry(
+          99, {{'J', 2, -500000}, {'S', 53, 250000}, {'S', 200, -1}, {'J', 52, 1000000}, {'D', 52, -250000}}));
   const TimePoint first_byte_time = now_;
   receive(Bytes(frame.begin(), frame.begin() + 1));
   pass(milliseconds(10));
@@ -281,54 +250,39 @@ TEST_F(Version2SessionTest, TelemetryIsReportedInUnitsWithTheRobotsTime) {
   EXPECT_DOUBLE_EQ(-0.5, telemetry.joints[0].position);
   EXPECT_FALSE(telemetry.joints[0].duty) << "not sent";
   EXPECT_EQ(-0.25, telemetry.joints[1].duty);
-  ASSERT_THAT(telemetry.sensors, SizeIs(4));
+  ASSERT_THAT(telemetry.sensors, SizeIs(2));
   EXPECT_EQ(53, telemetry.sensors[0].id);
-  EXPECT_DOUBLE_EQ(0.25, telemetry.sensors[0].value) << "range_near, m";
-  EXPECT_DOUBLE_EQ(1, telemetry.sensors[1].value) << "paw_left_front, a switch";
-  EXPECT_DOUBLE_EQ(80, telemetry.sensors[2].value) << "head_touch, a strength";
-  EXPECT_DOUBLE_EQ(-1e-6, telemetry.sensors[3].value) << "a sensor of a newer robot";
+  EXPECT_DOUBLE_EQ(0.25, telemetry.sensors[0].value);
+  EXPECT_DOUBLE_EQ(-1e-6, telemetry.sensors[1].value) << "a sensor of a newer robot";
   wanted_.telemetry_period = 0x102;
   EXPECT_EQ("T 1 1 2", request()) << "another rate";
 }
 
-// Telemetry of the frames 4, 8, 12 ...
-Bytes makeBurst(unsigned count) {
-  Bytes bytes;
-  for (unsigned i = 1; i <= count; ++i) {
-    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(4 * i, {{'J', 1, 1000 * static_cast<int>(i)}}));
-    bytes.insert(bytes.end(), each.begin(), each.end());
-  }
-  return bytes;
-}
-
 TEST_F(Version2SessionTest, OfTelemetryThatArrivedTogetherTheNewest64AreReportedInOrder) {
-  receive(makeBurst(70));
+  Bytes burst;
+  for (unsigned i = 1; i <= 70; ++i) {
+    const Bytes each = makeFrame('t', 0, version2_frames::makeTelemetry(4 * i, {{'J', 1, 1000}}));
+    burst.insert(burst.end(), each.begin(), each.end());
+  }
+  receive(burst);
   ASSERT_THAT(telemetry_, SizeIs(64));
   for (unsigned i = 0; i < 64; ++i) {
     EXPECT_EQ(28 + 4 * i, telemetry_[i].frame_number);
   }
-  EXPECT_EQ(64u, counters_.telemetry);
   EXPECT_EQ(6u, counters_.dropped_telemetry);
 }
 
 TEST_F(Version2SessionTest, ARobotThatWalksTellsHow) {
-  EXPECT_DOUBLE_EQ(0.15, connection_.robot.walk_limits.forward);
-  EXPECT_DOUBLE_EQ(0.1, connection_.robot.walk_limits.back);
-  EXPECT_DOUBLE_EQ(0.06, connection_.robot.walk_limits.left);
-  EXPECT_DOUBLE_EQ(1.2, connection_.robot.walk_limits.turn);
   wanted_.telemetry_period = 4;
   EXPECT_EQ("T 1 0 4", request());
   answer({0, 4});
-  push('t',
-       version2_frames::makeTelemetry(
-           99, {{'W', 1, 120000}, {'W', 2, -30000}, {'W', 3, 500000}, {'W', 4, 250000}, {'W', 5, 2}, {'W', 77, 1}}));
-  ASSERT_THAT(telemetry_, SizeIs(1));
-  ASSERT_TRUE(telemetry_[0].walk);
+  push('t', version2_frames::makeTelemetry(
+                99, {{'W', 1, 120000}, {'W', 2, -30000}, {'W', 3, 500000}, {'W', 4, 250000}, {'W', 77, 1}}));
+  ASSERT_TRUE(telemetry_.at(0).walk);
   EXPECT_DOUBLE_EQ(0.12, telemetry_[0].walk->velocity.forward);
   EXPECT_DOUBLE_EQ(-0.03, telemetry_[0].walk->velocity.left);
   EXPECT_DOUBLE_EQ(0.5, telemetry_[0].walk->velocity.turn);
   EXPECT_DOUBLE_EQ(0.25, telemetry_[0].walk->phase);
-  EXPECT_EQ(WalkState::kWalks, telemetry_[0].walk->state);
   push('t', version2_frames::makeTelemetry(103, {{'J', 1, 0}}));
   EXPECT_FALSE(telemetry_[1].walk);
   const std::pair<int, WalkState> states[] = {{0, WalkState::kNone},
@@ -406,27 +360,17 @@ TEST_F(Version2SessionTest, LedsAreReportedAsTheRobotAcceptedThem) {
   EXPECT_EQ("L 0 6 1 0 0 7 255 1 0", request());
   answer({6, 255, 0, 0, 7, 200, 1, 0});
   EXPECT_EQ("6=255A 7=200B ", leds_);
-  commandLeds({{99, 1}});
-  request();
-  refuse("there is no LED 99");
-  EXPECT_EQ("6=255A 7=200B ", leds_) << "what was refused is not reported";
 }
 
 TEST_F(Version2SessionTest, LedsAndEarsWaitForTheAnswerBeforeAndThenTheLatestIsNext) {
-  commandLeds({{7, 1}});
-  EXPECT_EQ("L 0 7 1 0 0", request());
-  const Frame leds = frame_;
-  commandEars(true, false);
-  EXPECT_EQ("K 0 1 0", request());
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 10; ++i) {
     commandLeds({{7, i}});
     commandEars(false, i % 2 != 0);
-    EXPECT_EQ("", request());
+    EXPECT_EQ(i == 0 ? "LK" : "", requests());
   }
   refuse("the ears are stuck");
   EXPECT_EQ("K 0 0 1", request());
-  answer(leds, {7, 1, 0, 0});
-  EXPECT_EQ("L 0 7 99 0 0", request());
+  EXPECT_EQ("", request()) << "the LEDs still wait";
 }
 
 // ---- Until when orders are good
@@ -550,9 +494,7 @@ TEST_F(Version2SessionTest, EachOrderEndsOnceByItsNumber) {
   answer({0, 0, 0, 0});
   pass(milliseconds(100));
   EXPECT_TRUE(posture.get().was_sent);
-  EXPECT_TRUE(motion.get().was_sent);
-  receive(makeFrame('e', numbers[0], {}));  // the answers come nevertheless
-  receive(makeFrame('p', numbers[1], {}));
+  receive(makeFrame('e', numbers[0], {}));  // the answer comes nevertheless
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(kFirstOrder + static_cast<unsigned>(i), end(i + 1, numbers[static_cast<std::size_t>(i)]));
     EXPECT_EQ(0u, end(i + 1, numbers[static_cast<std::size_t>(i)])) << "it has ended";
@@ -588,28 +530,23 @@ TEST_F(Version2SessionTest, AnOrderIsRefusedByItsNumberAlsoIfNobodyWaits) {
 }
 
 TEST_F(Version2SessionTest, AnOrderThatCannotBeSentIsWithdrawn) {
+  const auto expect_too_old = [this](const std::string& why, std::uint64_t order) {
+    expectRefusals({{RefusedRequest::kMotion, RefusalCause::kTooOld, {}, why, order}});
+  };
   auto upload = add(callToStore("NOD.MTN", {1, 2, 3}), milliseconds(10000));
   EXPECT_EQ('U', request()[0]);
   const Frame sent = frame_;
   auto brief = order(callToPlay("SIT.MTN"), milliseconds(100));
   auto old = order(callToPlay("SIT.MTN"), milliseconds(5000));
   pass(milliseconds(100));
-  expectRefusals({{RefusedRequest::kMotion,
-                   RefusalCause::kTooOld,
-                   {},
-                   "the request could not be sent within 100 ms",
-                   kFirstOrder}});
+  expect_too_old("the request could not be sent within 100 ms", kFirstOrder);
   const Answer brief_answer = brief.get();
   EXPECT_EQ(CallOutcome::kTimeout, brief_answer.outcome);
   EXPECT_FALSE(brief_answer.was_sent);
   pass(milliseconds(401));
   answer(sent, {});
   EXPECT_EQ("", requests());
-  expectRefusals({{RefusedRequest::kMotion,
-                   RefusalCause::kTooOld,
-                   {},
-                   "too old: it could not be sent to robot:54321 in time",
-                   kFirstOrder + 1}});
+  expect_too_old("too old: it could not be sent to robot:54321 in time", kFirstOrder + 1);
   EXPECT_EQ("The order to play the motion SIT.MTN is too old: it could not be sent to robot:54321 in time.",
             old.get().problem);
 }
@@ -619,28 +556,29 @@ TEST_F(Version2SessionTest, AVelocityBelongsToTheWalkThatTheRobotNames) {
     answer({0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(walk >> 8), static_cast<std::uint8_t>(walk)});
     return steered_orders_.back();
   };
-  const auto number = [this] { return static_cast<int>(frame_.header.request_number); };
   const auto send = [this](const WalkVelocity& velocity) {
     steer(velocity);
     EXPECT_EQ("S", requests());
+    return static_cast<int>(frame_.header.request_number);
+  };
+  const auto end = [this](int how, int walk) {
+    push('i', version2_frames::makeEnd(version2::ENDED_WALK, how, "walk", "", walk));
+    return ended_.back().order;
   };
   send({});
   EXPECT_EQ(std::make_pair(last_order_, std::uint64_t{0}), steered(0));
-  send({0.1, 0, 0});
-  const int walk = number();
+  const int walk = send({0.1, 0, 0});
   const std::uint64_t began = last_order_;
   EXPECT_EQ(std::make_pair(began, began), steered(walk));
-  send({0.1, 0, 0});
-  EXPECT_EQ(std::make_pair(last_order_, began), steered(walk));
-  send({});  // it walks to a stand
-  EXPECT_EQ(std::make_pair(last_order_, began), steered(walk));
-  push('i', version2_frames::makeEnd(version2::ENDED_WALK, version2::END_DONE, "walk", "", walk));
-  EXPECT_EQ(began, ended_.back().order);
+  for (const double forward : {0.1, 0.0}) {  // with 0, it walks to a stand
+    send({forward, 0, 0});
+    EXPECT_EQ(std::make_pair(last_order_, began), steered(walk));
+  }
+  EXPECT_EQ(began, end(version2::END_DONE, walk));
   send({0.1, 0, 0});
   EXPECT_EQ(std::make_pair(last_order_, std::uint64_t{0}), steered(walk)) << "that walk has ended";
-  send({0.1, 0, 0});  // it begins a walk that ends at once
-  push('i', version2_frames::makeEnd(version2::ENDED_WALK, version2::END_FELL, "walk", "", number()));
-  EXPECT_EQ(last_order_, ended_.back().order);
+  const int brief = send({0.1, 0, 0});
+  EXPECT_EQ(last_order_, end(version2::END_FELL, brief)) << "it begins a walk that ends at once";
   steered(0);
   expectRefusals({});
 }
@@ -669,33 +607,29 @@ TEST_F(Version2SessionTest, ZerosAreSentAtOnceAndBeforeAVelocityThatCameAfterThe
   EXPECT_EQ("S 0 0 0 0 52 0 200 0 0 0 0 0 0", request());
 }
 
-// Each answer and each push goes through a number of 16 bits.
 TEST_F(Version2SessionTest, TheNumbersOfOrdersThatGoOnAreNotUsedAgain) {
   steer({0.1, 0, 0});
-  EXPECT_EQ("S", requests());
-  const auto walk = frame_.header.request_number;
-  answer({0, 0, 0, 0, 0, 0, static_cast<std::uint8_t>(walk >> 8), static_cast<std::uint8_t>(walk)});
   auto motion = order(callToPlay("NOD.MTN", 65535));
-  EXPECT_EQ("P", requests());
-  const auto nod = frame_.header.request_number;
-  answer({});
   commandJoints({{2, 0.1}});
-  EXPECT_EQ("J", requests());
-  const auto joints = frame_.header.request_number;
-  answer({0, 0, 0, 0});
+  std::vector<std::uint16_t> going_on;
+  for (const char letter : {'P', 'S', 'J'}) {
+    EXPECT_EQ(letter, request()[0]);
+    going_on.push_back(frame_.header.request_number);
+    Bytes reply(letter == 'P' ? 0 : letter == 'J' ? 4 : 8);
+    if (letter == 'S') {
+      protocol::encodeBigEndian16(frame_.header.request_number, &reply[6]);
+    }
+    answer(reply);
+  }
   for (int i = 0; i < 70000; ++i) {
     commandEars(i % 2 == 0, false);
     EXPECT_EQ('K', request()[0]);
-    const auto number = frame_.header.request_number;
-    ASSERT_TRUE(number != walk && number != nod && number != joints) << i;
+    ASSERT_THAT(going_on, Not(Contains(frame_.header.request_number))) << i;
     answer({0, 0});
   }
-  for (const auto number : {walk, nod, joints}) {
+  for (const int number : going_on) {
     push('i', version2_frames::makeEnd(version2::ENDED_WALK, version2::END_DONE, "", "", number));
-  }
-  ASSERT_THAT(ended_, SizeIs(3));
-  for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_EQ(kFirstOrder + i, ended_[i].order);
+    EXPECT_NE(0u, ended_.back().order);
   }
 }
 
@@ -712,18 +646,6 @@ TEST_F(Version2SessionTest, AServerThatEndsNoOrdersIsGivenUp) {
 }
 
 // ---- Refusals
-
-TEST_F(Version2SessionTest, ARefusalIsToldBeforeItsCallEnds) {
-  std::size_t told = 0;
-  Call posture = callForPosture(version2::POSTURE_SIT);
-  posture.terms = terms();
-  posture.deadline = now_ + milliseconds(2000);
-  posture.fail = [&](const std::exception_ptr&) { told = refusals_.size(); };
-  connection_.add(std::move(posture));
-  EXPECT_EQ("E", requests());
-  refuse("no");
-  EXPECT_EQ(1u, told);
-}
 
 TEST_F(Version2SessionTest, WhatTheRobotRefusesIsToldWithItsOrderAndItsParts) {
   commandJoints({{2, 0.5}, {1, -0.1}});
@@ -766,61 +688,62 @@ TEST(Version2Session, SendsAnOrderToStopBeforeEverythingElse) {
 }
 
 TEST(Version2Session, DropsWaitingOrdersAsInThisTable) {
-  using Order = std::function<std::future<Answer>(NewSession&)>;
-  const auto command = [](const std::function<void(NewSession&)>& give) {
-    return [give](NewSession& session) { return give(session), std::future<Answer>(); };
+  using Give = std::function<std::future<Answer>(NewSession&)>;
+  const auto call = [](const std::function<Call()>& make) {
+    return [make](NewSession& session) { return session.add(make()); };
   };
-  const std::pair<std::string, Order> waiting[] = {
-      {"joint 2", command([](NewSession& session) {
-         session.commandJoints({{2, 0.1}});
-       })},
-      {"joint 11, of a leg", command([](NewSession& session) {
-         session.commandJoints({{11, 0.1}});
-       })},
-      {"walk", command([](NewSession& session) {
-         session.steer({0.1, 0, 0});
-       })},
-      {"motion NOD", [](NewSession& session) { return session.order(callToPlay("NOD.MTN")); }},
-      {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_SIT)); }},
-      {"motors on",
-       [](NewSession& session) {
-         Call call = callForMotors(true);
-         call.terms = {session.now_ + kLongestOrderWait, 0};
-         return session.add(std::move(call));
-       }},
-      {"velocity 0", command([](NewSession& session) { session.steer({}); })},
+  const auto order = [](const std::function<Call()>& make) {
+    return [make](NewSession& session) { return session.order(make()); };
   };
+  const auto joint = [](int id) {
+    return [id](NewSession& session) {
+      session.commandJoints({{id, 0.1}});
+      return std::future<Answer>();
+    };
+  };
+  const auto walk = [](double forward) {
+    return [forward](NewSession& session) {
+      session.steer({forward, 0, 0});
+      return std::future<Answer>();
+    };
+  };
+  const auto sit = order([] { return callForPosture(version2::POSTURE_SIT); });
+  const auto play_nod = order([] { return callToPlay("NOD.MTN"); });
+  const auto motors_on = [](NewSession& session) {
+    Call made = callForMotors(true);
+    made.terms = {session.now_ + kLongestOrderWait, 0};
+    return session.add(std::move(made));
+  };
+  const Give waiting[] = {joint(2), joint(11), walk(0.1), play_nod, sit, motors_on, walk(0)};  // 11 is of a leg
   const struct {
-    std::string order;
-    Order give;
+    std::string name;
+    Give give;
     std::string dropped;  // x: this order of `waiting` is not carried out
   } rows[] = {
-      {"hold everything", [](NewSession& session) { return session.add(callToHold({})); }, "xxxxxxx"},
-      {"hold joint 2", [](NewSession& session) { return session.add(callToHold({2})); }, "x--xxx-"},
-      {"hold joint 11",
-       [](NewSession& session) {
-         return session.add(callToHold({3, 11}));
-       },
+      {"hold everything", call([] { return callToHold({}); }), "xxxxxxx"},
+      {"hold joint 2", call([] { return callToHold({2}); }), "x--xxx-"},
+      {"hold joint 11", call([] {
+         return callToHold({3, 11});
+       }),
        "-xxxxxx"},
-      {"motors off", [](NewSession& session) { return session.add(callForMotors(false)); }, "xxxxxxx"},
-      {"motors on", [](NewSession& session) { return session.add(callForMotors(true)); }, "xx-----"},
-      {"posture", [](NewSession& session) { return session.order(callForPosture(version2::POSTURE_STAND)); },
-       "xxx----"},
-      {"play SIT", [](NewSession& session) { return session.order(callToPlay("SIT.MTN")); }, "xx-----"},
-      {"stop NOD", [](NewSession& session) { return session.add(callToStop("NOD.MTN")); }, "---x---"},
-      {"stop SIT", [](NewSession& session) { return session.add(callToStop("SIT.MTN")); }, "-------"},
-      {"stop all motions", [](NewSession& session) { return session.add(callToStop("")); }, "---x---"},
+      {"motors off", call([] { return callForMotors(false); }), "xxxxxxx"},
+      {"motors on", motors_on, "xx-----"},
+      {"posture", sit, "xxx----"},
+      {"play SIT", order([] { return callToPlay("SIT.MTN"); }), "xx-----"},
+      {"stop NOD", call([] { return callToStop("NOD.MTN"); }), "---x---"},
+      {"stop SIT", call([] { return callToStop("SIT.MTN"); }), "-------"},
+      {"stop all motions", call([] { return callToStop(""); }), "---x---"},
   };
   for (const auto& row : rows) {
     std::string dropped;
-    for (const auto& [name, wait] : waiting) {
+    for (const Give& wait : waiting) {
       NewSession session;
       const std::future<Answer> answer = wait(session);
       const std::future<Answer> other = row.give(session);
       session.requests();
       dropped += !session.refusals_.empty() || (answer.valid() && session.done(answer)) ? "x" : "-";
     }
-    EXPECT_EQ(row.dropped, dropped) << row.order;
+    EXPECT_EQ(row.dropped, dropped) << row.name;
   }
 }
 
@@ -896,12 +819,12 @@ TEST_F(Version2SessionTest, TheRobotTellsOfItsMotorsAndItsPosture) {
       {version2::POSTURE_CARRIED, PostureNow::kCarried}, {7, PostureNow::kUnknown},
   };
   for (const auto& [number, posture] : postures) {
-    push('o', {1, number, 0, 0});
-    EXPECT_EQ(posture, connection_.motors_and_posture.posture) << +number;
+    for (const bool on : {true, false}) {
+      push('o', {on, number, 0, 0});
+      EXPECT_EQ(posture, connection_.motors_and_posture.posture) << +number;
+      EXPECT_EQ(on ? MotorState::kOn : MotorState::kOff, connection_.motors_and_posture.motors);
+    }
   }
-  EXPECT_EQ(MotorState::kOn, connection_.motors_and_posture.motors);
-  push('o', {0, 0, 0, 0});
-  EXPECT_EQ(MotorState::kOff, connection_.motors_and_posture.motors);
 }
 
 TEST_F(Version2SessionTest, EveryKindAndWayOfEndIsToldAndThoseOfANewerServerAreUnknown) {

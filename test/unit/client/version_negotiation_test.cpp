@@ -1,25 +1,18 @@
 #include "client/version_negotiation.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 using aibo_client::VersionNegotiation;
 using std::chrono::milliseconds;
-using testing::ElementsAre;
 
 namespace {
 
 using Bytes = VersionNegotiation::Bytes;
 using Result = VersionNegotiation::Result;
 
-class VersionNegotiationTest : public testing::Test {
- protected:
-  void receive(const Bytes& bytes) { negotiation_.bytesArrived(bytes.data(), bytes.size()); }
+const VersionNegotiation::TimePoint kAsked = VersionNegotiation::TimePoint() + milliseconds(1000);
 
-  const VersionNegotiation::TimePoint asked_ = VersionNegotiation::TimePoint() + milliseconds(1000);
-  VersionNegotiation negotiation_{asked_};
-};
-
-TEST_F(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession) {
+TEST(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession) {
   const struct {
     Bytes bytes;
     Result result;
@@ -32,7 +25,7 @@ TEST_F(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession)
       {{'H', 'T', 'T', 'P'}, Result::kVersion1Unanswered, {'H', 'T', 'T', 'P'}},
   };
   for (const auto& row : rows) {
-    VersionNegotiation negotiation(asked_);
+    VersionNegotiation negotiation(kAsked);
     negotiation.bytesArrived(row.bytes.data(), 1);
     negotiation.bytesArrived(row.bytes.data() + 1, row.bytes.size() - 1);
     EXPECT_EQ(row.result, negotiation.result()) << row.bytes[0] << row.bytes[1];
@@ -40,19 +33,17 @@ TEST_F(VersionNegotiationTest, TheFirstFourBytesDecideAndTheRestIsForTheSession)
   }
 }
 
-TEST_F(VersionNegotiationTest, AServerThatIsSilentForHalfASecondSpeaksVersion1) {
-  EXPECT_EQ(asked_ + milliseconds(500), negotiation_.deadline());
-  negotiation_.checkDeadline(asked_ + milliseconds(499));
-  EXPECT_EQ(Result::kOpen, negotiation_.result());
-  negotiation_.checkDeadline(asked_ + milliseconds(500));
-  EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
-}
-
-TEST_F(VersionNegotiationTest, AHalfAnswerAtTheDeadlineIsForTheSession) {
-  receive({'x', 2});
-  negotiation_.checkDeadline(asked_ + milliseconds(500));
-  EXPECT_EQ(Result::kVersion1Unanswered, negotiation_.result());
-  EXPECT_THAT(negotiation_.rest(), ElementsAre('x', 2));
+TEST(VersionNegotiationTest, AServerThatIsSilentForHalfASecondSpeaksVersion1) {
+  for (const Bytes& half : {Bytes(), Bytes{'x', 2}}) {
+    VersionNegotiation negotiation(kAsked);
+    negotiation.bytesArrived(half.data(), half.size());
+    EXPECT_EQ(kAsked + milliseconds(500), negotiation.deadline());
+    negotiation.checkDeadline(kAsked + milliseconds(499));
+    EXPECT_EQ(Result::kOpen, negotiation.result());
+    negotiation.checkDeadline(kAsked + milliseconds(500));
+    EXPECT_EQ(Result::kVersion1Unanswered, negotiation.result());
+    EXPECT_EQ(half, negotiation.rest()) << "for the session";
+  }
 }
 
 }  // namespace
