@@ -76,7 +76,7 @@ std::string addressText(const std::string& host, int port) {
   return (is_ipv6 ? "[" + host + "]" : host) + ":" + std::to_string(port);
 }
 
-// People write addresses as web browsers and other programs take them.
+// The messages say what to write instead of what people copy from web browsers and other programs.
 void checkHost(const std::string& host) {
   const auto refuse = [&host](const std::string& problem) {
     throw InvalidArgumentException("host is '" + host + "', " + problem);

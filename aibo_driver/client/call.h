@@ -46,14 +46,14 @@ struct Call {
 
   std::chrono::milliseconds timeout{0};  ///< the time that the caller allowed, for messages
   TimePoint deadline;                    ///< when the caller stops waiting
-  std::optional<OrderTerms> terms;       ///< of a request that can be too old; otherwise empty
+  std::optional<OrderTerms> terms;       ///< the terms of a request that can become too old; otherwise empty
   TimePoint since;                       ///< a picture of the stream answers the call only if it began later
   int request_number = 0;                ///< the number of the request; 0 if it has not been sent
 
   /// @name How the call ends. The client's thread calls one of these functions, once
   /// @{
   /// Gives the caller the answer of version 2.
-  /// @return nullptr, or what is wrong with the payload; then the call goes on
+  /// @return nullptr, or what is wrong with the payload; the call then keeps waiting
   std::function<const char*(const unsigned char* payload, std::size_t size)> answer;
   /// Gives the caller the picture that answers the call.
   /// @param stream_quality the quality of the stream that the picture is from; 0 if it is from none
@@ -66,7 +66,7 @@ struct Call {
   bool has(protocol::version2::Trait trait) const { return request.has(trait); }
   bool wasSent() const { return request_number != 0; }
 
-  /// True if `other` must not be sent any more. `other` was made before this call and has not been sent.
+  /// True if this call keeps `other` from being sent. `other` was made before this call and has not been sent.
   bool cancels(const Call& other) const;
 
   /// The order's OrderTerms::number. It is 0 if this call is no order, or if the order has no number.
@@ -76,12 +76,12 @@ struct Call {
   void dropFrom(CommandOutbox* commands) const;
 };
 
-/// As what the refusal of such a request is reported, in both versions of the protocol.
+/// The kind under which a refusal of such a request is reported, in both versions of the protocol.
 /// @param letter the letter of the request
 /// @return empty if its refusal is only logged, or only thrown to its caller
 std::optional<RefusedRequest> refusedRequest(char letter);
 
-/// Describes the request in words that follow "refused to ".
+/// Describes the request in words to put after "refused to ".
 std::string describe(const Call& call);
 
 /// Encodes a payload of version 2.
@@ -154,7 +154,7 @@ class PendingCalls {
   const Call* find(int request_number) const { return const_cast<PendingCalls*>(this)->find(request_number); }
 
   /// Ends the call whose request was sent with this number. There must be one.
-  /// @throw ProtocolException the payload is no answer to this request; the call goes on
+  /// @throw ProtocolException the payload is no answer to this request; the call then keeps waiting
   void answer(int request_number, const unsigned char* payload, std::size_t size);
   void answer(int request_number, const PicturePtr& picture);
 
@@ -180,9 +180,9 @@ class PendingCalls {
   /// answers are late.
   /// @param size the bytes of the request and its answer together
   void transferBegins(std::size_t size, TimePoint now);
-  /// The request has been answered. Only those that need the memory stick are large, and one of them is sent at a time.
+  /// Call this when a request was answered. Only transfers with the memory stick are large, and they go one at a time.
   void transferEnds(TimePoint now) { transfer_end_ = std::min(transfer_end_, now); }
-  /// When the last transfer has ended, or will have ended at the latest.
+  /// When the last transfer ended, or the latest time at which it will have ended.
   TimePoint transferEnd() const { return transfer_end_; }
 
  private:

@@ -32,7 +32,7 @@ void ColorIntake::receive(const unsigned char* payload, std::size_t size, const 
                           std::chrono::steady_clock::time_point arrival) {
   const auto regions = decoded<version2::ColorRegions>(payload, size, "colours");
   if (!detection_.on) {
-    return;  // it was on its way when the detection was switched off
+    return;  // the message was on its way when the detection was switched off
   }
   DetectedColors colors;
   colors.frame_number = regions.frame_number;

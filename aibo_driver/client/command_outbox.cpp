@@ -180,7 +180,7 @@ void CommandOutbox::drop(const std::vector<JointCommand>& commands, RefusalCause
   }
 }
 
-// Losing a velocity of 0 does no harm: a stop or another one takes its place. Only its order has to end.
+// Losing a velocity of 0 does no harm: a stop or another velocity takes its place. But its order has to end.
 void CommandOutbox::drop(std::optional<SteeringCommand>* velocity, RefusalCause cause, const std::string& reason) {
   const std::optional<SteeringCommand> gone = std::exchange(*velocity, std::nullopt);
   if (gone && (!gone->velocity.isZero() || gone->terms.number != 0)) {

@@ -124,17 +124,17 @@ struct SteeringCommand {
   int options = 0;  ///< bits of protocol::version2::SteeringOption
 };
 
-/// All commands that wait.
+/// All commands that wait to be sent.
 struct CommandOutbox {
   LatestById<JointSpeedLimit> speed_limits;
   JointCommands joints;
   std::optional<SteeringCommand> let_go;    ///< a velocity of 0; only what stops the robot is sent before it
-  std::optional<SteeringCommand> steering;  ///< the newest velocity, which is not 0
+  std::optional<SteeringCommand> steering;  ///< the newest velocity that is not 0
   LatestById<LedCommand> leds;
   LatestById<EarCommand> ears;
   std::vector<Refusal> dropped;  ///< refusals that have not been reported yet
 
-  /// True if nothing waits that version 1 knows.
+  /// True if no command waits that version 1 can express.
   bool isEmptyForVersion1() const { return speed_limits.empty() && joints.empty() && leds.empty() && ears.empty(); }
 
   /// Adds newer commands.
@@ -143,8 +143,8 @@ struct CommandOutbox {
   /// Adds a command to joints. If it moves a leg, a walk that waits is dropped.
   void command(JointCommand newer);
 
-  /// Adds a velocity, which drops those that wait. The exception is a velocity of 0 that waits: only another one drops
-  /// it. Commands to the legs that wait are dropped, unless this velocity is 0.
+  /// Adds a velocity, which replaces those that wait. But a velocity of 0 that waits is replaced only by another one.
+  /// Commands to the legs that wait are dropped, unless this velocity is 0.
   void steer(const SteeringCommand& newer);
 
   /// Drops the commands to these joints.
@@ -153,7 +153,7 @@ struct CommandOutbox {
   void stopJoints(const std::vector<int>& ids, const std::string& reason);
 
   /// Drops the velocity to walk with.
-  /// @param with_zero also the velocity of 0, for a request that is sent before it and ends the walk
+  /// @param with_zero true: also drop a velocity of 0, because a request that ends the walk is sent before it
   void stopWalk(bool with_zero, const std::string& reason);
 
   /// Drops all commands that are too old to be sent now.

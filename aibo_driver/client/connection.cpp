@@ -11,7 +11,7 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// An answer may have to wait behind a picture, so it gets at least this much time, even if pictures get less.
+// An answer may have to wait behind a picture, so it gets at least this much time, even if read_timeout is shorter.
 constexpr std::chrono::milliseconds kShortestAnswerLimit{1000};
 
 }  // namespace
@@ -29,7 +29,7 @@ void RefusalLog::refused(const Refusal& refusal) {
 }
 
 void Connection::dropTooOld(TimePoint now) {
-  // The words are made only when they are needed, because this is called whenever the client's thread wakes.
+  // The words are made only when they are needed, because this function runs whenever the client's thread wakes.
   const auto reason = [this] { return "too old: it could not be sent to " + context.address + " in time"; };
   if (!commands.joints.empty() || commands.steering) {
     commands.dropTooOld(now, reason());
@@ -92,7 +92,7 @@ void Connection::expireCalls(TimePoint now) {
 
 void Connection::callSent(const Call& call, std::size_t size, TimePoint now) {
   if (call.sound_part) {
-    return;  // samples are short, and an upload may be under way
+    return;  // samples are few bytes, and the transfer of a file may be under way
   }
   calls.transferBegins(size + (call.has(version2::FETCHES_FILE) ? version2::MAX_STICK_PICTURE_SIZE : 0), now);
 }

@@ -21,8 +21,8 @@
 
 namespace aibo_client {
 
-/// Reports refusals of requests for which no call waits. Those of RefusedRequest go to the client's user. Others are
-/// logged, each problem once.
+/// Reports refusals of requests for which no call waits. The kinds in RefusedRequest are reported to the client's user.
+/// Others are logged, each problem once.
 class RefusalLog {
  public:
   explicit RefusalLog(const ConnectionContext& context) : context_(context) {}
@@ -34,7 +34,7 @@ class RefusalLog {
   /// Reports a refusal to the client's user.
   void refused(const Refusal& refusal);
 
-  /// Call this when the robot has accepted such a request. Its next refusal is then logged again.
+  /// Call this when the robot has accepted a request with this letter. The next refusal of one is then logged again.
   void accepted(char letter) { last_problems_.erase(letter); }
 
  private:
@@ -62,7 +62,7 @@ struct Connection {
   /// Drops the unsent orders that are too old. Call this before an order is sent.
   void dropTooOld(TimePoint now);
 
-  /// Takes over newer commands. Limits of joints' speeds that were sent over this connection, or will be, are left out.
+  /// Takes over newer commands, except for speed limits that this connection has sent or will send anyway.
   void take(CommandOutbox newer);
 
   /// Call this when the robot has refused limits of these joints' speeds. The same limits will be sent when they are
@@ -72,7 +72,7 @@ struct Connection {
   /// Reports the orders that were dropped.
   void reportDropped();
 
-  /// True if this call has to wait until the speed limits have been sent. They must hold for the motion that it begins.
+  /// True if this call begins a motion that must wait until its speed limits have been sent.
   bool mustWaitForSpeedLimits(const Call& call) const {
     return call.has(protocol::version2::TAKES_OVER_JOINTS) && !commands.speed_limits.empty();
   }

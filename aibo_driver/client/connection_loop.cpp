@@ -116,7 +116,7 @@ void ConnectionLoop::run() {
   endConnection("the client was stopped", "", FaultKind::kNone);
 }
 
-// This function ends only by an exception.
+// Does not return: an exception ends it.
 void ConnectionLoop::connectAndServe() {
   pauseUntil(next_attempt_);
   attempt_began_ = steady_clock::now();
@@ -222,7 +222,7 @@ int ConnectionLoop::datagramPort(const Settings& wanted) {
   if (wanted.transport == PictureTransport::kTcp) {
     transport_->datagrams().close();
   } else if (session_->ready() && !transport_->datagrams().isOpen() && !transport_->openDatagrams() &&
-             errno != ENOTCONN) {  // otherwise the connection was reset, and the next read says so
+             errno != ENOTCONN) {  // ENOTCONN: the connection was reset, and the next read says so
     connection.giveUpDatagrams("this computer has no free socket");
   }
   return transport_->datagrams().port();
@@ -281,7 +281,7 @@ void ConnectionLoop::reportSession() {
            shared.status.transport_problem == connection_->transport_problem;
   });
   if (is_known) {
-    // This happens with nearly every picture, so the status is not copied for each of them.
+    // Nearly every picture gets here, and copying the status is not worth it for each of them.
     return;
   }
   updateStatus([this](ConnectionStatus& status) {
@@ -320,7 +320,7 @@ void ConnectionLoop::onFault(const Fault& cause) {
   counters_.stalls += silent ? 1 : 0;
   counters_.protocol_errors += fault.kind() == FaultKind::kProtocol ? 1 : 0;
   counters_.failed_attempts += established() ? 0 : 1;
-  // An attempt that took long needs no pause after it.
+  // If the attempt took long, the next one begins without a pause.
   next_attempt_ = (established() ? steady_clock::now() : attempt_began_) + backoff_.next();
   // Each kind of fault is logged once, because the reasons alternate from attempt to attempt while a robot is off.
   if (logged_faults_.insert(fault.kind()).second) {
@@ -358,7 +358,7 @@ void ConnectionLoop::endConnection(const std::string& reason, const std::string&
   });
   if (session_) {
     for (Call& call : unsent) {
-      connection_->calls.add(std::move(call));  // on_refused is not called: orders end with the connection
+      connection_->calls.add(std::move(call));  // on_refused is not called, because all orders end with the connection
     }
     connection_->sound.connectionLost();
     connection_->calls.failAll(advice.empty() ? reason : reason + ". " + advice, kind);

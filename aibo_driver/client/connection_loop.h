@@ -32,7 +32,7 @@ namespace aibo_client {
 /// data that this thread shares with the threads that call RcServerClient.
 class ConnectionLoop {
  public:
-  /// Any thread may use this, but only through read() and change().
+  /// The data that all threads share. They use it only through read() and change().
   struct Shared {
     bool stopped = false;
     bool streaming = false;  ///< a stream has been requested over the present connection
@@ -127,7 +127,7 @@ class ConnectionLoop {
   mutable std::condition_variable connected_or_stopped_;
   std::atomic<bool> has_news_{true};  // shared_ may hold something that the client's thread has not seen yet
 
-  // Only the client's thread uses these members.
+  // Members that only the client's thread uses.
   Settings wanted_;  // the user's settings as last seen
   std::optional<Connection> connection_;
   std::unique_ptr<Session> session_;  // null until the version of the protocol is known

@@ -64,7 +64,7 @@ bool DatagramIntake::arrived(const std::uint8_t* data, std::size_t size, TimePoi
   count(verdict);
   const bool is_believed = verdict != SequenceWindow::Verdict::kUnbelieved;
   if (is_believed) {
-    // After an outage, the pictures before it are too old to be repeated.
+    // After an outage, the pictures from before the outage are too old to be repeated.
     if (now > datagram_.last + kMostPatience + 2 * pace_.interval()) {
       settle(std::int64_t{datagram.picture} - 1, now);
     }

@@ -30,10 +30,10 @@ class DatagramIntake {
     std::uint32_t picture = 0;
   };
 
-  /// Pictures by UDP wait for the robot's answer by TCP, because pictures by TCP may come before it. They wait no
-  /// longer than this.
+  /// The longest time that pictures by UDP wait for the robot's answer by TCP. They have to wait for it, because
+  /// pictures by TCP may come before it.
   static constexpr std::chrono::milliseconds kConfirmation{100};
-  /// A whole picture waits for those before it: for the time for six datagrams, but within these limits.
+  /// How long a whole picture waits for those before it: the time for six datagrams, but within these limits.
   static constexpr std::chrono::milliseconds kLeastPatience{30};
   static constexpr std::chrono::milliseconds kMostPatience{100};
 
@@ -66,7 +66,7 @@ class DatagramIntake {
   void end() { on_ = false; }
   bool on() const { return on_; }
 
-  /// A datagram is due from now on, because the stream was switched on or changed.
+  /// Call this when the stream was switched on or changed: a datagram is due from now on.
   void expectFrom(TimePoint now);
 
   /// Call this when something has come by TCP.
@@ -104,7 +104,7 @@ class DatagramIntake {
   /// Something that must come now and then.
   struct Expectation {
     TimePoint last;                       // when it last came, or since when it is due
-    std::optional<TimePoint> tcp_worked;  // when something first came by TCP after kMissing
+    std::optional<TimePoint> tcp_worked;  // when something first came by TCP while this was missing for kMissing
 
     void heardByTcp(TimePoint now);
     TimePoint deadline(std::chrono::milliseconds patience) const;
@@ -129,7 +129,7 @@ class DatagramIntake {
   Expectation datagram_;
   Expectation good_picture_;
   TimePoint settled_;                // when the last picture was settled
-  std::optional<TimePoint> jumped_;  // when the first picture came that is not plausible; empty after one that is
+  std::optional<TimePoint> jumped_;  // when the first implausible picture came; empty after a plausible one
   std::optional<std::uint32_t> loss_to_report_;
   LinkPace pace_;
   RepeatRequests requests_;

@@ -6,7 +6,7 @@
 namespace aibo_client {
 namespace {
 
-// There is room for the largest picture twice. The kernel gives as much as it allows.
+// Enough for two of the largest pictures. The kernel may allow less.
 constexpr int kDatagramBufferSize = 512 * 1024;
 
 sockaddr* asAddress(sockaddr_storage* storage) {

@@ -12,7 +12,7 @@
 
 namespace aibo_client {
 
-/// Ends a connection or the attempt to make one. what() says why.
+/// The reason why a connection has ended, or why an attempt to make one has failed. what() gives it in words.
 class Fault : public NetworkException {
  public:
   Fault(FaultKind kind, const std::string& reason, std::string advice);
@@ -20,8 +20,8 @@ class Fault : public NetworkException {
   /// What the user should check: one or two sentences.
   const std::string& advice() const { return advice_; }
 
-  /// The same fault of a robot that had said why it goes off.
-  /// @param said what it said
+  /// The same fault, if the robot had announced that it goes off.
+  /// @param said what the robot said
   Fault sinceRobotWentOff(const std::string& said) const;
 
   // `address` is "host:port"; `detail` is the message of the operating system or of the parser.

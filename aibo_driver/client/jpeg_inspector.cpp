@@ -7,7 +7,7 @@
 namespace aibo_client {
 namespace {
 
-// These are markers of ITU T.81, table B.1.
+// The markers of ITU T.81, table B.1.
 constexpr std::uint8_t kSof0 = 0xC0;
 constexpr std::uint8_t kDht = 0xC4;
 constexpr std::uint8_t kRst0 = 0xD0;
@@ -44,7 +44,7 @@ bool isCameraSize(int width, int height) {
   return false;
 }
 
-/// One walk from SOI to EOI. Each step returns false once it has found a problem.
+/// Goes through a picture once, from SOI to EOI. Each step returns false once it has found a problem.
 class MarkerWalk {
  public:
   MarkerWalk(const std::uint8_t* data, std::size_t size) : position_(data), end_(data + size) {}

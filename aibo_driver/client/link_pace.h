@@ -41,14 +41,13 @@ class LinkPace {
   /// Nearly the shortest time between the beginnings of two pictures. It is 0 until it is known.
   Duration interval() const { return interval_; }
 
-  /// True if a picture of this many parts could have a parity, and one part repeated, without delaying the next
-  /// picture.
+  /// True if a picture of this many parts could have a parity and a repeated part without delaying the next picture.
   bool hasTimeForParity(std::size_t parts) const {
     return interval_ > spacing_ * static_cast<Duration::rep>(parts + 2);
   }
 
  private:
-  /// Half of the weight is that of the last eleven values.
+  /// Updates a moving mean, in which the last eleven values have half of the weight.
   static void average(Duration* mean, Duration value) {
     *mean = *mean == Duration::zero() ? value : *mean + (value - *mean) / 16;
   }
@@ -58,7 +57,7 @@ class LinkPace {
   TimePoint last_;
   TimePoint began_;
   Duration spacing_{0};
-  Duration interval_{0};  // the shortest, because they grow if the link is too slow for the pictures
+  Duration interval_{0};  // the shortest, because a link that is too slow makes the intervals longer
 };
 
 }  // namespace aibo_client

@@ -15,10 +15,10 @@
 namespace aibo_client {
 
 /// Calls the callbacks of the client's user if they are set. It logs exceptions that callbacks throw. The robot can
-/// cause nearly everything that is logged, so all of it is limited. Otherwise a robot could fill the disk.
+/// cause nearly everything that is logged, so all of it is limited. Without a limit, a robot could fill the disk.
 class Notifier {
  public:
-  /// At most this many lines may be logged at once. In the long run it is one per kLogPeriod.
+  /// At most this many lines may be logged at once and, in the long run, one per kLogPeriod.
   static constexpr int kLogBurst = 20;
   static constexpr std::chrono::seconds kLogPeriod{1};
 

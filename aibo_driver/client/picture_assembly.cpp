@@ -61,7 +61,7 @@ version2::DatagramStatus PictureAssembly::status(bool all_sent) const {
   version2::DatagramStatus status = {0, static_cast<unsigned>(number), 0};
   const auto found = incomplete_.find(number);
   if (found == incomplete_.end()) {
-    status.missing = has_newer ? ~0U : 0;  // nothing of it has come
+    status.missing = has_newer ? ~0U : 0;  // no part of this picture has come
     return status;
   }
   const Incomplete& picture = found->second;

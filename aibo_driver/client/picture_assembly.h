@@ -15,8 +15,8 @@ namespace aibo_client {
 
 /// Puts the parts of pictures together. Only as many pictures as the robot keeps may be incomplete at a time. A newer
 /// picture takes the place of the oldest one, and a whole picture replaces all older ones. A lost part is made from the
-/// parity of its group, if that has come. Otherwise, the robot can be asked for it. Then a whole picture may have to
-/// wait for those before it.
+/// parity of its group, if that has come. Otherwise, the robot can be asked for it. In that case, a whole picture may
+/// have to wait for those before it.
 ///
 /// Datagrams can be forged. So only a whole picture makes earlier ones too late, and a picture whose number is far
 /// ahead has a place of its own until it is settled.
@@ -24,8 +24,8 @@ class PictureAssembly {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// A picture is far ahead if its number is more than this above the last settled picture; that is 2 s. While the
-  /// robot hears nothing, it sends few pictures.
+  /// A picture is far ahead if its number is more than this above the last settled picture. This is at least 2 s ahead.
+  /// Few pictures come while the robot hears nothing from the client.
   static constexpr std::int64_t kFarAhead = 64;
 
   /// A whole picture.
@@ -58,7 +58,7 @@ class PictureAssembly {
   /// @param all_sent false: parts that may still be on their way, or that a parity may still replace, are not asked for
   protocol::version2::DatagramStatus status(bool all_sent) const;
 
-  /// True if a part is missing of a picture that was begun, or of one before it.
+  /// True if a part is missing from a picture that was begun, or from one before it.
   bool isIncomplete() const { return newest_ >= nextWanted(); }
 
   /// Call this when a picture is whole or too old. It settles this picture and all before it.
@@ -102,7 +102,7 @@ class PictureAssembly {
   std::map<std::int64_t, Incomplete> incomplete_;  // the key is the picture's number
   std::map<std::int64_t, Incomplete> far_ahead_;   // at most one
   std::int64_t last_settled_ = -1;                 // the number of the newest settled picture
-  std::int64_t newest_ = -1;                       // of which a part has come, and which is not far ahead
+  std::int64_t newest_ = -1;                       // of those not far ahead, the newest of which a part has come
   bool newest_has_parity_ = false;
   std::uint64_t lost_ = 0;
   std::uint64_t repaired_ = 0;

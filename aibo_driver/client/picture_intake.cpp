@@ -18,7 +18,7 @@ PictureIntake::PictureIntake(const ConnectionContext& context, TimePoint connect
 void PictureIntake::streamRequested(bool on, int quality, TimePoint now, const StreamFormat& format) {
   quality_ = quality;
   if (format != std::exchange(format_, format)) {
-    signOfPicture(now);  // the time until the next picture starts again
+    signOfPicture(now);  // the time to wait for the next picture begins again
   }
   if (on == std::exchange(streaming_, on)) {
     return;

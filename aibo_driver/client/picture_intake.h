@@ -30,8 +30,8 @@ struct ConnectionContext {
 /// Checks and delivers the pictures of one connection. It knows whether a stream is on, and which pictures are good and
 /// fresh.
 ///
-/// With a version 1 server, only the number of toggles that were sent is known about the stream. The same request
-/// starts and stops it, and the server never acknowledges it. A new connection begins without a stream.
+/// A version 1 server starts and stops the stream by the same request, and never acknowledges it. So the client knows
+/// only how often it has sent this request. A new connection begins without a stream.
 class PictureIntake {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

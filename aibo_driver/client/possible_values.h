@@ -2,7 +2,7 @@
 /// The values that a robot's joints and sensors can have, with room for noise. No working robot sends any other value.
 /// If the design is not known, as with version 1 of the protocol, the robot may be any in the tables.
 ///
-/// robot_model.h says how far things go. It is our choice how far beyond that a measurement can still be right.
+/// The tables of robot_model.h give the ranges. How much further a measurement can be and still be right is our choice.
 #ifndef AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H
 #define AIBO_DRIVER_CLIENT_POSSIBLE_VALUES_H
 
@@ -41,8 +41,7 @@ constexpr ValueRange kPossibleTurns = {-10, 10};
 /// sensor is not in the tables, every value is possible.
 ValueRange possibleReadings(const std::string& design, int id);
 
-/// True if a camera can detect colours in a plane of this size. It must not be larger than a picture of double
-/// resolution.
+/// True if a camera can detect colours in a plane of this size. No plane is larger than a picture of double resolution.
 bool isPossiblePlane(int width, int height);
 
 /// True if a region does not contradict itself in a plane of this size: its box is in the plane, its pixels fit into

@@ -52,7 +52,7 @@ using Complete = std::function<void(Shared* shared, Call* call)>;
 
 /// Hands a call to the client's thread.
 /// @param complete may be empty
-/// @throw the exceptions of RcServerClient::beginMotors(). If it throws, it has handed over no call
+/// @throw the exceptions of RcServerClient::beginMotors(). If one is thrown, no call was handed over
 void handOver(ConnectionLoop* loop, Call call, milliseconds timeout, const Complete& complete = {}) {
   checkRange("timeout", timeout.count(), 1, kLongestTimeout.count(), " ms");
   call.timeout = timeout;
@@ -129,7 +129,7 @@ void setSamples(const SoundPart& part, const std::vector<std::int16_t>& samples,
   call->sound_part = part;
 }
 
-/// @param name of a file; it is also in the payload
+/// @param name the name of a file, which is also in the payload
 template <typename Payload>
 Call callForFile(const version2::Request& request, Payload payload, const std::string& name, int id = 0) {
   name.copy(payload.name, protocol::MAX_FILE_NAME_SIZE);

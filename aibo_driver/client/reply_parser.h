@@ -15,8 +15,8 @@ namespace aibo_client {
 
 /// Splits the byte stream of a version 1 server into pictures and value replies, wherever TCP has cut it.
 ///
-/// It holds at most one picture, of at most protocol::MAX_PICTURE_SIZE. Once a stream has been wrong, it cannot be used
-/// any more, because nothing says where in a JPEG the next reply would begin.
+/// The parser holds at most one picture, of at most protocol::MAX_PICTURE_SIZE. After an error in the stream, the
+/// stream cannot be used any more, because nothing says where in a JPEG the next reply would begin.
 class ReplyParser {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;

@@ -19,10 +19,10 @@ class RobotFrames {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// The present frame is computed from a message of this age at most, because clocks drift (docs/protocol.md): 0.3 %
-  /// of it is less than a frame. This and kBetterOnly are our choice.
+  /// The greatest age of a message from which the present frame is computed. Clocks drift by 0.3 % (docs/protocol.md),
+  /// and in this time that is less than a frame. This and kBetterOnly are our choice.
   static constexpr std::chrono::seconds kLongestAge{2};
-  /// A message of this age is replaced by any newer one. Before, only one that was less late replaces it.
+  /// Any newer message replaces one of this age. A younger one is replaced only by one that was less late.
   static constexpr std::chrono::seconds kBetterOnly{1};
 
   /// Call this when a message with a frame number has come.
@@ -42,7 +42,7 @@ class RobotFrames {
     return *frame_ + static_cast<std::uint32_t>((now - time_) / kFrame);
   }
 
-  /// The last frame in which the robot may carry out an order, as a number of the protocol. It is empty if the present
+  /// The last frame in which the robot may carry out an order, as the protocol writes it. It is empty if the present
   /// frame is not known.
   std::optional<unsigned> notAfter(TimePoint not_after, TimePoint now) const {
     // Frames are compared by signed differences, so an order cannot be good for more than 2^31 of them.

@@ -13,8 +13,8 @@ namespace aibo_client {
 class SequenceWindow {
  public:
   static constexpr std::int64_t kSize = 64;
-  /// A number that is further ahead than this is impossible. At 31 pictures a second with 4 datagrams each, it would be
-  /// nine minutes ahead.
+  /// How far ahead a number can be. At 31 pictures a second with 4 datagrams each, a number this far ahead would be
+  /// sent nine minutes later.
   static constexpr std::int64_t kFarthest = 65536;
 
   /// A jump by more than kSize is believed only when a second datagram, not far behind the first, confirms it.
@@ -53,7 +53,7 @@ class SequenceWindow {
   std::uint64_t lost() const { return lost_; }
 
  private:
-  // The first datagram of a jump counts as received.
+  // A datagram that confirms a jump makes the jump's first datagram count as received, too.
   bool isConfirmed(std::int64_t sequence) {
     const std::int64_t first = std::exchange(jump_, sequence);
     if (first <= highest_ || sequence <= first || sequence > first + kSize) {

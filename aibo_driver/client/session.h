@@ -25,12 +25,12 @@ struct Settings {
   unsigned transport_changes = 0;  ///< how often the user has changed the transport
   int datagram_port = 0;           ///< the port to which pictures can be sent by UDP; 0 if they have to come by TCP
   ColorDetection colors{};
-  ColorTables color_tables{};  ///< they are sent only while colours are detected
+  ColorTables color_tables{};  ///< sent only while colours are detected
   MicrophoneSettings microphone{};
 };
 
 /// Speaks one version of the protocol over one Connection. It knows what to send, how to parse what arrives, and when
-/// to give up. It does no I/O and reads no clock: its caller gives it bytes and times. One thread uses it.
+/// to give up. It does no I/O and reads no clock: its caller gives it bytes and times. Only one thread may use it.
 class Session {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
@@ -43,12 +43,12 @@ class Session {
 
   virtual int protocolVersion() const = 0;
 
-  /// True once the server has answered. Then requests can be made, and Connection::robot is known.
+  /// True once the server has answered. From then on, requests can be made, and Connection::robot is known.
   virtual bool ready() const = 0;
 
-  /// The request to send now. It is empty if there is none. From then on the request counts as sent. Whenever anything
-  /// may have changed, call this until nothing is left. Each request has to be sent in one piece, because some servers
-  /// recognise a request by the number of bytes that arrive at once.
+  /// The request to send now. It is empty if there is none. A request that was returned counts as sent. Whenever
+  /// anything may have changed, call this until nothing is left. Each request has to be sent in one piece, because some
+  /// servers recognise a request by the number of bytes that arrive at once.
   virtual Bytes nextRequest(const Settings& wanted, TimePoint now) = 0;
 
   /// Call this when bytes were read.

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kFrame{robot_model::FRAME_MILLISECONDS};
 
-// Sound can come this late. The client disconnects a robot that is silent for longer.
+// How late sound may come. The client disconnects a robot that is silent for longer.
 constexpr std::chrono::seconds kLongestDelay{5};
-// The robot's clock may be faster than this computer's by one part in this number. Our choice.
+// The robot's clock may be faster than this computer's by one part in this number (our choice).
 constexpr int kClockTolerance = 64;
 
 }  // namespace
@@ -34,7 +34,7 @@ void SoundIntake::askedFor(const MicrophoneSettings& settings) {
 void SoundIntake::heard(const unsigned char* payload, std::size_t size, std::chrono::steady_clock::time_point arrival) {
   const auto pushed = decoded<version2::HeardSound>(payload, size, "sound");
   if (!in_force_ || !in_force_->on || pushed.channels != in_force_->channels) {
-    return;  // it was on its way when the settings were changed
+    return;  // the sound was on its way when the settings were changed
   }
   const unsigned frames = std::max(1U, (pushed.count + frameSize() - 1) / frameSize());
   if (!limit_.admit(arrival, kFrame / 2, static_cast<int>(frames)).is_admitted) {
@@ -65,8 +65,8 @@ unsigned SoundIntake::frameSize() const {
   return version2::SAMPLES_PER_FRAME * static_cast<unsigned>(in_force_->samples_per_second) / 16000;
 }
 
-/// Samples of each channel that should have come before this frame. A frame number that goes back, or that is further
-/// ahead than time has passed, is ignored, because users fill what is missing with silence.
+/// Samples of each channel that should have come before this frame. A frame number that goes back, or runs ahead of the
+/// time that has passed, is ignored, because users fill what is missing with silence.
 std::uint32_t SoundIntake::missingBefore(std::uint32_t frame_number, unsigned count,
                                          std::chrono::steady_clock::time_point arrival) {
   const auto skipped = next_frame_ ? static_cast<std::int32_t>(frame_number - *next_frame_) : 0;
@@ -95,7 +95,7 @@ void SoundIntake::accepted(const SoundPart& part) {
     return end(EndedHow::kStopped);
   }
   if (part.sound <= ended_ || (playing_ && part.sound < playing_->sound)) {
-    return;  // the robot has ended it meanwhile, or answers in another order
+    return;  // the robot has meanwhile ended the sound, or answers in another order
   }
   if (part.position == 0) {
     end(EndedHow::kReplaced);
@@ -109,11 +109,11 @@ void SoundIntake::ended(const unsigned char* payload, std::size_t size) {
   if (!playing_ || is_known_already) {
     return;
   }
-  // If the last samples come too late, the robot has already played at least as much silence in their place.
+  // If the last samples come too late, the robot has already played at least as many samples of silence instead.
   const std::uint32_t whole = playing_->position + playing_->size;
   const bool is_whole = pushed.samples == whole || (pushed.samples > whole && pushed.gaps > 0);
   if (pushed.how == version2::END_DONE && !(playing_->is_last && is_whole)) {
-    return;  // it is the end of an earlier sound
+    return;  // the robot reports the end of an earlier sound
   }
   const EndedHow how = pushed.how == version2::END_DONE      ? EndedHow::kDone
                        : pushed.how == version2::END_REFUSED ? EndedHow::kRefused

@@ -52,7 +52,7 @@ class SoundIntake {
   void connectionLost() { end(EndedHow::kLost); }
 
  private:
-  /// Frames that may come at once, 1 s. A push with more is dropped.
+  /// The most frames that may come at once, 1 s. A push with more is dropped.
   static constexpr int kMostFrames = 125;
 
   void end(EndedHow how);
@@ -66,7 +66,7 @@ class SoundIntake {
   std::optional<std::uint32_t> next_frame_;      ///< the frame in which the next piece begins if none is missing
   unsigned beyond_frame_ = 0;                    ///< samples of that frame that have been heard already
   std::chrono::steady_clock::time_point began_;  ///< when the first sound came since next_frame_ was empty
-  std::uint64_t frames_ = 0;                     ///< frames that came or were missing since then
+  std::uint64_t frames_ = 0;                     ///< frames that came or were missing since began_
   aibo_system::RateLimit limit_{kMostFrames};
   bool excess_is_logged_ = false;
   std::optional<SoundPart> playing_;  ///< the newest part of the sound that plays

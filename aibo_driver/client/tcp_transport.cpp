@@ -27,19 +27,19 @@ using std::chrono::steady_clock;
 
 // The buffer is small, so that few pictures can grow stale in the kernel while this process does not read.
 constexpr int kReceiveBufferSize = 16 * 1024;
-// If a peer vanishes while nothing is due, this is noticed after 4 s: 1 s of silence, then 3 unanswered probes.
+// If a peer vanishes while nothing is due, the kernel notices it after 4 s: 1 s of silence, then 3 unanswered probes.
 constexpr int kKeepAliveIdle = 1;      // s
 constexpr int kKeepAliveInterval = 1;  // s
 constexpr int kKeepAliveCount = 3;
-// If a request has not been acknowledged within this time, it never will be.
+// How long the kernel waits for a request to be acknowledged. After that the connection is broken.
 constexpr int kUserTimeout = 2000;  // ms
-// While a robot does not answer, a further attempt begins this often, in addition to those in progress.
+// While a robot does not answer, another attempt begins at this interval, in addition to those in progress.
 constexpr milliseconds kAttemptInterval{250};
 constexpr std::size_t kMostAttempts = 8;
-// The largest request is the upload of a motion, 64 KiB. All others are a few bytes. So if this much is unsent, the
-// peer stopped reading long ago.
+// The largest request is the upload of a motion, 64 KiB. All others are a few bytes. If this much is unsent, the peer
+// stopped reading long ago.
 constexpr std::size_t kMostUnsent = 1024 * 1024;
-// What becomes too old is dropped when the thread wakes. Our choice.
+// The longest sleep (our choice). Orders that become too old are dropped when the thread wakes.
 constexpr milliseconds kLongestSleep{250};
 
 std::string describe(int error) {
@@ -136,8 +136,8 @@ std::vector<SocketAddress> TcpTransport::lookUp(const std::string& host, int por
   return result.addresses;
 }
 
-/// Begins one attempt after the other, and takes the first that succeeds. The kernel repeats a lost packet only after 1
-/// s, and again after 2 s more. That is too slow for a radio link that comes back at once.
+/// Begins several attempts, one after the other, and takes the first one that succeeds. The kernel repeats a lost
+/// packet only after 1 s, and again after 2 s more. That is too slow for a radio link that comes back at once.
 /// @return an empty descriptor if there was no answer until the deadline
 FileDescriptor TcpTransport::connectTo(const SocketAddress& address, TimePoint deadline) {
   const FileDescriptor any_attempt(::epoll_create1(EPOLL_CLOEXEC));
@@ -257,7 +257,7 @@ bool TcpTransport::waitFor(int descriptor, short events, TimePoint deadline) {
 /// @param other the wait also ends when this descriptor is readable
 /// @return which events each of the two has, errors included; 0 at the deadline or if the wait ended early
 std::pair<short, short> TcpTransport::pollOnce(int descriptor, short events, TimePoint deadline, int other) {
-  // poll() skips a descriptor of -1.
+  // poll() ignores a descriptor of -1.
   pollfd polled[] = {{wake_up_.descriptor(), POLLIN, 0}, {descriptor, events, 0}, {other, POLLIN, 0}};
   const int count = ::poll(polled, 3, pollTimeout(deadline));
   if (count < 0 && errno != EINTR) {

@@ -32,14 +32,14 @@ class TcpTransport {
 
   explicit TcpTransport(Resolver resolver = resolveWithSystem);
 
-  /// Connects. If it fails, it leaves nothing behind.
-  /// @throw Fault there is no connection at the deadline, or it is clear earlier that there will be none
+  /// Connects. A failed attempt leaves nothing behind.
+  /// @throw Fault there is no connection at the deadline, or none can be made
   /// @throw StoppedException abort() was called
   void connect(const std::string& host, int port, TimePoint deadline);
 
   /// Waits until something has arrived, wakeUp() is called, or the deadline passes. Without a connection it only waits
-  /// for the last two. Meanwhile it sends what send() has left, and it may return early after that, or after
-  /// 250 ms, because what becomes too old is dropped when the thread wakes.
+  /// for the last two. Meanwhile it sends what send() has left. It may return early after that, or after 250 ms, so
+  /// that the caller can drop what has become too old.
   /// @throw Fault the connection is over
   /// @throw StoppedException abort() was called
   Readable wait(TimePoint deadline);
@@ -61,7 +61,7 @@ class TcpTransport {
   /// @return false if the kernel refuses, and errno says why: ENOTCONN if the peer has reset the connection
   bool openDatagrams() { return datagrams_.open(socket_.get()); }
 
-  /// The socket for datagrams. It is closed before openDatagrams() and after the end of the connection.
+  /// The socket for datagrams. It is open from openDatagrams() to the end of the connection.
   DatagramSocket& datagrams() { return datagrams_; }
 
   /// Ends the connection, if there is one.

@@ -16,14 +16,14 @@ class TransportChoice {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// Because a test can be lost, this many are sent. The wait after each is twice as long as the one before.
+  /// How many tests are sent, because one can be lost. The wait after each is twice as long as the one before.
   static constexpr int kTests = 4;
   static constexpr std::chrono::milliseconds kFirstWait{50};
   /// The time until the next tests if none has come, or if UDP was given up. In the latter case it doubles each time,
-  /// so that pictures do not change their way all the time.
+  /// so that the transport does not change all the time.
   static constexpr std::chrono::seconds kPause{10};
   static constexpr std::chrono::seconds kLongestPause{160};
-  /// After UDP has worked for this long, the pause is short again.
+  /// If UDP has worked for this long, the next pause is short again.
   static constexpr std::chrono::seconds kProven{60};
 
   struct Situation {
@@ -36,7 +36,7 @@ class TransportChoice {
   /// What to ask the robot for.
   enum class Step { kNone, kTest, kBegin, kEnd };
 
-  /// The next step. It counts as done.
+  /// The next step. The caller has to take it, because it then counts as taken.
   Step next(const Situation& situation, TimePoint now);
 
   /// Call this when the test datagram has come.
@@ -64,7 +64,7 @@ class TransportChoice {
   struct Trials {
     bool given_up = false;
     bool has_passed = false;
-    int tests = 0;  ///< that were sent since the last pause
+    int tests = 0;  ///< how many were sent since the last pause
     TimePoint next_test{};
     std::chrono::seconds pause = kPause;
   };

@@ -27,8 +27,7 @@ inline double wholeThousandths(double value) {
   return std::round(value * 1000) / 1000;
 }
 
-/// @param design the robot's design. If this design is not known to have the sensor, the sensor counts as one with a
-///   unit
+/// @param design the robot's design. A sensor that the design is not known to have counts as one with a unit
 inline robot_model::SensorKind sensorKind(const std::string& design, int id) {
   const robot_model::RobotModel* model = robot_model::findRobotModel(design.c_str());
   const int index = model == nullptr ? robot_model::NO_SENSOR : robot_model::findSensorByIdentifier(*model, id);

@@ -14,10 +14,10 @@ class ValuePoll {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   /// The time between two requests. A request and its answer are six bytes in two packets. That makes 80 small packets
-  /// a second, in addition to about 120 full ones of 30 pictures a second. On a wireless link of 11 Mbit/s a small
-  /// packet takes about 0.75 ms, so the requests take 6 % of the link's time.
+  /// a second, beside about 120 full packets for 30 pictures. On a wireless link of 11 Mbit/s a small packet takes
+  /// about 0.75 ms, so the requests take 6 % of the link's time.
   static constexpr std::chrono::milliseconds kPeriod{25};
-  /// Commands go first, but they delay the next request for this long at most.
+  /// Commands are sent before a request that is due, but they delay it for this long at most.
   static constexpr std::chrono::milliseconds kLongestWait{250};
 
   /// The value to ask for.
@@ -32,7 +32,7 @@ class ValuePoll {
   /// True if there is nothing to ask for.
   bool empty() const { return values_.empty(); }
 
-  /// When to ask again. It means nothing if empty().
+  /// When to ask again, unless empty().
   TimePoint dueAt() const { return due_at_; }
 
   /// True if commands have delayed the next request for long enough.

@@ -19,8 +19,8 @@ Payload payloadOf(const Call& call) {
 }
 
 /// A request about the motion that the call is for.
-/// @param repetitions only to play it
-/// @param content only to store it
+/// @param repetitions used only to play the motion
+/// @param content used only to store the motion
 Call::Bytes motionRequest(const Call& call, unsigned short repetitions, const unsigned char* content,
                           std::size_t content_size) {
   protocol::FileRequest file = {};

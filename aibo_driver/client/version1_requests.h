@@ -10,13 +10,13 @@
 
 namespace aibo_client {
 
-/// A picture, the stream, or a value that is read.
+/// A request for a picture, for the stream, or to read a value.
 Call::Bytes version1Command(char letter, int identifier);
 
-/// A value that is set.
+/// A request to set a value.
 Call::Bytes version1SetCommand(char letter, int identifier, short value);
 
-/// The request of a call. It is empty if version 1 does not have it, and for a picture.
+/// The request of a call. It is empty for a picture, and for a request that version 1 does not have.
 Call::Bytes version1Request(const Call& call);
 
 /// True if version 1 of the protocol has this request.

@@ -49,7 +49,7 @@ constexpr char kCameraSettings[] = "to set the camera: its settings stay as they
 constexpr char kColorDetection[] = "to detect colours: nothing is detected";
 constexpr char kMicrophones[] = "for its microphones: nothing is heard";
 
-// Version 1 does not say when something has ended.
+// The reason to give when something has ended, because version 1 does not report how.
 constexpr char kUnknownEnd[] = "version 1 of the protocol does not say how it ends";
 
 short toCentidegrees(double radian) {
@@ -118,7 +118,7 @@ Session::Bytes Version1Session::nextRequest(const Settings& wanted, TimePoint no
   return call != nullptr && !connection_.mustWaitForSpeedLimits(*call) ? requestCall(call, now) : nextValueRequest(now);
 }
 
-/// Logs that this version has no such request, each time that it becomes wanted.
+/// Logs that this version has no such request. It logs this again each time the request becomes wanted.
 void Version1Session::warnOfMissing(const char* request, bool wanted) {
   if (!wanted) {
     missing_.erase(request);
@@ -127,8 +127,8 @@ void Version1Session::warnOfMissing(const char* request, bool wanted) {
   }
 }
 
-// A connection can also be made to a server that is frozen, or whose robot has just gone out of reach. Pictures are the
-// only request that every version 1 server answers.
+// The connection may be to a server that is frozen, or whose robot has just gone out of reach. So the client asks for a
+// picture: this is the only request that every version 1 server answers.
 Session::Bytes Version1Session::requestTrial(const Settings& wanted, TimePoint now) {
   is_trial_pending_ = true;
   connection_.pictures.signOfPicture(now);
@@ -189,7 +189,7 @@ Session::Bytes Version1Session::nextJointCommand(TimePoint now) {
   return bytes;
 }
 
-/// Reports the ends of commands. This version does not say when joints arrive.
+/// Reports the end of each command that was answered. This version does not say when joints arrive.
 void Version1Session::endJointOrders() {
   for (auto each = joint_orders_.begin(); each != joint_orders_.end();) {
     const auto& [number, order] = *each;
@@ -264,7 +264,7 @@ void Version1Session::onPicture() {
   const PicturePtr picture = pictures.inspect(parser_.takeJpeg(), parser_.firstByteTime());
   if (!picture) {
     if (pending != nullptr) {
-      pending->request_number = 0;  // it is sent again, as long as the call's time allows
+      pending->request_number = 0;  // the request is sent again if the call's time allows
     }
     return;
   }
@@ -286,7 +286,7 @@ void Version1Session::onValueReply() {
   ready_ = true;
   const bool error = reply.letter == protocol::REPLY_ERROR;
   if (error && is_version_answer) {
-    return;  // version 2 is refused, as was assumed
+    return;  // the server has refused version 2, as was assumed
   }
   error ? onError(reply.value) : onAnswer(reply);
 }

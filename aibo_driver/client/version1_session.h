@@ -18,11 +18,11 @@ namespace aibo_client {
 
 /// What is remembered of a version 1 server from one connection to the next.
 struct ServerHabits {
-  /// If this many polls for joints in a row stay unanswered although the server sends other things, it is not asked for
-  /// joints any more. The same holds for sensors.
+  /// After this many polls for joints in a row without an answer, although the server sends other things, the client
+  /// does not ask for joints any more. The same holds for sensors.
   static constexpr int kUnansweredPollsLimit = 3;
 
-  std::map<char, int> unanswered_polls;  ///< how many in a row, by the request's letter; each cost a connection
+  std::map<char, int> unanswered_polls;  ///< by the request's letter, how many in a row; each ended a connection
 };
 
 /// A session with a version 1 server.
@@ -58,10 +58,10 @@ class Version1Session final : public Session {
     std::uint64_t order = 0;  ///< OrderTerms::number
   };
 
-  /// A command to joints of which a target was sent.
+  /// A command to joints of which at least one target was sent.
   struct JointOrder {
     bool is_accepted = false;  ///< the robot has accepted a target
-    std::string trouble{};     ///< why the robot has refused one
+    std::string trouble{};     ///< why the robot has refused a target
   };
 
   // The call that was sent and has not been answered, or null. pendingPicture() returns only calls for a picture.

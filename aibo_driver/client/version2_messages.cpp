@@ -34,7 +34,7 @@ Enum known(unsigned number, unsigned highest) {
   return number <= highest ? static_cast<Enum>(number) : Enum::kUnknown;
 }
 
-// Ignores identifiers that it does not know: a newer server sends them.
+// Identifiers that it does not know are ignored, because a newer server may send them.
 void setWalk(int id, int value, std::optional<WalkReading>* walk) {
   if (!*walk) {
     walk->emplace();

@@ -17,25 +17,25 @@
 
 namespace aibo_client {
 
-/// The index of a setting is its id - 1.
+/// The values of the settings. The index of a setting is its id - 1.
 std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> valuesOf(const CameraSettings& settings);
 
-/// Empty if the robot does not know them all.
+/// The settings; empty if the robot does not know them all.
 std::optional<CameraSettings> settingsIn(const protocol::version2::CameraSettings& values);
 
-/// The numbers of Resolution are those of the layers.
+/// The layer of a resolution. Both have the same numbers.
 protocol::version2::Layer layerOf(Resolution resolution);
 
 RobotInfo robotIn(const protocol::version2::Hello& hello);
 
-/// The time of arrival is left out.
-/// @param design of the robot that has measured
+/// Makes telemetry of a message, but without the time of arrival.
+/// @param design the design of the robot that has measured
 Telemetry telemetryIn(const protocol::version2::Telemetry& measured, const std::string& design);
 
 std::vector<JointTarget> targetsIn(const protocol::version2::JointTargets& accepted);
 std::vector<LedCommand> ledsIn(const protocol::version2::LedValues& accepted);
 
-/// The number of the order is left out, because the client has a number of its own for it.
+/// Makes an end of a message, but without the order's number, because the client has a number of its own for it.
 ActivityEnd endIn(const protocol::version2::EndMessage& message);
 
 MotorsAndPosture stateIn(const protocol::version2::MotorsAndPosture& state);
@@ -48,7 +48,7 @@ protocol::version2::SpeedLimits limitsOf(const std::vector<JointSpeedLimit>& wan
 protocol::version2::LedValues ledsOf(const std::vector<LedCommand>& wanted);
 
 /// @param chosen null stands for a table without colours
-/// @param index of the table
+/// @param index the index of the table
 protocol::version2::ColorTable tableOf(const ColorTablePtr& chosen, std::ptrdiff_t index);
 
 }  // namespace aibo_client

@@ -21,19 +21,19 @@ namespace version2 = protocol::version2;
 
 namespace {
 
-// Nobody who cannot hear the connection should know the numbers of datagrams.
+// Numbers that nobody can guess who cannot hear the connection.
 DatagramIntake::Start randomStart() {
   std::random_device random;
   return {random(), random()};
 }
 
-// No robot has this many joints. Each report is kept once.
+// The most reports that are kept. No robot has this many joints, and each report is kept once.
 constexpr std::size_t kMostReports = 32;
 
-// Pushed without payload, it asks for a hello.
+// The kind of a push without a payload by which the server asks for a hello.
 constexpr char kHelloWanted = 'h';
 
-// No setting of the camera has this value.
+// Marks a setting that was not requested yet. No setting of the camera has this value.
 constexpr int kNotRequested = -1;
 
 template <typename Item>
@@ -160,7 +160,7 @@ Session::Bytes Version2Session::requestTransport(const Settings& wanted, TimePoi
     case TransportChoice::Step::kEnd:
       datagrams_.end();
       connection_.transport = PictureTransport::kTcp;
-      connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+      connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP
       return requestDatagrams(0, false, start_, now);
     default:
       return {};
@@ -213,7 +213,7 @@ Session::Bytes Version2Session::requestColors(const Settings& wanted, TimePoint 
                           : request(version2::DETECT_COLORS, version2::COLORS_OFF, {}, now);
 }
 
-// A server starts with its microphones off.
+// The microphones need not be switched off at first, because a server starts with them off.
 Session::Bytes Version2Session::requestMicrophone(const Settings& wanted, TimePoint now) {
   const MicrophoneSettings& microphone = wanted.microphone;
   const MicrophoneSettings& asked = connection_.sound.asked();
@@ -287,7 +287,7 @@ Session::Bytes Version2Session::requestTargets(TimePoint now) {
                  idsOf(command.targets), command.terms.number);
 }
 
-/// @param command must not be empty. If its velocity is 0, it is sent even if the robot's frame is not known
+/// @param command must have a value. A velocity of 0 is sent even if the robot's frame is not known
 Session::Bytes Version2Session::requestSteering(std::optional<SteeringCommand>* command, TimePoint now) {
   const SteeringCommand taken = *std::exchange(*command, std::nullopt);
   const WalkVelocity& wanted = taken.velocity;
@@ -441,7 +441,7 @@ void Version2Session::onFrame() {
   }
 }
 
-// Pushes of unknown kinds are for newer clients, so they are ignored.
+// Pushes of unknown kinds are ignored, because they are for newer clients.
 void Version2Session::onPush(char kind, const Payload& payload) {
   switch (kind) {
     case version2::PICTURE:
@@ -469,7 +469,7 @@ void Version2Session::onPush(char kind, const Payload& payload) {
 void Version2Session::onReply(char kind, int number, const Payload& payload) {
   const std::optional<char> request_kind = kindOf(number);
   if (!request_kind) {
-    return;  // the caller has stopped waiting
+    return;  // the caller does not wait any more
   }
   if (version2::isError(kind, payload.size)) {
     onError(number, payload);
@@ -537,7 +537,7 @@ void Version2Session::deliverFromStream(const PicturePtr& picture) {
   }
 }
 
-// A forged frame number would make all later pictures look overtaken. Pictures by TCP are really the robot's.
+// Protects against a forged frame number, which would make all later pictures look overtaken.
 bool Version2Session::isOfTheFuture(std::uint32_t frame_number) const {
   constexpr std::chrono::milliseconds kTolerance(100);
   return timeAhead(frame_number, now_) > kTolerance;
@@ -558,14 +558,14 @@ bool Version2Session::isOvertaken(const Picture& picture) const {
 void Version2Session::onRequestedPicture(int number, const Payload& payload) {
   const PicturePtr picture = takePictureFrom(payload);
   if (!picture) {
-    connection_.calls.find(number)->request_number = 0;  // it is sent again, as long as the call's time allows
+    connection_.calls.find(number)->request_number = 0;  // the request is sent again if the call's time allows
     return;
   }
   const PictureIntake& pictures = connection_.pictures;
   const std::optional<Resolution>& resolution = connection_.calls.find(number)->resolution;
   const bool is_of_other_size = pictures.streaming() && resolution && *resolution != pictures.streamFormat().resolution;
   if (is_of_other_size || isOvertaken(*picture)) {
-    ++connection_.context.counters.pictures;  // only the caller gets it, because it does not fit into the stream
+    ++connection_.context.counters.pictures;  // on_picture is not called: it does not fit into the stream
   } else {
     newest_frame_ = picture->frame_number;
     connection_.pictures.deliver(picture);
@@ -577,7 +577,7 @@ void Version2Session::onTelemetry(const Payload& payload) {
   const auto measured = decoded<version2::Telemetry>(payload.data, payload.size, "telemetry");
   frames_.told(measured.frame_number, now_);
   if (telemetry_.size() == TelemetryIntake::kMostAtOnce) {
-    // So many wait only if this process stalled for long. Then the oldest are worth least.
+    // This many wait only if this process stalled for long, and then the oldest are worth least.
     telemetry_.pop_front();
     ++connection_.context.counters.dropped_telemetry;
   }
@@ -585,7 +585,7 @@ void Version2Session::onTelemetry(const Payload& payload) {
   telemetry_.back().arrival = frame_began_;
 }
 
-// Colours that were detected before a change of the tables would get the names of the new ones.
+// Until the robot has answered, colours may still be those of the old tables, and would get the names of the new ones.
 void Version2Session::onColors(const Payload& payload) {
   if (outstanding(version2::REQUEST_COLORS) == 0) {
     connection_.colors.receive(payload.data, payload.size, color_tables_, frame_began_);
@@ -608,14 +608,14 @@ void Version2Session::onSteered(const Payload& payload) {
   const int number = reader_.header().request_number;
   const std::uint64_t order = orderOf(number);
   if (steered.walk != number) {
-    orders_.erase(number);  // it began no walk
+    orders_.erase(number);  // the order began no walk
   }
   const version2::Velocity& velocity = steered.velocity;
   connection_.context.notifier.tell(&Callbacks::on_steered, "on_steered",
                                     {velocity.forward, velocity.left, velocity.turn}, order, orderOf(steered.walk));
 }
 
-// The robot may set something else than was asked for.
+// The value in force may differ from the one that was requested.
 void Version2Session::onCameraSetting(const Payload& payload) {
   const int id = reader_.header().id;
   version2::CameraValue set = {reader_.header().id, 0};
@@ -639,7 +639,7 @@ void Version2Session::onSound(const Payload& payload) {
 void Version2Session::onMicrophone(const Payload& payload) {
   const auto settings =
       decoded<version2::MicrophoneSettings>(payload.data, payload.size, "reply to a request to listen");
-  if (outstanding(version2::REQUEST_SOUND) == 1) {  // it is the newest
+  if (outstanding(version2::REQUEST_SOUND) == 1) {  // otherwise newer settings are still to be answered
     connection_.sound.inForce({(settings.mode & version2::MICROPHONE_ON) != 0, settings.channels,
                                settings.samples_per_second, (settings.mode & version2::SOUND_FIRST) != 0});
   }
@@ -661,10 +661,10 @@ void Version2Session::giveUpDatagrams(const std::string& why, TimePoint now) {
   connection_.giveUpDatagrams(why, transport_.insists() ? LogLevel::kWarn : LogLevel::kInfo);
   transport_.giveUp(now);
   datagrams_.end();
-  connection_.pictures.signOfPicture(now);  // from now on, they are due by TCP
+  connection_.pictures.signOfPicture(now);  // from now on, pictures are due by TCP
 }
 
-// What the answer causes is told before the caller gets the answer.
+// Ends that the request has caused are reported before the caller gets the answer.
 void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   if (call.has(version2::MOVES_BODY)) {
     bodyMovesAgain();
@@ -677,7 +677,7 @@ void Version2Session::onCallAnswered(const Call& call, const Payload& payload) {
   connection_.calls.answer(call.request_number, payload.data, payload.size);
 }
 
-/// Tells that the robot has refused a request. Its caller may have stopped waiting.
+/// Reports that the robot has refused a request. The caller may have stopped waiting for it.
 void Version2Session::onError(int number, const Payload& payload) {
   const auto message = decoded<version2::ErrorMessage>(payload.data, payload.size, "error message");
   const std::string problem = describe(message);
@@ -714,7 +714,7 @@ void Version2Session::onRefusal(const Exchange& exchange, const std::string& pro
   }
   if (letter == version2::REQUEST_DATAGRAMS) {
     ++connection_.context.counters.refusals;
-    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // else it was about an earlier setting
+    if (transport_.isUdpWanted() && outstanding(letter) == 1) {  // otherwise the robot has refused an earlier setting
       giveUpDatagrams("it refused to: " + problem, now_);
     }
     return;
@@ -752,7 +752,7 @@ void Version2Session::onMotorsAndPosture(const Payload& payload) {
   connection_.motors_and_posture = stateIn(state);
 }
 
-// The report of a joint's fault begins with its name.
+// A report of a joint's fault begins with the name of the joint.
 void Version2Session::jointFollowsAgain(const std::string& joint) {
   removeIf(&reports_,
            [&joint](const Report& each) { return each.joint_fault && each.text.rfind(joint + " ", 0) == 0; });
@@ -760,7 +760,7 @@ void Version2Session::jointFollowsAgain(const std::string& joint) {
   connection_.context.notifier.log(LogLevel::kInfo, "The joint " + joint + " follows its commands again.");
 }
 
-// What kept the robot from walking is over.
+// Removes the reports of what kept the robot from walking.
 void Version2Session::bodyMovesAgain() {
   removeIf(&reports_, [](const Report& each) { return each.about_body; });
   connection_.robot_message = reports_.empty() ? "" : reports_.back().text;
@@ -794,8 +794,8 @@ void Version2Session::checkDeadlines(TimePoint now) {
   connection_.expireCalls(now);
 }
 
-/// When the robot, or its datagrams, will have been silent for too long. With UDP the radio may be out for longer than
-/// with TCP, because pictures come at once when it is back, without a new connection.
+/// The time at which the robot, or its datagrams, will have been silent for too long. With UDP the radio may be out for
+/// longer than with TCP, because pictures come at once when it is back, without a new connection.
 Session::TimePoint Version2Session::pictureDeadline() const {
   return datagrams_.on() ? datagrams_.deadline(connection_.pictures.extraInterval()) : connection_.pictureDeadline();
 }

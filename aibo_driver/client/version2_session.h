@@ -27,11 +27,11 @@ class Version2Session final : public Session {
  public:
   /// The time between two hellos. The protocol asks for one a second.
   static constexpr std::chrono::seconds kHelloPeriod{1};
-  /// How many commands to the joints may be unanswered. Further commands wait. Otherwise a link that stands still would
-  /// fill up with commands that are old when they arrive.
+  /// How many commands to the joints may be unanswered. Further commands wait. Without this limit, a link that stands
+  /// still would fill up with commands that are old when they arrive.
   static constexpr int kMostJointCommandsOutstanding = 4;
   /// A robot has at most 23 orders that have not ended: 18 joints, four motions, and a walk or a posture. A server that
-  /// never ends them must not use up all numbers. The value is our choice.
+  /// never ends its orders must not use up all numbers. The value is our choice.
   static constexpr std::size_t kMostOrders = 1000;
 
   Version2Session(Connection& connection, TimePoint connected);
@@ -69,14 +69,14 @@ class Version2Session final : public Session {
     TimePoint sent;
     TimePoint deadline;
     OnAnswer on_answer;
-    bool is_for_double_resolution = false;  ///< of the stream
+    bool is_for_double_resolution = false;  ///< true: the request is for the stream in double resolution
   };
 
   /// A report that the robot sent without a request.
   struct Report {
     std::string text;
     bool joint_fault;
-    bool about_body;  ///< for example, the robot lies on its side; over when it walks or takes a posture again
+    bool about_body;  ///< such as that it lies on its side; over when it walks or takes a posture again
   };
 
   /// Makes the next request for a setting. It is empty if the robot has been asked for what the user wants.
@@ -162,7 +162,7 @@ class Version2Session final : public Session {
   std::uint32_t robot_frame_ = 0;  ///< the frame number in the answer to a hello
   TimePoint robot_frame_time_;     ///< when that hello was sent: that frame was not over yet
   TimePoint next_hello_;
-  bool lacks_double_resolution_ = false;                                   // the robot has refused it
+  bool lacks_double_resolution_ = false;                                   // the robot has refused double resolution
   std::array<int, protocol::version2::NUMBER_OF_CAMERA_SETTINGS> camera_;  // as last requested; kNotRequested
   ColorTables color_tables_;                                               // as last requested
   int telemetry_period_ = 0;                                               // as last requested

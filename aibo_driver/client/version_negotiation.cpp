@@ -20,7 +20,7 @@ void VersionNegotiation::bytesArrived(const std::uint8_t* data, std::size_t size
 void VersionNegotiation::judge() {
   const char letter = static_cast<char>(bytes_.front());
   if (letter != protocol::version2::versionReply().letter && letter != protocol::REPLY_ERROR) {
-    // These bytes are no answer to `X`, so the session parses them.
+    // The bytes are no answer to `X`, so they are left for the session to parse.
     result_ = Result::kVersion1Unanswered;
     return;
   }

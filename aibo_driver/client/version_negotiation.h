@@ -22,7 +22,7 @@ class VersionNegotiation {
   enum class Result {
     kOpen,                ///< no answer yet
     kVersion1,            ///< the server refused version 2
-    kVersion1Unanswered,  ///< no answer has come; one may still come
+    kVersion1Unanswered,  ///< no answer has come in time, but one may still come
     kVersion2             ///< the server agreed to version 2
   };
 

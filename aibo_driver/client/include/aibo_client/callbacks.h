@@ -72,8 +72,8 @@ struct Callbacks {
   /// otherwise by this callback. Velocities end as on_steered says. When the connection ends, all orders end with it,
   /// and nothing is called. Ends that a request causes are reported before the request's own answer.
   std::function<void(const ActivityEnd& end)> on_ended;
-  /// A request was refused or dropped. If a newer request replaces one without an OrderTerms::number before that is
-  /// sent, this is not called.
+  /// A request was refused or dropped. This is not called for a request without an OrderTerms::number that a newer one
+  /// replaces before it is sent.
   std::function<void(const Refusal& refusal)> on_refused;
   /// A version 2 server says that the motors or the posture have changed. This is also called soon after the connection
   /// is made and, with everything unknown, when a connection ends.
@@ -82,7 +82,7 @@ struct Callbacks {
   /// counts. Colours that come more than twice as often as requested are dropped, and so are regions that contradict
   /// themselves.
   std::function<void(const DetectedColors& colors)> on_colors;
-  /// What the robot has heard, in order. Sound beyond twice the requested amount is dropped.
+  /// What the robot has heard, in order. If more than twice as much comes as requested, the rest is dropped.
   std::function<void(const HeardSound& sound)> on_heard;
   /// A sound that the robot had begun to play has ended. This is called once for each of them.
   std::function<void(const SoundEnd& end)> on_sound_ended;

@@ -25,9 +25,9 @@ enum class Resolution {
 /// How the pictures of the stream come. Everything else always comes by TCP, even a picture for takePicture().
 enum class PictureTransport {
   kTcp,  ///< each picture comes whole; one that has lost a packet comes late and delays the pictures behind it
-  kUdp,  ///< a lost packet delays its picture for a few milliseconds, or keeps it from coming; no other waits for it
-  /// By UDP where datagrams come, otherwise by TCP. It is tried before the pictures are sent that way, and tried again
-  /// every 10 s, which is our choice.
+  kUdp,  ///< a lost packet delays its picture by a few milliseconds, or the picture is lost; no other picture waits
+  /// By UDP where datagrams get through, otherwise by TCP. The client tests this before it changes to UDP. If the test
+  /// fails, it tests again every 10 s (our choice).
   kAuto
 };
 

@@ -56,8 +56,8 @@ class NetworkException : public Exception {
   /// @return the kind of reason that the message gives in words
   FaultKind kind() const noexcept { return kind_; }
 
-  /// True if the request had been sent when the call ended, so that the robot may or may not carry it out. If it is
-  /// false, the request has not been sent and never will be.
+  /// True if the request had been sent when the call ended, so that the robot may still carry it out. If it is false,
+  /// the request has not been sent and never will be.
   bool wasSent() const noexcept { return was_sent_; }
 
  private:

@@ -10,15 +10,15 @@
 
 namespace aibo_client {
 
-/// How long an order may be on its way to the robot, unless its caller says otherwise. After this time, the user has
-/// seen that nothing moves, and does not expect the movement any more. The value is our choice.
+/// How long an order may be on its way to the robot, unless its caller says otherwise. Later than that, a movement
+/// would surprise a user who has seen that nothing moves. The value is our choice.
 constexpr std::chrono::milliseconds kLongestOrderWait{500};
 
 /// The terms of an order to move.
 struct OrderTerms {
   /// After this time the order is too old: it is not sent any more, and a robot of version 2 that gets it later refuses
-  /// it. The robot's clock counts, in frames of 8 ms. If an order has waited before it reaches the client, its caller
-  /// should count from the time when it was received. Nothing that stops the robot is ever too old.
+  /// it. The robot decides by its own clock, in frames of 8 ms. If an order has waited before it reaches the client,
+  /// its caller should count from the time when it was received. Nothing that stops the robot is ever too old.
   std::chrono::steady_clock::time_point not_after = std::chrono::steady_clock::now() + kLongestOrderWait;
   /// A number of the caller's choice, by which Refusal and ActivityEnd name the order. 0 means no number.
   std::uint64_t number = 0;
@@ -32,16 +32,16 @@ enum class RefusedRequest {
   kLeds,
   kEars,
   kMicrophone,
-  kMotion,  ///< not if it has no OrderTerms::number and a call waits for it, because that call throws
-  kPosture  ///< likewise
+  kMotion,  ///< not reported if it has no OrderTerms::number and a call waits for it, because that call throws
+  kPosture  ///< not reported in the same case as kMotion
 };
 
 /// Why such a request is not carried out. New causes may be added at the end.
 enum class RefusalCause {
   kRobot,    ///< the robot has refused the request
-  kTooOld,   ///< it could not be sent or reach the robot by OrderTerms::not_after or within the call's time
-  kStopped,  ///< a stop, a posture, a motion or the motors' switch came before it was sent
-  kReplaced  ///< before it was sent, a later order took its joints (`ids`), or a later velocity took its place
+  kTooOld,   ///< the request could not reach the robot by OrderTerms::not_after or within the call's time
+  kStopped,  ///< a stop, a posture, a motion or the motors' switch came before the request was sent
+  kReplaced  ///< before the request was sent, a later one took its joints (`ids`) or gave another velocity
 };
 
 /// Reports that a request was refused, or was dropped before it was sent. An order that was refused never begins.
@@ -60,19 +60,19 @@ enum class EndedKind {
   kWalk = 2,     ///< walking
   kPosture = 3,  ///< a change of posture
   kJam = 4,      ///< a joint's fault: the joint follows its commands again
-  kJoints = 5    ///< a command to joints: none of its joints is under way for it any more
+  kJoints = 5    ///< a command to joints: no joint moves for it any more
 };
 
-/// How something that the robot did, or should have done, has ended. The first five are what a robot says, with the
-/// numbers of docs/protocol.md; all are the constants of aibo_msgs/EndedMovement.
+/// How something that the robot did, or should have done, has ended. All are constants of aibo_msgs/EndedMovement. The
+/// first five are reported by robots, with the numbers of docs/protocol.md.
 enum class EndedHow {
   kDone = 0,        ///< the joints are measured where they were sent, or the robot says that it has done it
-  kReplaced = 1,    ///< something else moves its joints now
+  kReplaced = 1,    ///< something else now moves the joints
   kStopped = 2,     ///< somebody has stopped it
-  kRefused = 3,     ///< it was not begun, or the robot could not go on with it
+  kRefused = 3,     ///< the robot did not begin it, or could not go on with it
   kFell = 4,        ///< the robot fell or was lifted
   kUnknown = 5,     ///< nothing says how it ended, or the robot says it in a way that only a newer client knows
-  kNotReached = 6,  ///< its time is over, and a joint is not where it was sent
+  kNotReached = 6,  ///< its time is over, but not all joints are where they were sent
   kLost = 7         ///< the connection broke
 };
 

@@ -47,7 +47,7 @@ class TcpTransport;
 /// @endcode
 class RcServerClient {
  public:
-  /// Only constructs the client. start() connects it.
+  /// Constructs the client without connecting it; start() does that.
   /// @throw InvalidArgumentException an option is out of its range; the message names both
   RcServerClient(const ClientOptions& options, Callbacks callbacks);
 
@@ -88,8 +88,8 @@ class RcServerClient {
   int jpegQuality() const;
 
   /// Sets the resolution and the rate of the stream. A version 2 server changes a running stream at once. A version 1
-  /// server can only send every image in Resolution::kHigh, and a camera may lack the bands for Resolution::kDouble.
-  /// Then the stream has Resolution::kHigh, and the log says so.
+  /// server can only send every image in Resolution::kHigh, and a camera may lack the bands for Resolution::kDouble. In
+  /// both cases the stream has Resolution::kHigh, and the log says so.
   /// @throw InvalidArgumentException every_nth_image is out of range
   void setStreamFormat(const StreamFormat& format);
 
@@ -107,8 +107,8 @@ class RcServerClient {
   void setPictureTransport(PictureTransport transport);
 
   /// Sets the camera. It takes effect as setStreaming() does. The robot resets the camera when the connection ends.
-  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 cannot
-  /// set its camera, and a robot may refuse a setting. The log then says so.
+  /// Picture::settings has the settings with which a picture was taken. A server that speaks version 1 cannot set its
+  /// camera, and a robot may refuse a setting. In both cases the log says so.
   /// @throw InvalidArgumentException a setting is out of range
   void setCameraSettings(const CameraSettings& settings);
 
@@ -122,8 +122,8 @@ class RcServerClient {
   /// channel, the log says so.
   /// @param channel 0..7
   /// @param table null means that the channel detects nothing any more
-  /// @throw InvalidArgumentException channel is out of range, or a range of the table is out of 0..255 or has a minimum
-  ///   above its maximum
+  /// @throw InvalidArgumentException channel is out of range, or a range of the table goes beyond 0..255 or has a
+  ///   minimum above its maximum
   void setColorTable(int channel, ColorTablePtr table);
 
   /// Switches the robot's microphones on or off. It takes effect as setStreaming() does, and does not need the stream.
@@ -135,9 +135,9 @@ class RcServerClient {
 
   /// Sets how often the robot sends telemetry, in OPEN-R frames of 8 ms. It takes effect as setStreaming() does.
   ///
-  /// A version 1 server sends none by itself, so the client asks it for joints and sensors in turn. It asks for each
-  /// about once a second, whatever the period, so that the answers hardly slow down the stream. Such a server does not
-  /// say which robot it runs on, so the client assumes an ERS-7.
+  /// A version 1 server sends no telemetry by itself, so the client asks it for joints and sensors in turn. It asks for
+  /// each about once a second, whatever the period, so that the answers hardly slow down the stream. Such a server does
+  /// not say which robot it runs on, so the client assumes an ERS-7.
   ///
   /// @param frames 0..65535; 0 means no telemetry; 4 (32 ms) is as often as the robot measures
   /// @throw InvalidArgumentException frames is out of range
@@ -185,8 +185,8 @@ class RcServerClient {
   ///
   /// A walk begins only after a velocity of 0, which says that the user has released the controls. This velocity has to
   /// come after the connection was made, after anything else that took or held a leg, after a fall, and after an end or
-  /// a refusal by the robot. It is sent before everything that waits, except for what stops the robot. Only a newer
-  /// velocity of 0 and a stop drop it.
+  /// a refusal by the robot. A velocity of 0 is sent before everything that waits, except for what stops the robot.
+  /// Only a newer velocity of 0 and a stop drop it.
   ///
   /// Only the newest velocity counts. on_refused reports an older one that was dropped before it was sent. It also
   /// reports a velocity that was dropped because of hold(), takePosture(), motors off or a command to the legs. Without
@@ -201,7 +201,7 @@ class RcServerClient {
   /// @throw StoppedException stop() was called
   void steer(const WalkVelocity& velocity, const OrderTerms& terms = {});
 
-  /// Changes ClientOptions::guard_walks. It counts from the next call of steer(), also for a walk that goes on.
+  /// Changes ClientOptions::guard_walks. The change takes effect with the next call of steer(), also during a walk.
   void guardWalks(bool on);
 
   /// Sets LEDs. It returns without waiting, under the same rules as commandJoints(). If commands come faster than the
@@ -262,8 +262,8 @@ class RcServerClient {
   /// Switches the motors of all joints on or off. While they are off, the joints can be moved by hand. The request to
   /// switch them off is sent before everything that waits. Orders that have not been sent are dropped.
   /// @param on true: on; false: off
-  /// @param terms until when the motors may be switched on; to switch them off is never too late. Its number has no
-  ///   meaning, because the answer is the end of this request
+  /// @param terms until when the motors may be switched on; to switch them off is never too late. The order's number is
+  ///   ignored, because this request ends with its answer
   /// @return true if the robot says that its motors are now on
   bool setMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
   std::future<bool> beginMotors(bool on, std::chrono::milliseconds timeout, const OrderTerms& terms = {});
@@ -322,9 +322,9 @@ class RcServerClient {
   /// The names of the motions on the robot's memory stick. Version 1 of the protocol has no such request.
   std::vector<std::string> listMotions(std::chrono::milliseconds timeout);
 
-  /// Takes a picture of 208x160 and stores it on the robot's memory stick. It stays there even if the connection ends.
-  /// RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES). Version 1 of the protocol does not
-  /// have them. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
+  /// Takes a picture of 208x160 and stores it on the robot's memory stick. It stays on the stick even if the connection
+  /// ends. RCSERVER.CFG has to allow this and the next three functions (ALLOW_PICTURES). Version 1 of the protocol does
+  /// not have them. The robot refuses if its memory stick is full, write-protected or missing, or has 256 pictures.
   /// @param quality 1..100
   /// @return the name of the new file, such as AIBO0001.JPG; it has not replaced another file
   std::string takePictureOnRobot(int quality, std::chrono::milliseconds timeout);
@@ -340,7 +340,7 @@ class RcServerClient {
   ///   refused with a CommandException
   std::vector<std::uint8_t> fetchPicture(const std::string& name, std::chrono::milliseconds timeout);
 
-  /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow ALLOW_DELETE as well as ALLOW_PICTURES.
+  /// Deletes a picture from the robot's memory stick. RCSERVER.CFG has to allow both (ALLOW_DELETE, ALLOW_PICTURES).
   /// @param name the name of the file, as for fetchPicture()
   void deletePicture(const std::string& name, std::chrono::milliseconds timeout);
 
@@ -352,8 +352,8 @@ class RcServerClient {
   void rebootRobot(std::chrono::milliseconds timeout);
 
   /// Sends the next samples of a sound, and waits for the robot's answer. Other requests are sent first, or wait for at
-  /// most one request with samples, so sound does not delay hold(). At first, send kMostSamplesAtOnce. Then keep ahead
-  /// of the robot: it plays silence in place of samples that come too late. After 2 s without samples it ends the
+  /// most one request with samples, so sound does not delay hold(). At first, send kMostSamplesAtOnce. After that, keep
+  /// ahead of the robot: it plays silence in place of samples that come too late. After 2 s without samples it ends the
   /// sound.
   ///
   /// A sound belongs to one connection: a reconnect ends it. If this call throws, the sound cannot go on. The robot's

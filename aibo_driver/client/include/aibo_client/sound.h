@@ -29,9 +29,9 @@ struct MicrophoneSettings {
   bool on = false;
   int channels = 2;                ///< 2: left and right; 1: the mean of both
   int samples_per_second = 16000;  ///< 8000 or 16000
-  /// On a link that is too slow for both: true: pictures wait until all that was heard has been sent, and while less
-  /// than half a second waits for the speaker; false: sound waits for each picture, and is left out if it comes too
-  /// late. It counts for playSamples() even if `on` is false.
+  /// Which sound or picture waits on a link that is too slow for both. true: pictures wait until all that was heard has
+  /// been sent, and while less than half a second waits for the speaker. false: sound waits for each picture, and is
+  /// left out if it comes too late. The choice also holds for playSamples(), even if `on` is false.
   bool before_pictures = false;
 
   bool operator==(const MicrophoneSettings& other) const {

@@ -46,15 +46,15 @@ struct ConnectionStatus {
   std::string advice;                  ///< what the user should check; empty when all is well
   FaultKind fault = FaultKind::kNone;  ///< the same reason as `reason`, for programs; kNone when all is well
   RobotInfo robot;                     ///< the introduction of a version 2 server once connected; otherwise empty
-  /// The last report that a version 2 server sent without a request. For example, a joint does not move, or the server
-  /// hangs up for some reason. The report is kept until the next connection. A report about a joint ends when the
-  /// server says that the joint follows its commands again. Then the last earlier report that still holds is here, or
-  /// nothing.
+  /// The last report that a version 2 server sent without a request. For example, it says that a joint does not move,
+  /// or why the server hangs up. The report is kept until the next connection. A report about a joint ends when the
+  /// server says that the joint follows its commands again. After that, this is the last earlier report that still
+  /// holds, or empty.
   std::string robot_message;
   PictureTransport transport = PictureTransport::kTcp;         ///< how the pictures of the stream come now
   PictureTransport wanted_transport = PictureTransport::kTcp;  ///< as last set by the user
-  /// Why they come by TCP although UDP or kAuto is wanted. It is empty if they come by UDP, if only TCP is wanted, or
-  /// if UDP has not been tried yet.
+  /// Why the pictures come by TCP although UDP or kAuto is wanted. It is empty if they do come by UDP, if only TCP is
+  /// wanted, or if UDP has not been tried yet.
   std::string transport_problem;
 };
 
@@ -79,7 +79,7 @@ class Counter {
   std::atomic<std::uint64_t> value_;
 };
 
-/// ClientStatistics since start(). They never decrease.
+/// What the client has counted since start(). The counters never decrease.
 struct ClientStatistics {
   Counter connections;          ///< connections that were established
   Counter failed_attempts;      ///< attempts to connect that failed

@@ -43,8 +43,8 @@ struct Telemetry {
   std::uint64_t connection_number = 0;
 };
 
-/// The time between two measurements over the same connection. It is measured by the robot's clock, or by the times of
-/// arrival if one of them has no frame number. Frame numbers may wrap around.
+/// The time between two measurements over the same connection. It is measured by the robot's clock or, if one
+/// measurement has no frame number, by the times of arrival. Frame numbers may wrap around.
 /// @return seconds
 inline double secondsBetween(const std::optional<std::uint32_t>& earlier_frame,
                              std::chrono::steady_clock::time_point earlier_arrival, const Telemetry& later) {
